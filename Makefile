@@ -1,0 +1,98 @@
+# Every command of this project. Each first gets what it needs and lacks (scripts/setup.sh), so a fresh clone can start
+# with any of them; the first one takes ten minutes or so, most of it for tools.
+
+.NOTPARALLEL: # cargo and the browsers use every core by themselves
+SHELL := bash
+
+setup := scripts/setup.sh
+run := scripts/env.sh
+wasm := scripts/env.sh --wasm
+npm := $(run) npm --silent --prefix www run
+wasm32 := --target wasm32-unknown-unknown --no-default-features
+
+# The files in tests/ that also run as wasm, in a browser.
+WASM_TESTS := digest
+
+.PHONY: help
+help: ## this list
+	@echo "make TARGET, where TARGET is"
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  %-13s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
+
+# ---- use it
+
+.PHONY: demo
+demo: wasm ## build everything and serve the page here; its address is printed
+	@$(npm) dev -- --host 127.0.0.1
+
+.PHONY: site
+site: wasm ## build the page into www/dist, to be served from any folder of any server
+	@$(npm) build
+
+.PHONY: wasm
+wasm: ## build the wasm package into www/pkg and weigh it
+	@$(setup) rust wasm node
+	@$(run) node scripts/wasm.mjs
+
+# ---- prove it
+
+.PHONY: test
+test: test-rust test-wasm test-page test-browser test-firefox ## every test there is
+
+.PHONY: test-rust
+test-rust: ## the core, natively
+	@$(setup) rust
+	$(run) cargo test
+
+.PHONY: test-wasm
+test-wasm: ## the core as wasm, in headless Chromium: the same pictures to the bit
+	@$(setup) rust wasm browser
+	@mkdir -p target
+	@$(run) bash -c 'sed "s|\$$CHROME|$$CHROME|" scripts/webdriver.json' > target/webdriver.json
+	$(wasm) cargo test $(wasm32) $(WASM_TESTS:%=--test %)
+
+.PHONY: test-page
+test-page: wasm ## the TypeScript, without a browser
+	$(npm) test
+
+.PHONY: test-browser
+test-browser: site ## the page in Chromium, end to end
+	@$(setup) browser
+	$(npm) e2e
+
+.PHONY: test-firefox
+test-firefox: site ## the page in a second engine
+	@$(setup) firefox
+	$(npm) firefox
+
+.PHONY: check
+check: wasm ## format, lints, types and documentation: not one warning
+	@$(setup) lint
+	$(run) cargo fmt --check
+	$(run) cargo clippy --quiet --all-targets --all-features -- -D warnings
+	$(wasm) cargo clippy --quiet --lib --examples $(WASM_TESTS:%=--test %) $(wasm32) -- -D warnings
+	RUSTDOCFLAGS="-D warnings" $(run) cargo doc --quiet --no-deps --all-features
+	RUSTDOCFLAGS="-D warnings" $(wasm) cargo doc --quiet --no-deps --lib $(wasm32)
+	$(npm) types
+	$(npm) lint
+
+# ---- measure and tend it
+
+.PHONY: bench
+bench: site ## the figures that the README quotes: natively, as wasm in Node, in the page
+	@$(setup) browser
+	@$(run) cargo bench --quiet --bench figures
+	@$(run) node scripts/wasm.mjs figures
+	@node target/figures-wasm/figures_wasm.js
+	@$(npm) bench:page
+
+.PHONY: goldens
+goldens: ## draw the golden pictures and digests anew; then look at them and say in the commit why they changed
+	@$(setup) rust
+	@echo "Tests that refresh a golden fail, to be seen; the run after them must pass."
+	-@RIVERSEED_REFRESH=1 $(run) cargo test --quiet --no-fail-fast
+	@$(run) cargo test --quiet
+	@git status --short tests
+
+.PHONY: clean
+clean: ## remove what was built here; tools in ~/.cache/riverseed and www/node_modules stay
+	rm -rf target www/pkg www/dist www/test-results www/playwright-report

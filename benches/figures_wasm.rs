@@ -1,0 +1,1 @@
+//! The measurements of `figures.rs` as a wasm module, for Node.

@@ -1,0 +1,85 @@
+#!/usr/bin/env node
+// Builds the wasm package that wasm-pack.toml describes, and weighs it against its budget.
+//
+//   node scripts/wasm.mjs           the package of the page and the widget
+//   node scripts/wasm.mjs figures   target/figures-wasm, the module that `make bench` times
+//
+// scripts/setup.sh wasm node must have run.
+
+import { execFileSync } from "node:child_process";
+import { createHash } from "node:crypto";
+import { existsSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { dirname, join } from "node:path";
+import { fileURLToPath } from "node:url";
+import { brotliCompressSync, gzipSync } from "node:zlib";
+
+process.chdir(join(dirname(fileURLToPath(import.meta.url)), ".."));
+const { parse } = createRequire(join(process.cwd(), "www/package.json"))("smol-toml");
+const settings = parse(readFileSync("wasm-pack.toml", "utf8"));
+
+if (process.argv[2] === "figures") {
+  buildFigures();
+} else {
+  buildPackage(settings.package);
+  weigh(`${settings.package["out-dir"]}/${settings.package["out-name"]}_bg.wasm`, settings.budget, settings.aim);
+}
+
+/** Runs a command with the Rust that knows wasm32; its failure is ours. */
+function run(...command) {
+  try {
+    execFileSync("scripts/env.sh", ["--wasm", ...command], { stdio: "inherit" });
+  } catch {
+    process.exit(1);
+  }
+}
+
+function buildPackage({ target, "out-dir": dir, "out-name": name, profile, cargo }) {
+  // cargo would see by itself that nothing changed, but the optimiser would still take its ten seconds.
+  const stamp = `${dir}/.inputs`;
+  const now = fingerprint();
+  if (existsSync(stamp) && readFileSync(stamp, "utf8") === now) return;
+
+  console.log("Building the wasm package (2 minutes the first time, then half a minute)");
+  rmSync(stamp, { force: true });
+  // no-install: wasm-pack would fetch tools, ours are there and have the right versions.
+  run(
+    ...["wasm-pack", "--quiet", "build", "--mode", "no-install", `--${profile}`, "--target", target],
+    ...["--out-dir", dir, "--out-name", name, "--", ...cargo],
+  );
+  writeFileSync(stamp, now);
+}
+
+/** A digest of every file that can change the package. */
+function fingerprint() {
+  const files = readdirSync("src", { recursive: true })
+    .map((file) => join("src", file))
+    .filter((file) => !file.startsWith(join("src", "bin")) && statSync(file).isFile())
+    .sort();
+  const others = ["Cargo.toml", "Cargo.lock", ".cargo/config.toml", "wasm-pack.toml", "scripts/wasm.mjs"];
+  const digest = createHash("sha256");
+  for (const file of [...files, ...others, "www/package-lock.json"]) digest.update(`${file}\n`).update(readFileSync(file));
+  return digest.digest("hex");
+}
+
+/** Prints what a file weighs, bare and packed, beside what it may; too much is a failure. */
+function weigh(file, budget, aim) {
+  const bytes = readFileSync(file);
+  const packed = { gzip: gzipSync(bytes, { level: 9 }).length, brotli: brotliCompressSync(bytes).length };
+  const words = [`${bytes.length} bytes`];
+  for (const [form, limit] of Object.entries(budget)) {
+    const hoped = form in aim ? `, aim ${aim[form]}` : "";
+    words.push(`${form} ${packed[form]} of ${limit}${hoped}`);
+    if (packed[form] > limit) process.exitCode = 1;
+  }
+  console.log(`${file}: ${words.join("; ")}${process.exitCode ? " — TOO LARGE" : ""}`);
+}
+
+function buildFigures() {
+  const built = "target/wasm32-unknown-unknown/release/examples/figures_wasm.wasm";
+  const out = "target/figures-wasm/figures_wasm_bg.wasm";
+  const crate = ["--example", "figures_wasm", "--no-default-features"];
+  run("cargo", "build", "--quiet", "--release", "--target", "wasm32-unknown-unknown", ...crate);
+  run("wasm-bindgen", "--target", "nodejs", "--out-dir", dirname(out), built);
+  run("wasm-opt", "-O3", out, "-o", out);
+}

@@ -1,0 +1,35 @@
+//! Growing a tree of rivers, from the mouths upstream.
+//!
+//! [`Colonize`] is a stepper: [`tick`](Colonize::tick) until it says that growth is over. Slicing the work
+//! differently gives the same tree to the bit.
+
+mod attractors;
+mod changed;
+mod colonize;
+mod heading;
+mod mouths;
+mod parameters;
+mod pull;
+
+pub use attractors::scatter;
+pub use colonize::{Colonize, Ending};
+pub use heading::{heading, is_twin};
+pub use mouths::{Mouth, mouths};
+pub use parameters::Parameters;
+pub use pull::Pull;
+
+use thiserror::Error;
+
+/// Why a recipe cannot be grown here.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[non_exhaustive]
+pub enum GrowError {
+    /// The memory was not to be had.
+    #[error("attractors: {attractors} of them need about {megabytes} MB, which this machine does not give")]
+    OutOfMemory {
+        /// How many were asked for.
+        attractors: u32,
+        /// About how much they need.
+        megabytes: u32,
+    },
+}

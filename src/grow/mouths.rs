@@ -1,0 +1,96 @@
+//! Where rivers reach the sea.
+
+use glam::Vec2;
+
+use super::Parameters;
+use crate::random::Purpose;
+
+/// The root of a river tree.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mouth {
+    /// On the border of the domain.
+    pub at: Vec2,
+    /// The unit vector away from the sea.
+    pub inland: Vec2,
+}
+
+/// How far a mouth may stray from the middle of its share of the coast, as a part of that share.
+const STRAY: f32 = 0.7;
+
+/// Places mouths along the chosen sides, one in each equal share of their common length, so that they keep apart.
+pub fn mouths(parameters: &Parameters) -> Vec<Mouth> {
+    let coast = coast(parameters);
+    let length: f32 = coast.iter().map(|side| side.length).sum();
+    let share = length / parameters.mouths as f32;
+    let mut chance = parameters.seed.stream(Purpose::Mouths);
+    (0..parameters.mouths)
+        .map(|i| {
+            let stray = (chance.unit() - 0.5) * STRAY;
+            along(&coast, (i as f32 + 0.5 + stray) * share)
+        })
+        .collect()
+}
+
+/// A side of the domain that is coast, walked clockwise.
+struct Side {
+    start: Vec2,
+    direction: Vec2,
+    length: f32,
+}
+
+fn coast(parameters: &Parameters) -> Vec<Side> {
+    let Vec2 { x: width, y: height } = parameters.domain.size;
+    let side = |initial: char, start: Vec2, direction: Vec2, length: f32| {
+        parameters.sides.contains(initial).then_some(Side { start, direction, length })
+    };
+    [
+        side('n', Vec2::ZERO, Vec2::X, width),
+        side('e', Vec2::new(width, 0.0), Vec2::Y, height),
+        side('s', Vec2::new(width, height), Vec2::NEG_X, width),
+        side('w', Vec2::new(0.0, height), Vec2::NEG_Y, height),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
+}
+
+/// The mouth at a distance along the coast.
+fn along(coast: &[Side], mut distance: f32) -> Mouth {
+    let mut sides = coast.iter().peekable();
+    while let Some(side) = sides.next() {
+        if distance <= side.length || sides.peek().is_none() {
+            // Clockwise, with y down, the land lies to the right.
+            return Mouth {
+                at: side.start + side.direction * distance.min(side.length),
+                inland: side.direction.perp(),
+            };
+        }
+        distance -= side.length;
+    }
+    Mouth { at: Vec2::ZERO, inland: Vec2::Y }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::recipe::link;
+
+    #[test]
+    fn mouths_lie_on_the_chosen_sides_and_look_inland() {
+        for sides in ["n", "e", "s", "w", "ns", "nesw"] {
+            let recipe = link::read(&format!("mouths=9&sides={sides}")).unwrap();
+            let parameters = Parameters::of(&recipe);
+            let size = parameters.domain.size;
+            for mouth in mouths(&parameters) {
+                let gap = |side| match side {
+                    'n' => mouth.at.y,
+                    'e' => size.x - mouth.at.x,
+                    's' => size.y - mouth.at.y,
+                    _ => mouth.at.x,
+                };
+                assert!(sides.chars().any(|side| gap(side) == 0.0), "{sides}: {mouth:?}");
+                assert!(parameters.domain.contains(mouth.at + mouth.inland), "{sides}: {mouth:?}");
+            }
+        }
+    }
+}

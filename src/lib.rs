@@ -1,0 +1,41 @@
+//! Riverseed: a river network that grows from a word.
+//!
+//! A [recipe](recipe::Recipe) holds a seed text and parameters. Rivers [grow](grow) from their mouths into the land
+//! by space colonization, are [trimmed](prune), read for their [hydrology](tree::Hydrology) and [painted](paint). Data
+//! flows one way:
+//!
+//! ```text
+//! recipe ─► grow ─► tree ─► prune ─► paint / export
+//! ```
+//!
+//! Each stage is a function of its part of the recipe, the stage before it and its own random stream, and is the same
+//! to the bit on every machine: `libm` instead of the platform's functions, sums in fixed point, no clock, no
+//! hash-map order.
+//!
+//! ```
+//! use riverseed::{grow::{Colonize, Parameters}, prune, recipe::link, tree::Hydrology};
+//!
+//! let recipe = link::read("seed=kauri&preset=trimmed-curl")?;
+//! let mut growth = Colonize::new(Parameters::of(&recipe))?;
+//! while growth.tick() {}
+//! let hydrology = Hydrology::of(growth.tree());
+//! let rivers = prune::trim(growth.tree(), &hydrology, 6);
+//! assert_eq!(rivers.hydrology.discharge[0], hydrology.discharge[0]);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! [`session::Session`] holds a recipe with all its stages, for whoever shows it and changes it.
+
+pub mod dice;
+pub mod digest;
+pub mod domain;
+pub mod export;
+pub mod grow;
+pub mod paint;
+pub mod prune;
+pub mod random;
+pub mod recipe;
+pub mod session;
+pub mod tree;
+#[cfg(target_arch = "wasm32")]
+pub mod web;

@@ -1,0 +1,72 @@
+//! Depth, discharge and drawn radius of the nodes of a growing tree.
+//!
+//! Depth follows every new node at once, as it decides what may be drawn; that is cheap, for most new nodes only
+//! lengthen one arm. Discharge is measured anew for the whole tree now and then: a trunk does not have to thicken in
+//! every frame.
+
+use super::strokes::{Pen, TAPER_NODES};
+use crate::tree::Tree;
+
+/// A share of the tree this large, one part in so many, has to be new for its discharge to be measured again.
+const NEWS: usize = 32;
+
+/// What painting has to know of each node.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Flow {
+    /// As in [`crate::tree::Hydrology`].
+    pub depth: Vec<u32>,
+    /// Radii in sixteenths of a pixel, of the last measurement.
+    pub radii: Vec<u16>,
+    /// Discharges of the last measurement.
+    discharge: Vec<u32>,
+    /// How many nodes there were at the last measurement.
+    measured: usize,
+}
+
+impl Flow {
+    /// Takes in what has grown since the last call. Returns the nodes near growing tips whose depth has changed and is
+    /// at least `least`; their radii are up to date.
+    pub fn follow(&mut self, tree: &Tree, pen: &Pen, least: u32) -> Vec<u32> {
+        let mut near_tip = Vec::new();
+        let known = self.depth.len();
+        self.depth.resize(tree.len(), 0);
+        self.discharge.resize(tree.len(), 0);
+        self.radii.resize(tree.len(), 0);
+        for tip in known..tree.len() {
+            let (mut node, mut depth) = (tip, 0);
+            loop {
+                self.depth[node] = depth;
+                if (least..least + TAPER_NODES).contains(&depth) {
+                    let discharge = self.discharge[node].max(tree.drained[node]);
+                    self.radii[node] = self.radii[node].max(pen.radius(depth, discharge));
+                    near_tip.push(node as u32);
+                }
+                depth += 1;
+                match tree.parent_of(node) {
+                    Some(parent) if self.depth[parent] < depth => node = parent,
+                    _ => break,
+                }
+            }
+        }
+        near_tip
+    }
+
+    /// Whether enough has grown for another measurement.
+    pub fn is_stale(&self, tree: &Tree) -> bool {
+        tree.len() > self.measured + self.measured / NEWS
+    }
+
+    /// Measures discharge and radius of every node, in one pass from the sources down.
+    pub fn measure(&mut self, tree: &Tree, pen: &Pen) {
+        self.discharge.clear();
+        self.discharge.extend_from_slice(&tree.drained);
+        for node in (0..tree.len()).rev() {
+            let discharge = self.discharge[node];
+            self.radii[node] = pen.radius(self.depth[node], discharge);
+            if let Some(parent) = tree.parent_of(node) {
+                self.discharge[parent] += discharge;
+            }
+        }
+        self.measured = tree.len();
+    }
+}

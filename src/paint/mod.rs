@@ -1,0 +1,31 @@
+//! Painting: a tree of rivers on a tiny-skia pixmap.
+//!
+//! Rivers are drawn into an 8-bit coverage mask in which the larger coverage wins ([`coverage`]). So drawing does not
+//! depend on order, a river that has grown wider is simply drawn again, and a picture painted bit by bit while the
+//! tree grows is the picture painted at once, to the byte. A style then lays colour through that mask.
+//!
+//! Units here are pixels; a [`View`] is the only thing that knows how many there are to a unit of the domain.
+
+mod coverage;
+mod flow;
+mod ink;
+mod painter;
+mod skeleton;
+mod strokes;
+mod thin;
+mod view;
+
+pub use coverage::{Coverage, Rect};
+pub use painter::{Painter, Progress};
+pub use strokes::{Pen, Widths};
+pub use thin::thin;
+pub use view::{LONGEST_SIDE, PaintError, View};
+
+/// How a network is painted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Style {
+    /// Ink on paper, rivers as wide as their discharge asks.
+    Ink,
+    /// White lines one pixel wide on black, as in the study of the paper (figure 6.1).
+    Skeleton,
+}

@@ -1,0 +1,145 @@
+//! The painter: keeps a picture up to date with a growing tree by drawing only what is new.
+//!
+//! While a tree grows, it is not known yet what trimming will take. A node at least as deep as the trimming threshold
+//! will certainly stay (its depth can only grow), so those are drawn at once, the growing tips a little later; when
+//! growth is over, all that stays is drawn. The finished picture is the one painted at once, to the byte.
+
+use tiny_skia::Pixmap;
+
+use super::coverage::{Coverage, Rect};
+use super::flow::Flow;
+use super::strokes::{Pen, Widths};
+use super::view::{PaintError, View};
+use super::{Style, ink, skeleton};
+use crate::domain::Domain;
+use crate::prune;
+use crate::tree::Tree;
+
+/// A tree to be painted, as far as it has grown.
+#[derive(Clone, Copy, Debug)]
+pub struct Progress<'a> {
+    /// The untrimmed tree. Between two calls it may only have grown.
+    pub tree: &'a Tree,
+    /// Whether it will not grow any more.
+    pub finished: bool,
+    /// The threshold of trimming, in nodes.
+    pub trim: u32,
+    /// The number of attractors that would be everything a river can drain.
+    pub everything: u32,
+    /// The width, in domain units, of a river that drains everything.
+    pub full_width: f32,
+    /// The style.
+    pub style: Style,
+}
+
+/// A picture in the making.
+#[derive(Clone, Debug)]
+pub struct Painter {
+    view: View,
+    pixmap: Pixmap,
+    coverage: Coverage,
+    /// The radius that each node was last drawn with; 0 before it is drawn.
+    drawn: Vec<u16>,
+    flow: Flow,
+    /// Whether nothing of the picture can be kept.
+    is_blank: bool,
+    /// Whether the picture shows a finished tree.
+    is_finished: bool,
+}
+
+impl Painter {
+    /// An empty picture.
+    ///
+    /// # Errors
+    /// If a side is 0 or too long.
+    pub fn new(domain: &Domain, width: u32, height: u32) -> Result<Self, PaintError> {
+        let view = View::new(domain, width, height)?;
+        let none = PaintError::Size { width, height };
+        let pixmap = Pixmap::new(width, height).ok_or(none.clone())?;
+        let coverage = Coverage::new(width, height).ok_or(none)?;
+        let (drawn, flow) = (Vec::new(), Flow::default());
+        Ok(Self { view, pixmap, coverage, drawn, flow, is_blank: true, is_finished: false })
+    }
+
+    /// The picture: RGBA, opaque.
+    pub fn pixmap(&self) -> &Pixmap {
+        &self.pixmap
+    }
+
+    /// Forgets the picture: another tree, trim, width or style comes next.
+    pub fn start_over(&mut self) {
+        self.coverage.clear();
+        self.drawn.clear();
+        self.flow = Flow::default();
+        self.is_blank = true;
+        self.is_finished = false;
+    }
+
+    /// Brings the picture up to date. Returns the rectangle that changed; `None` if nothing did.
+    pub fn paint(&mut self, progress: &Progress<'_>) -> Option<Rect> {
+        if self.is_finished {
+            return None;
+        }
+        let (tree, pen) = (progress.tree, Pen::new(self.view, widths(progress)));
+        let near_tip = self.flow.follow(tree, &pen, progress.trim);
+        if progress.finished || self.flow.is_stale(tree) {
+            self.flow.measure(tree, &pen);
+            self.draw_changes(progress, &pen);
+        } else {
+            let radii = &self.flow.radii;
+            near_tip.iter().for_each(|&child| pen.draw(&mut self.coverage, tree, radii, child as usize));
+        }
+        self.is_finished = progress.finished;
+        if std::mem::take(&mut self.is_blank) {
+            self.coverage.touch_all();
+        }
+        self.compose(progress.style)
+    }
+
+    /// Draws all strokes that are new or have grown wider since this was last called. Strokes near the tips have been
+    /// drawn in between, too; drawing them again, now at least as wide, leaves no trace of that.
+    fn draw_changes(&mut self, progress: &Progress<'_>, pen: &Pen) {
+        let Progress { tree, finished, trim, .. } = *progress;
+        let depth = &self.flow.depth;
+        let stays =
+            if finished { prune::stays(tree, depth, trim) } else { depth.iter().map(|&depth| depth >= trim).collect() };
+        self.drawn.resize(tree.len(), 0);
+        let radii = &self.flow.radii;
+        for child in (0..tree.len()).filter(|&child| stays[child]) {
+            let Some(node) = tree.parent_of(child) else { continue };
+            let below = tree.parent_of(node).unwrap_or(node);
+            let wider = |node: usize| radii[node] > self.drawn[node];
+            if wider(child) || wider(node) || wider(below) {
+                pen.draw(&mut self.coverage, tree, radii, child);
+            }
+        }
+        for (drawn, (&radius, &stays)) in self.drawn.iter_mut().zip(radii.iter().zip(&stays)) {
+            if stays {
+                *drawn = radius;
+            }
+        }
+    }
+
+    /// Lays colour where the mask has changed. Returns the rectangle around that.
+    fn compose(&mut self, style: Style) -> Option<Rect> {
+        let touched = self.coverage.take_touched();
+        let around = touched.iter().copied().reduce(Rect::union)?;
+        match style {
+            Style::Ink => {
+                touched.iter().for_each(|&rect| ink::compose(&mut self.pixmap, &self.coverage, rect));
+                Some(around)
+            }
+            Style::Skeleton => {
+                skeleton::compose(&mut self.pixmap, &self.coverage);
+                Some(self.coverage.bounds())
+            }
+        }
+    }
+}
+
+fn widths(progress: &Progress<'_>) -> Widths {
+    match progress.style {
+        Style::Ink => Widths::ByDischarge { full: progress.full_width, everything: progress.everything },
+        Style::Skeleton => Widths::Even { width_px: skeleton::WIDTH_PX },
+    }
+}

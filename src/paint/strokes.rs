@@ -1,0 +1,109 @@
+//! From nodes to strokes: how wide a river is at each node, and the smooth line that its steps make.
+
+use glam::Vec2;
+
+use super::coverage::Coverage;
+use super::view::View;
+use crate::tree::{NO_PARENT, Tree};
+
+/// How wide rivers are drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Widths {
+    /// By discharge.
+    ByDischarge {
+        /// The width, in domain units, of a river that drains everything.
+        full: f32,
+        /// The discharge that counts as everything: all attractors of the recipe.
+        everything: u32,
+    },
+    /// All alike, in pixels.
+    Even {
+        /// The width.
+        width_px: f32,
+    },
+}
+
+/// Radii are whole sixteenths of a pixel: a river is drawn again when its width has changed by one, not before.
+const SIXTEENTHS: f32 = 16.0;
+
+/// The width of the smallest stream, in domain units and in pixels: thin, but not too thin to be seen.
+const HAIRLINE: f32 = 0.9;
+const HAIRLINE_PX: f32 = 0.45;
+
+/// How many nodes a river takes to come from nothing to its width at its source.
+pub(super) const TAPER_NODES: u32 = 5;
+
+/// Turns nodes into widths and strokes, for one recipe and one size.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pen {
+    view: View,
+    widths: Widths,
+}
+
+impl Pen {
+    /// A pen for a view.
+    pub fn new(view: View, widths: Widths) -> Self {
+        Self { view, widths }
+    }
+
+    /// A node's radius in sixteenths of a pixel, at least 1.
+    ///
+    /// Width is the square root of discharge, so squared widths add where rivers join. It never falls while a tree
+    /// grows, as depth and discharge do not.
+    #[inline]
+    pub fn radius(&self, depth: u32, discharge: u32) -> u16 {
+        let radius_px = match self.widths {
+            Widths::Even { width_px } => width_px / 2.0,
+            Widths::ByDischarge { full, everything } => {
+                let share = discharge as f32 / everything as f32;
+                let hairline = HAIRLINE * self.view.scale + HAIRLINE_PX;
+                let full = full * self.view.scale;
+                let taper = (depth + 1).min(TAPER_NODES) as f32 / TAPER_NODES as f32;
+                (hairline * hairline * taper + full * full * share * taper).sqrt() / 2.0
+            }
+        };
+        ((radius_px * SIXTEENTHS) as u16).max(1)
+    }
+
+    /// Draws the river from below a node to halfway to its child.
+    ///
+    /// A river's line is a chain of parabolas: each begins and ends halfway along a step and bends round the node
+    /// between, so the line has no corners, and a tributary leaves its river along it. Nothing of a node is drawn before
+    /// it has a child, so what is drawn never has to be taken back.
+    pub fn draw(&self, coverage: &mut Coverage, tree: &Tree, radii: &[u16], child: usize) {
+        let Some(node) = tree.parent_of(child) else { return };
+        let vertex = |node: usize| (self.view.pixel(tree.at[node]), f32::from(radii[node]) / SIXTEENTHS);
+        let (bend, end) = (vertex(node), middle(vertex(node), vertex(child)));
+        match tree.parent[node] {
+            NO_PARENT => coverage.capsule(bend.0, bend.1, end.0, end.1),
+            parent => parabola(coverage, middle(vertex(parent as usize), bend), bend, end),
+        }
+    }
+}
+
+/// A place in pixels, and the radius there.
+type Vertex = (Vec2, f32);
+
+fn middle(a: Vertex, b: Vertex) -> Vertex {
+    ((a.0 + b.0) * 0.5, (a.1 + b.1) * 0.5)
+}
+
+/// Draws a parabola as straight pieces, as many as keep it within a tenth of a pixel.
+fn parabola(coverage: &mut Coverage, start: Vertex, bend: Vertex, end: Vertex) {
+    /// A parabola and n equal chords lie at most |second difference| / 4n² apart.
+    const TOLERANCE_PX: f32 = 0.1;
+    const MOST_PIECES: f32 = 16.0;
+    let second_difference = start.0 - bend.0 * 2.0 + end.0;
+    let sagitta = second_difference.length() * 0.25;
+    let pieces = (sagitta / TOLERANCE_PX).sqrt().ceil().max(1.0).min(MOST_PIECES);
+    let point = |t: f32| {
+        let (a, b, c) = ((1.0 - t) * (1.0 - t), 2.0 * t * (1.0 - t), t * t);
+        (start.0 * a + bend.0 * b + end.0 * c, start.1 * a + bend.1 * b + end.1 * c)
+    };
+    let mut from = start;
+    for piece in 1..=pieces as u32 {
+        let to = point(piece as f32 / pieces);
+        coverage.capsule(from.0, from.1, to.0, to.1);
+        from = to;
+    }
+}

@@ -1,0 +1,63 @@
+//! How the domain lies on the pixels.
+
+use glam::Vec2;
+use thiserror::Error;
+
+use crate::domain::Domain;
+
+/// The longest side of a picture, in pixels.
+pub const LONGEST_SIDE: u32 = 8192;
+
+/// Why a picture cannot be painted.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[non_exhaustive]
+pub enum PaintError {
+    /// A side that is no number of pixels that a picture can have.
+    #[error("size: {width} x {height} pixels is not between 1 x 1 and {LONGEST_SIDE} x {LONGEST_SIDE}")]
+    Size {
+        /// Width asked for.
+        width: u32,
+        /// Height asked for.
+        height: u32,
+    },
+}
+
+/// A picture's size, and the map from domain units to pixels.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct View {
+    /// In pixels.
+    pub width: u32,
+    /// In pixels.
+    pub height: u32,
+    /// Pixels to a unit.
+    pub scale: f32,
+    /// Where the domain's north-western corner lies, in pixels.
+    offset: Vec2,
+}
+
+impl View {
+    /// Covers a picture with a domain: where their aspects differ, the domain's edges are cut, evenly.
+    ///
+    /// # Errors
+    /// If a side is 0 or over [`LONGEST_SIDE`].
+    pub fn new(domain: &Domain, width: u32, height: u32) -> Result<Self, PaintError> {
+        let allowed = 1..=LONGEST_SIDE;
+        if !allowed.contains(&width) || !allowed.contains(&height) {
+            return Err(PaintError::Size { width, height });
+        }
+        let size = Vec2::new(width as f32, height as f32);
+        let scale = (size / domain.size).max_element();
+        Ok(Self { width, height, scale, offset: (size - domain.size * scale) / 2.0 })
+    }
+
+    /// The height that a picture of this width has if it shows the domain whole.
+    pub fn height_for(domain: &Domain, width: u32) -> u32 {
+        ((width as f32 * domain.size.y / domain.size.x).round() as u32).max(1)
+    }
+
+    /// A point of the domain, in pixels.
+    #[inline]
+    pub fn pixel(&self, point: Vec2) -> Vec2 {
+        point * self.scale + self.offset
+    }
+}

@@ -1,0 +1,81 @@
+//! Trimming (section 4.4 of the paper): short side branches go, a river's own ending stays.
+//!
+//! A node X goes when depth(X) < t and depth(X) < depth(parent(X)) − 1, and with it everything upstream: read
+//! literally, the paper would take only the first node of a side branch and leave the rest hanging in the air.
+//! The second inequality spares the deepest arm of every fork, so basins that meet do not draw apart, every node
+//! that stays keeps its depth, and every source of the trimmed tree was a source before.
+
+use crate::tree::{Hydrology, Tree};
+
+/// A trimmed tree and what is left of the hydrology.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Pruned {
+    /// The nodes that stay, in their old order.
+    pub tree: Tree,
+    /// Depth and discharge as before (what fell on a trimmed branch still reaches the sea); order and magnitude of
+    /// the rivers that are left.
+    pub hydrology: Hydrology,
+    /// Each node's place in the untrimmed tree.
+    pub origin: Vec<u32>,
+}
+
+/// Trims a tree. `threshold` is the paper's t, in nodes; 0 leaves it as it is.
+pub fn trim(tree: &Tree, hydrology: &Hydrology, threshold: u32) -> Pruned {
+    let stays = stays(tree, &hydrology.depth, threshold);
+    let origin: Vec<u32> = (0u32..).zip(&stays).filter(|(_, stays)| **stays).map(|(node, _)| node).collect();
+    let discharge: Vec<u32> = select(&hydrology.discharge, &origin);
+    let tree = compact(tree, &stays, &origin, &discharge);
+    let hydrology = Hydrology { discharge, ..Hydrology::of(&tree) };
+    Pruned { tree, hydrology, origin }
+}
+
+/// Whether each node stays. A parent stands before its children, so one pass lets a removal take all upstream of it.
+pub fn stays(tree: &Tree, depth: &[u32], threshold: u32) -> Vec<bool> {
+    let mut stays = vec![true; tree.len()];
+    for node in 0..tree.len() {
+        if let Some(parent) = tree.parent_of(node) {
+            let is_short = depth[node] < threshold;
+            let is_side_branch = depth[node] + 1 < depth[parent];
+            stays[node] = stays[parent] && !(is_short && is_side_branch);
+        }
+    }
+    stays
+}
+
+/// The nodes that stay, as a tree of their own.
+fn compact(tree: &Tree, stays: &[bool], origin: &[u32], discharge: &[u32]) -> Tree {
+    // The new number of each old node: how many stay before it.
+    let mut before = Vec::with_capacity(tree.len() + 1);
+    let mut count = 0u32;
+    for &stays in stays {
+        before.push(count);
+        count += u32::from(stays);
+    }
+    before.push(count);
+    let parent: Vec<u32> = origin
+        .iter()
+        .map(|&node| tree.parent_of(node as usize).map_or(crate::tree::NO_PARENT, |parent| before[parent]))
+        .collect();
+    Tree {
+        at: select(&tree.at, origin),
+        drained: own_share(&parent, discharge),
+        parent,
+        tick_starts: tree.tick_starts.iter().map(|&start| before[start as usize]).collect(),
+    }
+}
+
+/// What each node drains besides its children: its discharge less theirs. A trimmed branch's water counts as the
+/// node's own that it joined.
+fn own_share(parent: &[u32], discharge: &[u32]) -> Vec<u32> {
+    let mut drained = discharge.to_vec();
+    for (&parent, &discharge) in parent.iter().zip(discharge) {
+        if let Some(own) = drained.get_mut(parent as usize) {
+            *own -= discharge;
+        }
+    }
+    drained
+}
+
+fn select<T: Copy>(all: &[T], origin: &[u32]) -> Vec<T> {
+    origin.iter().map(|&node| all[node as usize]).collect()
+}

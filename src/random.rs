@@ -1,0 +1,114 @@
+//! Chance, the same everywhere: a seed text becomes 64 bits, and each use of chance has a stream of its own.
+//!
+//! A stream belongs to one purpose, so a new use of chance never shifts an old one. Where many things are drawn in
+//! no fixed order (the curl of a growing node), the number is a hash of *which* thing it is, not of *when* it was
+//! visited: see [`Key`].
+//!
+//! Sources: FNV-1a (Fowler, Noll, Vo; 64 bit) for text, the SplitMix64 finaliser (Steele, Lea, Flood 2014) for
+//! mixing, PCG32 (O'Neill 2014) from `rand_pcg`, which promises stable values.
+
+use rand::Rng;
+use rand_pcg::Pcg32;
+
+/// The 64 bits that a seed text stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Seed(u64);
+
+/// What a random stream is used for. The numbers are part of every recipe's picture: never change one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u64)]
+pub enum Purpose {
+    /// Where rivers reach the sea.
+    Mouths = 1,
+    /// Where attractors lie.
+    Attractors = 2,
+    /// How far each node's direction is turned.
+    Curl = 3,
+}
+
+impl Seed {
+    /// Hashes a text. Every text has a seed, the empty one too.
+    pub fn from_text(text: &str) -> Self {
+        const OFFSET_BASIS: u64 = 0xcbf2_9ce4_8422_2325;
+        const PRIME: u64 = 0x0000_0100_0000_01b3;
+        let fnv1a = text.bytes().fold(OFFSET_BASIS, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(PRIME));
+        Self(mix(fnv1a))
+    }
+
+    /// A sequence of random numbers for one purpose.
+    pub fn stream(self, purpose: Purpose) -> Stream {
+        Stream(Pcg32::new(self.0, purpose as u64))
+    }
+
+    /// Random numbers for one purpose that are asked for by identity.
+    pub fn key(self, purpose: Purpose) -> Key {
+        Key(mix(self.0 ^ (purpose as u64).wrapping_mul(GOLDEN_GAMMA)))
+    }
+}
+
+/// A sequence of random numbers.
+#[derive(Clone, Debug)]
+pub struct Stream(Pcg32);
+
+impl Stream {
+    /// The next number, uniform in `[0, 1)`, a multiple of 2⁻²⁴.
+    pub fn unit(&mut self) -> f32 {
+        unit_from_bits(self.0.next_u32())
+    }
+}
+
+/// Random numbers drawn by identity: the same identity gives the same number, whenever it is asked.
+#[derive(Clone, Copy, Debug)]
+pub struct Key(u64);
+
+impl Key {
+    /// The number of one identity, uniform in `[0, 1)`, a multiple of 2⁻²⁴.
+    pub fn unit(self, identity: [u32; 3]) -> f32 {
+        let [a, b, c] = identity;
+        let hash = mix(self.0 ^ (u64::from(a) << 32 | u64::from(b)));
+        unit_from_bits((mix(hash ^ u64::from(c)) >> 32) as u32)
+    }
+}
+
+const GOLDEN_GAMMA: u64 = 0x9e37_79b9_7f4a_7c15;
+
+/// The finaliser of SplitMix64, after one step of its counter.
+fn mix(bits: u64) -> u64 {
+    let z = bits.wrapping_add(GOLDEN_GAMMA);
+    let z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    z ^ (z >> 31)
+}
+
+/// The upper 24 bits as a fraction: exact in `f32`, and never 1.
+fn unit_from_bits(bits: u32) -> f32 {
+    const TWO_POW_MINUS_24: f32 = 1.0 / 16_777_216.0;
+    (bits >> 8) as f32 * TWO_POW_MINUS_24
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn seed_of_a_word_never_changes() {
+        assert_eq!(Seed::from_text("kauri"), Seed(10_438_155_951_948_749_760));
+    }
+
+    #[test]
+    fn streams_of_one_seed_are_unlike() {
+        let seed = Seed::from_text("kauri");
+        let (mut a, mut b) = (seed.stream(Purpose::Mouths), seed.stream(Purpose::Attractors));
+        assert!((0..8).any(|_| a.unit() != b.unit()));
+    }
+
+    #[test]
+    fn key_spreads_neighbouring_identities_evenly() {
+        let key = Seed::from_text("kauri").key(Purpose::Curl);
+        let mut tenths = [0; 10];
+        for i in 0..10_000 {
+            tenths[(key.unit([i / 100, i % 100, 7]) * 10.0) as usize] += 1;
+        }
+        assert!(tenths.iter().all(|&n| (900..1100).contains(&n)), "{tenths:?}");
+    }
+}

@@ -1,0 +1,117 @@
+//! What can be wrong with a recipe, said so that a person can mend it.
+
+use thiserror::Error;
+
+use super::value::Decimal;
+
+/// A recipe that cannot be read: which key, which value, and what is allowed.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[non_exhaustive]
+pub enum RecipeError {
+    /// No parameter has this name.
+    #[error("there is no parameter '{key}'")]
+    UnknownKey {
+        /// The name that was given.
+        key: String,
+    },
+    /// A parameter is given more than once.
+    #[error("'{key}' is given more than once")]
+    Duplicate {
+        /// The parameter.
+        key: String,
+    },
+    /// A number was wanted.
+    #[error("{key}: '{value}' is not a number")]
+    NotANumber {
+        /// The parameter.
+        key: &'static str,
+        /// What was given.
+        value: String,
+    },
+    /// A whole number was wanted.
+    #[error("{key}: '{value}' is not a whole number")]
+    NotWhole {
+        /// The parameter.
+        key: &'static str,
+        /// What was given.
+        value: String,
+    },
+    /// A number outside its range.
+    #[error("{key}: {value} is not between {min} and {max}")]
+    OutOfRange {
+        /// The parameter.
+        key: &'static str,
+        /// What was given.
+        value: String,
+        /// The least that is allowed.
+        min: Decimal,
+        /// The most that is allowed.
+        max: Decimal,
+    },
+    /// A word that is none of the choices.
+    #[error("{key}: '{value}' is none of {choices}")]
+    UnknownChoice {
+        /// The parameter.
+        key: &'static str,
+        /// What was given.
+        value: String,
+        /// The choices, with commas between.
+        choices: String,
+    },
+    /// A text over its length.
+    #[error("{key}: the text has {length} characters, at most {max} are allowed")]
+    TooLong {
+        /// The parameter, or `link` or `recipe` for the whole.
+        key: &'static str,
+        /// How long it was.
+        length: usize,
+        /// The most that is allowed.
+        max: usize,
+    },
+    /// A text with control characters, or bytes that are no text at all.
+    #[error("{key}: the text holds a character that cannot be shown")]
+    NotText {
+        /// The parameter.
+        key: &'static str,
+    },
+    /// No set of values has this name.
+    #[error("there is no preset '{name}': choose from {names}")]
+    UnknownPreset {
+        /// What was given.
+        name: String,
+        /// The names there are, with commas between.
+        names: String,
+    },
+    /// An edition that this program does not draw.
+    #[error("edition: {value} is unknown here, this program draws edition {known}")]
+    UnknownEdition {
+        /// What was given.
+        value: String,
+        /// The edition that can be drawn.
+        known: u32,
+    },
+    /// JSON that is not an object of names and values.
+    #[error("the recipe is not valid JSON: {reason}")]
+    Json {
+        /// What the JSON reader says, with line and column.
+        reason: String,
+    },
+    /// A JSON value that is neither text nor number.
+    #[error("{key}: a text or a number is wanted, not {found}")]
+    JsonType {
+        /// The parameter.
+        key: String,
+        /// What was found.
+        found: &'static str,
+    },
+}
+
+/// A value as an error message shows it: a hostile text must not fill the screen.
+pub(super) fn shown(value: &str) -> String {
+    const MOST: usize = 40;
+    let clean = |text: &str| text.chars().map(|c| if c.is_control() { '\u{fffd}' } else { c }).collect::<String>();
+    match value.char_indices().nth(MOST) {
+        Some((end, _)) => format!("{}…", clean(&value[..end])),
+        None => clean(value),
+    }
+}

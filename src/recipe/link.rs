@@ -1,0 +1,208 @@
+//! Link text: `seed=kauri&edition=1&curl=0.6`, the form that people share.
+//!
+//! Defaults are left out, the edition never is. [`read`] is strict, for the command line and for tests; [`read_leniently`]
+//! is total, for pages: a shared link must never leave a blank page, so what is wrong is mended and said.
+
+use super::error::{RecipeError, shown};
+use super::table::{Key, Kind, TABLE};
+use super::value::{Decimal, Value};
+use super::{Recipe, preset};
+
+/// The longest link that is read, in bytes.
+pub const LONGEST: usize = 4096;
+
+/// The key that names a preset: read first, overridden by all other keys, never written.
+pub const PRESET: &str = "preset";
+
+/// Something in a link that had to be mended.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Notice {
+    /// The key it is about; empty for the link as a whole.
+    pub key: String,
+    /// What was wrong and what is used instead.
+    pub message: String,
+}
+
+/// Writes a recipe as link text, in the table's order. [`read`] gives the same recipe back.
+pub fn write(recipe: &Recipe) -> String {
+    let mut link = form_urlencoded::Serializer::new(String::new());
+    for parameter in &TABLE {
+        let value = recipe.value(parameter.key);
+        if *value != parameter.default_value() || matches!(parameter.key, Key::Seed | Key::Edition) {
+            link.append_pair(parameter.name, &parameter.text_of(value));
+        }
+    }
+    link.finish()
+}
+
+/// Reads link text strictly. A leading `?` or `#` is allowed.
+///
+/// # Errors
+/// Any unknown or repeated key, any value that is not of its kind or out of its range, any text over its length.
+pub fn read(link: &str) -> Result<Recipe, RecipeError> {
+    if link.len() > LONGEST {
+        return Err(RecipeError::TooLong { key: "link", length: link.len(), max: LONGEST });
+    }
+    apply(Recipe::default(), &pairs(link))
+}
+
+/// Reads names and values over a recipe: a preset first, then everything else. All strict entries come through here.
+///
+/// # Errors
+/// As [`read`].
+pub fn apply(mut recipe: Recipe, pairs: &[(String, String)]) -> Result<Recipe, RecipeError> {
+    let mut presets = pairs.iter().filter(|(key, _)| key == PRESET);
+    if let Some((_, name)) = presets.next() {
+        apply_preset(&mut recipe, name)?;
+    }
+    if presets.next().is_some() {
+        return Err(RecipeError::Duplicate { key: PRESET.into() });
+    }
+    let mut seen = [false; TABLE.len()];
+    for (name, text) in pairs.iter().filter(|(key, _)| key != PRESET) {
+        let key = Key::from_name(name).ok_or_else(|| RecipeError::UnknownKey { key: shown(name) })?;
+        if std::mem::replace(&mut seen[key as usize], true) {
+            return Err(RecipeError::Duplicate { key: shown(name) });
+        }
+        recipe.set(key, text)?;
+    }
+    Ok(recipe)
+}
+
+/// Reads link text as well as it can be read: what is out of range is brought into it, what is unreadable or unknown
+/// is passed over, and each mend is told. Never fails.
+pub fn read_leniently(link: &str) -> (Recipe, Vec<Notice>) {
+    let mut recipe = Recipe::default();
+    let mut notices = Vec::new();
+    let link = shorten(link, &mut notices);
+    let pairs = pairs(link);
+    if let Some((_, name)) = pairs.iter().find(|(key, _)| key == PRESET)
+        && let Err(error) = apply_preset(&mut recipe, name)
+    {
+        notices.push(Notice { key: PRESET.into(), message: error.to_string() });
+    }
+    let mut seen = [false; TABLE.len()];
+    for (name, text) in pairs.iter().filter(|(key, _)| key != PRESET) {
+        let Some(key) = Key::from_name(name) else {
+            let error = RecipeError::UnknownKey { key: shown(name) };
+            notices.push(Notice { key: shown(name), message: format!("{error}: it is left out") });
+            continue;
+        };
+        if std::mem::replace(&mut seen[key as usize], true) {
+            let error = RecipeError::Duplicate { key: name.clone() };
+            notices.push(Notice { key: name.clone(), message: format!("{error}: the first is used") });
+        } else if let Err(error) = recipe.set(key, text) {
+            notices.push(mend(&mut recipe, key, text, &error));
+        }
+    }
+    (recipe, notices)
+}
+
+fn apply_preset(recipe: &mut Recipe, name: &str) -> Result<(), RecipeError> {
+    let preset = preset::find(name).ok_or_else(|| RecipeError::UnknownPreset {
+        name: shown(name),
+        names: preset::PRESETS.iter().map(|preset| preset.name).collect::<Vec<_>>().join(", "),
+    })?;
+    preset.values.iter().try_for_each(|(key, text)| recipe.set(*key, text))
+}
+
+/// Puts the nearest allowed value in the place of a refused one, where there is such a thing.
+fn mend(recipe: &mut Recipe, key: Key, text: &str, error: &RecipeError) -> Notice {
+    let parameter = key.parameter();
+    if let Some(value) = nearest_allowed(parameter.kind, text) {
+        recipe.put(key, value);
+    }
+    let used = parameter.text_of(recipe.value(key));
+    let message = match error {
+        RecipeError::UnknownEdition { .. } => format!("{error}: the picture may differ from the one shared"),
+        _ => format!("{error}: {} is used", if used.is_empty() { "nothing" } else { &used }),
+    };
+    Notice { key: parameter.name.into(), message }
+}
+
+fn nearest_allowed(kind: Kind, text: &str) -> Option<Value> {
+    let number = || Decimal::parse(text.trim());
+    match kind {
+        Kind::Integer { min, max, .. } => number().map(|n| Value::Integer(n.round().clamp(min, max))),
+        Kind::Number { min, max, .. } => number().map(|x| Value::Number(x.clamp(min, max))),
+        Kind::Text { longest, .. } => {
+            let readable = |c: &char| !c.is_control() && *c != char::REPLACEMENT_CHARACTER;
+            let cut: String = text.trim().chars().filter(readable).take(longest).collect();
+            Some(Value::Text(cut.trim().into()))
+        }
+        Kind::Choice { .. } | Kind::Sides { .. } => None,
+    }
+}
+
+/// The part of a link that is read, with a notice if that is not all of it.
+fn shorten<'a>(link: &'a str, notices: &mut Vec<Notice>) -> &'a str {
+    if link.len() <= LONGEST {
+        return link;
+    }
+    let error = RecipeError::TooLong { key: "link", length: link.len(), max: LONGEST };
+    notices.push(Notice { key: String::new(), message: format!("{error}: the rest is left out") });
+    let end = (0..=LONGEST).rev().find(|&i| link.is_char_boundary(i)).unwrap_or(0);
+    &link[..end]
+}
+
+/// Splits link text into names and values; whatever the bytes are, this gives some pairs.
+fn pairs(link: &str) -> Vec<(String, String)> {
+    let query = link.trim().trim_start_matches(['?', '#']);
+    form_urlencoded::parse(query.as_bytes())
+        .into_owned()
+        .filter(|(key, value)| !(key.is_empty() && value.is_empty()))
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn defaults_are_left_out_and_the_edition_is_not() {
+        assert_eq!(write(&Recipe::default()), "seed=kauri&edition=1");
+        let recipe = read("curl=0.60&seed=kauri").unwrap();
+        assert_eq!(write(&recipe), "seed=kauri&edition=1&curl=0.6");
+    }
+
+    #[test]
+    fn preset_is_read_first_wherever_it_stands() {
+        let recipe = read("trim=9&preset=trimmed-curl").unwrap();
+        assert_eq!(recipe.integer(Key::Trim), 9);
+        assert!(recipe.number(Key::Curl) > 0.0);
+        assert!(!write(&recipe).contains("preset"));
+    }
+
+    #[test]
+    fn strict_reading_names_what_is_wrong() {
+        let error = |link: &str| read(link).unwrap_err().to_string();
+        assert_eq!(error("depth=3"), "there is no parameter 'depth'");
+        assert_eq!(error("curl=1&curl=1"), "'curl' is given more than once");
+        assert_eq!(error("curl=3"), "curl: 3 is not between 0 and 2");
+        assert_eq!(error("style=neon"), "style: 'neon' is none of ink, skeleton");
+        assert_eq!(error("edition=7"), "edition: 7 is unknown here, this program draws edition 1");
+        assert_eq!(error("seed=%FF"), "seed: the text holds a character that cannot be shown");
+        assert!(error("preset=best").starts_with("there is no preset 'best': choose from original, "));
+    }
+
+    #[test]
+    fn lenient_reading_clamps_and_tells() {
+        let (recipe, notices) = read_leniently("?curl=3&mouths=2.6&trim=x&curl=1&depth=1&style=neon&kill=-9");
+        assert_eq!(recipe.number(Key::Curl), 2.0);
+        assert_eq!(recipe.integer(Key::Mouths), 3);
+        assert_eq!(recipe.value(Key::Trim), &Key::Trim.parameter().default_value());
+        assert_eq!(recipe.number(Key::Kill), 0.5);
+        let keys: Vec<_> = notices.iter().map(|notice| notice.key.as_str()).collect();
+        assert_eq!(keys, ["curl", "mouths", "trim", "curl", "depth", "style", "kill"]);
+        assert_eq!(notices[0].message, "curl: 3 is not between 0 and 2: 2 is used");
+    }
+
+    #[test]
+    fn overlong_links_and_seeds_are_cut_at_a_character() {
+        let link = format!("seed={}", "ā".repeat(5000));
+        assert!(matches!(read(&link), Err(RecipeError::TooLong { key: "link", .. })));
+        let (recipe, notices) = read_leniently(&link);
+        assert_eq!(recipe.seed(), "ā".repeat(64));
+        assert_eq!(notices.len(), 2);
+    }
+}

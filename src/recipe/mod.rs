@@ -1,0 +1,133 @@
+//! The recipe: everything that decides a picture.
+//!
+//! Same recipe, same picture, on every machine. A [`Recipe`] cannot hold an invalid value: it is parsed once, at the
+//! edge, from link text ([`link`]), from JSON (`json`) or from command-line options, and all of them go through
+//! [`Recipe::set`], so that they agree on names, ranges and errors.
+//!
+//! The parameters themselves stand in one table, [`table::TABLE`].
+
+mod error;
+#[cfg(feature = "json")]
+pub mod json;
+pub mod link;
+pub mod preset;
+pub mod table;
+mod value;
+
+pub use error::RecipeError;
+pub use table::{Key, Kind, Parameter, Stage};
+pub use value::{Decimal, Sides, Value};
+
+use table::{COUNT, TABLE};
+
+/// The number of the algorithm set that this crate draws. Once released, an edition's pictures never change.
+pub const EDITION: u32 = 1;
+
+/// Everything that decides a picture: a seed and a value, within its range, for each parameter of the table.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Recipe {
+    values: [Value; COUNT],
+}
+
+impl Default for Recipe {
+    fn default() -> Self {
+        Self { values: std::array::from_fn(|i| TABLE[i].default_value()) }
+    }
+}
+
+impl Recipe {
+    /// The value of a parameter.
+    pub fn value(&self, key: Key) -> &Value {
+        &self.values[key as usize]
+    }
+
+    /// The seed text.
+    pub fn seed(&self) -> &str {
+        match self.value(Key::Seed) {
+            Value::Text(text) => text,
+            _ => "",
+        }
+    }
+
+    /// A number, in the parameter's unit; 0 for a parameter that is not a number.
+    pub fn number(&self, key: Key) -> f32 {
+        match self.value(key) {
+            Value::Number(number) => number.to_f64() as f32,
+            Value::Integer(integer) => *integer as f32,
+            _ => 0.0,
+        }
+    }
+
+    /// A whole number; 0 for a parameter that is not one.
+    pub fn integer(&self, key: Key) -> u32 {
+        match self.value(key) {
+            Value::Integer(integer) => *integer,
+            _ => 0,
+        }
+    }
+
+    /// The position of the chosen value in the parameter's list; 0 for a parameter that is not a choice.
+    pub fn choice(&self, key: Key) -> usize {
+        match self.value(key) {
+            Value::Choice(index) => *index,
+            _ => 0,
+        }
+    }
+
+    /// A set of sides of the domain; south for a parameter that is not one.
+    pub fn sides(&self, key: Key) -> Sides {
+        match self.value(key) {
+            Value::Sides(sides) => *sides,
+            _ => Sides::SOUTH,
+        }
+    }
+
+    /// Sets a parameter from its text, as a link, an option or a JSON string spells it.
+    ///
+    /// # Errors
+    /// Says which key, which value and what is allowed; the recipe is then unchanged.
+    pub fn set(&mut self, key: Key, text: &str) -> Result<(), RecipeError> {
+        self.values[key as usize] = key.parameter().parse(text)?;
+        Ok(())
+    }
+
+    /// Puts a value in place that is known to be of the parameter's kind and in its range.
+    pub(crate) fn put(&mut self, key: Key, value: Value) {
+        debug_assert!(key.parameter().accepts(&value), "{key:?} cannot be {value:?}");
+        self.values[key as usize] = value;
+    }
+
+    /// The earliest stage that has to run again to get from this recipe to another; `None` if they are equal.
+    pub fn first_difference(&self, other: &Self) -> Option<Stage> {
+        TABLE
+            .iter()
+            .filter(|parameter| self.value(parameter.key) != other.value(parameter.key))
+            .map(|parameter| parameter.stage)
+            .min()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn first_difference_is_the_earliest_stage() {
+        let plain = Recipe::default();
+        let mut other = plain.clone();
+        assert_eq!(plain.first_difference(&other), None);
+        other.set(Key::Style, "skeleton").unwrap();
+        assert_eq!(plain.first_difference(&other), Some(Stage::Paint));
+        other.set(Key::Trim, "9").unwrap();
+        assert_eq!(plain.first_difference(&other), Some(Stage::Prune));
+        other.set(Key::Seed, "rimu").unwrap();
+        assert_eq!(plain.first_difference(&other), Some(Stage::Grow));
+    }
+
+    #[test]
+    fn refused_value_leaves_the_recipe_alone() {
+        let mut recipe = Recipe::default();
+        assert!(recipe.set(Key::Curl, "many").is_err());
+        assert_eq!(recipe, Recipe::default());
+    }
+}

@@ -1,0 +1,76 @@
+//! Presets: named sets of values. A preset is not another kind of parameter: a link that names one is written
+//! without it.
+
+use super::table::Key;
+
+/// A named set of values; what it leaves out keeps its default.
+#[derive(Clone, Copy, Debug)]
+pub struct Preset {
+    /// The name that links use.
+    pub name: &'static str,
+    /// What the page calls it.
+    pub label: &'static str,
+    /// One line that says how it looks.
+    pub help: &'static str,
+    /// Keys and the text of their values.
+    pub values: &'static [(Key, &'static str)],
+}
+
+/// The six variants of the paper (section 4.4): the plain procedure, momentum and curl, each as grown and trimmed.
+pub static PRESETS: &[Preset] = &[
+    Preset {
+        name: "original",
+        label: "Original",
+        help: "Space colonization as it is: straight, parallel, with many short side branches.",
+        values: &[(Key::Trim, "0")],
+    },
+    Preset {
+        name: "momentum",
+        label: "Momentum",
+        help: "Every turn exaggerated: more curves, and here and there a zigzag.",
+        values: &[(Key::Momentum, "0.4"), (Key::Trim, "0")],
+    },
+    Preset {
+        name: "curl",
+        label: "Curl",
+        help: "Stretches turned left and right at random: winding, complex, busy at its ends.",
+        values: &[(Key::Curl, "1"), (Key::Trim, "0")],
+    },
+    Preset {
+        name: "trimmed-original",
+        label: "Trimmed original",
+        help: "The plain procedure without its short side branches.",
+        values: &[(Key::Trim, "6")],
+    },
+    Preset {
+        name: "trimmed-momentum",
+        label: "Trimmed momentum",
+        help: "Exaggerated turns without short side branches.",
+        values: &[(Key::Momentum, "0.4"), (Key::Trim, "6")],
+    },
+    Preset {
+        name: "trimmed-curl",
+        label: "Trimmed curl",
+        help: "Winding rivers without short side branches: what people took for real ones.",
+        values: &[(Key::Curl, "1"), (Key::Trim, "6")],
+    },
+];
+
+/// Finds a preset by its name in links.
+pub fn find(name: &str) -> Option<&'static Preset> {
+    PRESETS.iter().find(|preset| preset.name == name)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_preset_holds_valid_values() {
+        for preset in PRESETS {
+            for (key, text) in preset.values {
+                assert!(key.parameter().parse(text).is_ok(), "{}: {key:?}", preset.name);
+            }
+        }
+    }
+}

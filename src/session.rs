@@ -1,0 +1,197 @@
+//! A session: one recipe at a time, each stage's result kept, and after a change only what it touches run again.
+
+use thiserror::Error;
+
+use crate::grow::{Colonize, Ending, GrowError, Parameters};
+use crate::paint::{PaintError, Painter, Progress, Rect, Style};
+use crate::recipe::{Key, Recipe, Stage};
+use crate::tree::{Hydrology, Tree};
+use crate::{prune, prune::Pruned};
+
+/// Why a recipe cannot be shown.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[non_exhaustive]
+pub enum SessionError {
+    /// It cannot be grown.
+    #[error(transparent)]
+    Grow(#[from] GrowError),
+    /// It cannot be painted.
+    #[error(transparent)]
+    Paint(#[from] PaintError),
+}
+
+/// A recipe, its tree as far as it has grown, and its picture.
+///
+/// ```
+/// use riverseed::{recipe::link, session::Session};
+///
+/// let recipe = link::read("seed=kauri&curl=0.6")?;
+/// let mut session = Session::new(recipe, 300, 200)?;
+/// while session.advance(10) {
+///     session.paint(); // only what is new
+/// }
+/// session.paint();
+/// assert_eq!(session.pixmap().width(), 300);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Session {
+    recipe: Recipe,
+    growth: Colonize,
+    painter: Painter,
+}
+
+/// What a picture shows, in numbers.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Summary {
+    /// Ticks grown.
+    pub ticks: u32,
+    /// Nodes: of the trimmed tree once it is grown.
+    pub nodes: u32,
+    /// River mouths.
+    pub mouths: u32,
+    /// Sources of the trimmed tree; 0 until it is grown.
+    pub sources: u32,
+    /// The highest stream order (Strahler) of the trimmed tree; 0 until it is grown.
+    pub order: u8,
+    /// Attractors scattered.
+    pub attractors: u32,
+    /// Attractors that no river came near enough to.
+    pub unreached: u32,
+    /// How growth ended; `None` while it goes on.
+    pub ending: Option<Ending>,
+}
+
+impl Summary {
+    /// Whether growth died out with over a quarter of the domain left dry: reach is then too small for kill.
+    pub fn is_stalled(&self) -> bool {
+        self.ending == Some(Ending::Complete) && self.unreached > self.attractors / 4
+    }
+}
+
+impl Session {
+    /// Plants a recipe, for a picture of the given size in pixels.
+    ///
+    /// # Errors
+    /// If a side is out of range, or the memory is not to be had.
+    pub fn new(recipe: Recipe, width: u32, height: u32) -> Result<Self, SessionError> {
+        let growth = Colonize::new(Parameters::of(&recipe))?;
+        let painter = Painter::new(&growth.parameters().domain, width, height)?;
+        Ok(Self { recipe, growth, painter })
+    }
+
+    /// The recipe.
+    pub fn recipe(&self) -> &Recipe {
+        &self.recipe
+    }
+
+    /// Goes over to another recipe. Returns the earliest stage that has to run again, `None` if nothing is different.
+    ///
+    /// # Errors
+    /// As [`Session::new`]; everything is then as before.
+    pub fn change(&mut self, recipe: Recipe) -> Result<Option<Stage>, SessionError> {
+        let stage = self.recipe.first_difference(&recipe);
+        match stage {
+            Some(Stage::Grow) => {
+                let (width, height) = (self.pixmap().width(), self.pixmap().height());
+                *self = Self::new(recipe, width, height)?;
+            }
+            Some(Stage::Prune | Stage::Paint) => {
+                self.recipe = recipe;
+                self.painter.start_over();
+            }
+            None => {}
+        }
+        Ok(stage)
+    }
+
+    /// Paints the same rivers at another size.
+    ///
+    /// # Errors
+    /// If a side is out of range; everything is then as before.
+    pub fn resize(&mut self, width: u32, height: u32) -> Result<(), SessionError> {
+        self.painter = Painter::new(&self.growth.parameters().domain, width, height)?;
+        Ok(())
+    }
+
+    /// Goes back to tick 0.
+    ///
+    /// # Errors
+    /// If the memory is not to be had; everything is then as before.
+    pub fn restart(&mut self) -> Result<(), SessionError> {
+        self.growth = Colonize::new(Parameters::of(&self.recipe))?;
+        self.painter.start_over();
+        Ok(())
+    }
+
+    /// Grows by so many ticks at most. Returns whether there is more to grow.
+    pub fn advance(&mut self, ticks: u32) -> bool {
+        (0..ticks).all(|_| self.growth.tick())
+    }
+
+    /// Brings the picture up to date. Returns the rectangle that changed; `None` if nothing did.
+    pub fn paint(&mut self) -> Option<Rect> {
+        let recipe = &self.recipe;
+        self.painter.paint(&Progress {
+            tree: self.growth.tree(),
+            finished: self.growth.ending().is_some(),
+            trim: recipe.integer(Key::Trim),
+            everything: self.growth.parameters().attractors,
+            full_width: recipe.number(Key::Width),
+            style: style(recipe),
+        })
+    }
+
+    /// The picture: RGBA, opaque.
+    pub fn pixmap(&self) -> &tiny_skia::Pixmap {
+        self.painter.pixmap()
+    }
+
+    /// The untrimmed tree, as far as it has grown.
+    pub fn tree(&self) -> &Tree {
+        self.growth.tree()
+    }
+
+    /// Growth in progress.
+    pub fn growth(&self) -> &Colonize {
+        &self.growth
+    }
+
+    /// The trimmed tree with its hydrology, as things stand.
+    pub fn pruned(&self) -> Pruned {
+        let tree = self.growth.tree();
+        prune::trim(tree, &Hydrology::of(tree), self.recipe.integer(Key::Trim))
+    }
+
+    /// The picture in numbers. While growth goes on this costs nothing, and does not know order and sources yet.
+    pub fn summary(&self) -> Summary {
+        let tree = self.growth.tree();
+        let so_far = Summary {
+            ticks: tree.tick_starts.len() as u32 - 1,
+            nodes: tree.len() as u32,
+            mouths: self.growth.parameters().mouths,
+            sources: 0,
+            order: 0,
+            attractors: self.growth.parameters().attractors,
+            unreached: self.growth.unreached(),
+            ending: self.growth.ending(),
+        };
+        if so_far.ending.is_none() {
+            return so_far;
+        }
+        let Pruned { tree, hydrology, .. } = self.pruned();
+        Summary {
+            nodes: tree.len() as u32,
+            sources: hydrology.depth.iter().filter(|&&depth| depth == 0).count() as u32,
+            order: hydrology.order.iter().copied().max().unwrap_or(0),
+            ..so_far
+        }
+    }
+}
+
+fn style(recipe: &Recipe) -> Style {
+    match recipe.choice(Key::Style) {
+        1 => Style::Skeleton,
+        _ => Style::Ink,
+    }
+}

@@ -1,0 +1,355 @@
+//! The only file that knows JavaScript: recipes, the parameter table and a river, for a page.
+
+use js_sys::{Error, Reflect};
+use serde::Serialize;
+use wasm_bindgen::prelude::*;
+
+use crate::grow::Ending;
+use crate::paint::Rect;
+use crate::recipe::link::{self, Notice};
+use crate::recipe::preset::PRESETS;
+use crate::recipe::table::TABLE;
+use crate::recipe::{Kind, Parameter, Recipe, Stage};
+use crate::session::{Session, SessionError};
+use crate::{dice, digest};
+
+#[wasm_bindgen(typescript_custom_section)]
+const TYPES: &str = r#"
+/** A row of the parameter table. */
+export interface Parameter {
+  readonly key: string;
+  readonly label: string;
+  readonly help: string;
+  /** The heading it stands under. */
+  readonly group: string;
+  /** The earliest stage that runs again when it changes. */
+  readonly stage: "grow" | "prune" | "paint";
+  readonly kind: "text" | "integer" | "number" | "choice" | "sides";
+  readonly min?: number;
+  readonly max?: number;
+  readonly step?: number;
+  readonly unit?: string;
+  readonly scale?: "linear" | "log";
+  readonly maxLength?: number;
+  readonly choices?: readonly { readonly value: string; readonly label: string }[];
+  /** As link text. */
+  readonly default: string;
+}
+/** A named set of values; what it leaves out keeps its default. */
+export interface Preset {
+  readonly name: string;
+  readonly label: string;
+  readonly help: string;
+  readonly values: readonly (readonly [key: string, value: string])[];
+}
+/** Something in a link that had to be mended. */
+export interface Notice {
+  readonly key: string;
+  readonly message: string;
+}
+/** A link as it was understood. */
+export interface Reading {
+  /** The canonical link: defaults left out. */
+  readonly link: string;
+  /** Every parameter's value as link text. */
+  readonly values: readonly (readonly [key: string, value: string])[];
+  readonly notices: readonly Notice[];
+}
+/** What a picture shows, in numbers. */
+export interface Summary {
+  readonly ticks: number;
+  readonly nodes: number;
+  readonly mouths: number;
+  readonly sources: number;
+  readonly order: number;
+  readonly attractors: number;
+  readonly unreached: number;
+  readonly finished: boolean;
+  /** Why growth ended early; null if it did not. */
+  readonly stopped: string | null;
+}
+"#;
+
+#[wasm_bindgen(start)]
+fn start() {
+    std::panic::set_hook(Box::new(|panic| web_sys::console::error_1(&panic.to_string().into())));
+}
+
+/// The parameter table.
+#[wasm_bindgen(unchecked_return_type = "Parameter[]")]
+pub fn parameters() -> Result<JsValue, JsValue> {
+    to_js(&TABLE.iter().map(ParameterView::of).collect::<Vec<_>>())
+}
+
+/// All presets.
+#[wasm_bindgen(unchecked_return_type = "Preset[]")]
+pub fn presets() -> Result<JsValue, JsValue> {
+    let view = |preset: &crate::recipe::preset::Preset| PresetView {
+        name: preset.name,
+        label: preset.label,
+        help: preset.help,
+        values: preset
+            .values
+            .iter()
+            .map(|(key, text)| (key.parameter().name, canonical(key.parameter(), text)))
+            .collect(),
+    };
+    to_js(&PRESETS.iter().map(view).collect::<Vec<_>>())
+}
+
+/// Reads a link leniently. Total: never throws, whatever the text.
+#[wasm_bindgen(js_name = readLink, unchecked_return_type = "Reading")]
+pub fn read_link(text: &str) -> Result<JsValue, JsValue> {
+    let (recipe, notices) = link::read_leniently(text);
+    let values = TABLE.iter().map(|parameter| (parameter.name, parameter.text_of(recipe.value(parameter.key))));
+    let notices = notices.into_iter().map(|Notice { key, message }| NoticeView { key, message });
+    to_js(&Reading { link: link::write(&recipe), values: values.collect(), notices: notices.collect() })
+}
+
+/// A new seed, a word that can be said aloud.
+#[wasm_bindgen(js_name = freshSeed)]
+pub fn fresh_seed() -> Result<String, JsValue> {
+    getrandom::u64().map(dice::word).map_err(|error| coded("no-randomness", &error.to_string()))
+}
+
+/// The digest of a recipe: what proves that two browsers draw the same. The link is read strictly.
+#[wasm_bindgen(js_name = digest)]
+pub fn digest_of(link: &str) -> Result<String, JsValue> {
+    digest::digest(&read_strictly(link)?).map_err(|error| session_error(&error))
+}
+
+/// A river: a recipe, its tree as far as it has grown, and its picture.
+#[wasm_bindgen]
+pub struct River {
+    session: Session,
+    dirty: Option<Rect>,
+}
+
+#[wasm_bindgen]
+impl River {
+    /// Plants a recipe, read strictly, for a picture of the given size in pixels. Throws an Error with a `code`.
+    #[wasm_bindgen(constructor)]
+    pub fn new(link: &str, width_px: u32, height_px: u32) -> Result<Self, JsValue> {
+        let session = Session::new(read_strictly(link)?, width_px, height_px).map_err(|error| session_error(&error))?;
+        Ok(Self { session, dirty: None })
+    }
+
+    /// Goes over to another recipe and says what has to run again. If it throws, everything is as before.
+    #[wasm_bindgen(unchecked_return_type = "\"grow\" | \"prune\" | \"paint\" | \"none\"")]
+    pub fn change(&mut self, link: &str) -> Result<String, JsValue> {
+        let stage = self.session.change(read_strictly(link)?).map_err(|error| session_error(&error))?;
+        Ok(stage.map_or("none", Stage::name).into())
+    }
+
+    /// Paints the same rivers at another size.
+    pub fn resize(&mut self, width_px: u32, height_px: u32) -> Result<(), JsValue> {
+        self.session.resize(width_px, height_px).map_err(|error| session_error(&error))
+    }
+
+    /// Goes back to tick 0.
+    pub fn restart(&mut self) -> Result<(), JsValue> {
+        self.session.restart().map_err(|error| session_error(&error))
+    }
+
+    /// Grows by so many ticks at most. Returns whether growth is finished.
+    pub fn advance(&mut self, ticks: u32) -> bool {
+        !self.session.advance(ticks)
+    }
+
+    /// Draws what is new. Returns whether any pixel changed.
+    pub fn paint(&mut self) -> bool {
+        self.dirty = self.session.paint();
+        self.dirty.is_some()
+    }
+
+    /// What the last `paint` changed: x, y, width, height.
+    pub fn dirty(&self) -> Vec<u32> {
+        self.dirty.map_or_else(|| vec![0; 4], |r| vec![r.left, r.top, r.right - r.left, r.bottom - r.top])
+    }
+
+    /// Where the picture's bytes begin in the module's memory: RGBA, opaque.
+    #[wasm_bindgen(js_name = pixelsPointer)]
+    pub fn pixels_pointer(&self) -> u32 {
+        self.session.pixmap().data().as_ptr() as u32
+    }
+
+    /// How many bytes the picture has.
+    #[wasm_bindgen(js_name = pixelsLength)]
+    pub fn pixels_length(&self) -> u32 {
+        self.session.pixmap().data().len() as u32
+    }
+
+    /// Width of the picture in pixels.
+    #[wasm_bindgen(getter)]
+    pub fn width(&self) -> u32 {
+        self.session.pixmap().width()
+    }
+
+    /// Height of the picture in pixels.
+    #[wasm_bindgen(getter)]
+    pub fn height(&self) -> u32 {
+        self.session.pixmap().height()
+    }
+
+    /// Width of the domain over its height.
+    #[wasm_bindgen(getter)]
+    pub fn aspect(&self) -> f32 {
+        let size = self.session.growth().parameters().domain.size;
+        size.x / size.y
+    }
+
+    /// How many ticks the front of growth takes to cross the domain's height.
+    #[wasm_bindgen(getter, js_name = ticksPerHeight)]
+    pub fn ticks_per_height(&self) -> f32 {
+        let parameters = self.session.growth().parameters();
+        parameters.domain.size.y / parameters.step
+    }
+
+    /// The picture in numbers.
+    #[wasm_bindgen(unchecked_return_type = "Summary")]
+    pub fn summary(&self) -> Result<JsValue, JsValue> {
+        let summary = self.session.summary();
+        let stopped = match summary.ending {
+            Some(Ending::NodeLimit) => Some("The tree grew to its limit of nodes and was stopped."),
+            _ if summary.is_stalled() => {
+                Some("Growth died out early: a longer reach or a shorter kill distance helps.")
+            }
+            _ => None,
+        };
+        to_js(&SummaryView {
+            ticks: summary.ticks,
+            nodes: summary.nodes,
+            mouths: summary.mouths,
+            sources: summary.sources,
+            order: summary.order,
+            attractors: summary.attractors,
+            unreached: summary.unreached,
+            finished: summary.ending.is_some(),
+            stopped,
+        })
+    }
+}
+
+fn read_strictly(text: &str) -> Result<Recipe, JsValue> {
+    link::read(text).map_err(|error| coded("bad-params", &error.to_string()))
+}
+
+fn session_error(error: &SessionError) -> JsValue {
+    coded("too-large", &error.to_string())
+}
+
+/// A JavaScript Error that code can tell by its `code` and a person by its message.
+fn coded(code: &str, message: &str) -> JsValue {
+    let error = Error::new(message);
+    // Setting a property of a fresh, extensible object cannot fail.
+    let _ = Reflect::set(&error, &"code".into(), &code.into());
+    error.into()
+}
+
+/// Plain objects, absent values left out.
+fn to_js(value: &impl Serialize) -> Result<JsValue, JsValue> {
+    value.serialize(&serde_wasm_bindgen::Serializer::json_compatible()).map_err(JsValue::from)
+}
+
+/// A value in the one spelling that links are written in.
+fn canonical(parameter: &Parameter, text: &str) -> String {
+    parameter.parse(text).map_or_else(|_| text.into(), |value| parameter.text_of(&value))
+}
+
+#[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
+struct ParameterView {
+    key: &'static str,
+    label: &'static str,
+    help: &'static str,
+    group: &'static str,
+    stage: &'static str,
+    unit: &'static str,
+    scale: &'static str,
+    default: String,
+    #[serde(flatten)]
+    kind: KindView,
+}
+
+#[derive(Serialize)]
+#[serde(tag = "kind", rename_all = "camelCase", rename_all_fields = "camelCase")]
+enum KindView {
+    Text { max_length: usize },
+    Integer { min: u32, max: u32, step: u32 },
+    Number { min: f64, max: f64, step: f64 },
+    Choice { choices: Vec<ChoiceView> },
+    Sides { choices: Vec<ChoiceView> },
+}
+
+#[derive(Serialize)]
+struct ChoiceView {
+    value: &'static str,
+    label: &'static str,
+}
+
+#[derive(Serialize)]
+struct PresetView {
+    name: &'static str,
+    label: &'static str,
+    help: &'static str,
+    values: Vec<(&'static str, String)>,
+}
+
+#[derive(Serialize)]
+struct NoticeView {
+    key: String,
+    message: String,
+}
+
+#[derive(Serialize)]
+struct Reading {
+    link: String,
+    values: Vec<(&'static str, String)>,
+    notices: Vec<NoticeView>,
+}
+
+#[derive(Serialize)]
+struct SummaryView {
+    ticks: u32,
+    nodes: u32,
+    mouths: u32,
+    sources: u32,
+    order: u8,
+    attractors: u32,
+    unreached: u32,
+    finished: bool,
+    stopped: Option<&'static str>,
+}
+
+impl ParameterView {
+    fn of(parameter: &Parameter) -> Self {
+        Self {
+            key: parameter.name,
+            label: parameter.label,
+            help: parameter.help,
+            group: parameter.group,
+            stage: parameter.stage.name(),
+            unit: parameter.unit,
+            scale: if parameter.logarithmic { "log" } else { "linear" },
+            default: parameter.text_of(&parameter.default_value()),
+            kind: KindView::of(parameter.kind),
+        }
+    }
+}
+
+impl KindView {
+    fn of(kind: Kind) -> Self {
+        let view = |&(value, label): &(&'static str, &'static str)| ChoiceView { value, label };
+        match kind {
+            Kind::Text { longest, .. } => Self::Text { max_length: longest },
+            Kind::Integer { min, max, .. } => Self::Integer { min, max, step: 1 },
+            Kind::Number { min, max, step, .. } => {
+                Self::Number { min: min.to_f64(), max: max.to_f64(), step: step.to_f64() }
+            }
+            Kind::Choice { choices } => Self::Choice { choices: choices.iter().map(view).collect() },
+            Kind::Sides { .. } => Self::Sides {
+                choices: [("n", "North"), ("e", "East"), ("s", "South"), ("w", "West")].iter().map(view).collect(),
+            },
+        }
+    }
+}

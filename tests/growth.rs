@@ -1,0 +1,110 @@
+//! What growth promises: the paper's procedure to the bit, trees that are trees, and an end.
+
+mod common;
+
+use common::{random_link, twin};
+use proptest::prelude::*;
+use riverseed::grow::{Colonize, Ending, Parameters};
+use riverseed::recipe::{link, preset::PRESETS};
+use riverseed::tree::Tree;
+
+fn grown(link: &str) -> Colonize {
+    let mut growth = Colonize::new(Parameters::of(&link::read(link).unwrap())).unwrap();
+    while growth.tick() {}
+    growth
+}
+
+fn assert_equals_twin(link: &str) {
+    let growth = grown(link);
+    let tree = growth.tree();
+    let twin = twin::grow(growth.parameters());
+    for (i, (node, tick)) in twin.iter().zip(tree.ticks()).enumerate() {
+        let ours = (tree.at[i], tree.parent[i], tick, tree.drained[i]);
+        assert_eq!(ours, (node.at, node.parent, node.tick, node.drained), "node {i} of {link}");
+    }
+    assert_eq!(tree.len(), twin.len(), "{link}");
+}
+
+#[test]
+fn every_variant_equals_the_brute_force_twin_over_20_seeds() {
+    for preset in PRESETS {
+        for seed in 0..20 {
+            assert_equals_twin(&format!("seed={seed}&preset={}&attractors=400&mouths={}", preset.name, 1 + seed % 4));
+        }
+    }
+}
+
+#[test]
+fn a_mouth_that_nothing_reaches_runs_inland_first() {
+    // So few attractors and so short a reach that some mouths see none.
+    let link = "seed=bay&attractors=100&mouths=64&sides=nesw&reach=2.1&aspect=4";
+    assert_equals_twin(link);
+    let tree_has_pilot = (0..40).any(|seed| {
+        let growth = grown(&format!("seed={seed}&attractors=100&mouths=64&sides=nesw&reach=2.1"));
+        let tree = growth.tree();
+        let first_tick = tree.tick_starts[1] as usize..tree.tick_starts[2] as usize;
+        first_tick.len() == 1
+    });
+    assert!(tree_has_pilot, "no seed of forty has a mouth out of reach: the test tests nothing");
+}
+
+#[test]
+fn one_attractor_more_leaves_the_others_where_they_are() {
+    let places = |n: u32| riverseed::grow::scatter(&Parameters::of(&link::read(&format!("attractors={n}")).unwrap()));
+    assert_eq!(places(500), places(501)[..500]);
+}
+
+#[test]
+fn a_grid_has_one_attractor_in_every_cell_of_its_row() {
+    for n in [100u32, 101, 997] {
+        let parameters = Parameters::of(&link::read(&format!("attractors={n}&scatter=grid")).unwrap());
+        let places = riverseed::grow::scatter(&parameters);
+        assert_eq!(places.len(), n as usize);
+        let rows = (parameters.domain.size.y / parameters.spacing).round();
+        let row_of = |y: f32| (y / parameters.domain.size.y * rows) as usize;
+        for row in 0..rows as usize {
+            let mut columns: Vec<f32> = places.iter().filter(|at| row_of(at.y) == row).map(|at| at.x).collect();
+            columns.sort_by(f32::total_cmp);
+            let width = parameters.domain.size.x / columns.len() as f32;
+            assert!(columns.iter().enumerate().all(|(i, x)| (x / width) as usize == i), "{n}, row {row}");
+        }
+    }
+}
+
+/// Parents stand first, no step is longer than it should be, everything lies in the domain, and all is finite.
+fn check_tree(tree: &Tree, parameters: &Parameters) -> Result<(), TestCaseError> {
+    for node in 0..tree.len() {
+        prop_assert!(parameters.domain.contains(tree.at[node]));
+        if let Some(parent) = tree.parent_of(node) {
+            prop_assert!(parent < node);
+            let length = tree.at[node].distance(tree.at[parent]);
+            prop_assert!((length - parameters.step).abs() < 1e-3 * parameters.step, "{length}");
+        }
+    }
+    prop_assert_eq!(tree.mouths(), parameters.mouths as usize);
+    prop_assert_eq!(tree.ticks().count(), tree.len());
+    Ok(())
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(200))]
+
+    #[test]
+    fn any_recipe_equals_the_brute_force_twin(link in random_link(300)) {
+        assert_equals_twin(&link);
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(2000))]
+
+    #[test]
+    fn any_recipe_grows_a_tree_and_ends(link in random_link(2000)) {
+        let growth = grown(&link);
+        prop_assert_eq!(growth.ending(), Some(Ending::Complete), "{}", link);
+        check_tree(growth.tree(), growth.parameters())?;
+        let drained: u32 = growth.tree().drained.iter().sum();
+        let used_up = growth.parameters().attractors - growth.unreached();
+        prop_assert!((used_up..=growth.parameters().attractors).contains(&drained));
+    }
+}

@@ -1,0 +1,43 @@
+//! A picture painted while the tree grows is the picture painted at once.
+
+mod common;
+
+use common::random_link;
+use proptest::prelude::*;
+use riverseed::recipe::{Key, Recipe, link};
+use riverseed::session::Session;
+
+/// The picture after painting every so many ticks.
+fn painted(recipe: &Recipe, ticks: u32) -> Vec<u8> {
+    let mut session = Session::new(recipe.clone(), 120, 90).unwrap();
+    while session.advance(ticks) {
+        session.paint();
+    }
+    session.paint();
+    session.pixmap().data().to_vec()
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(60))]
+
+    #[test]
+    fn painted_bit_by_bit_equals_painted_at_once(link in random_link(800), ticks in 1u32..30) {
+        let recipe = link::read(&link).unwrap();
+        prop_assert!(painted(&recipe, ticks) == painted(&recipe, u32::MAX), "{link}");
+    }
+
+    #[test]
+    fn changing_there_and_back_gives_the_same_picture(link in random_link(400), trim in 0u32..20) {
+        let recipe = link::read(&link).unwrap();
+        let mut other = recipe.clone();
+        other.set(Key::Trim, &trim.to_string()).unwrap();
+        let mut session = Session::new(recipe.clone(), 120, 90).unwrap();
+        while session.advance(7) {}
+        session.paint();
+        session.change(other).unwrap();
+        session.paint();
+        session.change(recipe.clone()).unwrap();
+        session.paint();
+        prop_assert!(session.pixmap().data() == painted(&recipe, u32::MAX), "{link}");
+    }
+}

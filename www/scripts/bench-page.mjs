@@ -1,0 +1,97 @@
+#!/usr/bin/env node
+// Frames of the built page while 100,000 attractors grow on a canvas of 1024 by 1024, as JSON on one line:
+//   {"p50","p95","max" frame gap in ms, "longest" callback in ms, "frames", "seconds"}
+//
+// The page must have been built (npm run build). CHROME names the browser, REPEAT how many rivers (default 3, the
+// median of each figure is printed).
+
+import { chromium } from "@playwright/test";
+import { preview } from "vite";
+
+const LINK = "seed=kauri&aspect=1&attractors=100000";
+const SIDE_PX = 1024;
+const repeat = Number(process.env.REPEAT ?? 3);
+
+const server = await preview({ preview: { host: "127.0.0.1", port: 0 }, logLevel: "silent" });
+const address = server.resolvedUrls.local[0];
+const browser = await chromium.launch({
+  executablePath: process.env.CHROME ?? "/usr/bin/chromium",
+  args: ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking"],
+});
+try {
+  const runs = [];
+  for (let i = 0; i < repeat; i++) runs.push(await measure());
+  console.log(JSON.stringify(medians(runs)));
+} finally {
+  await browser.close();
+  await new Promise((done) => server.httpServer.close(done));
+}
+
+async function measure() {
+  // bypassCSP lets the style below in; nothing else depends on the policy.
+  const page = await browser.newPage({ viewport: { width: 1600, height: 1200 }, bypassCSP: true });
+  await page.addInitScript(watchFrames);
+  await page.addInitScript(fixFrame, SIDE_PX);
+  await page.goto(`${address}?${LINK}`);
+  await page.waitForSelector('#frame[data-state="finished"]', { timeout: 300_000 });
+  const size = await page.evaluate(() => {
+    const { width, height } = document.querySelector("canvas");
+    return [width, height];
+  });
+  if (size.some((side) => side !== SIDE_PX)) throw new Error(`the canvas is ${size.join(" by ")}`);
+  const frames = await page.evaluate(() => globalThis.frames_);
+  await page.close();
+  if (process.env.DETAIL) {
+    console.error(
+      frames
+        .map(({ worked, growing }, i) => ({ i, worked: Math.round(worked * 10) / 10, growing }))
+        .sort((a, b) => b.worked - a.worked)
+        .slice(0, 12),
+    );
+  }
+  return figures(frames.filter(({ growing }) => growing));
+}
+
+/** In the page: notes when each frame began, how long its callbacks took, and whether the river was growing. */
+function watchFrames() {
+  const frames = [];
+  globalThis.frames_ = frames;
+  const isGrowing = () => document.querySelector("#frame")?.dataset.state === "growing";
+  const request = globalThis.requestAnimationFrame.bind(globalThis);
+  globalThis.requestAnimationFrame = (callback) =>
+    request((now) => {
+      const grew = isGrowing();
+      const began = performance.now();
+      callback(now);
+      const worked = performance.now() - began;
+      // The last frame, which finishes the river, counts as well.
+      frames.push({ now, worked, growing: grew || isGrowing() });
+    });
+}
+
+function fixFrame(side) {
+  document.addEventListener("DOMContentLoaded", () => {
+    const style = document.createElement("style");
+    style.textContent = `.frame { width: ${side}px !important; height: ${side}px !important; }`;
+    document.head.append(style);
+  });
+}
+
+function figures(frames) {
+  const gaps = frames.slice(1).map(({ now }, i) => now - frames[i].now);
+  gaps.sort((a, b) => a - b);
+  const at = (share) => gaps[Math.min(gaps.length - 1, Math.floor(share * gaps.length))];
+  return {
+    p50: at(0.5),
+    p95: at(0.95),
+    max: gaps.at(-1),
+    longest: Math.max(...frames.map(({ worked }) => worked)),
+    frames: frames.length,
+    seconds: (frames.at(-1).now - frames[0].now) / 1000,
+  };
+}
+
+function medians(runs) {
+  const middle = (key) => runs.map((run) => run[key]).sort((a, b) => a - b)[Math.floor(runs.length / 2)];
+  return Object.fromEntries(Object.keys(runs[0]).map((key) => [key, Number(middle(key).toFixed(2))]));
+}

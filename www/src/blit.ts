@@ -1,0 +1,43 @@
+/** Copies the core's pixels to the canvas, only where they changed. */
+
+/** What the core shows of its pixels. */
+export interface Pixels {
+  readonly width: number;
+  readonly height: number;
+  pixelsPointer(): number;
+  pixelsLength(): number;
+  dirty(): Uint32Array;
+}
+
+export class Blitter {
+  #image: ImageData | undefined;
+
+  constructor(
+    private readonly context: CanvasRenderingContext2D,
+    private readonly memory: WebAssembly.Memory,
+  ) {}
+
+  /** Copies the rectangle that the last paint changed. */
+  blit(pixels: Pixels): void {
+    const [x = 0, y = 0, width = 0, height = 0] = pixels.dirty();
+    if (width > 0 && height > 0) this.context.putImageData(this.#view(pixels), 0, 0, x, y, width, height);
+  }
+
+  /** A view of the core's pixels without a copy, kept until memory grew (which detaches it), they moved or changed size. */
+  #view(pixels: Pixels): ImageData {
+    const image = this.#image;
+    const pointer = pixels.pixelsPointer();
+    if (
+      image &&
+      image.data.buffer === this.memory.buffer &&
+      image.data.byteOffset === pointer &&
+      image.width === pixels.width &&
+      image.height === pixels.height
+    ) {
+      return image;
+    }
+    const bytes = new Uint8ClampedArray(this.memory.buffer, pointer, pixels.pixelsLength());
+    this.#image = new ImageData(bytes, pixels.width, pixels.height);
+    return this.#image;
+  }
+}

@@ -1,0 +1,13 @@
+/** The committed list of digests: a line for each recipe, its digest first. `#` begins a comment. */
+
+export interface Line {
+  digest: string;
+  link: string;
+}
+
+export function linesOf(text: string): Line[] {
+  return text
+    .split("\n")
+    .filter((line) => line !== "" && !line.startsWith("#"))
+    .map((line) => ({ digest: line.slice(0, line.indexOf(" ")), link: line.slice(line.indexOf(" ") + 1).trim() }));
+}

@@ -1,0 +1,201 @@
+/** The page: puts the parts together. The recipe says what is shown; everything else follows it. */
+
+import "./style.css";
+import type { Summary } from "../pkg/riverseed.js";
+import { type Controls, controls } from "./controls.ts";
+import { setText } from "./dom.ts";
+import { isRecoverable, named } from "./errors.ts";
+import type { State } from "./growth.ts";
+import { AddressBar, addressOf, linkOf, replaceAddress } from "./link.ts";
+import { parts } from "./parts.ts";
+import { type How, Plate } from "./plate.ts";
+import { type Presets, presets } from "./presets.ts";
+import { Recipe } from "./recipe.ts";
+import { SeedBox } from "./seed.ts";
+import { copy, fileName, picture, save } from "./share.ts";
+import { Announcer, alternative, caption, sentence, showFailure, showNotices } from "./status.ts";
+import { Transport } from "./transport.ts";
+import { type Core, load } from "./wasm.ts";
+
+const prefersStill = window.matchMedia("(prefers-reduced-motion: reduce)");
+
+class Page {
+  readonly #recipe: Recipe;
+  readonly #controls: Controls;
+  readonly #presets: Presets;
+  readonly #seedBox: SeedBox;
+  readonly #plate: Plate;
+  readonly #transport: Transport;
+  readonly #address = new AddressBar(replaceAddress);
+  readonly #announcer = new Announcer(parts.announcement);
+
+  constructor(private readonly core: Core) {
+    const { engine } = core;
+    const table = engine.parameters();
+    this.#recipe = new Recipe((text) => engine.readLink(text));
+    this.#recipe.open(linkOf(location));
+    this.#controls = controls(table, (key, text) => this.#set([[key, text]], "settle"));
+    this.#presets = presets(engine.presets(), table, (values) => this.#set(values, "watch"));
+    this.#seedBox = new SeedBox(parts.seedForm, parts.seed, (seed) => this.#set([["seed", seed]], "watch"));
+    describeSeed(table);
+    this.#plate = Plate.open(core, parts, this.#recipe.link, {
+      changed: (state, summary) => this.#follow(state, summary),
+      failed: (error) => this.#fail(error),
+    });
+    this.#transport = this.#makeTransport();
+    parts.presets.replaceChildren(this.#presets.element);
+    parts.controls.replaceChildren(this.#controls.element);
+    this.#listen();
+  }
+
+  /** Shows the first river. */
+  start(): void {
+    parts.facade.hidden = true;
+    this.#transport.enable();
+    for (const button of [parts.dice, parts.download, parts.copy, parts.reset]) button.disabled = false;
+    this.#showRecipe();
+    this.#plate.start(this.#how("watch"));
+  }
+
+  #makeTransport(): Transport {
+    return new Transport(parts.transport, {
+      toggle: () => this.#plate.toggle(),
+      restart: () => this.#plate.replay(),
+      speed: (speed) => {
+        this.#plate.speed = speed;
+      },
+    });
+  }
+
+  #listen(): void {
+    parts.dice.addEventListener("click", () => this.#throwDice());
+    parts.reset.addEventListener("click", () => this.#open(`seed=${encodeURIComponent(this.#recipe.seed)}`));
+    parts.download.addEventListener("click", () => void this.#download());
+    parts.copy.addEventListener("click", () => void this.#copyLink());
+    for (const event of ["popstate", "hashchange"]) window.addEventListener(event, () => this.#followAddress());
+    window.addEventListener("pagehide", () => this.#address.flush());
+  }
+
+  #throwDice(): void {
+    const seed = this.core.engine.freshSeed();
+    this.#seedBox.replace(seed);
+    this.#set([["seed", seed]], "watch");
+  }
+
+  /** Changes some values of what is shown. */
+  #set(values: Iterable<readonly [key: string, value: string]>, how: How): void {
+    this.#recipe.set(values);
+    this.#show(how);
+  }
+
+  /** Shows another link in place of everything. */
+  #open(link: string): void {
+    this.#recipe.open(link);
+    this.#seedBox.replace(this.#recipe.seed);
+    this.#show("watch");
+  }
+
+  /** The address changed under the page: somebody pasted a link over it, or went back to one. */
+  #followAddress(): void {
+    const link = linkOf(location);
+    if (link !== this.#recipe.link) this.#open(link);
+  }
+
+  #show(how: How): void {
+    this.#showRecipe();
+    this.#plate.show(this.#recipe.link, this.#how(how));
+  }
+
+  #how(how: How): How {
+    return prefersStill.matches ? "settle" : how;
+  }
+
+  #showRecipe(): void {
+    const { link, values, seed } = this.#recipe;
+    this.#address.show(link);
+    this.#controls.show(values);
+    this.#presets.show(values);
+    this.#seedBox.show(seed);
+    parts.title.textContent = seed;
+    document.title = seed === "" ? "Riverseed" : `${seed} · Riverseed`;
+    this.#showNotices();
+  }
+
+  #showNotices(): void {
+    showNotices(parts.notices, [...this.#recipe.notices.values()], () => {
+      this.#recipe.dismissNotices();
+      this.#showNotices();
+    });
+  }
+
+  /** The plate changed: the caption, the text alternative and the announcement follow. */
+  #follow(state: State, summary: Summary): void {
+    this.#transport.show(state);
+    parts.frame.dataset["state"] = state;
+    const finished = state === "finished";
+    caption(state, summary).forEach((line, i) => {
+      setText(parts.caption.children[i], line);
+    });
+    if (finished) {
+      parts.canvas.setAttribute("aria-label", alternative(this.#recipe.seed, summary));
+      this.#announcer.say(`Finished: ${sentence(summary)}`);
+    } else {
+      this.#announcer.hush();
+    }
+  }
+
+  #fail(thrown: unknown): void {
+    const error = named(thrown);
+    if (isRecoverable(error)) {
+      this.#note(error.message);
+    } else {
+      this.#plate.close();
+      fail(error);
+    }
+  }
+
+  #note(message: string): void {
+    showNotices(parts.notices, [message], () => this.#showNotices());
+  }
+
+  async #download(): Promise<void> {
+    parts.download.disabled = true;
+    parts.shared.textContent = "Drawing the picture…";
+    try {
+      const { link, seed } = this.#recipe;
+      save(await picture(this.core, link), fileName(seed));
+      parts.shared.textContent = "The picture is in your downloads.";
+    } catch (error) {
+      parts.shared.textContent = "";
+      this.#fail(error);
+    } finally {
+      parts.download.disabled = false;
+    }
+  }
+
+  async #copyLink(): Promise<void> {
+    this.#address.flush();
+    const address = addressOf(this.#recipe.link, location.href);
+    parts.shared.textContent = (await copy(address)) ? "Link copied." : `Copy this link: ${address}`;
+  }
+}
+
+/** What the table says of the seed, for the box that index.html has. */
+function describeSeed(table: ReturnType<Core["engine"]["parameters"]>): void {
+  const seed = table.find(({ key }) => key === "seed");
+  if (!seed) return;
+  if (seed.maxLength !== undefined) parts.seed.maxLength = seed.maxLength;
+  parts.seedHelp.textContent = seed.help;
+}
+
+/** A failure that leaves no picture: said in its place, once also on the console for whoever runs the site. */
+function fail(thrown: unknown): void {
+  const error = named(thrown);
+  console.warn(`riverseed: ${error.code}: ${error.message}`);
+  parts.facade.hidden = true;
+  showFailure(parts.failure, error);
+}
+
+load()
+  .then((core) => new Page(core).start())
+  .catch(fail);

@@ -1,0 +1,35 @@
+/** The real core in Node, to say what the page should show. */
+
+import { createHash } from "node:crypto";
+import { readFileSync } from "node:fs";
+import * as engine from "../pkg/riverseed.js";
+
+const wasm = new URL("../pkg/riverseed_bg.wasm", import.meta.url);
+const { memory } = engine.initSync({ module: readFileSync(wasm) });
+
+export { engine };
+
+export interface Picture {
+  /** Of the RGBA bytes. */
+  sha256: string;
+  summary: engine.Summary;
+}
+
+/** The finished river of a link, as the River class draws it at a size. */
+export function pictureOf(link: string, width: number, height: number): Picture {
+  const river = new engine.River(engine.readLink(link).link, width, height);
+  while (!river.advance(1000));
+  river.paint();
+  const bytes = new Uint8Array(memory.buffer, river.pixelsPointer(), river.pixelsLength());
+  const sha256 = createHash("sha256").update(bytes).digest("hex");
+  const summary = river.summary();
+  river.free();
+  return { sha256, summary };
+}
+
+/** The table's row of a key. */
+export function parameter(key: string): engine.Parameter {
+  const row = engine.parameters().find((one) => one.key === key);
+  if (!row) throw new Error(`the table has no ${key}`);
+  return row;
+}

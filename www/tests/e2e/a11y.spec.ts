@@ -1,0 +1,60 @@
+import { readFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { expect, type Page, test } from "@playwright/test";
+import type { AxeResults } from "axe-core";
+import { finished, openFinished } from "./riverpage.ts";
+
+const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+
+/** By evaluation, not by a script tag: the page's own policy stays in force. */
+async function violations(page: Page): Promise<string[]> {
+  await page.evaluate(axe);
+  const results = await page.evaluate(() => {
+    const { axe } = globalThis as unknown as { axe: { run(): Promise<AxeResults> } };
+    return axe.run();
+  });
+  return results.violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html).join("; ")}`);
+}
+
+for (const colorScheme of ["light", "dark"] as const) {
+  for (const width of [1440, 820, 390]) {
+    test(`axe finds nothing: ${colorScheme}, ${width} wide`, async ({ page }) => {
+      await page.emulateMedia({ colorScheme });
+      await page.setViewportSize({ width, height: 900 });
+      await openFinished(page, "preset=trimmed-curl&attractors=300&mouths=900");
+      await page.getByText("Keyboard", { exact: true }).click();
+      expect(await violations(page)).toEqual([]);
+    });
+  }
+}
+
+test("axe finds nothing in a failure", async ({ page }) => {
+  await page.route("**/*.wasm", (route) => route.abort());
+  await page.goto("./");
+  await expect(page.getByRole("alert")).toBeVisible();
+  expect(await violations(page)).toEqual([]);
+});
+
+test("axe finds nothing in forced colours, and the sliders are the system's", async ({ page }) => {
+  await page.emulateMedia({ forcedColors: "active" });
+  await openFinished(page, "attractors=300");
+  expect(await violations(page)).toEqual([]);
+  const appearance = await page.locator("#field-curl").evaluate((slider) => getComputedStyle(slider).appearance);
+  expect(appearance).toBe("auto");
+});
+
+test("the picture is one image with a name, and growth can be paused", async ({ page }) => {
+  await page.goto("./?seed=rimu&attractors=300");
+  await expect(page.getByRole("button", { name: "Pause" })).toBeVisible();
+  await finished(page);
+  await expect(page.getByRole("img", { name: /seed “rimu”/ })).toBeVisible();
+});
+
+test("text can be twice as large without anything being cut off sideways", async ({ page }) => {
+  await page.setViewportSize({ width: 640, height: 800 });
+  await openFinished(page, "attractors=300");
+  await page.evaluate(() => {
+    document.documentElement.style.fontSize = "30px";
+  });
+  expect(await page.evaluate(() => document.documentElement.scrollWidth - innerWidth)).toBeLessThanOrEqual(0);
+});

@@ -1,0 +1,167 @@
+import { expect, type Page, test } from "@playwright/test";
+import { finished } from "./riverpage.ts";
+
+async function expectFailure(page: Page, code: string, advice: RegExp): Promise<void> {
+  const failure = page.getByRole("alert");
+  await expect(failure).toBeVisible();
+  await expect(failure).toContainText(code);
+  await expect(failure).toContainText(advice);
+  await expect(failure.getByRole("link", { name: "Start from a fresh river" })).toBeVisible();
+  await expect(page.locator("#facade")).toBeHidden();
+  await expect(page.getByRole("heading", { name: "Riverseed" })).toBeVisible();
+}
+
+test("the engine's file is missing", async ({ page }) => {
+  await page.route("**/*.wasm", (route) => route.fulfill({ status: 404, body: "not here" }));
+  await page.goto("./");
+  await expectFailure(page, "wasm-fetch", /Check the connection/);
+});
+
+test("the connection breaks", async ({ page }) => {
+  await page.route("**/*.wasm", (route) => route.abort());
+  await page.goto("./");
+  await expectFailure(page, "wasm-fetch", /load the page again/);
+  await page.unroute("**/*.wasm");
+  await page.getByRole("button", { name: "Load again" }).click();
+  await finished(page);
+});
+
+test("the engine's file is cut short", async ({ page }) => {
+  await page.route("**/*.wasm", async (route) => {
+    const response = await route.fetch();
+    const body = (await response.body()).subarray(0, 20_000);
+    await route.fulfill({ contentType: "application/wasm", body });
+  });
+  await page.goto("./");
+  await expectFailure(page, "wasm-fetch", /downloaded whole/);
+});
+
+test("a server that answers with a page of its own", async ({ page }) => {
+  await page.route("**/*.wasm", (route) => route.fulfill({ contentType: "text/html", body: "<h1>Hello</h1>" }));
+  await page.goto("./");
+  await expectFailure(page, "wasm-mime", /application\/wasm/);
+});
+
+test("the right bytes under the wrong type still grow", async ({ page }) => {
+  await page.route("**/*.wasm", async (route) => {
+    const response = await route.fetch();
+    await route.fulfill({ contentType: "application/octet-stream", body: await response.body() });
+  });
+  await page.goto("./?attractors=300");
+  await finished(page);
+});
+
+test("a browser without WebAssembly, which then downloads nothing", async ({ page }) => {
+  let downloads = 0;
+  await page.route("**/*.wasm", (route) => {
+    downloads++;
+    return route.continue();
+  });
+  await page.addInitScript(() => Reflect.deleteProperty(globalThis, "WebAssembly"));
+  await page.goto("./");
+  await expectFailure(page, "wasm-unsupported", /Update the browser/);
+  expect(downloads).toBe(0);
+});
+
+test("a browser without SIMD", async ({ page }) => {
+  await page.addInitScript(() => {
+    WebAssembly.validate = () => false;
+  });
+  await page.goto("./");
+  await expectFailure(page, "wasm-unsupported", /Safari 16\.4/);
+});
+
+test("a policy that forbids WebAssembly", async ({ page }) => {
+  await page.route("**/", async (route) => {
+    const response = await route.fetch();
+    const headers = { ...response.headers(), "content-security-policy": "script-src 'self'" };
+    await route.fulfill({ response, headers });
+  });
+  await page.goto("./");
+  await expectFailure(page, "wasm-csp", /wasm-unsafe-eval/);
+});
+
+/** Makes a function of the engine trap, as a panic does, once `globalThis.trap` is set. */
+async function trapOn(page: Page, name: string): Promise<void> {
+  await page.addInitScript((trapped) => {
+    const instantiate = WebAssembly.instantiate;
+    const trapping = async (...given: Parameters<typeof instantiate>) => {
+      const instance = (await Reflect.apply(instantiate, WebAssembly, given)) as unknown as WebAssembly.Instance;
+      const exports: Record<string, unknown> = { ...instance.exports };
+      const original = exports[trapped] as (...args: unknown[]) => unknown;
+      exports[trapped] = (...args: unknown[]) => {
+        if ("trap" in globalThis) throw new WebAssembly.RuntimeError("unreachable");
+        return original(...args);
+      };
+      return Object.create(WebAssembly.Instance.prototype, { exports: { value: exports } });
+    };
+    WebAssembly.instantiate = trapping as unknown as typeof instantiate;
+  }, name);
+}
+
+test("a panic while growing stops the river and says so, once", async ({ page }) => {
+  const warnings: string[] = [];
+  page.on("console", (message) => {
+    if (message.type() === "warning") warnings.push(message.text());
+  });
+  await trapOn(page, "river_advance");
+  await page.goto("./");
+  await expect(page.locator("#caption")).toContainText("Growing");
+  await page.evaluate(() => Object.assign(globalThis, { trap: true }));
+  await expectFailure(page, "panic", /report the link/);
+  expect(warnings).toHaveLength(1);
+  await page.getByRole("link", { name: "Start from a fresh river" }).click();
+  await finished(page);
+});
+
+test("a panic on a slider's change leaves advice, not a frozen page", async ({ page }) => {
+  await trapOn(page, "river_change");
+  await page.goto("./?attractors=300");
+  await finished(page);
+  await page.evaluate(() => Object.assign(globalThis, { trap: true }));
+  await page.getByRole("slider", { name: "Curl" }).press("ArrowRight");
+  await expectFailure(page, "panic", /report the link/);
+  await page.getByRole("slider", { name: "Trim" }).press("ArrowRight");
+  await page.getByRole("button", { name: "Restart" }).click();
+  await expectFailure(page, "panic", /report the link/);
+});
+
+test("a river too large for this device is refused and the last one stays", async ({ page }) => {
+  await page.addInitScript(() => {
+    const instantiate = WebAssembly.instantiate;
+    const refusing = async (...given: Parameters<typeof instantiate>) => {
+      const instance = (await Reflect.apply(instantiate, WebAssembly, given)) as unknown as WebAssembly.Instance;
+      const exports: Record<string, unknown> = { ...instance.exports };
+      const change = exports["river_change"] as (...args: unknown[]) => unknown;
+      exports["river_change"] = (...args: unknown[]) => {
+        if ("refuse" in globalThis) throw Object.assign(new Error("needs 3 GB"), { code: "too-large" });
+        return change(...args);
+      };
+      return Object.create(WebAssembly.Instance.prototype, { exports: { value: exports } });
+    };
+    WebAssembly.instantiate = refusing as unknown as typeof instantiate;
+  });
+  await page.goto("./?attractors=300");
+  await finished(page);
+  await page.evaluate(() => Object.assign(globalThis, { refuse: true }));
+  await page.getByRole("slider", { name: "Curl" }).press("ArrowRight");
+  await expect(page.locator("#notices")).toContainText("needs 3 GB");
+  await expect(page.locator("#failure")).toBeHidden();
+});
+
+test.describe("without JavaScript", () => {
+  test.use({ javaScriptEnabled: false });
+  test("the page says what it needs", async ({ page }) => {
+    await page.goto("./");
+    // By element: looking for text, Playwright passes <noscript> over.
+    await expect(page.locator("noscript p")).toBeVisible();
+    await expect(page.locator("noscript p")).toContainText("Please allow JavaScript for this site");
+  });
+});
+
+test("a page whose script never comes says so after a while", async ({ page }) => {
+  await page.route("**/*.js", (route) => route.abort());
+  await page.goto("./");
+  await expect(page.getByText("Preparing the rivers")).toBeVisible();
+  await expect(page.getByText("it needs a web server")).toBeVisible();
+});

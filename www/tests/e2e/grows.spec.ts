@@ -1,0 +1,114 @@
+import { expect, type Page, test } from "@playwright/test";
+import { pictureOf } from "../core.ts";
+import { complaints, finished, openFinished, recordStates, shown } from "./riverpage.ts";
+
+async function nodes(page: Page): Promise<number> {
+  const text = (await page.locator("#caption").textContent()) ?? "";
+  return Number(/([\d,]+) nodes?/.exec(text)?.[1]?.replaceAll(",", "") ?? Number.NaN);
+}
+
+test("a visitor sees a river grow, and then its counts", async ({ page }) => {
+  const said = complaints(page);
+  const states = await recordStates(page);
+  await page.goto("./");
+  await expect(page.locator("#caption")).toContainText("Growing");
+  await finished(page);
+  expect(await states()).toEqual(["growing", "finished"]);
+  const { summary } = pictureOf("", 16, 16);
+  await expect(page.locator("#caption")).toContainText(`${summary.mouths} rivers, ${summary.sources} sources`);
+  expect(said).toEqual([]);
+});
+
+test("the finished river is announced once, and is the picture's alternative", async ({ page }) => {
+  await page.goto("./?seed=rimu&attractors=300");
+  await finished(page);
+  await expect(page.locator("#announcement")).toContainText(/^Finished: \d+ rivers?, /);
+  await expect(page.locator("canvas")).toHaveAttribute("aria-label", /^River network grown from the seed “rimu”: \d/);
+});
+
+test("the animated river ends as the one that is drawn at once", async ({ page }) => {
+  await page.goto("./?seed=totara&attractors=800");
+  await finished(page);
+  const { width, height, sha256 } = await shown(page);
+  expect(sha256).toBe(pictureOf("seed=totara&attractors=800", width, height).sha256);
+});
+
+test("pause holds the river, play goes on to the same end", async ({ page }) => {
+  await page.goto("./?seed=matai&attractors=800");
+  await page.getByRole("button", { name: "Pause" }).click();
+  await expect(page.locator("#frame")).toHaveAttribute("data-state", "paused");
+  const held = await nodes(page);
+  const before = await shown(page);
+  await page.evaluate(() => new Promise((done) => setTimeout(done, 300)));
+  expect(await nodes(page)).toBe(held);
+  expect((await shown(page)).sha256).toBe(before.sha256);
+  await page.getByRole("button", { name: "Play", exact: true }).click();
+  await finished(page);
+  const { width, height, sha256 } = await shown(page);
+  expect(sha256).toBe(pictureOf("seed=matai&attractors=800", width, height).sha256);
+});
+
+test("restart and replay grow the same river again", async ({ page }) => {
+  const states = await recordStates(page);
+  await openFinished(page, "seed=rata&attractors=300");
+  const first = await shown(page);
+  await page.getByRole("button", { name: "Restart" }).click();
+  await finished(page);
+  await page.getByRole("button", { name: "Replay" }).click();
+  await expect(page.getByRole("button", { name: "Pause" })).toBeVisible();
+  await finished(page);
+  expect(await shown(page)).toEqual(first);
+  expect(await states()).toEqual(["settling", "finished", "growing", "finished", "growing", "finished"]);
+});
+
+test("speed goes up to instant, by keys", async ({ page }) => {
+  await page.goto("./?seed=hinau&attractors=300");
+  const speed = page.getByRole("slider", { name: "Speed" });
+  await speed.focus();
+  await page.keyboard.press("End");
+  await expect(speed).toHaveAttribute("aria-valuetext", "instant");
+  await finished(page);
+});
+
+test("another window size shows the same river, drawn for that size", async ({ page }) => {
+  await openFinished(page, "seed=tawa&attractors=500");
+  const before = await shown(page);
+  await page.setViewportSize({ width: 700, height: 900 });
+  await expect.poll(async () => (await shown(page)).width).not.toBe(before.width);
+  const after = await shown(page);
+  expect(after.sha256).toBe(pictureOf("seed=tawa&attractors=500", after.width, after.height).sha256);
+  const box = await page.locator("canvas").boundingBox();
+  expect(Math.round(box?.width ?? 0)).toBe(after.width);
+});
+
+test("a hidden tab does not draw, and goes on when it is seen", async ({ page }) => {
+  await page.goto("./?seed=miro&attractors=2000");
+  await page.getByRole("button", { name: "Pause" }).click();
+  const hide = (hidden: boolean) =>
+    page.evaluate((value) => {
+      Object.defineProperty(document, "hidden", { configurable: true, value });
+      document.dispatchEvent(new Event("visibilitychange"));
+    }, hidden);
+  await page.getByRole("button", { name: "Play", exact: true }).click();
+  await hide(true);
+  const { sha256 } = await shown(page);
+  await page.evaluate(() => new Promise((done) => setTimeout(done, 300)));
+  expect((await shown(page)).sha256).toBe(sha256);
+  await hide(false);
+  await finished(page);
+});
+
+test("the picture is saved as a large PNG under the seed's name", async ({ page }) => {
+  await openFinished(page, "seed=puriri&attractors=300");
+  const [download] = await Promise.all([
+    page.waitForEvent("download"),
+    page.getByRole("button", { name: "Download PNG" }).click(),
+  ]);
+  expect(download.suggestedFilename()).toBe("riverseed-puriri.png");
+  const chunks: Buffer[] = [];
+  for await (const chunk of await download.createReadStream()) chunks.push(chunk);
+  const png = Buffer.concat(chunks);
+  expect(png.subarray(1, 4).toString("latin1")).toBe("PNG");
+  expect([png.readUInt32BE(16), png.readUInt32BE(20)]).toEqual([3000, 2000]);
+  await expect(page.locator("#shared")).toContainText("in your downloads");
+});

@@ -1,0 +1,131 @@
+import { expect, test } from "@playwright/test";
+import { WRITE_EVERY_MS } from "../../src/link.ts";
+import { engine, pictureOf } from "../core.ts";
+import { address, expectAddress, finished, openFinished, shown } from "./riverpage.ts";
+
+for (const link of [
+  "seed=kauri",
+  "seed=wai%20%26%20roto&preset=trimmed-curl&sides=nw&mouths=5",
+  "seed=kea&style=skeleton&preset=momentum&attractors=900&aspect=0.7",
+]) {
+  test(`opening ?${link} shows the picture that the River class draws`, async ({ page }) => {
+    await openFinished(page, link);
+    const { width, height, sha256 } = await shown(page);
+    const expected = pictureOf(link, width, height);
+    expect(sha256).toBe(expected.sha256);
+    await expect(page.locator("#caption")).toContainText(`${expected.summary.unreached} of`);
+    expect(new URL(page.url()).search.slice(1)).toBe(engine.readLink(link).link);
+    await expect(page.locator("#notices")).toBeHidden();
+  });
+}
+
+test("the address is replaced, never pushed, and at a bounded rate", async ({ page }) => {
+  await page.addInitScript(() => {
+    const writes: number[] = [];
+    Object.assign(globalThis, { writes });
+    const replace = history.replaceState.bind(history);
+    history.replaceState = (...given) => {
+      writes.push(performance.now());
+      replace(...given);
+    };
+  });
+  await openFinished(page, "seed=kauri&attractors=200");
+  const before = await page.evaluate(() => history.length);
+  await page.getByRole("slider", { name: "Curl" }).focus();
+  for (let i = 0; i < 40; i++) await page.keyboard.press("ArrowRight");
+  await expectAddress(page, "curl", "0.4");
+  expect(await page.evaluate(() => history.length)).toBe(before);
+  const writes = await page.evaluate(() => (globalThis as unknown as { writes: number[] }).writes);
+  for (const [i, time] of writes.entries()) {
+    // Timers may fire a rounded millisecond early.
+    if (i > 0) expect(time - (writes[i - 1] ?? 0)).toBeGreaterThanOrEqual(WRITE_EVERY_MS - 2);
+  }
+});
+
+test("loading the address bar's link again shows the same picture", async ({ page }) => {
+  await openFinished(page, "attractors=300");
+  await page.getByRole("button", { name: "A new seed by chance" }).click();
+  await page.getByRole("button", { name: "Trimmed curl" }).click();
+  await expectAddress(page, "trim", "6");
+  await finished(page);
+  const before = await shown(page);
+  await page.reload();
+  await finished(page);
+  expect(await shown(page)).toEqual(before);
+});
+
+test("what had to be mended in a link is said, can be dismissed, and a river is there", async ({ page }) => {
+  await openFinished(page, "curl=99&mouths=junk&depth=3&seed=rimu");
+  const notes = page.locator("#notices");
+  await expect(notes.getByRole("listitem")).toHaveCount(3);
+  await expect(notes).toContainText("curl: 99 is not between 0 and 2: 2 is used");
+  await expect(notes).toContainText("depth");
+  const { width, height, sha256 } = await shown(page);
+  expect(sha256).toBe(pictureOf("seed=rimu&curl=2", width, height).sha256);
+  await notes.getByRole("button", { name: "Dismiss" }).click();
+  await expect(notes).toBeHidden();
+});
+
+test("hostile text stays text", async ({ page }) => {
+  const evil = `<img src=x onerror="globalThis.harmed=1"><script>globalThis.harmed=1</script>`;
+  const query = new URLSearchParams({ seed: evil.slice(0, 60), [evil]: "1", style: evil });
+  await openFinished(page, query.toString());
+  await expect(page.locator("#title")).toHaveText(evil.slice(0, 60));
+  await expect(page.locator("#notices")).toContainText("<img src=x");
+  await expect(page.locator("body img, body script")).toHaveCount(0);
+  expect(await page.evaluate(() => "harmed" in globalThis)).toBe(false);
+});
+
+for (const [name, query] of [
+  ["an endless link", `seed=${"x".repeat(6000)}`],
+  ["broken escapes", "seed=%FF%FE&%=%&&&==&curl=%"],
+  ["half a surrogate", "seed=%ED%A0%80"],
+  ["everything at its smallest", smallest()],
+] as const) {
+  test(`${name} leaves no blank page`, async ({ page }) => {
+    await openFinished(page, query);
+    await expect(page.locator("#failure")).toBeHidden();
+    expect(await page.locator("#caption").textContent()).toContain("Strahler order");
+  });
+}
+
+function smallest(): string {
+  const values = engine.parameters().flatMap(({ key, min }) => (min === undefined ? [] : [[key, String(min)]]));
+  return new URLSearchParams(values).toString();
+}
+
+test("a link in the fragment, and going back, change the picture without a reload", async ({ page }) => {
+  await openFinished(page, "seed=first&attractors=300");
+  const first = await shown(page);
+  await page.evaluate(() => {
+    location.hash = "seed=second&attractors=300";
+  });
+  await expect(page.locator("#title")).toHaveText("second");
+  await finished(page);
+  await expect(page.getByLabel("Seed", { exact: true })).toHaveValue("second");
+  await expect.poll(() => new URL(page.url()).hash).toBe("");
+  await page.goBack();
+  await expect(page.locator("#title")).toHaveText("first");
+  await finished(page);
+  expect(await shown(page)).toEqual(first);
+});
+
+test("Copy link gives the whole address of what is shown, at once", async ({ page, context }) => {
+  await context.grantPermissions(["clipboard-read", "clipboard-write"]);
+  await openFinished(page, "seed=kowhai&attractors=300");
+  await page.getByRole("button", { name: "Momentum", exact: true }).click();
+  await page.getByRole("button", { name: "Copy link" }).click();
+  await expect(page.locator("#shared")).toHaveText("Link copied.");
+  const copied = new URL(await page.evaluate(() => navigator.clipboard.readText()));
+  expect(copied.searchParams.get("momentum")).toBe("0.4");
+  expect(copied.search).toBe(`?${address(page)}`);
+});
+
+test("where copying is refused the link is shown instead", async ({ page }) => {
+  await page.addInitScript(() => {
+    Object.defineProperty(navigator, "clipboard", { value: undefined });
+  });
+  await openFinished(page, "seed=kowhai&attractors=300");
+  await page.getByRole("button", { name: "Copy link" }).click();
+  await expect(page.locator("#shared")).toContainText("seed=kowhai");
+});

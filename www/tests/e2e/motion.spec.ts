@@ -1,0 +1,24 @@
+import { expect, test } from "@playwright/test";
+import { finished, recordStates } from "./riverpage.ts";
+
+test("who prefers less motion sees finished rivers only, and can still play one", async ({ page }) => {
+  const states = await recordStates(page);
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  await page.goto("./?attractors=500");
+  await finished(page);
+  await page.getByRole("button", { name: "A new seed by chance" }).click();
+  await expect.poll(states).toEqual(["settling", "finished", "settling", "finished"]);
+  await page.getByRole("button", { name: "Replay" }).click();
+  await expect(page.locator("#frame")).toHaveAttribute("data-state", "growing");
+  await finished(page);
+});
+
+test("the preference is followed when it changes", async ({ page }) => {
+  const states = await recordStates(page);
+  await page.goto("./?attractors=300");
+  await finished(page);
+  expect(await states()).toEqual(["growing", "finished"]);
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  await page.getByRole("button", { name: "Trimmed curl" }).click();
+  await expect.poll(states).toEqual(["growing", "finished", "settling", "finished"]);
+});

@@ -1,0 +1,82 @@
+import { expect, test } from "@playwright/test";
+import { openFinished } from "./riverpage.ts";
+
+const SIZES = [
+  { name: "desk", width: 1440, height: 900 },
+  { name: "tablet", width: 820, height: 1180 },
+  { name: "phone", width: 390, height: 844 },
+  { name: "small phone", width: 320, height: 568 },
+  { name: "phone on its side", width: 844, height: 390 },
+];
+
+for (const { name, ...viewport } of SIZES) {
+  test.describe(`${name}, ${viewport.width} by ${viewport.height}`, () => {
+    test.use({ viewport });
+
+    for (const link of ["", "aspect=4", "aspect=0.25"]) {
+      test(`the picture is in sight and nothing scrolls sideways: ?${link}`, async ({ page }) => {
+        await openFinished(page, link);
+        const overflow = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+        expect(overflow).toBeLessThanOrEqual(0);
+        const box = await page.locator("#frame").boundingBox();
+        if (!box) throw new Error("no picture");
+        expect(box.x).toBeGreaterThanOrEqual(0);
+        expect(box.y).toBeGreaterThanOrEqual(0);
+        expect(box.x + box.width).toBeLessThanOrEqual(viewport.width);
+        expect(box.y + box.height).toBeLessThanOrEqual(viewport.height);
+        const aspect = await page.locator("canvas").evaluate((canvas: HTMLCanvasElement) => {
+          const { width, height } = canvas.getBoundingClientRect();
+          return width / height;
+        });
+        const asked = Number(new URLSearchParams(link).get("aspect") ?? 1.5);
+        expect(Math.abs(aspect / asked - 1)).toBeLessThan(0.02);
+      });
+    }
+
+    test("every control can be brought into sight and is large enough for a finger", async ({ page }) => {
+      await openFinished(page, "attractors=300&curl=1");
+      for (const control of await page.locator("button, input, select, summary, label.side").all()) {
+        if (!(await control.isVisible())) continue;
+        await control.scrollIntoViewIfNeeded();
+        await expect(control).toBeInViewport();
+        const { width, height } = (await control.boundingBox()) ?? { width: 0, height: 0 };
+        const isBox = (await control.getAttribute("type")) === "checkbox";
+        // A checkbox is as large as the label around it.
+        if (!isBox)
+          expect(Math.min(width, height), await control.evaluate((e) => e.outerHTML)).toBeGreaterThanOrEqual(24);
+      }
+    });
+
+    test("what has the focus is not hidden behind the picture", async ({ page }) => {
+      await openFinished(page, "attractors=300");
+      await page.locator("#seed").focus();
+      for (let i = 0; i < 30; i++) {
+        await page.keyboard.press("Tab");
+        const hidden = await page.evaluate(() => {
+          const element = document.activeElement;
+          if (!element || element === document.body) return "";
+          const { left, top, width, height } = element.getBoundingClientRect();
+          const hit = document.elementFromPoint(left + width / 2, top + height / 2);
+          return hit && (element.contains(hit) || hit.contains(element)) ? "" : element.outerHTML;
+        });
+        expect(hidden).toBe("");
+      }
+    });
+  });
+}
+
+test("a screen with fine pixels gets a fine picture, up to two to the CSS pixel", async ({ browser }) => {
+  for (const [ratio, expected] of [
+    [1, 1],
+    [2, 2],
+    [3, 2],
+  ] as const) {
+    const page = await browser.newPage({ viewport: { width: 400, height: 800 }, deviceScaleFactor: ratio });
+    await openFinished(page, "attractors=300");
+    const scale = await page.locator("canvas").evaluate((canvas: HTMLCanvasElement) => {
+      return canvas.width / canvas.getBoundingClientRect().width;
+    });
+    expect(scale).toBeCloseTo(expected, 1);
+    await page.close();
+  }
+});

@@ -1,0 +1,68 @@
+/** What every browser test does with the page. */
+
+import { createHash } from "node:crypto";
+import { expect, type Page } from "@playwright/test";
+
+/** Opens a link and waits for its finished river, without animation. */
+export async function openFinished(page: Page, link = ""): Promise<void> {
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  await page.goto(link === "" ? "./" : `./?${link}`);
+  await finished(page);
+}
+
+export async function finished(page: Page): Promise<void> {
+  await expect(page.locator("#frame")).toHaveAttribute("data-state", "finished");
+}
+
+export interface Shown {
+  width: number;
+  height: number;
+  sha256: string;
+}
+
+/** The canvas's bytes as they are. */
+export async function shown(page: Page): Promise<Shown> {
+  const { width, height, base64 } = await page.locator("canvas").evaluate((canvas: HTMLCanvasElement) => {
+    const { width, height } = canvas;
+    const { data } = canvas.getContext("2d")?.getImageData(0, 0, width, height) ?? { data: new Uint8ClampedArray() };
+    let binary = "";
+    for (let i = 0; i < data.length; i += 8192) binary += String.fromCharCode(...data.subarray(i, i + 8192));
+    return { width, height, base64: btoa(binary) };
+  });
+  const sha256 = createHash("sha256").update(Buffer.from(base64, "base64")).digest("hex");
+  return { width, height, sha256 };
+}
+
+/** The link in the address bar, as it is now. */
+export function address(page: Page): URLSearchParams {
+  return new URL(page.url()).searchParams;
+}
+
+/** Waits until the address bar has a value (or has left it out). It is written with a delay. */
+export async function expectAddress(page: Page, key: string, value: string | null): Promise<void> {
+  await expect.poll(() => address(page).get(key)).toBe(value);
+}
+
+/** Notes every state the plate goes through, from the first. Call before `goto`. */
+export async function recordStates(page: Page): Promise<() => Promise<string[]>> {
+  await page.addInitScript(() => {
+    const states: string[] = [];
+    Object.assign(globalThis, { states });
+    const note = (): void => {
+      const state = document.querySelector<HTMLElement>("#frame")?.dataset["state"];
+      if (state !== undefined && state !== states.at(-1)) states.push(state);
+    };
+    new MutationObserver(note).observe(document, { subtree: true, attributeFilter: ["data-state"] });
+  });
+  return () => page.evaluate(() => (globalThis as unknown as { states: string[] }).states);
+}
+
+/** Collects what the page complains about. */
+export function complaints(page: Page): string[] {
+  const said: string[] = [];
+  page.on("pageerror", (error) => said.push(error.message));
+  page.on("console", (message) => {
+    if (message.type() === "error" || message.type() === "warning") said.push(message.text());
+  });
+  return said;
+}

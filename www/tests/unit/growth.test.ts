@@ -1,0 +1,215 @@
+import { expect, test } from "vitest";
+import {
+  FRAME_BUDGET_MS,
+  type Growing,
+  Growth,
+  HEIGHT_SECONDS,
+  SETTLE_BUDGET_MS,
+  SETTLE_QUIET_MS,
+  type State,
+} from "../../src/growth.ts";
+
+/** A display and a clock that only move when told; growing takes as long as a test says. */
+class Stage implements Growing {
+  readonly ticksPerHeight = 300;
+  time = 1000;
+  ticks = 0;
+  drawn: number[] = [];
+  states: State[] = [];
+  failures: unknown[] = [];
+  restarts = 0;
+  cost = 0;
+  #callbacks = new Map<number, (now: number) => void>();
+  #handles = 0;
+  readonly growth: Growth;
+
+  constructor(readonly lastTick = 1_000_000) {
+    const frames = {
+      now: () => this.time,
+      request: (callback: (now: number) => void) => {
+        this.#callbacks.set(++this.#handles, callback);
+        return this.#handles;
+      },
+      cancel: (handle: number) => void this.#callbacks.delete(handle),
+    };
+    this.growth = new Growth(this, frames, {
+      draw: () => void this.drawn.push(this.ticks),
+      changed: (state) => void this.states.push(state),
+      failed: (error) => void this.failures.push(error),
+    });
+  }
+
+  advance(ticks: number): boolean {
+    this.ticks += ticks;
+    this.time += this.cost;
+    return this.ticks >= this.lastTick;
+  }
+
+  restart(): void {
+    this.ticks = 0;
+    this.restarts++;
+  }
+
+  get waiting(): number {
+    return this.#callbacks.size;
+  }
+
+  /** Frames at a steady rate; a frame that works longer than its time makes the next one late. */
+  frames(count: number, everyMs = 1000 / 60): void {
+    for (let i = 0; i < count; i++) {
+      const due = this.time + everyMs;
+      const callbacks = [...this.#callbacks.values()];
+      this.#callbacks.clear();
+      for (const callback of callbacks) callback(this.time);
+      this.time = Math.max(this.time, due);
+    }
+  }
+}
+
+test("at 1x the front crosses the height in the stated time, at any display rate", () => {
+  for (const rate of [24, 60, 144]) {
+    const stage = new Stage();
+    stage.growth.play();
+    stage.frames(rate * HEIGHT_SECONDS + 1, 1000 / rate);
+    expect(Math.abs(stage.ticks - stage.ticksPerHeight)).toBeLessThanOrEqual(1);
+  }
+});
+
+test("speed multiplies", () => {
+  const stage = new Stage();
+  stage.growth.speed = 4;
+  stage.growth.play();
+  stage.frames(60 * HEIGHT_SECONDS + 1);
+  expect(Math.abs(stage.ticks - 4 * stage.ticksPerHeight)).toBeLessThanOrEqual(1);
+});
+
+test("instant speed uses each frame's budget and is still drawn as it grows", () => {
+  const stage = new Stage(500);
+  stage.cost = 0.1;
+  stage.growth.speed = Number.POSITIVE_INFINITY;
+  stage.growth.play();
+  stage.frames(4);
+  expect(stage.ticks).toBeGreaterThanOrEqual(4 * (FRAME_BUDGET_MS / stage.cost) - 4);
+  expect(stage.drawn.length).toBe(4);
+  stage.frames(20);
+  expect(stage.states).toEqual(["growing", "finished"]);
+});
+
+test("no frame grows longer than its budget and one tick", () => {
+  const stage = new Stage();
+  stage.cost = 4;
+  stage.growth.speed = 8;
+  stage.growth.play();
+  for (let i = 0; i < 100; i++) {
+    const before = stage.ticks;
+    stage.frames(1);
+    expect((stage.ticks - before) * stage.cost).toBeLessThan(FRAME_BUDGET_MS + stage.cost);
+  }
+});
+
+test("work that does not fit makes growth slower, never a burst later", () => {
+  const stage = new Stage();
+  stage.cost = 6;
+  stage.growth.speed = 8;
+  stage.growth.play();
+  stage.frames(200);
+  stage.cost = 0;
+  const before = stage.ticks;
+  stage.frames(1);
+  const dueInOneFrame = (8 * stage.ticksPerHeight) / HEIGHT_SECONDS / 60;
+  expect(stage.ticks - before).toBeLessThanOrEqual(dueInOneFrame + 1);
+});
+
+test("a tab that was away for a minute goes on from where it was", () => {
+  const stage = new Stage();
+  stage.growth.play();
+  stage.frames(10);
+  stage.time += 60_000;
+  const before = stage.ticks;
+  stage.frames(1);
+  expect(stage.ticks - before).toBeLessThanOrEqual((0.1 * stage.ticksPerHeight) / HEIGHT_SECONDS + 1);
+});
+
+test("paused means no growth and no frames", () => {
+  const stage = new Stage();
+  stage.growth.play();
+  stage.frames(30);
+  stage.growth.pause();
+  stage.frames(1);
+  const { ticks } = stage;
+  stage.frames(30);
+  expect(stage.ticks).toBe(ticks);
+  expect(stage.waiting).toBe(0);
+  stage.growth.play();
+  stage.frames(30);
+  expect(stage.ticks).toBeGreaterThan(ticks);
+  expect(stage.restarts).toBe(0);
+});
+
+test("a finished river asks for no more frames, and playing it starts again", () => {
+  const stage = new Stage(50);
+  stage.growth.play();
+  stage.frames(600);
+  expect(stage.growth.state).toBe("finished");
+  expect(stage.waiting).toBe(0);
+  expect(stage.drawn.at(-1)).toBe(stage.lastTick);
+  stage.growth.toggle();
+  expect(stage.restarts).toBe(1);
+  expect(stage.growth.state).toBe("growing");
+});
+
+test("settling shows nothing but the finished river, if that is soon", () => {
+  const stage = new Stage(200);
+  stage.cost = 0.2;
+  stage.growth.settle();
+  stage.frames(20);
+  expect(stage.growth.state).toBe("finished");
+  expect(stage.drawn).toEqual([200]);
+});
+
+test("settling takes turns with the page, and shows what there is once it takes long", () => {
+  const stage = new Stage(10_000);
+  stage.cost = 1;
+  stage.growth.settle();
+  stage.frames(1);
+  expect(stage.ticks).toBe(SETTLE_BUDGET_MS);
+  stage.frames(Math.ceil(SETTLE_QUIET_MS / (1000 / 60)) + 2);
+  expect(stage.drawn.length).toBeGreaterThan(0);
+  expect(stage.growth.state).toBe("settling");
+});
+
+test("a redraw is drawn once, and grows nothing", () => {
+  const stage = new Stage(10);
+  stage.growth.settle();
+  stage.frames(2);
+  stage.growth.redraw();
+  stage.growth.redraw();
+  stage.frames(5);
+  expect(stage.drawn).toEqual([10, 10]);
+  expect(stage.growth.state).toBe("finished");
+});
+
+test("at rest nothing is drawn; waking goes on", () => {
+  const stage = new Stage();
+  stage.growth.play();
+  stage.frames(5);
+  stage.growth.rest();
+  expect(stage.waiting).toBe(0);
+  const { ticks } = stage;
+  stage.time += 5000;
+  stage.growth.wake();
+  stage.frames(60);
+  expect(stage.ticks - ticks).toBeLessThanOrEqual(stage.ticksPerHeight / HEIGHT_SECONDS + 1);
+  expect(stage.ticks).toBeGreaterThan(ticks);
+});
+
+test("a failure is told once and stops the loop", () => {
+  const stage = new Stage();
+  stage.advance = () => {
+    throw new Error("unreachable");
+  };
+  stage.growth.settle();
+  stage.frames(5);
+  expect(stage.failures).toHaveLength(1);
+  expect(stage.waiting).toBe(0);
+});

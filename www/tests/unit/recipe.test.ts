@@ -1,0 +1,75 @@
+import { expect, test } from "vitest";
+import { isAdjustable } from "../../src/controls.ts";
+import { isShown, presetValues } from "../../src/presets.ts";
+import { Recipe } from "../../src/recipe.ts";
+import { engine } from "../core.ts";
+
+const table = engine.parameters();
+const presets = engine.presets();
+const fresh = () => new Recipe(engine.readLink);
+
+test("an empty link is the defaults, without a note", () => {
+  const recipe = fresh();
+  recipe.open("");
+  expect(recipe.notices.size).toBe(0);
+  for (const { key, default: value } of table) expect(recipe.values.get(key)).toBe(value);
+});
+
+test("changing one value leaves the others", () => {
+  const recipe = fresh();
+  recipe.open("seed=two%20words%20%26%20more&curl=0.6");
+  recipe.set([["trim", "9"]]);
+  expect(recipe.seed).toBe("two words & more");
+  expect(recipe.values.get("curl")).toBe("0.6");
+  expect(recipe.values.get("trim")).toBe("9");
+});
+
+test("a note stays while other values change, and goes when its own does", () => {
+  const recipe = fresh();
+  recipe.open("curl=99");
+  recipe.set([["trim", "9"]]);
+  expect([...recipe.notices.keys()]).toEqual(["curl"]);
+  recipe.set([["curl", "1"]]);
+  expect(recipe.notices.size).toBe(0);
+});
+
+test("two notes about one key are both kept", () => {
+  const recipe = fresh();
+  recipe.open("curl=99&curl=1");
+  expect(recipe.notices.get("curl")).toMatch(/99.*; /);
+});
+
+test("each preset is shown by its own values and by no other preset's", () => {
+  for (const preset of presets) {
+    const recipe = fresh();
+    recipe.open("seed=rimu&attractors=900&curl=1.7&momentum=0.3&trim=40");
+    recipe.set(presetValues(preset, presets, table));
+    const shown = presets.filter((one) => isShown(presetValues(one, presets, table), recipe.values));
+    expect(shown.map(({ name }) => name)).toEqual([preset.name]);
+    expect(recipe.seed).toBe("rimu");
+    expect(recipe.values.get("attractors")).toBe("900");
+  }
+});
+
+test("a preset's button gives what the preset's link gives", () => {
+  for (const preset of presets) {
+    const byLink = engine.readLink(`preset=${preset.name}`).link;
+    const recipe = fresh();
+    recipe.open("");
+    recipe.set(presetValues(preset, presets, table));
+    expect(recipe.link).toBe(byLink);
+  }
+});
+
+test("there is a control for everything but the seed, which has its own, and the edition, which has one value", () => {
+  const without = table.filter((parameter) => !isAdjustable(parameter)).map(({ key }) => key);
+  expect(without).toEqual(["seed", "edition"]);
+});
+
+test("fresh seeds are words that a link reads back", () => {
+  for (let i = 0; i < 50; i++) {
+    const seed = engine.freshSeed();
+    expect(engine.readLink(`seed=${encodeURIComponent(seed)}`).notices).toEqual([]);
+    expect(seed).toMatch(/^[\p{L}\p{N} '’-]{2,64}$/u);
+  }
+});

@@ -1,0 +1,66 @@
+import { expect, test } from "vitest";
+import { backingSize } from "../../src/canvas.ts";
+import { linesOf } from "../../src/digest-lines.ts";
+import { fileName } from "../../src/share.ts";
+import { alternative, caption, sentence } from "../../src/status.ts";
+import { speedName } from "../../src/transport.ts";
+
+const summary = {
+  ticks: 400,
+  nodes: 12_345,
+  mouths: 1,
+  sources: 210,
+  order: 5,
+  attractors: 4000,
+  unreached: 18,
+  finished: true,
+  stopped: null,
+};
+
+test("the finished state is a sentence with its counts", () => {
+  expect(sentence(summary)).toBe(
+    "1 river, 210 sources, Strahler order 5. 12,345 nodes; 18 of 4,000 attractors unreached.",
+  );
+});
+
+test("an early end says why", () => {
+  expect(sentence({ ...summary, stopped: "Growth died out early." })).toMatch(/unreached\. Growth died out early\.$/);
+});
+
+test("the picture's alternative names the seed, whatever it holds", () => {
+  expect(alternative("<b>kauri</b>", summary)).toBe(
+    "River network grown from the seed “<b>kauri</b>”: 1 river, 210 sources, Strahler order 5.",
+  );
+});
+
+test("the caption has two lines in every state", () => {
+  expect(caption("growing", summary)).toEqual(["Growing", "12,345 nodes so far"]);
+  expect(caption("paused", summary)).toEqual(["Paused", "12,345 nodes so far"]);
+  expect(caption("finished", summary)[0]).toBe("1 river, 210 sources, Strahler order 5");
+});
+
+test("a file is named after its seed, in any script, and after nothing else", () => {
+  expect(fileName("kauri")).toBe("riverseed-kauri.png");
+  expect(fileName("../../etc/passwd")).toBe("riverseed-etc-passwd.png");
+  expect(fileName("Ōtākaro 2")).toBe("riverseed-Ōtākaro-2.png");
+  expect(fileName("!?")).toBe("riverseed.png");
+});
+
+test("a canvas has the screen's pixels, up to two a CSS pixel and four million in all", () => {
+  expect(backingSize({ width: 300, height: 200 }, 1)).toEqual({ width: 300, height: 200 });
+  expect(backingSize({ width: 300, height: 200 }, 3)).toEqual({ width: 600, height: 400 });
+  const { width, height } = backingSize({ width: 4000, height: 2000 }, 2);
+  expect(width * height).toBeLessThanOrEqual(4_200_000);
+  expect(width / height).toBeCloseTo(2, 2);
+  expect(backingSize({ width: 0, height: 0 }, 2)).toEqual({ width: 0, height: 0 });
+});
+
+test("speeds have names", () => {
+  expect([0.25, 1, 8, Number.POSITIVE_INFINITY].map(speedName)).toEqual(["¼×", "1×", "8×", "instant"]);
+});
+
+test("the digest list is read line by line, comments left out", () => {
+  expect(linesOf("# comment\nab12 seed=kauri&edition=1\n\n")).toEqual([
+    { digest: "ab12", link: "seed=kauri&edition=1" },
+  ]);
+});
