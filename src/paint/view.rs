@@ -55,6 +55,11 @@ impl View {
         ((width as f32 * domain.size.y / domain.size.x).round() as u32).max(1)
     }
 
+    /// The width that a picture of this height has if it shows the domain whole.
+    pub fn width_for(domain: &Domain, height: u32) -> u32 {
+        ((height as f32 * domain.size.x / domain.size.y).round() as u32).max(1)
+    }
+
     /// A point of the domain, in pixels.
     #[inline]
     pub fn pixel(&self, point: Vec2) -> Vec2 {

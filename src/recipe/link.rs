@@ -40,10 +40,18 @@ pub fn write(recipe: &Recipe) -> String {
 /// # Errors
 /// Any unknown or repeated key, any value that is not of its kind or out of its range, any text over its length.
 pub fn read(link: &str) -> Result<Recipe, RecipeError> {
+    apply(Recipe::default(), &pairs(link)?)
+}
+
+/// Names and values of link text, for [`apply`].
+///
+/// # Errors
+/// If the link is too long.
+pub fn pairs(link: &str) -> Result<Vec<(String, String)>, RecipeError> {
     if link.len() > LONGEST {
         return Err(RecipeError::TooLong { key: "link", length: link.len(), max: LONGEST });
     }
-    apply(Recipe::default(), &pairs(link))
+    Ok(split(link))
 }
 
 /// Reads names and values over a recipe: a preset first, then everything else. All strict entries come through here.
@@ -75,7 +83,7 @@ pub fn read_leniently(link: &str) -> (Recipe, Vec<Notice>) {
     let mut recipe = Recipe::default();
     let mut notices = Vec::new();
     let link = shorten(link, &mut notices);
-    let pairs = pairs(link);
+    let pairs = split(link);
     if let Some((_, name)) = pairs.iter().find(|(key, _)| key == PRESET)
         && let Err(error) = apply_preset(&mut recipe, name)
     {
@@ -146,7 +154,7 @@ fn shorten<'a>(link: &'a str, notices: &mut Vec<Notice>) -> &'a str {
 }
 
 /// Splits link text into names and values; whatever the bytes are, this gives some pairs.
-fn pairs(link: &str) -> Vec<(String, String)> {
+fn split(link: &str) -> Vec<(String, String)> {
     let query = link.trim().trim_start_matches(['?', '#']);
     form_urlencoded::parse(query.as_bytes())
         .into_owned()

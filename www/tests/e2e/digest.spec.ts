@@ -5,6 +5,7 @@ import { linesOf } from "../../src/digest-lines.ts";
 const committed = linesOf(readFileSync(new URL("../../../tests/digest.txt", import.meta.url), "utf8"));
 
 test("this browser grows every committed recipe to the committed bits", async ({ page }) => {
+  expect(committed.length).toBeGreaterThanOrEqual(50);
   await page.goto("./digest.html");
   const body = page.locator("body");
   await expect(body).toHaveAttribute("data-digests", /.*/, { timeout: 110_000 });
