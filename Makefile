@@ -12,6 +12,10 @@ wasm32 := --target wasm32-unknown-unknown --no-default-features
 
 # The files in tests/ that also run as wasm, in a browser.
 WASM_TESTS := digest
+# Those that compare with committed files.
+GOLDEN_TESTS := digest golden
+
+free_port := require("net").createServer().listen(0, "127.0.0.1", function () { console.log(this.address().port); this.close() })
 
 .PHONY: help
 help: ## this list
@@ -54,10 +58,11 @@ test-wasm: ## the core as wasm, in headless Chromium: the same pictures to the b
 test-page: wasm ## the TypeScript, without a browser
 	$(npm) test
 
+# On a free port, since a page served by another checkout must not be what is tested.
 .PHONY: test-browser
 test-browser: site ## the page in Chromium, end to end
 	@$(setup) browser
-	$(npm) e2e
+	@PORT=$$(node -e '$(free_port)') $(npm) e2e
 
 .PHONY: test-firefox
 test-firefox: site ## the page in a second engine
@@ -88,9 +93,9 @@ bench: site ## the figures that the README quotes: natively, as wasm in Node, in
 .PHONY: goldens
 goldens: ## draw the golden pictures and digests anew; then look at them and say in the commit why they changed
 	@$(setup) rust
-	@echo "Tests that refresh a golden fail, to be seen; the run after them must pass."
-	-@RIVERSEED_REFRESH=1 $(run) cargo test --quiet --no-fail-fast
-	@$(run) cargo test --quiet
+	@echo "A run that refreshes goldens fails on purpose; the run after it must pass."
+	-@RIVERSEED_REFRESH=1 $(run) cargo test --quiet --no-fail-fast $(GOLDEN_TESTS:%=--test %)
+	@$(run) cargo test --quiet $(GOLDEN_TESTS:%=--test %)
 	@git status --short tests
 
 .PHONY: clean

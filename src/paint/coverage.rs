@@ -159,11 +159,15 @@ impl Stroke {
         let dy = f32x4::splat(y as f32 + HALF - self.a.y);
         let mut dx = f32x4::new([0.5, 1.5, 2.5, 3.5]) + f32x4::splat(left as f32 - self.a.x);
         for pixels in row.chunks_mut(4) {
-            let coverage = self.coverage(dx, dy).trunc_int().to_array();
-            for (pixel, coverage) in pixels.iter_mut().zip(coverage) {
+            let coverage = self.coverage(dx, dy);
+            dx += f32x4::splat(4.0);
+            // Most of the box around a slanting line is empty.
+            if coverage.simd_ge(f32x4::ONE).none() {
+                continue;
+            }
+            for (pixel, coverage) in pixels.iter_mut().zip(coverage.fast_trunc_int().to_array()) {
                 *pixel = (*pixel).max(coverage as u8);
             }
-            dx += f32x4::splat(4.0);
         }
     }
 

@@ -1,8 +1,7 @@
 //! Depth, discharge and drawn radius of the nodes of a growing tree.
 //!
-//! Depth follows every new node at once, as it decides what may be drawn; that is cheap, for most new nodes only
-//! lengthen one arm. Discharge is measured anew for the whole tree now and then: a trunk does not have to thicken in
-//! every frame.
+//! All is measured anew, in one pass over the tree, when enough has grown: a trunk does not have to thicken in every
+//! frame. In between, only depth follows the new nodes, from each tip downstream, as it decides what may be drawn.
 
 use super::strokes::{Pen, TAPER_NODES};
 use crate::tree::Tree;
@@ -56,14 +55,18 @@ impl Flow {
         tree.len() > self.measured + self.measured / NEWS
     }
 
-    /// Measures discharge and radius of every node, in one pass from the sources down.
+    /// Measures every node, in one pass from the sources down.
     pub fn measure(&mut self, tree: &Tree, pen: &Pen) {
+        self.depth.clear();
+        self.depth.resize(tree.len(), 0);
+        self.radii.resize(tree.len(), 0);
         self.discharge.clear();
         self.discharge.extend_from_slice(&tree.drained);
         for node in (0..tree.len()).rev() {
-            let discharge = self.discharge[node];
-            self.radii[node] = pen.radius(self.depth[node], discharge);
+            let (depth, discharge) = (self.depth[node], self.discharge[node]);
+            self.radii[node] = pen.radius(depth, discharge);
             if let Some(parent) = tree.parent_of(node) {
+                self.depth[parent] = self.depth[parent].max(depth + 1);
                 self.discharge[parent] += discharge;
             }
         }

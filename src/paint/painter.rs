@@ -81,11 +81,11 @@ impl Painter {
             return None;
         }
         let (tree, pen) = (progress.tree, Pen::new(self.view, widths(progress)));
-        let near_tip = self.flow.follow(tree, &pen, progress.trim);
         if progress.finished || self.flow.is_stale(tree) {
             self.flow.measure(tree, &pen);
             self.draw_changes(progress, &pen);
         } else {
+            let near_tip = self.flow.follow(tree, &pen, progress.trim);
             let radii = &self.flow.radii;
             near_tip.iter().for_each(|&child| pen.draw(&mut self.coverage, tree, radii, child as usize));
         }

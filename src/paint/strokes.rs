@@ -88,10 +88,10 @@ fn middle(a: Vertex, b: Vertex) -> Vertex {
     ((a.0 + b.0) * 0.5, (a.1 + b.1) * 0.5)
 }
 
-/// Draws a parabola as straight pieces, as many as keep it within a tenth of a pixel.
+/// Draws a parabola as straight pieces, as many as keep it within a fifth of a pixel.
 fn parabola(coverage: &mut Coverage, start: Vertex, bend: Vertex, end: Vertex) {
     /// A parabola and n equal chords lie at most |second difference| / 4n² apart.
-    const TOLERANCE_PX: f32 = 0.1;
+    const TOLERANCE_PX: f32 = 0.2;
     const MOST_PIECES: f32 = 16.0;
     let second_difference = start.0 - bend.0 * 2.0 + end.0;
     let sagitta = second_difference.length() * 0.25;

@@ -84,10 +84,12 @@ pub fn read_leniently(link: &str) -> (Recipe, Vec<Notice>) {
     let mut notices = Vec::new();
     let link = shorten(link, &mut notices);
     let pairs = split(link);
-    if let Some((_, name)) = pairs.iter().find(|(key, _)| key == PRESET)
-        && let Err(error) = apply_preset(&mut recipe, name)
-    {
+    let mut presets = pairs.iter().filter(|(key, _)| key == PRESET);
+    if let Some(Err(error)) = presets.next().map(|(_, name)| apply_preset(&mut recipe, name)) {
         notices.push(Notice { key: PRESET.into(), message: error.to_string() });
+    }
+    if presets.next().is_some() {
+        notices.push(repeated(PRESET));
     }
     let mut seen = [false; TABLE.len()];
     for (name, text) in pairs.iter().filter(|(key, _)| key != PRESET) {
@@ -97,13 +99,17 @@ pub fn read_leniently(link: &str) -> (Recipe, Vec<Notice>) {
             continue;
         };
         if std::mem::replace(&mut seen[key as usize], true) {
-            let error = RecipeError::Duplicate { key: name.clone() };
-            notices.push(Notice { key: name.clone(), message: format!("{error}: the first is used") });
+            notices.push(repeated(name));
         } else if let Err(error) = recipe.set(key, text) {
             notices.push(mend(&mut recipe, key, text, &error));
         }
     }
     (recipe, notices)
+}
+
+fn repeated(name: &str) -> Notice {
+    let error = RecipeError::Duplicate { key: name.into() };
+    Notice { key: name.into(), message: format!("{error}: the first is used") }
 }
 
 fn apply_preset(recipe: &mut Recipe, name: &str) -> Result<(), RecipeError> {

@@ -202,7 +202,7 @@ pub static TABLE: [Parameter; COUNT] = {
             group: "Growth",
             stage: Grow,
             logarithmic: true,
-            kind: Kind::Integer { min: 100, max: 1_000_000, default: 4000 },
+            kind: Kind::Integer { min: 100, max: 1_000_000, default: 6000 },
         },
         Parameter {
             key: Key::Scatter,
@@ -224,7 +224,7 @@ pub static TABLE: [Parameter; COUNT] = {
             group: "Growth",
             stage: Grow,
             logarithmic: true,
-            kind: number(2.1, 12.0, 0.05, 2.4),
+            kind: number(2.1, 12.0, 0.05, 2.25),
         },
         Parameter {
             key: Key::Kill,
@@ -301,7 +301,7 @@ pub static TABLE: [Parameter; COUNT] = {
             group: "Finish",
             stage: Paint,
             logarithmic: true,
-            kind: number(1.0, 40.0, 0.5, 12.0),
+            kind: number(1.0, 40.0, 0.5, 14.0),
         },
         Parameter {
             key: Key::Style,

@@ -9,7 +9,7 @@ export const HEIGHT_SECONDS = 5;
 export const FRAME_BUDGET_MS = 6;
 /** What it may take of a frame when somebody waits for the finished river. */
 export const SETTLE_BUDGET_MS = 10;
-/** A finished river that takes longer than this is shown as it grows. */
+/** While somebody waits for a river that takes longer than this, it is shown so often: each picture delays the end. */
 export const SETTLE_QUIET_MS = 250;
 /** After a pause in frames (a hidden tab, a busy machine) growth goes on from where it was, it does not catch up. */
 const LONGEST_STEP_MS = 100;
@@ -47,7 +47,7 @@ export class Growth {
   #last: number | undefined;
   /** Ticks that are due and not yet grown, with their fraction. */
   #owed = 0;
-  #settlingSince = 0;
+  #shownAt = 0;
   #redraw = false;
 
   constructor(
@@ -60,10 +60,15 @@ export class Growth {
     return this.#state;
   }
 
-  /** Animates, from where growth stands; a finished river starts again. */
+  /** Animates a river from where it stands. */
+  watch(): void {
+    this.#enter("growing");
+  }
+
+  /** Goes on; a finished river starts again. */
   play(): void {
     if (this.#state === "finished") this.river.restart();
-    this.#enter("growing");
+    this.watch();
   }
 
   pause(): void {
@@ -78,12 +83,12 @@ export class Growth {
   /** Animates from the mouths again. */
   replay(): void {
     this.river.restart();
-    this.#enter("growing");
+    this.watch();
   }
 
   /** To the finished river without animation, in slices. */
   settle(): void {
-    this.#settlingSince = this.frames.now();
+    this.#shownAt = this.frames.now();
     this.#enter("settling");
   }
 
@@ -134,9 +139,10 @@ export class Growth {
 
   #step(now: number): void {
     const finished = this.#grow(now);
-    const quiet = this.#state === "settling" && !finished && now - this.#settlingSince < SETTLE_QUIET_MS;
+    const quiet = this.#state === "settling" && !finished && now - this.#shownAt < SETTLE_QUIET_MS;
     if (!quiet) {
       this.#redraw = false;
+      this.#shownAt = now;
       this.audience.draw();
     }
     if (finished) this.#become("finished");

@@ -77,22 +77,37 @@ class Page {
   }
 
   #throwDice(): void {
-    const seed = this.core.engine.freshSeed();
-    this.#seedBox.replace(seed);
-    this.#set([["seed", seed]], "watch");
+    this.#attempt(() => {
+      const seed = this.core.engine.freshSeed();
+      this.#seedBox.replace(seed);
+      this.#set([["seed", seed]], "watch");
+    });
   }
 
   /** Changes some values of what is shown. */
   #set(values: Iterable<readonly [key: string, value: string]>, how: How): void {
-    this.#recipe.set(values);
-    this.#show(how);
+    this.#attempt(() => {
+      this.#recipe.set(values);
+      this.#show(how);
+    });
   }
 
   /** Shows another link in place of everything. */
   #open(link: string): void {
-    this.#recipe.open(link);
-    this.#seedBox.replace(this.#recipe.seed);
-    this.#show("watch");
+    this.#attempt(() => {
+      this.#recipe.open(link);
+      this.#seedBox.replace(this.#recipe.seed);
+      this.#show("watch");
+    });
+  }
+
+  /** Whatever asks the engine for something in answer to a person: if it fails, that is said. */
+  #attempt(work: () => void): void {
+    try {
+      work();
+    } catch (error) {
+      this.#fail(error);
+    }
   }
 
   /** The address changed under the page: somebody pasted a link over it, or went back to one. */
@@ -132,21 +147,21 @@ class Page {
   #follow(state: State, summary: Summary): void {
     this.#transport.show(state);
     parts.frame.dataset["state"] = state;
-    const finished = state === "finished";
     caption(state, summary).forEach((line, i) => {
       setText(parts.caption.children[i], line);
     });
-    if (finished) {
-      parts.canvas.setAttribute("aria-label", alternative(this.#recipe.seed, summary));
-      this.#announcer.say(`Finished: ${sentence(summary)}`);
-    } else {
-      this.#announcer.hush();
-    }
+    const finished = state === "finished";
+    parts.canvas.setAttribute("aria-label", alternative(this.#recipe.seed, finished ? summary : undefined));
+    if (finished) this.#announcer.say(`Finished: ${sentence(summary)}`);
+    else this.#announcer.hush();
   }
 
   #fail(thrown: unknown): void {
     const error = named(thrown);
     if (isRecoverable(error)) {
+      // The core kept the river it had, so the page goes back to that one's values.
+      this.#recipe.open(this.#plate.link);
+      this.#showRecipe();
       this.#note(error.message);
     } else {
       this.#plate.close();
@@ -166,8 +181,9 @@ class Page {
       save(await picture(this.core, link), fileName(seed));
       parts.shared.textContent = "The picture is in your downloads.";
     } catch (error) {
-      parts.shared.textContent = "";
-      this.#fail(error);
+      const { code, message } = named(error);
+      parts.shared.textContent = `The picture could not be drawn: ${message}`;
+      if (code === "panic") this.#fail(error);
     } finally {
       parts.download.disabled = false;
     }

@@ -30,6 +30,7 @@ const RESIZE_PAUSE_MS = 120;
 
 export class Plate {
   #wanted: { link: string; how: How } | undefined;
+  #link: string;
   #applying = 0;
   #resizing: ReturnType<typeof setTimeout> | undefined;
   #counted = Number.NEGATIVE_INFINITY;
@@ -43,8 +44,10 @@ export class Plate {
     context: CanvasRenderingContext2D,
     private readonly river: River,
     memory: WebAssembly.Memory,
+    link: string,
     private readonly events: PlateEvents,
   ) {
+    this.#link = link;
     this.#blitter = new Blitter(context, memory);
     const frames = { request: requestAnimationFrame.bind(window), cancel: cancelAnimationFrame.bind(window) };
     this.#growth = new Growth(
@@ -53,11 +56,11 @@ export class Plate {
       {
         draw: () => this.#draw(),
         changed: () => this.#changed(),
-        failed: (error) => this.#failed(error),
+        failed: (error) => this.events.failed(error),
       },
     );
     this.#observer = new ResizeObserver(() => this.#resizeSoon());
-    this.#observer.observe(parts.frame);
+    this.#observe();
     document.addEventListener("visibilitychange", () => this.#followVisibility());
   }
 
@@ -67,7 +70,12 @@ export class Plate {
     if (!context) throw new Error("this browser gives no 2D canvas");
     // Any size will do to learn the river's shape, on which the canvas's size depends.
     const river = new core.engine.River(link, 16, 16);
-    return new Plate(parts, context, river, core.memory, events);
+    return new Plate(parts, context, river, core.memory, link, events);
+  }
+
+  /** The link of the river that is on the plate. */
+  get link(): string {
+    return this.#link;
   }
 
   get state(): State {
@@ -115,6 +123,7 @@ export class Plate {
     if (!wanted) return;
     this.#wanted = undefined;
     const stage = this.river.change(wanted.link);
+    this.#link = wanted.link;
     if (stage === "none") return;
     this.#fit();
     if (stage === "grow") this.#grow(wanted.how);
@@ -122,12 +131,16 @@ export class Plate {
   }
 
   #grow(how: How): void {
-    if (how === "watch") this.#growth.play();
+    if (how === "watch") this.#growth.watch();
     else this.#growth.settle();
   }
 
-  #draw(): void {
+  #paint(): void {
     if (this.river.paint()) this.#blitter.blit(this.river);
+  }
+
+  #draw(): void {
+    this.#paint();
     const still = this.state === "finished" || this.state === "paused";
     if (still || performance.now() - this.#counted >= COUNT_EVERY_MS) this.#tell();
   }
@@ -154,7 +167,16 @@ export class Plate {
     // Setting its size empties a canvas, so it is filled again before the browser can show that.
     canvas.width = width;
     canvas.height = height;
-    this.#draw();
+    this.#paint();
+  }
+
+  /** Follows the frame's size, in the screen's pixels if the browser can: they change alone between two screens. */
+  #observe(): void {
+    try {
+      this.#observer.observe(this.parts.frame, { box: "device-pixel-content-box" });
+    } catch {
+      this.#observer.observe(this.parts.frame);
+    }
   }
 
   #resizeSoon(): void {
@@ -173,12 +195,8 @@ export class Plate {
     try {
       work();
     } catch (error) {
-      this.#failed(error);
+      this.events.failed(error);
     }
-  }
-
-  #failed(error: unknown): void {
-    this.events.failed(error);
   }
 
   /** After a failure that leaves the engine in an unknown state, nothing of it is called again. */

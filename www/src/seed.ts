@@ -15,9 +15,7 @@ export class SeedBox {
     private readonly change: (seed: string) => void,
   ) {
     field.addEventListener("input", () => this.#soon());
-    field.addEventListener("blur", () =>
-      setValue(this.field, this.field.value === "" ? this.#shown : this.field.value),
-    );
+    field.addEventListener("blur", () => this.#leave());
     form.addEventListener("submit", (event) => {
       event.preventDefault();
       this.#tell();
@@ -41,6 +39,12 @@ export class SeedBox {
   #soon(): void {
     this.#cancel();
     this.#timer = setTimeout(() => this.#tell(), TYPING_PAUSE_MS);
+  }
+
+  /** Left behind is what grows: in the core's spelling, or the last word if the box was emptied. */
+  #leave(): void {
+    if (this.#timer !== undefined) this.#tell();
+    setValue(this.field, this.#shown);
   }
 
   #cancel(): void {

@@ -30,9 +30,9 @@ export function sentence(summary: Summary): string {
   return `${sizeOf(summary)}. ${remainderOf(summary)}`;
 }
 
-/** The text alternative of the picture. */
-export function alternative(seed: string, summary: Summary): string {
-  const grown = summary.finished ? sizeOf(summary) : "still growing";
+/** The text alternative of the picture; it has a size once it is finished. */
+export function alternative(seed: string, finished: Summary | undefined): string {
+  const grown = finished ? sizeOf(finished) : "still growing";
   return `River network grown from the seed “${seed}”: ${grown}.`;
 }
 

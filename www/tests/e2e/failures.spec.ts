@@ -126,6 +126,15 @@ test("a panic on a slider's change leaves advice, not a frozen page", async ({ p
   await expectFailure(page, "panic", /report the link/);
 });
 
+test("a panic while a link is read leaves advice, not a dead page", async ({ page }) => {
+  await trapOn(page, "readLink");
+  await page.goto("./?attractors=300");
+  await finished(page);
+  await page.evaluate(() => Object.assign(globalThis, { trap: true }));
+  await page.getByRole("button", { name: "Trimmed curl" }).click();
+  await expectFailure(page, "panic", /report the link/);
+});
+
 test("a river too large for this device is refused and the last one stays", async ({ page }) => {
   await page.addInitScript(() => {
     const instantiate = WebAssembly.instantiate;
@@ -146,6 +155,8 @@ test("a river too large for this device is refused and the last one stays", asyn
   await page.evaluate(() => Object.assign(globalThis, { refuse: true }));
   await page.getByRole("slider", { name: "Curl" }).press("ArrowRight");
   await expect(page.locator("#notices")).toContainText("needs 3 GB");
+  await expect(page.getByLabel("Curl, exact value")).toHaveValue("0");
+  await expect.poll(() => new URL(page.url()).searchParams.has("curl")).toBe(false);
   await expect(page.locator("#failure")).toBeHidden();
 });
 

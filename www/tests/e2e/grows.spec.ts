@@ -21,6 +21,7 @@ test("a visitor sees a river grow, and then its counts", async ({ page }) => {
 
 test("the finished river is announced once, and is the picture's alternative", async ({ page }) => {
   await page.goto("./?seed=rimu&attractors=300");
+  await expect(page.locator("canvas")).toHaveAttribute("aria-label", /still growing/);
   await finished(page);
   await expect(page.locator("#announcement")).toContainText(/^Finished: \d+ rivers?, /);
   await expect(page.locator("canvas")).toHaveAttribute("aria-label", /^River network grown from the seed “rimu”: \d/);

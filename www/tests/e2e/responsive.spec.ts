@@ -24,6 +24,8 @@ for (const { name, ...viewport } of SIZES) {
         expect(box.y).toBeGreaterThanOrEqual(0);
         expect(box.x + box.width).toBeLessThanOrEqual(viewport.width);
         expect(box.y + box.height).toBeLessThanOrEqual(viewport.height);
+        if (viewport.height > 480)
+          await expect(page.getByRole("button", { name: "Restart" })).toBeInViewport({ ratio: 1 });
         const aspect = await page.locator("canvas").evaluate((canvas: HTMLCanvasElement) => {
           const { width, height } = canvas.getBoundingClientRect();
           return width / height;

@@ -33,6 +33,10 @@ test("the picture's alternative names the seed, whatever it holds", () => {
   );
 });
 
+test("a picture that grows says so", () => {
+  expect(alternative("kauri", undefined)).toBe("River network grown from the seed “kauri”: still growing.");
+});
+
 test("the caption has two lines in every state", () => {
   expect(caption("growing", summary)).toEqual(["Growing", "12,345 nodes so far"]);
   expect(caption("paused", summary)).toEqual(["Paused", "12,345 nodes so far"]);

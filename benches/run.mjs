@@ -1,0 +1,243 @@
+#!/usr/bin/env node
+// Prints the project's figures, each beside its floor and its aim: natively, as wasm in Node, and in the page.
+//
+//   make bench                    everything
+//   node benches/run.mjs WORD…    only groups whose names contain a word; scripts/wasm.mjs figures must have run
+//
+// The machine may be busy and its clock may change, so nothing here is a time alone. What is compared is run in turn,
+// ratios are taken within a turn, and their median counts. Times are printed as a guide.
+
+import { execFileSync, spawn } from "node:child_process";
+import { existsSync, readFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { dirname, join } from "node:path";
+import { createInterface } from "node:readline";
+import { fileURLToPath } from "node:url";
+import { brotliCompressSync } from "node:zlib";
+
+process.chdir(join(dirname(fileURLToPath(import.meta.url)), ".."));
+
+const GROUPS = {
+  "Growth equals the brute-force twin, bit for bit (400 attractors, 6 presets, 20 seeds each)": equality,
+  "Growth against the twin, the paper as written by the same compiler": againstTwin,
+  "Growth, wasm against native": wasmAgainstNative,
+  "Growth from 10,000 to 1,000,000 attractors, R = 3": scaling,
+  "Drawing 100,000 segments at 1024²": drawing,
+  "A slider moves: regrow and redraw 15,000 attractors at 1024²": slider,
+  "The page, while 100,000 attractors grow at 1024²": page,
+  "The wasm file of the page": size,
+};
+
+/** What a measured number has to be, and what it ought to be. */
+const atLeast = (floor, aim = floor) => ({ floor, aim, meets: (value, bar) => value >= bar });
+const atMost = (floor, aim = floor) => ({ floor, aim, meets: (value, bar) => value <= bar });
+
+const missed = [];
+const native = nativeSide();
+const wasm = wasmSide();
+try {
+  const words = process.argv.slice(2).map((word) => word.toLowerCase());
+  console.log("N uniform attractors, one mouth, reach R spacings, kill and step ½ spacing, no trimming; growth is timed");
+  console.log("from the recipe to the last node. Medians.");
+  for (const [name, measure] of Object.entries(GROUPS)) {
+    if (words.length > 0 && !words.some((word) => name.toLowerCase().includes(word))) continue;
+    print(`\n${name}`, "measured", "floor", "aim");
+    await measure();
+  }
+} finally {
+  native.close();
+}
+console.log(missed.length === 0 ? "\nAll floors are met." : `\nMISSED ${missed.length}: ${missed.join("; ")}`);
+
+// ---- the groups
+
+async function equality() {
+  for (const side of [native, wasm]) {
+    const { result } = await side.run("variants");
+    row(`${side.name}: equal trees`, result, "", atLeast(120));
+  }
+}
+
+async function againstTwin() {
+  const [fast] = await inTurn(15, [native, "grow 10000 3"]);
+  const twin = await native.run("twin 10000 3");
+  row("native, N = 10,000, R = 3: twin / ours", twin.ms / median(fast), "×", atLeast(1500, 2500));
+  guide("ours", median(fast), "ms");
+  guide("the twin, once", twin.ms, "ms");
+}
+
+async function wasmAgainstNative() {
+  for (const [reach, bar] of [
+    [3, atMost(1.25, 1.1)],
+    [10, atMost(1.35, 1.2)],
+  ]) {
+    const task = `grow 100000 ${reach}`;
+    const [natively, asWasm] = await inTurn(15, [native, task], [wasm, task]);
+    row(`N = 100,000, R = ${reach}: wasm / native`, median(ratios(asWasm, natively)), "×", bar);
+    guide("native", median(natively), "ms");
+    guide("wasm", median(asWasm), "ms");
+  }
+}
+
+async function scaling() {
+  const sides = [native, wasm];
+  const works = sides.flatMap((side) => [
+    // A hundred times as short, so taken several times.
+    [side, "grow 10000 3", 9],
+    [side, "grow 1000000 3"],
+  ]);
+  const times = await inTurn(5, ...works);
+  for (const [i, side] of sides.entries()) {
+    const [few, many] = times.slice(2 * i);
+    const exponent = median(ratios(many, few).map((ratio) => Math.log10(ratio) / 2));
+    row(`${side.name}: exponent`, exponent, "", atMost(1.06, 1.03));
+    guide("N = 10,000", median(few), "ms");
+    guide("N = 1,000,000", median(many), "ms");
+  }
+  const fresh = wasmSide();
+  await fresh.run("grow 1000000 3");
+  row("wasm memory, N = 1,000,000", fresh.memory() / 1e6, "MB", atMost(180, 110));
+}
+
+async function drawing() {
+  const ways = { "mask-ribbons": "ribbons filled into a mask", ribbons: "ribbons filled", strokes: "strokes" };
+  for (const side of [native, wasm]) {
+    const [ours, ...theirs] = await inTurn(7, ...["capsules", ...Object.keys(ways)].map((task) => [side, task]));
+    const best = theirs.reduce((best, times) => (median(times) < median(best) ? times : best));
+    row(`${side.name}: tiny-skia's best way / capsules`, median(ratios(best, ours)), "×", atLeast(8, 14));
+    guide("capsules into a mask", median(ours), "ms");
+    for (const [i, way] of Object.values(ways).entries()) guide(`tiny-skia, ${way}`, median(theirs[i]), "ms");
+    const [picture] = await inTurn(7, [side, "picture"]);
+    guide("the whole finished picture", median(picture), "ms");
+  }
+  for (const side of [native, wasm]) {
+    const { result } = await side.run("differing");
+    row(`${side.name}: bytes that differ, painted in 8-tick frames or at once`, result, "", atMost(0));
+  }
+}
+
+async function slider() {
+  for (const [what, task] of [
+    ["R = 3", "slider 15000"],
+    ["the page's defaults", "page-slider 15000"],
+  ]) {
+    const [natively, asWasm] = await inTurn(15, [native, task], [wasm, task]);
+    row(`wasm, ${what}`, median(asWasm), "ms", atMost(16, 10));
+    guide("native", median(natively), "ms");
+  }
+}
+
+function page() {
+  if (!existsSync("www/dist/index.html")) {
+    console.log("  The page is not built: make site");
+    return;
+  }
+  const npm = ["--silent", "--prefix", "www", "run", "bench:page"];
+  const printed = execFileSync("npm", npm, { encoding: "utf8", stdio: ["ignore", "pipe", "inherit"] });
+  const { p95, longest, frames, seconds } = JSON.parse(printed.trim().split("\n").at(-1));
+  row("gap between frames, 95th percentile", p95, "ms", atMost(17.5, 17));
+  row("longest callback", longest, "ms", atMost(33, 12));
+  guide(`${frames} frames take`, seconds, "s");
+}
+
+function size() {
+  const bytes = readFileSync("www/pkg/riverseed_bg.wasm");
+  row("brotli", brotliCompressSync(bytes).length / 1000, "kB", atMost(100, 80));
+  guide("bare", bytes.length / 1000, "kB");
+}
+
+// ---- the two sides: run(task) → { ms, result }
+
+/** The native program; cargo brings it up to date first. */
+function nativeSide() {
+  const child = spawn("cargo", ["bench", "--quiet", "--bench", "figures"], {
+    stdio: ["pipe", "pipe", "inherit"],
+    // wasm memory is never given back to the system, so a repetition finds it there. Nor is it here: the time is
+    // that of our work, not that of the kernel clearing pages.
+    env: { ...process.env, GLIBC_TUNABLES: "glibc.malloc.mmap_max=0:glibc.malloc.trim_threshold=4000000000" },
+  });
+  const answers = createInterface(child.stdout)[Symbol.asyncIterator]();
+  return {
+    name: "native",
+    async run(task) {
+      child.stdin.write(`${task}\n`);
+      const [ms, result] = ((await answers.next()).value ?? "").split(" ").map(Number);
+      if (!(ms > 0)) throw new Error(`the native program does not do '${task}'`);
+      return { ms, result };
+    },
+    close: () => child.stdin.end(),
+  };
+}
+
+/** A fresh instance of the wasm module. */
+function wasmSide() {
+  const require = createRequire(import.meta.url);
+  const path = require.resolve("../target/figures-wasm/figures_wasm.js");
+  delete require.cache[path];
+  const figures = new (require(path).Figures)();
+  return {
+    name: "wasm",
+    async run(task) {
+      if (!figures.prepare(task)) throw new Error(`the wasm module does not do '${task}'`);
+      const start = performance.now();
+      const result = figures.run(task);
+      return { ms: performance.now() - start, result };
+    },
+    memory: () => figures.memory(),
+  };
+}
+
+/**
+ * Runs works, [side, task, times in a row = 1], in turn; returns for each work its times in ms. Before, each is run
+ * until V8 has compiled it at its best.
+ */
+async function inTurn(rounds, ...works) {
+  const WARM_UP = 2;
+  const times = works.map(() => []);
+  for (let round = -WARM_UP; round < rounds; round++) {
+    const results = new Map();
+    for (const [i, [side, task, inARow = 1]] of works.entries()) {
+      const some = [];
+      for (let j = 0; j < inARow; j++) {
+        const { ms, result } = await side.run(task);
+        if ((results.get(task) ?? result) !== result) throw new Error(`native and wasm do not agree on '${task}'`);
+        if (inARow === 1) results.set(task, result);
+        some.push(ms);
+      }
+      if (round >= 0) times[i].push(median(some));
+    }
+  }
+  return times;
+}
+
+function ratios(above, below) {
+  return above.map((time, i) => time / below[i]);
+}
+
+function median(numbers) {
+  return numbers.toSorted((a, b) => a - b)[Math.floor(numbers.length / 2)];
+}
+
+// ---- the table
+
+function row(what, value, unit, { floor, aim, meets }) {
+  const shown = Number(value.toPrecision(3));
+  const verdict = meets(value, aim) ? "" : meets(value, floor) ? "floor met" : "MISSED";
+  if (verdict === "MISSED") missed.push(what);
+  print(`  ${what}`, `${written(value)} ${unit}`, `${floor} ${unit}`, `${aim} ${unit}`, verdict);
+}
+
+function guide(what, value, unit) {
+  print(`      ${what}`, `${written(value)} ${unit}`);
+}
+
+/** Three digits, without an exponent. */
+function written(value) {
+  return Number(value.toPrecision(3)).toString();
+}
+
+function print(what, ...cells) {
+  const [measured = "", floor = "", aim = "", verdict = ""] = cells;
+  const columns = [what.padEnd(78), ...[measured, floor, aim].map((cell) => cell.trim().padStart(11)), ` ${verdict}`];
+  console.log(columns.join("").trimEnd());
+}

@@ -1,0 +1,263 @@
+//! What `make bench` measures, without a clock: the native program and the wasm module do the same work, and
+//! `run.mjs` times both.
+//!
+//! A task is named by a line of words, such as `grow 100000 3`. Each task is made ready once, and then run as often as
+//! it is timed. Ours and tiny-skia's ways of drawing get the same segments with the same widths.
+
+use std::collections::BTreeMap;
+
+use glam::Vec2;
+use riverseed::domain::Domain;
+use riverseed::grow::{Colonize, Parameters};
+use riverseed::paint::{Coverage, Pen, View, Widths};
+use riverseed::recipe::preset::PRESETS;
+use riverseed::recipe::{Key, Recipe, link};
+use riverseed::session::Session;
+use riverseed::tree::{Hydrology, Tree};
+use tiny_skia::{FillRule, LineCap, Mask, Paint, PathBuilder, Pixmap, Stroke, Transform};
+
+#[path = "../tests/common/twin.rs"]
+mod twin;
+
+/// The side of every picture, in pixels.
+const SIDE: u32 = 1024;
+
+/// How many segments the drawing tasks draw, and how many attractors make a tree with a few more than that.
+const SEGMENTS: usize = 100_000;
+const ATTRACTORS_FOR_SEGMENTS: u32 = 100_000;
+
+/// Runs a task once. What it returns depends on the task, and is the same natively and as wasm.
+pub type Repetition = Box<dyn FnMut() -> u32>;
+
+/// All tasks that have been made ready.
+#[derive(Default)]
+pub struct Workload(BTreeMap<String, Repetition>);
+
+impl Workload {
+    /// Makes a task ready, if it is not. `None` if there is no such task.
+    pub fn prepare(&mut self, task: &str) -> Option<&mut Repetition> {
+        if !self.0.contains_key(task) {
+            self.0.insert(task.into(), repetition(task)?);
+        }
+        self.0.get_mut(task)
+    }
+}
+
+fn repetition(task: &str) -> Option<Repetition> {
+    let words: Vec<&str> = task.split(' ').collect();
+    match words[..] {
+        ["variants"] => Some(Box::new(equal_variants)),
+        ["grow", attractors, reach] => growth(attractors, reach),
+        ["twin", attractors, reach] => the_twin(attractors, reach),
+        ["capsules"] => capsules(),
+        ["mask-ribbons"] => mask_ribbons(),
+        ["ribbons"] => ribbons(),
+        ["strokes"] => strokes(),
+        ["picture"] => changes("width=12", "width=12.5", ATTRACTORS_FOR_SEGMENTS, BARE),
+        ["slider", attractors] => changes("reach=3", "reach=3.05", attractors.parse().ok()?, BARE),
+        ["page-slider", attractors] => changes("", "reach=2.45", attractors.parse().ok()?, "aspect=1"),
+        ["differing"] => Some(Box::new(|| differing_bytes().unwrap_or(u32::MAX))),
+        _ => None,
+    }
+}
+
+/// The work all figures agree on: one mouth in a square, kill and step half a spacing, everything that has grown stays.
+const BARE: &str = "aspect=1&mouths=1&reach=3&kill=0.5&step=0.5&trim=0";
+
+fn recipe(link: &str) -> Option<Recipe> {
+    link::read(link).ok()
+}
+
+fn parameters(attractors: &str, reach: &str) -> Option<Parameters> {
+    let mut recipe = recipe(BARE)?;
+    recipe.set(Key::Attractors, attractors).ok()?;
+    recipe.set(Key::Reach, reach).ok()?;
+    Some(Parameters::of(&recipe))
+}
+
+fn grown(parameters: &Parameters) -> Option<Colonize> {
+    let mut growth = Colonize::new(parameters.clone()).ok()?;
+    while growth.tick() {}
+    Some(growth)
+}
+
+/// Growth from the recipe to the last node; the number of nodes.
+fn growth(attractors: &str, reach: &str) -> Option<Repetition> {
+    let parameters = parameters(attractors, reach)?;
+    Some(Box::new(move || grown(&parameters).map_or(0, |growth| growth.tree().len() as u32)))
+}
+
+/// The same by brute force.
+fn the_twin(attractors: &str, reach: &str) -> Option<Repetition> {
+    let parameters = parameters(attractors, reach)?;
+    Some(Box::new(move || twin::grow(&parameters).len() as u32))
+}
+
+/// How many of 120 trees, six presets with twenty seeds each, are the twin's to the bit.
+fn equal_variants() -> u32 {
+    let links = PRESETS.iter().flat_map(|preset| {
+        (0..20u32).map(move |seed| format!("seed={seed}&preset={}&attractors=400&mouths={}", preset.name, 1 + seed % 4))
+    });
+    links.filter(|link| equals_twin(link).unwrap_or(false)).count() as u32
+}
+
+fn equals_twin(link: &str) -> Option<bool> {
+    let growth = grown(&Parameters::of(&recipe(link)?))?;
+    let tree = growth.tree();
+    let twin = twin::grow(growth.parameters());
+    let bits = |at: Vec2| [at.x.to_bits(), at.y.to_bits()];
+    let is_same = |(i, (node, tick)): (usize, (&twin::Black, u32))| {
+        let ours = (bits(tree.at[i]), tree.parent[i], tree.drained[i], tick);
+        ours == (bits(node.at), node.parent, node.drained, node.tick)
+    };
+    Some(tree.len() == twin.len() && twin.iter().zip(tree.ticks()).enumerate().all(is_same))
+}
+
+// ---- drawing
+
+/// A line whose radius runs from one end to the other, in pixels.
+struct Segment {
+    a: Vec2,
+    radius_a: f32,
+    b: Vec2,
+    radius_b: f32,
+}
+
+/// The first hundred thousand segments of a tree, as wide as its rivers are.
+fn segments() -> Option<Vec<Segment>> {
+    let parameters = parameters(&ATTRACTORS_FOR_SEGMENTS.to_string(), "3")?;
+    let growth = grown(&parameters)?;
+    let segments = segments_of(growth.tree(), &parameters.domain)?;
+    (segments.len() == SEGMENTS).then_some(segments)
+}
+
+fn segments_of(tree: &Tree, domain: &Domain) -> Option<Vec<Segment>> {
+    let view = View::new(domain, SIDE, SIDE).ok()?;
+    let hydrology = Hydrology::of(tree);
+    let pen = Pen::new(view, Widths::ByDischarge { full: 12.0, everything: hydrology.discharge[0] });
+    let radius = |node: usize| f32::from(pen.radius(hydrology.depth[node], hydrology.discharge[node])) / 16.0;
+    let segment = |child: usize| {
+        let node = tree.parent_of(child)?;
+        let (a, b) = (view.pixel(tree.at[node]), view.pixel(tree.at[child]));
+        Some(Segment { a, radius_a: radius(node), b, radius_b: radius(child) })
+    };
+    Some((0..tree.len()).filter_map(segment).take(SEGMENTS).collect())
+}
+
+/// Our way: capsules into a coverage mask.
+fn capsules() -> Option<Repetition> {
+    let segments = segments()?;
+    let mut coverage = Coverage::new(SIDE, SIDE)?;
+    Some(Box::new(move || {
+        coverage.clear();
+        segments.iter().for_each(|s| coverage.capsule(s.a, s.radius_a, s.b, s.radius_b));
+        sum(coverage.mask().data())
+    }))
+}
+
+/// tiny-skia's first way: a ribbon a segment, filled into a mask.
+fn mask_ribbons() -> Option<Repetition> {
+    let segments = segments()?;
+    let mut mask = Mask::new(SIDE, SIDE)?;
+    Some(Box::new(move || {
+        mask.clear();
+        fill_ribbons(&segments, |path| mask.fill_path(path, FillRule::Winding, true, Transform::identity()));
+        sum(mask.data())
+    }))
+}
+
+/// The second: the same onto a picture.
+fn ribbons() -> Option<Repetition> {
+    let segments = segments()?;
+    let mut pixmap = Pixmap::new(SIDE, SIDE)?;
+    Some(Box::new(move || {
+        pixmap.data_mut().fill(0);
+        fill_ribbons(&segments, |path| {
+            pixmap.fill_path(path, &Paint::default(), FillRule::Winding, Transform::identity(), None);
+        });
+        sum(pixmap.data())
+    }))
+}
+
+/// The third: a stroke a segment with round ends, of one width, as tiny-skia knows no other.
+fn strokes() -> Option<Repetition> {
+    let segments = segments()?;
+    let mut pixmap = Pixmap::new(SIDE, SIDE)?;
+    Some(Box::new(move || {
+        pixmap.data_mut().fill(0);
+        let mut stroke = Stroke { line_cap: LineCap::Round, ..Stroke::default() };
+        let mut builder = PathBuilder::new();
+        for &Segment { a, radius_a, b, radius_b } in &segments {
+            builder.move_to(a.x, a.y);
+            builder.line_to(b.x, b.y);
+            stroke.width = radius_a + radius_b;
+            let Some(path) = builder.finish() else { return 0 };
+            pixmap.stroke_path(&path, &Paint::default(), &stroke, Transform::identity(), None);
+            builder = path.clear();
+        }
+        sum(pixmap.data())
+    }))
+}
+
+/// Makes a path of each segment, in the memory of the one before, and fills it.
+fn fill_ribbons(segments: &[Segment], mut fill: impl FnMut(&tiny_skia::Path)) {
+    let mut builder = PathBuilder::new();
+    for &Segment { a, radius_a, b, radius_b } in segments {
+        let aside = (b - a).perp().normalize_or_zero();
+        let corners = [a + aside * radius_a, b + aside * radius_b, b - aside * radius_b, a - aside * radius_a];
+        builder.move_to(corners[0].x, corners[0].y);
+        corners[1..].iter().for_each(|corner| builder.line_to(corner.x, corner.y));
+        builder.close();
+        let Some(path) = builder.finish() else { return };
+        fill(&path);
+        builder = path.clear();
+    }
+}
+
+/// Shows whoever compiles this that every pixel is wanted; costs little beside drawing them.
+fn sum(pixels: &[u8]) -> u32 {
+    pixels.iter().map(|&pixel| u32::from(pixel)).sum()
+}
+
+// ---- whole pictures
+
+/// A session that goes from one recipe to another and back, painting each; the number of nodes.
+fn changes(one: &str, other: &str, attractors: u32, common: &str) -> Option<Repetition> {
+    // What a link says twice, it says for the last time.
+    let recipe = |change: &str| {
+        let mut recipe = recipe(&format!("{common}&attractors={attractors}"))?;
+        if let Some((name, value)) = change.split_once('=') {
+            recipe.set(Key::from_name(name)?, value).ok()?;
+        }
+        Some(recipe)
+    };
+    let recipes = [recipe(one)?, recipe(other)?];
+    let mut session = Session::new(recipes[0].clone(), SIDE, SIDE).ok()?;
+    session.advance(u32::MAX);
+    let mut turn = 0;
+    Some(Box::new(move || {
+        turn = 1 - turn;
+        if session.change(recipes[turn].clone()).is_err() {
+            return 0;
+        }
+        session.advance(u32::MAX);
+        session.paint();
+        session.tree().len() as u32
+    }))
+}
+
+/// How many bytes of a picture painted while it grew differ from the picture painted at once.
+fn differing_bytes() -> Option<u32> {
+    const TICKS_A_FRAME: u32 = 8;
+    let recipe = recipe(&format!("{BARE}&attractors={ATTRACTORS_FOR_SEGMENTS}"))?;
+    let painted = |ticks: u32| {
+        let mut session = Session::new(recipe.clone(), SIDE, SIDE).ok()?;
+        while session.advance(ticks) {
+            session.paint();
+        }
+        session.paint();
+        Some(session.pixmap().data().to_vec())
+    };
+    let (frames, at_once) = (painted(TICKS_A_FRAME)?, painted(u32::MAX)?);
+    Some(frames.iter().zip(&at_once).filter(|(a, b)| a != b).count() as u32)
+}

@@ -1,0 +1,114 @@
+//! The command line as its user calls it.
+#![cfg(feature = "cli")]
+
+use std::fs;
+use std::path::PathBuf;
+use std::process::{Command, Output};
+
+fn riverseed(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_riverseed")).args(arguments).output().unwrap()
+}
+
+/// A path of this test's own.
+fn scratch(name: &str) -> PathBuf {
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("command-line");
+    fs::create_dir_all(&folder).unwrap();
+    folder.join(name)
+}
+
+fn network(name: &str, arguments: &[&str]) -> serde_json::Value {
+    let out = scratch(name);
+    let output = riverseed(&[&["render", "-o", out.to_str().unwrap()], arguments].concat());
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    serde_json::from_slice(&fs::read(out).unwrap()).unwrap()
+}
+
+fn refusal(arguments: &[&str]) -> (i32, String) {
+    let output = riverseed(arguments);
+    (output.status.code().unwrap(), String::from_utf8(output.stderr).unwrap())
+}
+
+#[test]
+fn later_values_win_whatever_form_they_come_in() {
+    let file = scratch("recipe.json");
+    fs::write(&file, r#"{"curl": 0.5, "attractors": 300}"#).unwrap();
+    let file = file.to_str().unwrap();
+    let curl = |name, arguments: &[&str]| network(name, arguments)["recipe"]["curl"].as_f64();
+    assert_eq!(curl("a.json", &["curl=0.25", "--recipe", file]), Some(0.5));
+    assert_eq!(curl("b.json", &["--recipe", file, "curl=0.25"]), Some(0.25));
+    assert_eq!(curl("c.json", &["--recipe", file, "curl=0.25", "--curl", "0.75"]), Some(0.75));
+    assert_eq!(curl("d.json", &["--curl", "0.75", "--recipe", file]), Some(0.5));
+    assert_eq!(curl("e.json", &["--curl", "0.75", "--attractors", "200", "--preset", "original"]), Some(0.75));
+}
+
+#[test]
+fn network_has_columns_of_one_length_and_parents_first() {
+    let network = network("network.json", &["seed=kauri&attractors=400", "--attractors"]);
+    let column = |name: &str| network["nodes"][name].as_array().unwrap().clone();
+    let parents = column("parent");
+    for name in ["x", "y", "tick", "depth", "order", "magnitude", "discharge"] {
+        assert_eq!(column(name).len(), parents.len(), "{name}");
+    }
+    assert!(parents.iter().enumerate().all(|(i, parent)| parent.as_i64().unwrap() < i as i64));
+    assert_eq!(network["attractors"]["x"].as_array().unwrap().len(), 400);
+    assert_eq!(network["recipe"]["seed"], "kauri");
+    let reach = network["resolved"]["reach"].as_f64().unwrap() / network["resolved"]["spacing"].as_f64().unwrap();
+    assert!((reach - network["recipe"]["reach"].as_f64().unwrap()).abs() < 1e-5);
+}
+
+#[test]
+fn network_is_a_recipe_of_itself() {
+    let first = network("first.json", &["seed=rimu&attractors=300&curl=0.6"]);
+    let again = network("again.json", &["--recipe", scratch("first.json").to_str().unwrap()]);
+    assert_eq!(first, again);
+}
+
+#[test]
+fn numbers_are_written_in_full() {
+    let network = network("full.json", &["attractors=150"]);
+    let tree = {
+        use riverseed::{recipe::link, session::Session};
+        let mut session = Session::new(link::read("attractors=150").unwrap(), 1, 1).unwrap();
+        while session.advance(9) {}
+        session.pruned().tree
+    };
+    for (x, at) in network["nodes"]["x"].as_array().unwrap().iter().zip(tree.at) {
+        assert_eq!(x.as_f64().unwrap() as f32, at.x);
+    }
+}
+
+#[test]
+fn picture_has_the_size_asked_for_on_its_longer_side() {
+    for (link, expected) in [("aspect=2&attractors=100", (300, 150)), ("aspect=0.5&attractors=100", (150, 300))] {
+        let out = scratch(&format!("{}.png", expected.0));
+        let output = riverseed(&["render", link, "--size", "300", "-o", out.to_str().unwrap()]);
+        assert!(output.status.success() && output.stderr.is_empty(), "{output:?}");
+        let info = png::Decoder::new(std::io::BufReader::new(fs::File::open(out).unwrap())).read_info().unwrap();
+        assert_eq!((info.info().width, info.info().height), expected);
+    }
+}
+
+#[test]
+fn what_is_wrong_is_named_and_nothing_is_written() {
+    let out = scratch("never.png");
+    let out = out.to_str().unwrap();
+    let wrong = |link: &str| refusal(&["render", link, "-o", out]);
+    assert_eq!(wrong("curl=9"), (2, "riverseed: curl: 9 is not between 0 and 2\n".into()));
+    assert_eq!(wrong("flow=9"), (2, "riverseed: there is no parameter 'flow'\n".into()));
+    assert_eq!(
+        refusal(&["render", "--trim", "-1", "-o", out]),
+        (2, "riverseed: trim: -1 is not between 0 and 60\n".into())
+    );
+    assert_eq!(refusal(&["render", "-o", "x.gif"]).0, 2);
+    assert_eq!(refusal(&["render", "--size", "9000", "-o", out]).0, 2);
+    assert_eq!(refusal(&["render", "--recipe", "no-such-file.json", "-o", out]).0, 1);
+    assert_eq!(refusal(&["render", "--attractors", "100", "-o", "no/such/folder/x.png"]).0, 1);
+    assert!(!fs::exists(out).unwrap());
+}
+
+#[test]
+fn readme_s_table_is_the_one_the_program_prints() {
+    let printed = String::from_utf8(riverseed(&["table"]).stdout).unwrap();
+    let readme = fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/README.md")).unwrap();
+    assert!(readme.contains(&printed), "put the output of `riverseed table` into README.md");
+}

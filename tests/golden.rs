@@ -1,0 +1,110 @@
+//! Golden pictures, compared pixel for pixel. Each is also an example of a link and what it draws.
+//!
+//! `RIVERSEED_REFRESH=1 cargo test --test golden` draws them anew and then fails. After a mismatch,
+//! `target/golden` holds expected, difference and actual side by side.
+
+use std::fs::{self, File};
+use std::io::BufReader;
+use std::path::{Path, PathBuf};
+
+use riverseed::export::png::{LINK_KEYWORD, write};
+use riverseed::recipe::{Key, Recipe, link};
+use riverseed::session::Session;
+use tiny_skia::Pixmap;
+
+const WIDTH: u32 = 240;
+
+const PICTURES: &[(&str, &str)] = &[
+    ("default", ""),
+    ("original", "preset=original&attractors=1500"),
+    ("momentum", "preset=momentum&attractors=1500"),
+    ("curl", "preset=curl&attractors=1500"),
+    ("trimmed-original", "preset=trimmed-original&attractors=1500"),
+    ("trimmed-momentum", "preset=trimmed-momentum&attractors=1500"),
+    ("trimmed-curl", "preset=trimmed-curl&attractors=1500"),
+    ("skeleton", "style=skeleton&attractors=1500"),
+    ("skeleton-curl", "style=skeleton&preset=trimmed-curl&attractors=1500"),
+    ("one-mouth", "mouths=1&attractors=1000&width=24"),
+    ("all-sides", "mouths=9&sides=nesw&attractors=2000"),
+    ("east-and-west", "mouths=6&sides=ew&attractors=2000"),
+    ("banner", "aspect=4&attractors=1500&seed=banner"),
+    ("tower", "aspect=0.5&attractors=800&seed=tower"),
+    ("grid", "scatter=grid&reach=4&attractors=1500"),
+    ("straight", "reach=12&attractors=1500"),
+    ("coarse", "attractors=100&seed=few"),
+    ("fine", "attractors=20000&width=8&kill=0.8"),
+    ("wild", "curl=2&momentum=0.9&stretch=1&attractors=1200"),
+    ("spirals", "curl=2&stretch=64&attractors=1200&step=0.3"),
+    ("macron", "seed=w%C4%81nanga&attractors=1000"),
+];
+
+fn picture(recipe: Recipe) -> Pixmap {
+    let height = (WIDTH as f32 / recipe.number(Key::Aspect)) as u32;
+    let mut session = Session::new(recipe, WIDTH, height).unwrap();
+    while session.advance(u32::MAX) {}
+    session.paint();
+    session.pixmap().clone()
+}
+
+fn path(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden").join(name).with_extension("png")
+}
+
+/// The pixels of a golden picture, three bytes each, and its link.
+fn read(path: &Path) -> (Vec<u8>, String) {
+    let mut reader = png::Decoder::new(BufReader::new(File::open(path).unwrap())).read_info().unwrap();
+    let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
+    reader.next_frame(&mut pixels).unwrap();
+    let chunk = reader.info().uncompressed_latin1_text.iter().find(|chunk| chunk.keyword == LINK_KEYWORD);
+    (pixels, chunk.map(|chunk| chunk.text.clone()).unwrap_or_default())
+}
+
+/// Writes expected | difference | actual.
+fn write_difference(name: &str, expected: &[u8], actual: &Pixmap) {
+    let (width, height) = (actual.width(), actual.height());
+    let mut sheet = Pixmap::new(width * 3, height).unwrap();
+    let rgb = actual.data().chunks(4).zip(expected.chunks(3));
+    for (i, (actual, expected)) in rgb.enumerate() {
+        let difference: Vec<u8> = actual.iter().zip(expected).map(|(a, e)| a.abs_diff(*e)).collect();
+        for (column, colour) in [expected, &difference, &actual[..3]].iter().enumerate() {
+            let (x, y) = (i as u32 % width + column as u32 * width, i as u32 / width);
+            let at = ((y * width * 3 + x) * 4) as usize;
+            sheet.data_mut()[at..at + 4].copy_from_slice(&[colour[0], colour[1], colour[2], 255]);
+        }
+    }
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("target/golden");
+    fs::create_dir_all(&folder).unwrap();
+    write(File::create(folder.join(name).with_extension("png")).unwrap(), &sheet, "").unwrap();
+}
+
+#[test]
+fn every_picture_is_its_golden_one() {
+    let refresh = std::env::var_os("RIVERSEED_REFRESH").is_some();
+    let mut changed = Vec::new();
+    for (name, text) in PICTURES {
+        let recipe = link::read(text).unwrap();
+        let actual = picture(recipe.clone());
+        if refresh {
+            write(File::create(path(name)).unwrap(), &actual, &link::write(&recipe)).unwrap();
+            continue;
+        }
+        let (expected, carried) = read(&path(name));
+        assert_eq!(link::read(&carried).unwrap(), recipe, "{name} carries another link");
+        let rgb: Vec<u8> = actual.data().chunks(4).flat_map(|rgba| rgba[..3].to_vec()).collect();
+        if rgb != expected {
+            write_difference(name, &expected, &actual);
+            changed.push(name);
+        }
+    }
+    assert!(!refresh, "the pictures are drawn anew: look at them, then run without RIVERSEED_REFRESH");
+    assert!(changed.is_empty(), "these have changed, see target/golden: {changed:?}");
+}
+
+#[test]
+fn every_golden_picture_is_still_drawn() {
+    let folder = path("default").parent().unwrap().to_owned();
+    for entry in fs::read_dir(folder).unwrap() {
+        let found = entry.unwrap().path();
+        assert!(PICTURES.iter().any(|(name, _)| path(name) == found), "{} belongs to no recipe", found.display());
+    }
+}

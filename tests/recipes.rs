@@ -1,0 +1,78 @@
+//! Recipes come from strangers: whatever the text, reading it ends, and what it gives is in range.
+
+mod common;
+
+use common::random_link;
+use proptest::prelude::*;
+use riverseed::recipe::{Recipe, RecipeError, json, link, preset, table::TABLE};
+
+fn assert_in_range(recipe: &Recipe) {
+    for parameter in &TABLE {
+        assert!(parameter.accepts(recipe.value(parameter.key)), "{}: {recipe:?}", parameter.name);
+    }
+}
+
+/// Text that looks like a link, nearly.
+fn mangled_link() -> impl Strategy<Value = String> {
+    let names: Vec<&str> = TABLE.iter().map(|parameter| parameter.name).chain(["preset", "depth", ""]).collect();
+    let presets = preset::PRESETS.iter().map(|preset| preset.name);
+    let words =
+        ["ink", "nesw", "random", "1", "-1", "0.5", "1e9", "NaN", "-inf", "%FF", "%00", "9999999999999999999999"];
+    let words: Vec<&str> = words.into_iter().chain(presets).collect();
+    let value = prop_oneof![
+        proptest::sample::select(words).prop_map(String::from),
+        "[-+]?[0-9]{0,5}[.]?[0-9]{0,6}",
+        ".{0,12}",
+    ];
+    let pair = (proptest::sample::select(names), "[=&]?", value)
+        .prop_map(|(name, sign, value)| format!("{name}{}{value}", if sign.is_empty() { "=" } else { &sign }));
+    proptest::collection::vec(pair, 0..6).prop_map(|pairs| pairs.join("&"))
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(100_000))]
+
+    #[test]
+    fn any_text_is_read_leniently_into_a_recipe_in_range(text in mangled_link()) {
+        let (recipe, notices) = link::read_leniently(&text);
+        assert_in_range(&recipe);
+        match link::read(&text) {
+            Ok(strict) => {
+                prop_assert_eq!(strict, recipe);
+                prop_assert!(notices.is_empty(), "{:?}", notices);
+            }
+            Err(_) => prop_assert!(!notices.is_empty(), "refused strictly, but nothing is said of {:?}", text),
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(5_000))]
+
+    #[test]
+    fn any_bytes_are_read(text in ".{0,300}") {
+        assert_in_range(&link::read_leniently(&text).0);
+        let _ = link::read(&text);
+        let is_empty = text.trim() == "{}";
+        prop_assert!(json::read(&text).is_err() || is_empty);
+    }
+
+    #[test]
+    fn written_recipe_reads_back(text in random_link(1_000_000), seed in "[^\\p{C}\u{fffd}]{0,64}") {
+        let mut recipe = link::read(&text).unwrap();
+        recipe.set(riverseed::recipe::Key::Seed, &seed).unwrap();
+        let written = link::write(&recipe);
+        prop_assert_eq!(link::read(&written), Ok(recipe.clone()));
+        prop_assert_eq!(link::read_leniently(&written), (recipe.clone(), vec![]));
+        prop_assert_eq!(json::read(&json::to_json(&recipe).to_string()), Ok(recipe));
+    }
+}
+
+#[test]
+fn presets_override_nothing_that_is_given() {
+    for preset in preset::PRESETS {
+        let recipe = link::read(&format!("trim=17&preset={}", preset.name)).unwrap();
+        assert_eq!(recipe.integer(riverseed::recipe::Key::Trim), 17, "{}", preset.name);
+    }
+    assert!(matches!(link::read("preset=curl&preset=curl"), Err(RecipeError::Duplicate { .. })));
+}
