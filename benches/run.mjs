@@ -4,8 +4,8 @@
 //   make bench                    everything
 //   node benches/run.mjs WORD…    only groups whose names contain a word; scripts/wasm.mjs figures must have run
 //
-// The machine may be busy and its clock may change, so nothing here is a time alone. What is compared is run in turn,
-// ratios are taken within a turn, and their median counts. Times are printed as a guide.
+// The machine may be busy, so times are those that a process spent on a processor, where that can be known (native: on
+// Linux). What is compared runs in turn, ratios are taken within a turn, and their median counts.
 
 import { execFileSync, spawn } from "node:child_process";
 import { existsSync, readFileSync } from "node:fs";
@@ -33,12 +33,12 @@ const atLeast = (floor, aim = floor) => ({ floor, aim, meets: (value, bar) => va
 const atMost = (floor, aim = floor) => ({ floor, aim, meets: (value, bar) => value <= bar });
 
 const missed = [];
-const native = nativeSide();
+const native = await nativeSide();
 const wasm = wasmSide();
 try {
   const words = process.argv.slice(2).map((word) => word.toLowerCase());
   console.log("N uniform attractors, one mouth, reach R spacings, kill and step ½ spacing, no trimming; growth is timed");
-  console.log("from the recipe to the last node. Medians.");
+  console.log("from the recipe to the last node. Processor time, medians.");
   for (const [name, measure] of Object.entries(GROUPS)) {
     if (words.length > 0 && !words.some((word) => name.toLowerCase().includes(word))) continue;
     print(`\n${name}`, "measured", "floor", "aim");
@@ -149,24 +149,35 @@ function size() {
 // ---- the two sides: run(task) → { ms, result }
 
 /** The native program; cargo brings it up to date first. */
-function nativeSide() {
+async function nativeSide() {
   const child = spawn("cargo", ["bench", "--quiet", "--bench", "figures"], {
     stdio: ["pipe", "pipe", "inherit"],
     // wasm memory is never given back to the system, so a repetition finds it there. Nor is it here: the time is
     // that of our work, not that of the kernel clearing pages.
     env: { ...process.env, GLIBC_TUNABLES: "glibc.malloc.mmap_max=0:glibc.malloc.trim_threshold=4000000000" },
   });
-  const answers = createInterface(child.stdout)[Symbol.asyncIterator]();
+  const lines = createInterface(child.stdout)[Symbol.asyncIterator]();
+  const answer = async () => Number((await lines.next()).value);
+  const spent = processorTime(await answer());
   return {
     name: "native",
     async run(task) {
+      const before = spent();
       child.stdin.write(`${task}\n`);
-      const [ms, result] = ((await answers.next()).value ?? "").split(" ").map(Number);
-      if (!(ms > 0)) throw new Error(`the native program does not do '${task}'`);
-      return { ms, result };
+      const result = await answer();
+      // Not a number: no such task, or the program is gone.
+      if (Number.isNaN(result)) throw new Error(`the native program does not do '${task}'`);
+      return { ms: spent() - before, result };
     },
     close: () => child.stdin.end(),
   };
+}
+
+/** A clock of the milliseconds that another process, which is waiting for us, has spent on a processor. */
+function processorTime(pid) {
+  const file = `/proc/${pid}/schedstat`; // its first number, in ns
+  if (!existsSync(file)) return () => performance.now();
+  return () => Number(readFileSync(file, "utf8").split(" ")[0]) / 1e6;
 }
 
 /** A fresh instance of the wasm module. */
@@ -179,9 +190,10 @@ function wasmSide() {
     name: "wasm",
     async run(task) {
       if (!figures.prepare(task)) throw new Error(`the wasm module does not do '${task}'`);
-      const start = performance.now();
+      const before = process.cpuUsage();
       const result = figures.run(task);
-      return { ms: performance.now() - start, result };
+      const { user, system } = process.cpuUsage(before);
+      return { ms: (user + system) / 1000, result };
     },
     memory: () => figures.memory(),
   };
@@ -221,7 +233,6 @@ function median(numbers) {
 // ---- the table
 
 function row(what, value, unit, { floor, aim, meets }) {
-  const shown = Number(value.toPrecision(3));
   const verdict = meets(value, aim) ? "" : meets(value, floor) ? "floor met" : "MISSED";
   if (verdict === "MISSED") missed.push(what);
   print(`  ${what}`, `${written(value)} ${unit}`, `${floor} ${unit}`, `${aim} ${unit}`, verdict);

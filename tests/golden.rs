@@ -7,7 +7,9 @@ use std::fs::{self, File};
 use std::io::BufReader;
 use std::path::{Path, PathBuf};
 
+use riverseed::domain::Domain;
 use riverseed::export::png::{LINK_KEYWORD, write};
+use riverseed::paint::View;
 use riverseed::recipe::{Key, Recipe, link};
 use riverseed::session::Session;
 use tiny_skia::Pixmap;
@@ -38,9 +40,9 @@ const PICTURES: &[(&str, &str)] = &[
     ("macron", "seed=w%C4%81nanga&attractors=1000"),
 ];
 
-fn picture(recipe: Recipe) -> Pixmap {
-    let height = (WIDTH as f32 / recipe.number(Key::Aspect)) as u32;
-    let mut session = Session::new(recipe, WIDTH, height).unwrap();
+fn picture(recipe: Recipe, width: u32) -> Pixmap {
+    let height = View::height_for(&Domain::with_aspect(recipe.number(Key::Aspect)), width);
+    let mut session = Session::new(recipe, width, height).unwrap();
     while session.advance(u32::MAX) {}
     session.paint();
     session.pixmap().clone()
@@ -57,6 +59,10 @@ fn read(path: &Path) -> (Vec<u8>, String) {
     reader.next_frame(&mut pixels).unwrap();
     let chunk = reader.info().uncompressed_latin1_text.iter().find(|chunk| chunk.keyword == LINK_KEYWORD);
     (pixels, chunk.map(|chunk| chunk.text.clone()).unwrap_or_default())
+}
+
+fn rgb(picture: &Pixmap) -> Vec<u8> {
+    picture.data().chunks(4).flat_map(|rgba| rgba[..3].to_vec()).collect()
 }
 
 /// Writes expected | difference | actual.
@@ -83,15 +89,14 @@ fn every_picture_is_its_golden_one() {
     let mut changed = Vec::new();
     for (name, text) in PICTURES {
         let recipe = link::read(text).unwrap();
-        let actual = picture(recipe.clone());
+        let actual = picture(recipe.clone(), WIDTH);
         if refresh {
             write(File::create(path(name)).unwrap(), &actual, &link::write(&recipe)).unwrap();
             continue;
         }
         let (expected, carried) = read(&path(name));
         assert_eq!(link::read(&carried).unwrap(), recipe, "{name} carries another link");
-        let rgb: Vec<u8> = actual.data().chunks(4).flat_map(|rgba| rgba[..3].to_vec()).collect();
-        if rgb != expected {
+        if rgb(&actual) != expected {
             write_difference(name, &expected, &actual);
             changed.push(name);
         }
@@ -107,4 +112,14 @@ fn every_golden_picture_is_still_drawn() {
         let found = entry.unwrap().path();
         assert!(PICTURES.iter().any(|(name, _)| path(name) == found), "{} belongs to no recipe", found.display());
     }
+}
+
+#[test]
+fn readme_s_picture_is_what_its_link_draws() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("www/public/river.png");
+    let (expected, carried) = read(&path);
+    let readme = include_str!("../README.md");
+    assert!(readme.contains(&carried), "the README does not name the picture's link, {carried}");
+    let drawn = rgb(&picture(link::read(&carried).unwrap(), 1000));
+    assert!(drawn == expected, "draw it anew: the command stands below it in the README");
 }

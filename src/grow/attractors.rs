@@ -100,7 +100,7 @@ impl Attractors {
             cell,
             reach: parameters.reach,
         };
-        this.fill(&places).map_err(|_| out_of_memory(parameters))?;
+        this.fill(&places).map_err(|_| GrowError::out_of_memory(parameters))?;
         Ok(this)
     }
 
@@ -233,9 +233,4 @@ fn cell_size(parameters: &Parameters) -> f32 {
 #[inline]
 fn gap(x: f32, start: f32, length: f32) -> f32 {
     (start - x).max(x - (start + length)).max(0.0)
-}
-
-fn out_of_memory(parameters: &Parameters) -> GrowError {
-    let attractors = parameters.attractors;
-    GrowError::OutOfMemory { attractors, megabytes: attractors / 8000 + 1 }
 }

@@ -4,6 +4,8 @@
 //! that ends it: a node tries to grow only when its set of attractors has changed since it last tried. Sets of old
 //! nodes only shrink, so every node falls silent, and the few attractors that stay unreached are counted.
 
+use std::collections::TryReserveError;
+
 use glam::Vec2;
 
 use super::attractors::{Attractors, NO_NODE};
@@ -61,7 +63,7 @@ impl Colonize {
     /// Plants the mouths of a recipe among its attractors: tick 0.
     ///
     /// # Errors
-    /// If the memory for the attractors is not to be had.
+    /// If the memory is not to be had.
     pub fn new(parameters: Parameters) -> Result<Self, GrowError> {
         let attractors = Attractors::new(&parameters)?;
         let mut this = Self {
@@ -76,7 +78,7 @@ impl Colonize {
             ending: None,
             parameters,
         };
-        this.reserve();
+        this.reserve().map_err(|_| GrowError::out_of_memory(&this.parameters))?;
         this.tree.tick_starts.push(0);
         for Mouth { at, inland } in mouths(&this.parameters) {
             let tip = this.add(at, NO_PARENT);
@@ -244,19 +246,19 @@ impl Colonize {
     /// Growth stops before the tree has more nodes than this, so that memory is bounded by the recipe. Ordinary trees
     /// have one or two nodes an attractor; the wildest that the ranges allow were found to have seven.
     pub fn node_limit(&self) -> usize {
-        12 * self.parameters.attractors as usize + 10_000
+        8 * self.parameters.attractors as usize + 10_000
     }
 
     /// Asks for the memory of a usual tree at once, so that no frame waits for a long array to move.
-    fn reserve(&mut self) {
+    fn reserve(&mut self) -> Result<(), TryReserveError> {
         let usual = self.usual_nodes();
-        self.tree.at.reserve(usual);
-        self.tree.parent.reserve(usual);
-        self.tree.drained.reserve(usual);
-        self.shoots.pull.reserve(usual);
-        self.shoots.from_mouth.reserve(usual);
-        self.shoots.youngest.reserve(usual);
-        self.shoots.elder.reserve(usual);
+        self.tree.at.try_reserve_exact(usual)?;
+        self.tree.parent.try_reserve_exact(usual)?;
+        self.tree.drained.try_reserve_exact(usual)?;
+        self.shoots.pull.try_reserve_exact(usual)?;
+        self.shoots.from_mouth.try_reserve_exact(usual)?;
+        self.shoots.youngest.try_reserve_exact(usual)?;
+        self.shoots.elder.try_reserve_exact(usual)
     }
 
     /// About how many nodes a tree has, rather too many: by trials over reach 2.4 to 10, kill 0.5 to 2 and step 0.2 to 1

@@ -33,3 +33,11 @@ pub enum GrowError {
         megabytes: u32,
     },
 }
+
+impl GrowError {
+    /// The error for parameters that ask for too much: about 130 bytes an attractor, as measured.
+    fn out_of_memory(parameters: &Parameters) -> Self {
+        let attractors = parameters.attractors;
+        Self::OutOfMemory { attractors, megabytes: attractors / 7_500 + 1 }
+    }
+}
