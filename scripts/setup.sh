@@ -153,7 +153,9 @@ setup_node() {
   # What is installed is told by a copy of its lock file: file times say nothing in a fresh clone.
   cmp -s www/package-lock.json www/node_modules/.installed-lock.json && return
   say "installing the packages of www (half a minute)"
-  npm --prefix www ci --no-audit --no-fund --loglevel=error || die "npm could not install the packages: see its words above."
+  # Not `npm ci`: it wants the lock file to know Biome's programs for every system, and not every registry has them all.
+  npm --prefix www install --no-save --no-audit --no-fund --loglevel=error ||
+    die "npm could not install the packages: see its words above."
   cp www/package-lock.json www/node_modules/.installed-lock.json
 }
 

@@ -1,6 +1,6 @@
 //! Riverseed: a river network that grows from a word.
 //!
-//! A [recipe](recipe::Recipe) holds a seed text and parameters. Rivers [grow](grow) from their mouths into the land
+//! A [recipe](recipe::Recipe) holds a seed text and parameters. Rivers [grow] from their mouths into the land
 //! by space colonization, are [trimmed](prune), read for their [hydrology](tree::Hydrology) and [painted](paint). Data
 //! flows one way:
 //!

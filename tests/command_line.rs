@@ -1,4 +1,5 @@
 //! The command line as its user calls it.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 #![cfg(feature = "cli")]
 
 use std::fs;

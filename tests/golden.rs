@@ -2,6 +2,7 @@
 //!
 //! `RIVERSEED_REFRESH=1 cargo test --test golden` draws them anew and then fails. After a mismatch,
 //! `target/golden` holds expected, difference and actual side by side.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use std::fs::{self, File};
 use std::io::BufReader;

@@ -1,6 +1,6 @@
 //! Painting: a tree of rivers on a tiny-skia pixmap.
 //!
-//! Rivers are drawn into an 8-bit coverage mask in which the larger coverage wins ([`coverage`]). So drawing does not
+//! Rivers are drawn into an 8-bit coverage mask in which the larger coverage wins ([`Coverage`]). So drawing does not
 //! depend on order, a river that has grown wider is simply drawn again, and a picture painted bit by bit while the
 //! tree grows is the picture painted at once, to the byte. A style then lays colour through that mask.
 //!

@@ -92,17 +92,17 @@ fn middle(a: Vertex, b: Vertex) -> Vertex {
 fn parabola(coverage: &mut Coverage, start: Vertex, bend: Vertex, end: Vertex) {
     /// A parabola and n equal chords lie at most |second difference| / 4n² apart.
     const TOLERANCE_PX: f32 = 0.2;
-    const MOST_PIECES: f32 = 16.0;
+    const MOST_PIECES: u32 = 16;
     let second_difference = start.0 - bend.0 * 2.0 + end.0;
     let sagitta = second_difference.length() * 0.25;
-    let pieces = (sagitta / TOLERANCE_PX).sqrt().ceil().max(1.0).min(MOST_PIECES);
+    let pieces = ((sagitta / TOLERANCE_PX).sqrt() as u32 + 1).min(MOST_PIECES);
     let point = |t: f32| {
         let (a, b, c) = ((1.0 - t) * (1.0 - t), 2.0 * t * (1.0 - t), t * t);
         (start.0 * a + bend.0 * b + end.0 * c, start.1 * a + bend.1 * b + end.1 * c)
     };
     let mut from = start;
-    for piece in 1..=pieces as u32 {
-        let to = point(piece as f32 / pieces);
+    for piece in 1..=pieces {
+        let to = point(piece as f32 / pieces as f32);
         coverage.capsule(from.0, from.1, to.0, to.1);
         from = to;
     }
