@@ -31,6 +31,7 @@ pub mod digest;
 pub mod domain;
 pub mod export;
 pub mod grow;
+pub mod land;
 pub mod paint;
 pub mod prune;
 pub mod random;

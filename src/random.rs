@@ -24,6 +24,8 @@ pub enum Purpose {
     Attractors = 2,
     /// How far each node's direction is turned.
     Curl = 3,
+    /// The shape of coasts and ridges.
+    Land = 4,
 }
 
 impl Seed {
@@ -64,9 +66,14 @@ pub struct Key(u64);
 impl Key {
     /// The number of one identity, uniform in `[0, 1)`, a multiple of 2⁻²⁴.
     pub fn unit(self, identity: [u32; 3]) -> f32 {
+        unit_from_bits(self.bits(identity))
+    }
+
+    /// The 32 random bits of one identity.
+    pub fn bits(self, identity: [u32; 3]) -> u32 {
         let [a, b, c] = identity;
         let hash = mix(self.0 ^ (u64::from(a) << 32 | u64::from(b)));
-        unit_from_bits((mix(hash ^ u64::from(c)) >> 32) as u32)
+        (mix(hash ^ u64::from(c)) >> 32) as u32
     }
 }
 

@@ -92,9 +92,15 @@ impl Session {
     pub fn change(&mut self, recipe: Recipe) -> Result<Option<Stage>, SessionError> {
         let stage = self.recipe.first_difference(&recipe);
         match stage {
-            Some(Stage::Grow) => {
+            Some(Stage::Land) => {
                 let (width, height) = (self.pixmap().width(), self.pixmap().height());
                 *self = Self::new(recipe, width, height)?;
+            }
+            Some(Stage::Grow) => {
+                let land = self.growth.parameters().land.clone();
+                self.growth = Colonize::new(Parameters::on_land(&recipe, land))?;
+                self.recipe = recipe;
+                self.painter.start_over();
             }
             Some(Stage::Prune | Stage::Paint) => {
                 self.recipe = recipe;
@@ -119,7 +125,7 @@ impl Session {
     /// # Errors
     /// If the memory is not to be had; everything is then as before.
     pub fn restart(&mut self) -> Result<(), SessionError> {
-        self.growth = Colonize::new(Parameters::of(&self.recipe))?;
+        self.growth = Colonize::new(self.growth.parameters().clone())?;
         self.painter.start_over();
         Ok(())
     }
@@ -138,6 +144,7 @@ impl Session {
             trim: recipe.integer(Key::Trim),
             everything: self.growth.parameters().attractors,
             full_width: recipe.number(Key::Width),
+            land: self.growth.parameters().land.as_deref(),
             style: style(recipe),
         })
     }

@@ -21,11 +21,16 @@ pub fn scatter(parameters: &Parameters) -> Vec<Vec2> {
     let mut chance = parameters.seed.stream(Purpose::Attractors);
     let size = parameters.domain.size;
     if !parameters.on_grid {
-        return (0..parameters.attractors).map(|_| Vec2::new(chance.unit(), chance.unit()) * size).collect();
+        // Land is at least a fifth of the domain, so this ends; were it less, it would still.
+        let tries = 64 * parameters.attractors as usize;
+        let anywhere = std::iter::repeat_with(|| Vec2::new(chance.unit(), chance.unit()) * size).take(tries);
+        return anywhere.filter(|&at| parameters.is_land(at)).take(parameters.attractors as usize).collect();
     }
     let rows = grid_rows(parameters);
-    let first_of = |row: u32| (u64::from(row) * u64::from(parameters.attractors) / u64::from(rows)) as u32;
-    let mut places = Vec::with_capacity(parameters.attractors as usize);
+    let cells = parameters.domain.size.x * parameters.domain.size.y / (parameters.spacing * parameters.spacing);
+    let cells = if parameters.land.is_none() { parameters.attractors } else { cells as u32 };
+    let first_of = |row: u32| (u64::from(row) * u64::from(cells) / u64::from(rows)) as u32;
+    let mut places = Vec::with_capacity(cells as usize);
     for row in 0..rows {
         let columns = first_of(row + 1) - first_of(row);
         let cell = size / Vec2::new(columns as f32, rows as f32);
@@ -82,6 +87,7 @@ pub(super) struct Attractors {
     rows: i32,
     cell: f32,
     reach: f32,
+    count: u32,
 }
 
 impl Attractors {
@@ -99,9 +105,15 @@ impl Attractors {
             rows,
             cell,
             reach: parameters.reach,
+            count: places.len() as u32,
         };
         this.fill(&places).map_err(|_| GrowError::out_of_memory(parameters))?;
         Ok(this)
+    }
+
+    /// How many there are, used up or not.
+    pub fn count(&self) -> u32 {
+        self.count
     }
 
     /// A counting sort by cell, each cell rounded up to whole blocks.
@@ -136,10 +148,10 @@ impl Attractors {
         (index(at.y, self.rows) * self.columns + index(at.x, self.columns)) as usize
     }
 
-    /// Gives a new node all attractors that it is nearest to, and tells of each. Where two nodes are equally near,
+    /// Gives a new node all attractors that it sees and is nearest to, and tells of each. Where two nodes are equally near,
     /// the earlier keeps the attractor.
     #[inline]
-    pub fn capture(&mut self, node: u32, at: Vec2, mut tell: impl FnMut(Capture)) {
+    pub fn capture(&mut self, node: u32, at: Vec2, sees: impl Fn(Vec2, Vec2) -> bool, mut tell: impl FnMut(Capture)) {
         let (columns, rows) = (self.cells_within(at.x, self.columns), self.cells_within(at.y, self.rows));
         for row in rows {
             let gap_y = gap(at.y, row as f32 * self.cell, self.cell);
@@ -147,7 +159,7 @@ impl Attractors {
                 let cell = (row * self.columns + column) as usize;
                 let gap_x = gap(at.x, column as f32 * self.cell, self.cell);
                 if gap_x * gap_x + gap_y * gap_y < self.farthest[cell] {
-                    self.capture_in_cell(cell, node, at, &mut tell);
+                    self.capture_in_cell(cell, node, at, &sees, &mut tell);
                 }
             }
         }
@@ -160,7 +172,14 @@ impl Attractors {
     }
 
     #[inline]
-    fn capture_in_cell(&mut self, cell: usize, node: u32, at: Vec2, tell: &mut impl FnMut(Capture)) {
+    fn capture_in_cell(
+        &mut self,
+        cell: usize,
+        node: u32,
+        at: Vec2,
+        sees: &impl Fn(Vec2, Vec2) -> bool,
+        tell: &mut impl FnMut(Capture),
+    ) {
         let (node_x, node_y) = (f32x4::splat(at.x), f32x4::splat(at.y));
         let (start, end) = (self.first_block[cell], self.first_block[cell + 1]);
         let mut farthest = f32x4::splat(USED_UP);
@@ -171,11 +190,15 @@ impl Attractors {
             while nearer != 0 {
                 let lane = nearer.trailing_zeros() as usize;
                 nearer &= nearer - 1;
+                let attractor_at = Vec2::new(block.x.to_array()[lane], block.y.to_array()[lane]);
+                if !sees(at, attractor_at) {
+                    continue;
+                }
                 let squared_distance = squared.to_array()[lane];
                 block.near.as_mut_array()[lane] = squared_distance;
                 tell(Capture {
                     attractor: index * 4 + lane as u32,
-                    at: Vec2::new(block.x.to_array()[lane], block.y.to_array()[lane]),
+                    at: attractor_at,
                     previous_owner: std::mem::replace(&mut block.owner[lane], node),
                     squared_distance,
                 });

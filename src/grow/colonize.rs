@@ -67,6 +67,7 @@ impl Colonize {
     pub fn new(parameters: Parameters) -> Result<Self, GrowError> {
         let attractors = Attractors::new(&parameters)?;
         let mut this = Self {
+            unreached: attractors.count(),
             attractors,
             tree: Tree::default(),
             shoots: Shoots::default(),
@@ -74,7 +75,6 @@ impl Colonize {
             trying: Vec::new(),
             doomed: Vec::new(),
             pilots: Vec::new(),
-            unreached: parameters.attractors,
             ending: None,
             parameters,
         };
@@ -132,7 +132,7 @@ impl Colonize {
         let at = self.tree.at[index];
         let came_from = self.tree.parent_of(index).map(|parent| self.tree.at[parent]);
         let child = heading(&self.parameters, at, came_from, pull, self.shoots.from_mouth[index], tick);
-        if self.parameters.domain.contains(child) && !self.has_twin(index, child) {
+        if self.parameters.allows(at, child) && !self.has_twin(index, child) {
             self.add(child, node);
         }
     }
@@ -168,11 +168,12 @@ impl Colonize {
     fn capture_from(&mut self, first: usize) {
         self.changed.grow(self.tree.len());
         let squared_kill = self.parameters.kill * self.parameters.kill;
-        let Self { attractors, tree, shoots, changed, doomed, .. } = self;
+        let Self { parameters, attractors, tree, shoots, changed, doomed, .. } = self;
         for node in first..tree.len() {
             let at = tree.at[node];
             let mut gained = Pull::default();
-            attractors.capture(node as u32, at, |capture| {
+            let sees = |node, attractor| parameters.sees(node, attractor);
+            attractors.capture(node as u32, at, sees, |capture| {
                 gained.add(Pull::toward(at, capture.at));
                 if let Some(pull) = shoots.pull.get_mut(capture.previous_owner as usize) {
                     pull.subtract(Pull::toward(tree.at[capture.previous_owner as usize], capture.at));
@@ -203,8 +204,9 @@ impl Colonize {
     /// Before anything else grows: rivers that nothing reaches run straight inland until something does.
     fn extend_pilots(&mut self) {
         for Pilot { tip, inland } in std::mem::take(&mut self.pilots) {
-            let at = self.tree.at[tip as usize] + inland * self.parameters.step;
-            if self.parameters.domain.contains(at) {
+            let from = self.tree.at[tip as usize];
+            let at = from + inland * self.parameters.step;
+            if self.parameters.allows(from, at) {
                 let tip = self.add(at, tip);
                 if !self.attractors.any_within_reach(at) {
                     self.pilots.push(Pilot { tip, inland });

@@ -1,6 +1,11 @@
 //! What growth needs to know, in domain units.
 
+use std::sync::Arc;
+
+use glam::Vec2;
+
 use crate::domain::{AREA, Domain};
+use crate::land::{Cell, Land};
 use crate::random::Seed;
 use crate::recipe::{Key, Recipe, Sides};
 
@@ -11,6 +16,8 @@ pub struct Parameters {
     pub seed: Seed,
     /// The rectangle.
     pub domain: Domain,
+    /// The land; `None` if all of the domain is.
+    pub land: Option<Arc<Land>>,
     /// How many rivers reach the sea.
     pub mouths: u32,
     /// On which sides.
@@ -19,7 +26,7 @@ pub struct Parameters {
     pub attractors: u32,
     /// Whether each has a cell of a grid to itself.
     pub on_grid: bool,
-    /// The mean distance between attractors, √(area / number): the unit of the three lengths below in a recipe.
+    /// The mean distance between attractors, √(area of land / number): the unit of the three lengths below in a recipe.
     pub spacing: f32,
     /// How far an attractor pulls (the paper's distance of step 2).
     pub reach: f32,
@@ -38,12 +45,19 @@ pub struct Parameters {
 impl Parameters {
     /// Resolves a recipe.
     pub fn of(recipe: &Recipe) -> Self {
+        Self::on_land(recipe, Land::of(recipe).map(Arc::new))
+    }
+
+    /// Resolves a recipe whose land has been shaped before.
+    pub fn on_land(recipe: &Recipe, land: Option<Arc<Land>>) -> Self {
         let attractors = recipe.integer(Key::Attractors);
-        let spacing = (AREA / attractors as f32).sqrt();
+        let area = land.as_ref().map_or(AREA, |land| land.area());
+        let spacing = (area / attractors as f32).sqrt();
         let spacings = |key| recipe.number(key) * spacing;
         Self {
             seed: Seed::from_text(recipe.seed()),
             domain: Domain::with_aspect(recipe.number(Key::Aspect)),
+            land,
             mouths: recipe.integer(Key::Mouths),
             sides: recipe.sides(Key::Sides),
             attractors,
@@ -55,6 +69,31 @@ impl Parameters {
             momentum: recipe.number(Key::Momentum),
             curl: recipe.number(Key::Curl),
             stretch: recipe.integer(Key::Stretch),
+        }
+    }
+}
+
+impl Parameters {
+    /// Whether an attractor may lie here.
+    pub fn is_land(&self, point: Vec2) -> bool {
+        self.land.as_ref().is_none_or(|land| land.at(point) == Cell::Available)
+    }
+
+    /// Whether a river may run straight from one point to another.
+    #[inline]
+    pub fn allows(&self, from: Vec2, to: Vec2) -> bool {
+        match &self.land {
+            None => self.domain.contains(to),
+            Some(land) => self.domain.contains(to) && land.allows(from, to),
+        }
+    }
+
+    /// Whether an attractor pulls a node: it does not through a ridge.
+    #[inline]
+    pub fn sees(&self, node: Vec2, attractor: Vec2) -> bool {
+        match &self.land {
+            Some(land) if !land.ridges().is_empty() => land.sees(node, attractor),
+            _ => true,
         }
     }
 }

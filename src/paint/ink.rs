@@ -6,8 +6,8 @@
 use tiny_skia::Pixmap;
 
 use super::coverage::{Coverage, Rect};
+use super::ground::PAPER;
 
-const PAPER: [u8; 3] = [0xf6, 0xf0, 0xe2];
 const INK: [u8; 3] = [0x1f, 0x3f, 0x66];
 
 /// The colour of each coverage, from bare paper to full ink.
@@ -28,14 +28,32 @@ const fn ramp(from: [u8; 3], to: [u8; 3]) -> [[u8; 4]; 256] {
     ramp
 }
 
-/// Colours a rectangle of the picture.
-pub(super) fn compose(pixmap: &mut Pixmap, coverage: &Coverage, rect: Rect) {
+/// Colours a rectangle of the picture: ink on a ground, or on bare paper.
+pub(super) fn compose(pixmap: &mut Pixmap, coverage: &Coverage, ground: Option<&[[u8; 4]]>, rect: Rect) {
     let width = pixmap.width() as usize;
     for row in rect.top as usize..rect.bottom as usize {
         let (start, end) = (row * width + rect.left as usize, row * width + rect.right as usize);
         let pixels = pixmap.data_mut()[start * 4..end * 4].chunks_exact_mut(4);
-        for (pixel, &coverage) in pixels.zip(&coverage.mask().data()[start..end]) {
-            pixel.copy_from_slice(&RAMP[coverage as usize]);
+        let coverage = &coverage.mask().data()[start..end];
+        match ground {
+            None => pixels.zip(coverage).for_each(|(pixel, &c)| pixel.copy_from_slice(&RAMP[c as usize])),
+            Some(ground) => {
+                for ((pixel, &c), ground) in pixels.zip(coverage).zip(&ground[start..end]) {
+                    pixel.copy_from_slice(&over(*ground, c));
+                }
+            }
         }
     }
+}
+
+/// Ink of some coverage over a colour.
+#[inline]
+fn over(ground: [u8; 4], coverage: u8) -> [u8; 4] {
+    if coverage == 0 {
+        return ground;
+    }
+    let mix = |from: u8, to: u8| {
+        ((u32::from(from) * u32::from(255 - coverage) + u32::from(to) * u32::from(coverage) + 127) / 255) as u8
+    };
+    [mix(ground[0], INK[0]), mix(ground[1], INK[1]), mix(ground[2], INK[2]), 255]
 }

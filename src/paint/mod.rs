@@ -8,6 +8,7 @@
 
 mod coverage;
 mod flow;
+mod ground;
 mod ink;
 mod painter;
 mod skeleton;

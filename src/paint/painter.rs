@@ -8,10 +8,12 @@ use tiny_skia::Pixmap;
 
 use super::coverage::{Coverage, Rect};
 use super::flow::Flow;
+use super::ground::ground;
 use super::strokes::{Pen, Widths};
 use super::view::{PaintError, View};
 use super::{Style, ink, skeleton};
 use crate::domain::Domain;
+use crate::land::Land;
 use crate::prune;
 use crate::tree::Tree;
 
@@ -28,6 +30,8 @@ pub struct Progress<'a> {
     pub everything: u32,
     /// The width, in domain units, of a river that drains everything.
     pub full_width: f32,
+    /// The land; `None` if all of the domain is.
+    pub land: Option<&'a Land>,
     /// The style.
     pub style: Style,
 }
@@ -41,6 +45,8 @@ pub struct Painter {
     /// The radius that each node was last drawn with; 0 before it is drawn.
     drawn: Vec<u16>,
     flow: Flow,
+    /// The picture without rivers, painted when it is first needed; not needed for bare paper.
+    ground: Option<Vec<[u8; 4]>>,
     /// Whether nothing of the picture can be kept.
     is_blank: bool,
     /// Whether the picture shows a finished tree.
@@ -58,7 +64,7 @@ impl Painter {
         let pixmap = Pixmap::new(width, height).ok_or(none.clone())?;
         let coverage = Coverage::new(width, height).ok_or(none)?;
         let (drawn, flow) = (Vec::new(), Flow::default());
-        Ok(Self { view, pixmap, coverage, drawn, flow, is_blank: true, is_finished: false })
+        Ok(Self { view, pixmap, coverage, drawn, flow, ground: None, is_blank: true, is_finished: false })
     }
 
     /// The picture: RGBA, opaque.
@@ -93,6 +99,9 @@ impl Painter {
         if std::mem::take(&mut self.is_blank) {
             self.coverage.touch_all();
         }
+        if self.ground.is_none() && progress.style == Style::Ink {
+            self.ground = progress.land.map(|land| ground(&self.view, land));
+        }
         self.compose(progress.style)
     }
 
@@ -126,7 +135,9 @@ impl Painter {
         let around = touched.iter().copied().reduce(Rect::union)?;
         match style {
             Style::Ink => {
-                touched.iter().for_each(|&rect| ink::compose(&mut self.pixmap, &self.coverage, rect));
+                touched
+                    .iter()
+                    .for_each(|&rect| ink::compose(&mut self.pixmap, &self.coverage, self.ground.as_deref(), rect));
                 Some(around)
             }
             Style::Skeleton => {

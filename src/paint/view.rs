@@ -60,6 +60,12 @@ impl View {
         ((height as f32 * domain.size.x / domain.size.y).round() as u32).max(1)
     }
 
+    /// A pixel's place in the domain.
+    #[inline]
+    pub fn point(&self, pixel: Vec2) -> Vec2 {
+        (pixel - self.offset) / self.scale
+    }
+
     /// A point of the domain, in pixels.
     #[inline]
     pub fn pixel(&self, point: Vec2) -> Vec2 {

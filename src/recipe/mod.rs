@@ -121,7 +121,7 @@ mod tests {
         other.set(Key::Trim, "9").unwrap();
         assert_eq!(plain.first_difference(&other), Some(Stage::Prune));
         other.set(Key::Seed, "rimu").unwrap();
-        assert_eq!(plain.first_difference(&other), Some(Stage::Grow));
+        assert_eq!(plain.first_difference(&other), Some(Stage::Land));
     }
 
     #[test]

@@ -9,6 +9,8 @@ use super::value::{Decimal, Sides, Value};
 /// The stages that parameters belong to, in the order in which they run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Stage {
+    /// Shaping the land.
+    Land,
     /// Growing the tree.
     Grow,
     /// Trimming it.
@@ -21,6 +23,7 @@ impl Stage {
     /// The stage's name, lower case.
     pub fn name(self) -> &'static str {
         match self {
+            Self::Land => "land",
             Self::Grow => "grow",
             Self::Prune => "prune",
             Self::Paint => "paint",
@@ -35,6 +38,9 @@ pub enum Key {
     Seed,
     Edition,
     Aspect,
+    Land,
+    Sea,
+    Rough,
     Mouths,
     Sides,
     Attractors,
@@ -132,7 +138,7 @@ pub struct Parameter {
 
 /// All parameters, in the order in which links and tables list them; row `i` is that of the key numbered `i`.
 pub static TABLE: [Parameter; COUNT] = {
-    use Stage::{Grow, Paint, Prune};
+    use Stage::{Grow, Land, Paint, Prune};
     const fn number(min: f64, max: f64, step: f64, default: f64) -> Kind {
         let (min, max) = (Decimal::new(min), Decimal::new(max));
         Kind::Number { min, max, step: Decimal::new(step), default: Decimal::new(default) }
@@ -145,7 +151,7 @@ pub static TABLE: [Parameter; COUNT] = {
             help: "The word the river grows from: any text.",
             unit: "",
             group: "Seed",
-            stage: Grow,
+            stage: Land,
             logarithmic: false,
             kind: Kind::Text { longest: 64, default: "kauri" },
         },
@@ -156,7 +162,7 @@ pub static TABLE: [Parameter; COUNT] = {
             help: "The algorithm set the recipe was made for; its pictures never change once released.",
             unit: "",
             group: "Seed",
-            stage: Grow,
+            stage: Land,
             logarithmic: false,
             kind: Kind::Integer { min: super::EDITION, max: super::EDITION, default: super::EDITION },
         },
@@ -167,9 +173,51 @@ pub static TABLE: [Parameter; COUNT] = {
             help: "Width of the domain over its height; its area is always a million square units.",
             unit: "",
             group: "Land",
-            stage: Grow,
+            stage: Land,
             logarithmic: true,
             kind: number(0.25, 4.0, 0.01, 1.5),
+        },
+        Parameter {
+            key: Key::Land,
+            name: "land",
+            label: "Land",
+            help: "The shape of the land that rivers run through.",
+            unit: "",
+            group: "Land",
+            stage: Land,
+            logarithmic: false,
+            kind: Kind::Choice {
+                choices: &[
+                    ("rectangle", "the whole rectangle"),
+                    ("island", "an island"),
+                    ("continent", "a coast"),
+                    ("archipelago", "an archipelago"),
+                    ("valley", "a valley between ridges"),
+                    ("basin", "around a lake"),
+                ],
+            },
+        },
+        Parameter {
+            key: Key::Sea,
+            name: "sea",
+            label: "Sea",
+            help: "The share of water, unless the land is the whole rectangle.",
+            unit: "",
+            group: "Land",
+            stage: Land,
+            logarithmic: false,
+            kind: number(0.1, 0.8, 0.01, 0.4),
+        },
+        Parameter {
+            key: Key::Rough,
+            name: "rough",
+            label: "Roughness",
+            help: "How far coasts and ridges stray from their plain shape.",
+            unit: "",
+            group: "Land",
+            stage: Land,
+            logarithmic: false,
+            kind: number(0.0, 1.0, 0.01, 0.5),
         },
         Parameter {
             key: Key::Mouths,
@@ -189,7 +237,7 @@ pub static TABLE: [Parameter; COUNT] = {
             help: "The sides that rivers flow to: some of n, e, s, w.",
             unit: "",
             group: "Land",
-            stage: Grow,
+            stage: Land,
             logarithmic: false,
             kind: Kind::Sides { default: Sides::SOUTH },
         },

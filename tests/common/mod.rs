@@ -7,12 +7,15 @@ use proptest::prelude::*;
 
 /// Links over the whole of every range, with at most so many attractors.
 pub fn random_link(most_attractors: u32) -> impl Strategy<Value = String> {
+    let kinds = proptest::sample::select(vec!["rectangle", "island", "continent", "archipelago", "valley", "basin"]);
+    let land = (kinds, 0.1f64..=0.8, 0.0f64..=1.0);
     let ground = (0.25f64..=4.0, 1u32..=9, 1u32..16, 100..=most_attractors, any::<bool>());
     let growth = (2.1f64..=12.0, 0.5f64..=2.0, 0.2f64..=1.2);
     let zero_or = |most: f64| prop_oneof![Just(0.0), 0.0..=most];
     let bends = (zero_or(0.9), zero_or(2.0), 1u32..=64);
     let finish = (prop_oneof![Just(0u32), 0u32..=60], 1.0f64..=40.0, any::<bool>());
-    ("[a-z]{1,8}", ground, growth, bends, finish).prop_map(|(seed, ground, growth, bends, finish)| {
+    ("[a-z]{1,8}", land, ground, growth, bends, finish).prop_map(|(seed, land, ground, growth, bends, finish)| {
+        let (land, sea, rough) = land;
         let (aspect, mouths, sides, attractors, grid) = ground;
         let (reach, kill, step) = growth;
         let (momentum, curl, stretch) = bends;
@@ -21,7 +24,7 @@ pub fn random_link(most_attractors: u32) -> impl Strategy<Value = String> {
         let scatter = if grid { "grid" } else { "random" };
         let style = if skeleton { "skeleton" } else { "ink" };
         format!(
-            "seed={seed}&aspect={aspect:.3}&mouths={mouths}&sides={sides}&attractors={attractors}&scatter={scatter}\
+            "seed={seed}&land={land}&sea={sea:.3}&rough={rough:.3}&aspect={aspect:.3}&mouths={mouths}&sides={sides}&attractors={attractors}&scatter={scatter}\
              &reach={reach:.3}&kill={kill:.3}&step={step:.3}&momentum={momentum:.3}&curl={curl:.3}&stretch={stretch}\
              &trim={trim}&width={width:.2}&style={style}"
         )

@@ -50,12 +50,12 @@ fn squared_distance(a: Vec2, b: Vec2) -> f32 {
     gap.x * gap.x + gap.y * gap.y
 }
 
-/// The closest black node nearer than a distance; the first of equals.
-fn closest(blue: Vec2, black: &[Black], distance: f32) -> Option<usize> {
+/// The closest black node nearer than a distance, with no ridge between; the first of equals.
+fn closest(parameters: &Parameters, blue: Vec2, black: &[Black], distance: f32) -> Option<usize> {
     let mut best = (distance * distance, None);
     for (i, node) in black.iter().enumerate() {
         let squared = squared_distance(blue, node.at);
-        if squared < best.0 {
+        if squared < best.0 && parameters.sees(node.at, blue) {
             best = (squared, Some(i));
         }
     }
@@ -66,7 +66,7 @@ fn closest(blue: Vec2, black: &[Black], distance: f32) -> Option<usize> {
 fn assign(parameters: &Parameters, blue: &[Option<Vec2>], black: &[Black]) -> Vec<Vec<u32>> {
     let mut assigned = vec![Vec::new(); black.len()];
     for (i, blue) in (0u32..).zip(blue) {
-        if let Some(node) = blue.and_then(|blue| closest(blue, black, parameters.reach)) {
+        if let Some(node) = blue.and_then(|blue| closest(parameters, blue, black, parameters.reach)) {
             assigned[node].push(i);
         }
     }
@@ -93,7 +93,7 @@ fn grow_all(
             let came_from = black.get(parent.parent as usize).map(|node| node.at);
             let at = heading(parameters, parent.at, came_from, direction, parent.from_mouth, tick);
             let mut children = black.iter().filter(|node| node.parent == i as u32);
-            if parameters.domain.contains(at) && !children.any(|child| is_twin(at, child.at, parameters.step)) {
+            if parameters.allows(parent.at, at) && !children.any(|child| is_twin(at, child.at, parameters.step)) {
                 born.push(node(at, i as u32, tick, parent.from_mouth + 1));
             }
         }
@@ -105,7 +105,7 @@ fn grow_all(
 /// Step 5: blue nodes near a black node go, and drain into it.
 fn remove(parameters: &Parameters, blue: &mut [Option<Vec2>], black: &mut [Black]) {
     for blue in blue {
-        if let Some(node) = blue.and_then(|blue| closest(blue, black, parameters.kill)) {
+        if let Some(node) = blue.and_then(|blue| closest(parameters, blue, black, parameters.kill)) {
             black[node].drained += 1;
             *blue = None;
         }
@@ -120,7 +120,7 @@ fn run_inland(parameters: &Parameters, blue: &[Option<Vec2>], black: &mut Vec<Bl
     let mut tick = 0;
     loop {
         tips.retain(|&(tip, _)| !is_reached(black[tip].at));
-        tips.retain(|&(tip, inland)| parameters.domain.contains(black[tip].at + inland * parameters.step));
+        tips.retain(|&(tip, inland)| parameters.allows(black[tip].at, black[tip].at + inland * parameters.step));
         if tips.is_empty() {
             return tick;
         }

@@ -1,0 +1,132 @@
+//! The shapes that land comes in, each bent by seeded noise.
+
+use fastnoise_lite::{FastNoiseLite, FractalType, NoiseType};
+use glam::Vec2;
+
+use super::Relief;
+use crate::domain::Domain;
+use crate::random::{Purpose, Seed};
+use crate::recipe::Sides;
+
+/// A shape of land.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LandKind {
+    /// The whole domain, with the sea beyond its sides.
+    Rectangle,
+    /// One land mass, sea all around.
+    Island,
+    /// A coast along the chosen sides.
+    Continent,
+    /// Many islands.
+    Archipelago,
+    /// A coast along the chosen sides, and two ridges that run inland from it.
+    Valley,
+    /// A lake in the middle: rivers run inward.
+    Basin,
+}
+
+impl LandKind {
+    /// In the order of the parameter table.
+    pub(crate) const ALL: [Self; 6] =
+        [Self::Rectangle, Self::Island, Self::Continent, Self::Archipelago, Self::Valley, Self::Basin];
+}
+
+/// What a shape is made of.
+#[derive(Clone, Debug)]
+pub(super) struct Shape {
+    pub kind: LandKind,
+    pub domain: Domain,
+    pub sides: Sides,
+    pub seed: Seed,
+    /// The share of water.
+    pub sea: f32,
+    /// 0 for smooth coasts, 1 for wild ones.
+    pub rough: f32,
+}
+
+impl Shape {
+    /// The relief of the shape; `None` for the plain rectangle.
+    pub fn relief(&self) -> Option<Relief> {
+        if self.kind == LandKind::Rectangle {
+            return None;
+        }
+        let (coarse, fine) = (self.noise(0, 1.6, 3), self.noise(1, 5.0, 5));
+        let bend = |point: Vec2| {
+            let Vec2 { x, y } = point;
+            (coarse.get_noise_2d(x, y) + 0.35 * fine.get_noise_2d(x, y)) * self.rough * self.span() * 0.45
+        };
+        Some(Relief::with_sea(&self.domain, self.sea, |point| self.plain(point, &coarse) + bend(point)))
+    }
+
+    /// The height of the unbent shape, in units.
+    fn plain(&self, point: Vec2, noise: &FastNoiseLite) -> f32 {
+        let from_centre = ((point - self.domain.size / 2.0) / (self.domain.size / self.span())).length();
+        match self.kind {
+            LandKind::Rectangle => self.span(),
+            LandKind::Island => -from_centre - self.moat(point),
+            LandKind::Basin => from_centre,
+            LandKind::Continent | LandKind::Valley => self.from_coast(point),
+            LandKind::Archipelago => {
+                let islands = noise.get_noise_2d(point.x * 1.7 + 5000.0, point.y * 1.7);
+                islands * self.span() * 0.6 - from_centre * 0.3 - self.moat(point)
+            }
+        }
+    }
+
+    /// The ridges of the shape, as polylines: of a valley two, from the coast straight inland, bent a little.
+    pub fn ridges(&self) -> Vec<Vec<Vec2>> {
+        if self.kind != LandKind::Valley {
+            return Vec::new();
+        }
+        let wobble = self.noise(2, 2.0, 3);
+        let across = self.domain.size;
+        [0.27, 0.73]
+            .map(|share| {
+                (0..=64)
+                    .map(|i| {
+                        let along = i as f32 / 64.0;
+                        let point = if self.sides.contains('s') || self.sides.contains('n') {
+                            Vec2::new(share, along) * across
+                        } else {
+                            Vec2::new(along, share) * across
+                        };
+                        let aside = wobble.get_noise_2d(point.x, point.y) * self.rough * self.span() * 0.2;
+                        let axis = if self.sides.contains('s') || self.sides.contains('n') { Vec2::X } else { Vec2::Y };
+                        point + axis * aside
+                    })
+                    .collect()
+            })
+            .into()
+    }
+
+    /// The distance to the nearest side that has the sea.
+    fn from_coast(&self, point: Vec2) -> f32 {
+        let far = self.domain.size - point;
+        [('n', point.y), ('e', far.x), ('s', far.y), ('w', point.x)]
+            .into_iter()
+            .filter(|&(side, _)| self.sides.contains(side))
+            .fold(f32::INFINITY, |least, (_, distance)| least.min(distance))
+    }
+
+    /// A drop toward the border of the domain, so that land surrounded by sea is not cut by it.
+    fn moat(&self, point: Vec2) -> f32 {
+        let nearest = point.min(self.domain.size - point).min_element();
+        (self.span() * 0.09 - nearest).max(0.0) * 25.0
+    }
+
+    /// The shorter side of the domain, which sets the scale of all shapes.
+    fn span(&self) -> f32 {
+        self.domain.size.min_element()
+    }
+
+    /// Noise with about so many bumps across the domain.
+    fn noise(&self, index: u32, bumps: f32, octaves: i32) -> FastNoiseLite {
+        let bits = self.seed.key(Purpose::Land).bits([index, 0, 0]);
+        let mut noise = FastNoiseLite::with_seed(bits as i32);
+        noise.set_noise_type(Some(NoiseType::OpenSimplex2));
+        noise.set_fractal_type(Some(FractalType::FBm));
+        noise.set_fractal_octaves(Some(octaves));
+        noise.set_frequency(Some(bumps / self.span()));
+        noise
+    }
+}
