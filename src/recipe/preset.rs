@@ -21,14 +21,14 @@ pub static PRESETS: &[Preset] = &[
     Preset {
         name: "original",
         label: "Original",
-        help: "Space colonization as it is: straight, parallel, with many short side branches.",
+        help: "Space colonization as it is, with all its short side branches.",
         values: &[(Key::Trim, "0")],
     },
     Preset {
         name: "momentum",
         label: "Momentum",
         help: "Every turn exaggerated: more curves, and here and there a zigzag.",
-        values: &[(Key::Momentum, "0.4"), (Key::Trim, "0")],
+        values: &[(Key::Momentum, "0.45"), (Key::Trim, "0")],
     },
     Preset {
         name: "curl",
@@ -46,7 +46,7 @@ pub static PRESETS: &[Preset] = &[
         name: "trimmed-momentum",
         label: "Trimmed momentum",
         help: "Exaggerated turns without short side branches.",
-        values: &[(Key::Momentum, "0.4"), (Key::Trim, "6")],
+        values: &[(Key::Momentum, "0.45"), (Key::Trim, "6")],
     },
     Preset {
         name: "trimmed-curl",

@@ -186,7 +186,7 @@ pub static TABLE: [Parameter; COUNT] = {
             key: Key::Sides,
             name: "sides",
             label: "Sea on",
-            help: "The sides that rivers flow to: some of n, e, s, w.",
+            help: "The sides that rivers flow to.",
             unit: "",
             group: "Land",
             stage: Grow,
@@ -224,7 +224,7 @@ pub static TABLE: [Parameter; COUNT] = {
             group: "Growth",
             stage: Grow,
             logarithmic: true,
-            kind: number(2.1, 12.0, 0.05, 2.25),
+            kind: number(2.1, 12.0, 0.05, 2.4),
         },
         Parameter {
             key: Key::Kill,
