@@ -4,6 +4,7 @@
 //! that ends it: a node tries to grow only when its set of attractors has changed since it last tried. Sets of old
 //! nodes only shrink, so every node falls silent. Once all are, those that still have attractors reach out for the
 //! nearest of them; when not even that makes a node, growth is over, and attractors that stay unreached are counted.
+//! (Unless most are: then a gap among the first attractors has cut the river off, and its last node runs straight on.)
 
 use std::collections::TryReserveError;
 
@@ -120,6 +121,9 @@ impl Colonize {
         self.grow();
         if self.tree.len() == born_from && self.ending.is_none() {
             self.reach_out();
+        }
+        if self.tree.len() == born_from && self.is_dry() {
+            self.run_on();
         }
         self.capture_from(born_from);
         self.use_up();
@@ -246,6 +250,23 @@ impl Colonize {
             {
                 self.pilots.push(Pilot { tip, ..pilot });
             }
+        }
+    }
+
+    /// Whether most attractors are left.
+    fn is_dry(&self) -> bool {
+        self.ending.is_none() && self.unreached > self.parameters.attractors / 2
+    }
+
+    /// When a tree has died out among attractors that are all beyond its reach: its last node runs straight on, like a
+    /// root that nothing reaches.
+    fn run_on(&mut self) {
+        let Some(tip) = self.tree.len().checked_sub(1) else { return };
+        let Some(parent) = self.tree.parent_of(tip) else { return };
+        let onward = (self.tree.at[tip] - self.tree.at[parent]) / self.parameters.step;
+        let pilot = Pilot { tip: tip as u32, inland: onward };
+        if let Some(tip) = self.extend(pilot) {
+            self.pilots.push(Pilot { tip, ..pilot });
         }
     }
 

@@ -27,7 +27,7 @@ pub enum Widths {
 const SIXTEENTHS: f32 = 16.0;
 
 /// The least width of a stream, in domain units and in pixels: thin, but not too thin to be seen.
-const HAIRLINE: f32 = 0.5;
+const HAIRLINE: f32 = 0.6;
 const HAIRLINE_PX: f32 = 0.4;
 
 /// How many nodes a river takes to come from nothing to its width at its source.

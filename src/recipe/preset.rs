@@ -34,7 +34,7 @@ pub static PRESETS: &[Preset] = &[
         name: "curl",
         label: "Curl",
         help: "Stretches turned left and right at random: winding, complex, busy at its ends.",
-        values: &[(Key::Curl, "1.2"), (Key::Stretch, "5"), (Key::Trim, "0")],
+        values: &[(Key::Curl, "0.9"), (Key::Stretch, "7"), (Key::Trim, "0")],
     },
     Preset {
         name: "trimmed-original",
@@ -52,7 +52,7 @@ pub static PRESETS: &[Preset] = &[
         name: "trimmed-curl",
         label: "Trimmed curl",
         help: "Winding rivers without short side branches: what people took for real ones.",
-        values: &[(Key::Curl, "1.2"), (Key::Stretch, "5"), (Key::Trim, "6")],
+        values: &[(Key::Curl, "0.9"), (Key::Stretch, "7"), (Key::Trim, "6")],
     },
 ];
 

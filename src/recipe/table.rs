@@ -224,7 +224,7 @@ pub static TABLE: [Parameter; COUNT] = {
             group: "Growth",
             stage: Grow,
             logarithmic: true,
-            kind: number(2.1, 12.0, 0.05, 2.4),
+            kind: number(2.1, 12.0, 0.05, 2.3),
         },
         Parameter {
             key: Key::Kill,
@@ -235,7 +235,7 @@ pub static TABLE: [Parameter; COUNT] = {
             group: "Growth",
             stage: Grow,
             logarithmic: false,
-            kind: number(0.5, 2.0, 0.05, 1.1),
+            kind: number(0.5, 1.4, 0.05, 1.1),
         },
         Parameter {
             key: Key::Step,

@@ -31,6 +31,10 @@ pub fn grow(parameters: &Parameters) -> Vec<Black> {
         if born.is_empty() {
             born = reach_out(parameters, &blue, &black, &assigned, tick);
         }
+        if born.is_empty() && blue.iter().flatten().count() > blue.len() / 2 {
+            born.extend(run_on(parameters, &black, tick));
+            pilots.extend(born.first().map(|_| (black.len(), onward(parameters, &black))));
+        }
         if born.is_empty() {
             break;
         }
@@ -130,6 +134,20 @@ fn reach_out(
         }
     }
     born
+}
+
+/// When most blue nodes are left, but none is within reach of anything: the last black node runs straight on.
+fn run_on(parameters: &Parameters, black: &[Black], tick: u32) -> Option<Black> {
+    let last = black.last()?;
+    black.get(last.parent as usize)?;
+    let at = last.at + onward(parameters, black) * parameters.step;
+    parameters.domain.contains(at).then(|| node(at, black.len() as u32 - 1, tick, last.from_mouth + 1))
+}
+
+/// The direction the last black node was made in.
+fn onward(parameters: &Parameters, black: &[Black]) -> Vec2 {
+    let last = &black[black.len() - 1];
+    (last.at - black[last.parent as usize].at) / parameters.step
 }
 
 /// Whether a node has a child within an eighth of a step from here.
