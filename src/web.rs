@@ -211,9 +211,8 @@ impl River {
         let summary = self.session.summary();
         let stopped = match summary.ending {
             Some(Ending::NodeLimit) => Some("The tree grew to its limit of nodes and was stopped."),
-            _ if summary.is_stalled() => {
-                Some("Growth died out early: a longer reach or a shorter kill distance helps.")
-            }
+            Some(Ending::OutOfMemory) => Some("The browser gave no more memory: fewer attractors need less."),
+            _ if summary.is_stalled() => Some(DIED_OUT),
             _ => None,
         };
         to_js(&SummaryView {

@@ -124,8 +124,8 @@ fn reach_out(
     for (i, parent) in black.iter().enumerate() {
         let mine = assigned[i].iter().filter_map(|&b| blue[b as usize]);
         let nearest = mine.min_by(|a, b| {
-            let key = |p: &Vec2| [squared_distance(*p, parent.at), p.x, p.y];
-            key(a).partial_cmp(&key(b)).unwrap()
+            let distance = |blue: &Vec2| squared_distance(*blue, parent.at);
+            distance(a).total_cmp(&distance(b)).then(a.x.total_cmp(&b.x)).then(a.y.total_cmp(&b.y))
         });
         let Some(direction) = nearest.and_then(|blue| Pull::toward(parent.at, blue).direction()) else { continue };
         let at = parent.at + direction * parameters.step;
