@@ -83,12 +83,10 @@ check: wasm ## format, lints, types and documentation: not one warning
 # ---- measure and tend it
 
 .PHONY: bench
-bench: site ## the figures that the README quotes: natively, as wasm in Node, in the page
+bench: site ## the figures that the README quotes: natively, as wasm in Node, and in the page
 	@$(setup) browser
-	@$(run) cargo bench --quiet --bench figures
 	@$(run) node scripts/wasm.mjs figures
-	@node target/figures-wasm/figures_wasm.js
-	@$(npm) bench:page
+	@$(run) node benches/run.mjs
 
 .PHONY: goldens
 goldens: ## draw the golden pictures and digests anew; then look at them and say in the commit why they changed

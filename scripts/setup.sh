@@ -89,8 +89,9 @@ get_wasm_rust() {
 
 # Debian has no ready wasm32 standard library for this Rust, but its sources: they are compiled once, into a toolchain
 # folder that is otherwise links to Debian's.
+# shellcheck disable=SC2016  # the wrappers expand these, when they run
 make_debian_rust() {
-  local host llvm dir work new tool
+  local host llvm dir work new id tool
   host=$(/usr/bin/rustc -vV | sed -n 's/^host: //p')
   llvm=$(/usr/bin/rustc -vV | sed -n 's/^LLVM version: \([0-9]*\).*/\1/p')
   [[ -x /usr/bin/lld-$llvm ]] || apt_get "its linker" "lld-$llvm"
@@ -103,9 +104,11 @@ make_debian_rust() {
   mkdir -p "$work/src" "$new/bin" "$new/lib/rustlib/$host/bin" "$new/lib/rustlib/wasm32-unknown-unknown/lib"
   printf '[package]\nname = "empty"\nedition = "2021"\n' >"$work/Cargo.toml"
   echo '#![no_std]' >"$work/src/lib.rs"
-  # The part `test` is for `cargo test`; the others make the target like any other. -Z needs the bootstrap variable.
-  (cd "$work" && RUSTC_BOOTSTRAP=1 RUSTC=/usr/bin/rustc CARGO_TARGET_DIR=$work/target /usr/bin/cargo build --quiet \
-    --release --target wasm32-unknown-unknown -Z build-std=std,panic_abort,panic_unwind,proc_macro,test)
+  # The part `test` is for `cargo test`; the others make the target like any other, as does the bitcode, without which
+  # nothing could be optimised across crates. -Z needs the bootstrap variable.
+  (cd "$work" && RUSTC_BOOTSTRAP=1 RUSTC=/usr/bin/rustc RUSTFLAGS="-C embed-bitcode=yes" CARGO_TARGET_DIR=$work/target \
+    /usr/bin/cargo build --quiet --release --target wasm32-unknown-unknown \
+    -Z build-std=std,panic_abort,panic_unwind,proc_macro,test)
   rm "$work"/target/wasm32-unknown-unknown/release/deps/libempty*
   cp "$work"/target/wasm32-unknown-unknown/release/deps/*.rlib "$new/lib/rustlib/wasm32-unknown-unknown/lib/"
 
@@ -113,8 +116,14 @@ make_debian_rust() {
   ln -s /usr/lib/rustlib/etc /usr/lib/rustlib/src "$new/lib/rustlib/"
   ln -s "/usr/bin/lld-$llvm" "$new/lib/rustlib/$host/bin/rust-lld"
   ln -s /usr/bin/cargo "$new/bin/cargo"
-  # These are not links: from a link, rustc would take Debian's own folder for its home.
-  for tool in rustc rustdoc; do wrapper "exec /usr/bin/$tool --sysroot \"\$home\" \"\$@\"" >"$new/bin/$tool"; done
+  # These are not links: from a link, rustc would take Debian's own folder for its home. What rustc answers to -vV tells
+  # cargo whether its earlier work still fits, and that depends on this standard library.
+  id=$(cat "$new"/lib/rustlib/wasm32-unknown-unknown/lib/* | cksum)
+  {
+    wrapper "[ \"\$*\" != -vV ] || { /usr/bin/rustc -vV && echo 'standard library: $id'; exit; }"
+    echo 'exec /usr/bin/rustc --sysroot "$home" "$@"'
+  } >"$new/bin/rustc"
+  wrapper 'exec /usr/bin/rustdoc --sysroot "$home" "$@"' >"$new/bin/rustdoc"
   for tool in cargo-clippy clippy-driver; do wrapper "SYSROOT=\$home exec /usr/bin/$tool \"\$@\"" >"$new/bin/$tool"; done
   chmod +x "$new"/bin/{rustc,rustdoc,cargo-clippy,clippy-driver}
 
@@ -122,7 +131,7 @@ make_debian_rust() {
   rm -rf "$work"
 }
 
-# shellcheck disable=SC2016  # the wrapper expands these, when it runs
+# shellcheck disable=SC2016
 wrapper() { printf '#!/bin/sh\nhome=$(dirname "$(dirname "$(readlink -f "$0")")")\n%s\n' "$1"; }
 
 # cargo_tool COMMAND CRATE VERSION MINUTES: exactly this version.

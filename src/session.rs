@@ -63,9 +63,9 @@ pub struct Summary {
 }
 
 impl Summary {
-    /// Whether growth died out with over a quarter of the domain left dry: reach is then too small for kill.
+    /// Whether growth died out with over half of the attractors left: reach is then too small for kill, or step far too long.
     pub fn is_stalled(&self) -> bool {
-        self.ending == Some(Ending::Complete) && self.unreached > self.attractors / 4
+        self.ending == Some(Ending::Complete) && self.unreached > self.attractors / 2
     }
 }
 

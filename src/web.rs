@@ -211,9 +211,8 @@ impl River {
         let summary = self.session.summary();
         let stopped = match summary.ending {
             Some(Ending::NodeLimit) => Some("The tree grew to its limit of nodes and was stopped."),
-            _ if summary.is_stalled() => {
-                Some("Growth died out early: a longer reach or a shorter kill distance helps.")
-            }
+            Some(Ending::OutOfMemory) => Some("The browser gave no more memory: fewer attractors need less."),
+            _ if summary.is_stalled() => Some(DIED_OUT),
             _ => None,
         };
         to_js(&SummaryView {
@@ -230,12 +229,19 @@ impl River {
     }
 }
 
+const DIED_OUT: &str =
+    "Growth died out early: a longer reach, a shorter kill distance, a shorter step or less curl helps.";
+
 fn read_strictly(text: &str) -> Result<Recipe, JsValue> {
     link::read(text).map_err(|error| coded("bad-params", &error.to_string()))
 }
 
 fn session_error(error: &SessionError) -> JsValue {
-    coded("too-large", &error.to_string())
+    let code = match error {
+        SessionError::Grow(_) => "too-large",
+        SessionError::Paint(_) => "bad-params",
+    };
+    coded(code, &error.to_string())
 }
 
 /// A JavaScript Error that code can tell by its `code` and a person by its message.

@@ -58,6 +58,25 @@ fn network_has_columns_of_one_length_and_parents_first() {
 }
 
 #[test]
+fn attractors_are_counted_and_asked_for_at_once() {
+    let network = network("both.json", &["--attractors", "250", "--attractors"]);
+    assert_eq!(network["attractors"]["x"].as_array().unwrap().len(), 250);
+}
+
+#[test]
+fn an_older_file_survives_a_failure_and_nothing_is_left_beside_it() {
+    let folder = scratch("older");
+    fs::create_dir_all(&folder).unwrap();
+    let out = folder.join("kept.png");
+    fs::write(&out, "older").unwrap();
+    assert_eq!(refusal(&["render", "curl=9", "-o", out.to_str().unwrap()]).0, 2);
+    assert_eq!(fs::read_to_string(&out).unwrap(), "older");
+    assert!(riverseed(&["render", "attractors=100", "-o", out.to_str().unwrap()]).status.success());
+    let names: Vec<_> = fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().file_name()).collect();
+    assert_eq!(names, ["kept.png"]);
+}
+
+#[test]
 fn network_is_a_recipe_of_itself() {
     let first = network("first.json", &["seed=rimu&attractors=300&curl=0.6"]);
     let again = network("again.json", &["--recipe", scratch("first.json").to_str().unwrap()]);
@@ -100,9 +119,12 @@ fn what_is_wrong_is_named_and_nothing_is_written() {
         refusal(&["render", "--trim", "-1", "-o", out]),
         (2, "riverseed: trim: -1 is not between 0 and 60\n".into())
     );
+    assert_eq!(refusal(&["render", "--attractors", "-o", out]).0, 2);
+    assert_eq!(refusal(&["render", "--size", "300", "-o", "x.json"]).0, 2);
     assert_eq!(refusal(&["render", "-o", "x.gif"]).0, 2);
     assert_eq!(refusal(&["render", "--size", "9000", "-o", out]).0, 2);
     assert_eq!(refusal(&["render", "--recipe", "no-such-file.json", "-o", out]).0, 1);
+    assert_eq!(refusal(&["render", "curl=1", "--curl", "1", "--curl", "1", "-o", out]).0, 2);
     assert_eq!(refusal(&["render", "--attractors", "100", "-o", "no/such/folder/x.png"]).0, 1);
     assert!(!fs::exists(out).unwrap());
 }

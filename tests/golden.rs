@@ -36,7 +36,7 @@ const PICTURES: &[(&str, &str)] = &[
     ("straight", "reach=12&attractors=1500"),
     ("coarse", "attractors=100&seed=few"),
     ("fine", "attractors=20000&width=8&kill=0.8"),
-    ("wild", "curl=2&momentum=0.9&stretch=1&attractors=1200"),
+    ("wild", "curl=1.6&momentum=0.3&stretch=3&attractors=1200"),
     ("spirals", "curl=2&stretch=64&attractors=1200&step=0.3"),
     ("macron", "seed=w%C4%81nanga&attractors=1000"),
 ];
@@ -45,6 +45,7 @@ fn picture(recipe: Recipe, width: u32) -> Pixmap {
     let height = View::height_for(&Domain::with_aspect(recipe.number(Key::Aspect)), width);
     let mut session = Session::new(recipe, width, height).unwrap();
     while session.advance(u32::MAX) {}
+    assert!(!session.summary().is_stalled(), "{:?} grows next to nothing", session.recipe());
     session.paint();
     session.pixmap().clone()
 }
@@ -119,6 +120,11 @@ fn every_golden_picture_is_still_drawn() {
 fn readme_s_picture_is_what_its_link_draws() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("www/public/river.png");
     let (expected, carried) = read(&path);
+    if std::env::var_os("RIVERSEED_REFRESH").is_some() {
+        let picture = picture(link::read(&carried).unwrap(), 1000);
+        write(File::create(&path).unwrap(), &picture, &carried).unwrap();
+        panic!("the README's picture is drawn anew: look at it, then run without RIVERSEED_REFRESH");
+    }
     let readme = include_str!("../README.md");
     assert!(readme.contains(&carried), "the README does not name the picture's link, {carried}");
     let drawn = rgb(&picture(link::read(&carried).unwrap(), 1000));

@@ -5,7 +5,7 @@ mod common;
 
 use common::{random_link, twin};
 use proptest::prelude::*;
-use riverseed::grow::{Colonize, Ending, Parameters};
+use riverseed::grow::{Colonize, Ending, Parameters, scatter};
 use riverseed::recipe::{link, preset::PRESETS};
 use riverseed::tree::Tree;
 
@@ -36,22 +36,62 @@ fn every_variant_equals_the_brute_force_twin_over_20_seeds() {
 }
 
 #[test]
-fn a_mouth_that_nothing_reaches_runs_inland_first() {
-    // So few attractors and so short a reach that some mouths see none.
-    let link = "seed=bay&attractors=100&mouths=64&sides=nesw&reach=2.1&aspect=4";
-    assert_equals_twin(link);
-    let tree_has_pilot = (0..40).any(|seed| {
-        let growth = grown(&format!("seed={seed}&attractors=100&mouths=64&sides=nesw&reach=2.1"));
-        let tree = growth.tree();
-        let first_tick = tree.tick_starts[1] as usize..tree.tick_starts[2] as usize;
-        first_tick.len() == 1
-    });
-    assert!(tree_has_pilot, "no seed of forty has a mouth out of reach: the test tests nothing");
+fn a_river_that_nothing_reaches_runs_straight_inland() {
+    let mut pilots = 0;
+    for seed in 0..60 {
+        // So few attractors, so short a reach and so many mouths that some see none.
+        let link = format!("seed={seed}&attractors=100&mouths=64&sides=nesw&reach=2.1&step=0.2&curl=1");
+        assert_equals_twin(&link);
+        let growth = grown(&link);
+        let (parameters, tree) = (growth.parameters(), growth.tree());
+        let attractors = scatter(parameters);
+        let is_reached = |at| attractors.iter().any(|&a| a.distance(at) < parameters.reach * 0.999);
+        let children_of = |node: usize| tree.parent.iter().filter(move |&&parent| parent == node as u32).count();
+        // The end of a stem has all of its ancestors at tick 0 and no child there.
+        for node in 0..tree.tick_starts[1] as usize {
+            let is_end = node + 1 == tree.tick_starts[1] as usize || tree.parent_of(node + 1) != Some(node);
+            if is_end && !is_reached(tree.at[node]) {
+                pilots += 1;
+                assert_eq!(children_of(node), 1, "node {node} of {link}");
+            }
+        }
+    }
+    assert!(pilots > 0, "all mouths are within reach: the test tests nothing");
+}
+
+#[test]
+fn a_river_that_runs_through_the_land_unreached_stops_no_other() {
+    for seed in [8311, 59489, 107513, 123817] {
+        let link = format!("seed={seed}&attractors=100&mouths=64&sides=ns&reach=2.1&aspect=4");
+        assert_equals_twin(&link);
+        assert!(grown(&link).unreached() < 50, "{link}");
+    }
+}
+
+#[test]
+fn growth_stops_before_its_limit_of_nodes() {
+    let growth = Colonize::new(Parameters::of(&link::read("attractors=1000").unwrap())).unwrap();
+    let mut growth = growth.with_node_limit(300);
+    while growth.tick() {}
+    assert_eq!(growth.ending(), Some(Ending::NodeLimit));
+    assert!((200..=300).contains(&growth.tree().len()));
+    let drained: u32 = growth.tree().drained.iter().sum();
+    assert!(drained >= 1000 - growth.unreached());
+}
+
+#[test]
+fn no_preset_and_no_default_runs_dry() {
+    for preset in PRESETS.iter().map(|preset| format!("preset={}", preset.name)).chain(["".into()]) {
+        for (seed, mouths) in (0..150).flat_map(|seed| [(seed, 1), (seed, 3)]) {
+            let link = format!("{preset}&seed=w{seed}&mouths={mouths}&attractors=3000");
+            assert!(grown(&link).unreached() < 300, "{link} leaves {} of 3000 unreached", grown(&link).unreached());
+        }
+    }
 }
 
 #[test]
 fn one_attractor_more_leaves_the_others_where_they_are() {
-    let places = |n: u32| riverseed::grow::scatter(&Parameters::of(&link::read(&format!("attractors={n}")).unwrap()));
+    let places = |n: u32| scatter(&Parameters::of(&link::read(&format!("attractors={n}")).unwrap()));
     assert_eq!(places(500), places(501)[..500]);
 }
 
@@ -59,7 +99,7 @@ fn one_attractor_more_leaves_the_others_where_they_are() {
 fn a_grid_has_one_attractor_in_every_cell_of_its_row() {
     for n in [100u32, 101, 997] {
         let parameters = Parameters::of(&link::read(&format!("attractors={n}&scatter=grid")).unwrap());
-        let places = riverseed::grow::scatter(&parameters);
+        let places = scatter(&parameters);
         assert_eq!(places.len(), n as usize);
         let rows = (parameters.domain.size.y / parameters.spacing).round();
         let row_of = |y: f32| (y / parameters.domain.size.y * rows) as usize;

@@ -47,6 +47,52 @@ proptest! {
     }
 }
 
+/// Text that looks like a JSON recipe, nearly.
+fn mangled_json() -> impl Strategy<Value = String> {
+    let names: Vec<&str> =
+        TABLE.iter().map(|parameter| parameter.name).chain(["preset", "recipe", "nodes", "x"]).collect();
+    let words = [
+        r#""ink""#,
+        r#""kauri""#,
+        "1",
+        "-1",
+        "0.5",
+        "1e400",
+        "1e-9",
+        "null",
+        "true",
+        "[]",
+        "{}",
+        r#"{"curl":1}"#,
+        r#""\ud800""#,
+        "",
+    ];
+    let member = (proptest::sample::select(names), proptest::sample::select(words.to_vec()));
+    let members = proptest::collection::vec(member, 0..5).prop_map(|members| {
+        members.iter().map(|(name, value)| format!("\"{name}\":{value}")).collect::<Vec<_>>().join(",")
+    });
+    (members, 0usize..3, 0usize..60).prop_map(|(members, nest, cut)| {
+        let nested = (0..nest).fold(format!("{{{members}}}"), |json, _| format!("{{\"recipe\":{json}}}"));
+        let kept = nested.len() - cut.saturating_sub(50).min(nested.len());
+        nested.chars().take(kept).collect()
+    })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(20_000))]
+
+    #[test]
+    fn any_json_is_refused_by_name_or_read_into_range(text in mangled_json()) {
+        match json::read(&text) {
+            Ok(recipe) => {
+                assert_in_range(&recipe);
+                prop_assert_eq!(json::read(&json::to_json(&recipe).to_string()), Ok(recipe));
+            }
+            Err(error) => prop_assert!(!error.to_string().is_empty()),
+        }
+    }
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(5_000))]
 

@@ -3,12 +3,12 @@
 //! Exit codes: 0 done, 1 the work failed, 2 the call or the recipe is wrong.
 
 use std::fs::{self, File};
-use std::io::{self, BufWriter, Write};
+use std::io::{self, BufWriter, Read, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use clap::builder::NonEmptyStringValueParser;
-use clap::{Arg, ArgMatches, Command, crate_version, value_parser};
+use clap::parser::ValueSource;
+use clap::{Arg, ArgAction, ArgMatches, Command, crate_version, value_parser};
 use indicatif::{ProgressBar, ProgressStyle};
 use riverseed::domain::Domain;
 use riverseed::export;
@@ -42,6 +42,8 @@ enum Failure {
     Session(#[from] SessionError),
     #[error("{}: the ending of the output is none of .png, .json", path.display())]
     Ending { path: PathBuf },
+    #[error("{option} does not go with {ending}")]
+    Mismatch { option: &'static str, ending: &'static str },
     #[error("{}: {error}", path.display())]
     File { path: PathBuf, error: io::Error },
     #[error(transparent)]
@@ -51,7 +53,7 @@ enum Failure {
 impl Failure {
     fn exit_code(&self) -> ExitCode {
         match self {
-            Self::Recipe(_) | Self::Ending { .. } => ExitCode::from(2),
+            Self::Recipe(_) | Self::Ending { .. } | Self::Mismatch { .. } => ExitCode::from(2),
             Self::Session(_) | Self::File { .. } | Self::Output(_) => ExitCode::FAILURE,
         }
     }
@@ -102,7 +104,8 @@ fn command() -> Command {
         .subcommand(Command::new("table").about("Prints the parameter table as Markdown"))
 }
 
-/// The option of a parameter. `--attractors` alone asks for the attractors in JSON; with a number it sets how many.
+/// The option of a parameter. `--attractors` alone asks for the attractors in JSON; with a number it sets how many. Both
+/// may be given.
 fn option(parameter: &'static Parameter) -> Arg {
     let option = Arg::new(parameter.name)
         .long(parameter.name)
@@ -112,9 +115,9 @@ fn option(parameter: &'static Parameter) -> Arg {
     match parameter.key {
         Key::Attractors => option
             .num_args(0..=1)
+            .action(ArgAction::Append)
             .allow_hyphen_values(false)
             .value_name("N")
-            .value_parser(NonEmptyStringValueParser::new())
             .help(format!("{} Without a number: write them to JSON.", parameter.help)),
         _ => option.value_name("VALUE"),
     }
@@ -125,32 +128,52 @@ fn render(matches: &ArgMatches) -> Result<(), Failure> {
     let ending = output.extension().and_then(|ending| ending.to_str()).map(str::to_ascii_lowercase);
     let recipe = recipe(matches)?;
     let size = matches.get_one("size").copied().unwrap_or(LONGEST_SIDE);
+    let wants_attractors = matches
+        .get_occurrences::<String>("attractors")
+        .is_some_and(|mut occurrences| occurrences.any(|values| values.len() == 0));
     match ending.as_deref() {
-        Some("png") => write_file(output, |out| {
-            let mut session = grow(recipe, size)?;
-            session.paint();
-            export::png::write(out, session.pixmap(), &link::write(session.recipe())).map_err(io::Error::from)?;
-            Ok(())
-        }),
-        Some("json") => write_file(output, |mut out| {
-            let with_attractors =
-                matches.contains_id("attractors") && matches.get_one::<String>("attractors").is_none();
-            export::json::write(&mut out, &grow(recipe, 1)?, with_attractors).map_err(io::Error::from)?;
-            writeln!(out)?;
-            Ok(())
-        }),
+        Some("png") if wants_attractors => {
+            Err(Failure::Mismatch { option: "--attractors without a number", ending: ".png" })
+        }
+        Some("json") if matches.value_source("size") == Some(ValueSource::CommandLine) => {
+            Err(Failure::Mismatch { option: "--size", ending: ".json" })
+        }
+        Some("png") => write_file(output, |out| write_png(out, recipe, size)),
+        Some("json") => write_file(output, |out| write_json(out, recipe, wants_attractors)),
         _ => Err(Failure::Ending { path: output.clone() }),
     }
 }
 
-/// Writes a file under a passing name and puts it in its place when it is whole: a failure loses no older file.
+fn write_png(out: &mut dyn Write, recipe: Recipe, size: u32) -> Result<(), Failure> {
+    let progress = progress(&recipe, size);
+    let mut session = grow(recipe, size, &progress)?;
+    progress.set_message("painting");
+    session.paint();
+    progress.set_message("writing");
+    export::png::write(out, session.pixmap(), &link::write(session.recipe())).map_err(io::Error::from)?;
+    progress.finish_and_clear();
+    Ok(())
+}
+
+fn write_json(out: &mut dyn Write, recipe: Recipe, with_attractors: bool) -> Result<(), Failure> {
+    let progress = progress(&recipe, 1);
+    let session = grow(recipe, 1, &progress)?;
+    progress.set_message("writing");
+    export::json::write(&mut *out, &session, with_attractors).map_err(io::Error::from)?;
+    writeln!(out)?;
+    progress.finish_and_clear();
+    Ok(())
+}
+
+/// Writes a file under a passing name of its own and puts it in its place when it is whole: a failure loses no older
+/// file.
 fn write_file(path: &Path, write: impl FnOnce(&mut dyn Write) -> Result<(), Failure>) -> Result<(), Failure> {
-    let mut passing = path.as_os_str().to_owned();
-    passing.push(".part");
-    let passing = PathBuf::from(passing);
-    let mut out = BufWriter::new(File::create(&passing).map_err(Failure::file(&passing))?);
+    let mut name = path.file_name().unwrap_or_default().to_owned();
+    name.push(format!(".{}.part", std::process::id()));
+    let passing = path.with_file_name(name);
+    let mut out = BufWriter::new(File::create_new(&passing).map_err(Failure::file(path))?);
     let written = write(&mut out)
-        .and_then(|()| out.flush().map_err(Failure::file(&passing)))
+        .and_then(|()| out.flush().map_err(Failure::file(path)))
         .and_then(|()| fs::rename(&passing, path).map_err(Failure::file(path)));
     if written.is_err() {
         // The first failure is the one to tell of.
@@ -169,11 +192,14 @@ fn recipe(matches: &ArgMatches) -> Result<Recipe, Failure> {
         part("link", link::pairs(text)?);
     }
     if let Some(path) = matches.get_one::<PathBuf>("recipe") {
-        let text = fs::read_to_string(path).map_err(Failure::file(path))?;
-        part("recipe", json::pairs(&text)?);
+        part("recipe", json::pairs(&read_recipe(path)?)?);
     }
     for name in TABLE.iter().map(|parameter| parameter.name).chain([link::PRESET]) {
-        if let Some(value) = matches.get_one::<String>(name) {
+        let values: Vec<&String> = matches.get_many(name).into_iter().flatten().collect();
+        if values.len() > 1 {
+            return Err(RecipeError::Duplicate { key: name.into() }.into());
+        }
+        if let [value] = values[..] {
             part(name, vec![(name.into(), value.clone())]);
         }
     }
@@ -183,33 +209,43 @@ fn recipe(matches: &ArgMatches) -> Result<Recipe, Failure> {
     Ok(recipe)
 }
 
-/// Grows a recipe to its end, with a bar on the terminal if that takes long.
-fn grow(recipe: Recipe, size: u32) -> Result<Session, Failure> {
-    const LONG_WORK: u32 = 200_000;
+/// Reads a recipe's file, but not without end.
+fn read_recipe(path: &Path) -> Result<String, Failure> {
+    let mut text = String::new();
+    let file = File::open(path).map_err(Failure::file(path))?;
+    file.take(json::LONGEST as u64 + 1).read_to_string(&mut text).map_err(Failure::file(path))?;
+    Ok(text)
+}
+
+/// Grows a recipe to its end.
+fn grow(recipe: Recipe, size: u32, progress: &ProgressBar) -> Result<Session, Failure> {
     let domain = Domain::with_aspect(recipe.number(Key::Aspect));
     let height = View::height_for(&domain, size);
     let (width, height) = if height <= size { (size, height) } else { (View::width_for(&domain, size), size) };
     let mut session = Session::new(recipe, width, height)?;
     let attractors = session.growth().parameters().attractors;
-    let bar = if attractors < LONG_WORK { ProgressBar::hidden() } else { progress_bar(attractors) };
+    progress.set_message("growing");
     while session.advance(16) {
-        bar.set_position(u64::from(attractors - session.growth().unreached()));
+        progress.set_position(u64::from(attractors - session.growth().unreached()));
     }
-    bar.finish_and_clear();
     if session.summary().is_stalled() {
         let unreached = session.growth().unreached();
-        eprintln!(
-            "riverseed: growth died out, {unreached} of {attractors} attractors unreached; a longer reach or a shorter kill distance helps"
-        );
+        let advice = "a longer reach, a shorter kill distance, a shorter step or less curl helps";
+        eprintln!("riverseed: growth died out, {unreached} of {attractors} attractors unreached; {advice}");
     }
     Ok(session)
 }
 
-/// A bar on standard error; invisible where that is not a terminal.
-fn progress_bar(attractors: u32) -> ProgressBar {
-    let style =
-        ProgressStyle::with_template("growing {wide_bar} {percent}%").unwrap_or_else(|_| ProgressStyle::default_bar());
-    ProgressBar::new(u64::from(attractors)).with_style(style)
+/// A bar on standard error for long work; invisible where that is not a terminal.
+fn progress(recipe: &Recipe, size: u32) -> ProgressBar {
+    const LONG_GROWTH: u32 = 200_000;
+    const LONG_PAINTING: u32 = 4096;
+    let attractors = recipe.integer(Key::Attractors);
+    if attractors < LONG_GROWTH && size < LONG_PAINTING {
+        return ProgressBar::hidden();
+    }
+    let style = ProgressStyle::with_template("{msg} {wide_bar} {percent}%");
+    ProgressBar::new(u64::from(attractors)).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
 }
 
 fn print_table() -> Result<(), Failure> {

@@ -16,7 +16,7 @@ pub fn write(out: impl Write, pixmap: &Pixmap, link: &str) -> Result<(), Encodin
     let mut encoder = Encoder::new(out, pixmap.width(), pixmap.height());
     encoder.set_color(ColorType::Rgb);
     encoder.set_depth(BitDepth::Eight);
-    encoder.set_compression(Compression::High);
+    encoder.set_compression(Compression::Balanced);
     encoder.add_text_chunk(LINK_KEYWORD.into(), link.into())?;
     let rgb: Vec<u8> = pixmap.data().chunks_exact(4).flat_map(|rgba| rgba[..3].iter().copied()).collect();
     encoder.write_header()?.write_image_data(&rgb)

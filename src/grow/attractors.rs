@@ -48,6 +48,10 @@ fn grid_rows(parameters: &Parameters) -> u32 {
     rows.clamp(1, parameters.attractors)
 }
 
+/// Distances to cells are rounded, and so is the choice of an attractor's cell: looking a little farther makes sure that
+/// none is missed.
+const OVER_ROUNDING: f32 = 1.0001;
+
 /// Four attractors of one cell. Places without an attractor count as used up.
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(64))]
@@ -63,6 +67,14 @@ struct Block {
 impl Block {
     fn empty() -> Self {
         Self { x: f32x4::ZERO, y: f32x4::ZERO, near: f32x4::splat(USED_UP), owner: [NO_NODE; 4] }
+    }
+
+    /// Owner, squared distance and place of the attractors that have an owner and are not used up.
+    fn owned(&self) -> impl Iterator<Item = (u32, f32, Vec2)> {
+        let (x, y, near) = (self.x.to_array(), self.y.to_array(), self.near.to_array());
+        let owner = self.owner;
+        let lanes = (0..4).filter(move |&lane| near[lane] != USED_UP && owner[lane] != NO_NODE);
+        lanes.map(move |lane| (owner[lane], near[lane], Vec2::new(x[lane], y[lane])))
     }
 }
 
@@ -158,7 +170,7 @@ impl Attractors {
             for column in columns.clone() {
                 let cell = (row * self.columns + column) as usize;
                 let gap_x = gap(at.x, column as f32 * self.cell, self.cell);
-                if gap_x * gap_x + gap_y * gap_y < self.farthest[cell] {
+                if gap_x * gap_x + gap_y * gap_y < self.farthest[cell] * OVER_ROUNDING {
                     self.capture_in_cell(cell, node, at, &sees, &mut tell);
                 }
             }
@@ -168,7 +180,8 @@ impl Attractors {
     /// The range of columns (or rows) that the reach around a coordinate touches.
     fn cells_within(&self, centre: f32, count: i32) -> std::ops::RangeInclusive<i32> {
         let index = |x: f32| ((x / self.cell) as i32).clamp(0, count - 1);
-        index(centre - self.reach)..=index(centre + self.reach)
+        let reach = self.reach * OVER_ROUNDING;
+        index(centre - reach)..=index(centre + reach)
     }
 
     #[inline]
@@ -237,10 +250,20 @@ impl Attractors {
         })
     }
 
-    /// The owners of all attractors that are not used up and have one.
-    pub fn remaining_owners(&self) -> impl Iterator<Item = u32> {
-        let lanes = self.blocks.iter().flat_map(|block| block.near.to_array().into_iter().zip(block.owner));
-        lanes.filter(|&(near, owner)| near != USED_UP && owner != NO_NODE).map(|(_, owner)| owner)
+    /// The owners and places of all attractors that have one and are not used up, in no order to rely on.
+    pub fn remaining(&self) -> impl Iterator<Item = (u32, Vec2)> + '_ {
+        self.blocks.iter().flat_map(Block::owned).map(|(owner, _, at)| (owner, at))
+    }
+
+    /// Each owner's nearest attractor, owners ascending; of equally near ones the western, then the northern.
+    pub fn nearest_by_owner(&self) -> Vec<(u32, Vec2)> {
+        let mut nearest: Vec<(u32, f32, Vec2)> = self.blocks.iter().flat_map(Block::owned).collect();
+        nearest.sort_unstable_by(|(owner, near, at), (other_owner, other_near, other)| {
+            let by_distance = owner.cmp(other_owner).then(near.total_cmp(other_near));
+            by_distance.then(at.x.total_cmp(&other.x)).then(at.y.total_cmp(&other.y))
+        });
+        nearest.dedup_by_key(|(owner, ..)| *owner);
+        nearest.into_iter().map(|(owner, _, at)| (owner, at)).collect()
     }
 }
 

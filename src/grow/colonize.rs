@@ -2,7 +2,9 @@
 //!
 //! Read literally, the procedure never ends: a node between balanced pulls makes the same child for ever. The rule
 //! that ends it: a node tries to grow only when its set of attractors has changed since it last tried. Sets of old
-//! nodes only shrink, so every node falls silent, and the few attractors that stay unreached are counted.
+//! nodes only shrink, so every node falls silent. Once all are, those that still have attractors reach out for the
+//! nearest of them; when not even that makes a node, growth is over, and attractors that stay unreached are counted.
+//! (Unless most are: then a gap among the first attractors has cut the river off, and its last node runs straight on.)
 
 use std::collections::TryReserveError;
 
@@ -10,7 +12,8 @@ use glam::Vec2;
 
 use super::attractors::{Attractors, NO_NODE};
 use super::changed::Changed;
-use super::{GrowError, Mouth, Parameters, Pull, heading, is_twin, mouths};
+use super::heading::{heading, is_twin};
+use super::{GrowError, Mouth, Parameters, Pull, mouths};
 use crate::tree::{NO_PARENT, Tree};
 
 /// How growth came to its end.
@@ -18,8 +21,10 @@ use crate::tree::{NO_PARENT, Tree};
 pub enum Ending {
     /// No node could grow any more, as the paper intends.
     Complete,
-    /// The tree reached [`Colonize::node_limit`].
+    /// The tree reached its limit of nodes.
     NodeLimit,
+    /// The memory for more nodes was not to be had.
+    OutOfMemory,
 }
 
 /// Growth in progress.
@@ -35,11 +40,17 @@ pub struct Colonize {
     trying: Vec<u32>,
     /// Attractors that a river has come near enough to use up, not yet used up.
     doomed: Vec<u32>,
-    /// The inland ends of mouths that no attractor has reached yet.
+    /// Rivers that no attractor has reached yet.
     pilots: Vec<Pilot>,
     unreached: u32,
+    node_limit: usize,
     ending: Option<Ending>,
 }
+
+/// Memory is bounded by the recipe: so many nodes an attractor, and some. Ordinary trees have one or two; the wildest
+/// that the ranges allow were found to have seven and a half.
+const MOST_NODES_PER_ATTRACTOR: usize = 10;
+const MOST_NODES_BESIDES: usize = 10_000;
 
 /// What growth, and nothing after it, has to know of each node.
 #[derive(Clone, Debug, Default)]
@@ -75,19 +86,28 @@ impl Colonize {
             trying: Vec::new(),
             doomed: Vec::new(),
             pilots: Vec::new(),
+            node_limit: MOST_NODES_PER_ATTRACTOR * parameters.attractors as usize + MOST_NODES_BESIDES,
             ending: None,
             parameters,
         };
-        this.reserve().map_err(|_| GrowError::out_of_memory(&this.parameters))?;
+        // A usual tree's memory at once, so that no frame waits for a long array to move.
+        this.reserve(this.usual_nodes()).map_err(|_| GrowError::out_of_memory(&this.parameters))?;
         this.tree.tick_starts.push(0);
-        for Mouth { at, inland } in mouths(&this.parameters) {
-            let tip = this.add(at, NO_PARENT);
-            if !this.attractors.any_within_reach(at) {
-                this.pilots.push(Pilot { tip, inland });
-            }
+        for mouth in mouths(&this.parameters) {
+            this.plant(mouth);
         }
         this.capture_from(0);
         Ok(this)
+    }
+
+    /// Plants a mouth and its stem, the start nodes of the paper: about a spacing straight inland, so that no river
+    /// leaves along the coast.
+    fn plant(&mut self, Mouth { at, inland }: Mouth) {
+        let mut pilot = Pilot { tip: self.add(at, NO_PARENT), inland };
+        for _ in 0..stem_nodes(&self.parameters) {
+            pilot.tip = self.extend(pilot).unwrap_or(pilot.tip);
+        }
+        self.pilots.push(pilot);
     }
 
     /// Grows by one tick, everywhere at once. Returns whether anything grew; if not, growth is over.
@@ -97,16 +117,17 @@ impl Colonize {
         }
         let born_from = self.tree.len();
         self.tree.tick_starts.push(born_from as u32);
-        if self.pilots.is_empty() {
-            self.grow();
-            self.capture_from(born_from);
-            self.use_up();
-        } else {
-            self.extend_pilots();
-            self.capture_from(born_from);
+        self.extend_pilots();
+        self.grow();
+        if self.tree.len() == born_from && self.ending.is_none() {
+            self.reach_out();
         }
-        let grew = self.tree.len() > born_from;
-        if !grew && self.pilots.is_empty() {
+        if self.tree.len() == born_from && self.is_dry() {
+            self.run_on();
+        }
+        self.capture_from(born_from);
+        self.use_up();
+        if self.tree.len() == born_from {
             self.tree.tick_starts.pop();
             self.finish();
         }
@@ -117,8 +138,10 @@ impl Colonize {
     fn grow(&mut self) {
         let mut trying = std::mem::take(&mut self.trying);
         self.changed.drain_into(&mut trying);
-        if self.tree.len() + trying.len() > self.node_limit() {
+        if self.tree.len() + trying.len() > self.node_limit {
             self.ending = Some(Ending::NodeLimit);
+        } else if self.reserve(trying.len()).is_err() {
+            self.ending = Some(Ending::OutOfMemory);
         } else {
             let tick = self.tree.tick_starts.len() as u32 - 1;
             trying.iter().for_each(|&node| self.try_to_grow(node, tick));
@@ -131,9 +154,28 @@ impl Colonize {
         let Some(pull) = self.shoots.pull[index].direction() else { return };
         let at = self.tree.at[index];
         let came_from = self.tree.parent_of(index).map(|parent| self.tree.at[parent]);
-        let child = heading(&self.parameters, at, came_from, pull, self.shoots.from_mouth[index], tick);
-        if self.parameters.allows(at, child) && !self.has_twin(index, child) {
+        let bent = heading(&self.parameters, at, came_from, pull, self.shoots.from_mouth[index], tick);
+        // A bend that would leave the land is not made: a river beside the coast must not fall silent for it.
+        let straight = at + pull * self.parameters.step;
+        let child = [bent, straight].into_iter().find(|&child| self.parameters.allows(at, child));
+        if let Some(child) = child
+            && !self.has_twin(index, child)
+        {
             self.add(child, node);
+        }
+    }
+
+    /// When nothing else grows: nodes that still have attractors, but balanced ones, or ones that no bend led to, grow
+    /// straight toward the nearest. Without this a map could run dry at its first few nodes.
+    fn reach_out(&mut self) {
+        for (node, attractor) in self.attractors.nearest_by_owner() {
+            let at = self.tree.at[node as usize];
+            if let Some(pull) = Pull::toward(at, attractor).direction() {
+                let child = at + pull * self.parameters.step;
+                if self.parameters.allows(at, child) && !self.has_twin(node as usize, child) {
+                    self.add(child, node);
+                }
+            }
         }
     }
 
@@ -201,24 +243,45 @@ impl Colonize {
         }
     }
 
-    /// Before anything else grows: rivers that nothing reaches run straight inland until something does.
+    /// Rivers that nothing reaches run straight inland until something does, or the land ends.
     fn extend_pilots(&mut self) {
-        for Pilot { tip, inland } in std::mem::take(&mut self.pilots) {
-            let from = self.tree.at[tip as usize];
-            let at = from + inland * self.parameters.step;
-            if self.parameters.allows(from, at) {
-                let tip = self.add(at, tip);
-                if !self.attractors.any_within_reach(at) {
-                    self.pilots.push(Pilot { tip, inland });
-                }
+        for pilot in std::mem::take(&mut self.pilots) {
+            if !self.attractors.any_within_reach(self.tree.at[pilot.tip as usize])
+                && let Some(tip) = self.extend(pilot)
+            {
+                self.pilots.push(Pilot { tip, ..pilot });
             }
         }
+    }
+
+    /// Whether most attractors are left.
+    fn is_dry(&self) -> bool {
+        self.ending.is_none() && self.unreached > self.attractors.count() / 2
+    }
+
+    /// When a tree has died out among attractors that are all beyond its reach: its last node runs straight on, like a
+    /// root that nothing reaches.
+    fn run_on(&mut self) {
+        let Some(tip) = self.tree.len().checked_sub(1) else { return };
+        let Some(parent) = self.tree.parent_of(tip) else { return };
+        let onward = (self.tree.at[tip] - self.tree.at[parent]) / self.parameters.step;
+        let pilot = Pilot { tip: tip as u32, inland: onward };
+        if let Some(tip) = self.extend(pilot) {
+            self.pilots.push(Pilot { tip, ..pilot });
+        }
+    }
+
+    /// Adds a node straight inland; `None` where the land ends.
+    fn extend(&mut self, Pilot { tip, inland }: Pilot) -> Option<u32> {
+        let from = self.tree.at[tip as usize];
+        let at = from + inland * self.parameters.step;
+        self.parameters.allows(from, at).then(|| self.add(at, tip))
     }
 
     /// Attractors that pull to the end, but were never come near to, drain to their nearest node all the same.
     fn finish(&mut self) {
         self.ending.get_or_insert(Ending::Complete);
-        for owner in self.attractors.remaining_owners() {
+        for (owner, _) in self.attractors.remaining() {
             self.tree.drained[owner as usize] += 1;
         }
     }
@@ -245,22 +308,21 @@ impl Colonize {
         self.unreached
     }
 
-    /// Growth stops before the tree has more nodes than this, so that memory is bounded by the recipe. Ordinary trees
-    /// have one or two nodes an attractor; the wildest that the ranges allow were found to have seven.
-    pub fn node_limit(&self) -> usize {
-        8 * self.parameters.attractors as usize + 10_000
+    /// Stops growth before the tree has more nodes than this.
+    #[must_use]
+    pub fn with_node_limit(self, node_limit: usize) -> Self {
+        Self { node_limit, ..self }
     }
 
-    /// Asks for the memory of a usual tree at once, so that no frame waits for a long array to move.
-    fn reserve(&mut self) -> Result<(), TryReserveError> {
-        let usual = self.usual_nodes();
-        self.tree.at.try_reserve_exact(usual)?;
-        self.tree.parent.try_reserve_exact(usual)?;
-        self.tree.drained.try_reserve_exact(usual)?;
-        self.shoots.pull.try_reserve_exact(usual)?;
-        self.shoots.from_mouth.try_reserve_exact(usual)?;
-        self.shoots.youngest.try_reserve_exact(usual)?;
-        self.shoots.elder.try_reserve_exact(usual)
+    /// Asks for the memory of so many more nodes.
+    fn reserve(&mut self, nodes: usize) -> Result<(), TryReserveError> {
+        self.tree.at.try_reserve(nodes)?;
+        self.tree.parent.try_reserve(nodes)?;
+        self.tree.drained.try_reserve(nodes)?;
+        self.shoots.pull.try_reserve(nodes)?;
+        self.shoots.from_mouth.try_reserve(nodes)?;
+        self.shoots.youngest.try_reserve(nodes)?;
+        self.shoots.elder.try_reserve(nodes)
     }
 
     /// About how many nodes a tree has, rather too many: by trials over reach 2.4 to 10, kill 0.5 to 2 and step 0.2 to 1
@@ -270,4 +332,9 @@ impl Colonize {
         let (kill, step) = (kill / spacing, (step / spacing).sqrt());
         (0.65 * attractors as f32 / (kill.sqrt() * step * step.sqrt())) as usize
     }
+}
+
+/// How many nodes of a stem make about a spacing.
+pub fn stem_nodes(parameters: &Parameters) -> u32 {
+    ((parameters.spacing / parameters.step + 0.5) as u32).max(1)
 }

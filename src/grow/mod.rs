@@ -12,8 +12,7 @@ mod parameters;
 mod pull;
 
 pub use attractors::scatter;
-pub use colonize::{Colonize, Ending};
-pub use heading::{heading, is_twin};
+pub use colonize::{Colonize, Ending, stem_nodes};
 pub use mouths::{Mouth, mouths};
 pub use parameters::Parameters;
 pub use pull::Pull;

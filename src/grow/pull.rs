@@ -16,6 +16,9 @@ pub struct Pull {
 
 const UNIT: f32 = 262_144.0;
 
+/// A sum smaller than this is what rounding leaves of pulls that balance.
+const NOISE: u32 = 64;
+
 impl Pull {
     /// The pull of one attractor on a node; none if they coincide.
     #[inline]
@@ -46,7 +49,7 @@ impl Pull {
     /// The direction of the pull; `None` where the attractors balance, or there are none.
     #[inline]
     pub fn direction(self) -> Option<Vec2> {
-        if self == Self::default() {
+        if self.x.unsigned_abs().max(self.y.unsigned_abs()) < NOISE {
             return None;
         }
         let sum = Vec2::new(self.x as f32, self.y as f32);

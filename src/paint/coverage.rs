@@ -93,10 +93,9 @@ impl Coverage {
         Rect { left: 0, top: 0, right: self.mask.width(), bottom: self.mask.height() }
     }
 
-    /// Empties the mask.
+    /// Empties the mask. What was touched is for the caller to know.
     pub fn clear(&mut self) {
         self.mask.clear();
-        self.touch_all();
     }
 
     /// Draws a line from `a` to `b` with round ends, its radius running from `radius_a` to `radius_b`, in pixels.

@@ -19,7 +19,6 @@ mod view;
 pub use coverage::{Coverage, Rect};
 pub use painter::{Painter, Progress};
 pub use strokes::{Pen, Widths};
-pub use thin::thin;
 pub use view::{LONGEST_SIDE, PaintError, View};
 
 /// How a network is painted.

@@ -96,7 +96,7 @@ impl Painter {
             near_tip.iter().for_each(|&child| pen.draw(&mut self.coverage, tree, radii, child as usize));
         }
         self.is_finished = progress.finished;
-        if std::mem::take(&mut self.is_blank) {
+        if std::mem::take(&mut self.is_blank) || (progress.finished && progress.style == Style::Skeleton) {
             self.coverage.touch_all();
         }
         if self.ground.is_none() && progress.style == Style::Ink {
@@ -140,9 +140,13 @@ impl Painter {
                     .for_each(|&rect| ink::compose(&mut self.pixmap, &self.coverage, self.ground.as_deref(), rect));
                 Some(around)
             }
-            Style::Skeleton => {
-                skeleton::compose(&mut self.pixmap, &self.coverage);
+            Style::Skeleton if self.is_finished => {
+                skeleton::compose_thinned(&mut self.pixmap, &self.coverage);
                 Some(self.coverage.bounds())
+            }
+            Style::Skeleton => {
+                touched.iter().for_each(|&rect| skeleton::compose(&mut self.pixmap, &self.coverage, rect));
+                Some(around)
             }
         }
     }

@@ -1,18 +1,35 @@
 //! The skeleton: white lines, one pixel wide, on black, as the paper's user study showed its patterns (figure 6.1).
+//!
+//! Thinning at one place can depend on any other, so only the finished picture is thinned; before, the lines are shown
+//! as they were drawn, a pixel or two wide.
 
 use tiny_skia::Pixmap;
 
-use super::coverage::Coverage;
-use super::thin::thin;
+use super::coverage::{Coverage, Rect};
+use super::thin::{IS_SET, thin};
 
 /// The width that rivers are drawn with before they are thinned: enough that no line has a gap.
 pub(super) const WIDTH_PX: f32 = 1.5;
 
-/// Thins the mask and shows it. The whole picture at once: thinning at one place can depend on any other.
-pub(super) fn compose(pixmap: &mut Pixmap, coverage: &Coverage) {
+/// Shows a rectangle of the mask as it is.
+pub(super) fn compose(pixmap: &mut Pixmap, coverage: &Coverage, rect: Rect) {
+    let width = pixmap.width() as usize;
+    for row in rect.top as usize..rect.bottom as usize {
+        let (start, end) = (row * width + rect.left as usize, row * width + rect.right as usize);
+        show(&mut pixmap.data_mut()[start * 4..end * 4], &coverage.mask().data()[start..end]);
+    }
+}
+
+/// Shows the whole mask, thinned.
+pub(super) fn compose_thinned(pixmap: &mut Pixmap, coverage: &Coverage) {
     let mut mask = coverage.mask().data().to_vec();
     thin(&mut mask, coverage.mask().width() as usize);
-    for (pixel, &mask) in pixmap.data_mut().chunks_exact_mut(4).zip(&mask) {
-        pixel.copy_from_slice(&[mask, mask, mask, 255]);
+    show(pixmap.data_mut(), &mask);
+}
+
+fn show(pixels: &mut [u8], mask: &[u8]) {
+    for (pixel, &mask) in pixels.chunks_exact_mut(4).zip(mask) {
+        let white = if mask >= IS_SET { 255 } else { 0 };
+        pixel.copy_from_slice(&[white, white, white, 255]);
     }
 }

@@ -26,9 +26,9 @@ pub enum Widths {
 /// Radii are whole sixteenths of a pixel: a river is drawn again when its width has changed by one, not before.
 const SIXTEENTHS: f32 = 16.0;
 
-/// The width of the smallest stream, in domain units and in pixels: thin, but not too thin to be seen.
-const HAIRLINE: f32 = 0.9;
-const HAIRLINE_PX: f32 = 0.45;
+/// The least width of a stream, in domain units and in pixels: thin, but not too thin to be seen.
+const HAIRLINE: f32 = 0.6;
+const HAIRLINE_PX: f32 = 0.4;
 
 /// How many nodes a river takes to come from nothing to its width at its source.
 pub(super) const TAPER_NODES: u32 = 5;
@@ -48,18 +48,18 @@ impl Pen {
 
     /// A node's radius in sixteenths of a pixel, at least 1.
     ///
-    /// Width is the square root of discharge, so squared widths add where rivers join. It never falls while a tree
-    /// grows, as depth and discharge do not.
+    /// Width is the square root of discharge, so squared widths add where rivers join, all but the thinnest, which have
+    /// the width of a hairline. It never falls while a tree grows, as depth and discharge do not.
     #[inline]
     pub fn radius(&self, depth: u32, discharge: u32) -> u16 {
         let radius_px = match self.widths {
             Widths::Even { width_px } => width_px / 2.0,
             Widths::ByDischarge { full, everything } => {
-                let share = discharge as f32 / everything as f32;
                 let hairline = HAIRLINE * self.view.scale + HAIRLINE_PX;
-                let full = full * self.view.scale;
+                let share = discharge as f32 / everything as f32;
+                let width = (full * self.view.scale * share.sqrt()).max(hairline);
                 let taper = (depth + 1).min(TAPER_NODES) as f32 / TAPER_NODES as f32;
-                (hairline * hairline * taper + full * full * share * taper).sqrt() / 2.0
+                width * taper.sqrt() / 2.0
             }
         };
         ((radius_px * SIXTEENTHS) as u16).max(1)
@@ -105,5 +105,32 @@ fn parabola(coverage: &mut Coverage, start: Vertex, bend: Vertex, end: Vertex) {
         let to = point(piece as f32 / pieces as f32);
         coverage.capsule(from.0, from.1, to.0, to.1);
         from = to;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::domain::Domain;
+
+    #[test]
+    fn squared_widths_add_where_rivers_join() {
+        let view = View::new(&Domain::with_aspect(1.0), 4000, 4000).unwrap();
+        let pen = Pen::new(view, Widths::ByDischarge { full: 20.0, everything: 10_000 });
+        let width = |discharge| f32::from(pen.radius(100, discharge));
+        for (a, b) in [(2000, 3000), (500, 500), (100, 9000)] {
+            let (arms, trunk) = (width(a) * width(a) + width(b) * width(b), width(a + b) * width(a + b));
+            assert!((arms / trunk - 1.0).abs() < 0.01, "{a} and {b}: {arms} is not {trunk}");
+        }
+    }
+
+    #[test]
+    fn width_never_falls_with_depth_or_discharge() {
+        let view = View::new(&Domain::with_aspect(1.0), 500, 500).unwrap();
+        let pen = Pen::new(view, Widths::ByDischarge { full: 20.0, everything: 10_000 });
+        for (depth, discharge) in (0..9).flat_map(|depth| (0..200).map(move |i| (depth, i * 50))) {
+            let here = pen.radius(depth, discharge);
+            assert!(pen.radius(depth + 1, discharge) >= here && pen.radius(depth, discharge + 50) >= here);
+        }
     }
 }

@@ -90,8 +90,8 @@ pub enum RecipeError {
         /// The edition that can be drawn.
         known: u32,
     },
-    /// JSON that is not an object of names and values.
-    #[error("the recipe is not valid JSON: {reason}")]
+    /// Text that is not JSON, or JSON that is neither a recipe nor a network.
+    #[error("the recipe cannot be read: {reason}")]
     Json {
         /// What the JSON reader says, with line and column.
         reason: String,

@@ -1,8 +1,8 @@
 //! The JSON form of a recipe: an object of keys and values, numbers as numbers, everything else as text.
 //!
-//! A whole network's JSON is read too: its member `recipe` is the recipe.
+//! A whole network's JSON is read too: its first member, `recipe`, is the recipe.
 
-use serde::de::{Deserialize, Deserializer, MapAccess, Visitor};
+use serde::de::{Deserialize, Deserializer, Error, IgnoredAny, MapAccess, Visitor};
 use serde_json::Value as Json;
 
 use super::Recipe;
@@ -72,6 +72,33 @@ impl<'de> Deserialize<'de> for Members {
 
 struct MembersVisitor;
 
+/// Members that hold no further recipe.
+struct Plain(Vec<(String, Json)>);
+
+impl<'de> Deserialize<'de> for Plain {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_map(PlainVisitor)
+    }
+}
+
+struct PlainVisitor;
+
+impl<'de> Visitor<'de> for PlainVisitor {
+    type Value = Plain;
+
+    fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str("an object of keys and values")
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Plain, A::Error> {
+        let mut members = Vec::new();
+        while let Some(member) = map.next_entry()? {
+            members.push(member);
+        }
+        Ok(Plain(members))
+    }
+}
+
 impl<'de> Visitor<'de> for MembersVisitor {
     type Value = Members;
 
@@ -82,16 +109,36 @@ impl<'de> Visitor<'de> for MembersVisitor {
     fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Members, A::Error> {
         let mut members = Vec::new();
         while let Some(key) = map.next_key::<String>()? {
-            if key == "recipe" {
-                // The rest of a network's JSON is passed over.
-                members = map.next_value::<Members>()?.0;
-                while map.next_entry::<serde::de::IgnoredAny, serde::de::IgnoredAny>()?.is_some() {}
+            if key == NETWORK[0] && members.is_empty() {
+                members = map.next_value::<Plain>()?.0;
+                pass_over_network(map)?;
                 break;
             }
-            members.push((key, map.next_value::<Json>()?));
+            members.push((key, map.next_value()?));
         }
         Ok(Members(members))
     }
+}
+
+/// The members of a network's JSON: the recipe first, then what this reader has no use for.
+const NETWORK: [&str; 6] = ["recipe", "resolved", "domain", "growth", "nodes", "attractors"];
+
+fn pass_over_network<'de, A: MapAccess<'de>>(mut map: A) -> Result<(), A::Error> {
+    let mut seen = vec![String::from(NETWORK[0])];
+    while let Some(key) = map.next_key::<String>()? {
+        if !NETWORK.contains(&key.as_str()) {
+            return Err(A::Error::custom(format_args!(
+                "'{}' does not belong into a network",
+                super::error::shown(&key)
+            )));
+        }
+        if seen.contains(&key) {
+            return Err(A::Error::custom(format_args!("'{key}' is given more than once")));
+        }
+        map.next_value::<IgnoredAny>()?;
+        seen.push(key);
+    }
+    Ok(())
 }
 
 #[cfg(test)]
@@ -118,6 +165,11 @@ mod tests {
         assert!(error("[]").contains("an object"));
         assert_eq!(error(r#"{"curl": 1, "curl": 1}"#), "'curl' is given more than once");
         assert_eq!(error(r#"{"curl": null}"#), "curl: a text or a number is wanted, not null");
+        let network = r#"{"recipe": {"trim": 3}, "nodes": 1, "nodes": 2}"#;
+        assert!(error(network).contains("'nodes' is given more than once"));
+        assert!(error(r#"{"recipe": {"trim": 3}, "junk": 1}"#).contains("'junk' does not belong"));
+        assert!(error(r#"{"curl": 1, "recipe": {"trim": 3}}"#).starts_with("recipe: a text or a number is wanted"));
+        assert!(error(r#"{"recipe": {"recipe": {"trim": 3}}}"#).starts_with("recipe: a text or a number is wanted"));
         assert_eq!(error(r#"{"trim": 1e300}"#), "trim: '1e+300' is not a number");
     }
 }

@@ -21,20 +21,20 @@ pub static PRESETS: &[Preset] = &[
     Preset {
         name: "original",
         label: "Original",
-        help: "Space colonization as it is: straight, parallel, with many short side branches.",
+        help: "Space colonization as it is, with all its short side branches.",
         values: &[(Key::Trim, "0")],
     },
     Preset {
         name: "momentum",
         label: "Momentum",
         help: "Every turn exaggerated: more curves, and here and there a zigzag.",
-        values: &[(Key::Momentum, "0.4"), (Key::Trim, "0")],
+        values: &[(Key::Momentum, "0.45"), (Key::Trim, "0")],
     },
     Preset {
         name: "curl",
         label: "Curl",
         help: "Stretches turned left and right at random: winding, complex, busy at its ends.",
-        values: &[(Key::Curl, "1.2"), (Key::Stretch, "5"), (Key::Trim, "0")],
+        values: &[(Key::Curl, "0.9"), (Key::Stretch, "7"), (Key::Trim, "0")],
     },
     Preset {
         name: "trimmed-original",
@@ -46,13 +46,13 @@ pub static PRESETS: &[Preset] = &[
         name: "trimmed-momentum",
         label: "Trimmed momentum",
         help: "Exaggerated turns without short side branches.",
-        values: &[(Key::Momentum, "0.4"), (Key::Trim, "6")],
+        values: &[(Key::Momentum, "0.45"), (Key::Trim, "6")],
     },
     Preset {
         name: "trimmed-curl",
         label: "Trimmed curl",
         help: "Winding rivers without short side branches: what people took for real ones.",
-        values: &[(Key::Curl, "1.2"), (Key::Stretch, "5"), (Key::Trim, "6")],
+        values: &[(Key::Curl, "0.9"), (Key::Stretch, "7"), (Key::Trim, "6")],
     },
 ];
 

@@ -234,7 +234,7 @@ pub static TABLE: [Parameter; COUNT] = {
             key: Key::Sides,
             name: "sides",
             label: "Sea on",
-            help: "The sides that rivers flow to: some of n, e, s, w.",
+            help: "The sides that rivers flow to.",
             unit: "",
             group: "Land",
             stage: Land,
@@ -272,7 +272,7 @@ pub static TABLE: [Parameter; COUNT] = {
             group: "Growth",
             stage: Grow,
             logarithmic: true,
-            kind: number(2.1, 12.0, 0.05, 2.25),
+            kind: number(2.1, 12.0, 0.05, 2.3),
         },
         Parameter {
             key: Key::Kill,
@@ -283,7 +283,7 @@ pub static TABLE: [Parameter; COUNT] = {
             group: "Growth",
             stage: Grow,
             logarithmic: false,
-            kind: number(0.5, 2.0, 0.05, 1.1),
+            kind: number(0.5, 1.4, 0.05, 1.1),
         },
         Parameter {
             key: Key::Step,

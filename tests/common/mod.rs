@@ -9,8 +9,8 @@ use proptest::prelude::*;
 pub fn random_link(most_attractors: u32) -> impl Strategy<Value = String> {
     let kinds = proptest::sample::select(vec!["rectangle", "island", "continent", "archipelago", "valley", "basin"]);
     let land = (kinds, 0.1f64..=0.8, 0.0f64..=1.0);
-    let ground = (0.25f64..=4.0, 1u32..=9, 1u32..16, 100..=most_attractors, any::<bool>());
-    let growth = (2.1f64..=12.0, 0.5f64..=2.0, 0.2f64..=1.2);
+    let ground = (0.25f64..=4.0, prop_oneof![1u32..=5, 1u32..=64], 1u32..16, 100..=most_attractors, any::<bool>());
+    let growth = (2.1f64..=12.0, 0.5f64..=1.4, 0.2f64..=1.2);
     let zero_or = |most: f64| prop_oneof![Just(0.0), 0.0..=most];
     let bends = (zero_or(0.9), zero_or(2.0), 1u32..=64);
     let finish = (prop_oneof![Just(0u32), 0u32..=60], 1.0f64..=40.0, any::<bool>());

@@ -1,9 +1,10 @@
 //! Space colonization straight from the paper (section 2.2), every blue node against every black node in every
-//! round: what the incremental index must equal node for node. Only the arithmetic of a single pull and of a single
-//! heading is shared with the crate.
+//! round: what the incremental index must equal node for node. Momentum and curl are written again, too; shared with the
+//! crate are where things lie at the start, the fixed-point sum of pulls and the hash that random angles come from.
 
 use glam::Vec2;
-use riverseed::grow::{Parameters, Pull, heading, is_twin, mouths, scatter};
+use riverseed::grow::{Parameters, Pull, mouths, scatter, stem_nodes};
+use riverseed::random::Purpose;
 use riverseed::tree::NO_PARENT;
 
 /// A node of the growing structure.
@@ -22,12 +23,18 @@ pub struct Black {
 pub fn grow(parameters: &Parameters) -> Vec<Black> {
     // Step 1: start nodes, and blue nodes spread over the space.
     let mut blue: Vec<Option<Vec2>> = scatter(parameters).into_iter().map(Some).collect();
-    let mut black: Vec<Black> = mouths(parameters).iter().map(|mouth| node(mouth.at, NO_PARENT, 0, 0)).collect();
-    let mut tick = run_inland(parameters, &blue, &mut black);
-    loop {
-        tick += 1;
+    let (mut black, mut pilots) = start_nodes(parameters);
+    for tick in 1.. {
         let assigned = assign(parameters, &blue, &black);
-        let born = grow_all(parameters, &blue, &mut black, assigned, tick);
+        let mut born = run_inland(parameters, &blue, &black, &mut pilots, tick);
+        born.extend(grow_all(parameters, &blue, &mut black, &assigned, tick));
+        if born.is_empty() {
+            born = reach_out(parameters, &blue, &black, &assigned, tick);
+        }
+        if born.is_empty() && blue.iter().flatten().count() > blue.len() / 2 {
+            born.extend(run_on(parameters, &black, tick));
+            pilots.extend(born.first().map(|_| (black.len(), onward(parameters, &black))));
+        }
         if born.is_empty() {
             break;
         }
@@ -78,28 +85,102 @@ fn grow_all(
     parameters: &Parameters,
     blue: &[Option<Vec2>],
     black: &mut [Black],
-    assigned: Vec<Vec<u32>>,
+    assigned: &[Vec<u32>],
     tick: u32,
 ) -> Vec<Black> {
     let mut born = Vec::new();
-    for (i, assigned) in assigned.into_iter().enumerate() {
-        if assigned == black[i].tried {
+    for (i, assigned) in assigned.iter().enumerate() {
+        if *assigned == black[i].tried {
             continue;
         }
         let parent = &black[i];
         let mut sum = Pull::default();
         assigned.iter().filter_map(|&b| blue[b as usize]).for_each(|b| sum.add(Pull::toward(parent.at, b)));
-        if let Some(direction) = sum.direction() {
+        if let Some(v2) = sum.direction() {
             let came_from = black.get(parent.parent as usize).map(|node| node.at);
-            let at = heading(parameters, parent.at, came_from, direction, parent.from_mouth, tick);
-            let mut children = black.iter().filter(|node| node.parent == i as u32);
-            if parameters.allows(parent.at, at) && !children.any(|child| is_twin(at, child.at, parameters.step)) {
+            let bent = parent.at
+                + curled(parameters, with_momentum(parameters, parent.at, came_from, v2), parent, tick)
+                    * parameters.step;
+            let straight = parent.at + v2 * parameters.step;
+            let at = if parameters.allows(parent.at, bent) { bent } else { straight };
+            if parameters.allows(parent.at, at) && !has_twin(parameters, black, i, at) {
                 born.push(node(at, i as u32, tick, parent.from_mouth + 1));
             }
         }
-        black[i].tried = assigned;
+        black[i].tried.clone_from(assigned);
     }
     born
+}
+
+/// When nothing grows any more: every black node that has blue nodes grows straight toward the nearest of them.
+fn reach_out(
+    parameters: &Parameters,
+    blue: &[Option<Vec2>],
+    black: &[Black],
+    assigned: &[Vec<u32>],
+    tick: u32,
+) -> Vec<Black> {
+    let mut born = Vec::new();
+    for (i, parent) in black.iter().enumerate() {
+        let mine = assigned[i].iter().filter_map(|&b| blue[b as usize]);
+        let nearest = mine.min_by(|a, b| {
+            let distance = |blue: &Vec2| squared_distance(*blue, parent.at);
+            distance(a).total_cmp(&distance(b)).then(a.x.total_cmp(&b.x)).then(a.y.total_cmp(&b.y))
+        });
+        let Some(direction) = nearest.and_then(|blue| Pull::toward(parent.at, blue).direction()) else { continue };
+        let at = parent.at + direction * parameters.step;
+        if parameters.allows(parent.at, at) && !has_twin(parameters, black, i, at) {
+            born.push(node(at, i as u32, tick, parent.from_mouth + 1));
+        }
+    }
+    born
+}
+
+/// When most blue nodes are left, but none is within reach of anything: the last black node runs straight on.
+fn run_on(parameters: &Parameters, black: &[Black], tick: u32) -> Option<Black> {
+    let last = black.last()?;
+    black.get(last.parent as usize)?;
+    let at = last.at + onward(parameters, black) * parameters.step;
+    parameters.allows(last.at, at).then(|| node(at, black.len() as u32 - 1, tick, last.from_mouth + 1))
+}
+
+/// The direction the last black node was made in.
+fn onward(parameters: &Parameters, black: &[Black]) -> Vec2 {
+    let last = &black[black.len() - 1];
+    (last.at - black[last.parent as usize].at) / parameters.step
+}
+
+/// Whether a node has a child within an eighth of a step from here.
+fn has_twin(parameters: &Parameters, black: &[Black], parent: usize, at: Vec2) -> bool {
+    let eighth = parameters.step * 0.125;
+    let mut children = black.iter().filter(|node| node.parent == parent as u32);
+    children.any(|child| squared_distance(at, child.at) < eighth * eighth)
+}
+
+/// Section 4.2: u = v₂ − k·v₁, normalised, v₁ being the direction the node itself was made in.
+fn with_momentum(parameters: &Parameters, at: Vec2, came_from: Option<Vec2>, v2: Vec2) -> Vec2 {
+    let Some(parent) = came_from.filter(|_| parameters.momentum > 0.0) else { return v2 };
+    let (v1_x, v1_y) = ((at.x - parent.x) / parameters.step, (at.y - parent.y) / parameters.step);
+    let (x, y) = (v2.x - v1_x * parameters.momentum, v2.y - v1_y * parameters.momentum);
+    let length_squared = x * x + y * y;
+    if length_squared <= 1e-6 {
+        return v2;
+    }
+    let length = length_squared.sqrt();
+    Vec2::new(x / length, y / length)
+}
+
+/// Section 4.3: turned by a random angle up to θ_c, to the right for the first c nodes of a branch, then to the left.
+fn curled(parameters: &Parameters, u: Vec2, node: &Black, tick: u32) -> Vec2 {
+    if parameters.curl == 0.0 {
+        return u;
+    }
+    let key = parameters.seed.key(Purpose::Curl);
+    let angle = parameters.curl * key.unit([node.at.x.to_bits(), node.at.y.to_bits(), tick]);
+    let to_the_right = node.from_mouth % (2 * parameters.stretch) < parameters.stretch;
+    let (sine, cosine) = (libm::sinf(angle), libm::cosf(angle));
+    let sine = if to_the_right { sine } else { -sine };
+    Vec2::new(u.x * cosine - u.y * sine, u.y * cosine + u.x * sine)
 }
 
 /// Step 5: blue nodes near a black node go, and drain into it.
@@ -112,24 +193,42 @@ fn remove(parameters: &Parameters, blue: &mut [Option<Vec2>], black: &mut [Black
     }
 }
 
-/// Before the rounds: a river that no blue node reaches runs straight inland until one does, or the land ends.
-fn run_inland(parameters: &Parameters, blue: &[Option<Vec2>], black: &mut Vec<Black>) -> u32 {
-    let is_reached =
-        |at: Vec2| blue.iter().flatten().any(|&blue| squared_distance(blue, at) < parameters.reach * parameters.reach);
-    let mut tips: Vec<(usize, Vec2)> = mouths(parameters).iter().map(|mouth| mouth.inland).enumerate().collect();
-    let mut tick = 0;
-    loop {
-        tips.retain(|&(tip, _)| !is_reached(black[tip].at));
-        tips.retain(|&(tip, inland)| parameters.allows(black[tip].at, black[tip].at + inland * parameters.step));
-        if tips.is_empty() {
-            return tick;
+/// The mouths, each with a stem of about a spacing straight inland, and where the stems end.
+fn start_nodes(parameters: &Parameters) -> (Vec<Black>, Vec<(usize, Vec2)>) {
+    let (mut black, mut ends) = (Vec::new(), Vec::new());
+    for mouth in mouths(parameters) {
+        black.push(node(mouth.at, NO_PARENT, 0, 0));
+        for i in 1..=stem_nodes(parameters) {
+            let from = black[black.len() - 1].at;
+            let at = from + mouth.inland * parameters.step;
+            if parameters.allows(from, at) {
+                black.push(node(at, black.len() as u32 - 1, 0, i));
+            }
         }
-        tick += 1;
-        for (tip, inland) in &mut tips {
-            let at = black[*tip].at + *inland * parameters.step;
-            let from_mouth = black[*tip].from_mouth + 1;
-            black.push(node(at, *tip as u32, tick, from_mouth));
-            *tip = black.len() - 1;
-        }
+        ends.push((black.len() - 1, mouth.inland));
     }
+    (black, ends)
+}
+
+/// A river that no blue node reaches runs straight inland until one does, or the land ends.
+fn run_inland(
+    parameters: &Parameters,
+    blue: &[Option<Vec2>],
+    black: &[Black],
+    pilots: &mut Vec<(usize, Vec2)>,
+    tick: u32,
+) -> Vec<Black> {
+    let reach = parameters.reach * parameters.reach;
+    pilots.retain(|&(tip, inland)| {
+        let at = black[tip].at;
+        let is_reached = blue.iter().flatten().any(|&blue| squared_distance(blue, at) < reach);
+        !is_reached && parameters.allows(at, at + inland * parameters.step)
+    });
+    let mut born = Vec::new();
+    for (tip, inland) in pilots {
+        let at = black[*tip].at + *inland * parameters.step;
+        born.push(node(at, *tip as u32, tick, black[*tip].from_mouth + 1));
+        *tip = black.len() + born.len() - 1;
+    }
+    born
 }
