@@ -59,6 +59,9 @@ if [[ ${BASH_SOURCE[0]} == "$0" ]]; then
   if [[ ${1-} == --wasm ]]; then
     shift
     use_wasm_rust || { echo "No Rust here compiles to wasm32 yet: run scripts/setup.sh wasm" >&2; exit 1; }
+    # A folder of its own: a library that is both rlib and cdylib has one file name for all its builds, so those of two
+    # compilers, or of two sets of features, would take each other's place.
+    export CARGO_TARGET_DIR=${CARGO_TARGET_DIR:-$RIVERSEED_ROOT/target}/wasm
   fi
   exec "$@"
 fi

@@ -77,11 +77,12 @@ function weigh(file, budget, aim) {
 }
 
 function buildFigures() {
-  const built = "target/wasm32-unknown-unknown/release/examples/figures_wasm.wasm";
-  const out = "target/figures-wasm/figures_wasm_bg.wasm";
+  const folder = "target/figures-wasm";
+  const built = `${folder}/wasm32-unknown-unknown/release/examples/figures_wasm.wasm`;
+  const out = `${folder}/figures_wasm_bg.wasm`;
   console.log("Building the module that is timed (2 minutes the first time)");
   const crate = ["--example", "figures_wasm", "--no-default-features"];
-  run("cargo", "build", "--quiet", "--release", "--target", "wasm32-unknown-unknown", ...crate);
-  run("wasm-bindgen", "--target", "nodejs", "--out-dir", dirname(out), built);
+  run("cargo", "build", "--quiet", "--release", "--target", "wasm32-unknown-unknown", "--target-dir", folder, ...crate);
+  run("wasm-bindgen", "--target", "nodejs", "--out-dir", folder, built);
   run("wasm-opt", "-O3", out, "-o", out);
 }

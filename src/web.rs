@@ -5,7 +5,7 @@ use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
 use crate::grow::Ending;
-use crate::paint::Rect;
+use crate::paint::{PaintError, Rect};
 use crate::recipe::link::{self, Notice};
 use crate::recipe::preset::PRESETS;
 use crate::recipe::table::TABLE;
@@ -238,8 +238,8 @@ fn read_strictly(text: &str) -> Result<Recipe, JsValue> {
 
 fn session_error(error: &SessionError) -> JsValue {
     let code = match error {
-        SessionError::Grow(_) => "too-large",
-        SessionError::Paint(_) => "bad-params",
+        SessionError::Paint(PaintError::Size { width: 0, .. } | PaintError::Size { height: 0, .. }) => "bad-params",
+        SessionError::Grow(_) | SessionError::Paint(_) => "too-large",
     };
     coded(code, &error.to_string())
 }
