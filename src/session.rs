@@ -92,10 +92,7 @@ impl Session {
     pub fn change(&mut self, recipe: Recipe) -> Result<Option<Stage>, SessionError> {
         let stage = self.recipe.first_difference(&recipe);
         match stage {
-            Some(Stage::Grow) => {
-                let (width, height) = (self.pixmap().width(), self.pixmap().height());
-                *self = Self::new(recipe, width, height)?;
-            }
+            Some(Stage::Grow) => self.grow(recipe)?,
             Some(Stage::Prune | Stage::Paint) => {
                 self.recipe = recipe;
                 self.painter.start_over();
@@ -103,6 +100,19 @@ impl Session {
             None => {}
         }
         Ok(stage)
+    }
+
+    /// Plants another recipe. The picture's memory is kept if its shape is.
+    fn grow(&mut self, recipe: Recipe) -> Result<(), SessionError> {
+        let growth = Colonize::new(Parameters::of(&recipe))?;
+        let domain = &growth.parameters().domain;
+        if *domain == self.growth.parameters().domain {
+            self.painter.start_over();
+        } else {
+            self.painter = Painter::new(domain, self.pixmap().width(), self.pixmap().height())?;
+        }
+        (self.recipe, self.growth) = (recipe, growth);
+        Ok(())
     }
 
     /// Paints the same rivers at another size.

@@ -213,9 +213,7 @@ impl Colonize {
         let Self { attractors, tree, shoots, changed, doomed, .. } = self;
         for node in first..tree.len() {
             let at = tree.at[node];
-            let mut gained = Pull::default();
-            attractors.capture(node as u32, at, |capture| {
-                gained.add(Pull::toward(at, capture.at));
+            let gained = attractors.capture(node as u32, at, |capture| {
                 if let Some(pull) = shoots.pull.get_mut(capture.previous_owner as usize) {
                     pull.subtract(Pull::toward(tree.at[capture.previous_owner as usize], capture.at));
                     changed.insert(capture.previous_owner);
