@@ -88,12 +88,13 @@ impl Parameters {
         }
     }
 
+    /// The land, if it has ridges that attractors do not pull through.
+    pub fn ridges(&self) -> Option<&Land> {
+        self.land.as_deref().filter(|land| !land.ridges().is_empty())
+    }
+
     /// Whether an attractor pulls a node: it does not through a ridge.
-    #[inline]
     pub fn sees(&self, node: Vec2, attractor: Vec2) -> bool {
-        match &self.land {
-            Some(land) if !land.ridges().is_empty() => land.sees(node, attractor),
-            _ => true,
-        }
+        self.ridges().is_none_or(|land| land.sees(node, attractor))
     }
 }
