@@ -92,7 +92,10 @@ impl Session {
     pub fn change(&mut self, recipe: Recipe) -> Result<Option<Stage>, SessionError> {
         let stage = self.recipe.first_difference(&recipe);
         match stage {
-            Some(Stage::Land) => self.grow(Parameters::of(&recipe), recipe)?,
+            Some(Stage::Land) => {
+                self.grow(Parameters::of(&recipe), recipe)?;
+                self.painter.leave_land();
+            }
             Some(Stage::Grow) => {
                 let land = self.growth.parameters().land.clone();
                 self.grow(Parameters::on_land(&recipe, land), recipe)?;

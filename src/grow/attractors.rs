@@ -7,47 +7,14 @@
 use glam::Vec2;
 use wide::f32x4;
 
-use super::{GrowError, Parameters, Pull};
+use super::{GrowError, Parameters, Pull, scatter};
 use crate::land::Land;
-use crate::random::Purpose;
 
 /// The owner of an attractor that no river has come near.
 pub(super) const NO_NODE: u32 = u32::MAX;
 
 /// The squared distance remembered of an attractor that is used up: no node can come nearer than that.
 const USED_UP: f32 = -1.0;
-
-/// Places the attractors, in the order of their drawing: one more leaves all others where they are, unless on a grid.
-pub fn scatter(parameters: &Parameters) -> Vec<Vec2> {
-    let mut chance = parameters.seed.stream(Purpose::Attractors);
-    let size = parameters.domain.size;
-    if !parameters.on_grid {
-        // Land is at least a fifth of the domain, so this ends; were it less, it would still.
-        let tries = 64 * parameters.attractors as usize;
-        let anywhere = std::iter::repeat_with(|| Vec2::new(chance.unit(), chance.unit()) * size).take(tries);
-        return anywhere.filter(|&at| parameters.is_land(at)).take(parameters.attractors as usize).collect();
-    }
-    let rows = grid_rows(parameters);
-    let cells = parameters.domain.size.x * parameters.domain.size.y / (parameters.spacing * parameters.spacing);
-    let cells = if parameters.land.is_none() { parameters.attractors } else { cells as u32 };
-    let first_of = |row: u32| (u64::from(row) * u64::from(cells) / u64::from(rows)) as u32;
-    let mut places = Vec::with_capacity(cells as usize);
-    for row in 0..rows {
-        let columns = first_of(row + 1) - first_of(row);
-        let cell = size / Vec2::new(columns as f32, rows as f32);
-        places.extend(
-            (0..columns)
-                .map(|column| (Vec2::new(column as f32, row as f32) + Vec2::new(chance.unit(), chance.unit())) * cell),
-        );
-    }
-    places
-}
-
-/// How many rows make cells that are about square.
-fn grid_rows(parameters: &Parameters) -> u32 {
-    let rows = (parameters.domain.size.y / parameters.spacing).round() as u32;
-    rows.clamp(1, parameters.attractors)
-}
 
 /// Distances to cells are rounded, and so is the choice of an attractor's cell: looking a little farther makes sure that
 /// none is missed.

@@ -10,12 +10,13 @@ mod heading;
 mod mouths;
 mod parameters;
 mod pull;
+mod scatter;
 
-pub use attractors::scatter;
 pub use colonize::{Colonize, Ending, stem_nodes};
 pub use mouths::{Mouth, mouths};
 pub use parameters::Parameters;
 pub use pull::Pull;
+pub use scatter::scatter;
 
 use thiserror::Error;
 

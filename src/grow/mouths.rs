@@ -4,7 +4,7 @@ use glam::Vec2;
 
 use super::Parameters;
 use crate::land::Shore;
-use crate::random::Purpose;
+use crate::random::{Purpose, Stream};
 
 /// The root of a river tree.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,28 +18,27 @@ pub struct Mouth {
 /// How far a mouth may stray from the middle of its share of the coast, as a part of that share.
 const STRAY: f32 = 0.7;
 
-/// Places the mouths of a recipe: along the sides of a plain rectangle, else on the coast.
+/// Places the mouths of a recipe: along the sides of a plain rectangle, else on the coasts of the regions that have any.
 pub fn mouths(parameters: &Parameters) -> Vec<Mouth> {
-    match &parameters.land {
-        None => on_sides(parameters),
-        Some(land) => on_coast(parameters, &land.coast()),
-    }
+    let Some(land) = &parameters.land else { return on_sides(parameters) };
+    let mut chance = parameters.seed.stream(Purpose::Mouths);
+    let regions = land.regions().iter().zip(&parameters.basins);
+    regions.flat_map(|(region, &count)| on_coast(&region.shores, count, parameters.apart, &mut chance)).collect()
 }
 
 /// Places mouths on a coast, each at the remotest of some random places from those before it (Mitchell 1991), so that
-/// they keep apart. As many as asked for, unless the coast has fewer cells.
-fn on_coast(parameters: &Parameters, coast: &[Shore]) -> Vec<Mouth> {
+/// they keep apart. As many as asked for, unless they would come too near to each other.
+fn on_coast(coast: &[Shore], count: u32, apart: f32, chance: &mut Stream) -> Vec<Mouth> {
     const CANDIDATES: usize = 24;
-    let mut chance = parameters.seed.stream(Purpose::Mouths);
     let mut mouths: Vec<Mouth> = Vec::new();
-    for _ in 0..parameters.mouths.min(coast.len() as u32) {
+    for _ in 0..count {
         let remoteness = |shore: &Shore| {
             mouths.iter().map(|mouth| mouth.at.distance_squared(shore.at)).fold(f32::INFINITY, f32::min)
         };
         let candidates = (0..CANDIDATES).filter_map(|_| coast.get((chance.unit() * coast.len() as f32) as usize));
         let best = candidates.map(|shore| (remoteness(shore), shore)).reduce(|a, b| if b.0 > a.0 { b } else { a });
         if let Some((remoteness, shore)) = best
-            && remoteness > 0.0
+            && remoteness > apart * apart
         {
             mouths.push(Mouth { at: shore.at, inland: shore.inland });
         }

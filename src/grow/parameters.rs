@@ -5,7 +5,7 @@ use std::sync::Arc;
 use glam::Vec2;
 
 use crate::domain::{AREA, Domain};
-use crate::land::{Cell, Land};
+use crate::land::{CELL_AREA, Land, Region};
 use crate::random::Seed;
 use crate::recipe::{Key, Recipe, Sides};
 
@@ -20,6 +20,10 @@ pub struct Parameters {
     pub land: Option<Arc<Land>>,
     /// How many rivers reach the sea.
     pub mouths: u32,
+    /// How many of them in each region of the land, largest first. Regions without one stay dry.
+    pub basins: Vec<u32>,
+    /// How far apart mouths are at least.
+    pub apart: f32,
     /// On which sides.
     pub sides: Sides,
     /// How many attractors there are.
@@ -51,14 +55,22 @@ impl Parameters {
     /// Resolves a recipe whose land has been shaped before.
     pub fn on_land(recipe: &Recipe, land: Option<Arc<Land>>) -> Self {
         let attractors = recipe.integer(Key::Attractors);
-        let area = land.as_ref().map_or(AREA, |land| land.area());
-        let spacing = (area / attractors as f32).sqrt();
+        let mouths = recipe.integer(Key::Mouths);
+        let basins = land.as_ref().map(|land| share_out(land.regions(), mouths)).unwrap_or_default();
+        let area = match &land {
+            None => AREA,
+            Some(land) => watered(Some(land), &basins).map(|region| region.cells as f32 * CELL_AREA).sum(),
+        };
+        // Land without a coast has no river, and no attractor.
+        let spacing = (area.max(CELL_AREA) / attractors as f32).sqrt();
         let spacings = |key| recipe.number(key) * spacing;
         Self {
             seed: Seed::from_text(recipe.seed()),
             domain: Domain::with_aspect(recipe.number(Key::Aspect)),
             land,
-            mouths: recipe.integer(Key::Mouths),
+            basins,
+            mouths,
+            apart: recipe.number(Key::Apart),
             sides: recipe.sides(Key::Sides),
             attractors,
             on_grid: recipe.choice(Key::Scatter) == 1,
@@ -74,9 +86,9 @@ impl Parameters {
 }
 
 impl Parameters {
-    /// Whether an attractor may lie here.
-    pub fn is_land(&self, point: Vec2) -> bool {
-        self.land.as_ref().is_none_or(|land| land.at(point) == Cell::Available)
+    /// The regions of the land that have a mouth; none of the plain rectangle.
+    pub fn watered(&self) -> impl Iterator<Item = &Region> {
+        watered(self.land.as_deref(), &self.basins)
     }
 
     /// Whether a river may run straight from one point to another.
@@ -97,4 +109,23 @@ impl Parameters {
     pub fn sees(&self, node: Vec2, attractor: Vec2) -> bool {
         self.ridges().is_none_or(|land| land.sees(node, attractor))
     }
+}
+
+fn watered<'a>(land: Option<&'a Land>, basins: &'a [u32]) -> impl Iterator<Item = &'a Region> {
+    let regions = land.into_iter().flat_map(Land::regions);
+    regions.zip(basins).filter(|(_, mouths)| **mouths > 0).map(|(region, _)| region)
+}
+
+/// Shares mouths out among regions: each goes where most land would come to a mouth (D'Hondt's method). Only regions
+/// with a coast have any.
+fn share_out(regions: &[Region], mouths: u32) -> Vec<u32> {
+    let mut shares = vec![0; regions.len()];
+    for _ in 0..mouths {
+        let land_each = |&(i, region): &(usize, &Region)| region.cells / (shares[i] + 1);
+        let coastal = regions.iter().enumerate().filter(|(_, region)| !region.shores.is_empty());
+        if let Some((i, _)) = coastal.reduce(|a, b| if land_each(&b) > land_each(&a) { b } else { a }) {
+            shares[i] += 1;
+        }
+    }
+    shares
 }

@@ -2,14 +2,17 @@
 
 use glam::Vec2;
 
-use super::Relief;
 use super::kinds::{LandKind, Shape};
+use super::regions::{Region, regions};
+use super::relief::{Relief, SPACING};
+use super::walk::walk;
 use crate::domain::Domain;
 use crate::random::Seed;
 use crate::recipe::{Key, Recipe};
 
 /// What a cell is to rivers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u8)]
 pub enum Cell {
     /// Land.
     Available,
@@ -19,8 +22,11 @@ pub enum Cell {
     Illegal,
 }
 
-/// The side of a cell, in units: a third to a half of a river's step at the default number of attractors.
-const SIDE: f32 = 2.0;
+/// The side of a cell, in units: far less than a step of a river at the default number of attractors.
+const SIDE: f32 = 1.0;
+
+/// The area of a cell, in square units.
+pub const CELL_AREA: f32 = SIDE * SIDE;
 
 /// Which cells are land, on the whole domain.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,7 +35,7 @@ pub struct Land {
     cells: Vec<Cell>,
     columns: i32,
     rows: i32,
-    available: u32,
+    regions: Vec<Region>,
     ridges: Vec<Vec<Vec2>>,
     size: Vec2,
 }
@@ -37,7 +43,7 @@ pub struct Land {
 /// A place where a river may reach the sea.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Shore {
-    /// The middle of a cell of land beside water.
+    /// The middle of a cell of land beside the sea.
     pub at: Vec2,
     /// The unit vector away from the water.
     pub inland: Vec2,
@@ -54,37 +60,37 @@ impl Land {
             sea: recipe.number(Key::Sea),
             rough: recipe.number(Key::Rough),
         };
-        let relief = shape.relief()?;
-        let mut this = Self::from_relief(&shape.domain, relief);
-        shape.ridges().into_iter().for_each(|ridge| this.raise(ridge));
-        Some(this)
+        Some(Self::new(&shape.domain, shape.relief()?, shape.ridges()))
     }
 
-    fn from_relief(domain: &Domain, relief: Relief) -> Self {
+    /// Land above the sea, cut by ridges.
+    pub(super) fn new(domain: &Domain, relief: Relief, ridges: Vec<Vec<Vec2>>) -> Self {
         let count = |length: f32| (length / SIDE).ceil() as i32;
         let (columns, rows) = (count(domain.size.x), count(domain.size.y));
-        let cell = |i: i32| match relief.height(middle(i % columns, i / columns)) {
-            height if height > 0.0 => Cell::Available,
-            _ => Cell::Unavailable,
-        };
-        let cells: Vec<Cell> = (0..columns * rows).map(cell).collect();
-        let available = cells.iter().filter(|&&cell| cell == Cell::Available).count() as u32;
-        Self { relief, cells, columns, rows, available, ridges: Vec::new(), size: domain.size }
+        let cells = above_water(&relief, columns as usize, rows as usize);
+        let mut this = Self { relief, cells, columns, rows, regions: Vec::new(), ridges, size: domain.size };
+        this.raise_ridges();
+        this.regions = regions(&this.cells, Cell::Available, columns as usize);
+        let is_sea = this.sea();
+        for i in 0..this.regions.len() {
+            this.regions[i].shores = this.shores(&this.regions[i], &is_sea);
+        }
+        this
     }
 
-    /// Makes the land along a polyline illegal.
-    fn raise(&mut self, ridge: Vec<Vec2>) {
-        for pair in ridge.windows(2) {
-            for (column, row) in walk(pair[0], pair[1]) {
+    /// Makes the land along the ridges illegal.
+    fn raise_ridges(&mut self) {
+        let ridges = std::mem::take(&mut self.ridges);
+        for pair in ridges.iter().flat_map(|ridge| ridge.windows(2)) {
+            for (column, row) in walk(pair[0] / SIDE, pair[1] / SIDE) {
                 if let Some(i) = self.index(column, row)
                     && self.cells[i] == Cell::Available
                 {
                     self.cells[i] = Cell::Illegal;
-                    self.available -= 1;
                 }
             }
         }
-        self.ridges.push(ridge);
+        self.ridges = ridges;
     }
 
     /// The height of every point.
@@ -92,9 +98,15 @@ impl Land {
         &self.relief
     }
 
-    /// The area of available land, in square units.
-    pub fn area(&self) -> f32 {
-        self.available as f32 * SIDE * SIDE
+    /// Land that hangs together, the largest first.
+    pub fn regions(&self) -> &[Region] {
+        &self.regions
+    }
+
+    /// Whether a point lies in a region.
+    pub fn is_in(&self, region: &Region, point: Vec2) -> bool {
+        let cell = (point / SIDE).floor();
+        cell.min_element() >= 0.0 && region.contains(cell.x as u32, cell.y as u32)
     }
 
     /// The ridges that no river crosses, as polylines.
@@ -109,84 +121,101 @@ impl Land {
 
     /// Whether a river can run straight from one point to another: over land all the way, the ends included.
     pub fn allows(&self, from: Vec2, to: Vec2) -> bool {
-        walk(from, to).all(|(column, row)| self.cell(column, row) == Cell::Available)
+        walk(from / SIDE, to / SIDE).all(|(column, row)| self.cell(column, row) == Cell::Available)
     }
 
     /// Whether no ridge lies between two points.
     pub fn sees(&self, from: Vec2, to: Vec2) -> bool {
-        walk(from, to).all(|(column, row)| self.cell(column, row) != Cell::Illegal)
+        walk(from / SIDE, to / SIDE).all(|(column, row)| self.cell(column, row) != Cell::Illegal)
     }
 
-    /// All cells of land beside water, row by row.
-    pub fn coast(&self) -> Vec<Shore> {
+    /// Which cells are water that rivers may run to: the largest, and what covers at least a hundredth of the domain. The
+    /// rest are ponds.
+    fn sea(&self) -> Vec<bool> {
+        let mut is_sea = vec![false; self.cells.len()];
+        let least = self.cells.len() as u32 / 100;
+        let waters = regions(&self.cells, Cell::Unavailable, self.columns as usize);
+        let seas = waters.iter().enumerate().filter(|(i, water)| *i == 0 || water.cells >= least);
+        for run in seas.flat_map(|(_, water)| &water.runs) {
+            let row = run.row as usize * self.columns as usize;
+            is_sea[row + run.start as usize..row + run.end as usize].fill(true);
+        }
+        is_sea
+    }
+
+    /// All cells of a region beside the sea.
+    fn shores(&self, region: &Region, is_sea: &[bool]) -> Vec<Shore> {
         let mut shores = Vec::new();
-        for (i, _) in (0..).zip(&self.cells).filter(|(_, cell)| **cell == Cell::Available) {
-            let (column, row) = (i % self.columns, i / self.columns);
-            let beside_water = [(1, 0), (0, 1), (-1, 0), (0, -1)]
-                .into_iter()
-                .any(|(x, y)| self.index(column + x, row + y).is_some_and(|i| self.cells[i] == Cell::Unavailable));
-            if beside_water {
-                // The last cells reach over the border.
-                let at = middle(column, row).min(self.size);
-                shores.push(Shore { at, inland: self.relief.slope(at).normalize_or(Vec2::NEG_Y) });
+        let is_water = |column, row| self.index(column, row).is_some_and(|i| is_sea[i]);
+        for run in &region.runs {
+            let (row, start, end) = (run.row as i32, run.start as i32, run.end as i32);
+            for column in start..end {
+                let (first, last) = (column == start, column + 1 == end);
+                let beside = (first && is_water(column - 1, row)) || (last && is_water(column + 1, row));
+                if beside || is_water(column, row - 1) || is_water(column, row + 1) {
+                    // The last cells reach over the border.
+                    let at = middle(column, row).min(self.size);
+                    shores.push(Shore { at, inland: self.relief.slope(at).normalize_or(Vec2::NEG_Y) });
+                }
             }
         }
         shores
     }
 
+    /// A point of a region: cells are counted row by row, and `within` runs from 0 to 1 in each direction of the cell.
+    pub fn point(&self, region: &Region, cell: u32, within: Vec2) -> Option<Vec2> {
+        let (column, row) = region.cell(cell)?;
+        Some(((Vec2::new(column as f32, row as f32) + within) * SIDE).min(self.size))
+    }
+
+    #[inline]
     fn cell(&self, column: i32, row: i32) -> Cell {
         self.index(column, row).map_or(Cell::Unavailable, |i| self.cells[i])
     }
 
+    #[inline]
     fn index(&self, column: i32, row: i32) -> Option<usize> {
         let inside = (0..self.columns).contains(&column) && (0..self.rows).contains(&row);
         inside.then(|| (row * self.columns + column) as usize)
     }
 }
 
-fn middle(column: i32, row: i32) -> Vec2 {
-    (Vec2::new(column as f32, row as f32) + 0.5) * SIDE
+/// The cells whose middles lie above 0. Along a row the relief is linear from one lattice corner to the next, so most
+/// cells need not be looked at one by one.
+fn above_water(relief: &Relief, columns: usize, rows: usize) -> Vec<Cell> {
+    const CELLS: usize = (SPACING / SIDE) as usize;
+    let mut cells = vec![Cell::Unavailable; columns * rows];
+    for (row, cells) in cells.chunks_mut(columns).enumerate() {
+        let y = ((row % CELLS) as f32 + 0.5) / CELLS as f32;
+        let height =
+            |column: usize| relief.corner(column, row / CELLS) * (1.0 - y) + relief.corner(column, row / CELLS + 1) * y;
+        let mut left = height(0);
+        for (column, cells) in cells.chunks_mut(CELLS).enumerate() {
+            let right = height(column + 1);
+            if left > 0.0 && right > 0.0 {
+                cells.fill(Cell::Available);
+            } else if left > 0.0 || right > 0.0 {
+                for (i, cell) in cells.iter_mut().enumerate() {
+                    let x = (i as f32 + 0.5) / CELLS as f32;
+                    if left * (1.0 - x) + right * x > 0.0 {
+                        *cell = Cell::Available;
+                    }
+                }
+            }
+            left = right;
+        }
+    }
+    cells
 }
 
-/// The cells that a straight line touches, each a neighbour by a side of the one before: nothing slips through
-/// between two cells that touch at a corner (Amanatides and Woo 1987).
-fn walk(from: Vec2, to: Vec2) -> impl Iterator<Item = (i32, i32)> {
-    let (from, to) = (from / SIDE, to / SIDE);
-    let cell = |at: Vec2| (at.x.floor() as i32, at.y.floor() as i32);
-    let (start, end) = (cell(from), cell(to));
-    let along = to - from;
-    let axis = |from: f32, along: f32, start: i32| {
-        let step = if along < 0.0 { -1 } else { 1 };
-        let border = start as f32 + if along < 0.0 { 0.0 } else { 1.0 };
-        let (next, every) =
-            if along == 0.0 { (f32::INFINITY, 0.0) } else { ((border - from) / along, (1.0 / along).abs()) };
-        (step, next, every)
-    };
-    let (step_x, mut next_x, every_x) = axis(from.x, along.x, start.0);
-    let (step_y, mut next_y, every_y) = axis(from.y, along.y, start.1);
-    let (mut column, mut row) = start;
-    let cells = start.0.abs_diff(end.0) + start.1.abs_diff(end.1);
-    let mut first = true;
-    (0..=cells).map(move |_| {
-        if !std::mem::take(&mut first) {
-            // Whichever border comes first, but never past the last column or row.
-            if row == end.1 || (column != end.0 && next_x < next_y) {
-                column += step_x;
-                next_x += every_x;
-            } else {
-                row += step_y;
-                next_y += every_y;
-            }
-        }
-        (column, row)
-    })
+fn middle(column: i32, row: i32) -> Vec2 {
+    (Vec2::new(column as f32, row as f32) + 0.5) * SIDE
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::recipe::link;
-    use proptest::prelude::*;
 
     fn land(text: &str) -> Land {
         Land::of(&link::read(text).unwrap()).unwrap()
@@ -196,7 +225,9 @@ mod tests {
     fn sea_has_the_share_asked_for() {
         for kind in ["island", "continent", "archipelago", "valley", "basin"] {
             for sea in [0.1f32, 0.4, 0.8] {
-                let share = 1.0 - land(&format!("land={kind}&sea={sea}")).area() / 1_000_000.0;
+                let land = land(&format!("land={kind}&sea={sea}"));
+                let water = land.cells.iter().filter(|&&cell| cell == Cell::Unavailable).count();
+                let share = water as f32 / land.cells.len() as f32;
                 assert!((share - sea).abs() < 0.03, "{kind}: {share} is not {sea}");
             }
         }
@@ -214,27 +245,21 @@ mod tests {
     }
 
     #[test]
-    fn no_line_slips_through_a_diagonal_ridge() {
-        let mut land = land("land=continent&sea=0.1&rough=0");
-        land.raise(vec![Vec2::new(300.0, 100.0), Vec2::new(601.0, 401.0)]);
-        assert!(!land.sees(Vec2::new(500.0, 200.0), Vec2::new(400.0, 300.0)));
-        assert!(land.sees(Vec2::new(500.0, 200.0), Vec2::new(600.0, 100.0)));
+    fn cells_are_land_where_the_relief_is_above_0() {
+        let land = land("land=archipelago&rough=1&aspect=1.7");
+        for (column, row) in (0..land.columns).flat_map(|column| (0..land.rows).map(move |row| (column, row))) {
+            let height = land.relief.height(middle(column, row));
+            let is_land = land.cell(column, row) == Cell::Available;
+            assert!(height.abs() < 1e-3 || is_land == (height > 0.0), "{column}, {row}: {height}");
+        }
     }
 
-    proptest! {
-        #[test]
-        fn walk_goes_from_end_to_end_by_neighbours(ax in 0f32..200.0, ay in 0f32..200.0, bx in 0f32..200.0, by in 0f32..200.0) {
-            let (a, b) = (Vec2::new(ax, ay), Vec2::new(bx, by));
-            let cells: Vec<_> = walk(a, b).collect();
-            let of = |p: Vec2| ((p.x / SIDE).floor() as i32, (p.y / SIDE).floor() as i32);
-            prop_assert_eq!((cells[0], cells[cells.len() - 1]), (of(a), of(b)));
-            prop_assert!(cells.windows(2).all(|w| w[0].0.abs_diff(w[1].0) + w[0].1.abs_diff(w[1].1) == 1));
-            // Every point of the line lies in one of the cells, or within rounding of it.
-            for i in 0..=50 {
-                let point = a.lerp(b, i as f32 / 50.0);
-                let near = |&(c, r): &(i32, i32)| (point - middle(c, r)).abs().max_element() <= SIDE / 2.0 + 1e-3;
-                prop_assert!(cells.iter().any(near), "{}", point);
-            }
-        }
+    #[test]
+    fn no_line_slips_through_a_diagonal_ridge() {
+        let domain = Domain::with_aspect(1.0);
+        let relief = Relief::of_coast(&domain, &[], |_| true);
+        let land = Land::new(&domain, relief, vec![vec![Vec2::new(300.0, 100.0), Vec2::new(601.0, 401.0)]]);
+        assert!(!land.sees(Vec2::new(500.0, 200.0), Vec2::new(400.0, 300.0)));
+        assert!(land.sees(Vec2::new(500.0, 200.0), Vec2::new(600.0, 100.0)));
     }
 }

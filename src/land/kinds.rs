@@ -1,6 +1,6 @@
 //! The shapes that land comes in, each bent by seeded noise.
 
-use fastnoise_lite::{FastNoiseLite, FractalType, NoiseType};
+use fastnoise_lite::{CellularReturnType, FastNoiseLite, FractalType, NoiseType};
 use glam::Vec2;
 
 use super::Relief;
@@ -50,16 +50,18 @@ impl Shape {
         if self.kind == LandKind::Rectangle {
             return None;
         }
-        let (coarse, fine) = (self.noise(0, 1.6, 3), self.noise(1, 5.0, 5));
+        let (coarse, fine, islands) = (self.noise(0, 1.6, 3), self.noise(1, 5.0, 5), self.cellular());
+        // Straits between islands are narrow: much would close them.
+        let strength = if self.kind == LandKind::Archipelago { 0.28 } else { 0.45 };
         let bend = |point: Vec2| {
             let Vec2 { x, y } = point;
-            (coarse.get_noise_2d(x, y) + 0.35 * fine.get_noise_2d(x, y)) * self.rough * self.span() * 0.45
+            (coarse.get_noise_2d(x, y) + 0.35 * fine.get_noise_2d(x, y)) * self.rough * self.span() * strength
         };
-        Some(Relief::with_sea(&self.domain, self.sea, |point| self.plain(point, &coarse) + bend(point)))
+        Some(Relief::with_sea(&self.domain, self.sea, |point| self.plain(point, &coarse, &islands) + bend(point)))
     }
 
     /// The height of the unbent shape, in units.
-    fn plain(&self, point: Vec2, noise: &FastNoiseLite) -> f32 {
+    fn plain(&self, point: Vec2, noise: &FastNoiseLite, islands: &FastNoiseLite) -> f32 {
         let from_centre = ((point - self.domain.size / 2.0) / (self.domain.size / self.span())).length();
         match self.kind {
             LandKind::Rectangle => self.span(),
@@ -67,8 +69,12 @@ impl Shape {
             LandKind::Basin => from_centre,
             LandKind::Continent | LandKind::Valley => self.from_coast(point),
             LandKind::Archipelago => {
-                let islands = noise.get_noise_2d(point.x * 1.7 + 5000.0, point.y * 1.7);
-                islands * self.span() * 0.6 - from_centre * 0.3 - self.moat(point)
+                // The gap between the distances to the nearest and the next of some scattered centres: 0 midway, so that
+                // straits lie there however low the sea is.
+                let aside = noise.get_noise_2d(point.y + 3000.0, point.x) * self.span() * 0.35 * self.rough;
+                let island = islands.get_noise_2d(point.x + aside, point.y - aside);
+                let size = noise.get_noise_2d(point.x * 1.7 + 5000.0, point.y * 1.7);
+                (island * 1.9 + size * 0.45) * self.span() - self.moat(point) * 2.0
             }
         }
     }
@@ -108,15 +114,27 @@ impl Shape {
             .fold(f32::INFINITY, |least, (_, distance)| least.min(distance))
     }
 
-    /// A drop toward the border of the domain, so that land surrounded by sea is not cut by it.
+    /// A drop toward the border of the domain, so that land surrounded by sea is not cut by it. Its contours are
+    /// rectangles with round corners, the rounder the farther inside, so that no coast is straight for it.
     fn moat(&self, point: Vec2) -> f32 {
-        let nearest = point.min(self.domain.size - point).min_element();
-        (self.span() * 0.09 - nearest).max(0.0) * 25.0
+        const INSIDE: f32 = 0.3;
+        let out = point / self.domain.size * 2.0 - 1.0;
+        let out = out * out;
+        let fourth_power = out.x * out.x + out.y * out.y;
+        let outside = (fourth_power - INSIDE).max(0.0);
+        outside * outside * self.span() * 2.2
     }
 
     /// The shorter side of the domain, which sets the scale of all shapes.
     fn span(&self) -> f32 {
         self.domain.size.min_element()
+    }
+
+    fn cellular(&self) -> FastNoiseLite {
+        let mut noise = self.noise(3, 3.2, 1);
+        noise.set_noise_type(Some(NoiseType::Cellular));
+        noise.set_cellular_return_type(Some(CellularReturnType::Distance2Sub));
+        noise
     }
 
     /// Noise with about so many bumps across the domain.

@@ -6,8 +6,11 @@
 
 mod field;
 mod kinds;
+mod regions;
 mod relief;
+mod walk;
 
-pub use field::{Cell, Land, Shore};
+pub use field::{CELL_AREA, Cell, Land, Shore};
 pub use kinds::LandKind;
-pub use relief::Relief;
+pub use regions::{Region, Run};
+pub use relief::{Relief, SPACING};

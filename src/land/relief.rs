@@ -1,13 +1,23 @@
-//! The relief: a smooth function of the domain, positive on land, known at the corners of a coarse lattice.
+//! The relief: how far inland every point of the domain lies.
+//!
+//! It is known at the corners of a coarse lattice and bilinear between, so that a coast is smooth at any size of
+//! picture. All that is needed to make one is a coast, as line pieces, and which side of it is land.
 
 use glam::Vec2;
 
+use super::walk::walk;
 use crate::domain::Domain;
 
 /// The distance between lattice corners, in units: finer than any bend of a coast that is to be seen.
-const SPACING: f32 = 8.0;
+pub const SPACING: f32 = 8.0;
 
-/// Heights at lattice corners, bilinear between.
+/// A straight piece of coast, from one end to the other.
+pub(super) type Piece = [Vec2; 2];
+
+/// The distance of a point from a coast where there is none.
+const FARTHEST: f32 = 1e4;
+
+/// Distances from the coast at lattice corners, in units: positive on land, negative at sea.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Relief {
     heights: Vec<f32>,
@@ -16,48 +26,85 @@ pub struct Relief {
 }
 
 impl Relief {
-    /// Samples a function and lowers it so that the given share of the domain is below 0: that is the sea.
-    pub fn with_sea(domain: &Domain, share: f32, height: impl Fn(Vec2) -> f32) -> Self {
+    /// The land where a function is high: the sea is as much of the domain as asked for, where it is lowest.
+    pub(super) fn with_sea(domain: &Domain, share: f32, height: impl Fn(Vec2) -> f32) -> Self {
+        let mut this = Self::sampled(domain, height);
+        let level = quantile(&this.heights, share);
+        this.heights.iter_mut().for_each(|height| *height -= level);
+        let coast = this.contour();
+        this.measured(&coast)
+    }
+
+    /// The land of a coast.
+    pub(super) fn of_coast(domain: &Domain, coast: &[Piece], is_land: impl Fn(Vec2) -> bool) -> Self {
+        Self::sampled(domain, |point| if is_land(point) { 1.0 } else { -1.0 }).measured(coast)
+    }
+
+    fn sampled(domain: &Domain, height: impl Fn(Vec2) -> f32) -> Self {
         let corners = |length: f32| (length / SPACING) as usize + 2;
         let (columns, rows) = (corners(domain.size.x), corners(domain.size.y));
-        let corner = |i: usize| Vec2::new((i % columns) as f32, (i / columns) as f32) * SPACING;
-        let mut heights: Vec<f32> = (0..columns * rows).map(|i| height(corner(i))).collect();
-        let level = quantile(&heights, share);
-        heights.iter_mut().for_each(|height| *height -= level);
-        Self { heights, columns, rows }.as_distance()
+        let heights = (0..columns * rows).map(|i| height(corner(i, columns))).collect();
+        Self { heights, columns, rows }
     }
 
-    /// Divides each height by its steepness: near the coast that is the distance from it.
-    fn as_distance(self) -> Self {
-        const FARTHEST: f32 = 100.0;
-        const FLATTEST: f32 = 0.05;
-        let distance = |i: usize| {
-            let corner = Vec2::new((i % self.columns) as f32, (i / self.columns) as f32) * SPACING;
-            let steepness = self.slope(corner).length().max(FLATTEST);
-            (self.heights[i] / steepness).max(-FARTHEST).min(FARTHEST)
-        };
-        Self { heights: (0..self.heights.len()).map(distance).collect(), ..self }
+    /// The line of height 0, square by square of the lattice (marching squares).
+    fn contour(&self) -> Vec<Piece> {
+        let mut pieces = Vec::new();
+        for row in 0..self.rows - 1 {
+            for column in 0..self.columns - 1 {
+                let northwest = row * self.columns + column;
+                // Round the square, so that crossings pair up in the order they come in.
+                let round = [northwest, northwest + 1, northwest + self.columns + 1, northwest + self.columns];
+                let crossings: Vec<Vec2> =
+                    (0..4).filter_map(|side| self.crossing(round[side], round[(side + 1) % 4])).collect();
+                pieces.extend(crossings.chunks_exact(2).map(|pair| [pair[0], pair[1]]));
+            }
+        }
+        pieces
     }
 
-    /// The height of a point, in units: near the coast about its distance from it, negative at sea. Points outside
-    /// the domain have that of its border.
+    /// Where height 0 lies between two corners, if it does.
+    fn crossing(&self, a: usize, b: usize) -> Option<Vec2> {
+        let (from, to) = (self.heights[a], self.heights[b]);
+        let crosses = (from > 0.0) != (to > 0.0);
+        crosses.then(|| corner(a, self.columns).lerp(corner(b, self.columns), from / (from - to)))
+    }
+
+    /// Puts distances from a coast in place of the heights, and keeps their signs.
+    fn measured(mut self, coast: &[Piece]) -> Self {
+        let nearest = Nearest::of(coast, self.columns, self.rows);
+        for (height, squared) in self.heights.iter_mut().zip(nearest.squared) {
+            *height = squared.sqrt() * if *height > 0.0 { 1.0 } else { -1.0 };
+        }
+        self
+    }
+
+    /// The height at a corner of the lattice.
+    #[inline]
+    pub(super) fn corner(&self, column: usize, row: usize) -> f32 {
+        self.heights[row.min(self.rows - 1) * self.columns + column.min(self.columns - 1)]
+    }
+
+    /// How far inland a point lies, in units; negative at sea. Points outside the domain have the value of its border.
     #[inline]
     pub fn height(&self, point: Vec2) -> f32 {
         let (column, x) = lattice(point.x, self.columns);
         let (row, y) = lattice(point.y, self.rows);
-        let i = row * self.columns + column;
-        let (north, south) = (&self.heights[i..i + 2], &self.heights[i + self.columns..i + self.columns + 2]);
-        let along = |pair: &[f32]| pair[0] * (1.0 - x) + pair[1] * x;
-        along(north) * (1.0 - y) + along(south) * y
+        let along = |row: usize| self.corner(column, row) * (1.0 - x) + self.corner(column + 1, row) * x;
+        along(row) * (1.0 - y) + along(row + 1) * y
     }
 
-    /// How steeply the height rises, toward higher ground.
+    /// The way inland, and how much farther inland a step that way leads.
     #[inline]
     pub fn slope(&self, point: Vec2) -> Vec2 {
         let step = SPACING;
         let rise = |axis: Vec2| self.height(point + axis * step) - self.height(point - axis * step);
         Vec2::new(rise(Vec2::X), rise(Vec2::Y)) / (2.0 * step)
     }
+}
+
+fn corner(i: usize, columns: usize) -> Vec2 {
+    Vec2::new((i % columns) as f32, (i / columns) as f32) * SPACING
 }
 
 /// The lattice interval a coordinate lies in, and where in it.
@@ -70,8 +117,127 @@ fn lattice(x: f32, corners: usize) -> (usize, f32) {
 
 /// The value below which the given share of some values lies.
 fn quantile(values: &[f32], share: f32) -> f32 {
-    let mut sorted = values.to_vec();
-    sorted.sort_unstable_by(f32::total_cmp);
-    let last = sorted.len().saturating_sub(1);
-    sorted.get((share * last as f32) as usize).copied().unwrap_or(0.0)
+    let mut values = values.to_vec();
+    let index = (share * values.len().saturating_sub(1) as f32) as usize;
+    if values.is_empty() { 0.0 } else { *values.select_nth_unstable_by(index, f32::total_cmp).1 }
+}
+
+/// Of every corner, the nearest piece of coast: known beside the coast and handed on from corner to corner, as in a
+/// distance transform (Danielsson 1980).
+struct Nearest<'a> {
+    coast: &'a [Piece],
+    piece: Vec<u32>,
+    squared: Vec<f32>,
+    columns: usize,
+}
+
+impl<'a> Nearest<'a> {
+    fn of(coast: &'a [Piece], columns: usize, rows: usize) -> Self {
+        let squared = vec![FARTHEST * FARTHEST; columns * rows];
+        let mut this = Self { coast, piece: vec![u32::MAX; columns * rows], squared, columns };
+        for (piece, [from, to]) in (0..).zip(coast) {
+            for (column, row) in walk(*from / SPACING, *to / SPACING) {
+                for (column, row) in [(column, row), (column + 1, row), (column, row + 1), (column + 1, row + 1)] {
+                    if (0..columns as i32).contains(&column) && (0..rows as i32).contains(&row) {
+                        this.propose(row as usize * columns + column as usize, piece);
+                    }
+                }
+            }
+        }
+        for row in 0..rows {
+            this.hear_from_row(row, row.checked_sub(1));
+        }
+        for row in (0..rows).rev() {
+            this.hear_from_row(row, (row + 1 < rows).then_some(row + 1));
+        }
+        this
+    }
+
+    /// Each corner of a row asks those of the row beside it, and its neighbours to the left and right.
+    fn hear_from_row(&mut self, row: usize, other: Option<usize>) {
+        let (start, columns) = (row * self.columns, self.columns);
+        if let Some(other) = other {
+            for column in 0..columns {
+                for beside in column.saturating_sub(1)..(column + 2).min(columns) {
+                    self.propose(start + column, self.piece[other * columns + beside]);
+                }
+            }
+        }
+        for column in 1..columns {
+            self.propose(start + column, self.piece[start + column - 1]);
+        }
+        for column in (0..columns - 1).rev() {
+            self.propose(start + column, self.piece[start + column + 1]);
+        }
+    }
+
+    fn propose(&mut self, i: usize, piece: u32) {
+        if piece == self.piece[i] {
+            return;
+        }
+        if let Some([from, to]) = self.coast.get(piece as usize) {
+            let squared = squared_distance(corner(i, self.columns), *from, *to);
+            if squared < self.squared[i] {
+                (self.squared[i], self.piece[i]) = (squared, piece);
+            }
+        }
+    }
+}
+
+/// The squared distance of a point from a straight piece.
+fn squared_distance(point: Vec2, from: Vec2, to: Vec2) -> f32 {
+    let (along, off) = (to - from, point - from);
+    let length = along.length_squared();
+    let t = if length > 0.0 { (off.dot(along) / length).clamp(0.0, 1.0) } else { 0.0 };
+    (off - along * t).length_squared()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::random::Seed;
+
+    #[test]
+    fn height_is_the_distance_from_the_coast() {
+        let domain = Domain::with_aspect(1.3);
+        let centre = domain.size / 2.0;
+        // A round island, first by its height, then by its coast.
+        let cone = |point: Vec2| -(point - centre).length();
+        let by_height = Relief::with_sea(&domain, 0.6, cone);
+        let radius = (0.4e6 / std::f32::consts::PI).sqrt();
+        let at = |i: usize| {
+            let angle = i as f32 / 200.0 * std::f32::consts::TAU;
+            centre + Vec2::new(libm::cosf(angle), libm::sinf(angle)) * radius
+        };
+        let coast: Vec<Piece> = (0..200).map(|i| [at(i), at(i + 1)]).collect();
+        let by_coast = Relief::of_coast(&domain, &coast, |point| (point - centre).length() < radius);
+        for i in 0..=1000 {
+            let point = domain.size * Vec2::new(i as f32 / 1000.0, (i * 7 % 1000) as f32 / 1000.0);
+            let exact = radius - (point - centre).length();
+            for relief in [&by_height, &by_coast] {
+                assert!((relief.height(point) - exact).abs() < 2.0, "{point}: {} is not {exact}", relief.height(point));
+            }
+        }
+    }
+
+    #[test]
+    fn handed_on_distances_are_those_of_a_search() {
+        let mut chance = Seed::from_text("coast").stream(crate::random::Purpose::Land);
+        let domain = Domain::with_aspect(1.0);
+        let mut point = || Vec2::new(chance.unit(), chance.unit()) * domain.size;
+        let mut piece = || {
+            let (from, toward) = (point(), point());
+            [from, from.lerp(toward, 0.05)]
+        };
+        let coast: Vec<Piece> = (0..40).map(|_| piece()).collect();
+        let relief = Relief::of_coast(&domain, &coast, |_| true);
+        let mut far_off = 0;
+        for (i, height) in relief.heights.iter().enumerate() {
+            let exact = coast.iter().map(|[from, to]| squared_distance(corner(i, relief.columns), *from, *to));
+            let exact = exact.fold(f32::INFINITY, f32::min).sqrt();
+            assert!(height - exact > -0.01 && height - exact < 2.0, "{height} is not {exact}");
+            far_off += u32::from(height - exact > 0.01);
+        }
+        assert!(far_off < 100, "{far_off} corners are not exact");
+    }
 }

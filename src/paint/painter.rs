@@ -72,6 +72,11 @@ impl Painter {
         &self.pixmap
     }
 
+    /// Forgets the ground: other land comes next.
+    pub fn leave_land(&mut self) {
+        self.ground = None;
+    }
+
     /// Forgets the picture: another tree, trim, width or style comes next.
     pub fn start_over(&mut self) {
         self.coverage.clear();

@@ -1,0 +1,61 @@
+//! Where attractors lie: anywhere on land that has a river mouth, or each in a cell of a grid.
+
+use glam::Vec2;
+
+use super::Parameters;
+use crate::land::Land;
+use crate::random::{Purpose, Stream};
+
+/// Places the attractors, in the order of their drawing: one more leaves all others where they are, unless on a grid.
+pub fn scatter(parameters: &Parameters) -> Vec<Vec2> {
+    let mut chance = parameters.seed.stream(Purpose::Attractors);
+    match (&parameters.land, parameters.on_grid) {
+        (None, false) => {
+            let anywhere = |_| Vec2::new(chance.unit(), chance.unit()) * parameters.domain.size;
+            (0..parameters.attractors).map(anywhere).collect()
+        }
+        (None, true) => on_grid(parameters, parameters.attractors, &mut chance),
+        (Some(land), false) => on_land(parameters, land, &mut chance),
+        (Some(land), true) => {
+            // As fine a grid as puts about so many cells on the land.
+            let size = parameters.domain.size;
+            let cells = (size.x * size.y / (parameters.spacing * parameters.spacing)) as u32;
+            let mut places = on_grid(parameters, cells.max(1), &mut chance);
+            places.retain(|&place| parameters.watered().any(|region| land.is_in(region, place)));
+            places
+        }
+    }
+}
+
+/// Anywhere in cells of land, each as likely as any other.
+fn on_land(parameters: &Parameters, land: &Land, chance: &mut Stream) -> Vec<Vec2> {
+    let regions: Vec<_> = parameters.watered().collect();
+    let cells: u32 = regions.iter().map(|region| region.cells).sum();
+    let anywhere = |_| {
+        let mut cell = (chance.unit() * cells as f32) as u32;
+        let within = Vec2::new(chance.unit(), chance.unit());
+        regions.iter().find_map(|region| {
+            let point = land.point(region, cell, within);
+            cell = cell.wrapping_sub(region.cells);
+            point
+        })
+    };
+    (0..parameters.attractors).filter_map(anywhere).collect()
+}
+
+/// One at random in each cell of a grid over the domain.
+fn on_grid(parameters: &Parameters, cells: u32, chance: &mut Stream) -> Vec<Vec2> {
+    let size = parameters.domain.size;
+    let rows = ((size.y / parameters.spacing).round() as u32).clamp(1, cells);
+    let first_of = |row: u32| (u64::from(row) * u64::from(cells) / u64::from(rows)) as u32;
+    let mut places = Vec::with_capacity(cells as usize);
+    for row in 0..rows {
+        let columns = first_of(row + 1) - first_of(row);
+        let cell = size / Vec2::new(columns as f32, rows as f32);
+        places.extend(
+            (0..columns)
+                .map(|column| (Vec2::new(column as f32, row as f32) + Vec2::new(chance.unit(), chance.unit())) * cell),
+        );
+    }
+    places
+}

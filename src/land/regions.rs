@@ -1,0 +1,156 @@
+//! Regions: land that hangs together, or water. No river leads from one region of land to another, so each needs a
+//! mouth of its own.
+
+use super::field::{Cell, Shore};
+
+/// A row's cells `start..end`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Run {
+    /// The row.
+    pub row: u32,
+    /// The first column.
+    pub start: u32,
+    /// The column after the last.
+    pub end: u32,
+    /// How many cells of the region come before.
+    pub before: u32,
+}
+
+/// Cells that hang together by their sides.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Region {
+    /// The cells, row by row.
+    pub runs: Vec<Run>,
+    /// How many cells there are.
+    pub cells: u32,
+    /// Those of land beside the sea, row by row.
+    pub shores: Vec<Shore>,
+}
+
+impl Region {
+    /// Whether a cell belongs to it.
+    pub fn contains(&self, column: u32, row: u32) -> bool {
+        let next = self.runs.partition_point(|run| (run.row, run.start) <= (row, column));
+        next.checked_sub(1).is_some_and(|run| self.runs[run].row == row && column < self.runs[run].end)
+    }
+
+    /// The column and row of one of the cells, counted row by row.
+    pub fn cell(&self, index: u32) -> Option<(u32, u32)> {
+        let run = self.runs.get(self.runs.partition_point(|run| run.before <= index).checked_sub(1)?)?;
+        (index < self.cells).then_some((run.start + index - run.before, run.row))
+    }
+}
+
+/// The regions that cells of a kind make, the largest first; of equally large ones, the northern.
+pub(super) fn regions(cells: &[Cell], kind: Cell, columns: usize) -> Vec<Region> {
+    let runs = runs(cells, kind, columns);
+    let mut joined = Joined((0..runs.len() as u32).collect());
+    let mut above = 0;
+    for (i, run) in runs.iter().enumerate() {
+        while above < i
+            && (runs[above].row + 1 < run.row || (runs[above].row < run.row && runs[above].end <= run.start))
+        {
+            above += 1;
+        }
+        let touching = runs[above..i].iter().take_while(|over| over.row < run.row && over.start < run.end);
+        (above..).zip(touching).for_each(|(over, _)| joined.join(over as u32, i as u32));
+    }
+    gather(&runs, &mut joined)
+}
+
+fn runs(cells: &[Cell], kind: Cell, columns: usize) -> Vec<Run> {
+    let mut runs = Vec::new();
+    for (row, cells) in (0..).zip(cells.chunks(columns.max(1))) {
+        let mut start = 0;
+        for stretch in cells.chunk_by(|a, b| (*a == kind) == (*b == kind)) {
+            let end = start + stretch.len() as u32;
+            if stretch[0] == kind {
+                runs.push(Run { row, start, end, before: 0 });
+            }
+            start = end;
+        }
+    }
+    runs
+}
+
+fn gather(runs: &[Run], joined: &mut Joined) -> Vec<Region> {
+    let mut regions: Vec<Region> = Vec::new();
+    let mut number = vec![u32::MAX; runs.len()];
+    for (i, run) in (0..).zip(runs) {
+        let number = &mut number[joined.first(i) as usize];
+        if *number == u32::MAX {
+            *number = regions.len() as u32;
+            regions.push(Region::default());
+        }
+        let region = &mut regions[*number as usize];
+        region.runs.push(Run { before: region.cells, ..*run });
+        region.cells += run.end - run.start;
+    }
+    regions.sort_by_key(|region| std::cmp::Reverse(region.cells));
+    regions
+}
+
+/// Runs that hang together: each knows an earlier one, the first of all knows itself (Tarjan 1975).
+struct Joined(Vec<u32>);
+
+impl Joined {
+    fn first(&mut self, mut run: u32) -> u32 {
+        while self.0[run as usize] != run {
+            let earlier = self.0[self.0[run as usize] as usize];
+            self.0[run as usize] = earlier;
+            run = earlier;
+        }
+        run
+    }
+
+    fn join(&mut self, a: u32, b: u32) {
+        let (a, b) = (self.first(a), self.first(b));
+        self.0[a.max(b) as usize] = a.min(b);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    /// Regions by flood fill, cell by cell.
+    fn flooded(cells: &[Cell], columns: usize) -> Vec<Vec<usize>> {
+        let mut seen = vec![false; cells.len()];
+        let mut regions = Vec::new();
+        for start in 0..cells.len() {
+            let (mut region, mut next) = (Vec::new(), vec![start]);
+            while let Some(i) = next.pop() {
+                if cells[i] != Cell::Available || std::mem::replace(&mut seen[i], true) {
+                    continue;
+                }
+                region.push(i);
+                let column = i % columns;
+                next.extend(
+                    [i.checked_sub(columns), i.checked_add(columns).filter(|&i| i < cells.len())].into_iter().flatten(),
+                );
+                next.extend((column > 0).then(|| i - 1).into_iter().chain((column + 1 < columns).then(|| i + 1)));
+            }
+            region.sort_unstable();
+            regions.extend((!region.is_empty()).then_some(region));
+        }
+        regions.sort_by_key(|region| std::cmp::Reverse(region.len()));
+        regions
+    }
+
+    proptest! {
+        #[test]
+        fn regions_are_what_a_flood_reaches(land in proptest::collection::vec(0u8..5, 1..400), columns in 1usize..25) {
+            let cells: Vec<Cell> = land.iter().map(|&c| if c < 3 { Cell::Available } else { Cell::Unavailable }).collect();
+            let cells = &cells[..cells.len() / columns * columns];
+            let ours: Vec<Vec<usize>> = regions(cells, Cell::Available, columns)
+                .iter()
+                .map(|region| {
+                    let at = |i| region.cell(i).map(|(column, row)| row as usize * columns + column as usize).unwrap();
+                    (0..region.cells).map(at).collect()
+                })
+                .collect();
+            prop_assert_eq!(ours, flooded(cells, columns));
+        }
+    }
+}
