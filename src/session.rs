@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-use crate::grow::{Colonize, Ending, GrowError, Parameters};
+use crate::grow::{Ending, GrowError, Growth, Parameters};
 use crate::paint::{PaintError, Painter, Progress, Rect, Style};
 use crate::recipe::{Key, Recipe, Stage};
 use crate::tree::{Hydrology, Tree};
@@ -37,7 +37,7 @@ pub enum SessionError {
 #[derive(Clone, Debug)]
 pub struct Session {
     recipe: Recipe,
-    growth: Colonize,
+    growth: Growth,
     painter: Painter,
 }
 
@@ -54,7 +54,7 @@ pub struct Summary {
     pub sources: u32,
     /// The highest stream order (Strahler) of the trimmed tree; 0 until it is grown.
     pub order: u8,
-    /// Attractors scattered.
+    /// Attractors scattered: none for a Brownian tree.
     pub attractors: u32,
     /// Attractors that no river came near enough to.
     pub unreached: u32,
@@ -75,7 +75,7 @@ impl Session {
     /// # Errors
     /// If a side is out of range, or the memory is not to be had.
     pub fn new(recipe: Recipe, width: u32, height: u32) -> Result<Self, SessionError> {
-        let growth = Colonize::new(Parameters::of(&recipe))?;
+        let growth = Growth::new(Parameters::of(&recipe))?;
         let painter = Painter::new(&growth.parameters().domain, width, height)?;
         Ok(Self { recipe, growth, painter })
     }
@@ -98,7 +98,7 @@ impl Session {
             }
             Some(Stage::Grow) => {
                 let land = self.growth.parameters().land.clone();
-                self.growth = Colonize::new(Parameters::on_land(&recipe, land))?;
+                self.growth = Growth::new(Parameters::on_land(&recipe, land))?;
                 self.recipe = recipe;
                 self.painter.start_over();
             }
@@ -125,7 +125,7 @@ impl Session {
     /// # Errors
     /// If the memory is not to be had; everything is then as before.
     pub fn restart(&mut self) -> Result<(), SessionError> {
-        self.growth = Colonize::new(self.growth.parameters().clone())?;
+        self.growth = Growth::new(self.growth.parameters().clone())?;
         self.painter.start_over();
         Ok(())
     }
@@ -142,7 +142,7 @@ impl Session {
             tree: self.growth.tree(),
             finished: self.growth.ending().is_some(),
             trim: recipe.integer(Key::Trim),
-            everything: self.growth.parameters().attractors,
+            everything: self.growth.everything(),
             full_width: recipe.number(Key::Width),
             land: self.growth.parameters().land.as_deref(),
             style: style(recipe),
@@ -160,7 +160,7 @@ impl Session {
     }
 
     /// Growth in progress.
-    pub fn growth(&self) -> &Colonize {
+    pub fn growth(&self) -> &Growth {
         &self.growth
     }
 
@@ -176,10 +176,10 @@ impl Session {
         let so_far = Summary {
             ticks: tree.tick_starts.len() as u32 - 1,
             nodes: tree.len() as u32,
-            mouths: self.growth.parameters().mouths,
+            mouths: self.growth.mouths(),
             sources: 0,
             order: 0,
-            attractors: self.growth.parameters().attractors,
+            attractors: self.growth.attractors(),
             unreached: self.growth.unreached(),
             ending: self.growth.ending(),
         };

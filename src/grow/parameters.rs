@@ -9,6 +9,15 @@ use crate::land::{Cell, Land};
 use crate::random::Seed;
 use crate::recipe::{Key, Recipe, Sides};
 
+/// The procedures that rivers grow by.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Procedure {
+    /// Space colonization: attractors pull.
+    Colonize,
+    /// A Brownian tree: particles wander until they meet water.
+    Brownian,
+}
+
 /// The parameters of growth, resolved: ratios turned into lengths.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Parameters {
@@ -22,6 +31,10 @@ pub struct Parameters {
     pub mouths: u32,
     /// On which sides.
     pub sides: Sides,
+    /// How rivers grow.
+    pub procedure: Procedure,
+    /// The step of a Brownian tree's last passes, in units.
+    pub sensitivity: f32,
     /// How many attractors there are.
     pub attractors: u32,
     /// Whether each has a cell of a grid to itself.
@@ -60,6 +73,8 @@ impl Parameters {
             land,
             mouths: recipe.integer(Key::Mouths),
             sides: recipe.sides(Key::Sides),
+            procedure: if recipe.choice(Key::Growth) == 1 { Procedure::Brownian } else { Procedure::Colonize },
+            sensitivity: recipe.number(Key::Sensitivity),
             attractors,
             on_grid: recipe.choice(Key::Scatter) == 1,
             spacing,

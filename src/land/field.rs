@@ -20,7 +20,7 @@ pub enum Cell {
 }
 
 /// The side of a cell, in units: a third to a half of a river's step at the default number of attractors.
-const SIDE: f32 = 2.0;
+pub const SIDE: f32 = 2.0;
 
 /// Which cells are land, on the whole domain.
 #[derive(Clone, Debug, PartialEq)]
@@ -134,7 +134,18 @@ impl Land {
         shores
     }
 
-    fn cell(&self, column: i32, row: i32) -> Cell {
+    /// How many columns of cells there are; the last may reach over the border of the domain.
+    pub fn columns(&self) -> i32 {
+        self.columns
+    }
+
+    /// How many rows of cells there are.
+    pub fn rows(&self) -> i32 {
+        self.rows
+    }
+
+    /// A cell by its place; water outside.
+    pub fn cell(&self, column: i32, row: i32) -> Cell {
         self.index(column, row).map_or(Cell::Unavailable, |i| self.cells[i])
     }
 

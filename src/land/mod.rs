@@ -8,6 +8,6 @@ mod field;
 mod kinds;
 mod relief;
 
-pub use field::{Cell, Land, Shore};
+pub use field::{Cell, Land, SIDE, Shore};
 pub use kinds::LandKind;
 pub use relief::Relief;
