@@ -222,6 +222,19 @@ fn any_two_sensitivities_draw_different_trees_evenly_dense() {
     }
 }
 
+#[test]
+fn a_finer_sensitivity_keeps_the_coarser_tree_of_its_octave() {
+    let field = square(192);
+    let coarse = grown(&field, "kauri", 24.0).tree().clone();
+    for sensitivity in [23.0, 17.0, 12.0, 5.0] {
+        let fine = grown(&field, "kauri", sensitivity);
+        assert!(
+            fine.tree().at.starts_with(&coarse.at) && fine.tree().parent.starts_with(&coarse.parent),
+            "{sensitivity}"
+        );
+    }
+}
+
 /// Whither rivers lead on the whole: the mean direction from a node to its parent, over many seeds, in standard errors
 /// of the mean over seeds.
 fn bias(order: Order) -> Vec2 {

@@ -112,5 +112,5 @@ impl Growth {
     }
 }
 
-/// By trials: from 150 to 300.
-const TICKS_OF_A_BROWNIAN_TREE: f32 = 200.0;
+/// By trials: from 50 to 300.
+const TICKS_OF_A_BROWNIAN_TREE: f32 = 150.0;

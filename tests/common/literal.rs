@@ -82,8 +82,7 @@ impl Literal {
     }
 
     fn release(&mut self, born: At, step: f32) -> bool {
-        let near = |at, cell| self.nearest(at, cell, step);
-        if near(born, Cell::Unavailable).is_some() || near(born, Cell::Illegal).is_some() {
+        if self.look(born, step) != (false, None) {
             return false;
         }
         let furthest = (step / 10.0) as i32 + 1;
@@ -93,11 +92,13 @@ impl Literal {
             let ways = 2 * furthest as u32 + 1;
             x += ((bits & 0xffff) * ways >> 16) as i32 - furthest;
             y += ((bits >> 16) * ways >> 16) as i32 - furthest;
-            if self.cell((x, y)) != Some(Cell::Available) || self.nearest((x, y), Cell::Illegal, step).is_some() {
+            if self.cell((x, y)) != Some(Cell::Available) {
                 return false;
             }
-            if let Some(target) = self.nearest((x, y), Cell::Unavailable, step) {
-                return self.draw(target, (x, y));
+            match self.look((x, y), step) {
+                (true, _) => return false,
+                (false, Some(target)) => return self.draw(target, (x, y)),
+                (false, None) => {}
             }
         }
         false
@@ -108,21 +109,28 @@ impl Literal {
         is_inside.then(|| self.cells[(y * self.columns + x) as usize])
     }
 
-    /// The nearest cell of a kind nearer than half a step, the first of equals: the whole disc is looked through.
-    fn nearest(&self, (x, y): At, kind: Cell, step: f32) -> Option<At> {
+    /// What lies nearer than half a step: whether a ridge does, and the nearest water, the first of equals. The whole disc
+    /// is looked through.
+    fn look(&self, (x, y): At, step: f32) -> (bool, Option<At>) {
         let radius = (step / 2.0).ceil() as i32;
-        let mut best = (step * step / 4.0, None);
+        let (mut near, mut is_ridge, mut nearest) = (step * step / 4.0, false, None);
+        let first = (x - radius).max(0);
         for row in (y - radius).max(0)..=(y + radius).min(self.rows - 1) {
-            for column in (x - radius).max(0)..=(x + radius).min(self.columns - 1) {
-                if self.cells[(row * self.columns + column) as usize] == kind {
-                    let squared = ((column - x) * (column - x) + (row - y) * (row - y)) as f32;
-                    if squared < best.0 {
-                        best = (squared, Some((column, row)));
-                    }
+            let start = (row * self.columns + first) as usize;
+            let end = (row * self.columns + (x + radius).min(self.columns - 1)) as usize;
+            for (column, &cell) in (first..).zip(&self.cells[start..=end]) {
+                if cell == Cell::Available {
+                    continue;
+                }
+                let squared = ((column - x) * (column - x) + (row - y) * (row - y)) as f32;
+                if cell == Cell::Illegal {
+                    is_ridge |= squared < step * step / 4.0;
+                } else if squared < near {
+                    (near, nearest) = (squared, Some((column, row)));
                 }
             }
         }
-        best.1
+        (is_ridge, nearest)
     }
 
     fn draw(&mut self, target: At, particle: At) -> bool {
