@@ -238,7 +238,7 @@ fn a_finer_sensitivity_keeps_the_coarser_tree_of_its_octave() {
 /// Whither rivers lead on the whole: the mean direction from a node to its parent, over many seeds, in standard errors
 /// of the mean over seeds.
 fn bias(order: Order) -> Vec2 {
-    const SEEDS: usize = 60;
+    const SEEDS: usize = 300;
     let field = square(96);
     let mean = |tree: &Tree| {
         let rivers = (0..tree.len()).filter_map(|node| Some((node, tree.parent_of(node)?)));
@@ -253,16 +253,17 @@ fn bias(order: Order) -> Vec2 {
     all / (variance / SEEDS as f32).map(f32::sqrt)
 }
 
+/// If of equally near water the first were taken, row by row, this would be 7.
 #[test]
 fn rivers_favour_no_direction() {
     let bias = bias(Order::Shuffled);
-    assert!(bias.abs().max_element() < 3.5, "{bias}");
+    assert!(bias.abs().max_element() < 4.0, "{bias}");
 }
 
 #[test]
 fn the_test_of_directions_sees_the_bias_of_particles_in_rows() {
     let bias = bias(Order::Rows);
-    assert!(bias.max_element() < -4.0, "{bias}");
+    assert!(bias.max_element() < -8.0, "{bias}");
 }
 
 #[test]

@@ -109,11 +109,11 @@ impl Literal {
         is_inside.then(|| self.cells[(y * self.columns + x) as usize])
     }
 
-    /// What lies nearer than half a step: whether a ridge does, and the nearest water, the first of equals. The whole disc
+    /// What lies nearer than half a step: whether a ridge does, and the nearest water, of equals the first in shuffled order. The whole disc
     /// is looked through.
     fn look(&self, (x, y): At, step: f32) -> (bool, Option<At>) {
         let radius = (step / 2.0).ceil() as i32;
-        let (mut near, mut is_ridge, mut nearest) = (step * step / 4.0, false, None);
+        let (mut near, mut is_ridge, mut nearest) = ((step * step / 4.0, 0), false, None);
         let first = (x - radius).max(0);
         for row in (y - radius).max(0)..=(y + radius).min(self.rows - 1) {
             let start = (row * self.columns + first) as usize;
@@ -125,8 +125,11 @@ impl Literal {
                 let squared = ((column - x) * (column - x) + (row - y) * (row - y)) as f32;
                 if cell == Cell::Illegal {
                     is_ridge |= squared < step * step / 4.0;
-                } else if squared < near {
-                    (near, nearest) = (squared, Some((column, row)));
+                } else if squared <= near.0 {
+                    let this = (squared, shuffled((row * self.columns + column) as u32));
+                    if this < near {
+                        (near, nearest) = (this, Some((column, row)));
+                    }
                 }
             }
         }
@@ -181,6 +184,12 @@ impl Literal {
             (_, None) => false,
         })
     }
+}
+
+/// The order of equals: favours no direction.
+fn shuffled(number: u32) -> u32 {
+    let half = number.wrapping_mul(0x9e37_79b1);
+    (half ^ (half >> 16)).wrapping_mul(0x85eb_ca77)
 }
 
 /// The exact place of a node in units.
