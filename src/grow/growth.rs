@@ -112,5 +112,5 @@ impl Growth {
     }
 }
 
-/// By trials: from 50 to 300.
-const TICKS_OF_A_BROWNIAN_TREE: f32 = 150.0;
+/// By trials: from 50 to 350, most of them between 100 and 250.
+const TICKS_OF_A_BROWNIAN_TREE: f32 = 200.0;

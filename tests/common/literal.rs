@@ -90,8 +90,8 @@ impl Literal {
         for _ in 0..4096 {
             let bits = self.chance.bits();
             let ways = 2 * furthest as u32 + 1;
-            x += ((bits & 0xffff) * ways >> 16) as i32 - furthest;
-            y += ((bits >> 16) * ways >> 16) as i32 - furthest;
+            x += (((bits & 0xffff) * ways) >> 16) as i32 - furthest;
+            y += (((bits >> 16) * ways) >> 16) as i32 - furthest;
             if self.cell((x, y)) != Some(Cell::Available) {
                 return false;
             }

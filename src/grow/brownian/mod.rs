@@ -213,3 +213,37 @@ fn shuffle(particles: &mut [Place], chance: &mut Stream) {
         particles.swap(i, chance.below(i as u32 + 1) as usize);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn steps_halve_and_end_with_the_one_asked_for() {
+        let steps =
+            |first, last| std::iter::successors(Some(first), |&step| next_step(step, 0.0, last)).collect::<Vec<f32>>();
+        let expected: [(f32, f32, Vec<f32>); 4] = [
+            (1000.0, 12.0, vec![1000.0, 500.0, 250.0, 125.0, 62.0, 31.0, 15.0, 12.0]),
+            (96.0, 12.0, vec![96.0, 48.0, 24.0, 12.0]),
+            (100.0, 12.5, vec![100.0, 50.0, 25.0, 12.5]),
+            (4.0, 4.0, vec![4.0]),
+        ];
+        for (first, last, expected) in expected {
+            assert_eq!(steps(first, last), expected);
+        }
+    }
+
+    #[test]
+    fn a_step_worth_while_is_kept() {
+        assert_eq!(next_step(62.0, LEAST_IMPACT, 12.0), Some(62.0));
+        assert_eq!(next_step(12.0, 0.9, 12.0), Some(12.0));
+    }
+
+    #[test]
+    fn a_particle_is_born_in_each_square() {
+        let field = Field::new(90, 40, 1.0, |_, _| crate::land::Cell::Available);
+        let particles = spawn(&field, 8.0, &mut Seed::from_text("kauri").stream(Purpose::Particles));
+        let squares: Vec<(i32, i32)> = particles.iter().map(|at| (at.row / 8, at.column / 8)).collect();
+        assert!(squares.is_sorted_by(|a, b| a < b) && (55..=60).contains(&squares.len()), "{}", squares.len());
+    }
+}
