@@ -92,15 +92,10 @@ impl Session {
     pub fn change(&mut self, recipe: Recipe) -> Result<Option<Stage>, SessionError> {
         let stage = self.recipe.first_difference(&recipe);
         match stage {
-            Some(Stage::Land) => {
-                let (width, height) = (self.pixmap().width(), self.pixmap().height());
-                *self = Self::new(recipe, width, height)?;
-            }
+            Some(Stage::Land) => self.grow(Parameters::of(&recipe), recipe)?,
             Some(Stage::Grow) => {
                 let land = self.growth.parameters().land.clone();
-                self.growth = Growth::new(Parameters::on_land(&recipe, land))?;
-                self.recipe = recipe;
-                self.painter.start_over();
+                self.grow(Parameters::on_land(&recipe, land), recipe)?;
             }
             Some(Stage::Prune | Stage::Paint) => {
                 self.recipe = recipe;
@@ -109,6 +104,19 @@ impl Session {
             None => {}
         }
         Ok(stage)
+    }
+
+    /// Plants another recipe. The picture's memory is kept if its shape is, and the land that it shows.
+    fn grow(&mut self, parameters: Parameters, recipe: Recipe) -> Result<(), SessionError> {
+        let growth = Growth::new(parameters)?;
+        let (old, new) = (self.growth.parameters(), growth.parameters());
+        if old.domain == new.domain && old.is_on_land_of(new) {
+            self.painter.start_over();
+        } else {
+            self.painter = Painter::new(&new.domain, self.pixmap().width(), self.pixmap().height())?;
+        }
+        (self.recipe, self.growth) = (recipe, growth);
+        Ok(())
     }
 
     /// Paints the same rivers at another size.

@@ -7,7 +7,8 @@
 use glam::Vec2;
 use wide::f32x4;
 
-use super::{GrowError, Parameters};
+use super::{GrowError, Parameters, Pull};
+use crate::land::Land;
 use crate::random::Purpose;
 
 /// The owner of an attractor that no river has come near.
@@ -69,6 +70,17 @@ impl Block {
         Self { x: f32x4::ZERO, y: f32x4::ZERO, near: f32x4::splat(USED_UP), owner: [NO_NODE; 4] }
     }
 
+    /// Notes the new distance of those lanes that a place sees, and returns them.
+    #[inline(never)]
+    fn come_nearer(&mut self, squared: f32x4, lanes: u32, land: &Land, place: Vec2) -> u32 {
+        let (x, y, squared) = (self.x.to_array(), self.y.to_array(), squared.to_array());
+        let is_seen = |lane: &usize| lanes >> lane & 1 != 0 && land.sees(place, Vec2::new(x[*lane], y[*lane]));
+        (0..4).filter(is_seen).fold(0, |seen, lane| {
+            self.near.as_mut_array()[lane] = squared[lane];
+            seen | 1 << lane
+        })
+    }
+
     /// Owner, squared distance and place of the attractors that have an owner and are not used up.
     fn owned(&self) -> impl Iterator<Item = (u32, f32, Vec2)> {
         let (x, y, near) = (self.x.to_array(), self.y.to_array(), self.near.to_array());
@@ -76,6 +88,30 @@ impl Block {
         let lanes = (0..4).filter(move |&lane| near[lane] != USED_UP && owner[lane] != NO_NODE);
         lanes.map(move |lane| (owner[lane], near[lane], Vec2::new(x[lane], y[lane])))
     }
+}
+
+/// A cell of the grid.
+#[derive(Clone, Copy, Debug)]
+struct Cell {
+    /// No attractor of each lane has its nearest node farther than this (squared), with an allowance for rounding.
+    farthest: f32x4,
+    /// Its blocks, `first..end`.
+    first: u32,
+    end: u32,
+}
+
+impl Cell {
+    fn empty(squared_reach: f32) -> Self {
+        Self { farthest: f32x4::splat(squared_reach * OVER_ROUNDING), first: 0, end: 0 }
+    }
+}
+
+/// The attractors of a block that a new node is nearest to.
+#[derive(Clone, Copy, Debug)]
+struct Hit {
+    block: u32,
+    /// Bit by bit.
+    lanes: u32,
 }
 
 /// An attractor that a new node has come nearest to.
@@ -91,33 +127,35 @@ pub(super) struct Capture {
 #[derive(Clone, Debug)]
 pub(super) struct Attractors {
     blocks: Vec<Block>,
-    /// Each cell's first block, row by row; one more entry for the end.
-    first_block: Vec<u32>,
-    /// No attractor of a cell has its nearest node farther than this (squared).
-    farthest: Vec<f32>,
+    /// Room for what a new node finds.
+    hits: Vec<Hit>,
+    /// Row by row.
+    cells: Vec<Cell>,
     columns: i32,
     rows: i32,
     cell: f32,
     reach: f32,
     count: u32,
+    cells_a_reach: i32,
 }
 
 impl Attractors {
     /// Scatters the attractors of a recipe and sorts them into cells.
     pub fn new(parameters: &Parameters) -> Result<Self, GrowError> {
         let places = scatter(parameters);
-        let cell = cell_size(parameters);
+        let cell = parameters.reach / cells_a_reach(parameters) as f32 * OVER_ROUNDING;
         let count = |length: f32| ((length / cell) as i32 + 1).max(1);
         let (columns, rows) = (count(parameters.domain.size.x), count(parameters.domain.size.y));
         let mut this = Self {
             blocks: Vec::new(),
-            first_block: vec![0; (columns * rows) as usize + 1],
-            farthest: vec![parameters.reach * parameters.reach; (columns * rows) as usize],
+            hits: Vec::new(),
+            cells: vec![Cell::empty(parameters.reach * parameters.reach); (columns * rows) as usize],
             columns,
             rows,
             cell,
             reach: parameters.reach,
             count: places.len() as u32,
+            cells_a_reach: cells_a_reach(parameters),
         };
         this.fill(&places).map_err(|_| GrowError::out_of_memory(parameters))?;
         Ok(this)
@@ -130,15 +168,13 @@ impl Attractors {
 
     /// A counting sort by cell, each cell rounded up to whole blocks.
     fn fill(&mut self, places: &[Vec2]) -> Result<(), std::collections::TryReserveError> {
-        let mut filled = vec![0u32; self.farthest.len()];
+        let mut filled = vec![0u32; self.cells.len()];
         places.iter().for_each(|&at| filled[self.cell_of(at)] += 1);
         let mut blocks = 0;
-        for (first, filled) in self.first_block.iter_mut().zip(&filled) {
-            *first = blocks;
+        for (cell, filled) in self.cells.iter_mut().zip(&filled) {
+            cell.first = blocks;
             blocks += filled.div_ceil(4);
-        }
-        if let Some(end) = self.first_block.last_mut() {
-            *end = blocks;
+            cell.end = blocks;
         }
         self.blocks.try_reserve_exact(blocks as usize)?;
         self.blocks.resize(blocks as usize, Block::empty());
@@ -146,7 +182,7 @@ impl Attractors {
         for &at in places {
             let cell = self.cell_of(at);
             filled[cell] -= 1;
-            let block = &mut self.blocks[(self.first_block[cell] + filled[cell] / 4) as usize];
+            let block = &mut self.blocks[(self.cells[cell].first + filled[cell] / 4) as usize];
             let lane = (filled[cell] % 4) as usize;
             block.x.as_mut_array()[lane] = at.x;
             block.y.as_mut_array()[lane] = at.y;
@@ -160,65 +196,65 @@ impl Attractors {
         (index(at.y, self.rows) * self.columns + index(at.x, self.columns)) as usize
     }
 
-    /// Gives a new node all attractors that it sees and is nearest to, and tells of each. Where two nodes are equally near,
-    /// the earlier keeps the attractor.
-    #[inline]
-    pub fn capture(&mut self, node: u32, at: Vec2, sees: impl Fn(Vec2, Vec2) -> bool, mut tell: impl FnMut(Capture)) {
+    /// Gives a new node all attractors that it is nearest to, tells of each, and returns their pull. Where two nodes are
+    /// equally near, the earlier keeps the attractor. Behind a ridge of `ridged` land there is none.
+    pub fn capture(&mut self, node: u32, at: Vec2, ridged: Option<&Land>, tell: impl FnMut(Capture)) -> Pull {
+        self.hits.clear();
+        self.find_nearer(at, ridged);
+        self.hand_over(node, at, tell)
+    }
+
+    /// Looks for attractors that a place is nearer to than their nearest node, and notes the new distance.
+    fn find_nearer(&mut self, at: Vec2, ridged: Option<&Land>) {
         let (columns, rows) = (self.cells_within(at.x, self.columns), self.cells_within(at.y, self.rows));
+        let half = self.cell * 0.5;
+        // Counted on, since V8 is slow to make floats of whole numbers.
+        let west = columns.start as f32 * self.cell + half;
+        let mut y = rows.start as f32 * self.cell + half;
         for row in rows {
-            let gap_y = gap(at.y, row as f32 * self.cell, self.cell);
-            for column in columns.clone() {
-                let cell = (row * self.columns + column) as usize;
-                let gap_x = gap(at.x, column as f32 * self.cell, self.cell);
-                if gap_x * gap_x + gap_y * gap_y < self.farthest[cell] * OVER_ROUNDING {
-                    self.capture_in_cell(cell, node, at, &sees, &mut tell);
+            let gap_y = gap(at.y, y, half);
+            let mut x = west;
+            let first = row * self.columns;
+            for cell in &mut self.cells[(first + columns.start) as usize..(first + columns.end) as usize] {
+                let gap_x = gap(at.x, x, half);
+                let squared = f32x4::splat(gap_x * gap_x + gap_y * gap_y);
+                if squared.simd_lt(cell.farthest).any() {
+                    let blocks = &mut self.blocks[cell.first as usize..cell.end as usize];
+                    cell.farthest = find_nearer_in(blocks, cell.first, at, ridged, &mut self.hits) * OVER_ROUNDING;
                 }
+                x += self.cell;
             }
+            y += self.cell;
         }
     }
 
-    /// The range of columns (or rows) that the reach around a coordinate touches.
-    fn cells_within(&self, centre: f32, count: i32) -> std::ops::RangeInclusive<i32> {
-        let index = |x: f32| ((x / self.cell) as i32).clamp(0, count - 1);
-        let reach = self.reach * OVER_ROUNDING;
-        index(centre - reach)..=index(centre + reach)
+    /// The range of columns (or rows) that the reach around a coordinate may touch.
+    fn cells_within(&self, centre: f32, count: i32) -> std::ops::Range<i32> {
+        let middle = (centre / self.cell) as i32;
+        (middle - self.cells_a_reach).max(0)..(middle + self.cells_a_reach + 1).min(count)
     }
 
+    /// Gives a node what it was found to be nearest to.
     #[inline]
-    fn capture_in_cell(
-        &mut self,
-        cell: usize,
-        node: u32,
-        at: Vec2,
-        sees: &impl Fn(Vec2, Vec2) -> bool,
-        tell: &mut impl FnMut(Capture),
-    ) {
-        let (node_x, node_y) = (f32x4::splat(at.x), f32x4::splat(at.y));
-        let (start, end) = (self.first_block[cell], self.first_block[cell + 1]);
-        let mut farthest = f32x4::splat(USED_UP);
-        for (index, block) in (start..end).zip(&mut self.blocks[start as usize..end as usize]) {
-            let (dx, dy) = (block.x - node_x, block.y - node_y);
-            let squared = dx * dx + dy * dy;
-            let mut nearer = squared.simd_lt(block.near).to_bitmask();
-            while nearer != 0 {
-                let lane = nearer.trailing_zeros() as usize;
-                nearer &= nearer - 1;
-                let attractor_at = Vec2::new(block.x.to_array()[lane], block.y.to_array()[lane]);
-                if !sees(at, attractor_at) {
-                    continue;
-                }
-                let squared_distance = squared.to_array()[lane];
-                block.near.as_mut_array()[lane] = squared_distance;
+    fn hand_over(&mut self, node: u32, at: Vec2, mut tell: impl FnMut(Capture)) -> Pull {
+        let mut gained = Pull::default();
+        for &Hit { block: index, mut lanes } in &self.hits {
+            let block = &mut self.blocks[index as usize];
+            let (x, y, near) = (block.x.as_array(), block.y.as_array(), block.near.as_array());
+            while lanes != 0 {
+                let lane = (lanes.trailing_zeros() % 4) as usize;
+                lanes &= lanes - 1;
+                let attractor = Vec2::new(x[lane], y[lane]);
+                gained.add(Pull::toward(at, attractor));
                 tell(Capture {
                     attractor: index * 4 + lane as u32,
-                    at: attractor_at,
+                    at: attractor,
                     previous_owner: std::mem::replace(&mut block.owner[lane], node),
-                    squared_distance,
+                    squared_distance: near[lane],
                 });
             }
-            farthest = farthest.fast_max(block.near);
         }
-        self.farthest[cell] = farthest.to_array().into_iter().fold(USED_UP, f32::max);
+        gained
     }
 
     /// Uses an attractor up. Tells where it lies and whose it was; `None` if it was used up before.
@@ -239,8 +275,8 @@ impl Attractors {
         self.cells_within(at.y, self.rows).any(|row| {
             self.cells_within(at.x, self.columns).any(|column| {
                 let cell = (row * self.columns + column) as usize;
-                let (start, end) = (self.first_block[cell] as usize, self.first_block[cell + 1] as usize);
-                self.blocks[start..end].iter().any(|block| {
+                let Cell { first, end, .. } = self.cells[cell];
+                self.blocks[first as usize..end as usize].iter().any(|block| {
                     (0..4).filter(|&lane| block.near.to_array()[lane] != USED_UP).any(|lane| {
                         let gap = Vec2::new(block.x.to_array()[lane], block.y.to_array()[lane]) - at;
                         gap.x * gap.x + gap.y * gap.y < squared_reach
@@ -267,16 +303,41 @@ impl Attractors {
     }
 }
 
-/// A whole part of the reach, near three spacings: nine attractors a cell are enough to share the cost of looking at
-/// it, and not so many that most are out of reach.
-fn cell_size(parameters: &Parameters) -> f32 {
-    const SPACINGS: f32 = 4.0;
-    let parts = (parameters.reach / (SPACINGS * parameters.spacing)).ceil().max(1.0);
-    parameters.reach / parts
+/// Looks through a cell's blocks, the first of them being number `first`. Returns how far its attractors are from their
+/// nearest nodes at most, lane by lane.
+#[inline]
+fn find_nearer_in(blocks: &mut [Block], first: u32, at: Vec2, ridged: Option<&Land>, hits: &mut Vec<Hit>) -> f32x4 {
+    let (x, y) = (f32x4::splat(at.x), f32x4::splat(at.y));
+    let mut farthest = f32x4::splat(USED_UP);
+    for (index, block) in (first..).zip(blocks) {
+        let (dx, dy) = (block.x - x, block.y - y);
+        let squared = dx * dx + dy * dy;
+        let lanes = squared.simd_lt(block.near).to_bitmask();
+        if lanes != 0 {
+            match ridged {
+                None => {
+                    block.near = squared.fast_min(block.near);
+                    hits.push(Hit { block: index, lanes });
+                }
+                Some(land) => hits.push(Hit { block: index, lanes: block.come_nearer(squared, lanes, land, at) }),
+            }
+        }
+        farthest = farthest.fast_max(block.near);
+    }
+    farthest
 }
 
-/// How far a coordinate lies outside an interval.
+/// How many cells go into the reach: so that a cell is near three spacings wide. Nine attractors a cell are enough to
+/// share the cost of looking at it, and not so many that most are out of reach.
+fn cells_a_reach(parameters: &Parameters) -> i32 {
+    const SPACINGS: f32 = 4.0;
+    (parameters.reach / (SPACINGS * parameters.spacing)).ceil().max(1.0) as i32
+}
+
+/// How far a coordinate lies outside an interval: `max(distance, 0)`, written so because wasm has no such instruction
+/// and would jump.
 #[inline]
-fn gap(x: f32, start: f32, length: f32) -> f32 {
-    (start - x).max(x - (start + length)).max(0.0)
+fn gap(x: f32, middle: f32, half: f32) -> f32 {
+    let distance = (x - middle).abs() - half;
+    (distance + distance.abs()) * 0.5
 }

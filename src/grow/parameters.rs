@@ -89,6 +89,15 @@ impl Parameters {
 }
 
 impl Parameters {
+    /// Whether others are for the very same land, shaped once.
+    pub fn is_on_land_of(&self, other: &Self) -> bool {
+        match (&self.land, &other.land) {
+            (None, None) => true,
+            (Some(land), Some(other)) => Arc::ptr_eq(land, other),
+            (None, Some(_)) | (Some(_), None) => false,
+        }
+    }
+
     /// Whether an attractor may lie here.
     pub fn is_land(&self, point: Vec2) -> bool {
         self.land.as_ref().is_none_or(|land| land.at(point) == Cell::Available)
@@ -103,12 +112,13 @@ impl Parameters {
         }
     }
 
+    /// The land, if it has ridges that attractors do not pull through.
+    pub fn ridges(&self) -> Option<&Land> {
+        self.land.as_deref().filter(|land| !land.ridges().is_empty())
+    }
+
     /// Whether an attractor pulls a node: it does not through a ridge.
-    #[inline]
     pub fn sees(&self, node: Vec2, attractor: Vec2) -> bool {
-        match &self.land {
-            Some(land) if !land.ridges().is_empty() => land.sees(node, attractor),
-            _ => true,
-        }
+        self.ridges().is_none_or(|land| land.sees(node, attractor))
     }
 }

@@ -16,6 +16,17 @@ pub struct Pull {
 
 const UNIT: f32 = 262_144.0;
 
+/// No two places but equal ones are so near.
+const TINY: f32 = 1e-20;
+
+/// Rounds to the nearest whole number, below 2²² either way: added to 1.5 · 2²³ it is what the lowest bits say. A
+/// conversion by `as` costs wasm many times as much.
+#[inline]
+fn whole(number: f32) -> i32 {
+    const ALL_FRACTION: f32 = 12_582_912.0;
+    (number + ALL_FRACTION).to_bits().wrapping_sub(ALL_FRACTION.to_bits()) as i32
+}
+
 /// A sum smaller than this is what rounding leaves of pulls that balance.
 const NOISE: u32 = 64;
 
@@ -25,11 +36,8 @@ impl Pull {
     pub fn toward(node: Vec2, attractor: Vec2) -> Self {
         let gap = attractor - node;
         let squared = gap.x * gap.x + gap.y * gap.y;
-        if squared == 0.0 {
-            return Self::default();
-        }
-        let scale = UNIT / squared.sqrt();
-        Self { x: (gap.x * scale) as i32, y: (gap.y * scale) as i32 }
+        let scale = UNIT / (if squared > TINY { squared } else { TINY }).sqrt();
+        Self { x: whole(gap.x * scale), y: whole(gap.y * scale) }
     }
 
     /// Adds an attractor's pull.

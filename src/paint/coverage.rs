@@ -102,7 +102,7 @@ impl Coverage {
     ///
     /// Thinner than a pixel, a line keeps its width and pales instead.
     pub fn capsule(&mut self, a: Vec2, radius_a: f32, b: Vec2, radius_b: f32) {
-        let margin = radius_a.max(radius_b).max(HALF) + HALF;
+        let margin = rim(larger(radius_a, radius_b));
         let Some(rect) = self.pixels_between(a.min(b) - margin, a.max(b) + margin) else { return };
         self.touch(rect);
         let stroke = Stroke::new(a, radius_a, b, radius_b);
@@ -110,7 +110,7 @@ impl Coverage {
         for y in rect.top..rect.bottom {
             let start = y as usize * width;
             let row = &mut self.mask.data_mut()[start + rect.left as usize..start + rect.right as usize];
-            stroke.cover(row, rect.left, y);
+            stroke.cover(row, rect.left as f32 - a.x, y as f32 + HALF - a.y);
         }
     }
 
@@ -124,7 +124,8 @@ impl Coverage {
 
     /// The pixels whose centres lie between two corners.
     fn pixels_between(&self, least: Vec2, most: Vec2) -> Option<Rect> {
-        let clamp = |x: f32, end: u32| (x.max(0.0) as u32).min(end);
+        // A conversion makes 0 of what is below.
+        let clamp = |x: f32, end: u32| (x as u32).min(end);
         let rect = Rect {
             left: clamp(least.x, self.mask.width()),
             top: clamp(least.y, self.mask.height()),
@@ -137,53 +138,90 @@ impl Coverage {
 
 const HALF: f32 = 0.5;
 
-/// A capsule, prepared for many pixels.
+/// How far from its middle line a stroke of a radius shows.
+fn rim(radius: f32) -> f32 {
+    larger(radius, HALF) + HALF
+}
+
+/// `f32::max`, which knows what to do with NaN, is several jumps in wasm.
+fn larger(a: f32, b: f32) -> f32 {
+    if a > b { a } else { b }
+}
+
+/// A capsule, prepared for four pixels at a time. Whatever can be is a field and not a constant in the inner loop,
+/// where V8 would make it anew for every four pixels.
 struct Stroke {
-    a: Vec2,
-    along: Vec2,
-    per_squared_length: f32,
-    radius_a: f32,
-    radius_b: f32,
+    along_x: f32x4,
+    along_y: f32x4,
+    per_squared_length: f32x4,
+    /// Where coverage ends, from the middle line, at either end.
+    rim_a: f32x4,
+    rim_b: f32x4,
+    /// The farther of the two, squared.
+    squared_rim: f32x4,
+    /// The most coverage at either end, in 255ths.
+    most_a: f32x4,
+    most_b: f32x4,
 }
 
 impl Stroke {
     fn new(a: Vec2, radius_a: f32, b: Vec2, radius_b: f32) -> Self {
         let along = b - a;
         let squared = along.x * along.x + along.y * along.y;
-        Self { a, along, per_squared_length: if squared > 0.0 { 1.0 / squared } else { 0.0 }, radius_a, radius_b }
+        let most = |radius: f32| f32x4::splat(if radius > HALF { 255.0 } else { radius * 510.0 });
+        let (rim_a, rim_b) = (rim(radius_a), rim(radius_b));
+        let rim = larger(rim_a, rim_b);
+        Self {
+            along_x: f32x4::splat(along.x),
+            along_y: f32x4::splat(along.y),
+            per_squared_length: f32x4::splat(if squared > 0.0 { 1.0 / squared } else { 0.0 }),
+            rim_a: f32x4::splat(rim_a),
+            rim_b: f32x4::splat(rim_b),
+            squared_rim: f32x4::splat(rim * rim),
+            most_a: most(radius_a),
+            most_b: most(radius_b),
+        }
     }
 
     /// Raises the pixels of a row, which starts at column `left`, to this stroke's coverage.
-    fn cover(&self, row: &mut [u8], left: u32, y: u32) {
-        let dy = f32x4::splat(y as f32 + HALF - self.a.y);
-        let mut dx = f32x4::new([0.5, 1.5, 2.5, 3.5]) + f32x4::splat(left as f32 - self.a.x);
+    #[inline]
+    fn cover(&self, row: &mut [u8], left: f32, dy: f32) {
+        /// Added to it, a small number shows its nearest whole number in the lowest bits.
+        const ALL_FRACTION: f32 = 8_388_608.0;
+        let dy = f32x4::splat(dy);
+        let mut dx = f32x4::new([0.5, 1.5, 2.5, 3.5]) + f32x4::splat(left);
         for pixels in row.chunks_mut(4) {
-            let coverage = self.coverage(dx, dy);
+            let (t, squared_distance) = self.nearest(dx, dy);
             dx += f32x4::splat(4.0);
             // Most of the box around a slanting line is empty.
-            if coverage.simd_ge(f32x4::ONE).none() {
+            if squared_distance.simd_lt(self.squared_rim).none() {
                 continue;
             }
-            for (pixel, coverage) in pixels.iter_mut().zip(coverage.fast_trunc_int().to_array()) {
-                *pixel = (*pixel).max(coverage as u8);
+            let coverage = (self.coverage(t, squared_distance.sqrt()) + f32x4::splat(ALL_FRACTION)).to_array();
+            for (pixel, coverage) in pixels.iter_mut().zip(coverage) {
+                *pixel = (*pixel).max(coverage.to_bits() as u8);
             }
         }
     }
 
-    /// Coverage in 255ths, of four pixels that lie at (dx, dy) from `a`.
+    /// Of four pixels that lie at (dx, dy) from `a`: which point of the middle line is nearest, from 0 at `a` to 1 at `b`,
+    /// and how far it is, squared.
     #[inline]
-    fn coverage(&self, dx: f32x4, dy: f32x4) -> f32x4 {
-        let (along_x, along_y) = (f32x4::splat(self.along.x), f32x4::splat(self.along.y));
-        let t = (dx * along_x + dy * along_y) * f32x4::splat(self.per_squared_length);
+    fn nearest(&self, dx: f32x4, dy: f32x4) -> (f32x4, f32x4) {
+        let t = (dx * self.along_x + dy * self.along_y) * self.per_squared_length;
         let t = t.fast_max(f32x4::ZERO).fast_min(f32x4::ONE);
-        let (off_x, off_y) = (dx - along_x * t, dy - along_y * t);
-        let distance = (off_x * off_x + off_y * off_y).sqrt();
+        let (off_x, off_y) = (dx - self.along_x * t, dy - self.along_y * t);
+        (t, off_x * off_x + off_y * off_y)
+    }
+
+    /// Coverage in 255ths.
+    #[inline]
+    fn coverage(&self, t: f32x4, distance: f32x4) -> f32x4 {
         // Written as two products, not as a + (b − a)·t: so it cannot fall when a radius grows.
-        let radius = f32x4::splat(self.radius_a) * (f32x4::ONE - t) + f32x4::splat(self.radius_b) * t;
-        let half = f32x4::splat(HALF);
-        let strength = (radius + radius).fast_min(f32x4::ONE);
-        let edge = (radius.fast_max(half) + half - distance).fast_max(f32x4::ZERO).fast_min(f32x4::ONE);
-        edge * strength * f32x4::splat(255.0)
+        let rest = f32x4::ONE - t;
+        let rim = self.rim_a * rest + self.rim_b * t;
+        let most = self.most_a * rest + self.most_b * t;
+        (rim - distance).fast_max(f32x4::ZERO).fast_min(f32x4::ONE) * most
     }
 }
 
