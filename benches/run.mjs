@@ -22,6 +22,7 @@ const GROUPS = {
   "Growth against the twin, the paper as written by the same compiler": againstTwin,
   "Growth, wasm against native": wasmAgainstNative,
   "Growth from 10,000 to 1,000,000 attractors, R = 3": scaling,
+  "Brownian tree on 1024² cells, sensitivity 12": brownian,
   "Drawing 100,000 segments at 1024²": drawing,
   "A slider moves: regrow and redraw 15,000 attractors at 1024²": slider,
   "The page, while 100,000 attractors grow at 1024²": page,
@@ -97,6 +98,16 @@ async function scaling() {
   const fresh = wasmSide();
   await fresh.run("grow 1000000 3");
   row("wasm memory, N = 1,000,000", fresh.memory() / 1e6, "MB", atMost(180, 110));
+}
+
+async function brownian() {
+  const [natively, asWasm] = await inTurn(9, [native, "brownian 1024 12"], [wasm, "brownian 1024 12"]);
+  const literal = await native.run("literal-brownian 1024 12");
+  row("native: a literal search / ours", literal.ms / median(natively), "×", atLeast(6, 10));
+  guide("ours", median(natively), "ms");
+  guide("a literal search, once", literal.ms, "ms");
+  row("wasm / native", median(ratios(asWasm, natively)), "×", atMost(1.35, 1.2));
+  guide("wasm", median(asWasm), "ms");
 }
 
 async function drawing() {

@@ -8,14 +8,18 @@ use std::collections::BTreeMap;
 
 use glam::Vec2;
 use riverseed::domain::Domain;
-use riverseed::grow::{Colonize, Parameters};
+use riverseed::grow::{Brownian, Colonize, Field, Parameters};
 use riverseed::paint::{Coverage, Pen, View, Widths};
+use riverseed::random::Seed;
 use riverseed::recipe::preset::PRESETS;
-use riverseed::recipe::{Key, Recipe, link};
+use riverseed::recipe::{Key, Recipe, Sides, link};
 use riverseed::session::Session;
 use riverseed::tree::{Hydrology, Tree};
 use tiny_skia::{FillRule, LineCap, Mask, Paint, PathBuilder, Pixmap, Stroke, Transform};
 
+#[path = "../tests/common/literal.rs"]
+#[allow(dead_code, reason = "tests use more of it")]
+mod literal;
 #[path = "../tests/common/twin.rs"]
 mod twin;
 
@@ -49,6 +53,8 @@ fn repetition(task: &str) -> Option<Repetition> {
         ["variants"] => Some(Box::new(equal_variants)),
         ["grow", attractors, reach] => growth(attractors, reach),
         ["twin", attractors, reach] => the_twin(attractors, reach),
+        ["brownian", side, sensitivity] => brownian(side, sensitivity),
+        ["literal-brownian", side, sensitivity] => literal_brownian(side, sensitivity),
         ["capsules"] => capsules(),
         ["mask-ribbons"] => mask_ribbons(),
         ["ribbons"] => ribbons(),
@@ -111,6 +117,30 @@ fn equals_twin(link: &str) -> Option<bool> {
         ours == (bits(node.at), node.parent, node.drained, node.tick)
     };
     Some(tree.len() == twin.len() && twin.iter().zip(tree.ticks()).enumerate().all(is_same))
+}
+
+// ---- Brownian trees
+
+/// A square field of land with sea on all sides.
+fn square(side: &str) -> Option<Field> {
+    let side = side.parse().ok()?;
+    Some(Field::with_sea(side, side, 1.0, Sides::parse("nesw")?))
+}
+
+/// Growth from the field to the last node; the number of nodes.
+fn brownian(side: &str, sensitivity: &str) -> Option<Repetition> {
+    let (field, sensitivity) = (square(side)?, sensitivity.parse().ok()?);
+    Some(Box::new(move || {
+        let Ok(mut growth) = Brownian::new(field.clone(), Seed::from_text("kauri"), sensitivity) else { return 0 };
+        while growth.tick() {}
+        growth.tree().len() as u32
+    }))
+}
+
+/// The same by a literal search of the disc after every move.
+fn literal_brownian(side: &str, sensitivity: &str) -> Option<Repetition> {
+    let (field, sensitivity) = (square(side)?, sensitivity.parse().ok()?);
+    Some(Box::new(move || literal::grow(&field, Seed::from_text("kauri"), sensitivity).len() as u32))
 }
 
 // ---- drawing

@@ -1,7 +1,7 @@
 //! Riverseed: a river network that grows from a word.
 //!
 //! A [recipe](recipe::Recipe) holds a seed text and parameters. Rivers [grow] from their mouths into the land
-//! by space colonization, are [trimmed](prune), read for their [hydrology](tree::Hydrology) and [painted](paint). Data
+//! by space colonization or as a Brownian tree, are [trimmed](prune), read for their [hydrology](tree::Hydrology) and [painted](paint). Data
 //! flows one way:
 //!
 //! ```text

@@ -26,6 +26,8 @@ pub enum Purpose {
     Curl = 3,
     /// The shape of coasts and ridges.
     Land = 4,
+    /// Where the particles of a Brownian tree are born, in which order, and how they move.
+    Particles = 5,
 }
 
 impl Seed {
@@ -55,7 +57,19 @@ pub struct Stream(Pcg32);
 impl Stream {
     /// The next number, uniform in `[0, 1)`, a multiple of 2⁻²⁴.
     pub fn unit(&mut self) -> f32 {
-        unit_from_bits(self.0.next_u32())
+        unit_from_bits(self.bits())
+    }
+
+    /// The next 32 random bits.
+    #[inline]
+    pub fn bits(&mut self) -> u32 {
+        self.0.next_u32()
+    }
+
+    /// The next whole number below `end`; 0 if there is none. Uniform to within `end` in 2³².
+    #[inline]
+    pub fn below(&mut self, end: u32) -> u32 {
+        ((u64::from(self.bits()) * u64::from(end)) >> 32) as u32
     }
 }
 

@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-use crate::grow::{Colonize, Ending, GrowError, Parameters};
+use crate::grow::{Ending, GrowError, Growth, Parameters};
 use crate::paint::{PaintError, Painter, Progress, Rect, Style};
 use crate::recipe::{Key, Recipe, Stage};
 use crate::tree::{Hydrology, Tree};
@@ -37,7 +37,7 @@ pub enum SessionError {
 #[derive(Clone, Debug)]
 pub struct Session {
     recipe: Recipe,
-    growth: Colonize,
+    growth: Growth,
     painter: Painter,
 }
 
@@ -54,7 +54,7 @@ pub struct Summary {
     pub sources: u32,
     /// The highest stream order (Strahler) of the trimmed tree; 0 until it is grown.
     pub order: u8,
-    /// Attractors scattered.
+    /// Attractors scattered: none for a Brownian tree.
     pub attractors: u32,
     /// Attractors that no river came near enough to.
     pub unreached: u32,
@@ -75,7 +75,7 @@ impl Session {
     /// # Errors
     /// If a side is out of range, or the memory is not to be had.
     pub fn new(recipe: Recipe, width: u32, height: u32) -> Result<Self, SessionError> {
-        let growth = Colonize::new(Parameters::of(&recipe))?;
+        let growth = Growth::new(Parameters::of(&recipe))?;
         let painter = Painter::new(&growth.parameters().domain, width, height)?;
         Ok(Self { recipe, growth, painter })
     }
@@ -92,10 +92,7 @@ impl Session {
     pub fn change(&mut self, recipe: Recipe) -> Result<Option<Stage>, SessionError> {
         let stage = self.recipe.first_difference(&recipe);
         match stage {
-            Some(Stage::Land) => {
-                self.grow(Parameters::of(&recipe), recipe)?;
-                self.painter.leave_land();
-            }
+            Some(Stage::Land) => self.grow(Parameters::of(&recipe), recipe)?,
             Some(Stage::Grow) => {
                 let land = self.growth.parameters().land.clone();
                 self.grow(Parameters::on_land(&recipe, land), recipe)?;
@@ -109,14 +106,18 @@ impl Session {
         Ok(stage)
     }
 
-    /// Plants another recipe. The picture's memory is kept if its shape is.
+    /// Plants another recipe. The picture's memory is kept if its shape is, and the land that it shows.
     fn grow(&mut self, parameters: Parameters, recipe: Recipe) -> Result<(), SessionError> {
-        let growth = Colonize::new(parameters)?;
-        let domain = &growth.parameters().domain;
-        if *domain == self.growth.parameters().domain {
+        let growth = Growth::new(parameters)?;
+        let (old, new) = (self.growth.parameters(), growth.parameters());
+        let is_same_land = old.is_on_land_of(new);
+        if old.domain == new.domain {
             self.painter.start_over();
         } else {
-            self.painter = Painter::new(domain, self.pixmap().width(), self.pixmap().height())?;
+            self.painter = Painter::new(&new.domain, self.pixmap().width(), self.pixmap().height())?;
+        }
+        if !is_same_land {
+            self.painter.leave_land();
         }
         (self.recipe, self.growth) = (recipe, growth);
         Ok(())
@@ -136,7 +137,7 @@ impl Session {
     /// # Errors
     /// If the memory is not to be had; everything is then as before.
     pub fn restart(&mut self) -> Result<(), SessionError> {
-        self.growth = Colonize::new(self.growth.parameters().clone())?;
+        self.growth = Growth::new(self.growth.parameters().clone())?;
         self.painter.start_over();
         Ok(())
     }
@@ -153,7 +154,7 @@ impl Session {
             tree: self.growth.tree(),
             finished: self.growth.ending().is_some(),
             trim: recipe.integer(Key::Trim),
-            everything: self.growth.parameters().attractors,
+            everything: self.growth.everything(),
             full_width: recipe.number(Key::Width),
             land: self.growth.parameters().land.as_deref(),
             style: style(recipe),
@@ -171,7 +172,7 @@ impl Session {
     }
 
     /// Growth in progress.
-    pub fn growth(&self) -> &Colonize {
+    pub fn growth(&self) -> &Growth {
         &self.growth
     }
 
@@ -187,10 +188,10 @@ impl Session {
         let so_far = Summary {
             ticks: tree.tick_starts.len() as u32 - 1,
             nodes: tree.len() as u32,
-            mouths: self.growth.parameters().mouths,
+            mouths: self.growth.mouths(),
             sources: 0,
             order: 0,
-            attractors: self.growth.parameters().attractors,
+            attractors: self.growth.attractors(),
             unreached: self.growth.unreached(),
             ending: self.growth.ending(),
         };

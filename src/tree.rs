@@ -15,7 +15,8 @@ pub struct Tree {
     pub at: Vec<Vec2>,
     /// The node downstream, earlier in the list; [`NO_PARENT`] at a mouth.
     pub parent: Vec<u32>,
-    /// How many attractors each node itself drains: those it was nearest to when they were used up or growth ended.
+    /// How much each node itself drains: the attractors it was nearest to when they were used up or growth ended; of a
+    /// Brownian tree itself, one cell of river (see [`crate::grow::Brownian`]).
     pub drained: Vec<u32>,
     /// The number of nodes before each tick, tick 0 first: what grew in tick `t` starts at `tick_starts[t]`.
     pub tick_starts: Vec<u32>,
@@ -65,7 +66,7 @@ pub struct Hydrology {
     pub order: Vec<u8>,
     /// Shreve's magnitude: the number of sources upstream, 1 at a source itself.
     pub magnitude: Vec<u32>,
-    /// Attractors drained at and above the node. Width goes with its square root (Leopold and Maddock 1953), so
+    /// What is drained at and above the node. Width goes with its square root (Leopold and Maddock 1953), so
     /// that squared widths add where rivers join.
     pub discharge: Vec<u32>,
 }

@@ -198,11 +198,10 @@ impl River {
         size.x / size.y
     }
 
-    /// How many ticks the front of growth takes to cross the domain's height.
+    /// How many ticks growth takes to cross the domain's height, or about so.
     #[wasm_bindgen(getter, js_name = ticksPerHeight)]
     pub fn ticks_per_height(&self) -> f32 {
-        let parameters = self.session.growth().parameters();
-        parameters.domain.size.y / parameters.step
+        self.session.growth().ticks_per_height()
     }
 
     /// The picture in numbers.

@@ -41,4 +41,21 @@ proptest! {
         session.paint();
         prop_assert!(session.pixmap().data() == painted(&recipe, u32::MAX), "{link}");
     }
+
+    #[test]
+    fn changing_to_another_recipe_gives_its_picture(link in random_link(400), other in random_link(400)) {
+        let recipe = |link: &str| link::read(&format!("{link}&growth=brownian&sensitivity=60")).unwrap();
+        for (from, to) in [(link::read(&link).unwrap(), recipe(&other)), (recipe(&link), link::read(&other).unwrap())] {
+            // With the same domain, the picture's memory may be kept.
+            let mut to = to;
+            to.set(Key::Aspect, &from.number(Key::Aspect).to_string()).unwrap();
+            let mut session = Session::new(from, 120, 90).unwrap();
+            session.advance(40);
+            session.paint();
+            session.change(to.clone()).unwrap();
+            while session.advance(u32::MAX) {}
+            session.paint();
+            prop_assert!(session.pixmap().data() == painted(&to, u32::MAX), "{link} to {other}");
+        }
+    }
 }

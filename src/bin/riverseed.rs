@@ -223,13 +223,13 @@ fn grow(recipe: Recipe, size: u32, progress: &ProgressBar) -> Result<Session, Fa
     let height = View::height_for(&domain, size);
     let (width, height) = if height <= size { (size, height) } else { (View::width_for(&domain, size), size) };
     let mut session = Session::new(recipe, width, height)?;
-    let attractors = session.growth().parameters().attractors;
+    progress.set_length(u64::from(session.growth().everything()));
     progress.set_message("growing");
     while session.advance(16) {
-        progress.set_position(u64::from(attractors - session.growth().unreached()));
+        progress.set_position(u64::from(session.growth().drained()));
     }
     if session.summary().is_stalled() {
-        let unreached = session.growth().unreached();
+        let (attractors, unreached) = (session.growth().attractors(), session.growth().unreached());
         let advice = "a longer reach, a shorter kill distance, a shorter step or less curl helps";
         eprintln!("riverseed: growth died out, {unreached} of {attractors} attractors unreached; {advice}");
     }

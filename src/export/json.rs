@@ -4,7 +4,7 @@ use std::io::Write;
 
 use serde::Serialize;
 
-use crate::grow::scatter;
+use crate::grow::{Procedure, scatter};
 use crate::prune::Pruned;
 use crate::recipe::{self, Key};
 use crate::session::Session;
@@ -30,6 +30,7 @@ struct Resolved {
     momentum: f32,
     curl: f32,
     stretch: u32,
+    sensitivity: f32,
     trim: u32,
     width: f32,
 }
@@ -91,6 +92,7 @@ pub fn write(out: impl Write, session: &Session, with_attractors: bool) -> serde
             momentum: parameters.momentum,
             curl: parameters.curl,
             stretch: parameters.stretch,
+            sensitivity: parameters.sensitivity,
             trim: recipe.integer(Key::Trim),
             width: recipe.number(Key::Width),
         },
@@ -102,7 +104,10 @@ pub fn write(out: impl Write, session: &Session, with_attractors: bool) -> serde
             complete: summary.ending == Some(crate::grow::Ending::Complete),
         },
         nodes: nodes(session.pruned()),
-        attractors: with_attractors.then(|| scatter(parameters).into_iter().collect()),
+        attractors: with_attractors.then(|| match parameters.procedure {
+            Procedure::Colonize => scatter(parameters).into_iter().collect(),
+            Procedure::Brownian => Columns::from_iter([]),
+        }),
     };
     serde_json::to_writer(out, &network)
 }

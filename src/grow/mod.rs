@@ -1,20 +1,25 @@
 //! Growing a tree of rivers, from the mouths upstream.
 //!
-//! [`Colonize`] is a stepper: [`tick`](Colonize::tick) until it says that growth is over. Slicing the work
-//! differently gives the same tree to the bit.
+//! Two procedures: [`Colonize`] is drawn on by attractors, [`Brownian`] is met by wandering particles. Both are steppers, and
+//! so is [`Growth`], which is whichever a recipe asks for: [`tick`](Growth::tick) until it says that growth is over.
+//! Slicing the work differently gives the same tree to the bit.
 
 mod attractors;
+mod brownian;
 mod changed;
 mod colonize;
+mod growth;
 mod heading;
 mod mouths;
 mod parameters;
 mod pull;
 mod scatter;
 
+pub use brownian::{Brownian, Field, Order};
 pub use colonize::{Colonize, Ending, stem_nodes};
+pub use growth::Growth;
 pub use mouths::{Mouth, mouths};
-pub use parameters::Parameters;
+pub use parameters::{Parameters, Procedure};
 pub use pull::Pull;
 pub use scatter::scatter;
 
@@ -32,6 +37,12 @@ pub enum GrowError {
         /// About how much they need.
         megabytes: u32,
     },
+    /// The memory for a Brownian tree was not to be had.
+    #[error("growth: a Brownian tree needs about {megabytes} MB, which this machine does not give")]
+    NoRoomForField {
+        /// About how much it needs.
+        megabytes: u32,
+    },
 }
 
 impl GrowError {
@@ -39,5 +50,10 @@ impl GrowError {
     fn out_of_memory(parameters: &Parameters) -> Self {
         let attractors = parameters.attractors;
         Self::OutOfMemory { attractors, megabytes: attractors / 7_500 + 1 }
+    }
+
+    /// The error for a field of too many cells: about 10 bytes a cell.
+    fn no_room_for(cells: usize) -> Self {
+        Self::NoRoomForField { megabytes: cells as u32 / 100_000 + 1 }
     }
 }

@@ -5,9 +5,18 @@ use std::sync::Arc;
 use glam::Vec2;
 
 use crate::domain::{AREA, Domain};
-use crate::land::{CELL_AREA, Land, Region};
+use crate::land::{Land, Region, SIDE};
 use crate::random::Seed;
 use crate::recipe::{Key, Recipe, Sides};
+
+/// The procedures that rivers grow by.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Procedure {
+    /// Space colonization: attractors pull.
+    Colonize,
+    /// A Brownian tree: particles wander until they meet water.
+    Brownian,
+}
 
 /// The parameters of growth, resolved: ratios turned into lengths.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,6 +35,10 @@ pub struct Parameters {
     pub apart: f32,
     /// On which sides.
     pub sides: Sides,
+    /// How rivers grow.
+    pub procedure: Procedure,
+    /// The step of a Brownian tree's last passes, in units.
+    pub sensitivity: f32,
     /// How many attractors there are.
     pub attractors: u32,
     /// Whether each has a cell of a grid to itself.
@@ -59,10 +72,10 @@ impl Parameters {
         let basins = land.as_ref().map(|land| share_out(land.regions(), mouths)).unwrap_or_default();
         let area = match &land {
             None => AREA,
-            Some(land) => watered(Some(land), &basins).map(|region| region.cells as f32 * CELL_AREA).sum(),
+            Some(land) => watered(Some(land), &basins).map(|region| region.cells as f32 * SIDE * SIDE).sum(),
         };
         // Land without a coast has no river, and no attractor.
-        let spacing = (area.max(CELL_AREA) / attractors as f32).sqrt();
+        let spacing = (area.max(SIDE * SIDE) / attractors as f32).sqrt();
         let spacings = |key| recipe.number(key) * spacing;
         Self {
             seed: Seed::from_text(recipe.seed()),
@@ -72,6 +85,8 @@ impl Parameters {
             mouths,
             apart: recipe.number(Key::Apart),
             sides: recipe.sides(Key::Sides),
+            procedure: if recipe.choice(Key::Growth) == 1 { Procedure::Brownian } else { Procedure::Colonize },
+            sensitivity: recipe.number(Key::Sensitivity),
             attractors,
             on_grid: recipe.choice(Key::Scatter) == 1,
             spacing,
@@ -86,6 +101,15 @@ impl Parameters {
 }
 
 impl Parameters {
+    /// Whether others are for the very same land, shaped once.
+    pub fn is_on_land_of(&self, other: &Self) -> bool {
+        match (&self.land, &other.land) {
+            (None, None) => true,
+            (Some(land), Some(other)) => Arc::ptr_eq(land, other),
+            (None, Some(_)) | (Some(_), None) => false,
+        }
+    }
+
     /// The regions of the land that have a mouth; none of the plain rectangle.
     pub fn watered(&self) -> impl Iterator<Item = &Region> {
         watered(self.land.as_deref(), &self.basins)

@@ -23,10 +23,7 @@ pub enum Cell {
 }
 
 /// The side of a cell, in units: far less than a step of a river at the default number of attractors.
-const SIDE: f32 = 1.0;
-
-/// The area of a cell, in square units.
-pub const CELL_AREA: f32 = SIDE * SIDE;
+pub const SIDE: f32 = 1.0;
 
 /// Which cells are land, on the whole domain.
 #[derive(Clone, Debug, PartialEq)]
@@ -69,11 +66,11 @@ impl Land {
         let (columns, rows) = (count(domain.size.x), count(domain.size.y));
         let cells = above_water(&relief, columns as usize, rows as usize);
         let mut this = Self { relief, cells, columns, rows, regions: Vec::new(), ridges, size: domain.size };
+        this.fill_ponds();
         this.raise_ridges();
         this.regions = regions(&this.cells, Cell::Available, columns as usize);
-        let is_sea = this.sea();
         for i in 0..this.regions.len() {
-            this.regions[i].shores = this.shores(&this.regions[i], &is_sea);
+            this.regions[i].shores = this.shores(&this.regions[i]);
         }
         this
     }
@@ -129,24 +126,22 @@ impl Land {
         walk(from / SIDE, to / SIDE).all(|(column, row)| self.cell(column, row) != Cell::Illegal)
     }
 
-    /// Which cells are water that rivers may run to: the largest, and what covers at least a hundredth of the domain. The
-    /// rest are ponds.
-    fn sea(&self) -> Vec<bool> {
-        let mut is_sea = vec![false; self.cells.len()];
+    /// Makes land of ponds: rivers run through them. The sea is the largest water, and any that covers at least a hundredth
+    /// of the domain.
+    fn fill_ponds(&mut self) {
         let least = self.cells.len() as u32 / 100;
         let waters = regions(&self.cells, Cell::Unavailable, self.columns as usize);
-        let seas = waters.iter().enumerate().filter(|(i, water)| *i == 0 || water.cells >= least);
-        for run in seas.flat_map(|(_, water)| &water.runs) {
+        let ponds = waters.iter().skip(1).filter(|water| water.cells < least);
+        for run in ponds.flat_map(|pond| &pond.runs) {
             let row = run.row as usize * self.columns as usize;
-            is_sea[row + run.start as usize..row + run.end as usize].fill(true);
+            self.cells[row + run.start as usize..row + run.end as usize].fill(Cell::Available);
         }
-        is_sea
     }
 
     /// All cells of a region beside the sea.
-    fn shores(&self, region: &Region, is_sea: &[bool]) -> Vec<Shore> {
+    fn shores(&self, region: &Region) -> Vec<Shore> {
         let mut shores = Vec::new();
-        let is_water = |column, row| self.index(column, row).is_some_and(|i| is_sea[i]);
+        let is_water = |column, row| self.index(column, row).is_some_and(|i| self.cells[i] == Cell::Unavailable);
         for run in &region.runs {
             let (row, start, end) = (run.row as i32, run.start as i32, run.end as i32);
             for column in start..end {
@@ -168,8 +163,19 @@ impl Land {
         Some(((Vec2::new(column as f32, row as f32) + within) * SIDE).min(self.size))
     }
 
+    /// How many columns of cells there are; the last may reach over the border of the domain.
+    pub fn columns(&self) -> i32 {
+        self.columns
+    }
+
+    /// How many rows of cells there are.
+    pub fn rows(&self) -> i32 {
+        self.rows
+    }
+
+    /// A cell by its place; water outside.
     #[inline]
-    fn cell(&self, column: i32, row: i32) -> Cell {
+    pub fn cell(&self, column: i32, row: i32) -> Cell {
         self.index(column, row).map_or(Cell::Unavailable, |i| self.cells[i])
     }
 
@@ -226,7 +232,8 @@ mod tests {
         for kind in ["island", "continent", "archipelago", "valley", "basin"] {
             for sea in [0.1f32, 0.4, 0.8] {
                 let land = land(&format!("land={kind}&sea={sea}"));
-                let water = land.cells.iter().filter(|&&cell| cell == Cell::Unavailable).count();
+                let with_ponds = above_water(&land.relief, land.columns as usize, land.rows as usize);
+                let water = with_ponds.iter().filter(|&&cell| cell == Cell::Unavailable).count();
                 let share = water as f32 / land.cells.len() as f32;
                 assert!((share - sea).abs() < 0.03, "{kind}: {share} is not {sea}");
             }
@@ -246,7 +253,8 @@ mod tests {
 
     #[test]
     fn cells_are_land_where_the_relief_is_above_0() {
-        let land = land("land=archipelago&rough=1&aspect=1.7");
+        let mut land = land("land=archipelago&rough=1&aspect=1.7");
+        land.cells = above_water(&land.relief, land.columns as usize, land.rows as usize);
         for (column, row) in (0..land.columns).flat_map(|column| (0..land.rows).map(move |row| (column, row))) {
             let height = land.relief.height(middle(column, row));
             let is_land = land.cell(column, row) == Cell::Available;

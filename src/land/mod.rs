@@ -10,7 +10,7 @@ mod regions;
 mod relief;
 mod walk;
 
-pub use field::{CELL_AREA, Cell, Land, Shore};
+pub use field::{Cell, Land, SIDE, Shore};
 pub use kinds::LandKind;
 pub use regions::{Region, Run};
 pub use relief::{Relief, SPACING};

@@ -214,8 +214,16 @@ mod tests {
         for i in 0..=1000 {
             let point = domain.size * Vec2::new(i as f32 / 1000.0, (i * 7 % 1000) as f32 / 1000.0);
             let exact = radius - (point - centre).length();
-            for relief in [&by_height, &by_coast] {
-                assert!((relief.height(point) - exact).abs() < 2.0, "{point}: {} is not {exact}", relief.height(point));
+            if exact > radius - 2.0 * SPACING {
+                continue; // bilinear, the very peak is rounded
+            }
+            // The level of the sea is known to a corner's worth of domain.
+            for (relief, tolerance) in [(&by_height, 5.0), (&by_coast, 1.5)] {
+                assert!(
+                    (relief.height(point) - exact).abs() < tolerance,
+                    "{point}: {} is not {exact}",
+                    relief.height(point)
+                );
             }
         }
     }

@@ -26,7 +26,7 @@ pub struct Progress<'a> {
     pub finished: bool,
     /// The threshold of trimming, in nodes.
     pub trim: u32,
-    /// The number of attractors that would be everything a river can drain.
+    /// The discharge that would be everything a river can drain.
     pub everything: u32,
     /// The width, in domain units, of a river that drains everything.
     pub full_width: f32,

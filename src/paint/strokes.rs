@@ -13,7 +13,7 @@ pub enum Widths {
     ByDischarge {
         /// The width, in domain units, of a river that drains everything.
         full: f32,
-        /// The discharge that counts as everything: all attractors of the recipe.
+        /// The discharge that counts as everything: all attractors of the recipe, or about all of a Brownian tree.
         everything: u32,
     },
     /// All alike, in pixels.

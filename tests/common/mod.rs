@@ -1,6 +1,7 @@
 //! What several test files use.
 #![allow(dead_code, reason = "each test file uses its own part")]
 
+pub mod literal;
 pub mod twin;
 
 use proptest::prelude::*;

@@ -1,0 +1,161 @@
+//! The field that a Brownian tree grows in.
+
+use glam::Vec2;
+
+use crate::grow::Parameters;
+use crate::land::{Cell, Land, SIDE};
+use crate::recipe::Sides;
+
+/// Cells of land, water and ridges: seed document 2's field of availability. What lies beyond it is none of them, and
+/// no particle may go there.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Field {
+    columns: i32,
+    rows: i32,
+    side: f32,
+    /// The domain's, in units: the last cells may reach over it.
+    size: Vec2,
+    cells: Vec<Cell>,
+}
+
+impl Field {
+    /// A field of so many columns and rows (each at least 1) of cells, whose sides are of the given length in units.
+    pub fn new(columns: i32, rows: i32, side: f32, cell: impl Fn(i32, i32) -> Cell) -> Self {
+        let (columns, rows) = (columns.max(1), rows.max(1));
+        let cells = (0..rows).flat_map(|row| (0..columns).map(move |column| (column, row)));
+        let cells = cells.map(|(column, row)| cell(column, row)).collect();
+        Self { columns, rows, side, size: Vec2::new(columns as f32, rows as f32) * side, cells }
+    }
+
+    /// The field of a recipe. A plain rectangle gets the sea it lacks: a line of water cells along the chosen sides.
+    pub fn of(parameters: &Parameters) -> Self {
+        let size = parameters.domain.size;
+        let field = match &parameters.land {
+            Some(land) => Self::of_land(land),
+            None => {
+                Self::with_sea((size.x / SIDE).ceil() as i32, (size.y / SIDE).ceil() as i32, SIDE, parameters.sides)
+            }
+        };
+        Self { size, ..field }
+    }
+
+    fn of_land(land: &Land) -> Self {
+        Self::new(land.columns(), land.rows(), SIDE, |column, row| land.cell(column, row))
+    }
+
+    /// A rectangle of land with a line of water along some of its sides.
+    pub fn with_sea(columns: i32, rows: i32, side: f32, sea: Sides) -> Self {
+        let [north, east, south, west] = ['n', 'e', 's', 'w'].map(|side| sea.contains(side));
+        Self::new(columns, rows, side, |column, row| {
+            let is_sea = (north && row == 0)
+                || (east && column == columns - 1)
+                || (south && row == rows - 1)
+                || (west && column == 0);
+            if is_sea { Cell::Unavailable } else { Cell::Available }
+        })
+    }
+
+    /// How many columns of cells there are.
+    pub fn columns(&self) -> i32 {
+        self.columns
+    }
+
+    /// How many rows of cells there are.
+    pub fn rows(&self) -> i32 {
+        self.rows
+    }
+
+    /// The side of a cell, in units.
+    pub fn side(&self) -> f32 {
+        self.side
+    }
+
+    /// All cells, row by row.
+    pub fn cells(&self) -> &[Cell] {
+        &self.cells
+    }
+
+    /// How many cells are land.
+    pub fn available(&self) -> u32 {
+        self.cells.iter().filter(|&&cell| cell == Cell::Available).count() as u32
+    }
+
+    /// What a place is; `None` outside.
+    #[inline]
+    pub(super) fn cell(&self, at: Place) -> Option<Cell> {
+        self.holds(at).then(|| self.cells[self.index(at)])
+    }
+
+    #[inline]
+    pub(super) fn holds(&self, at: Place) -> bool {
+        // A negative coordinate is a very large one.
+        (at.column as u32) < self.columns as u32 && (at.row as u32) < self.rows as u32
+    }
+
+    /// The number of a cell of the field, row by row.
+    #[inline]
+    pub(super) fn index(&self, at: Place) -> usize {
+        (at.row * self.columns + at.column) as usize
+    }
+
+    /// The cell of a number.
+    #[inline]
+    pub(super) fn place(&self, index: u32) -> Place {
+        let index = index as i32;
+        Place { column: index % self.columns, row: index / self.columns }
+    }
+
+    /// Turns land into water.
+    pub(super) fn flood(&mut self, at: Place) {
+        let index = self.index(at);
+        self.cells[index] = Cell::Unavailable;
+    }
+
+    /// A point given in cells, as a point of the domain.
+    pub(super) fn point(&self, cells: Vec2) -> Vec2 {
+        (cells * self.side).min(self.size)
+    }
+
+    /// Where a river that ends in a water cell reaches the sea: its middle or, in a cell along the border, the border.
+    pub(super) fn mouth(&self, at: Place) -> Vec2 {
+        let along = |cell: i32, cells: i32| match cell {
+            0 => 0.0,
+            _ if cell == cells - 1 => cells as f32,
+            _ => cell as f32 + 0.5,
+        };
+        self.point(Vec2::new(along(at.column, self.columns), along(at.row, self.rows)))
+    }
+}
+
+/// A cell by column and row.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Place {
+    pub column: i32,
+    pub row: i32,
+}
+
+impl Place {
+    /// The eight cells around.
+    pub fn around(self) -> [Self; 8] {
+        [(-1, -1), (0, -1), (1, -1), (-1, 0), (1, 0), (-1, 1), (0, 1), (1, 1)]
+            .map(|(column, row)| Self { column: self.column + column, row: self.row + row })
+    }
+
+    /// The four cells with a common side.
+    pub fn beside(self) -> [Self; 4] {
+        [(0, -1), (-1, 0), (1, 0), (0, 1)]
+            .map(|(column, row)| Self { column: self.column + column, row: self.row + row })
+    }
+
+    /// Whether two cells are one, or have a side or a corner in common.
+    pub fn touches(self, other: Self) -> bool {
+        self.column.abs_diff(other.column) <= 1 && self.row.abs_diff(other.row) <= 1
+    }
+
+    /// The squared distance of two cells' middles.
+    #[inline]
+    pub fn squared_distance(self, other: Self) -> i32 {
+        let (x, y) = (self.column - other.column, self.row - other.row);
+        x * x + y * y
+    }
+}

@@ -1,0 +1,249 @@
+//! The Brownian tree of seed document 2 (Demiurge, part 2) as a stepper.
+//!
+//! A pass has a step. The field is laid out in squares of the step's side; in each a particle is born at a random place, and
+//! particles wander in random order, in moves of up to a tenth of a step, until water is nearer than half a step. Then
+//! a river grows from the nearest water toward the particle, by five cells at most. Particles born near water, or off land,
+//! are discarded at once, and so are those that leave the field or come near a ridge.
+//!
+//! The first step is the shorter side of the field. When fewer than one in twenty of the particles that were born on land
+//! has made a river, the step is halved (the document counts particles born at sea too, but then density would depend on
+//! the share of sea); the last passes have exactly the step asked for (the sensitivity), so that no two settings draw the same.
+//!
+//! Growth ends: every pass but the last of its step makes at least one cell of land water, a pass has a bounded number of
+//! particles, and a particle makes a bounded number of moves. About 200 passes are usual for a field of 1024 × 1024.
+//!
+//! Density is even by construction, so a cell of river drains itself and its surroundings, as any other: discharge is the
+//! length of river upstream, in cells.
+
+mod field;
+mod pyramid;
+mod strands;
+mod water;
+
+pub use field::Field;
+
+use super::{Ending, GrowError};
+use crate::random::{Purpose, Seed, Stream};
+use crate::tree::Tree;
+use field::Place;
+use strands::Strands;
+use water::{Step, Water};
+
+/// A pass in which fewer than this share of the particles make a river is the last of its step.
+const LEAST_IMPACT: f32 = 0.05;
+
+/// The shortest step, in cells: below, strands would be as wide as the land between them.
+const SHORTEST_STEP: f32 = 4.0;
+
+/// A tick is a pass or, of a long one, so many particles: some milliseconds.
+const PARTICLES_A_TICK: usize = 2048;
+
+/// By trials, this many cells of river for each cell of a sensitivity, in a square with sides of that: 1.1 at 4 cells, 0.9
+/// at 30, less where much land lies beside the sea.
+const DENSITY: f32 = 1.0;
+
+/// Growth in progress.
+#[derive(Clone, Debug)]
+pub struct Brownian {
+    strands: Strands,
+    pass: Pass,
+    /// The last passes' step, in cells.
+    sensitivity: f32,
+    everything: u32,
+    chance: Stream,
+    order: Order,
+    ending: Option<Ending>,
+}
+
+/// The order in which a pass takes its particles.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Order {
+    /// At random, so that no direction comes before another.
+    Shuffled,
+    /// Row by row: rivers then run to the north-west more than elsewhere. Only to show that the tests would see that.
+    Rows,
+}
+
+/// A pass in progress.
+#[derive(Clone, Debug)]
+struct Pass {
+    step: Step,
+    particles: Vec<Place>,
+    /// How many particles have been taken, how many of them were born on land, and how many have made a river.
+    taken: usize,
+    on_land: usize,
+    fruitful: usize,
+}
+
+impl Brownian {
+    /// Begins growth on a field, with passes down to a step of so many cells (at least 4).
+    ///
+    /// # Errors
+    /// If the memory is not to be had.
+    pub fn new(field: Field, seed: Seed, sensitivity: f32) -> Result<Self, GrowError> {
+        Self::with_order(field, seed, sensitivity, Order::Shuffled)
+    }
+
+    /// The same with particles taken in another order, which no recipe can ask for.
+    ///
+    /// # Errors
+    /// If the memory is not to be had.
+    pub fn with_order(field: Field, seed: Seed, sensitivity: f32, order: Order) -> Result<Self, GrowError> {
+        let first = field.columns().min(field.rows()) as f32;
+        let sensitivity = sensitivity.max(SHORTEST_STEP).min(first.max(SHORTEST_STEP));
+        let cells = field.cells().len();
+        let everything = (field.available() as f32 * DENSITY / sensitivity) as u32;
+        let mut chance = seed.stream(Purpose::Particles);
+        let pass = Pass::new(&field, first.max(sensitivity), order, &mut chance);
+        let strands = Strands::new(Water::new(field)).map_err(|_| GrowError::no_room_for(cells))?;
+        Ok(Self { strands, pass, sensitivity, everything, chance, order, ending: None })
+    }
+
+    /// Grows by one tick. Returns whether growth goes on.
+    pub fn tick(&mut self) -> bool {
+        if self.ending.is_some() {
+            return false;
+        }
+        if self.strands.reserve(PARTICLES_A_TICK).is_err() {
+            self.ending = Some(Ending::OutOfMemory);
+            return false;
+        }
+        let born_from = self.tree().len();
+        let end = self.pass.particles.len().min(self.pass.taken + PARTICLES_A_TICK);
+        for i in self.pass.taken..end {
+            self.release(self.pass.particles[i]);
+        }
+        self.pass.taken = end;
+        if self.tree().len() > born_from {
+            self.strands.tree.tick_starts.push(born_from as u32);
+        }
+        if end == self.pass.particles.len() {
+            self.begin_pass();
+        }
+        self.ending.is_none()
+    }
+
+    /// Lets a particle go, and a river grow where it meets water.
+    fn release(&mut self, born: Place) {
+        let Self { strands, pass, chance, .. } = self;
+        let water = &strands.water;
+        if !water.is_land(born) {
+            return;
+        }
+        pass.on_land += 1;
+        if water.is_clear(born, &pass.step)
+            && let Some((particle, target)) = water.wander(born, &pass.step, chance)
+        {
+            pass.fruitful += usize::from(strands.draw(target, particle));
+        }
+    }
+
+    /// Goes over to the next pass; if there is none, growth is over.
+    fn begin_pass(&mut self) {
+        match next_step(self.pass.step.size, self.pass.impact(), self.sensitivity) {
+            Some(step) => self.pass = Pass::new(&self.strands.water.field, step, self.order, &mut self.chance),
+            None => self.ending = Some(Ending::Complete),
+        }
+    }
+
+    /// The tree so far. A node is a cell of river, or a cell of sea that a river ends in.
+    pub fn tree(&self) -> &Tree {
+        &self.strands.tree
+    }
+
+    /// How many rivers have reached the sea.
+    pub fn mouths(&self) -> u32 {
+        self.strands.mouths
+    }
+
+    /// About how many cells of river there will be: the discharge of a river that drains all land.
+    pub fn everything(&self) -> u32 {
+        self.everything
+    }
+
+    /// How growth ended; `None` while it goes on.
+    pub fn ending(&self) -> Option<Ending> {
+        self.ending
+    }
+}
+
+/// The step of the pass after one: the same as long as that is worth while, then half, but not less than the sensitivity.
+fn next_step(step: f32, impact: f32, sensitivity: f32) -> Option<f32> {
+    match step {
+        _ if impact >= LEAST_IMPACT => Some(step),
+        _ if step <= sensitivity => None,
+        _ => Some((step / 2.0).floor().max(sensitivity)),
+    }
+}
+
+impl Pass {
+    fn new(field: &Field, size: f32, order: Order, chance: &mut Stream) -> Self {
+        let mut particles = spawn(field, size, chance);
+        if order == Order::Shuffled {
+            shuffle(&mut particles, chance);
+        }
+        Self { step: Step::of(size), particles, taken: 0, on_land: 0, fruitful: 0 }
+    }
+
+    /// Which share of the particles that were born on land has made a river.
+    fn impact(&self) -> f32 {
+        self.fruitful as f32 / self.on_land.max(1) as f32
+    }
+}
+
+/// A particle for each square of the given side, somewhere inside, row by row; squares that reach over the border of the
+/// field may have none.
+fn spawn(field: &Field, size: f32, chance: &mut Stream) -> Vec<Place> {
+    let squares = |cells: i32| (cells as f32 / size).ceil() as u32;
+    let (columns, rows) = (squares(field.columns()), squares(field.rows()));
+    let mut particles = Vec::with_capacity((columns * rows) as usize);
+    for (row, column) in (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column))) {
+        let mut along = |square: u32| ((square as f32 + chance.unit()) * size) as i32;
+        let at = Place { column: along(column), row: along(row) };
+        if field.holds(at) {
+            particles.push(at);
+        }
+    }
+    particles
+}
+
+/// Puts particles in random order (Fisher and Yates).
+fn shuffle(particles: &mut [Place], chance: &mut Stream) {
+    for i in (1..particles.len()).rev() {
+        particles.swap(i, chance.below(i as u32 + 1) as usize);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn steps_halve_and_end_with_the_one_asked_for() {
+        let steps =
+            |first, last| std::iter::successors(Some(first), |&step| next_step(step, 0.0, last)).collect::<Vec<f32>>();
+        let expected: [(f32, f32, Vec<f32>); 4] = [
+            (1000.0, 12.0, vec![1000.0, 500.0, 250.0, 125.0, 62.0, 31.0, 15.0, 12.0]),
+            (96.0, 12.0, vec![96.0, 48.0, 24.0, 12.0]),
+            (100.0, 12.5, vec![100.0, 50.0, 25.0, 12.5]),
+            (4.0, 4.0, vec![4.0]),
+        ];
+        for (first, last, expected) in expected {
+            assert_eq!(steps(first, last), expected);
+        }
+    }
+
+    #[test]
+    fn a_step_worth_while_is_kept() {
+        assert_eq!(next_step(62.0, LEAST_IMPACT, 12.0), Some(62.0));
+        assert_eq!(next_step(12.0, 0.9, 12.0), Some(12.0));
+    }
+
+    #[test]
+    fn a_particle_is_born_in_each_square() {
+        let field = Field::new(90, 40, 1.0, |_, _| crate::land::Cell::Available);
+        let particles = spawn(&field, 8.0, &mut Seed::from_text("kauri").stream(Purpose::Particles));
+        let squares: Vec<(i32, i32)> = particles.iter().map(|at| (at.row / 8, at.column / 8)).collect();
+        assert!(squares.is_sorted_by(|a, b| a < b) && (55..=60).contains(&squares.len()), "{}", squares.len());
+    }
+}

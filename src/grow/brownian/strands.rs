@@ -1,0 +1,141 @@
+//! Strands of river: the line from the water toward a particle, cell by cell, and the tree that the cells make.
+//!
+//! No two strands ever touch. To be exact, of any two river cells that touch by a side or a corner, one is the other's
+//! parent or grandparent, or both have the same parent; and of the sea a strand touches nothing but its mouth and what
+//! touches that. Attachment to the nearest water sees to this nearly always, as nothing lies nearer to the line than where
+//! it begins; where rounding to cells would break it, the line ends. It follows that rivers never cut off land: all water
+//! around a new cell hangs together around it, so the land there does too.
+
+use std::collections::TryReserveError;
+
+use glam::{IVec2, Vec2};
+
+use super::field::Place;
+use super::water::Water;
+use crate::land::Cell;
+use crate::tree::{NO_PARENT, Tree};
+
+/// The most cells of a strand that one particle makes. Longer ones would be seen as straight lines.
+const MOST_CELLS: i32 = 5;
+
+/// Positions are whole 256ths of a cell, so that lines are the same everywhere.
+const PARTS: i32 = 256;
+
+const NO_NODE: u32 = u32::MAX;
+
+/// Rivers, the water they are part of, and which node is where.
+#[derive(Clone, Debug)]
+pub(super) struct Strands {
+    pub water: Water,
+    pub tree: Tree,
+    /// How many nodes are mouths.
+    pub mouths: u32,
+    /// The node of each cell; none on land and in the sea, but for mouths.
+    node_of: Vec<u32>,
+    /// The position of each node, in parts of a cell.
+    exact: Vec<IVec2>,
+}
+
+/// Where a strand begins or goes on.
+#[derive(Clone, Copy)]
+struct Tip {
+    place: Place,
+    /// None in the sea, where there is no mouth yet.
+    node: Option<u32>,
+}
+
+impl Strands {
+    /// No strands yet.
+    pub fn new(water: Water) -> Result<Self, TryReserveError> {
+        let mut node_of = Vec::new();
+        node_of.try_reserve_exact(water.field.cells().len())?;
+        node_of.resize(water.field.cells().len(), NO_NODE);
+        let tree = Tree { tick_starts: vec![0], ..Tree::default() };
+        Ok(Self { water, tree, mouths: 0, node_of, exact: Vec::new() })
+    }
+
+    /// Asks for the memory of so many more particles' strands.
+    pub fn reserve(&mut self, particles: usize) -> Result<(), TryReserveError> {
+        let nodes = particles * (MOST_CELLS as usize + 1);
+        self.tree.at.try_reserve(nodes)?;
+        self.tree.parent.try_reserve(nodes)?;
+        self.tree.drained.try_reserve(nodes)?;
+        self.exact.try_reserve(nodes)
+    }
+
+    /// Draws from a cell of water toward a particle. Returns whether there was room for a cell at least.
+    pub fn draw(&mut self, target: u32, particle: Place) -> bool {
+        let place = self.water.field.place(target);
+        let node = Some(self.node_of[target as usize]).filter(|&node| node != NO_NODE);
+        let start = node.map_or(middle(place), |node| self.exact[node as usize]);
+        let mut tip = Tip { place, node };
+        let mut is_drawn = false;
+        for exact in line(start, middle(particle)) {
+            let next = Place { column: exact.x.div_euclid(PARTS), row: exact.y.div_euclid(PARTS) };
+            if !self.has_room(next, tip) {
+                break;
+            }
+            tip = self.extend(tip, next, exact);
+            is_drawn = true;
+        }
+        is_drawn
+    }
+
+    /// Whether a cell is land and touches no water but its family's.
+    fn has_room(&self, next: Place, tip: Tip) -> bool {
+        let field = &self.water.field;
+        let is_water = |at: Place| field.cell(at) == Some(Cell::Unavailable);
+        field.cell(next) == Some(Cell::Available)
+            && next.around().into_iter().all(|at| at == tip.place || !is_water(at) || self.is_family(at, tip))
+    }
+
+    /// Whether water is of the family of a tip's next cell: its sister or grandmother or, at the coast, beside its mouth.
+    fn is_family(&self, at: Place, tip: Tip) -> bool {
+        let node = self.node_of[self.water.field.index(at)];
+        let parent_of = |node: u32| self.tree.parent.get(node as usize).copied().unwrap_or(NO_PARENT);
+        let is_sea = |node: u32| parent_of(node) == NO_PARENT;
+        match tip.node {
+            Some(parent) if !is_sea(parent) => {
+                node != NO_NODE && (node == parent_of(parent) || parent_of(node) == parent)
+            }
+            _ if is_sea(node) => at.touches(tip.place),
+            parent => parent == Some(parent_of(node)),
+        }
+    }
+
+    /// Adds a cell to a strand; the first in the sea makes a mouth there.
+    fn extend(&mut self, tip: Tip, place: Place, exact: IVec2) -> Tip {
+        let parent = tip.node.unwrap_or_else(|| {
+            self.mouths += 1;
+            let at = self.water.field.mouth(tip.place);
+            self.add(tip.place, middle(tip.place), at, NO_PARENT, 0)
+        });
+        self.water.flood(place);
+        let at = self.water.field.point(Vec2::new(exact.x as f32, exact.y as f32) / PARTS as f32);
+        Tip { place, node: Some(self.add(place, exact, at, parent, 1)) }
+    }
+
+    fn add(&mut self, place: Place, exact: IVec2, at: Vec2, parent: u32, drained: u32) -> u32 {
+        let node = self.tree.len() as u32;
+        self.node_of[self.water.field.index(place)] = node;
+        self.exact.push(exact);
+        self.tree.at.push(at);
+        self.tree.parent.push(parent);
+        self.tree.drained.push(drained);
+        node
+    }
+}
+
+fn middle(place: Place) -> IVec2 {
+    IVec2::new(place.column, place.row) * PARTS + PARTS / 2
+}
+
+/// Points on a straight line, a cell apart along the axis on which it is longer, from after its start until its end's
+/// cell: each lies in another cell, which touches the one before.
+fn line(from: IVec2, to: IVec2) -> impl Iterator<Item = IVec2> {
+    let way = to - from;
+    let length = way.abs().max_element().max(1);
+    // Up to half a cell past the end, but not to the border of its cell.
+    let cells = ((length - PARTS / 2 + PARTS - 1) / PARTS).clamp(1, MOST_CELLS);
+    (1..=cells).map(move |i| from + way * (i * PARTS) / length)
+}

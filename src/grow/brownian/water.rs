@@ -1,0 +1,137 @@
+//! What a particle sees: land, the water it may meet and the ridges it must keep away from.
+
+use super::field::{Field, Place};
+use super::pyramid::Pyramid;
+use crate::land::Cell;
+use crate::random::Stream;
+
+/// What a step means for particles, in cells: published with the document as radius S/2 and moves of S/10 + 1.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Step {
+    /// The side of the squares that have a particle each.
+    pub size: f32,
+    /// What is nearer than half a step is met. Squared distances are whole: those below this.
+    near: i32,
+    /// The most that a particle moves along an axis, and the number of ways to do so.
+    stride: i32,
+    ways: u32,
+}
+
+impl Step {
+    /// A step of so many cells.
+    pub fn of(size: f32) -> Self {
+        let stride = (size / 10.0) as i32 + 1;
+        Self { size, near: (size * size / 4.0).ceil() as i32, stride, ways: 2 * stride as u32 + 1 }
+    }
+
+    /// Moves a particle: the two halves of 32 random bits, one for each axis.
+    #[inline]
+    fn apply(&self, at: Place, bits: u32) -> Place {
+        let along = |bits: u32| ((bits * self.ways) >> 16) as i32 - self.stride;
+        Place { column: at.column + along(bits & 0xffff), row: at.row + along(bits >> 16) }
+    }
+
+    /// How far a particle may stray, squared, until something at a squared distance can be near.
+    fn clearance(&self, squared: i32) -> i32 {
+        // A thousandth less, so that rounding does no harm.
+        let way = ((squared as f32).sqrt() - self.size / 2.0 - 1e-3) as i32;
+        way * way
+    }
+}
+
+/// A particle's walk ends after so many moves, met or not. Where water lies k steps away it takes about 150 k² of them to
+/// get there; passes leave no land that is two steps from all water, unless no particle can get there at all.
+const MOST_MOVES: u32 = 4096;
+
+/// The field as it stands, with the search for water and for ridges.
+#[derive(Clone, Debug)]
+pub(super) struct Water {
+    pub field: Field,
+    /// Water beside land: the water nearest to a place on land is always of these.
+    shore: Pyramid,
+    ridges: Option<Pyramid>,
+}
+
+/// What is to be seen from a place on land.
+enum Sight {
+    /// Water that is met.
+    Water(u32),
+    /// A ridge that is too near.
+    Ridge,
+    /// Neither, nor will there be within this squared distance.
+    Clear(i32),
+}
+
+impl Water {
+    /// Surveys a field.
+    pub fn new(field: Field) -> Self {
+        let (mut shore, mut ridges) = (Pyramid::new(&field), None);
+        for (place, &cell) in (0..).map(|i| field.place(i)).zip(field.cells()) {
+            match cell {
+                Cell::Illegal => ridges.get_or_insert_with(|| Pyramid::new(&field)).insert(place),
+                Cell::Unavailable if is_beside_land(&field, place) => shore.insert(place),
+                Cell::Unavailable | Cell::Available => {}
+            }
+        }
+        Self { field, shore, ridges }
+    }
+
+    /// Turns a cell of land into water.
+    pub fn flood(&mut self, at: Place) {
+        self.field.flood(at);
+        self.shore.insert(at);
+    }
+
+    /// Whether a place is land.
+    #[inline]
+    pub fn is_land(&self, at: Place) -> bool {
+        self.field.cell(at) == Some(Cell::Available)
+    }
+
+    /// Whether neither water nor a ridge is near a place on land.
+    pub fn is_clear(&self, at: Place, step: &Step) -> bool {
+        self.shore.nearest(at, step.near).is_none()
+            && self.ridges.as_ref().is_none_or(|ridges| ridges.nearest(at, step.near).is_none())
+    }
+
+    /// Lets a particle wander until it meets water: where it is then, and the cell of water nearest to it. `None` if it
+    /// leaves the field, comes near a ridge, steps on water or gets nowhere.
+    ///
+    /// Between two looks around, a particle moves within a circle that is known to be clear: the walk and where it ends
+    /// are those of looking around after every move.
+    pub fn wander(&self, born: Place, step: &Step, chance: &mut Stream) -> Option<(Place, u32)> {
+        let (mut at, mut centre, mut clear) = (born, born, 0);
+        for _ in 0..MOST_MOVES {
+            at = step.apply(at, chance.bits());
+            if !self.field.holds(at) {
+                return None;
+            }
+            if at.squared_distance(centre) > clear {
+                if !self.is_land(at) {
+                    return None;
+                }
+                match self.look(at, step) {
+                    Sight::Water(target) => return Some((at, target)),
+                    Sight::Ridge => return None,
+                    Sight::Clear(squared) => (centre, clear) = (at, squared),
+                }
+            }
+        }
+        None
+    }
+
+    fn look(&self, at: Place, step: &Step) -> Sight {
+        let water = self.shore.nearest(at, i32::MAX);
+        let ridge = self.ridges.as_ref().and_then(|ridges| ridges.nearest(at, i32::MAX));
+        let to_ridge = ridge.map_or(i32::MAX, |(_, squared)| squared);
+        match water {
+            _ if to_ridge < step.near => Sight::Ridge,
+            Some((target, squared)) if squared < step.near => Sight::Water(target),
+            _ => Sight::Clear(step.clearance(water.map_or(i32::MAX, |(_, squared)| squared).min(to_ridge))),
+        }
+    }
+}
+
+fn is_beside_land(field: &Field, at: Place) -> bool {
+    at.beside().into_iter().any(|at| field.cell(at).is_some_and(|cell| cell != Cell::Unavailable))
+}

@@ -1,0 +1,116 @@
+//! Growth by whichever procedure a recipe asks for.
+
+use super::{Brownian, Colonize, Ending, Field, GrowError, Parameters, Procedure};
+use crate::tree::Tree;
+
+/// Growth in progress: a stepper, whatever the procedure.
+#[derive(Clone, Debug)]
+pub struct Growth {
+    parameters: Parameters,
+    grower: Grower,
+}
+
+#[derive(Clone, Debug)]
+enum Grower {
+    Colonize(Colonize),
+    Brownian(Brownian),
+}
+
+impl Growth {
+    /// Begins growth: tick 0.
+    ///
+    /// # Errors
+    /// If the memory is not to be had.
+    pub fn new(parameters: Parameters) -> Result<Self, GrowError> {
+        let grower = match parameters.procedure {
+            Procedure::Colonize => Grower::Colonize(Colonize::new(parameters.clone())?),
+            Procedure::Brownian => {
+                let field = Field::of(&parameters);
+                let sensitivity = parameters.sensitivity / field.side();
+                Grower::Brownian(Brownian::new(field, parameters.seed, sensitivity)?)
+            }
+        };
+        Ok(Self { parameters, grower })
+    }
+
+    /// Grows by one tick. Returns whether there is more to grow.
+    pub fn tick(&mut self) -> bool {
+        match &mut self.grower {
+            Grower::Colonize(growth) => growth.tick(),
+            Grower::Brownian(growth) => growth.tick(),
+        }
+    }
+
+    /// The tree so far.
+    pub fn tree(&self) -> &Tree {
+        match &self.grower {
+            Grower::Colonize(growth) => growth.tree(),
+            Grower::Brownian(growth) => growth.tree(),
+        }
+    }
+
+    /// The parameters it grows by.
+    pub fn parameters(&self) -> &Parameters {
+        &self.parameters
+    }
+
+    /// How growth ended; `None` while it goes on.
+    pub fn ending(&self) -> Option<Ending> {
+        match &self.grower {
+            Grower::Colonize(growth) => growth.ending(),
+            Grower::Brownian(growth) => growth.ending(),
+        }
+    }
+
+    /// How many river mouths there are; when a Brownian tree grows, so far.
+    pub fn mouths(&self) -> u32 {
+        match &self.grower {
+            Grower::Colonize(_) => self.parameters.mouths,
+            Grower::Brownian(growth) => growth.mouths(),
+        }
+    }
+
+    /// How many attractors have been scattered: none for a Brownian tree.
+    pub fn attractors(&self) -> u32 {
+        match &self.grower {
+            Grower::Colonize(_) => self.parameters.attractors,
+            Grower::Brownian(_) => 0,
+        }
+    }
+
+    /// How many attractors no river has come near enough to.
+    pub fn unreached(&self) -> u32 {
+        match &self.grower {
+            Grower::Colonize(growth) => growth.unreached(),
+            Grower::Brownian(_) => 0,
+        }
+    }
+
+    /// The discharge of a river that drains everything: known before growth begins, for a Brownian tree nearly.
+    pub fn everything(&self) -> u32 {
+        match &self.grower {
+            Grower::Colonize(_) => self.parameters.attractors,
+            Grower::Brownian(growth) => growth.everything(),
+        }
+    }
+
+    /// How much of everything is drained so far.
+    pub fn drained(&self) -> u32 {
+        match &self.grower {
+            Grower::Colonize(growth) => self.parameters.attractors - growth.unreached(),
+            Grower::Brownian(growth) => growth.tree().len() as u32,
+        }
+    }
+
+    /// How many ticks the front of growth takes to cross the domain's height; a Brownian tree has none, but grows up
+    /// in about as many ticks as this.
+    pub fn ticks_per_height(&self) -> f32 {
+        match &self.grower {
+            Grower::Colonize(_) => self.parameters.domain.size.y / self.parameters.step,
+            Grower::Brownian(_) => TICKS_OF_A_BROWNIAN_TREE,
+        }
+    }
+}
+
+/// By trials: from 50 to 350, most of them between 100 and 250.
+const TICKS_OF_A_BROWNIAN_TREE: f32 = 200.0;

@@ -1,0 +1,294 @@
+//! What a Brownian tree promises: the document's procedure to the cell, strands that never touch, and no bias.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
+
+mod common;
+
+use common::literal;
+use glam::Vec2;
+use proptest::prelude::*;
+use riverseed::grow::{Brownian, Ending, Field, Growth, Order, Parameters};
+use riverseed::land::Cell;
+use riverseed::random::Seed;
+use riverseed::recipe::{Sides, link};
+use riverseed::session::Session;
+use riverseed::tree::{NO_PARENT, Tree};
+
+fn grown(field: &Field, seed: &str, sensitivity: f32) -> Brownian {
+    grown_in(Order::Shuffled, field, seed, sensitivity)
+}
+
+fn grown_in(order: Order, field: &Field, seed: &str, sensitivity: f32) -> Brownian {
+    let mut growth = Brownian::with_order(field.clone(), Seed::from_text(seed), sensitivity, order).unwrap();
+    while growth.tick() {}
+    assert_eq!(growth.ending(), Some(Ending::Complete));
+    growth
+}
+
+/// A square with sea on all sides.
+fn square(side: i32) -> Field {
+    Field::with_sea(side, side, 1.0, Sides::parse("nesw").unwrap())
+}
+
+/// Small fields of every kind: sea along sides or none, lakes (circles) and ridges (lines).
+fn random_field() -> impl Strategy<Value = Field> {
+    let sides = proptest::sample::select(vec!["n", "e", "sw", "ns", "nesw"]);
+    let lakes = proptest::collection::vec((0i32..120, 0i32..120, 0i32..12), 0..4);
+    let ridges = proptest::collection::vec((0i32..120, 0i32..120, -8i32..9, -8i32..9), 0..3);
+    (5i32..120, 5i32..120, 0.5f32..4.0, sides, lakes, ridges).prop_map(|(columns, rows, side, sides, lakes, ridges)| {
+        let sea = Field::with_sea(columns, rows, side, Sides::parse(sides).unwrap());
+        Field::new(columns, rows, side, |x, y| {
+            let is_lake = lakes.iter().any(|&(cx, cy, r)| (x - cx) * (x - cx) + (y - cy) * (y - cy) <= r * r);
+            let on_ridge = |&(ax, ay, dx, dy): &(i32, i32, i32, i32)| {
+                let (x, y) = (x - ax, y - ay);
+                (x * dy - y * dx).abs() <= dx.abs().max(dy.abs()) && x * dx + y * dy >= 0 && x.abs().max(y.abs()) < 40
+            };
+            match sea.cells()[(y * columns + x) as usize] {
+                Cell::Available if ridges.iter().any(on_ridge) => Cell::Illegal,
+                Cell::Available if is_lake => Cell::Unavailable,
+                cell => cell,
+            }
+        })
+    })
+}
+
+/// The cell that each node lies in; nodes at mouths lie in the sea.
+fn cells_of(tree: &Tree, field: &Field) -> Vec<(i32, i32)> {
+    let cell = |x: f32, cells: i32| ((x / field.side() + 1e-4) as i32).min(cells - 1);
+    tree.at.iter().map(|at| (cell(at.x, field.columns()), cell(at.y, field.rows()))).collect()
+}
+
+/// Which cell is which node's, and no cell is two nodes'.
+fn nodes_by_cell(tree: &Tree, field: &Field) -> Vec<Option<usize>> {
+    let mut nodes = vec![None; field.cells().len()];
+    for (node, (x, y)) in cells_of(tree, field).into_iter().enumerate() {
+        let node_here = &mut nodes[(y * field.columns() + x) as usize];
+        assert_eq!(*node_here, None, "two nodes in cell {x}, {y}");
+        *node_here = Some(node);
+    }
+    nodes
+}
+
+fn around(field: &Field, i: usize, corners: bool) -> impl Iterator<Item = usize> {
+    let (columns, rows) = (field.columns(), field.rows());
+    let (x, y) = (i as i32 % columns, i as i32 / columns);
+    let gaps = (-1..=1).flat_map(|dy| (-1..=1).map(move |dx| (dx, dy)));
+    gaps.filter(move |&(dx, dy): &(i32, i32)| (dx, dy) != (0, 0) && (corners || dx * dy == 0))
+        .map(move |(dx, dy)| (x + dx, y + dy))
+        .filter(move |&(x, y)| (0..columns).contains(&x) && (0..rows).contains(&y))
+        .map(move |(x, y)| (y * columns + x) as usize)
+}
+
+/// How many pieces, connected by sides, the cells make that are not water. The border cuts nothing off: land that reaches
+/// it is one piece.
+fn pieces_of_land(field: &Field, is_land: impl Fn(usize) -> bool) -> usize {
+    let mut seen: Vec<bool> = (0..field.cells().len()).map(|i| !is_land(i)).collect();
+    let on_border = |&i: &usize| around(field, i, false).count() < 4;
+    let mut open: Vec<usize> = (0..seen.len()).filter(on_border).collect();
+    let mut pieces = 1;
+    for start in 0..seen.len() {
+        while let Some(i) = open.pop() {
+            if !std::mem::replace(&mut seen[i], true) {
+                open.extend(around(field, i, false));
+            }
+        }
+        if !seen[start] {
+            pieces += 1;
+            open.push(start);
+        }
+    }
+    pieces
+}
+
+/// Rivers run on land from the sea, parents first; strands touch neither each other nor the sea; no land is cut off.
+fn check(field: &Field, tree: &Tree) {
+    let nodes = nodes_by_cell(tree, field);
+    let is_river = |i: usize| nodes[i].is_some_and(|node| tree.parent[node] != NO_PARENT);
+    for (i, &cell) in field.cells().iter().enumerate() {
+        let Some(node) = nodes[i] else { continue };
+        let Some(parent) = tree.parent_of(node) else {
+            assert_eq!(cell, Cell::Unavailable, "the mouth {node} is not in the sea");
+            continue;
+        };
+        assert_eq!(cell, Cell::Available, "node {node} is not on land");
+        assert!(parent < node);
+        assert!(around(field, i, true).any(|i| nodes[i] == Some(parent)), "{node} is away from its parent");
+        for beside in around(field, i, true) {
+            match nodes[beside].filter(|_| is_river(beside)) {
+                Some(other) => assert!(is_family(tree, node, other), "strands touch: {node} and {other}"),
+                None if field.cells()[beside] == Cell::Unavailable => {
+                    let mouth = [parent, tree.parent_of(parent).unwrap_or(parent)];
+                    let is_mouth = |i: usize| nodes[i].is_some_and(|n| mouth.contains(&n) && !is_river(i));
+                    let is_beside_mouth = is_mouth(beside) || around(field, beside, true).any(is_mouth);
+                    assert!(is_beside_mouth, "node {node} touches the sea");
+                }
+                None => {}
+            }
+        }
+    }
+    let before = pieces_of_land(field, |i| field.cells()[i] != Cell::Unavailable);
+    let after = pieces_of_land(field, |i| field.cells()[i] != Cell::Unavailable && !is_river(i));
+    assert!(after <= before, "{after} pieces of land were {before}");
+}
+
+/// Whether of two nodes one is the other's parent or grandparent, or both have one parent.
+fn is_family(tree: &Tree, a: usize, b: usize) -> bool {
+    let line = |node: usize| [Some(node), tree.parent_of(node), tree.parent_of(node).and_then(|p| tree.parent_of(p))];
+    line(a).contains(&Some(b)) || line(b).contains(&Some(a)) || tree.parent[a] == tree.parent[b]
+}
+
+fn assert_equals_literal(field: &Field, seed: &str, sensitivity: f32) {
+    let growth = grown(field, seed, sensitivity);
+    let tree = growth.tree();
+    let literal = literal::grow(field, Seed::from_text(seed), sensitivity);
+    for (i, node) in literal.iter().enumerate() {
+        assert_eq!(tree.parent.get(i), Some(&node.parent), "node {i}");
+        if node.parent != NO_PARENT {
+            assert_eq!(tree.at[i], literal::place(field, node), "node {i}");
+        }
+    }
+    assert_eq!(tree.len(), literal.len());
+    let river = |node: &literal::Node| node.parent != NO_PARENT;
+    assert_eq!(tree.drained.iter().sum::<u32>() as usize, literal.iter().filter(|node| river(node)).count());
+    assert_eq!(growth.mouths() as usize, tree.mouths());
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(300))]
+
+    #[test]
+    fn any_field_grows_the_literal_tree(field in random_field(), seed in "[a-z]{1,8}", sensitivity in 3f32..40.0) {
+        assert_equals_literal(&field, &seed, sensitivity);
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(1000))]
+
+    #[test]
+    fn strands_never_touch_and_no_land_is_cut_off(field in random_field(), seed in "[a-z]{1,8}", sensitivity in 3f32..20.0) {
+        check(&field, grown(&field, &seed, sensitivity).tree());
+    }
+}
+
+#[test]
+fn every_kind_of_land_grows_the_literal_tree() {
+    for (land, aspect) in [("island", 1.0), ("valley", 2.0), ("archipelago", 0.5), ("rectangle", 1.5)] {
+        let recipe = link::read(&format!("growth=brownian&land={land}&aspect={aspect}&sides=nw&seed={land}")).unwrap();
+        let parameters = Parameters::of(&recipe);
+        let whole = Field::of(&parameters);
+        // Every eighth cell, so that a literal search ends today.
+        let coarse = Field::new(whole.columns() / 8, whole.rows() / 8, whole.side() * 8.0, |x, y| {
+            whole.cells()[(y * 8 * whole.columns() + x * 8) as usize]
+        });
+        assert_equals_literal(&coarse, land, 4.5);
+        check(&coarse, grown(&coarse, land, 4.5).tree());
+    }
+}
+
+#[test]
+fn recipes_grow_on_all_their_land() {
+    for land in ["rectangle", "island", "continent", "archipelago", "valley", "basin"] {
+        let recipe = link::read(&format!("growth=brownian&land={land}&sensitivity=24")).unwrap();
+        let mut growth = Growth::new(Parameters::of(&recipe)).unwrap();
+        while growth.tick() {}
+        let field = Field::of(growth.parameters());
+        check(&field, growth.tree());
+        let (everything, drained) = (growth.everything() as f32, growth.tree().len() as f32);
+        assert!((0.7..1.3).contains(&(drained / everything)), "{land}: {drained} of {everything}");
+        assert!(growth.tree().at.iter().all(|&at| growth.parameters().domain.contains(at)));
+    }
+}
+
+#[test]
+fn any_two_sensitivities_draw_different_trees_evenly_dense() {
+    let field = square(192);
+    let land = field.available() as f32;
+    let trees: Vec<(f32, Tree)> = (8..=49)
+        .map(|i| i as f32 / 2.0)
+        .map(|sensitivity| (sensitivity, grown(&field, "kauri", sensitivity).tree().clone()))
+        .collect();
+    let share = |tree: &Tree| tree.len() as f32 / land;
+    for pair in trees.windows(2) {
+        let [(fine, finer_tree), (coarse, coarser_tree)] = pair else { continue };
+        assert!(finer_tree != coarser_tree, "{fine} and {coarse} draw the same");
+    }
+    // One tree a sensitivity is a small sample: two that lie close may be the wrong way round.
+    for pair in trees.windows(9) {
+        assert!(share(&pair[8].1) < share(&pair[0].1), "{} is denser than {}", pair[8].0, pair[0].0);
+    }
+    for (sensitivity, tree) in trees {
+        let density = share(&tree) * sensitivity;
+        assert!((0.75..1.2).contains(&density), "{sensitivity}: {density}");
+    }
+}
+
+#[test]
+fn a_finer_sensitivity_keeps_the_coarser_tree_of_its_octave() {
+    let field = square(192);
+    let coarse = grown(&field, "kauri", 24.0).tree().clone();
+    for sensitivity in [23.0, 17.0, 12.0, 5.0] {
+        let fine = grown(&field, "kauri", sensitivity);
+        assert!(
+            fine.tree().at.starts_with(&coarse.at) && fine.tree().parent.starts_with(&coarse.parent),
+            "{sensitivity}"
+        );
+    }
+}
+
+/// Whither rivers lead on the whole: the mean direction from a node to its parent, over many seeds, in standard errors
+/// of the mean over seeds.
+fn bias(order: Order) -> Vec2 {
+    const SEEDS: usize = 300;
+    let field = square(96);
+    let mean = |tree: &Tree| {
+        let rivers = (0..tree.len()).filter_map(|node| Some((node, tree.parent_of(node)?)));
+        let directions: Vec<Vec2> =
+            rivers.map(|(node, parent)| (tree.at[parent] - tree.at[node]).normalize()).collect();
+        directions.iter().sum::<Vec2>() / directions.len() as f32
+    };
+    let means: Vec<Vec2> =
+        (0..SEEDS).map(|seed| mean(grown_in(order, &field, &format!("w{seed}"), 6.0).tree())).collect();
+    let all = means.iter().sum::<Vec2>() / SEEDS as f32;
+    let variance = means.iter().map(|&mean| (mean - all) * (mean - all)).sum::<Vec2>() / SEEDS as f32;
+    all / (variance / SEEDS as f32).map(f32::sqrt)
+}
+
+/// If of equally near water the first were taken, row by row, this would be 7.
+#[test]
+fn rivers_favour_no_direction() {
+    let bias = bias(Order::Shuffled);
+    assert!(bias.abs().max_element() < 4.0, "{bias}");
+}
+
+#[test]
+fn the_test_of_directions_sees_the_bias_of_particles_in_rows() {
+    let bias = bias(Order::Rows);
+    assert!(bias.max_element() < -8.0, "{bias}");
+}
+
+#[test]
+fn slices_of_any_length_grow_the_same_tree() {
+    let recipe = link::read("growth=brownian&land=island&sensitivity=16").unwrap();
+    let grown = |ticks: u32| {
+        let mut session = Session::new(recipe.clone(), 200, 200).unwrap();
+        while session.advance(ticks) {
+            session.paint();
+        }
+        session.paint();
+        (session.tree().clone(), session.pixmap().data().to_vec())
+    };
+    let at_once = grown(u32::MAX);
+    assert!(grown(1) == at_once && grown(7) == at_once);
+    assert_eq!(at_once.0.ticks().count(), at_once.0.len());
+    assert!(at_once.0.tick_starts.is_sorted());
+}
+
+#[test]
+fn fields_without_land_or_without_water_end_empty() {
+    for cell in [Cell::Available, Cell::Unavailable, Cell::Illegal] {
+        for (columns, rows) in [(1, 1), (1, 90), (40, 40)] {
+            let growth = grown(&Field::new(columns, rows, 1.0, |_, _| cell), "kauri", 6.0);
+            assert!(growth.tree().is_empty(), "{cell:?}, {columns} by {rows}");
+        }
+    }
+}
