@@ -37,6 +37,8 @@ pub mod prune;
 pub mod random;
 pub mod recipe;
 pub mod session;
+mod simplify;
+mod thin;
 pub mod tree;
 #[cfg(target_arch = "wasm32")]
 pub mod web;

@@ -9,12 +9,14 @@ use crate::paint::{PaintError, Rect};
 use crate::recipe::link::{self, Notice};
 use crate::recipe::preset::PRESETS;
 use crate::recipe::table::TABLE;
-use crate::recipe::{Kind, Parameter, Recipe, Stage};
+use crate::recipe::{Kind, LONGEST_OUTLINE, Parameter, Recipe, Stage};
 use crate::session::{Session, SessionError};
 use crate::{dice, digest};
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
+/** The stages of a river, in the order in which they run. */
+export type Stage = "land" | "grow" | "prune" | "paint";
 /** A row of the parameter table. */
 export interface Parameter {
   readonly key: string;
@@ -23,8 +25,8 @@ export interface Parameter {
   /** The heading it stands under. */
   readonly group: string;
   /** The earliest stage that runs again when it changes. */
-  readonly stage: "grow" | "prune" | "paint";
-  readonly kind: "text" | "integer" | "number" | "choice" | "sides";
+  readonly stage: Stage;
+  readonly kind: "text" | "integer" | "number" | "choice" | "sides" | "outline";
   readonly min?: number;
   readonly max?: number;
   readonly step?: number;
@@ -135,7 +137,7 @@ impl River {
     }
 
     /// Goes over to another recipe and says what has to run again. If it throws, everything is as before.
-    #[wasm_bindgen(unchecked_return_type = "\"grow\" | \"prune\" | \"paint\" | \"none\"")]
+    #[wasm_bindgen(unchecked_return_type = "Stage | \"none\"")]
     pub fn change(&mut self, link: &str) -> Result<String, JsValue> {
         let stage = self.session.change(read_strictly(link)?).map_err(|error| session_error(&error))?;
         Ok(stage.map_or("none", Stage::name).into())
@@ -285,6 +287,7 @@ enum KindView {
     Number { min: f64, max: f64, step: f64 },
     Choice { choices: Vec<ChoiceView> },
     Sides { choices: Vec<ChoiceView> },
+    Outline { max_length: usize },
 }
 
 #[derive(Serialize)]
@@ -352,6 +355,7 @@ impl KindView {
             Kind::Number { min, max, step, .. } => {
                 Self::Number { min: min.to_f64(), max: max.to_f64(), step: step.to_f64() }
             }
+            Kind::Outline => Self::Outline { max_length: LONGEST_OUTLINE },
             Kind::Choice { choices } => Self::Choice { choices: choices.iter().map(view).collect() },
             Kind::Sides { .. } => Self::Sides {
                 choices: [("n", "North"), ("e", "East"), ("s", "South"), ("w", "West")].iter().map(view).collect(),

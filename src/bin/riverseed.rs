@@ -14,7 +14,7 @@ use riverseed::domain::Domain;
 use riverseed::export;
 use riverseed::paint::{LONGEST_SIDE, View};
 use riverseed::recipe::table::TABLE;
-use riverseed::recipe::{Key, Kind, Parameter, Recipe, RecipeError, json, link};
+use riverseed::recipe::{Key, Kind, LONGEST_OUTLINE, Parameter, Recipe, RecipeError, json, link};
 use riverseed::session::{Session, SessionError};
 use thiserror::Error;
 
@@ -268,5 +268,6 @@ fn values(parameter: &Parameter) -> String {
         Kind::Number { min, max, .. } => format!("{min} to {max}{unit}"),
         Kind::Choice { choices } => choices.iter().map(|(word, _)| *word).collect::<Vec<_>>().join(", "),
         Kind::Sides { .. } => "some of n, e, s, w".into(),
+        Kind::Outline => format!("text, at most {LONGEST_OUTLINE} characters: see below"),
     }
 }

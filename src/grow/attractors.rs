@@ -30,14 +30,13 @@ pub fn scatter(parameters: &Parameters) -> Vec<Vec2> {
     let cells = parameters.domain.size.x * parameters.domain.size.y / (parameters.spacing * parameters.spacing);
     let cells = if parameters.land.is_none() { parameters.attractors } else { cells as u32 };
     let first_of = |row: u32| (u64::from(row) * u64::from(cells) / u64::from(rows)) as u32;
-    let mut places = Vec::with_capacity(cells as usize);
+    let mut places = Vec::with_capacity(parameters.attractors as usize);
     for row in 0..rows {
         let columns = first_of(row + 1) - first_of(row);
         let cell = size / Vec2::new(columns as f32, rows as f32);
-        places.extend(
-            (0..columns)
-                .map(|column| (Vec2::new(column as f32, row as f32) + Vec2::new(chance.unit(), chance.unit())) * cell),
-        );
+        let within = |column: u32, x: f32, y: f32| (Vec2::new(column as f32, row as f32) + Vec2::new(x, y)) * cell;
+        let anywhere = (0..columns).map(|column| within(column, chance.unit(), chance.unit()));
+        places.extend(anywhere.filter(|&at| parameters.is_land(at)));
     }
     places
 }

@@ -4,9 +4,10 @@ use glam::Vec2;
 
 use super::Relief;
 use super::kinds::{LandKind, Shape};
+use super::outline::Drawing;
 use crate::domain::Domain;
 use crate::random::Seed;
-use crate::recipe::{Key, Recipe};
+use crate::recipe::{Key, Outline, Recipe};
 
 /// What a cell is to rivers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -21,6 +22,9 @@ pub enum Cell {
 
 /// The side of a cell, in units: a third to a half of a river's step at the default number of attractors.
 const SIDE: f32 = 2.0;
+
+/// The least share of the domain that a drawn land fills: with less, attractors would not find it.
+pub(super) const LEAST_DRAWN: f32 = 0.01;
 
 /// Which cells are land, on the whole domain.
 #[derive(Clone, Debug, PartialEq)]
@@ -44,7 +48,8 @@ pub struct Shore {
 }
 
 impl Land {
-    /// The land of a recipe; `None` for the plain rectangle, which is all land.
+    /// The land of a recipe; `None` for the plain rectangle, which is all land, and for a drawn land of which nothing is
+    /// drawn, or no water, or next to no land.
     pub fn of(recipe: &Recipe) -> Option<Self> {
         let shape = Shape {
             kind: LandKind::ALL.get(recipe.choice(Key::Land)).copied().unwrap_or(LandKind::Rectangle),
@@ -54,10 +59,22 @@ impl Land {
             sea: recipe.number(Key::Sea),
             rough: recipe.number(Key::Rough),
         };
+        if shape.kind == LandKind::Drawn {
+            return Self::drawn(&shape, recipe.outline()?);
+        }
         let relief = shape.relief()?;
         let mut this = Self::from_relief(&shape.domain, relief);
         shape.ridges().into_iter().for_each(|ridge| this.raise(ridge));
         Some(this)
+    }
+
+    fn drawn(shape: &Shape, outline: &Outline) -> Option<Self> {
+        let drawing = Drawing::of(outline, shape);
+        let mut this = Self::from_relief(&shape.domain, drawing.relief(&shape.domain));
+        let share = this.available as f32 / this.cells.len() as f32;
+        let has_coast = (LEAST_DRAWN..1.0).contains(&share);
+        drawing.ridges.into_iter().for_each(|ridge| this.raise(ridge));
+        has_coast.then_some(this)
     }
 
     fn from_relief(domain: &Domain, relief: Relief) -> Self {

@@ -6,6 +6,7 @@
 
 mod field;
 mod kinds;
+mod outline;
 mod relief;
 
 pub use field::{Cell, Land, Shore};

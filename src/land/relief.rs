@@ -4,9 +4,6 @@ use glam::Vec2;
 
 use crate::domain::Domain;
 
-/// The distance between lattice corners, in units: finer than any bend of a coast that is to be seen.
-const SPACING: f32 = 8.0;
-
 /// Heights at lattice corners, bilinear between.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Relief {
@@ -16,11 +13,27 @@ pub struct Relief {
 }
 
 impl Relief {
+    /// The distance between lattice corners, in units: finer than any bend of a coast that is to be seen.
+    pub(super) const SPACING: f32 = 8.0;
+    /// Distances from the coast are not told apart beyond this, in units.
+    pub(super) const FARTHEST: f32 = 100.0;
+
+    /// How many columns and rows of corners a lattice has: one more each than would cover the domain.
+    pub(super) fn corners(domain: &Domain) -> (usize, usize) {
+        let corners = |length: f32| (length / Self::SPACING) as usize + 2;
+        (corners(domain.size.x), corners(domain.size.y))
+    }
+
+    /// Takes heights that were worked out at the corners, row by row.
+    pub(super) fn at_corners(domain: &Domain, heights: Vec<f32>) -> Self {
+        let (columns, rows) = Self::corners(domain);
+        Self { heights, columns, rows }
+    }
+
     /// Samples a function and lowers it so that the given share of the domain is below 0: that is the sea.
     pub fn with_sea(domain: &Domain, share: f32, height: impl Fn(Vec2) -> f32) -> Self {
-        let corners = |length: f32| (length / SPACING) as usize + 2;
-        let (columns, rows) = (corners(domain.size.x), corners(domain.size.y));
-        let corner = |i: usize| Vec2::new((i % columns) as f32, (i / columns) as f32) * SPACING;
+        let (columns, rows) = Self::corners(domain);
+        let corner = |i: usize| Vec2::new((i % columns) as f32, (i / columns) as f32) * Self::SPACING;
         let mut heights: Vec<f32> = (0..columns * rows).map(|i| height(corner(i))).collect();
         let level = quantile(&heights, share);
         heights.iter_mut().for_each(|height| *height -= level);
@@ -29,12 +42,11 @@ impl Relief {
 
     /// Divides each height by its steepness: near the coast that is the distance from it.
     fn as_distance(self) -> Self {
-        const FARTHEST: f32 = 100.0;
         const FLATTEST: f32 = 0.05;
         let distance = |i: usize| {
-            let corner = Vec2::new((i % self.columns) as f32, (i / self.columns) as f32) * SPACING;
+            let corner = Vec2::new((i % self.columns) as f32, (i / self.columns) as f32) * Self::SPACING;
             let steepness = self.slope(corner).length().max(FLATTEST);
-            (self.heights[i] / steepness).max(-FARTHEST).min(FARTHEST)
+            (self.heights[i] / steepness).max(-Self::FARTHEST).min(Self::FARTHEST)
         };
         Self { heights: (0..self.heights.len()).map(distance).collect(), ..self }
     }
@@ -54,7 +66,7 @@ impl Relief {
     /// How steeply the height rises, toward higher ground.
     #[inline]
     pub fn slope(&self, point: Vec2) -> Vec2 {
-        let step = SPACING;
+        let step = Self::SPACING;
         let rise = |axis: Vec2| self.height(point + axis * step) - self.height(point - axis * step);
         Vec2::new(rise(Vec2::X), rise(Vec2::Y)) / (2.0 * step)
     }
@@ -63,7 +75,7 @@ impl Relief {
 /// The lattice interval a coordinate lies in, and where in it.
 #[inline]
 fn lattice(x: f32, corners: usize) -> (usize, f32) {
-    let x = (x / SPACING).max(0.0).min((corners - 1) as f32);
+    let x = (x / Relief::SPACING).max(0.0).min((corners - 1) as f32);
     let index = (x as usize).min(corners - 2);
     (index, x - index as f32)
 }
