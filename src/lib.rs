@@ -31,6 +31,8 @@ pub mod digest;
 pub mod domain;
 pub mod export;
 pub mod grow;
+#[cfg(feature = "png")]
+pub mod import;
 pub mod land;
 pub mod paint;
 pub mod prune;

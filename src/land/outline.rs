@@ -11,7 +11,7 @@ use crate::recipe::{GridPoint, Outline};
 /// nothing of that coast is seen.
 const BEYOND: f32 = 150.0;
 /// How far the wildest coast strays from its drawn line, in units; most of it strays a third of that.
-const WILDEST: f32 = 52.0;
+const WILDEST: f32 = 48.0;
 /// The bumps of a rough coast across the domain: small beside what people draw, so that a drawn shape stays itself.
 const BUMPS: f32 = 7.0;
 /// The length of the pieces that a line is bent in, in units, or more where there would be over [`MOST_PIECES`].
@@ -44,7 +44,7 @@ impl Drawing {
 
     fn roughen(&mut self, shape: &Shape) {
         let piece = (self.length() / MOST_PIECES).max(PIECE);
-        let [east, south] = [3, 4].map(|index| shape.noise(index, BUMPS, 5));
+        let [east, south] = [3, 4].map(|index| shape.noise(index, BUMPS, 4));
         let bend = |Vec2 { x, y }: Vec2| {
             Vec2::new(x, y) + Vec2::new(east.get_noise_2d(x, y), south.get_noise_2d(x, y)) * shape.rough * WILDEST
         };
@@ -145,7 +145,7 @@ impl Lattice {
         for row in first(low.y, self.rows)..first(high.y, self.rows) {
             for column in first(low.x, self.columns)..first(high.x, self.columns) {
                 let from_a = Vec2::new(column as f32, row as f32) * Relief::SPACING - a;
-                let share = from_a.dot(per_length).max(0.0).min(1.0);
+                let share = from_a.dot(per_length).clamp(0.0, 1.0);
                 let squared = &mut self.squared[row * self.columns + column];
                 *squared = squared.min((from_a - along * share).length_squared());
             }

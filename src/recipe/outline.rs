@@ -28,7 +28,7 @@ impl GridPoint {
 
     /// The nearest grid point to fractions of the domain's width and height; what lies outside comes to the border.
     pub fn nearest(fraction: Vec2) -> Self {
-        let snap = |x: f32| (x.max(0.0).min(1.0) * f32::from(Self::LAST)).round() as u16;
+        let snap = |x: f32| (x.clamp(0.0, 1.0) * f32::from(Self::LAST)).round() as u16;
         Self { x: snap(fraction.x), y: snap(fraction.y) }
     }
 
