@@ -126,7 +126,7 @@ export class Plate {
     this.#link = wanted.link;
     if (stage === "none") return;
     this.#fit();
-    if (stage === "grow") this.#grow(wanted.how);
+    if (stage === "land" || stage === "grow") this.#grow(wanted.how);
     else this.#growth.redraw();
   }
 
