@@ -15,6 +15,8 @@ const RIDGE: [u8; 3] = [0xa8, 0x93, 0x78];
 /// Distances from the coast of the rings that old engravers drew, in units, each fainter than the one before.
 const RINGS: [(f32, f32); 3] = [(7.0, 0.34), (16.0, 0.2), (28.0, 0.1)];
 const RING_WIDTH: f32 = 1.1;
+/// No line lies farther out at sea than this, in units.
+const OUTERMOST: f32 = RINGS[RINGS.len() - 1].0 + RING_WIDTH;
 const COAST_WIDTH: f32 = 1.8;
 const RIDGE_WIDTH: f32 = 3.0;
 
@@ -37,6 +39,14 @@ pub(super) fn ground(view: &View, land: &Land) -> Vec<[u8; 4]> {
 
 /// The colour at a distance from the coast, in units, land being positive.
 fn shore(scale: f32, distance: f32) -> [u8; 3] {
+    // Most of a map lies beyond all lines, where the colour is plain.
+    let blur = 1.0 / scale;
+    if distance > COAST_WIDTH + blur {
+        return PAPER;
+    }
+    if distance < -(OUTERMOST + blur) {
+        return SEA;
+    }
     let line = |centre: f32, width: f32| line(scale, distance - centre, width);
     let land = ((distance * scale) + 0.5).max(0.0).min(1.0);
     let mut colour = mix(SEA, PAPER, land);
