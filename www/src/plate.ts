@@ -112,10 +112,13 @@ export class Plate {
   }
 
   #applySoon(): void {
-    this.#applying ||= requestAnimationFrame(() => {
-      this.#applying = 0;
-      if (this.#canRun) this.#attempt(() => this.#apply());
-    });
+    this.#applying ||= requestAnimationFrame(() => this.#applyNow());
+  }
+
+  #applyNow(): void {
+    cancelAnimationFrame(this.#applying);
+    this.#applying = 0;
+    if (this.#canRun) this.#attempt(() => this.#apply());
   }
 
   #apply(): void {
@@ -152,7 +155,8 @@ export class Plate {
 
   #changed(): void {
     this.#tell();
-    if (this.state !== "settling" && this.#wanted) this.#applySoon();
+    // At once, not in the next frame: what follows a pen or a slider is seen twice as often.
+    if (this.state !== "settling" && this.#wanted) this.#applyNow();
   }
 
   /** Makes the frame the river's shape and the picture the frame's size; the river stays the same. */
