@@ -31,12 +31,16 @@ pub mod digest;
 pub mod domain;
 pub mod export;
 pub mod grow;
+#[cfg(feature = "png")]
+pub mod import;
 pub mod land;
 pub mod paint;
 pub mod prune;
 pub mod random;
 pub mod recipe;
 pub mod session;
+mod simplify;
+mod thin;
 pub mod tree;
 #[cfg(target_arch = "wasm32")]
 pub mod web;

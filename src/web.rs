@@ -1,20 +1,24 @@
 //! The only file that knows JavaScript: recipes, the parameter table and a river, for a page.
 
-use js_sys::{Error, Reflect};
+use glam::Vec2;
+use js_sys::{Array, Error, Float32Array, Object, Reflect};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
 use crate::grow::Ending;
+use crate::land::trace;
 use crate::paint::{PaintError, Rect};
 use crate::recipe::link::{self, Notice};
 use crate::recipe::preset::PRESETS;
 use crate::recipe::table::TABLE;
-use crate::recipe::{Kind, Parameter, Recipe, Stage};
+use crate::recipe::{GridPoint, Kind, LONGEST_OUTLINE, Outline, Parameter, Recipe, Stage};
 use crate::session::{Session, SessionError};
 use crate::{dice, digest};
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
+/** The stages of a river, in the order in which they run. */
+export type Stage = "land" | "grow" | "prune" | "paint";
 /** A row of the parameter table. */
 export interface Parameter {
   readonly key: string;
@@ -23,8 +27,8 @@ export interface Parameter {
   /** The heading it stands under. */
   readonly group: string;
   /** The earliest stage that runs again when it changes. */
-  readonly stage: "grow" | "prune" | "paint";
-  readonly kind: "text" | "integer" | "number" | "choice" | "sides";
+  readonly stage: Stage;
+  readonly kind: "text" | "integer" | "number" | "choice" | "sides" | "outline";
   readonly min?: number;
   readonly max?: number;
   readonly step?: number;
@@ -54,6 +58,12 @@ export interface Reading {
   /** Every parameter's value as link text. */
   readonly values: readonly (readonly [key: string, value: string])[];
   readonly notices: readonly Notice[];
+}
+/** Lines of a drawn land, each as x and y in turn, in fractions of the map's width and height. */
+export interface Lines {
+  /** Closed: the last point is joined to the first. */
+  readonly coasts: readonly Float32Array[];
+  readonly ridges: readonly Float32Array[];
 }
 /** What a picture shows, in numbers. */
 export interface Summary {
@@ -112,6 +122,45 @@ pub fn fresh_seed() -> Result<String, JsValue> {
     getrandom::u64().map(dice::word).map_err(|error| coded("no-randomness", &error.to_string()))
 }
 
+/// The outline of lines with any number of points, simplified until it fits a link. Throws an Error if that is no land.
+#[wasm_bindgen(js_name = outlineOf)]
+pub fn outline_of(coasts: Vec<Float32Array>, ridges: Vec<Float32Array>) -> Result<String, JsValue> {
+    let lines = |lines: Vec<Float32Array>| lines.iter().map(points).collect();
+    let outline = Outline::of_strokes(lines(coasts), lines(ridges));
+    outline.map(|outline| outline.to_string()).map_err(|error| coded("no-land", &error.to_string()))
+}
+
+/// The lines of an outline. Throws an Error if the text is none.
+#[wasm_bindgen(js_name = outlineLines, unchecked_return_type = "Lines")]
+pub fn outline_lines(text: &str) -> Result<JsValue, JsValue> {
+    let outline = Outline::parse(text).map_err(|error| coded("bad-params", &error.to_string()))?;
+    let flat = |line: &Vec<GridPoint>| -> Vec<f32> { line.iter().flat_map(|at| at.fraction().to_array()).collect() };
+    let lines =
+        |lines: &[Vec<GridPoint>]| lines.iter().map(|line| Float32Array::from(&flat(line)[..])).collect::<Array>();
+    let found = Object::new();
+    Reflect::set(&found, &"coasts".into(), &lines(outline.coasts()))?;
+    Reflect::set(&found, &"ridges".into(), &lines(outline.ridges()))?;
+    Ok(found.into())
+}
+
+/// Traces a picture: white land, black water, a third colour for ridges. Throws an Error if it shows no coast.
+#[wasm_bindgen(js_name = traceImage)]
+pub fn trace_image(rgba: &[u8], width_px: u32, height_px: u32) -> Result<String, JsValue> {
+    let outline = trace::trace(width_px, height_px, rgba);
+    outline.map(|outline| outline.to_string()).map_err(|error| coded("no-land", &error.to_string()))
+}
+
+/// The longest side of a picture that is traced, in pixels.
+#[wasm_bindgen(js_name = longestTracedSide)]
+pub fn longest_traced_side() -> u32 {
+    trace::LONGEST_SIDE
+}
+
+/// The points of a line given as x and y in turn; half a point at the end is left out.
+fn points(line: &Float32Array) -> Vec<Vec2> {
+    line.to_vec().chunks_exact(2).map(Vec2::from_slice).collect()
+}
+
 /// The digest of a recipe: what proves that two browsers draw the same. The link is read strictly.
 #[wasm_bindgen(js_name = digest)]
 pub fn digest_of(link: &str) -> Result<String, JsValue> {
@@ -135,7 +184,7 @@ impl River {
     }
 
     /// Goes over to another recipe and says what has to run again. If it throws, everything is as before.
-    #[wasm_bindgen(unchecked_return_type = "\"grow\" | \"prune\" | \"paint\" | \"none\"")]
+    #[wasm_bindgen(unchecked_return_type = "Stage | \"none\"")]
     pub fn change(&mut self, link: &str) -> Result<String, JsValue> {
         let stage = self.session.change(read_strictly(link)?).map_err(|error| session_error(&error))?;
         Ok(stage.map_or("none", Stage::name).into())
@@ -284,6 +333,7 @@ enum KindView {
     Number { min: f64, max: f64, step: f64 },
     Choice { choices: Vec<ChoiceView> },
     Sides { choices: Vec<ChoiceView> },
+    Outline { max_length: usize },
 }
 
 #[derive(Serialize)]
@@ -351,6 +401,7 @@ impl KindView {
             Kind::Number { min, max, step, .. } => {
                 Self::Number { min: min.to_f64(), max: max.to_f64(), step: step.to_f64() }
             }
+            Kind::Outline => Self::Outline { max_length: LONGEST_OUTLINE },
             Kind::Choice { choices } => Self::Choice { choices: choices.iter().map(view).collect() },
             Kind::Sides { .. } => Self::Sides {
                 choices: [("n", "North"), ("e", "East"), ("s", "South"), ("w", "West")].iter().map(view).collect(),

@@ -129,6 +129,59 @@ fn what_is_wrong_is_named_and_nothing_is_written() {
     assert!(!fs::exists(out).unwrap());
 }
 
+/// Writes a picture of one colour with a square of another in it.
+fn picture(name: &str, ground: u8, square: u8) -> PathBuf {
+    let path = scratch(name);
+    let pixel = |i: usize| if (30..90).contains(&(i % 120)) && (20..60).contains(&(i / 120)) { square } else { ground };
+    let grey: Vec<u8> = (0..120 * 80).map(pixel).collect();
+    let mut encoder = png::Encoder::new(fs::File::create(&path).unwrap(), 120, 80);
+    encoder.set_color(png::ColorType::Grayscale);
+    encoder.write_header().unwrap().write_image_data(&grey).unwrap();
+    path
+}
+
+#[test]
+fn picture_of_a_land_becomes_an_outline_that_renders() {
+    let path = picture("square.png", 0, 255);
+    let traced = |arguments: &[&str]| {
+        let output = riverseed(&[&["outline", path.to_str().unwrap()], arguments].concat());
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        String::from_utf8(output.stdout).unwrap().trim().to_owned()
+    };
+    let (outline, link) = (traced(&[]), traced(&["--link"]));
+    assert_eq!(link, format!("seed=kauri&edition=1&land=drawn&outline={outline}"));
+    let network = network("traced.json", &[&link, "--rough", "0", "--attractors", "300"]);
+    let xs = network["nodes"]["x"].as_array().unwrap();
+    let width = network["domain"]["width"].as_f64().unwrap();
+    assert!(xs.iter().all(|x| (0.23..0.77).contains(&(x.as_f64().unwrap() / width))), "rivers leave the land");
+}
+
+#[test]
+fn pictures_that_show_no_land_are_refused_by_name() {
+    for (ground, square, reason) in [(0, 0, "all water"), (255, 255, "all land")] {
+        let path = picture(reason, ground, square);
+        let (code, message) = refusal(&["outline", path.to_str().unwrap()]);
+        assert_eq!(code, 1);
+        assert!(message.contains(reason), "{message}");
+    }
+    let junk = scratch("junk.png");
+    fs::write(&junk, "junk").unwrap();
+    let (code, message) = refusal(&["outline", junk.to_str().unwrap()]);
+    assert!(code == 1 && message.contains("junk.png: this is no PNG"), "{message}");
+    let (code, message) = refusal(&["outline", scratch("absent.png").to_str().unwrap()]);
+    assert!(code == 1 && message.contains("absent.png"), "{message}");
+    let (code, message) = refusal(&["render", "--outline", ".AAA", "-o", scratch("x.png").to_str().unwrap()]);
+    assert!(code == 2 && message.contains("outline: the coast that begins at character 1"), "{message}");
+}
+
+#[test]
+fn drawn_land_without_an_outline_is_the_rectangle_and_says_so() {
+    let out = scratch("undrawn.json");
+    let output = riverseed(&["render", "land=drawn&attractors=100", "-o", out.to_str().unwrap()]);
+    assert!(output.status.success());
+    assert!(String::from_utf8_lossy(&output.stderr).contains("no outline"));
+}
+
 #[test]
 fn readme_s_table_is_the_one_the_program_prints() {
     let printed = String::from_utf8(riverseed(&["table"]).stdout).unwrap();

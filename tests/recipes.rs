@@ -17,12 +17,30 @@ fn assert_in_range(recipe: &Recipe) {
 fn mangled_link() -> impl Strategy<Value = String> {
     let names: Vec<&str> = TABLE.iter().map(|parameter| parameter.name).chain(["preset", "depth", ""]).collect();
     let presets = preset::PRESETS.iter().map(|preset| preset.name);
-    let words =
-        ["ink", "nesw", "random", "1", "-1", "0.5", "1e9", "NaN", "-inf", "%FF", "%00", "9999999999999999999999"];
+    let words = [
+        "ink",
+        "nesw",
+        "random",
+        "drawn",
+        ".AAAAgAgA__AA",
+        ".AAAAgAgA__AA..AAAA____",
+        ".AAAA",
+        "..AAAA____",
+        "1",
+        "-1",
+        "0.5",
+        "1e9",
+        "NaN",
+        "-inf",
+        "%FF",
+        "%00",
+        "9999999999999999999999",
+    ];
     let words: Vec<&str> = words.into_iter().chain(presets).collect();
     let value = prop_oneof![
         proptest::sample::select(words).prop_map(String::from),
         "[-+]?[0-9]{0,5}[.]?[0-9]{0,6}",
+        "[.]{1,2}[A-Za_-]{0,16}",
         ".{0,12}",
     ];
     let pair = (proptest::sample::select(names), "[=&]?", value)
@@ -54,6 +72,7 @@ fn mangled_json() -> impl Strategy<Value = String> {
     let words = [
         r#""ink""#,
         r#""kauri""#,
+        r#"".AAAAgAgA__AA""#,
         "1",
         "-1",
         "0.5",

@@ -1,9 +1,10 @@
-//! The command line: `riverseed render` draws a recipe or writes its network, `riverseed table` explains recipes.
+//! The command line: `riverseed render` draws a recipe or writes its network, `riverseed outline` traces a picture of a
+//! land, `riverseed table` explains recipes.
 //!
 //! Exit codes: 0 done, 1 the work failed, 2 the call or the recipe is wrong.
 
 use std::fs::{self, File};
-use std::io::{self, BufWriter, Read, Write};
+use std::io::{self, BufReader, BufWriter, Read, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -12,15 +13,19 @@ use clap::{Arg, ArgAction, ArgMatches, Command, crate_version, value_parser};
 use indicatif::{ProgressBar, ProgressStyle};
 use riverseed::domain::Domain;
 use riverseed::export;
+use riverseed::import;
+use riverseed::land::LandKind;
+use riverseed::land::trace::trace;
 use riverseed::paint::{LONGEST_SIDE, View};
 use riverseed::recipe::table::TABLE;
-use riverseed::recipe::{Key, Kind, Parameter, Recipe, RecipeError, json, link};
+use riverseed::recipe::{Key, Kind, LONGEST_OUTLINE, Parameter, Recipe, RecipeError, Value, json, link};
 use riverseed::session::{Session, SessionError};
 use thiserror::Error;
 
 fn main() -> ExitCode {
     let done = match command().get_matches().subcommand() {
         Some(("render", matches)) => render(matches),
+        Some(("outline", matches)) => outline(matches),
         Some(("table", _)) => print_table(),
         _ => Ok(()),
     };
@@ -46,6 +51,8 @@ enum Failure {
     Mismatch { option: &'static str, ending: &'static str },
     #[error("{}: {error}", path.display())]
     File { path: PathBuf, error: io::Error },
+    #[error("{}: {reason}", path.display())]
+    Picture { path: PathBuf, reason: String },
     #[error(transparent)]
     Output(#[from] io::Error),
 }
@@ -54,7 +61,7 @@ impl Failure {
     fn exit_code(&self) -> ExitCode {
         match self {
             Self::Recipe(_) | Self::Ending { .. } | Self::Mismatch { .. } => ExitCode::from(2),
-            Self::Session(_) | Self::File { .. } | Self::Output(_) => ExitCode::FAILURE,
+            Self::Session(_) | Self::File { .. } | Self::Picture { .. } | Self::Output(_) => ExitCode::FAILURE,
         }
     }
 
@@ -100,6 +107,24 @@ fn command() -> Command {
                 )
                 .arg(Arg::new("preset").long("preset").value_name("NAME").help("A named set of values, read first"))
                 .args(TABLE.iter().map(option)),
+        )
+        .subcommand(
+            Command::new("outline")
+                .about("Traces a PNG of a land, white on black, and prints the outline to give to a recipe")
+                .after_help("White is land, black or transparent is water, a third colour makes ridges.")
+                .arg(
+                    Arg::new("image")
+                        .value_name("IMAGE")
+                        .required(true)
+                        .help("A PNG, at most 4096 pixels a side")
+                        .value_parser(value_parser!(PathBuf)),
+                )
+                .arg(
+                    Arg::new("link")
+                        .long("link")
+                        .action(ArgAction::SetTrue)
+                        .help("Print a whole link, with the picture's aspect"),
+                ),
         )
         .subcommand(Command::new("table").about("Prints the parameter table as Markdown"))
 }
@@ -223,6 +248,9 @@ fn grow(recipe: Recipe, size: u32, progress: &ProgressBar) -> Result<Session, Fa
     let height = View::height_for(&domain, size);
     let (width, height) = if height <= size { (size, height) } else { (View::width_for(&domain, size), size) };
     let mut session = Session::new(recipe, width, height)?;
+    if is_undrawn(&session) {
+        eprintln!("riverseed: land is 'drawn' but no outline shows both land and water; all of the map is land");
+    }
     progress.set_length(u64::from(session.growth().everything()));
     progress.set_message("growing");
     while session.advance(16) {
@@ -236,6 +264,12 @@ fn grow(recipe: Recipe, size: u32, progress: &ProgressBar) -> Result<Session, Fa
     Ok(session)
 }
 
+/// Whether a drawn land is asked for and nothing that could be land is drawn.
+fn is_undrawn(session: &Session) -> bool {
+    session.recipe().value(Key::Land) == &Value::Choice(LandKind::Drawn as usize)
+        && session.growth().parameters().land.is_none()
+}
+
 /// A bar on standard error for long work; invisible where that is not a terminal.
 fn progress(recipe: &Recipe, size: u32) -> ProgressBar {
     const LONG_GROWTH: u32 = 200_000;
@@ -246,6 +280,24 @@ fn progress(recipe: &Recipe, size: u32) -> ProgressBar {
     }
     let style = ProgressStyle::with_template("{msg} {wide_bar} {percent}%");
     ProgressBar::new(u64::from(attractors)).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+}
+
+/// Traces a picture and prints its outline, or a link that shows it.
+fn outline(matches: &ArgMatches) -> Result<(), Failure> {
+    let Some(path) = matches.get_one::<PathBuf>("image") else { return Ok(()) };
+    let picture = |reason: String| Failure::Picture { path: path.clone(), reason };
+    let file = File::open(path).map_err(Failure::file(path))?;
+    let image = import::png::read(BufReader::new(file)).map_err(|error| picture(error.to_string()))?;
+    let outline = trace(image.width, image.height, &image.rgba).map_err(|error| picture(error.to_string()))?;
+    let mut text = outline.to_string();
+    if matches.get_flag("link") {
+        let aspect = format!("{:.2}", (image.width as f32 / image.height as f32).clamp(0.25, 4.0));
+        let pairs = [("land", "drawn"), ("aspect", &aspect), ("outline", &text)];
+        let pairs = pairs.map(|(key, value)| (key.to_owned(), value.to_owned()));
+        text = link::write(&link::apply(Recipe::default(), &pairs)?);
+    }
+    writeln!(io::stdout(), "{text}")?;
+    Ok(())
 }
 
 fn print_table() -> Result<(), Failure> {
@@ -268,5 +320,6 @@ fn values(parameter: &Parameter) -> String {
         Kind::Number { min, max, .. } => format!("{min} to {max}{unit}"),
         Kind::Choice { choices } => choices.iter().map(|(word, _)| *word).collect::<Vec<_>>().join(", "),
         Kind::Sides { .. } => "some of n, e, s, w".into(),
+        Kind::Outline => format!("text, at most {LONGEST_OUTLINE} characters: see below"),
     }
 }

@@ -3,12 +3,13 @@
 use glam::Vec2;
 
 use super::kinds::{LandKind, Shape};
+use super::outline::Drawing;
 use super::regions::{Region, regions};
-use super::relief::{Relief, SPACING};
+use super::relief::Relief;
 use super::walk::walk;
 use crate::domain::Domain;
 use crate::random::Seed;
-use crate::recipe::{Key, Recipe};
+use crate::recipe::{Key, Outline, Recipe};
 
 /// What a cell is to rivers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,6 +25,9 @@ pub enum Cell {
 
 /// The side of a cell, in units: far less than a step of a river at the default number of attractors.
 pub const SIDE: f32 = 1.0;
+
+/// The least share of the domain that a drawn land fills: with less, attractors would not find it.
+pub(super) const LEAST_DRAWN: f32 = 0.01;
 
 /// Which cells are land, on the whole domain.
 #[derive(Clone, Debug, PartialEq)]
@@ -47,7 +51,8 @@ pub struct Shore {
 }
 
 impl Land {
-    /// The land of a recipe; `None` for the plain rectangle, which is all land.
+    /// The land of a recipe; `None` for the plain rectangle, which is all land, and for a drawn land of which nothing is
+    /// drawn, or no water, or next to no land.
     pub fn of(recipe: &Recipe) -> Option<Self> {
         let shape = Shape {
             kind: LandKind::ALL.get(recipe.choice(Key::Land)).copied().unwrap_or(LandKind::Rectangle),
@@ -57,7 +62,18 @@ impl Land {
             sea: recipe.number(Key::Sea),
             rough: recipe.number(Key::Rough),
         };
+        if shape.kind == LandKind::Drawn {
+            return Self::drawn(&shape, recipe.outline()?);
+        }
         Some(Self::new(&shape.domain, shape.relief()?, shape.ridges()))
+    }
+
+    /// The land of an outline; `None` if it is nearly all water, or all land.
+    fn drawn(shape: &Shape, outline: &Outline) -> Option<Self> {
+        let drawing = Drawing::of(outline, shape);
+        let this = Self::new(&shape.domain, drawing.relief(&shape.domain), drawing.ridges);
+        let land = this.cells.iter().filter(|&&cell| cell != Cell::Unavailable).count();
+        (LEAST_DRAWN..1.0).contains(&(land as f32 / this.cells.len() as f32)).then_some(this)
     }
 
     /// Land above the sea, cut by ridges.
@@ -189,7 +205,7 @@ impl Land {
 /// The cells whose middles lie above 0. Along a row the relief is linear from one lattice corner to the next, so most
 /// cells need not be looked at one by one.
 fn above_water(relief: &Relief, columns: usize, rows: usize) -> Vec<Cell> {
-    const CELLS: usize = (SPACING / SIDE) as usize;
+    const CELLS: usize = (Relief::SPACING / SIDE) as usize;
     let mut cells = vec![Cell::Unavailable; columns * rows];
     for (row, cells) in cells.chunks_mut(columns).enumerate() {
         let y = ((row % CELLS) as f32 + 0.5) / CELLS as f32;
@@ -265,7 +281,8 @@ mod tests {
     #[test]
     fn no_line_slips_through_a_diagonal_ridge() {
         let domain = Domain::with_aspect(1.0);
-        let relief = Relief::of_coast(&domain, &[], |_| true);
+        let (columns, rows) = Relief::corners(&domain);
+        let relief = Relief::of_coast(&domain, &[], &vec![true; columns * rows]);
         let land = Land::new(&domain, relief, vec![vec![Vec2::new(300.0, 100.0), Vec2::new(601.0, 401.0)]]);
         assert!(!land.sees(Vec2::new(500.0, 200.0), Vec2::new(400.0, 300.0)));
         assert!(land.sees(Vec2::new(500.0, 200.0), Vec2::new(600.0, 100.0)));

@@ -23,12 +23,14 @@ pub enum LandKind {
     Valley,
     /// A lake in the middle: rivers run inward.
     Basin,
+    /// What a person drew: the recipe's outline.
+    Drawn,
 }
 
 impl LandKind {
     /// In the order of the parameter table.
-    pub(crate) const ALL: [Self; 6] =
-        [Self::Rectangle, Self::Island, Self::Continent, Self::Archipelago, Self::Valley, Self::Basin];
+    pub(crate) const ALL: [Self; 7] =
+        [Self::Rectangle, Self::Island, Self::Continent, Self::Archipelago, Self::Valley, Self::Basin, Self::Drawn];
 }
 
 /// What a shape is made of.
@@ -45,9 +47,10 @@ pub(super) struct Shape {
 }
 
 impl Shape {
-    /// The relief of the shape; `None` for the plain rectangle.
+    /// The relief of the shape; `None` for the plain rectangle, and for a drawn land, which
+    /// has its relief from its outline.
     pub fn relief(&self) -> Option<Relief> {
-        if self.kind == LandKind::Rectangle {
+        if matches!(self.kind, LandKind::Rectangle | LandKind::Drawn) {
             return None;
         }
         let (coarse, fine, islands) = (self.noise(0, 1.6, 3), self.noise(1, 5.0, 5), self.cellular());
@@ -64,7 +67,7 @@ impl Shape {
     fn plain(&self, point: Vec2, noise: &FastNoiseLite, islands: &FastNoiseLite) -> f32 {
         let from_centre = ((point - self.domain.size / 2.0) / (self.domain.size / self.span())).length();
         match self.kind {
-            LandKind::Rectangle => self.span(),
+            LandKind::Rectangle | LandKind::Drawn => self.span(),
             LandKind::Island => -from_centre - self.moat(point),
             LandKind::Basin => from_centre,
             LandKind::Continent | LandKind::Valley => self.from_coast(point),
@@ -138,7 +141,7 @@ impl Shape {
     }
 
     /// Noise with about so many bumps across the domain.
-    fn noise(&self, index: u32, bumps: f32, octaves: i32) -> FastNoiseLite {
+    pub fn noise(&self, index: u32, bumps: f32, octaves: i32) -> FastNoiseLite {
         let bits = self.seed.key(Purpose::Land).bits([index, 0, 0]);
         let mut noise = FastNoiseLite::with_seed(bits as i32);
         noise.set_noise_type(Some(NoiseType::OpenSimplex2));

@@ -2,15 +2,23 @@
 //!
 //! A [`Relief`] says of every point of the domain how far inland it lies; a [`Land`] is the field of cells made of it,
 //! each Available (land), Unavailable (water) or Illegal (a ridge that no river may cross), as in seed document 2.
+//!
+//! A drawn land comes from an [`Outline`](crate::recipe::Outline), which hand-drawn lines
+//! ([`of_strokes`](crate::recipe::Outline::of_strokes)) or a picture ([`trace`]) are turned into.
+//!
 //! Growth asks the field, painting asks the relief: so the coast is smooth at any size, and rivers end at it.
 
 mod field;
 mod kinds;
+mod outline;
 mod regions;
 mod relief;
+mod strokes;
+pub mod trace;
 mod walk;
 
 pub use field::{Cell, Land, SIDE, Shore};
 pub use kinds::LandKind;
 pub use regions::{Region, Run};
-pub use relief::{Relief, SPACING};
+pub use relief::Relief;
+pub use strokes::DrawError;

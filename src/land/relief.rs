@@ -8,9 +8,6 @@ use glam::Vec2;
 use super::walk::walk;
 use crate::domain::Domain;
 
-/// The distance between lattice corners, in units: finer than any bend of a coast that is to be seen.
-pub const SPACING: f32 = 8.0;
-
 /// A straight piece of coast, from one end to the other.
 pub(super) type Piece = [Vec2; 2];
 
@@ -26,6 +23,9 @@ pub struct Relief {
 }
 
 impl Relief {
+    /// The distance between lattice corners, in units: finer than any bend of a coast that is to be seen.
+    pub const SPACING: f32 = 8.0;
+
     /// The land where a function is high: the sea is as much of the domain as asked for, where it is lowest.
     pub(super) fn with_sea(domain: &Domain, share: f32, height: impl Fn(Vec2) -> f32) -> Self {
         let mut this = Self::sampled(domain, height);
@@ -35,14 +35,21 @@ impl Relief {
         this.measured(&coast)
     }
 
-    /// The land of a coast.
-    pub(super) fn of_coast(domain: &Domain, coast: &[Piece], is_land: impl Fn(Vec2) -> bool) -> Self {
-        Self::sampled(domain, |point| if is_land(point) { 1.0 } else { -1.0 }).measured(coast)
+    /// The land of a coast, which says of each corner of the lattice, row by row, whether it is land.
+    pub(super) fn of_coast(domain: &Domain, coast: &[Piece], is_land: &[bool]) -> Self {
+        let (columns, rows) = Self::corners(domain);
+        let heights = is_land.iter().map(|&is_land| if is_land { 1.0 } else { -1.0 }).collect();
+        Self { heights, columns, rows }.measured(coast)
+    }
+
+    /// How many columns and rows of corners a lattice has: one more each than would cover the domain.
+    pub(super) fn corners(domain: &Domain) -> (usize, usize) {
+        let corners = |length: f32| (length / Self::SPACING) as usize + 2;
+        (corners(domain.size.x), corners(domain.size.y))
     }
 
     fn sampled(domain: &Domain, height: impl Fn(Vec2) -> f32) -> Self {
-        let corners = |length: f32| (length / SPACING) as usize + 2;
-        let (columns, rows) = (corners(domain.size.x), corners(domain.size.y));
+        let (columns, rows) = Self::corners(domain);
         let heights = (0..columns * rows).map(|i| height(corner(i, columns))).collect();
         Self { heights, columns, rows }
     }
@@ -97,20 +104,20 @@ impl Relief {
     /// The way inland, and how much farther inland a step that way leads.
     #[inline]
     pub fn slope(&self, point: Vec2) -> Vec2 {
-        let step = SPACING;
+        let step = Self::SPACING;
         let rise = |axis: Vec2| self.height(point + axis * step) - self.height(point - axis * step);
         Vec2::new(rise(Vec2::X), rise(Vec2::Y)) / (2.0 * step)
     }
 }
 
 fn corner(i: usize, columns: usize) -> Vec2 {
-    Vec2::new((i % columns) as f32, (i / columns) as f32) * SPACING
+    Vec2::new((i % columns) as f32, (i / columns) as f32) * Relief::SPACING
 }
 
 /// The lattice interval a coordinate lies in, and where in it.
 #[inline]
 fn lattice(x: f32, corners: usize) -> (usize, f32) {
-    let x = (x / SPACING).max(0.0).min((corners - 1) as f32);
+    let x = (x / Relief::SPACING).max(0.0).min((corners - 1) as f32);
     let index = (x as usize).min(corners - 2);
     (index, x - index as f32)
 }
@@ -136,7 +143,7 @@ impl<'a> Nearest<'a> {
         let squared = vec![FARTHEST * FARTHEST; columns * rows];
         let mut this = Self { coast, piece: vec![u32::MAX; columns * rows], squared, columns };
         for (piece, [from, to]) in (0..).zip(coast) {
-            for (column, row) in walk(*from / SPACING, *to / SPACING) {
+            for (column, row) in walk(*from / Relief::SPACING, *to / Relief::SPACING) {
                 for (column, row) in [(column, row), (column + 1, row), (column, row + 1), (column + 1, row + 1)] {
                     if (0..columns as i32).contains(&column) && (0..rows as i32).contains(&row) {
                         this.propose(row as usize * columns + column as usize, piece);
@@ -210,11 +217,13 @@ mod tests {
             centre + Vec2::new(libm::cosf(angle), libm::sinf(angle)) * radius
         };
         let coast: Vec<Piece> = (0..200).map(|i| [at(i), at(i + 1)]).collect();
-        let by_coast = Relief::of_coast(&domain, &coast, |point| (point - centre).length() < radius);
+        let is_land: Vec<bool> =
+            (0..by_height.heights.len()).map(|i| (corner(i, by_height.columns) - centre).length() < radius).collect();
+        let by_coast = Relief::of_coast(&domain, &coast, &is_land);
         for i in 0..=1000 {
             let point = domain.size * Vec2::new(i as f32 / 1000.0, (i * 7 % 1000) as f32 / 1000.0);
             let exact = radius - (point - centre).length();
-            if exact > radius - 2.0 * SPACING {
+            if exact > radius - 2.0 * Relief::SPACING {
                 continue; // bilinear, the very peak is rounded
             }
             // The level of the sea is known to a corner's worth of domain.
@@ -238,7 +247,8 @@ mod tests {
             [from, from.lerp(toward, 0.05)]
         };
         let coast: Vec<Piece> = (0..40).map(|_| piece()).collect();
-        let relief = Relief::of_coast(&domain, &coast, |_| true);
+        let (columns, rows) = Relief::corners(&domain);
+        let relief = Relief::of_coast(&domain, &coast, &vec![true; columns * rows]);
         let mut far_off = 0;
         for (i, height) in relief.heights.iter().enumerate() {
             let exact = coast.iter().map(|[from, to]| squared_distance(corner(i, relief.columns), *from, *to));

@@ -4,7 +4,7 @@ use glam::Vec2;
 
 use super::coverage::Coverage;
 use super::view::View;
-use crate::land::{Land, Relief, SPACING};
+use crate::land::{Land, Relief};
 
 /// Bare paper, which is land.
 pub(super) const PAPER: [u8; 3] = [0xf6, 0xf0, 0xe2];
@@ -16,6 +16,7 @@ const RIDGE: [u8; 3] = [0xa8, 0x93, 0x78];
 /// Distances from the coast of the rings that old engravers drew, in units, each fainter than the one before.
 const RINGS: [(f32, f32); 3] = [(7.0, 0.34), (16.0, 0.2), (28.0, 0.1)];
 const RING_WIDTH: f32 = 1.1;
+/// No line lies farther out at sea than this, in units.
 const COAST_WIDTH: f32 = 1.8;
 const RIDGE_WIDTH: f32 = 3.0;
 
@@ -43,7 +44,7 @@ fn paint_row(view: &View, relief: &Relief, shades: &Shades, y: usize, row: &mut 
     while start < row.len() {
         let from = place(start);
         // The pixels whose middles lie before the lattice's next column, and before the picture's end.
-        let border = ((from.x / SPACING).floor() + 1.0) * SPACING;
+        let border = ((from.x / Relief::SPACING).floor() + 1.0) * Relief::SPACING;
         let count = (((border - from.x) * view.scale).ceil().max(1.0) as usize).min(row.len() - start);
         let stretch = &mut row[start..start + count];
         let (left, right) = (relief.height(from), relief.height(place(start + count - 1)));

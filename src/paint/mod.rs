@@ -13,7 +13,6 @@ mod ink;
 mod painter;
 mod skeleton;
 mod strokes;
-mod thin;
 mod view;
 
 pub use coverage::{Coverage, Rect};

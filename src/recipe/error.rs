@@ -2,6 +2,7 @@
 
 use thiserror::Error;
 
+use super::outline::OutlineError;
 use super::value::Decimal;
 
 /// A recipe that cannot be read: which key, which value, and what is allowed.
@@ -73,6 +74,14 @@ pub enum RecipeError {
     NotText {
         /// The parameter.
         key: &'static str,
+    },
+    /// A text that is no outline.
+    #[error("{key}: {reason}")]
+    Outline {
+        /// The parameter.
+        key: &'static str,
+        /// What is wrong with it, and where.
+        reason: OutlineError,
     },
     /// No set of values has this name.
     #[error("there is no preset '{name}': choose from {names}")]

@@ -144,7 +144,7 @@ fn nearest_allowed(kind: Kind, text: &str) -> Option<Value> {
             let cut: String = text.trim().chars().filter(readable).take(longest).collect();
             Some(Value::Text(cut.trim().into()))
         }
-        Kind::Choice { .. } | Kind::Sides { .. } => None,
+        Kind::Choice { .. } | Kind::Sides { .. } | Kind::Outline => None,
     }
 }
 

@@ -10,11 +10,13 @@ mod error;
 #[cfg(feature = "json")]
 pub mod json;
 pub mod link;
+mod outline;
 pub mod preset;
 pub mod table;
 mod value;
 
 pub use error::RecipeError;
+pub use outline::{GridPoint, LONGEST as LONGEST_OUTLINE, LineKind, Outline, OutlineError};
 pub use table::{Key, Kind, Parameter, Stage};
 pub use value::{Decimal, Sides, Value};
 
@@ -79,6 +81,14 @@ impl Recipe {
         match self.value(key) {
             Value::Sides(sides) => *sides,
             _ => Sides::SOUTH,
+        }
+    }
+
+    /// The drawn land; `None` if nothing is drawn.
+    pub fn outline(&self) -> Option<&Outline> {
+        match self.value(Key::Outline) {
+            Value::Outline(outline) if !outline.is_empty() => Some(outline),
+            _ => None,
         }
     }
 

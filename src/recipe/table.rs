@@ -4,6 +4,7 @@
 //! Keys are added freely and never renamed: a shared link holds them.
 
 use super::error::{RecipeError, shown};
+use super::outline::Outline;
 use super::value::{Decimal, Sides, Value};
 
 /// The stages that parameters belong to, in the order in which they run.
@@ -39,6 +40,7 @@ pub enum Key {
     Edition,
     Aspect,
     Land,
+    Outline,
     Sea,
     Rough,
     Mouths,
@@ -114,6 +116,8 @@ pub enum Kind {
         /// The value when nothing is given.
         default: Sides,
     },
+    /// A drawn land; nothing is drawn by default.
+    Outline,
 }
 
 /// A row of the table.
@@ -197,14 +201,26 @@ pub static TABLE: [Parameter; COUNT] = {
                     ("archipelago", "an archipelago"),
                     ("valley", "a valley between ridges"),
                     ("basin", "around a lake"),
+                    ("drawn", "drawn by hand"),
                 ],
             },
+        },
+        Parameter {
+            key: Key::Outline,
+            name: "outline",
+            label: "Outline",
+            help: "The coasts and ridges of a drawn land; until there are any, it is the whole rectangle.",
+            unit: "",
+            group: "Land",
+            stage: Land,
+            logarithmic: false,
+            kind: Kind::Outline,
         },
         Parameter {
             key: Key::Sea,
             name: "sea",
             label: "Sea",
-            help: "The share of water, unless the land is the whole rectangle.",
+            help: "The share of water, unless the land is the whole rectangle or drawn.",
             unit: "",
             group: "Land",
             stage: Land,
@@ -410,6 +426,7 @@ impl Parameter {
             Kind::Number { default, .. } => Value::Number(default),
             Kind::Choice { .. } => Value::Choice(0),
             Kind::Sides { default } => Value::Sides(default),
+            Kind::Outline => Value::Outline(Outline::default()),
         }
     }
 
@@ -420,7 +437,7 @@ impl Parameter {
             (Kind::Integer { min, max, .. }, Value::Integer(n)) => (min..=max).contains(n),
             (Kind::Number { min, max, .. }, Value::Number(x)) => (min..=max).contains(x),
             (Kind::Choice { choices }, Value::Choice(index)) => *index < choices.len(),
-            (Kind::Sides { .. }, Value::Sides(_)) => true,
+            (Kind::Sides { .. }, Value::Sides(_)) | (Kind::Outline, Value::Outline(_)) => true,
             _ => false,
         }
     }
@@ -436,6 +453,7 @@ impl Parameter {
             }
             (_, Value::Choice(index)) => index.to_string(),
             (_, Value::Sides(sides)) => sides.to_string(),
+            (_, Value::Outline(outline)) => outline.to_string(),
         }
     }
 
@@ -454,6 +472,9 @@ impl Parameter {
                 .map(Value::Choice)
                 .ok_or_else(|| self.unknown_choice(text)),
             Kind::Sides { .. } => Sides::parse(text).map(Value::Sides).ok_or_else(|| self.unknown_choice(text)),
+            Kind::Outline => Outline::parse(text.trim())
+                .map(Value::Outline)
+                .map_err(|reason| RecipeError::Outline { key: self.name, reason }),
         }
     }
 

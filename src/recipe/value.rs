@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use super::outline::Outline;
+
 /// The value of a parameter.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Value {
@@ -15,6 +17,8 @@ pub enum Value {
     Choice(usize),
     /// Some sides of the domain.
     Sides(Sides),
+    /// A drawn land.
+    Outline(Outline),
 }
 
 /// A number with four decimal places, kept exactly: what is written is what is read, digit for digit, and no link holds

@@ -6,18 +6,24 @@ pub mod twin;
 
 use proptest::prelude::*;
 
+/// Outlines of any lines, mostly crossing themselves and each other; some of nothing.
+fn random_outline() -> impl Strategy<Value = String> {
+    let lines = "([.]([A-Za-z0-9_-]{4}){3,9}){1,3}([.]{2}([A-Za-z0-9_-]{4}){2,9}){0,2}";
+    prop_oneof![Just(String::new()), lines]
+}
+
 /// Links over the whole of every range, with at most so many attractors.
 pub fn random_link(most_attractors: u32) -> impl Strategy<Value = String> {
     // Half of them on the plain rectangle, where more goes on in a second.
-    let lands = proptest::sample::select(vec!["island", "continent", "archipelago", "valley", "basin"]);
-    let land = (prop_oneof![Just("rectangle"), lands], 0.1f64..=0.8, 0.0f64..=1.0);
+    let lands = proptest::sample::select(vec!["island", "continent", "archipelago", "valley", "basin", "drawn"]);
+    let land = (prop_oneof![Just("rectangle"), lands], 0.1f64..=0.8, 0.0f64..=1.0, random_outline());
     let ground = (0.25f64..=4.0, prop_oneof![1u32..=5, 1u32..=64], 1u32..16, 100..=most_attractors, any::<bool>());
     let growth = (2.1f64..=12.0, 0.5f64..=1.4, 0.2f64..=1.2);
     let zero_or = |most: f64| prop_oneof![Just(0.0), 0.0..=most];
     let bends = (zero_or(0.9), zero_or(2.0), 1u32..=64);
     let finish = (prop_oneof![Just(0u32), 0u32..=60], 1.0f64..=40.0, any::<bool>());
     ("[a-z]{1,8}", land, ground, growth, bends, finish).prop_map(|(seed, land, ground, growth, bends, finish)| {
-        let (land, sea, rough) = land;
+        let (land, sea, rough, outline) = land;
         let (aspect, mouths, sides, attractors, grid) = ground;
         let (reach, kill, step) = growth;
         let (momentum, curl, stretch) = bends;
@@ -26,7 +32,7 @@ pub fn random_link(most_attractors: u32) -> impl Strategy<Value = String> {
         let scatter = if grid { "grid" } else { "random" };
         let style = if skeleton { "skeleton" } else { "ink" };
         format!(
-            "seed={seed}&land={land}&sea={sea:.3}&rough={rough:.3}&aspect={aspect:.3}&mouths={mouths}&sides={sides}&attractors={attractors}&scatter={scatter}\
+            "seed={seed}&land={land}&outline={outline}&sea={sea:.3}&rough={rough:.3}&aspect={aspect:.3}&mouths={mouths}&sides={sides}&attractors={attractors}&scatter={scatter}\
              &reach={reach:.3}&kill={kill:.3}&step={step:.3}&momentum={momentum:.3}&curl={curl:.3}&stretch={stretch}\
              &trim={trim}&width={width:.2}&style={style}"
         )

@@ -11,10 +11,10 @@ export interface Controls {
   show(values: ReadonlyMap<string, string>): void;
 }
 
-/** A parameter with one possible value (the edition) has nothing to set; the seed has a box of its own. */
+/** A parameter with one possible value (the edition) has nothing to set; the seed has a box of its own, an outline is drawn. */
 export function isAdjustable(parameter: Parameter): boolean {
   const range = rangeOf(parameter);
-  return parameter.key !== "seed" && !(range && range.min === range.max);
+  return parameter.key !== "seed" && parameter.kind !== "outline" && !(range && range.min === range.max);
 }
 
 export function controls(table: readonly Parameter[], change: Change): Controls {

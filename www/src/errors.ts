@@ -10,6 +10,8 @@ export type Code =
   | "wasm-csp"
   | "bad-params"
   | "too-large"
+  | "no-land"
+  | "bad-image"
   | "panic"
   | "unknown";
 
@@ -70,6 +72,16 @@ const ADVICE: Record<Code, Advice> = {
     text: "It asks for more memory than the page may take. Use fewer attractors, or a smaller window.",
     reload: false,
   },
+  "no-land": {
+    title: "This is no land",
+    text: "A land needs a coast with water on one side. Draw a larger one, or choose another picture.",
+    reload: false,
+  },
+  "bad-image": {
+    title: "This picture cannot be read",
+    text: "Choose a PNG, at most 4096 pixels a side: white for land, black for water.",
+    reload: false,
+  },
   panic: {
     title: "The river engine stopped",
     text:
@@ -103,7 +115,9 @@ export function named(thrown: unknown): PageError {
   return new PageError("unknown", thrown.message);
 }
 
+const RECOVERABLE: ReadonlySet<Code> = new Set(["bad-params", "too-large", "no-land", "bad-image"]);
+
 /** A failure after which the picture on the page is still good, so that a note beside it is enough. */
 export function isRecoverable(error: PageError): boolean {
-  return error.code === "bad-params" || error.code === "too-large";
+  return RECOVERABLE.has(error.code);
 }

@@ -4,10 +4,13 @@ import "./style.css";
 import type { Summary } from "../pkg/riverseed.js";
 import { type Controls, controls } from "./controls.ts";
 import { setText } from "./dom.ts";
+import { Drawing } from "./drawing.ts";
 import { isRecoverable, named } from "./errors.ts";
 import type { State } from "./growth.ts";
 import { AddressBar, addressOf, linkOf, replaceAddress } from "./link.ts";
 import { parts } from "./parts.ts";
+import { listenForPictures } from "./picture-entry.ts";
+import { nearestAspect, pixelsOf } from "./picture-file.ts";
 import { type How, Plate } from "./plate.ts";
 import { type Presets, presets } from "./presets.ts";
 import { Recipe } from "./recipe.ts";
@@ -15,6 +18,7 @@ import { SeedBox } from "./seed.ts";
 import { copy, fileName, picture, save } from "./share.ts";
 import { Announcer, alternative, caption, sentence, showFailure, showNotices } from "./status.ts";
 import { Transport } from "./transport.ts";
+import { rangeOf } from "./values.ts";
 import { type Core, load } from "./wasm.ts";
 
 const prefersStill = window.matchMedia("(prefers-reduced-motion: reduce)");
@@ -26,6 +30,7 @@ class Page {
   readonly #seedBox: SeedBox;
   readonly #plate: Plate;
   readonly #transport: Transport;
+  readonly #drawing: Drawing;
   readonly #address = new AddressBar(replaceAddress);
   readonly #announcer = new Announcer(parts.announcement);
 
@@ -34,7 +39,7 @@ class Page {
     const table = engine.parameters();
     this.#recipe = new Recipe((text) => engine.readLink(text));
     this.#recipe.open(linkOf(location));
-    this.#controls = controls(table, (key, text) => this.#set([[key, text]], "settle"));
+    this.#controls = controls(table, (key, text) => this.#choose(key, text));
     this.#presets = presets(engine.presets(), table, (values) => this.#set(values, "watch"));
     this.#seedBox = new SeedBox(parts.seedForm, parts.seed, (seed) => this.#set([["seed", seed]], "watch"));
     describeSeed(table);
@@ -43,6 +48,10 @@ class Page {
       failed: (error) => this.#fail(error),
     });
     this.#transport = this.#makeTransport();
+    this.#drawing = new Drawing(parts.drawing, engine, {
+      drawn: (outline) => this.#set(drawn(outline), "settle"),
+      failed: (error) => this.#fail(error),
+    });
     parts.presets.replaceChildren(this.#presets.element);
     parts.controls.replaceChildren(this.#controls.element);
     this.#listen();
@@ -52,7 +61,8 @@ class Page {
   start(): void {
     parts.facade.hidden = true;
     this.#transport.enable();
-    for (const button of [parts.dice, parts.download, parts.copy, parts.reset]) button.disabled = false;
+    for (const button of [parts.dice, parts.download, parts.copy, parts.reset, parts.drawing.draw])
+      button.disabled = false;
     this.#showRecipe();
     this.#plate.start(this.#how("watch"));
   }
@@ -72,8 +82,42 @@ class Page {
     parts.reset.addEventListener("click", () => this.#open(`seed=${encodeURIComponent(this.#recipe.seed)}`));
     parts.download.addEventListener("click", () => void this.#download());
     parts.copy.addEventListener("click", () => void this.#copyLink());
+    parts.drawing.draw.addEventListener("click", () => this.#showDrawing());
+    listenForPictures(parts.drawing, (file) => void this.#trace(file));
     for (const event of ["popstate", "hashchange"]) window.addEventListener(event, () => this.#followAddress());
     window.addEventListener("pagehide", () => this.#address.flush());
+  }
+
+  /** Turns a picture of a land into the land. */
+  async #trace(file: Blob): Promise<void> {
+    try {
+      const { engine } = this.core;
+      const { rgba, width, height } = await pixelsOf(file, engine.longestTracedSide());
+      this.#drawing.take(engine.traceImage(rgba, width, height));
+      this.#set([["aspect", this.#aspectOf({ width, height })]], "settle");
+    } catch (thrown) {
+      const error = named(thrown);
+      if (isRecoverable(error)) this.#note(error.message);
+      else this.#fail(error);
+    }
+  }
+
+  #aspectOf(picture: { width: number; height: number }): string {
+    const row = this.core.engine.parameters().find(({ key }) => key === "aspect");
+    const range = row && rangeOf(row);
+    return range ? nearestAspect(picture, range) : (this.#recipe.values.get("aspect") ?? "");
+  }
+
+  /** A land that was drawn before is there again when the tool is opened. */
+  #showDrawing(): void {
+    const outline = this.#recipe.values.get("outline") ?? "";
+    if (outline !== "" && this.#recipe.values.get("land") !== "drawn") this.#set(drawn(outline), "settle");
+  }
+
+  /** A control has another value. Whoever chooses a drawn land has to draw one. */
+  #choose(key: string, text: string): void {
+    this.#set([[key, text]], "settle");
+    if (key === "land" && text === "drawn" && this.#recipe.values.get("outline") === "") this.#drawing.open();
   }
 
   #throwDice(): void {
@@ -131,6 +175,7 @@ class Page {
     this.#controls.show(values);
     this.#presets.show(values);
     this.#seedBox.show(seed);
+    this.#drawing.show(values.get("outline") ?? "");
     parts.title.textContent = seed;
     document.title = seed === "" ? "Riverseed" : `${seed} · Riverseed`;
     this.#showNotices();
@@ -194,6 +239,14 @@ class Page {
     const address = addressOf(this.#recipe.link, location.href);
     parts.shared.textContent = (await copy(address)) ? "Link copied." : `Copy this link: ${address}`;
   }
+}
+
+/** The values of a drawn land. */
+function drawn(outline: string): [key: string, value: string][] {
+  return [
+    ["land", "drawn"],
+    ["outline", outline],
+  ];
 }
 
 /** What the table says of the seed, for the box that index.html has. */

@@ -112,10 +112,13 @@ export class Plate {
   }
 
   #applySoon(): void {
-    this.#applying ||= requestAnimationFrame(() => {
-      this.#applying = 0;
-      if (this.#canRun) this.#attempt(() => this.#apply());
-    });
+    this.#applying ||= requestAnimationFrame(() => this.#applyNow());
+  }
+
+  #applyNow(): void {
+    cancelAnimationFrame(this.#applying);
+    this.#applying = 0;
+    if (this.#canRun) this.#attempt(() => this.#apply());
   }
 
   #apply(): void {
@@ -126,7 +129,7 @@ export class Plate {
     this.#link = wanted.link;
     if (stage === "none") return;
     this.#fit();
-    if (stage === "grow") this.#grow(wanted.how);
+    if (stage === "land" || stage === "grow") this.#grow(wanted.how);
     else this.#growth.redraw();
   }
 
@@ -152,7 +155,8 @@ export class Plate {
 
   #changed(): void {
     this.#tell();
-    if (this.state !== "settling" && this.#wanted) this.#applySoon();
+    // At once, not in the next frame: what follows a pen or a slider is seen twice as often.
+    if (this.state !== "settling" && this.#wanted) this.#applyNow();
   }
 
   /** Makes the frame the river's shape and the picture the frame's size; the river stays the same. */

@@ -61,9 +61,9 @@ test("a preset's button gives what the preset's link gives", () => {
   }
 });
 
-test("there is a control for everything but the seed, which has its own, and the edition, which has one value", () => {
+test("there is a control for everything but the seed and the outline, which have their own, and the edition, which has one value", () => {
   const without = table.filter((parameter) => !isAdjustable(parameter)).map(({ key }) => key);
-  expect(without).toEqual(["seed", "edition"]);
+  expect(without).toEqual(["seed", "edition", "outline"]);
 });
 
 test("fresh seeds are words that a link reads back", () => {

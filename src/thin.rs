@@ -1,12 +1,12 @@
 //! Thinning by Zhang and Suen (1984): a pattern of pixels becomes lines one pixel wide, as in section 6.1 of the paper.
 
 /// The least coverage of a pixel that counts as set.
-pub(super) const IS_SET: u8 = 128;
+pub(crate) const IS_SET: u8 = 128;
 
 /// Thins a mask of the given width in place: pixels that are set come out as 255, all others 0.
 ///
 /// Only set pixels are visited, so the cost goes with the length of the rivers, not with the size of the picture.
-pub(super) fn thin(pixels: &mut [u8], width: usize) {
+pub(crate) fn thin(pixels: &mut [u8], width: usize) {
     let mut set: Vec<usize> = Vec::new();
     for (i, pixel) in pixels.iter_mut().enumerate() {
         *pixel = if *pixel >= IS_SET { 255 } else { 0 };

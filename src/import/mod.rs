@@ -1,0 +1,3 @@
+//! Reading files that recipes are made from.
+
+pub mod png;

@@ -1,0 +1,268 @@
+//! The land of a drawn outline: its coasts and ridges in units, roughened, and the relief that they make.
+
+use glam::Vec2;
+
+use super::kinds::Shape;
+use super::relief::{Piece, Relief};
+use crate::domain::Domain;
+use crate::recipe::{GridPoint, Outline};
+
+/// How far beyond the domain a coast is taken that runs along its border, in units: such land goes on out there, and
+/// nothing of that coast is seen.
+const BEYOND: f32 = 150.0;
+/// How far the wildest coast strays from its drawn line, in units; most of it strays a third of that.
+const WILDEST: f32 = 48.0;
+/// The bumps of a rough coast across the domain: small beside what people draw, so that a drawn shape stays itself.
+const BUMPS: f32 = 7.0;
+/// The length of the pieces that a line is bent in, in units, or more where there would be over [`MOST_PIECES`].
+const PIECE: f32 = 7.0;
+const MOST_PIECES: f32 = 2000.0;
+
+/// Drawn lines, in units.
+#[derive(Clone, Debug)]
+pub(super) struct Drawing {
+    /// Closed lines between land and water.
+    pub coasts: Vec<Vec<Vec2>>,
+    pub ridges: Vec<Vec<Vec2>>,
+}
+
+impl Drawing {
+    /// An outline on a domain. Every line is moved by one field of noise, so that lines which do not touch still do not,
+    /// small islands stay, and ridges keep their place on the land.
+    pub fn of(outline: &Outline, shape: &Shape) -> Self {
+        let size = shape.domain.size;
+        let on_domain = |line: &[GridPoint]| line.iter().map(|point| point.fraction() * size).collect::<Vec<_>>();
+        let mut this = Self {
+            coasts: outline.coasts().iter().map(|ring| past_border(&on_domain(ring), size)).collect(),
+            ridges: outline.ridges().iter().map(|line| on_domain(line)).collect(),
+        };
+        if shape.rough > 0.0 {
+            this.roughen(shape);
+        }
+        this
+    }
+
+    fn roughen(&mut self, shape: &Shape) {
+        let piece = (self.length() / MOST_PIECES).max(PIECE);
+        let [east, south] = [3, 4].map(|index| shape.noise(index, BUMPS, 4));
+        let bend = |Vec2 { x, y }: Vec2| {
+            Vec2::new(x, y) + Vec2::new(east.get_noise_2d(x, y), south.get_noise_2d(x, y)) * shape.rough * WILDEST
+        };
+        let rough = |line: &Vec<Vec2>, is_closed| -> Vec<Vec2> {
+            divided(line, piece, is_closed).into_iter().map(bend).collect()
+        };
+        self.coasts = self.coasts.iter().map(|ring| rough(ring, true)).collect();
+        self.ridges = self.ridges.iter().map(|line| rough(line, false)).collect();
+    }
+
+    fn length(&self) -> f32 {
+        self.edges().map(|(a, b)| a.distance(b)).sum()
+    }
+
+    /// The edges of all coasts.
+    fn edges(&self) -> impl Iterator<Item = (Vec2, Vec2)> {
+        self.coasts.iter().flat_map(|ring| ring.iter().copied().zip(ring.iter().copied().cycle().skip(1)))
+    }
+
+    /// The relief of the coasts: land is what lies within an odd number of them.
+    pub fn relief(&self, domain: &Domain) -> Relief {
+        let coast: Vec<Piece> = self.edges().map(|(a, b)| [a, b]).collect();
+        let mut crossings = Crossings::over(domain);
+        coast.iter().for_each(|[a, b]| crossings.add(*a, *b));
+        Relief::of_coast(domain, &coast, &crossings.is_land())
+    }
+}
+
+/// A ring whose runs along the border of the domain are taken beyond it.
+fn past_border(ring: &[Vec2], size: Vec2) -> Vec<Vec2> {
+    let is_along =
+        |a: Vec2, b: Vec2| (side(a.x, size.x) * side(b.x, size.x)).max(side(a.y, size.y) * side(b.y, size.y)) > 0.0;
+    let mut taken = Vec::with_capacity(ring.len() + 8);
+    for (i, &point) in ring.iter().enumerate() {
+        let (before, after) = (ring[(i + ring.len() - 1) % ring.len()], ring[(i + 1) % ring.len()]);
+        let beyond = point + Vec2::new(side(point.x, size.x), side(point.y, size.y)) * BEYOND;
+        match (is_along(before, point), is_along(point, after)) {
+            (false, false) => taken.push(point),
+            (false, true) => taken.extend([point, beyond]),
+            (true, false) => taken.extend([beyond, point]),
+            (true, true) => taken.push(beyond),
+        }
+    }
+    taken
+}
+
+/// Which border a coordinate lies on: -1 the near one, 1 the far one, 0 none.
+fn side(x: f32, length: f32) -> f32 {
+    if x <= 0.0 {
+        -1.0
+    } else if x >= length {
+        1.0
+    } else {
+        0.0
+    }
+}
+
+/// A line with points added so that none are farther apart than a piece.
+fn divided(line: &[Vec2], piece: f32, is_closed: bool) -> Vec<Vec2> {
+    let mut points = Vec::new();
+    let edges = if is_closed { line.len() } else { line.len().saturating_sub(1) };
+    for (i, &a) in line.iter().enumerate().take(edges) {
+        let b = line[(i + 1) % line.len()];
+        let pieces = (a.distance(b) / piece).ceil().max(1.0) as u32;
+        points.extend((0..pieces).map(|k| a.lerp(b, k as f32 / pieces as f32)));
+    }
+    if !is_closed {
+        points.extend(line.last());
+    }
+    points
+}
+
+/// Where edges of coasts cross the rows of a relief's lattice.
+struct Crossings {
+    /// Whether an odd number of edges lie between this corner and the one to the west of it.
+    flips: Vec<bool>,
+    columns: usize,
+    rows: usize,
+}
+
+impl Crossings {
+    fn over(domain: &Domain) -> Self {
+        let (columns, rows) = Relief::corners(domain);
+        Self { flips: vec![false; columns * rows], columns, rows }
+    }
+
+    /// Notes where an edge crosses the rows of the lattice. Of an edge's two ends the upper counts: so two edges that
+    /// meet on a row cross it once.
+    fn add(&mut self, a: Vec2, b: Vec2) {
+        let (upper, lower) = if a.y <= b.y { (a, b) } else { (b, a) };
+        for row in first(upper.y, self.rows)..first(lower.y, self.rows) {
+            let share = (row as f32 * Relief::SPACING - upper.y) / (lower.y - upper.y);
+            let column = first(upper.x + (lower.x - upper.x) * share, self.columns);
+            if column < self.columns {
+                self.flips[row * self.columns + column] ^= true;
+            }
+        }
+    }
+
+    /// Of each corner, row by row, whether an odd number of edges lie to the west of it.
+    fn is_land(self) -> Vec<bool> {
+        let mut is_land = false;
+        let corner = |(i, flips): (usize, bool)| {
+            is_land = (is_land && i % self.columns != 0) ^ flips;
+            is_land
+        };
+        self.flips.into_iter().enumerate().map(corner).collect()
+    }
+}
+
+/// The first lattice line at or beyond a coordinate, or as many as there are.
+fn first(x: f32, lines: usize) -> usize {
+    ((x / Relief::SPACING).ceil().max(0.0) as usize).min(lines)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::land::{Cell, Land};
+    use crate::recipe::{Key, Recipe, link};
+    use proptest::prelude::*;
+
+    /// A recipe with a smooth drawn land, in fractions.
+    fn recipe(coasts: &[&[(f32, f32)]], ridges: &[&[(f32, f32)]]) -> Recipe {
+        let lines = |lines: &[&[(f32, f32)]]| {
+            lines.iter().map(|line| line.iter().map(|&at| GridPoint::nearest(at.into())).collect()).collect()
+        };
+        let outline = Outline::new(lines(coasts), lines(ridges)).unwrap();
+        link::read(&format!("land=drawn&rough=0&aspect=1&outline={outline}")).unwrap()
+    }
+
+    const SQUARE: &[(f32, f32)] = &[(0.2, 0.2), (0.8, 0.2), (0.8, 0.8), (0.2, 0.8)];
+
+    #[test]
+    fn height_is_the_distance_from_the_drawn_coast() {
+        let land = Land::of(&recipe(&[SQUARE], &[])).unwrap();
+        assert!((land.regions()[0].cells as f32 / 360_000.0 - 1.0).abs() < 0.01, "{}", land.regions()[0].cells);
+        for (at, height) in
+            [((450.0, 500.0), 250.0), ((500.0, 230.0), 30.0), ((500.0, 180.0), -20.0), ((170.0, 160.0), -50.0)]
+        {
+            assert!((land.relief().height(at.into()) - height).abs() < 1.0, "{at:?}: {height}");
+        }
+    }
+
+    #[test]
+    fn coast_within_a_coast_is_a_lake() {
+        let lake: &[(f32, f32)] = &[(0.4, 0.4), (0.6, 0.4), (0.5, 0.6)];
+        let land = Land::of(&recipe(&[SQUARE, lake], &[])).unwrap();
+        assert_eq!(land.at(Vec2::new(500.0, 450.0)), Cell::Unavailable);
+        assert_eq!(land.at(Vec2::new(300.0, 450.0)), Cell::Available);
+    }
+
+    #[test]
+    fn land_goes_on_beyond_the_border_that_its_coast_runs_along() {
+        let half: &[(f32, f32)] = &[(0.0, 0.0), (1.0, 0.0), (1.0, 0.5), (0.0, 0.5)];
+        let land = Land::of(&recipe(&[half], &[])).unwrap();
+        assert!(land.regions()[0].shores.iter().all(|shore| (shore.at.y - 500.0).abs() < 4.0));
+        for at in [(0.0, 0.0), (0.0, 300.0), (999.0, 0.0)] {
+            assert!(land.relief().height(at.into()) > 150.0, "{at:?}");
+        }
+    }
+
+    #[test]
+    fn ridges_are_illegal_land() {
+        let land = Land::of(&recipe(&[SQUARE], &[&[(0.1, 0.5), (0.9, 0.5)]])).unwrap();
+        assert_eq!(land.at(Vec2::new(500.0, 500.0)), Cell::Illegal);
+        assert_eq!(land.at(Vec2::new(150.0, 500.0)), Cell::Unavailable);
+        assert!(!land.allows(Vec2::new(500.0, 450.0), Vec2::new(510.0, 550.0)));
+    }
+
+    #[test]
+    fn what_has_no_coast_to_speak_of_is_the_whole_rectangle() {
+        let all: &[(f32, f32)] = &[(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)];
+        let speck: &[(f32, f32)] = &[(0.5, 0.5), (0.51, 0.5), (0.5, 0.51)];
+        for coast in [all, speck] {
+            assert!(Land::of(&recipe(&[coast], &[])).is_none());
+        }
+        assert!(Land::of(&link::read("land=drawn").unwrap()).is_none());
+    }
+
+    #[test]
+    fn rough_coasts_keep_the_drawn_shape() {
+        for seed in ["kauri", "rimu", "kea"] {
+            let mut recipe = recipe(&[SQUARE], &[]);
+            recipe.set(Key::Seed, seed).unwrap();
+            let smooth = Land::of(&recipe).unwrap();
+            recipe.set(Key::Rough, "0.5").unwrap();
+            let rough = Land::of(&recipe).unwrap();
+            let places = || (0..10_000).map(|i| Vec2::new((i % 100) as f32, (i / 100) as f32) * 10.0);
+            let differing = places().filter(|&at| smooth.at(at) != rough.at(at)).count();
+            assert!((50..600).contains(&differing), "{seed}: {differing} of 10000");
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn relief_is_positive_just_within_an_odd_number_of_coasts(
+            ring in proptest::collection::vec((0.01f32..0.99, 0.01f32..0.99), 3..12),
+            at in (0f32..1000.0, 0f32..1000.0),
+        ) {
+            let ring: Vec<Vec2> = ring.into_iter().map(|point| Vec2::from(point) * 1000.0).collect();
+            let drawing = Drawing { coasts: vec![ring], ridges: vec![] };
+            // At a corner of the lattice the relief is exact.
+            let at = (Vec2::from(at) / Relief::SPACING).floor() * Relief::SPACING;
+            let nearest = |(a, b): (Vec2, Vec2)| {
+                let along = b - a;
+                let share = ((at - a).dot(along) / along.length_squared().max(1e-12)).clamp(0.0, 1.0);
+                at.distance(a + along * share)
+            };
+            let distance = drawing.edges().map(nearest).fold(f32::INFINITY, f32::min);
+            let crossings = drawing.edges().filter(|(a, b)| {
+                (a.y > at.y) != (b.y > at.y) && at.x > a.x + (b.x - a.x) * (at.y - a.y) / (b.y - a.y)
+            });
+            let is_land = crossings.count() % 2 == 1;
+            let height = drawing.relief(&Domain::with_aspect(1.0)).height(at);
+            // Handed on from corner to corner, a distance may be a little too long.
+            prop_assert!((-0.01..2.0).contains(&(height.abs() - distance)), "{} is not {}", height, distance);
+            prop_assert!(distance < 0.01 || is_land == (height > 0.0));
+        }
+    }
+}

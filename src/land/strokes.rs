@@ -1,0 +1,208 @@
+//! From lines of many points, drawn or traced, to an outline that fits into a link.
+
+use std::cmp::Reverse;
+
+use glam::Vec2;
+use thiserror::Error;
+
+use super::field::LEAST_DRAWN;
+use crate::domain::AREA;
+use crate::recipe::{GridPoint, LONGEST_OUTLINE, LineKind, Outline, OutlineError};
+use crate::simplify::significance;
+
+/// A point is left out that stands for less than this, in square units: the width of a drawn coast hides it.
+const LEAST_AREA: f32 = 8.0;
+/// Lines are left out whose box is smaller than this, in square units.
+const SPECK: f32 = 120.0;
+
+/// Why a drawing is no land.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[non_exhaustive]
+pub enum DrawError {
+    /// Ridges, but no coast.
+    #[error("there is no coast yet: a ridge needs land to stand on")]
+    NoCoast,
+    /// Less land than rivers need.
+    #[error("the land is too small: it should fill at least a hundredth of the map")]
+    TooSmall,
+    /// No water is left.
+    #[error("the land fills the whole map: rivers need water to run to")]
+    NoWater,
+    /// A coordinate that is no number.
+    #[error("a line holds something that is not a number")]
+    NotANumber,
+    /// Lines that no outline can hold.
+    #[error(transparent)]
+    Outline(#[from] OutlineError),
+}
+
+impl Outline {
+    /// The outline of lines with any number of points, in fractions of the domain's width and height; what lies outside
+    /// comes to the border. The points that make the least difference go, so that the text fits its
+    /// [limit](LONGEST_OUTLINE), and with them specks, and the smallest of too many lines.
+    ///
+    /// # Errors
+    /// If what is left is no land, or all of it.
+    pub fn of_strokes(coasts: Vec<Vec<Vec2>>, ridges: Vec<Vec<Vec2>>) -> Result<Self, DrawError> {
+        if !coasts.iter().chain(&ridges).flatten().all(|point| point.is_finite()) {
+            return Err(DrawError::NotANumber);
+        }
+        let lines = |lines: Vec<Vec<Vec2>>, kind| lines.into_iter().filter_map(move |points| Line::new(kind, points));
+        let mut all: Vec<Line> = lines(coasts, LineKind::Coast).chain(lines(ridges, LineKind::Ridge)).collect();
+        keep_largest(&mut all);
+        let least = least_area(&all);
+        let of_kind = |kind| all.iter().filter(|line| line.kind == kind).map(|line| line.simplified(least)).collect();
+        let (coasts, ridges): (Vec<_>, Vec<_>) = (of_kind(LineKind::Coast), of_kind(LineKind::Ridge));
+        if coasts.is_empty() {
+            return Err(if ridges.is_empty() { DrawError::TooSmall } else { DrawError::NoCoast });
+        }
+        check_land(&coasts)?;
+        Ok(Self::new(coasts, ridges)?)
+    }
+}
+
+/// A line with what each of its points stands for.
+struct Line {
+    kind: LineKind,
+    points: Vec<Vec2>,
+    /// In square units.
+    areas: Vec<f32>,
+    /// The area of its box, in square units.
+    size: f32,
+}
+
+impl Line {
+    /// `None` for specks.
+    fn new(kind: LineKind, points: Vec<Vec2>) -> Option<Self> {
+        let mut points: Vec<Vec2> = points.into_iter().map(|point| point.clamp(Vec2::ZERO, Vec2::ONE)).collect();
+        points.dedup();
+        let low = points.iter().copied().reduce(Vec2::min)?;
+        let high = points.iter().copied().reduce(Vec2::max)?;
+        // A straight ridge has a box of no area.
+        let sides = match kind {
+            LineKind::Coast => high - low,
+            LineKind::Ridge => Vec2::splat((high - low).max_element()),
+        };
+        let size = sides.element_product() * AREA;
+        let areas = significance(&points, kind == LineKind::Coast).into_iter().map(|area| area * AREA).collect();
+        (points.len() >= kind.fewest() && size >= SPECK).then_some(Self { kind, points, areas, size })
+    }
+
+    /// The points that stand for more than an area.
+    fn simplified(&self, least: f32) -> Vec<GridPoint> {
+        let kept = self.points.iter().zip(&self.areas).filter(|(_, area)| **area > least);
+        kept.map(|(point, _)| GridPoint::nearest(*point)).collect()
+    }
+}
+
+/// Leaves the largest lines, so few that there is room for their shapes too, in their order.
+fn keep_largest(lines: &mut Vec<Line>) {
+    let mut order: Vec<usize> = (0..lines.len()).collect();
+    order.sort_unstable_by_key(|&i| (Reverse(lines[i].size.to_bits()), i));
+    let mut length = 0;
+    let mut is_kept = vec![false; lines.len()];
+    for i in order {
+        length += lines[i].kind.length_of(2 * lines[i].kind.fewest());
+        is_kept[i] = length <= LONGEST_OUTLINE;
+    }
+    let mut is_kept = is_kept.into_iter();
+    lines.retain(|_| is_kept.next().unwrap_or(false));
+}
+
+/// The area above which points are kept, so that all of them fit.
+fn least_area(lines: &[Line]) -> f32 {
+    let fewest: usize = lines.iter().map(|line| line.kind.length_of(line.kind.fewest())).sum();
+    let room = LONGEST_OUTLINE.saturating_sub(fewest) / 4;
+    let mut areas: Vec<f32> = lines.iter().flat_map(|line| &line.areas).copied().filter(|a| a.is_finite()).collect();
+    let above = areas.len().saturating_sub(room + 1);
+    areas.sort_unstable_by(f32::total_cmp);
+    if areas.len() > room { areas[above].max(LEAST_AREA) } else { LEAST_AREA }
+}
+
+/// Whether there are both land and water, by counting on some rows across the domain.
+fn check_land(coasts: &[Vec<GridPoint>]) -> Result<(), DrawError> {
+    const ROWS: u32 = 128;
+    let rows = (0..ROWS).map(|row| (row as f32 + 0.5) / ROWS as f32);
+    let share = rows.map(|y| land_on_row(coasts, y)).sum::<f32>() / ROWS as f32;
+    if share < LEAST_DRAWN * 1.2 {
+        return Err(DrawError::TooSmall);
+    }
+    if share > 0.998 { Err(DrawError::NoWater) } else { Ok(()) }
+}
+
+/// The share of a row that lies within an odd number of coasts.
+fn land_on_row(coasts: &[Vec<GridPoint>], y: f32) -> f32 {
+    let fractions = |ring: &[GridPoint]| ring.iter().map(|point| point.fraction()).collect::<Vec<_>>();
+    let mut crossings = Vec::new();
+    for ring in coasts.iter().map(|ring| fractions(ring)) {
+        let edges = ring.iter().zip(ring.iter().cycle().skip(1));
+        let crossing = edges.filter(|(a, b)| (a.y > y) != (b.y > y));
+        crossings.extend(crossing.map(|(a, b)| a.x + (b.x - a.x) * (y - a.y) / (b.y - a.y)));
+    }
+    crossings.sort_unstable_by(f32::total_cmp);
+    crossings.chunks_exact(2).map(|pair| pair[1] - pair[0]).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn circle(centre: Vec2, radius: f32, points: u32) -> Vec<Vec2> {
+        let angle = |i: u32| std::f32::consts::TAU * i as f32 / points as f32;
+        (0..points).map(|i| centre + Vec2::new(libm::cosf(angle(i)), libm::sinf(angle(i))) * radius).collect()
+    }
+
+    fn refusal(coasts: Vec<Vec<Vec2>>, ridges: Vec<Vec<Vec2>>) -> DrawError {
+        Outline::of_strokes(coasts, ridges).unwrap_err()
+    }
+
+    #[test]
+    fn a_circle_keeps_its_area_and_costs_no_more_than_it_needs() {
+        let outline = Outline::of_strokes(vec![circle(Vec2::splat(0.5), 0.3, 2000)], vec![]).unwrap();
+        let area: f32 = (0..500).map(|i| land_on_row(outline.coasts(), (i as f32 + 0.5) / 500.0) / 500.0).sum();
+        assert!((area / (std::f32::consts::PI * 0.09) - 1.0).abs() < 0.01, "{area}");
+        assert!((40..200).contains(&outline.coasts()[0].len()), "{}", outline.coasts()[0].len());
+    }
+
+    #[test]
+    fn what_is_no_land_is_said() {
+        let ridge = vec![Vec2::splat(0.2), Vec2::splat(0.8)];
+        let corners = vec![Vec2::new(-1.0, -1.0), Vec2::new(2.0, -1.0), Vec2::new(2.0, 2.0), Vec2::new(-1.0, 2.0)];
+        assert_eq!(refusal(vec![], vec![]), DrawError::TooSmall);
+        assert_eq!(refusal(vec![], vec![ridge]), DrawError::NoCoast);
+        assert_eq!(refusal(vec![circle(Vec2::splat(0.5), 0.03, 50)], vec![]), DrawError::TooSmall);
+        assert_eq!(refusal(vec![corners], vec![]), DrawError::NoWater);
+        assert_eq!(refusal(vec![vec![Vec2::splat(f32::NAN); 9]], vec![]), DrawError::NotANumber);
+        let there_and_back = (0..200).map(|i| Vec2::splat(0.1 + 0.8 * (i.min(200 - i) as f32 / 100.0))).collect();
+        assert_eq!(refusal(vec![there_and_back], vec![]), DrawError::TooSmall);
+    }
+
+    #[test]
+    fn the_largest_of_too_many_lines_stay() {
+        let islands = (0..100).map(|i| {
+            let centre = Vec2::new((i % 10) as f32, (i / 10) as f32) / 10.0 + 0.05;
+            circle(centre, 0.02 + 0.0002 * i as f32, 30)
+        });
+        let outline = Outline::of_strokes(islands.collect(), vec![]).unwrap();
+        assert!((30..80).contains(&outline.coasts().len()), "{}", outline.coasts().len());
+        assert!(outline.coasts().iter().flatten().all(|point| point.fraction().y > 0.4));
+    }
+
+    proptest! {
+        #[test]
+        fn any_lines_fit_or_are_refused(
+            coasts in proptest::collection::vec(proptest::collection::vec((-0.2f32..1.2, -0.2f32..1.2), 0..400), 0..5),
+            ridges in proptest::collection::vec(proptest::collection::vec((-0.2f32..1.2, -0.2f32..1.2), 0..100), 0..4),
+        ) {
+            let lines = |lines: Vec<Vec<(f32, f32)>>| -> Vec<Vec<Vec2>> {
+                lines.into_iter().map(|line| line.into_iter().map(Vec2::from).collect()).collect()
+            };
+            if let Ok(outline) = Outline::of_strokes(lines(coasts), lines(ridges)) {
+                let text = outline.to_string();
+                prop_assert!(text.len() <= LONGEST_OUTLINE);
+                prop_assert_eq!(Outline::parse(&text), Ok(outline));
+            }
+        }
+    }
+}

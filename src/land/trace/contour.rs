@@ -1,0 +1,136 @@
+//! The coast in a picture: marching squares (after Lorensen and Cline 1987), each point placed between two
+//! blocks by how much of them is land.
+
+use glam::Vec2;
+
+use super::ground::Ground;
+
+/// More of a block than this makes it land.
+const LEVEL: f32 = 0.5;
+/// Rings around less than this are specks, as a fraction of the picture's area.
+const SPECK: f32 = 1e-4;
+const NONE: u32 = u32::MAX;
+
+/// The closed lines between land and water, in fractions of width and height. Land at the picture's border is closed
+/// along it, at exactly 0 or 1.
+pub(super) fn rings(ground: &Ground) -> Vec<Vec<Vec2>> {
+    let squares = Squares { ground, columns: ground.columns as i32 + 2, rows: ground.rows as i32 + 2 };
+    let mut next = squares.segments();
+    let mut rings = Vec::new();
+    for start in 0..next.len() {
+        let mut ring = Vec::new();
+        let mut crossing = start;
+        while next[crossing] != NONE {
+            ring.push(squares.place(crossing));
+            crossing = std::mem::replace(&mut next[crossing], NONE) as usize;
+        }
+        if area(&ring) >= SPECK {
+            rings.push(with_corners(&ring));
+        }
+    }
+    rings
+}
+
+fn area(ring: &[Vec2]) -> f32 {
+    let origin = ring.first().copied().unwrap_or_default();
+    let edges = ring.iter().zip(ring.iter().skip(1));
+    edges.map(|(a, b)| (*a - origin).perp_dot(*b - origin)).sum::<f32>().abs() / 2.0
+}
+
+/// A ring that goes from one side of the picture to the next goes by the corner between them.
+fn with_corners(ring: &[Vec2]) -> Vec<Vec2> {
+    let is_border = |x: f32| x == 0.0 || x == 1.0;
+    let mut whole = Vec::with_capacity(ring.len() + 4);
+    for (&a, &b) in ring.iter().zip(ring.iter().cycle().skip(1)) {
+        whole.push(a);
+        if is_border(a.x) && is_border(b.y) && a.x != b.x && a.y != b.y {
+            whole.push(Vec2::new(a.x, b.y));
+        } else if is_border(a.y) && is_border(b.x) && a.x != b.x && a.y != b.y {
+            whole.push(Vec2::new(b.x, a.y));
+        }
+    }
+    whole
+}
+
+/// The blocks of a picture with one more all around, at whose corners (the middles of the blocks) marching squares
+/// stand. A crossing is a side between two corners, one of them land: it has the number of its western or northern
+/// corner, twice, and one more if it runs south.
+struct Squares<'a> {
+    ground: &'a Ground,
+    columns: i32,
+    rows: i32,
+}
+
+/// Which sides of a square a coast goes from and to, by the land at its corners (north-west 1, north-east 2, south-east
+/// 4, south-west 8): land lies to its left. Land that meets at a corner only is apart. Sides: 0 north, 1 east, 2 south,
+/// 3 west.
+const WAYS: [&[(usize, usize)]; 16] = [
+    &[],
+    &[(3, 0)],
+    &[(0, 1)],
+    &[(3, 1)],
+    &[(1, 2)],
+    &[(3, 0), (1, 2)],
+    &[(0, 2)],
+    &[(3, 2)],
+    &[(2, 3)],
+    &[(2, 0)],
+    &[(0, 1), (2, 3)],
+    &[(2, 1)],
+    &[(1, 3)],
+    &[(1, 0)],
+    &[(0, 3)],
+    &[],
+];
+
+impl Squares<'_> {
+    /// For each crossing the next one along the coast, or `NONE` where the coast does not cross.
+    fn segments(&self) -> Vec<u32> {
+        let mut next = vec![NONE; (self.columns * self.rows * 2) as usize];
+        for row in 0..self.rows - 1 {
+            for column in 0..self.columns - 1 {
+                let corner = row * self.columns + column;
+                let sides = [corner * 2, corner * 2 + 3, (corner + self.columns) * 2, corner * 2 + 1];
+                for &(from, to) in WAYS[self.land_around(column, row)] {
+                    next[sides[from] as usize] = sides[to] as u32;
+                }
+            }
+        }
+        next
+    }
+
+    fn land_around(&self, column: i32, row: i32) -> usize {
+        let corners = [(0, 0), (1, 0), (1, 1), (0, 1)];
+        let is_land = |&(x, y): &(i32, i32)| self.land(column + x, row + y) > LEVEL;
+        corners.iter().enumerate().map(|(bit, corner)| usize::from(is_land(corner)) << bit).sum()
+    }
+
+    /// How much land there is at a corner. Beyond the border it is the opposite of what lies within, if that is land: so
+    /// the coast runs half-way between, along the border.
+    fn land(&self, column: i32, row: i32) -> f32 {
+        let (x, y) = (column - 1, row - 1);
+        let (columns, rows) = (self.ground.columns as i32, self.ground.rows as i32);
+        let nearest = (y.clamp(0, rows - 1) * columns + x.clamp(0, columns - 1)) as usize;
+        let land = self.ground.land[nearest];
+        let is_inside = (0..columns).contains(&x) && (0..rows).contains(&y);
+        if is_inside { land } else { (1.0 - land).min(LEVEL) }
+    }
+
+    /// Where the coast crosses, in fractions of the picture.
+    fn place(&self, crossing: usize) -> Vec2 {
+        let corner = crossing as i32 / 2;
+        let (column, row) = (corner % self.columns, corner / self.columns);
+        let (east, south) = if crossing.is_multiple_of(2) { (1, 0) } else { (0, 1) };
+        let (from, to) = (self.land(column, row), self.land(column + east, row + south));
+        let share = (LEVEL - from) / (to - from);
+        let at = |column: i32, row: i32| Vec2::new(self.ground.across(column - 1), self.ground.down(row - 1));
+        let place = at(column, row).lerp(at(column + east, row + south), share);
+        // Rounding must not leave a hair of water along the border.
+        let snap = |x: f32| match x {
+            x if x < 1e-5 => 0.0,
+            x if x > 1.0 - 1e-5 => 1.0,
+            x => x,
+        };
+        Vec2::new(snap(place.x), snap(place.y))
+    }
+}

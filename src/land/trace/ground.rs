@@ -1,0 +1,153 @@
+//! What a picture shows: how much of each block of pixels is land, and where ridges are.
+
+/// Pictures are traced at no more than this many blocks a side: finer than the relief that an outline makes.
+const MOST_BLOCKS: usize = 512;
+
+/// Blocks of a picture.
+pub(super) struct Ground {
+    pub columns: usize,
+    pub rows: usize,
+    /// 0 for water to 1 for land.
+    pub land: Vec<f32>,
+    /// Not 0 where there is a ridge.
+    pub ridges: Vec<u8>,
+    /// The pixels of the picture to a block, each way; the last blocks may have fewer.
+    block: f32,
+    width: f32,
+    height: f32,
+}
+
+impl Ground {
+    /// Looks at a picture, given as RGBA. Neither side may be 0.
+    pub fn of(width: usize, height: usize, rgba: &[u8]) -> Self {
+        let block = width.max(height).div_ceil(MOST_BLOCKS);
+        let (columns, rows) = (width.div_ceil(block), height.div_ceil(block));
+        let mut sums = vec![Sum::default(); columns * rows];
+        let picture = Picture { width, height, rgba };
+        for y in 0..height {
+            for x in 0..width {
+                sums[y / block * columns + x / block].add(picture.kind(x, y));
+            }
+        }
+        // A ridge one pixel wide counts in each block it crosses.
+        let is_ridge = |sum: &Sum| u8::from(sum.ridges > 0 && sum.ridges * 2 >= block as u32);
+        Self {
+            columns,
+            rows,
+            land: softened(&sums.iter().map(Sum::share).collect::<Vec<_>>(), columns),
+            ridges: sums.iter().map(is_ridge).collect(),
+            block: block as f32,
+            width: width as f32,
+            height: height as f32,
+        }
+    }
+
+    /// The middle of a column of blocks, as a fraction of the picture's width. The columns next to the picture on either
+    /// side are mirrored, so that its border lies half-way between.
+    pub fn across(&self, column: i32) -> f32 {
+        middle(column, self.columns as i32, self.block, self.width)
+    }
+
+    /// The middle of a row of blocks, as a fraction of the picture's height.
+    pub fn down(&self, row: i32) -> f32 {
+        middle(row, self.rows as i32, self.block, self.height)
+    }
+}
+
+fn middle(i: i32, count: i32, block: f32, length: f32) -> f32 {
+    let within = |i: i32| (i as f32 * block + ((i + 1) as f32 * block).min(length)) / (2.0 * length);
+    match i {
+        i if i < 0 => -within(0),
+        i if i >= count => 2.0 - within(count - 1),
+        i => within(i),
+    }
+}
+
+#[derive(Clone, Default)]
+struct Sum {
+    land: f32,
+    pixels: u32,
+    ridges: u32,
+}
+
+impl Sum {
+    fn add(&mut self, kind: Kind) {
+        self.pixels += 1;
+        match kind {
+            Kind::Ground(land) => self.land += land,
+            Kind::Ridge => {
+                self.ridges += 1;
+                self.land += 1.0;
+            }
+        }
+    }
+
+    fn share(&self) -> f32 {
+        self.land / self.pixels.max(1) as f32
+    }
+}
+
+/// What a pixel shows.
+enum Kind {
+    /// From 0 for water to 1 for land.
+    Ground(f32),
+    /// On land.
+    Ridge,
+}
+
+struct Picture<'a> {
+    width: usize,
+    height: usize,
+    rgba: &'a [u8],
+}
+
+impl Picture<'_> {
+    fn kind(&self, x: usize, y: usize) -> Kind {
+        const COLOURED: u8 = 96;
+        let [light, colour] = self.light_and_colour(x, y);
+        if colour >= COLOURED || ((MID.0..=MID.1).contains(&light) && !self.is_soft_edge(x, y)) {
+            Kind::Ridge
+        } else {
+            Kind::Ground(f32::from(light) / 255.0)
+        }
+    }
+
+    /// How light a pixel is and how far its channels differ, over black.
+    fn light_and_colour(&self, x: usize, y: usize) -> [u8; 2] {
+        let i = (y * self.width + x) * 4;
+        let [r, g, b, a] = [0, 1, 2, 3].map(|channel| u32::from(self.rgba[i + channel]));
+        let light = (r * 54 + g * 183 + b * 19) / 256;
+        let colour = r.max(g).max(b) - r.min(g).min(b);
+        [light, colour].map(|value| (value * a / 255) as u8)
+    }
+
+    /// Whether there is something darker and something lighter than grey close by: then grey is the way from one to the
+    /// other.
+    fn is_soft_edge(&self, x: usize, y: usize) -> bool {
+        const NEAR: usize = 2;
+        let (mut is_dark_near, mut is_light_near) = (false, false);
+        for y in y.saturating_sub(NEAR)..(y + NEAR + 1).min(self.height) {
+            for x in x.saturating_sub(NEAR)..(x + NEAR + 1).min(self.width) {
+                let [light, _] = self.light_and_colour(x, y);
+                is_dark_near |= light < MID.0;
+                is_light_near |= light > MID.1;
+            }
+        }
+        is_dark_near && is_light_near
+    }
+}
+
+/// The greys that may be ridges.
+const MID: (u8, u8) = (96, 160);
+
+/// Weighs each value with its neighbours, 1 2 1 each way: takes the stairs out of a picture of two colours.
+fn softened(values: &[f32], columns: usize) -> Vec<f32> {
+    let rows = values.len() / columns;
+    let at = |x: usize, y: usize| values[y * columns + x];
+    let along =
+        |x: usize, y: usize| (at(x.saturating_sub(1), y) + 2.0 * at(x, y) + at((x + 1).min(columns - 1), y)) / 4.0;
+    let both = |x: usize, y: usize| {
+        (along(x, y.saturating_sub(1)) + 2.0 * along(x, y) + along(x, (y + 1).min(rows - 1))) / 4.0
+    };
+    (0..values.len()).map(|i| both(i % columns, i / columns)).collect()
+}

@@ -1,0 +1,256 @@
+//! Tracing a picture of a land: black is water, white is land, and a third colour is a ridge.
+
+mod contour;
+mod ground;
+mod ridges;
+
+use thiserror::Error;
+
+use self::ground::Ground;
+use super::strokes::DrawError;
+use crate::recipe::Outline;
+
+/// The longest side of a picture that is traced, in pixels.
+pub const LONGEST_SIDE: u32 = 4096;
+/// The shortest.
+pub const SHORTEST_SIDE: u32 = 16;
+
+/// A picture that is no land.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[non_exhaustive]
+pub enum TraceError {
+    /// A side over the limit.
+    #[error("the picture is too large: {width} x {height} pixels, at most {LONGEST_SIDE} x {LONGEST_SIDE} are traced")]
+    TooLarge {
+        /// Width, in pixels.
+        width: u32,
+        /// Height, in pixels.
+        height: u32,
+    },
+    /// A side under the limit.
+    #[error(
+        "the picture is too small: {width} x {height} pixels, at least {SHORTEST_SIDE} x {SHORTEST_SIDE} are wanted"
+    )]
+    TooSmall {
+        /// Width, in pixels.
+        width: u32,
+        /// Height, in pixels.
+        height: u32,
+    },
+    /// Not four bytes a pixel.
+    #[error("the picture has {bytes} bytes in place of four for each of {width} x {height} pixels")]
+    Bytes {
+        /// How many there are.
+        bytes: usize,
+        /// Width, in pixels.
+        width: u32,
+        /// Height, in pixels.
+        height: u32,
+    },
+    /// Nothing but transparency.
+    #[error("the picture is empty: all of it is transparent")]
+    Empty,
+    /// No land worth the name.
+    #[error("the picture is all water: land is white, water black")]
+    AllWater,
+    /// No water worth the name.
+    #[error("the picture is all land: land is white, water black")]
+    AllLand,
+    /// Nothing but specks.
+    #[error("nothing of the picture is large enough to keep: {0}")]
+    Nothing(DrawError),
+}
+
+/// Traces a picture, given as RGBA bytes row by row, not premultiplied.
+///
+/// What is dark or transparent is water, what is light is land; shades between them count by how light they are, so that
+/// soft edges are traced between pixels. Ridges are strong colours (channels that differ by 96 or more), and greys of
+/// 96 to 160 unless they are the soft edge between something darker and something lighter. Ridges become lines along
+/// their middles. Specks are left out, and the rest is simplified until it fits an outline's text.
+///
+/// # Errors
+/// If the picture's size is out of range, or it shows no coast.
+pub fn trace(width: u32, height: u32, rgba: &[u8]) -> Result<Outline, TraceError> {
+    check_size(width, height, rgba.len())?;
+    if rgba.chunks_exact(4).all(|pixel| pixel[3] == 0) {
+        return Err(TraceError::Empty);
+    }
+    let ground = Ground::of(width as usize, height as usize, rgba);
+    let share = ground.land.iter().sum::<f32>() / ground.land.len() as f32;
+    let coasts = contour::rings(&ground);
+    // A ring all of whose points lie on the border is that border.
+    if !coasts.iter().flatten().any(|point| point.min_element() > 0.0 && point.max_element() < 1.0) {
+        return Err(if share > 0.5 { TraceError::AllLand } else { TraceError::AllWater });
+    }
+    Outline::of_strokes(coasts, ridges::lines(&ground)).map_err(|error| match error {
+        DrawError::NoWater => TraceError::AllLand,
+        DrawError::TooSmall | DrawError::NoCoast if share < 0.01 => TraceError::AllWater,
+        error => TraceError::Nothing(error),
+    })
+}
+
+fn check_size(width: u32, height: u32, bytes: usize) -> Result<(), TraceError> {
+    if width.max(height) > LONGEST_SIDE {
+        return Err(TraceError::TooLarge { width, height });
+    }
+    if width.min(height) < SHORTEST_SIDE {
+        return Err(TraceError::TooSmall { width, height });
+    }
+    let is_whole = bytes == width as usize * height as usize * 4;
+    is_whole.then_some(()).ok_or(TraceError::Bytes { bytes, width, height })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::Vec2;
+    use proptest::prelude::*;
+
+    const BLACK: [u8; 4] = [0, 0, 0, 255];
+    const WHITE: [u8; 4] = [255; 4];
+    const RED: [u8; 4] = [220, 30, 30, 255];
+    const GREY: [u8; 4] = [128, 128, 128, 255];
+
+    fn picture(width: u32, height: u32, colour: impl Fn(Vec2) -> [u8; 4]) -> Vec<u8> {
+        let at = |i: u32| Vec2::new((i % width) as f32 + 0.5, (i / width) as f32 + 0.5);
+        (0..width * height).flat_map(|i| colour(at(i))).collect()
+    }
+
+    fn disc(width: u32, height: u32, centre: Vec2, radius: f32) -> Vec<u8> {
+        picture(width, height, |at| if at.distance(centre) < radius { WHITE } else { BLACK })
+    }
+
+    fn is_land(outline: &Outline, at: Vec2) -> bool {
+        let mut is_land = false;
+        for ring in outline.coasts() {
+            for (a, b) in ring.iter().zip(ring.iter().cycle().skip(1)) {
+                let (a, b) = (a.fraction(), b.fraction());
+                is_land ^= (a.y > at.y) != (b.y > at.y) && at.x > a.x + (b.x - a.x) * (at.y - a.y) / (b.y - a.y);
+            }
+        }
+        is_land
+    }
+
+    /// The share of pixels of which the outline says the same as the picture.
+    fn agreement(width: u32, height: u32, rgba: &[u8], outline: &Outline) -> f32 {
+        let size = Vec2::new(width as f32, height as f32);
+        let at = |i: u32| Vec2::new((i % width) as f32 + 0.5, (i / width) as f32 + 0.5) / size;
+        let same = (0..width * height).filter(|&i| (rgba[i as usize * 4] > 127) == is_land(outline, at(i)));
+        same.count() as f32 / (width * height) as f32
+    }
+
+    #[test]
+    fn a_disc_keeps_its_area_at_any_resolution() {
+        for (width, height) in [(60, 60), (300, 200), (900, 700), (2000, 1500)] {
+            let radius = height as f32 * 0.35;
+            let rgba = disc(width, height, Vec2::new(width as f32, height as f32) / 2.0, radius);
+            let outline = trace(width, height, &rgba).unwrap();
+            let points: Vec<Vec2> = outline.coasts()[0].iter().map(|point| point.fraction()).collect();
+            let area: f32 = points.iter().zip(points.iter().cycle().skip(1)).map(|(a, b)| a.perp_dot(*b) / 2.0).sum();
+            let expected = std::f32::consts::PI * radius * radius / (width * height) as f32;
+            assert!((area.abs() / expected - 1.0).abs() < 0.01, "{width} x {height}: {area} is not {expected}");
+            assert_eq!(outline.coasts().len(), 1);
+        }
+    }
+
+    #[test]
+    fn land_that_runs_off_the_picture_does_so_in_the_outline() {
+        let rgba = picture(200, 100, |at| if at.y < 50.0 + 20.0 * libm::sinf(at.x / 15.0) { WHITE } else { BLACK });
+        let outline = trace(200, 100, &rgba).unwrap();
+        for at in [Vec2::new(1e-4, 1e-4), Vec2::new(0.9999, 1e-4), Vec2::new(0.5, 1e-4), Vec2::new(1e-4, 0.3)] {
+            assert!(is_land(&outline, at), "{at}");
+        }
+        assert!(agreement(200, 100, &rgba, &outline) > 0.98);
+    }
+
+    #[test]
+    fn lakes_and_islands_in_them_are_kept_and_specks_are_not() {
+        let rgba = picture(300, 300, |at| match at.distance(Vec2::splat(150.0)) {
+            d if d < 30.0 => WHITE,
+            d if d < 60.0 => BLACK,
+            d if d < 120.0 => WHITE,
+            _ if at.distance(Vec2::splat(10.0)) < 1.5 => WHITE,
+            _ => BLACK,
+        });
+        let outline = trace(300, 300, &rgba).unwrap();
+        assert_eq!(outline.coasts().len(), 3);
+        assert!(agreement(300, 300, &rgba, &outline) > 0.98);
+    }
+
+    #[test]
+    fn a_third_colour_becomes_a_line_along_its_middle() {
+        for third in [RED, GREY] {
+            let rgba = picture(300, 300, |at| match at.distance(Vec2::splat(150.0)) {
+                _ if (at.y - 150.0).abs() < 4.0 && (at.x - 150.0).abs() < 80.0 => third,
+                d if d < 120.0 => WHITE,
+                _ => BLACK,
+            });
+            let outline = trace(300, 300, &rgba).unwrap();
+            assert_eq!((outline.coasts().len(), outline.ridges().len()), (1, 1), "{third:?}");
+            let ends: Vec<Vec2> = outline.ridges()[0].iter().map(|point| point.fraction()).collect();
+            assert!(ends.iter().all(|end| (end.y - 0.5).abs() < 0.01), "{ends:?}");
+            assert!(ends[0].distance(ends[ends.len() - 1]) > 0.48, "{ends:?}");
+        }
+    }
+
+    #[test]
+    fn soft_edges_are_no_ridges() {
+        let rgba = picture(300, 300, |at| {
+            // The column between is grey from top to bottom.
+            let light = ((at.x - 149.0) / 3.0).clamp(0.0, 1.0) * 255.0;
+            [light as u8, light as u8, light as u8, 255]
+        });
+        assert_eq!(trace(300, 300, &rgba).unwrap().ridges().len(), 0);
+    }
+
+    #[test]
+    fn pictures_without_a_coast_are_refused_by_name() {
+        let all = |colour| trace(40, 40, &picture(40, 40, |_| colour)).unwrap_err();
+        assert_eq!(all(BLACK), TraceError::AllWater);
+        assert_eq!(all(WHITE), TraceError::AllLand);
+        assert_eq!(all(RED), TraceError::AllLand);
+        assert_eq!(all([0; 4]), TraceError::Empty);
+        assert_eq!(trace(5000, 10, &[]), Err(TraceError::TooLarge { width: 5000, height: 10 }));
+        assert_eq!(trace(0, 0, &[]), Err(TraceError::TooSmall { width: 0, height: 0 }));
+        assert_eq!(trace(20, 20, &[0; 7]), Err(TraceError::Bytes { bytes: 7, width: 20, height: 20 }));
+        let speck = disc(400, 400, Vec2::splat(200.0), 9.0);
+        assert_eq!(trace(400, 400, &speck), Err(TraceError::AllWater));
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(32))]
+
+        #[test]
+        fn traced_land_is_the_pictures_land(
+            blobs in proptest::collection::vec((0.1f32..0.9, 0.1f32..0.9, 0.2f32..0.4), 1..5),
+            width in 150u32..500,
+            height in 150u32..500,
+        ) {
+            let span = width.min(height) as f32;
+            let size = Vec2::new(width as f32, height as f32);
+            let rgba = picture(width, height, |at| {
+                let is_in = |&(x, y, r): &(f32, f32, f32)| at.distance(Vec2::new(x, y) * size) < r * span;
+                if blobs.iter().any(is_in) { WHITE } else { BLACK }
+            });
+            let outline = trace(width, height, &rgba).unwrap();
+            let agreement = agreement(width, height, &rgba, &outline);
+            prop_assert!(agreement >= 0.98, "{}", agreement);
+        }
+
+        #[test]
+        fn any_picture_is_traced_or_refused(
+            width in 0u32..70,
+            height in 0u32..70,
+            palette in proptest::collection::vec(any::<[u8; 4]>(), 1..5),
+            choices in proptest::collection::vec(any::<u8>(), 4900),
+        ) {
+            let count = (width * height) as usize;
+            let rgba: Vec<u8> =
+                choices[..count].iter().flat_map(|&choice| palette[usize::from(choice) % palette.len()]).collect();
+            if let Ok(outline) = trace(width, height, &rgba) {
+                prop_assert!(outline.to_string().len() <= crate::recipe::LONGEST_OUTLINE);
+                prop_assert_eq!(Outline::parse(&outline.to_string()), Ok(outline));
+            }
+        }
+    }
+}

@@ -1,0 +1,270 @@
+//! A drawn land as a value: coasts and ridges on a fine grid, and their one spelling as text.
+//!
+//! The text needs no escaping in a link. A coast is a dot and its points, a ridge two dots and its points; a point is
+//! four characters of base64url, two for how far east and two for how far south it lies, in 4095ths of the domain.
+
+use std::fmt;
+
+use glam::Vec2;
+use thiserror::Error;
+
+/// The most characters that an outline's text has.
+pub const LONGEST: usize = 1000;
+
+/// Characters of a point.
+const POINT: usize = 4;
+const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
+
+/// A place in the domain, in 4095ths of its width and height: 0 and 4095 are its borders.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct GridPoint {
+    x: u16,
+    y: u16,
+}
+
+impl GridPoint {
+    /// The far border.
+    const LAST: u16 = 4095;
+
+    /// The nearest grid point to fractions of the domain's width and height; what lies outside comes to the border.
+    pub fn nearest(fraction: Vec2) -> Self {
+        let snap = |x: f32| (x.clamp(0.0, 1.0) * f32::from(Self::LAST)).round() as u16;
+        Self { x: snap(fraction.x), y: snap(fraction.y) }
+    }
+
+    /// Fractions of the domain's width and height.
+    pub fn fraction(self) -> Vec2 {
+        Vec2::new(f32::from(self.x), f32::from(self.y)) / f32::from(Self::LAST)
+    }
+
+    fn parse(digits: &[u8]) -> Option<Self> {
+        let digit = |i: usize| DIGITS.iter().position(|d| Some(d) == digits.get(i)).map(|value| value as u16);
+        Some(Self { x: digit(0)? << 6 | digit(1)?, y: digit(2)? << 6 | digit(3)? })
+    }
+
+    fn write(self, text: &mut String) {
+        let digit = |value: u16| char::from(DIGITS[usize::from(value & 63)]);
+        text.extend([self.x >> 6, self.x, self.y >> 6, self.y].map(digit));
+    }
+}
+
+/// What a line of an outline is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LineKind {
+    /// A closed line between land and water.
+    Coast,
+    /// An open line that no river crosses.
+    Ridge,
+}
+
+impl LineKind {
+    /// The fewest points of such a line.
+    pub const fn fewest(self) -> usize {
+        match self {
+            Self::Coast => 3,
+            Self::Ridge => 2,
+        }
+    }
+
+    const fn mark(self) -> &'static str {
+        match self {
+            Self::Coast => ".",
+            Self::Ridge => "..",
+        }
+    }
+
+    /// How many characters a line of so many points has.
+    pub(crate) const fn length_of(self, points: usize) -> usize {
+        self.mark().len() + points * POINT
+    }
+}
+
+impl fmt::Display for LineKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Coast => "coast",
+            Self::Ridge => "ridge",
+        })
+    }
+}
+
+/// Text that is no outline.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[non_exhaustive]
+pub enum OutlineError {
+    /// The text is longer than any outline's.
+    #[error("the text has {length} characters, at most {LONGEST} are allowed")]
+    TooLong {
+        /// How many it has.
+        length: usize,
+    },
+    /// The first character is no dot.
+    #[error("character 1 is not the dot that begins a coast")]
+    NoBeginning,
+    /// A character that spells nothing.
+    #[error(
+        "character {at} is none of A to Z, a to z, 0 to 9, - and _, which spell points, nor a dot, which begins a line"
+    )]
+    BadCharacter {
+        /// Which, the first being 1.
+        at: usize,
+    },
+    /// A line that ends within a point.
+    #[error("the {kind} that begins at character {at} ends within a point: a point has four characters")]
+    BrokenPoint {
+        /// What line it is.
+        kind: LineKind,
+        /// Where it begins, the first character being 1.
+        at: usize,
+    },
+    /// A line of too few points.
+    #[error("the {kind} that begins at character {at} has too few points: {points}, at least {} are wanted", kind.fewest())]
+    TooFew {
+        /// What line it is.
+        kind: LineKind,
+        /// Where it begins, the first character being 1.
+        at: usize,
+        /// How many points it has.
+        points: usize,
+    },
+    /// Ridges without land.
+    #[error("there are ridges but no coast")]
+    NoCoast,
+}
+
+/// A drawn land: coasts, of which any two may cross or lie within each other (what lies within an odd number of them is
+/// land), and ridges. Without any coast there is nothing drawn, and then there are no ridges either.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Outline {
+    coasts: Vec<Vec<GridPoint>>,
+    ridges: Vec<Vec<GridPoint>>,
+}
+
+impl Outline {
+    /// An outline of lines of enough points, in number and length such that the text is not too long.
+    ///
+    /// # Errors
+    /// Those of [`parse`](Self::parse), with the place where the text would be wrong.
+    pub fn new(coasts: Vec<Vec<GridPoint>>, ridges: Vec<Vec<GridPoint>>) -> Result<Self, OutlineError> {
+        let this = Self { coasts, ridges };
+        Self::parse(&this.to_string())
+    }
+
+    /// Reads an outline; the empty text is the empty outline.
+    ///
+    /// # Errors
+    /// Says what is wrong and where.
+    pub fn parse(text: &str) -> Result<Self, OutlineError> {
+        let length = text.chars().count();
+        if length > LONGEST {
+            return Err(OutlineError::TooLong { length });
+        }
+        if let Some(at) = text.chars().position(|c| c != '.' && !(c.is_ascii() && DIGITS.contains(&(c as u8)))) {
+            return Err(OutlineError::BadCharacter { at: at + 1 });
+        }
+        let mut outline = Self::default();
+        let mut rest = text;
+        while !rest.is_empty() {
+            rest = outline.take_line(rest, text.len() - rest.len() + 1)?;
+        }
+        if outline.coasts.is_empty() && !outline.ridges.is_empty() {
+            return Err(OutlineError::NoCoast);
+        }
+        Ok(outline)
+    }
+
+    /// Reads the first line of a text that begins at a place, and returns what follows it.
+    fn take_line<'a>(&mut self, text: &'a str, at: usize) -> Result<&'a str, OutlineError> {
+        let line = text.strip_prefix('.').ok_or(OutlineError::NoBeginning)?;
+        let (kind, line) = line.strip_prefix('.').map_or((LineKind::Coast, line), |line| (LineKind::Ridge, line));
+        let (digits, rest) = line.split_at(line.find('.').unwrap_or(line.len()));
+        if digits.len() % POINT != 0 {
+            return Err(OutlineError::BrokenPoint { kind, at });
+        }
+        let points: Vec<GridPoint> = digits.as_bytes().chunks(POINT).filter_map(GridPoint::parse).collect();
+        if points.len() < kind.fewest() {
+            return Err(OutlineError::TooFew { kind, at, points: points.len() });
+        }
+        match kind {
+            LineKind::Coast => self.coasts.push(points),
+            LineKind::Ridge => self.ridges.push(points),
+        }
+        Ok(rest)
+    }
+
+    /// Whether nothing is drawn.
+    pub fn is_empty(&self) -> bool {
+        self.coasts.is_empty()
+    }
+
+    /// The closed lines between land and water, of three points at least; the last point is joined to the first.
+    pub fn coasts(&self) -> &[Vec<GridPoint>] {
+        &self.coasts
+    }
+
+    /// The lines that no river crosses, of two points at least.
+    pub fn ridges(&self) -> &[Vec<GridPoint>] {
+        &self.ridges
+    }
+}
+
+impl fmt::Display for Outline {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut text = String::new();
+        for (kind, lines) in [(LineKind::Coast, &self.coasts), (LineKind::Ridge, &self.ridges)] {
+            for line in lines {
+                text.push_str(kind.mark());
+                line.iter().for_each(|point| point.write(&mut text));
+            }
+        }
+        f.write_str(&text)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn lines(fewest: usize, most: usize) -> impl Strategy<Value = Vec<Vec<GridPoint>>> {
+        let point = (0..=GridPoint::LAST, 0..=GridPoint::LAST).prop_map(|(x, y)| GridPoint { x, y });
+        proptest::collection::vec(proptest::collection::vec(point, fewest..30), 1..=most)
+    }
+
+    proptest! {
+        #[test]
+        fn every_outline_reads_back_and_needs_no_escaping(coasts in lines(3, 4), ridges in lines(2, 3)) {
+            let outline = Outline::new(coasts, ridges).unwrap();
+            let text = outline.to_string();
+            prop_assert_eq!(Outline::parse(&text), Ok(outline));
+            prop_assert_eq!(form_urlencoded::byte_serialize(text.as_bytes()).collect::<String>(), text);
+        }
+
+        #[test]
+        fn any_text_is_read_or_refused(text in "[.A-Ca_\u{20ac} ]{0,40}") {
+            if let Ok(outline) = Outline::parse(&text) {
+                prop_assert_eq!(Outline::parse(&outline.to_string()), Ok(outline));
+            }
+        }
+
+        #[test]
+        fn fractions_come_back_exactly(x in 0..=GridPoint::LAST, y in 0..=GridPoint::LAST) {
+            let point = GridPoint { x, y };
+            prop_assert_eq!(GridPoint::nearest(point.fraction()), point);
+        }
+    }
+
+    #[test]
+    fn errors_say_what_and_where() {
+        let error = |text: &str| Outline::parse(text).unwrap_err().to_string();
+        assert_eq!(error("AAAA"), "character 1 is not the dot that begins a coast");
+        assert!(error(".AAAAB%BB").starts_with("character 7 is none of A to Z"));
+        assert!(error(".AAAABBBBCCC").starts_with("the coast that begins at character 1 ends within a point"));
+        let short = ".AAAABBBBCCCC..AAAA";
+        assert_eq!(error(short), "the ridge that begins at character 14 has too few points: 1, at least 2 are wanted");
+        assert_eq!(error("..AAAABBBB"), "there are ridges but no coast");
+        assert!(error(&".A".repeat(600)).contains("1200 characters, at most 1000"));
+        assert!(error(".AAAABBBBCCCC...AAAA").contains("at character 14 has too few points: 0"));
+        assert_eq!(Outline::parse(""), Ok(Outline::default()));
+    }
+}

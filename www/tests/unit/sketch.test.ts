@@ -1,0 +1,86 @@
+import { expect, test } from "vitest";
+import { pathText } from "../../src/overlay.ts";
+import { pointsOf, Sketch, tally } from "../../src/sketch.ts";
+import { engine } from "../core.ts";
+
+function draw(sketch: Sketch, kind: "coast" | "ridge", ...places: [x: number, y: number][]): void {
+  const [first = [0, 0], ...rest] = places;
+  sketch.begin(kind, ...first);
+  for (const place of rest) sketch.extend(...place);
+  sketch.end();
+}
+
+const SQUARE: [number, number][] = [
+  [0.2, 0.2],
+  [0.8, 0.2],
+  [0.8, 0.8],
+  [0.2, 0.8],
+];
+
+test("a line counts while it is drawn, and a mere touch never", () => {
+  const sketch = new Sketch();
+  sketch.begin("coast", 0.1, 0.1);
+  expect([sketch.lines.length, sketch.isLive]).toEqual([1, true]);
+  sketch.end();
+  expect([sketch.lines.length, sketch.isLive, sketch.canUndo]).toEqual([0, false, false]);
+});
+
+test("a pen that leaves the map draws along its border, one that rests adds nothing", () => {
+  const sketch = new Sketch();
+  sketch.begin("coast", 0.5, 0.5);
+  expect(sketch.extend(0.5, 0.5001)).toBe(false);
+  expect(sketch.extend(-3, 0.5)).toBe(true);
+  expect(sketch.extend(-4, 2)).toBe(true);
+  expect(sketch.lines[0]?.points).toEqual([0.5, 0.5, 0, 0.5, 0, 1]);
+});
+
+test("undo takes back lines, clearing, and an import, one after another", () => {
+  const sketch = new Sketch();
+  const counts: number[] = [];
+  draw(sketch, "coast", ...SQUARE);
+  draw(sketch, "ridge", [0.3, 0.3], [0.6, 0.6]);
+  sketch.replace({ coasts: [new Float32Array(6), new Float32Array(6), new Float32Array(6)], ridges: [] });
+  sketch.clear();
+  for (;;) {
+    counts.push(sketch.lines.length);
+    if (!sketch.canUndo) break;
+    sketch.undo();
+  }
+  expect(counts).toEqual([0, 3, 2, 1, 0]);
+});
+
+test("lines of a link are taken back one by one", () => {
+  const sketch = new Sketch();
+  sketch.open({ coasts: [new Float32Array(6)], ridges: [new Float32Array(4)] });
+  expect(sketch.lines.map(({ kind }) => kind)).toEqual(["coast", "ridge"]);
+  sketch.undo();
+  expect(sketch.lines.map(({ kind }) => kind)).toEqual(["coast"]);
+  sketch.undo();
+  expect([sketch.lines.length, sketch.canUndo]).toEqual([0, false]);
+});
+
+test("the core keeps what is drawn and gives it back", () => {
+  const sketch = new Sketch();
+  draw(sketch, "coast", ...SQUARE);
+  draw(sketch, "ridge", [0.3, 0.3], [0.6, 0.6]);
+  const outline = engine.outlineOf(pointsOf(sketch.lines, "coast"), pointsOf(sketch.lines, "ridge"));
+  const lines = engine.outlineLines(outline);
+  expect(tally(lines)).toBe("1 coast and 1 ridge, 6 points");
+  lines.coasts[0]?.forEach((x, i) => {
+    expect(x).toBeCloseTo(SQUARE.flat()[i] ?? Number.NaN, 3);
+  });
+  const reading = engine.readLink(`land=drawn&outline=${outline}`);
+  expect(reading.notices).toEqual([]);
+  expect(reading.link).toBe(`seed=kauri&edition=1&land=drawn&outline=${outline}`);
+});
+
+test("what is no land is an error with a name", () => {
+  expect(() => engine.outlineOf([], [])).toThrow(expect.objectContaining({ code: "no-land" }));
+  expect(() => engine.outlineLines(".AAA")).toThrow(/coast that begins at character 1/);
+  expect(() => engine.traceImage(new Uint8Array(4), 40, 40)).toThrow(/4 bytes/);
+});
+
+test("a path is drawn through all points, and a coast is closed", () => {
+  expect(pathText(Float32Array.of(0, 0, 0.5, 0.25, 1, 1), true)).toBe("M0 0L0.5 0.25L1 1Z");
+  expect(pathText(new Float32Array(), true)).toBe("");
+});
