@@ -211,6 +211,7 @@ impl Session {
 fn style(recipe: &Recipe) -> Style {
     match recipe.choice(Key::Style) {
         1 => Style::Skeleton,
+        2 => Style::Map,
         _ => Style::Ink,
     }
 }

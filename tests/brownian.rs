@@ -3,7 +3,7 @@
 
 mod common;
 
-use common::literal;
+use common::{literal, random_link};
 use glam::Vec2;
 use proptest::prelude::*;
 use riverseed::grow::{Brownian, Ending, Field, Growth, Order, Parameters};
@@ -167,6 +167,19 @@ proptest! {
     #[test]
     fn strands_never_touch_and_no_land_is_cut_off(field in random_field(), seed in "[a-z]{1,8}", sensitivity in 3f32..20.0) {
         check(&field, grown(&field, &seed, sensitivity).tree());
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(250))]
+
+    #[test]
+    fn any_recipe_grows_a_tree_that_keeps_every_promise(link in random_link(100), sensitivity in 16u32..=64) {
+        let recipe = link::read(&format!("{link}&growth=brownian&sensitivity={sensitivity}")).unwrap();
+        let mut growth = Growth::new(Parameters::of(&recipe)).unwrap();
+        while growth.tick() {}
+        prop_assert_eq!(growth.ending(), Some(Ending::Complete));
+        check(&Field::of(growth.parameters()), growth.tree());
     }
 }
 

@@ -39,6 +39,16 @@ const PICTURES: &[(&str, &str)] = &[
     ("wild", "curl=1.6&momentum=0.3&stretch=3&attractors=1200"),
     ("spirals", "curl=2&stretch=64&attractors=1200&step=0.3"),
     ("macron", "seed=w%C4%81nanga&attractors=1000"),
+    ("island", "land=island&mouths=6&attractors=2000"),
+    ("continent", "land=continent&style=map&attractors=2000"),
+    ("archipelago", "land=archipelago&mouths=9&attractors=2000&style=map"),
+    ("valley", "land=valley&attractors=2000"),
+    ("basin", "land=basin&mouths=7&attractors=2000&style=skeleton"),
+    ("drawn", "land=drawn&rough=0.3&mouths=4&attractors=2000&style=map&outline=.3CgA5Tmy30twyhyhrhz8lJzMgAyja2zMUez8NeyhILtwGsmyI9gAMza2P7WuR8R8UeMDZNGsf_EfmyGsrhMDuDR8wEWuzMa2.jMZmoUa4mZgA.AAzMHr2ZJm__AA__..TMgAcznr"),
+    ("brownian", "growth=brownian&sensitivity=24&trim=10"),
+    ("brownian-island", "growth=brownian&sensitivity=32&trim=10&land=island&style=map"),
+    ("brownian-archipelago", "growth=brownian&sensitivity=32&trim=10&land=archipelago"),
+    ("brownian-valley", "growth=brownian&sensitivity=40&trim=12&land=valley&style=map"),
 ];
 
 fn picture(recipe: Recipe, width: u32) -> Pixmap {

@@ -117,7 +117,7 @@ fn a_grid_has_one_attractor_in_every_cell_of_its_row() {
 /// Parents stand first, no step is longer than it should be, everything lies in the domain, and all is finite.
 fn check_tree(tree: &Tree, parameters: &Parameters) -> Result<(), TestCaseError> {
     for node in 0..tree.len() {
-        prop_assert!(parameters.domain.contains(tree.at[node]) && is_land(&parameters, tree.at[node]));
+        prop_assert!(parameters.domain.contains(tree.at[node]) && is_land(parameters, tree.at[node]));
         if let Some(parent) = tree.parent_of(node) {
             prop_assert!(parent < node);
             prop_assert!(parameters.allows(tree.at[parent], tree.at[node]), "{parent} to {node} leaves the land");

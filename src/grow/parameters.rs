@@ -140,12 +140,12 @@ fn watered<'a>(land: Option<&'a Land>, basins: &'a [u32]) -> impl Iterator<Item 
     regions.zip(basins).filter(|(_, mouths)| **mouths > 0).map(|(region, _)| region)
 }
 
-/// Shares mouths out among regions: each goes where most land would come to a mouth (D'Hondt's method). Only regions
-/// with a coast have any.
+/// Shares mouths out among regions by their size, as parliaments share out seats (Webster and Sainte-Laguë): a second
+/// mouth only goes where there is thrice the land of a region without one. Only regions with a coast have any.
 fn share_out(regions: &[Region], mouths: u32) -> Vec<u32> {
     let mut shares = vec![0; regions.len()];
     for _ in 0..mouths {
-        let land_each = |&(i, region): &(usize, &Region)| region.cells / (shares[i] + 1);
+        let land_each = |&(i, region): &(usize, &Region)| region.cells / (2 * shares[i] + 1);
         let coastal = regions.iter().enumerate().filter(|(_, region)| !region.shores.is_empty());
         if let Some((i, _)) = coastal.reduce(|a, b| if land_each(&b) > land_each(&a) { b } else { a }) {
             shares[i] += 1;

@@ -70,7 +70,7 @@ impl Shape {
             LandKind::Rectangle | LandKind::Drawn => self.span(),
             LandKind::Island => -from_centre - self.moat(point),
             LandKind::Basin => from_centre,
-            LandKind::Continent | LandKind::Valley => self.from_coast(point),
+            LandKind::Continent | LandKind::Valley => self.coast_distance(point),
             LandKind::Archipelago => {
                 // The gap between the distances to the nearest and the next of some scattered centres: 0 midway, so that
                 // straits lie there however low the sea is.
@@ -109,7 +109,7 @@ impl Shape {
     }
 
     /// The distance to the nearest side that has the sea.
-    fn from_coast(&self, point: Vec2) -> f32 {
+    fn coast_distance(&self, point: Vec2) -> f32 {
         let far = self.domain.size - point;
         [('n', point.y), ('e', far.x), ('s', far.y), ('w', point.x)]
             .into_iter()

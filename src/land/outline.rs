@@ -69,7 +69,7 @@ impl Drawing {
         let coast: Vec<Piece> = self.edges().map(|(a, b)| [a, b]).collect();
         let mut crossings = Crossings::over(domain);
         coast.iter().for_each(|[a, b]| crossings.add(*a, *b));
-        Relief::of_coast(domain, &coast, &crossings.is_land())
+        Relief::of_coast(domain, &coast, &crossings.into_land())
     }
 }
 
@@ -145,7 +145,7 @@ impl Crossings {
     }
 
     /// Of each corner, row by row, whether an odd number of edges lie to the west of it.
-    fn is_land(self) -> Vec<bool> {
+    fn into_land(self) -> Vec<bool> {
         let mut is_land = false;
         let corner = |(i, flips): (usize, bool)| {
             is_land = (is_land && i % self.columns != 0) ^ flips;

@@ -1,36 +1,28 @@
-//! What rivers are drawn on: paper, and where there is a sea, its tint, rings along the coast and the coast itself.
+//! What rivers are drawn on where there is a sea: land and water by their distance from the coast, rings, the coast
+//! itself, ridges.
 
 use glam::Vec2;
 
 use super::coverage::Coverage;
+use super::palette::{Colour, Palette, mix};
 use super::view::View;
 use crate::land::{Land, Relief};
 
-/// Bare paper, which is land.
-pub(super) const PAPER: [u8; 3] = [0xf6, 0xf0, 0xe2];
-const PAPER_PIXEL: [u8; 4] = [PAPER[0], PAPER[1], PAPER[2], 255];
-const SEA: [u8; 3] = [0xdd, 0xe6, 0xe4];
-const COAST: [u8; 3] = [0x4a, 0x62, 0x78];
-const RIDGE: [u8; 3] = [0xa8, 0x93, 0x78];
-
-/// Distances from the coast of the rings that old engravers drew, in units, each fainter than the one before.
-const RINGS: [(f32, f32); 3] = [(7.0, 0.34), (16.0, 0.2), (28.0, 0.1)];
 const RING_WIDTH: f32 = 1.1;
-/// No line lies farther out at sea than this, in units.
 const COAST_WIDTH: f32 = 1.8;
 const RIDGE_WIDTH: f32 = 3.0;
 
 /// Paints the ground of a picture, row by row, opaque.
-pub(super) fn ground(view: &View, land: &Land) -> Vec<[u8; 4]> {
-    let shades = Shades::new(view.scale);
-    let mut pixels = vec![PAPER_PIXEL; view.width as usize * view.height as usize];
+pub(super) fn ground(view: &View, land: &Land, palette: &Palette) -> Vec<[u8; 4]> {
+    let shades = Shades::new(view.scale, palette);
+    let mut pixels = vec![opaque(palette.plain); view.width as usize * view.height as usize];
     for (y, row) in pixels.chunks_mut(view.width as usize).enumerate() {
         paint_row(view, land.relief(), &shades, y, row);
     }
     if let Some(ridges) = ridges(view, land) {
         for (pixel, &covered) in pixels.iter_mut().zip(ridges.mask().data()).filter(|(_, covered)| **covered > 0) {
             let [r, g, b, _] = *pixel;
-            *pixel = opaque(mix([r, g, b], RIDGE, f32::from(covered) / 255.0));
+            *pixel = opaque(mix([r, g, b], palette.ridge, f32::from(covered) / 255.0));
         }
     }
     pixels
@@ -72,13 +64,15 @@ struct Shades {
 }
 
 impl Shades {
-    fn new(scale: f32) -> Self {
+    fn new(scale: f32, palette: &Palette) -> Self {
         const PER_PIXEL: f32 = 16.0;
         let past = (COAST_WIDTH + 2.0 / scale).max(RING_WIDTH);
-        let first = -RINGS[RINGS.len() - 1].0 - past;
+        let outermost = palette.rings.last().map_or(0.0, |ring| ring.0);
+        let first = -palette.fade.max(outermost + past);
+        let last = palette.fade.max(past);
         let per_unit = PER_PIXEL * scale;
-        let count = ((past - first) * per_unit) as usize + 1;
-        let colours = (0..count).map(|i| opaque(shore(scale, first + (i as f32 + 0.5) / per_unit))).collect();
+        let count = ((last - first) * per_unit) as usize + 1;
+        let colours = (0..count).map(|i| opaque(shore(scale, palette, first + (i as f32 + 0.5) / per_unit))).collect();
         Self { colours, first, per_unit }
     }
 
@@ -98,23 +92,24 @@ impl Shades {
 }
 
 /// The colour at a distance from the coast, in units, land being positive.
-fn shore(scale: f32, distance: f32) -> [u8; 3] {
-    let land = ((distance * scale) + 0.5).clamp(0.0, 1.0);
-    let mut colour = mix(SEA, PAPER, land);
-    for (at, strength) in RINGS {
-        colour = mix(colour, COAST, line(scale, distance + at, RING_WIDTH) * strength);
+fn shore(scale: f32, palette: &Palette, distance: f32) -> Colour {
+    let far = if palette.fade > 0.0 { (distance.abs() / palette.fade).min(1.0) } else { 1.0 };
+    let (water, land) = (mix(palette.shallows, palette.deep, far), mix(palette.lowland, palette.inland, far));
+    let mut colour = mix(water, land, (distance * scale + 0.5).clamp(0.0, 1.0));
+    for (at, strength) in palette.rings {
+        colour = mix(colour, palette.coast, line(scale, distance + at, RING_WIDTH) * strength);
     }
-    mix(colour, COAST, line(scale, distance, COAST_WIDTH))
+    mix(colour, palette.coast, line(scale, distance, COAST_WIDTH))
 }
 
-fn opaque([r, g, b]: [u8; 3]) -> [u8; 4] {
+fn opaque([r, g, b]: Colour) -> [u8; 4] {
     [r, g, b, 255]
 }
 
 /// How much a line of a width (both in units) covers a pixel at a distance from it.
 fn line(scale: f32, distance: f32, width: f32) -> f32 {
     let half_width_px = width * scale * 0.5 + 0.25;
-    (half_width_px + 0.5 - distance.abs() * scale).max(0.0).min(1.0) * (half_width_px * 2.0).min(1.0)
+    (half_width_px + 0.5 - distance.abs() * scale).clamp(0.0, 1.0) * (half_width_px * 2.0).min(1.0)
 }
 
 fn ridges(view: &View, land: &Land) -> Option<Coverage> {
@@ -129,8 +124,4 @@ fn ridges(view: &View, land: &Land) -> Option<Coverage> {
         }
     }
     Some(coverage)
-}
-
-fn mix(from: [u8; 3], to: [u8; 3], share: f32) -> [u8; 3] {
-    std::array::from_fn(|i| (f32::from(from[i]) + (f32::from(to[i]) - f32::from(from[i])) * share + 0.5) as u8)
 }

@@ -11,6 +11,7 @@ mod flow;
 mod ground;
 mod ink;
 mod painter;
+mod palette;
 mod skeleton;
 mod strokes;
 mod view;
@@ -25,6 +26,8 @@ pub use view::{LONGEST_SIDE, PaintError, View};
 pub enum Style {
     /// Ink on paper, rivers as wide as their discharge asks.
     Ink,
+    /// A coloured map: green lowland, blue rivers and sea.
+    Map,
     /// White lines one pixel wide on black, as in the study of the paper (figure 6.1).
     Skeleton,
 }

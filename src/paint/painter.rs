@@ -9,6 +9,7 @@ use tiny_skia::Pixmap;
 use super::coverage::{Coverage, Rect};
 use super::flow::Flow;
 use super::ground::ground;
+use super::palette::{self, Palette};
 use super::strokes::{Pen, Widths};
 use super::view::{PaintError, View};
 use super::{Style, ink, skeleton};
@@ -45,8 +46,8 @@ pub struct Painter {
     /// The radius that each node was last drawn with; 0 before it is drawn.
     drawn: Vec<u16>,
     flow: Flow,
-    /// The picture without rivers, painted when it is first needed; not needed for bare paper.
-    ground: Option<Vec<[u8; 4]>>,
+    /// The picture without rivers, in a style; painted when it is first needed, and not for plain land.
+    ground: Option<(Style, Vec<[u8; 4]>)>,
     /// Whether nothing of the picture can be kept.
     is_blank: bool,
     /// Whether the picture shows a finished tree.
@@ -104,8 +105,9 @@ impl Painter {
         if std::mem::take(&mut self.is_blank) || (progress.finished && progress.style == Style::Skeleton) {
             self.coverage.touch_all();
         }
-        if self.ground.is_none() && progress.style == Style::Ink {
-            self.ground = progress.land.map(|land| ground(&self.view, land));
+        if self.ground.as_ref().is_none_or(|(style, _)| *style != progress.style) {
+            let ground = |land| ground(&self.view, land, palette(progress.style));
+            self.ground = progress.land.map(|land| (progress.style, ground(land)));
         }
         self.compose(progress.style)
     }
@@ -138,28 +140,34 @@ impl Painter {
     fn compose(&mut self, style: Style) -> Option<Rect> {
         let touched = self.coverage.take_touched();
         let around = touched.iter().copied().reduce(Rect::union)?;
+        let ground = self.ground.as_ref().map(|(_, ground)| ground.as_slice());
         match style {
-            Style::Ink => {
-                touched
-                    .iter()
-                    .for_each(|&rect| ink::compose(&mut self.pixmap, &self.coverage, self.ground.as_deref(), rect));
-                Some(around)
-            }
+            Style::Ink | Style::Map => touched
+                .iter()
+                .for_each(|&rect| ink::compose(&mut self.pixmap, &self.coverage, ground, palette(style), rect)),
             Style::Skeleton if self.is_finished => {
-                skeleton::compose_thinned(&mut self.pixmap, &self.coverage);
-                Some(self.coverage.bounds())
+                skeleton::compose_thinned(&mut self.pixmap, &self.coverage, ground);
+                return Some(self.coverage.bounds());
             }
             Style::Skeleton => {
-                touched.iter().for_each(|&rect| skeleton::compose(&mut self.pixmap, &self.coverage, rect));
-                Some(around)
+                touched.iter().for_each(|&rect| skeleton::compose(&mut self.pixmap, &self.coverage, ground, rect));
             }
         }
+        Some(around)
+    }
+}
+
+fn palette(style: Style) -> &'static Palette {
+    match style {
+        Style::Ink => &palette::INK,
+        Style::Map => &palette::MAP,
+        Style::Skeleton => &palette::NIGHT,
     }
 }
 
 fn widths(progress: &Progress<'_>) -> Widths {
     match progress.style {
-        Style::Ink => Widths::ByDischarge { full: progress.full_width, everything: progress.everything },
+        Style::Ink | Style::Map => Widths::ByDischarge { full: progress.full_width, everything: progress.everything },
         Style::Skeleton => Widths::Even { width_px: skeleton::WIDTH_PX },
     }
 }

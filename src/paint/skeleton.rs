@@ -1,4 +1,5 @@
-//! The skeleton: white lines, one pixel wide, on black, as the paper's user study showed its patterns (figure 6.1).
+//! The skeleton: white lines, one pixel wide, on black, as the paper's user study showed its patterns (figure 6.1). A
+//! coast is dim.
 //!
 //! Thinning at one place can depend on any other, so only the finished picture is thinned; before, the lines are shown
 //! as they were drawn, a pixel or two wide.
@@ -12,24 +13,25 @@ use crate::thin::{IS_SET, thin};
 pub(super) const WIDTH_PX: f32 = 1.5;
 
 /// Shows a rectangle of the mask as it is.
-pub(super) fn compose(pixmap: &mut Pixmap, coverage: &Coverage, rect: Rect) {
+pub(super) fn compose(pixmap: &mut Pixmap, coverage: &Coverage, ground: Option<&[[u8; 4]]>, rect: Rect) {
     let width = pixmap.width() as usize;
     for row in rect.top as usize..rect.bottom as usize {
         let (start, end) = (row * width + rect.left as usize, row * width + rect.right as usize);
-        show(&mut pixmap.data_mut()[start * 4..end * 4], &coverage.mask().data()[start..end]);
+        let ground = ground.map(|ground| &ground[start..end]);
+        show(&mut pixmap.data_mut()[start * 4..end * 4], &coverage.mask().data()[start..end], ground);
     }
 }
 
 /// Shows the whole mask, thinned.
-pub(super) fn compose_thinned(pixmap: &mut Pixmap, coverage: &Coverage) {
+pub(super) fn compose_thinned(pixmap: &mut Pixmap, coverage: &Coverage, ground: Option<&[[u8; 4]]>) {
     let mut mask = coverage.mask().data().to_vec();
     thin(&mut mask, coverage.mask().width() as usize);
-    show(pixmap.data_mut(), &mask);
+    show(pixmap.data_mut(), &mask, ground);
 }
 
-fn show(pixels: &mut [u8], mask: &[u8]) {
-    for (pixel, &mask) in pixels.chunks_exact_mut(4).zip(mask) {
-        let white = if mask >= IS_SET { 255 } else { 0 };
-        pixel.copy_from_slice(&[white, white, white, 255]);
+fn show(pixels: &mut [u8], mask: &[u8], ground: Option<&[[u8; 4]]>) {
+    for (i, (pixel, &mask)) in pixels.chunks_exact_mut(4).zip(mask).enumerate() {
+        let beneath = ground.map_or([0, 0, 0, 255], |ground| ground[i]);
+        pixel.copy_from_slice(if mask >= IS_SET { &[255; 4] } else { &beneath });
     }
 }

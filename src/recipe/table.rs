@@ -407,12 +407,12 @@ pub static TABLE: [Parameter; COUNT] = {
             key: Key::Style,
             name: "style",
             label: "Style",
-            help: "Ink on paper, or the bare skeleton one pixel wide.",
+            help: "Ink on paper, the bare skeleton one pixel wide, or a coloured map.",
             unit: "",
             group: "Finish",
             stage: Paint,
             logarithmic: false,
-            kind: Kind::Choice { choices: &[("ink", "ink"), ("skeleton", "skeleton")] },
+            kind: Kind::Choice { choices: &[("ink", "ink"), ("skeleton", "skeleton"), ("map", "map")] },
         },
     ]
 };
