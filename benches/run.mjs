@@ -22,6 +22,7 @@ const GROUPS = {
   "Growth against the twin, the paper as written by the same compiler": againstTwin,
   "Growth, wasm against native": wasmAgainstNative,
   "Growth from 10,000 to 1,000,000 attractors, R = 3": scaling,
+  "Growth on land, against growth on the plain rectangle, a node each (100,000 attractors, R = 3)": onLand,
   "Brownian tree on 1024² cells, sensitivity 12": brownian,
   "Drawing 100,000 segments at 1024²": drawing,
   "A slider moves: regrow and redraw 15,000 attractors at 1024²": slider,
@@ -98,6 +99,21 @@ async function scaling() {
   const fresh = wasmSide();
   await fresh.run("grow 1000000 3");
   row("wasm memory, N = 1,000,000", fresh.memory() / 1e6, "MB", atMost(180, 110));
+}
+
+async function onLand() {
+  const kinds = ["rectangle", "continent", "island", "valley"];
+  for (const side of [native, wasm]) {
+    const nodes = {};
+    for (const kind of kinds) nodes[kind] = (await side.run(`grow-on ${kind} 100000`)).result;
+    const [plain, ...others] = await inTurn(9, ...kinds.map((kind) => [side, `grow-on ${kind} 100000`]));
+    for (const [i, kind] of kinds.slice(1).entries()) {
+      const cost = median(ratios(others[i], plain)) * (nodes.rectangle / nodes[kind]);
+      row(`${side.name}: ${kind} / rectangle`, cost, "×", atMost(1.2));
+    }
+    const [shaping] = await inTurn(9, [side, "land continent"]);
+    guide("shaping a continent", median(shaping), "ms");
+  }
 }
 
 async function brownian() {

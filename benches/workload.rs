@@ -9,6 +9,7 @@ use std::collections::BTreeMap;
 use glam::Vec2;
 use riverseed::domain::Domain;
 use riverseed::grow::{Brownian, Colonize, Field, Parameters};
+use riverseed::land::Land;
 use riverseed::paint::{Coverage, Pen, View, Widths};
 use riverseed::random::Seed;
 use riverseed::recipe::preset::PRESETS;
@@ -53,6 +54,8 @@ fn repetition(task: &str) -> Option<Repetition> {
         ["variants"] => Some(Box::new(equal_variants)),
         ["grow", attractors, reach] => growth(attractors, reach),
         ["twin", attractors, reach] => the_twin(attractors, reach),
+        ["land", kind] => shaping(kind),
+        ["grow-on", kind, attractors] => growth_on(kind, attractors),
         ["brownian", side, sensitivity] => brownian(side, sensitivity),
         ["literal-brownian", side, sensitivity] => literal_brownian(side, sensitivity),
         ["capsules"] => capsules(),
@@ -90,6 +93,18 @@ fn grown(parameters: &Parameters) -> Option<Colonize> {
 /// Growth from the recipe to the last node; the number of nodes.
 fn growth(attractors: &str, reach: &str) -> Option<Repetition> {
     let parameters = parameters(attractors, reach)?;
+    Some(Box::new(move || grown(&parameters).map_or(0, |growth| growth.tree().len() as u32)))
+}
+
+/// Shaping a land; how many regions it has.
+fn shaping(kind: &str) -> Option<Repetition> {
+    let recipe = recipe(&format!("land={kind}"))?;
+    Some(Box::new(move || Land::of(&recipe).map_or(0, |land| land.regions().len() as u32)))
+}
+
+/// Growth on a land that is there already; the number of nodes.
+fn growth_on(kind: &str, attractors: &str) -> Option<Repetition> {
+    let parameters = Parameters::of(&recipe(&format!("{BARE}&land={kind}&attractors={attractors}"))?);
     Some(Box::new(move || grown(&parameters).map_or(0, |growth| growth.tree().len() as u32)))
 }
 

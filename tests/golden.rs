@@ -44,7 +44,10 @@ const PICTURES: &[(&str, &str)] = &[
     ("archipelago", "land=archipelago&mouths=9&attractors=2000&style=map"),
     ("valley", "land=valley&attractors=2000"),
     ("basin", "land=basin&mouths=7&attractors=2000&style=skeleton"),
-    ("drawn", "land=drawn&rough=0.3&mouths=4&attractors=2000&style=map&outline=.3CgA5Tmy30twyhyhrhz8lJzMgAyja2zMUez8NeyhILtwGsmyI9gAMza2P7WuR8R8UeMDZNGsf_EfmyGsrhMDuDR8wEWuzMa2.jMZmoUa4mZgA.AAzMHr2ZJm__AA__..TMgAcznr"),
+    (
+        "drawn",
+        "land=drawn&rough=0.3&mouths=4&attractors=2000&style=map&outline=.3CgA5Tmy30twyhyhrhz8lJzMgAyja2zMUez8NeyhILtwGsmyI9gAMza2P7WuR8R8UeMDZNGsf_EfmyGsrhMDuDR8wEWuzMa2.jMZmoUa4mZgA.AAzMHr2ZJm__AA__..TMgAcznr",
+    ),
     ("brownian", "growth=brownian&sensitivity=24&trim=10"),
     ("brownian-island", "growth=brownian&sensitivity=32&trim=10&land=island&style=map"),
     ("brownian-archipelago", "growth=brownian&sensitivity=32&trim=10&land=archipelago"),

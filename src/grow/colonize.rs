@@ -213,7 +213,7 @@ impl Colonize {
         let Self { parameters, attractors, tree, shoots, changed, doomed, .. } = self;
         for node in first..tree.len() {
             let at = tree.at[node];
-            let gained = attractors.capture(node as u32, at, parameters.ridges(), |capture| {
+            let gained = attractors.capture(node as u32, at, parameters.ridges_near(at), |capture| {
                 if let Some(pull) = shoots.pull.get_mut(capture.previous_owner as usize) {
                     pull.subtract(Pull::toward(tree.at[capture.previous_owner as usize], capture.at));
                     changed.insert(capture.previous_owner);

@@ -124,14 +124,15 @@ impl Parameters {
         }
     }
 
-    /// The land, if it has ridges that attractors do not pull through.
-    pub fn ridges(&self) -> Option<&Land> {
-        self.land.as_deref().filter(|land| !land.ridges().is_empty())
+    /// The land, if it has ridges within the reach of a node: attractors do not pull through them.
+    #[inline]
+    pub fn ridges_near(&self, node: Vec2) -> Option<&Land> {
+        self.land.as_deref().filter(|land| !land.ridges().is_empty() && !land.is_clear_of_ridges(node, self.reach))
     }
 
     /// Whether an attractor pulls a node: it does not through a ridge.
     pub fn sees(&self, node: Vec2, attractor: Vec2) -> bool {
-        self.ridges().is_none_or(|land| land.sees(node, attractor))
+        self.land.as_ref().is_none_or(|land| land.sees(node, attractor))
     }
 }
 

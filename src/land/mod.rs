@@ -8,7 +8,9 @@
 //!
 //! Growth asks the field, painting asks the relief: so the coast is smooth at any size, and rivers end at it.
 
+mod clearance;
 mod field;
+mod grid;
 mod kinds;
 mod outline;
 mod regions;
@@ -17,8 +19,9 @@ mod strokes;
 pub mod trace;
 mod walk;
 
-pub use field::{Cell, Land, SIDE, Shore};
+pub use field::Land;
+pub use grid::{Cell, SIDE};
 pub use kinds::LandKind;
-pub use regions::{Region, Run};
+pub use regions::{Region, Run, Shore};
 pub use relief::Relief;
 pub use strokes::DrawError;

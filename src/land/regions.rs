@@ -1,7 +1,9 @@
 //! Regions: land that hangs together, or water. No river leads from one region of land to another, so each needs a
 //! mouth of its own.
 
-use super::field::{Cell, Shore};
+use glam::Vec2;
+
+use super::grid::Cell;
 
 /// A row's cells `start..end`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -14,6 +16,15 @@ pub struct Run {
     pub end: u32,
     /// How many cells of the region come before.
     pub before: u32,
+}
+
+/// A place where a river may reach the sea.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Shore {
+    /// The middle of a cell of land beside the sea.
+    pub at: Vec2,
+    /// The unit vector away from the water.
+    pub inland: Vec2,
 }
 
 /// Cells that hang together by their sides.

@@ -5,7 +5,7 @@ use glam::Vec2;
 /// The cells, of side 1, that a straight line touches, each a neighbour by a side of the one before: nothing slips
 /// through between two cells that touch at a corner (Amanatides and Woo 1987).
 pub(super) fn walk(from: Vec2, to: Vec2) -> impl Iterator<Item = (i32, i32)> {
-    let cell = |at: Vec2| (at.x.floor() as i32, at.y.floor() as i32);
+    let cell = |at: Vec2| (floor(at.x), floor(at.y));
     let (start, end) = (cell(from), cell(to));
     let along = to - from;
     let axis = |from: f32, along: f32, start: i32| {
@@ -33,6 +33,13 @@ pub(super) fn walk(from: Vec2, to: Vec2) -> impl Iterator<Item = (i32, i32)> {
         }
         (column, row)
     })
+}
+
+/// The whole number below. `f32::floor` is a call on processors of before 2008, which is what we compile for.
+#[inline]
+fn floor(x: f32) -> i32 {
+    let whole = x as i32;
+    whole - i32::from(x < whole as f32)
 }
 
 #[cfg(test)]
