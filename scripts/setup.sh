@@ -62,6 +62,7 @@ setup_lint() {
   # Asked for their versions, since rustup leaves commands on PATH for parts that it has not got.
   if ! { cargo fmt --version && cargo clippy --version; } &>/dev/null; then
     { have rustup && rustup component add rustfmt clippy; } ||
+      apt_get "rustfmt and clippy, 1 minute" rustfmt-web rust-web-clippy ||
       die "rustfmt or clippy is missing: get them with rustup, 'rustup component add rustfmt clippy' (https://rustup.rs)."
   fi
 }

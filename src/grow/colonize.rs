@@ -13,7 +13,8 @@ use glam::Vec2;
 use super::attractors::{Attractors, NO_NODE};
 use super::changed::Changed;
 use super::heading::{heading, is_twin};
-use super::{GrowError, Mouth, Parameters, Pull, mouths};
+use super::{BYTES_AN_ATTRACTOR, GrowError, Mouth, Parameters, Pull, mouths};
+use crate::memory;
 use crate::tree::{NO_PARENT, Tree};
 
 /// How growth came to its end.
@@ -76,6 +77,9 @@ impl Colonize {
     /// # Errors
     /// If the memory is not to be had.
     pub fn new(parameters: Parameters) -> Result<Self, GrowError> {
+        if !memory::is_to_be_had(parameters.attractors as usize * BYTES_AN_ATTRACTOR) {
+            return Err(GrowError::out_of_memory(&parameters));
+        }
         let attractors = Attractors::new(&parameters)?;
         let mut this = Self {
             unreached: attractors.count(),

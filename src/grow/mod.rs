@@ -45,11 +45,14 @@ pub enum GrowError {
     },
 }
 
+/// What growth takes at the usual step and kill distance, as measured.
+const BYTES_AN_ATTRACTOR: usize = 130;
+
 impl GrowError {
-    /// The error for parameters that ask for too much: about 130 bytes an attractor, as measured.
+    /// The error for parameters that ask for too much.
     fn out_of_memory(parameters: &Parameters) -> Self {
         let attractors = parameters.attractors;
-        Self::OutOfMemory { attractors, megabytes: attractors / 7_500 + 1 }
+        Self::OutOfMemory { attractors, megabytes: (attractors as usize * BYTES_AN_ATTRACTOR / 1_000_000) as u32 + 1 }
     }
 
     /// The error for a field of too many cells: about 10 bytes a cell.

@@ -15,6 +15,7 @@ use super::view::{PaintError, View};
 use super::{Style, ink, skeleton};
 use crate::domain::Domain;
 use crate::land::Land;
+use crate::memory;
 use crate::prune;
 use crate::tree::Tree;
 
@@ -58,9 +59,15 @@ impl Painter {
     /// An empty picture.
     ///
     /// # Errors
-    /// If a side is 0 or too long.
+    /// If a side is 0 or too long, or the memory is not to be had.
     pub fn new(domain: &Domain, width: u32, height: u32) -> Result<Self, PaintError> {
+        /// Of picture, ground, mask, and the copy that is thinned.
+        const BYTES_A_PIXEL: usize = 10;
         let view = View::new(domain, width, height)?;
+        let bytes = BYTES_A_PIXEL * width as usize * height as usize;
+        if !memory::is_to_be_had(bytes) {
+            return Err(PaintError::OutOfMemory { width, height, megabytes: (bytes / 1_000_000) as u32 + 1 });
+        }
         let none = PaintError::Size { width, height };
         let pixmap = Pixmap::new(width, height).ok_or(none.clone())?;
         let coverage = Coverage::new(width, height).ok_or(none)?;

@@ -20,6 +20,16 @@ pub enum PaintError {
         /// Height asked for.
         height: u32,
     },
+    /// The memory was not to be had.
+    #[error("size: {width} x {height} pixels need about {megabytes} MB, which this machine does not give")]
+    OutOfMemory {
+        /// Width asked for.
+        width: u32,
+        /// Height asked for.
+        height: u32,
+        /// About how much is needed.
+        megabytes: u32,
+    },
 }
 
 /// A picture's size, and the map from domain units to pixels.
