@@ -260,13 +260,20 @@ impl Attractors {
 
     /// Each owner's nearest attractor, owners ascending; of equally near ones the western, then the northern.
     pub fn nearest_by_owner(&self) -> Vec<(u32, Vec2)> {
-        let mut nearest: Vec<(u32, f32, Vec2)> = self.blocks.iter().flat_map(Block::owned).collect();
-        nearest.sort_unstable_by(|(owner, near, at), (other_owner, other_near, other)| {
-            let by_distance = owner.cmp(other_owner).then(near.total_cmp(other_near));
-            by_distance.then(at.x.total_cmp(&other.x)).then(at.y.total_cmp(&other.y))
-        });
-        nearest.dedup_by_key(|(owner, ..)| *owner);
-        nearest.into_iter().map(|(owner, _, at)| (owner, at)).collect()
+        let mut nearest: Vec<Option<(f32, Vec2)>> = Vec::new();
+        for (owner, near, at) in self.blocks.iter().flat_map(Block::owned) {
+            if nearest.len() <= owner as usize {
+                nearest.resize(owner as usize + 1, None);
+            }
+            let is_nearer = |(other_near, other): (f32, Vec2)| {
+                let by_distance = near.total_cmp(&other_near);
+                by_distance.then(at.x.total_cmp(&other.x)).then(at.y.total_cmp(&other.y)).is_lt()
+            };
+            if nearest[owner as usize].is_none_or(is_nearer) {
+                nearest[owner as usize] = Some((near, at));
+            }
+        }
+        (0..).zip(nearest).filter_map(|(owner, nearest)| Some((owner, nearest?.1))).collect()
     }
 }
 

@@ -4,6 +4,7 @@
 use glam::Vec2;
 
 use super::grid::Cell;
+use crate::order;
 
 /// A row's cells `start..end`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -97,8 +98,8 @@ fn gather(runs: &[Run], joined: &mut Joined) -> Vec<Region> {
         region.runs.push(Run { before: region.cells, ..*run });
         region.cells += run.end - run.start;
     }
-    regions.sort_by_key(|region| std::cmp::Reverse(region.cells));
-    regions
+    let largest_first = order::ascending(regions.iter().map(|region| !region.cells));
+    largest_first.into_iter().map(|i| std::mem::take(&mut regions[i])).collect()
 }
 
 /// Runs that hang together: each knows an earlier one, the first of all knows itself (Tarjan 1975).

@@ -7,6 +7,7 @@ use glam::Vec2;
 
 use super::walk::walk;
 use crate::domain::Domain;
+use crate::order;
 
 /// A straight piece of coast, from one end to the other.
 pub(super) type Piece = [Vec2; 2];
@@ -124,9 +125,8 @@ fn lattice(x: f32, corners: usize) -> (usize, f32) {
 
 /// The value below which the given share of some values lies.
 fn quantile(values: &[f32], share: f32) -> f32 {
-    let mut values = values.to_vec();
     let index = (share * values.len().saturating_sub(1) as f32) as usize;
-    if values.is_empty() { 0.0 } else { *values.select_nth_unstable_by(index, f32::total_cmp).1 }
+    order::sorted(values).get(index).copied().unwrap_or(0.0)
 }
 
 /// Of every corner, the nearest piece of coast: known beside the coast and handed on from corner to corner, as in a

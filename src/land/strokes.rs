@@ -1,12 +1,11 @@
 //! From lines of many points, drawn or traced, to an outline that fits into a link.
 
-use std::cmp::Reverse;
-
 use glam::Vec2;
 use thiserror::Error;
 
 use super::field::LEAST_DRAWN;
 use crate::domain::AREA;
+use crate::order;
 use crate::recipe::{GridPoint, LONGEST_OUTLINE, LineKind, Outline, OutlineError};
 use crate::simplify::significance;
 
@@ -97,8 +96,7 @@ impl Line {
 
 /// Leaves the largest lines, so few that there is room for their shapes too, in their order.
 fn keep_largest(lines: &mut Vec<Line>) {
-    let mut order: Vec<usize> = (0..lines.len()).collect();
-    order.sort_unstable_by_key(|&i| (Reverse(lines[i].size.to_bits()), i));
+    let order = order::ascending(lines.iter().map(|line| !line.size.to_bits()));
     let mut length = 0;
     let mut is_kept = vec![false; lines.len()];
     for i in order {
@@ -113,10 +111,9 @@ fn keep_largest(lines: &mut Vec<Line>) {
 fn least_area(lines: &[Line]) -> f32 {
     let fewest: usize = lines.iter().map(|line| line.kind.length_of(line.kind.fewest())).sum();
     let room = LONGEST_OUTLINE.saturating_sub(fewest) / 4;
-    let mut areas: Vec<f32> = lines.iter().flat_map(|line| &line.areas).copied().filter(|a| a.is_finite()).collect();
+    let areas: Vec<f32> = lines.iter().flat_map(|line| &line.areas).copied().filter(|a| a.is_finite()).collect();
     let above = areas.len().saturating_sub(room + 1);
-    areas.sort_unstable_by(f32::total_cmp);
-    if areas.len() > room { areas[above].max(LEAST_AREA) } else { LEAST_AREA }
+    if areas.len() > room { order::sorted(&areas)[above].max(LEAST_AREA) } else { LEAST_AREA }
 }
 
 /// Whether there are both land and water, by counting on some rows across the domain.
@@ -139,8 +136,7 @@ fn land_on_row(coasts: &[Vec<GridPoint>], y: f32) -> f32 {
         let crossing = edges.filter(|(a, b)| (a.y > y) != (b.y > y));
         crossings.extend(crossing.map(|(a, b)| a.x + (b.x - a.x) * (y - a.y) / (b.y - a.y)));
     }
-    crossings.sort_unstable_by(f32::total_cmp);
-    crossings.chunks_exact(2).map(|pair| pair[1] - pair[0]).sum()
+    order::sorted(&crossings).chunks_exact(2).map(|pair| pair[1] - pair[0]).sum()
 }
 
 #[cfg(test)]
