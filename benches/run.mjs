@@ -25,7 +25,7 @@ const GROUPS = {
   "Growth on land, against growth on the plain rectangle, a node each (100,000 attractors, R = 3)": onLand,
   "Brownian tree on 1024² cells, sensitivity 12": brownian,
   "Drawing 100,000 segments at 1024²": drawing,
-  "A slider moves: regrow and redraw 15,000 attractors at 1024²": slider,
+  "A slider or a pen moves: regrow and redraw 15,000 attractors at 1024²": slider,
   "The page, while 100,000 attractors grow at 1024²": page,
   "The wasm file of the page": size,
 };
@@ -147,6 +147,7 @@ async function slider() {
   for (const [what, task] of [
     ["R = 3", "slider 15000"],
     ["the page's defaults", "page-slider 15000"],
+    ["drawn land, roughened anew, the page's 6,000 attractors", "pen"],
   ]) {
     const [natively, asWasm] = await inTurn(15, [native, task], [wasm, task]);
     row(`wasm, ${what}`, median(asWasm), "ms", atMost(16, 10));

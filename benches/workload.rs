@@ -65,10 +65,14 @@ fn repetition(task: &str) -> Option<Repetition> {
         ["picture"] => changes("width=12", "width=12.5", ATTRACTORS_FOR_SEGMENTS, BARE),
         ["slider", attractors] => changes("reach=3", "reach=3.05", attractors.parse().ok()?, BARE),
         ["page-slider", attractors] => changes("", "reach=2.45", attractors.parse().ok()?, "aspect=1"),
+        ["pen"] => changes("rough=0.5", "rough=0.51", 6000, DRAWN),
         ["differing"] => Some(Box::new(|| differing_bytes().unwrap_or(u32::MAX))),
         _ => None,
     }
 }
+
+/// A land drawn by hand, with a lake and a ridge, at the page's defaults otherwise.
+const DRAWN: &str = "land=drawn&outline=.3CgA5Tmy30twyhyhrhz8lJzMgAyja2zMUez8NeyhILtwGsmyI9gAMza2P7WuR8R8UeMDZNGsf_EfmyGsrhMDuDR8wEWuzMa2.jMZmoUa4mZgA.AAzMHr2ZJm__AA__..TMgAcznr";
 
 /// The work all figures agree on: one mouth in a square, kill and step half a spacing, everything that has grown stays.
 const BARE: &str = "aspect=1&mouths=1&reach=3&kill=0.5&step=0.5&trim=0";

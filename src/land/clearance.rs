@@ -33,25 +33,14 @@ impl Clearance {
 
     /// From tile to neighbouring tile, there and back (Rosenfeld and Pfaltz 1968): king's moves.
     fn spread(&mut self) {
-        let (columns, rows) = (self.columns, self.tiles.len() / self.columns);
-        let mut hear = |i: usize, other: usize| self.tiles[i] = self.tiles[i].min(self.tiles[other].saturating_add(1));
-        for i in 0..columns * rows {
-            let (column, row) = (i % columns, i / columns);
-            if column > 0 {
-                hear(i, i - 1);
-            }
-            if row > 0 {
-                (column.saturating_sub(1)..(column + 2).min(columns)).for_each(|c| hear(i, (row - 1) * columns + c));
-            }
+        let columns = self.columns;
+        for row in 0..self.tiles.len() / columns {
+            let (before, rest) = self.tiles.split_at_mut(row * columns);
+            hear(&mut rest[..columns], before.rchunks(columns).next());
         }
-        for i in (0..columns * rows).rev() {
-            let (column, row) = (i % columns, i / columns);
-            if column + 1 < columns {
-                hear(i, i + 1);
-            }
-            if row + 1 < rows {
-                (column.saturating_sub(1)..(column + 2).min(columns)).for_each(|c| hear(i, (row + 1) * columns + c));
-            }
+        for row in (0..self.tiles.len() / columns).rev() {
+            let (rest, after) = self.tiles.split_at_mut((row + 1) * columns);
+            hear(&mut rest[row * columns..], after.chunks(columns).next());
         }
     }
 
@@ -62,6 +51,20 @@ impl Clearance {
         let between = self.tiles.get(tile).map_or(0, |tiles| tiles.saturating_sub(1));
         f32::from(between) * TILE as f32 >= distance
     }
+}
+
+/// Each tile of a row asks those of the row beside it, and its neighbours to the left and right.
+fn hear(row: &mut [u8], other: Option<&[u8]>) {
+    if let Some(other) = other {
+        let nearest = |i: usize| other[i.saturating_sub(1)].min(other[i]).min(other[(i + 1).min(other.len() - 1)]);
+        row.iter_mut().enumerate().for_each(|(i, tile)| *tile = (*tile).min(nearest(i).saturating_add(1)));
+    }
+    let mut tell = |nearest: u8, tile: &mut u8| {
+        *tile = (*tile).min(nearest.saturating_add(1));
+        *tile
+    };
+    row.iter_mut().fold(u8::MAX, &mut tell);
+    row.iter_mut().rev().fold(u8::MAX, tell);
 }
 
 #[cfg(test)]

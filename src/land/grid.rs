@@ -103,19 +103,26 @@ impl Grid {
     /// All cells of a region beside the sea.
     pub fn shores(&self, region: &Region, relief: &Relief) -> Vec<Shore> {
         let mut shores = Vec::new();
-        let is_water = |column, row| self.index(column, row).is_some_and(|i| self.cells[i] == Cell::Unavailable);
+        let is_water = |cells: &[Cell], column: usize| cells.get(column) == Some(&Cell::Unavailable);
         for run in &region.runs {
-            let (row, start, end) = (run.row as i32, run.start as i32, run.end as i32);
+            let (row, start, end) = (run.row as usize, run.start as usize, run.end as usize);
+            let (above, here, below) = (self.row(row.wrapping_sub(1)), self.row(row), self.row(row + 1));
             for column in start..end {
-                let (first, last) = (column == start, column + 1 == end);
-                let beside = (first && is_water(column - 1, row)) || (last && is_water(column + 1, row));
-                if beside || is_water(column, row - 1) || is_water(column, row + 1) {
-                    let at = middle(column, row).min(self.size);
+                let west = column == start && is_water(here, column.wrapping_sub(1));
+                let east = column + 1 == end && is_water(here, column + 1);
+                if west || east || is_water(above, column) || is_water(below, column) {
+                    let at = middle(column as i32, row as i32).min(self.size);
                     shores.push(Shore { at, inland: relief.slope(at).normalize_or(Vec2::NEG_Y) });
                 }
             }
         }
         shores
+    }
+
+    /// The cells of a row; none outside.
+    fn row(&self, row: usize) -> &[Cell] {
+        let columns = self.columns as usize;
+        row.checked_mul(columns).and_then(|start| self.cells.get(start..start + columns)).unwrap_or_default()
     }
 
     /// A cell by its place; water outside.

@@ -19,15 +19,32 @@ pub(super) fn compose(
     let width = pixmap.width() as usize;
     for row in rect.top as usize..rect.bottom as usize {
         let (start, end) = (row * width + rect.left as usize, row * width + rect.right as usize);
-        let pixels = pixmap.data_mut()[start * 4..end * 4].chunks_exact_mut(4);
+        let pixels = &mut pixmap.data_mut()[start * 4..end * 4];
         let coverage = &coverage.mask().data()[start..end];
         match ground {
-            None => pixels.zip(coverage).for_each(|(pixel, &c)| pixel.copy_from_slice(&palette.ramp[c as usize])),
-            Some(ground) => {
-                for ((pixel, &c), ground) in pixels.zip(coverage).zip(&ground[start..end]) {
-                    pixel.copy_from_slice(&over(*ground, palette, c));
-                }
-            }
+            None => on_plain_land(pixels, coverage, palette),
+            Some(ground) => on_ground(pixels, coverage, palette, &ground[start..end]),
+        }
+    }
+}
+
+fn on_plain_land(pixels: &mut [u8], coverage: &[u8], palette: &Palette) {
+    for (pixel, &coverage) in pixels.chunks_exact_mut(4).zip(coverage) {
+        pixel.copy_from_slice(&palette.ramp[coverage as usize]);
+    }
+}
+
+/// Most of a map has no river: there the ground is copied, many pixels at a time.
+fn on_ground(pixels: &mut [u8], coverage: &[u8], palette: &Palette, ground: &[[u8; 4]]) {
+    const MANY: usize = 16;
+    for ((pixels, coverage), ground) in pixels.chunks_mut(MANY * 4).zip(coverage.chunks(MANY)).zip(ground.chunks(MANY))
+    {
+        if coverage.iter().fold(0, |any, &coverage| any | coverage) == 0 {
+            pixels.copy_from_slice(ground.as_flattened());
+            continue;
+        }
+        for ((pixel, &coverage), ground) in pixels.chunks_exact_mut(4).zip(coverage).zip(ground) {
+            pixel.copy_from_slice(&over(*ground, palette, coverage));
         }
     }
 }
