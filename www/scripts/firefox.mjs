@@ -22,6 +22,7 @@ console.log(await browser.version());
 try {
   await growsToTheEnd();
   await changesAndKeepsItsAddress();
+  await followsAFragment();
   await isExact();
 } finally {
   await browser.close();
@@ -64,6 +65,19 @@ async function changesAndKeepsItsAddress() {
   assert.deepEqual(complaints, []);
   await page.close();
   console.log("  a slider changes it and the address follows");
+}
+
+async function followsAFragment() {
+  const { page, complaints } = await open("?seed=kauri&attractors=300");
+  await page.waitForSelector('#frame[data-state="finished"]');
+  await page.evaluate(() => {
+    location.hash = "seed=rimu&attractors=300";
+  });
+  await page.waitForFunction(() => document.querySelector("#title").textContent === "rimu");
+  await page.waitForFunction(() => location.hash === "" && location.search.includes("rimu"));
+  assert.deepEqual(complaints, []);
+  await page.close();
+  console.log("  a link in the fragment is opened");
 }
 
 async function isExact() {

@@ -5,15 +5,26 @@ export interface Size {
   height: number;
 }
 
+/** A place on the page, in CSS pixels. */
+export interface Box extends Size {
+  x: number;
+  y: number;
+}
+
 /** Beyond two pixels to the CSS pixel nobody sees the difference, and painting takes four times as long. */
 const RATIO_CAP = 2;
 /** 2048²: copying more than this takes longer than 2 ms of a frame. */
 const AREA_CAP = 4_194_304;
 
-/** The canvas's own size for a size on the page; 0 when it is not shown at all. */
-export function backingSize(css: Size, devicePixelRatio: number): Size {
-  if (!(css.width > 0 && css.height > 0)) return { width: 0, height: 0 };
+/**
+ * The canvas's own size for a place on the page; 0 when it is not shown at all. Both edges go to the nearest pixel of
+ * the screen, as the browser does with them: a canvas of one pixel more or less would be stretched, and all lines soft.
+ */
+export function backingSize({ x, y, width, height }: Box, devicePixelRatio: number): Size {
+  if (!(width > 0 && height > 0)) return { width: 0, height: 0 };
   const ratio = Math.min(devicePixelRatio, RATIO_CAP);
-  const scale = Math.min(ratio, Math.sqrt(AREA_CAP / (css.width * css.height)));
-  return { width: Math.max(1, Math.round(css.width * scale)), height: Math.max(1, Math.round(css.height * scale)) };
+  const scale = Math.min(ratio, Math.sqrt(AREA_CAP / (width * height)));
+  const pixels = (from: number, length: number) =>
+    Math.max(1, Math.round((from + length) * scale) - Math.round(from * scale));
+  return { width: pixels(x, width), height: pixels(y, height) };
 }

@@ -1,10 +1,16 @@
 /** One control for one row of the parameter table: its label, the value, what it does, and the way back to the default. */
 
 import type { Parameter } from "../pkg/riverseed.js";
-import { el, setValue } from "./dom.ts";
-import { type Change, type Control, type Field, fieldId, helpId } from "./field.ts";
+import { el, setText, setValue } from "./dom.ts";
+import { type Change, type Field, fieldId, helpId } from "./field.ts";
 import { numberControl } from "./number.ts";
 import { rangeOf, sidesOf, sidesText } from "./values.ts";
+
+export interface Control {
+  readonly element: HTMLElement;
+  /** Shows a value, given as link text, and why it does nothing, if so: it is kept, and cannot be changed. */
+  show(text: string, idle: string | undefined): void;
+}
 
 export function control(parameter: Parameter, change: Change): Control {
   const field = fieldFor(parameter, change);
@@ -14,12 +20,20 @@ export function control(parameter: Parameter, change: Change): Control {
   });
   const help = el("p", { class: "help", id: helpId(parameter) }, parameter.help);
   const head = el("div", { class: "control-head" }, field.label, reset, ...(field.aside ? [field.aside] : []));
-  const element = el("div", { class: `control control-${parameter.kind}`, "data-key": parameter.key });
+  // A fieldset can be disabled with all that is in it; to a screen reader it is no group.
+  const element = el("fieldset", {
+    role: "none",
+    class: `control control-${parameter.kind}`,
+    "data-key": parameter.key,
+  });
+  field.element.classList.add("field");
   element.append(head, field.element, help);
   return {
     element,
-    show(text) {
-      reset.hidden = text === parameter.default;
+    show(text, idle) {
+      element.disabled = idle !== undefined;
+      setText(help, idle ?? parameter.help);
+      reset.hidden = text === parameter.default || idle !== undefined;
       field.show(text);
     },
   };

@@ -1,9 +1,10 @@
 /** All controls of the recipe but the seed, generated from the parameter table, under the table's own headings. */
 
 import type { Parameter } from "../pkg/riverseed.js";
-import { control } from "./control.ts";
+import { type Control, control } from "./control.ts";
 import { el } from "./dom.ts";
-import type { Change, Control } from "./field.ts";
+import type { Change } from "./field.ts";
+import { idleReason } from "./idle.ts";
 import { rangeOf } from "./values.ts";
 
 export interface Controls {
@@ -33,7 +34,7 @@ export function controls(table: readonly Parameter[], change: Change): Controls 
     show(values) {
       for (const [key, one] of made) {
         const text = values.get(key);
-        if (text !== undefined) one.show(text);
+        if (text !== undefined) one.show(text, idleReason(key, values));
       }
     },
   };

@@ -217,6 +217,13 @@ export class Drawing {
     if (isNew) this.events.drawn(outline);
   }
 
+  /** A button that has nothing left to do gives the focus to the tool in hand; it would be lost otherwise. */
+  #keepFocus(): void {
+    const { undo, clear, coast, ridge } = this.parts;
+    const isLost = [undo, clear].some((button) => button.disabled && button === document.activeElement);
+    if (isLost) (this.#kind === "coast" ? coast : ridge).focus({ preventScroll: true });
+  }
+
   #say(text: string): void {
     setText(this.parts.told, text);
   }
@@ -228,6 +235,7 @@ export class Drawing {
     undo.disabled = !canUndo;
     clear.disabled = lines.length === 0;
     if (!this.#isOpen) return;
+    this.#keepFocus();
     const raw = this.#kept === NOTHING ? lines : lines.slice(isLive ? -1 : lines.length);
     showLines(sketch, this.#kept, raw);
   }

@@ -5,16 +5,13 @@ import type { Parameter } from "../pkg/riverseed.js";
 /** Told the key and the new value as link text. */
 export type Change = (key: string, text: string) => void;
 
-export interface Control {
-  readonly element: HTMLElement;
-  /** Shows a value, given as link text. */
-  show(text: string): void;
-}
-
 /** What is particular to a kind: its field, and where the focus goes when the reset button vanishes. */
-export interface Field extends Control {
+export interface Field {
+  readonly element: HTMLElement;
   readonly label: HTMLElement;
   readonly aside?: HTMLElement;
+  /** Shows a value, given as link text. */
+  show(text: string): void;
   focus(): void;
 }
 

@@ -84,7 +84,8 @@ class Page {
     parts.copy.addEventListener("click", () => void this.#copyLink());
     parts.drawing.draw.addEventListener("click", () => this.#showDrawing());
     listenForPictures(parts.drawing, (file) => void this.#trace(file));
-    for (const event of ["popstate", "hashchange"]) window.addEventListener(event, () => this.#followAddress());
+    // Not hashchange as well: it follows the popstate of another fragment, whose link would be opened twice.
+    window.addEventListener("popstate", () => this.#followAddress());
     window.addEventListener("pagehide", () => this.#address.flush());
   }
 

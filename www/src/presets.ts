@@ -7,11 +7,12 @@ export type Values = readonly (readonly [key: string, value: string])[];
 
 /**
  * What pressing a preset sets. A preset leaves a key out to mean its default, so whatever any preset names goes back to
- * its default first; the seed, the land and all else that no preset speaks of stay as they are.
+ * its default first; the seed, the land and all else that no preset speaks of stay as they are. All presets are ways of
+ * the growth that is the default.
  */
 export function presetValues(preset: Preset, all: readonly Preset[], table: readonly Parameter[]): Values {
   const own = new Map(preset.values);
-  const named = new Set(all.flatMap(({ values }) => values.map(([key]) => key)));
+  const named = new Set(["growth", ...all.flatMap(({ values }) => values.map(([key]) => key))]);
   return table
     .filter(({ key }) => named.has(key))
     .map((parameter) => [parameter.key, own.get(parameter.key) ?? parameter.default]);

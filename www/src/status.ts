@@ -20,9 +20,13 @@ export function sizeOf(summary: Summary): string {
 /** What the search left: how many nodes grew, how many attractors nothing reached, and why it ended early, if it did. */
 export function remainderOf(summary: Summary): string {
   const nodes = counted(summary.nodes, "node", "nodes");
-  const unreached = `${count(summary.unreached)} of ${counted(summary.attractors, "attractor", "attractors")} unreached`;
+  // A Brownian tree has no attractors.
+  const unreached =
+    summary.attractors === 0
+      ? ""
+      : `; ${count(summary.unreached)} of ${counted(summary.attractors, "attractor", "attractors")} unreached`;
   const stopped = summary.stopped ? ` ${summary.stopped}` : "";
-  return `${nodes}; ${unreached}.${stopped}`;
+  return `${nodes}${unreached}.${stopped}`;
 }
 
 /** The sentence of the finished state. */

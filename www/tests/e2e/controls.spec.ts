@@ -1,5 +1,6 @@
 import { expect, type Locator, type Page, test } from "@playwright/test";
 import { isAdjustable } from "../../src/controls.ts";
+import { idleReason } from "../../src/idle.ts";
 import { engine, pictureOf } from "../core.ts";
 import { address, expectAddress, finished, openFinished, recordStates, shown } from "./riverpage.ts";
 
@@ -7,6 +8,19 @@ import { address, expectAddress, finished, openFinished, recordStates, shown } f
 const SMALL = "seed=kauri&attractors=300&edition=1";
 
 const adjustable = engine.parameters().filter(isAdjustable);
+
+function reasonIn(link: string, key: string): string | undefined {
+  return idleReason(key, new Map(engine.readLink(link).values));
+}
+
+/** Recipes in one of which every control has something to do. */
+const CONTEXTS = [SMALL, `${SMALL}&curl=0.5`, `${SMALL}&land=island&mouths=30`, `${SMALL}&growth=brownian`];
+
+function contextOf(key: string): string {
+  const link = CONTEXTS.find((one) => reasonIn(one, key) === undefined);
+  if (link === undefined) throw new Error(`${key} does nothing in any recipe here`);
+  return link;
+}
 
 function row(page: Page, key: string): Locator {
   return page.locator(`[data-key="${key}"]`);
@@ -23,19 +37,53 @@ async function expectPictureOfAddress(page: Page): Promise<void> {
     .toBe(true);
 }
 
-test("every row of the table has a control with its label, help and value", async ({ page }) => {
-  await openFinished(page);
-  await expect(page.locator("[data-key]")).toHaveCount(adjustable.length);
-  for (const { key, label, help } of adjustable) {
-    await expect(row(page, key)).toContainText(label);
-    await expect(row(page, key)).toContainText(help);
-  }
+for (const link of CONTEXTS) {
+  test(`every row of the table has a control with its label, and its help or why it is idle: ?${link}`, async ({
+    page,
+  }) => {
+    await openFinished(page, link);
+    await expect(page.locator("[data-key]")).toHaveCount(adjustable.length);
+    for (const { key, label, help } of adjustable) {
+      const reason = reasonIn(link, key);
+      await expect(row(page, key)).toContainText(label);
+      await expect(row(page, key).locator(".help")).toHaveText(reason ?? help);
+      for (const field of await row(page, key).locator("input, select").all()) {
+        if (reason === undefined) await expect(field).toBeEnabled();
+        else await expect(field).toBeDisabled();
+      }
+    }
+  });
+}
+
+test("an idle control keeps its value and has it again", async ({ page }) => {
+  await openFinished(page, `${SMALL}&land=island&sea=0.3`);
+  const land = page.getByLabel("Land", { exact: true });
+  const sea = page.getByRole("slider", { name: "Sea", exact: true });
+  await expect(sea).toBeEnabled();
+  await land.selectOption("rectangle");
+  await expect(row(page, "sea")).toContainText("it has no coast");
+  await expect(row(page, "sea").locator(".exact")).toHaveValue("0.3");
+  await expect(row(page, "sea").getByRole("button")).toHaveCount(0);
+  await expect(sea).toHaveCount(0);
+  await expectAddress(page, "sea", "0.3");
+  await land.selectOption("island");
+  await expect(sea).toHaveValue("0.3");
+  await expectPictureOfAddress(page);
+});
+
+test("a preset is a way of space colonization, and goes back to it", async ({ page }) => {
+  await openFinished(page, "seed=kauri&growth=brownian&sensitivity=40&attractors=300");
+  await expect(page.locator('#presets [aria-pressed="true"]')).toHaveCount(0);
+  await page.getByRole("button", { name: "Momentum", exact: true }).click();
+  await expectAddress(page, "growth", null);
+  await expect(page.getByRole("slider", { name: "Momentum" })).toBeEnabled();
+  await expectPictureOfAddress(page);
 });
 
 for (const { key, label, stage, default: value } of adjustable.filter(({ min }) => min !== undefined)) {
   test(`the slider of ${key} changes the picture, and reset brings it back`, async ({ page }) => {
     const states = await recordStates(page);
-    await openFinished(page, key === "attractors" ? "" : SMALL);
+    await openFinished(page, key === "attractors" ? "" : contextOf(key));
     const before = await shown(page);
     const began = (await states()).length;
     const slider = row(page, key).getByRole("slider");
@@ -44,6 +92,7 @@ for (const { key, label, stage, default: value } of adjustable.filter(({ min }) 
     for (let i = 0; i < 3; i++) await page.keyboard.press("PageUp");
     await expect.poll(() => address(page).has(key)).toBe(true);
     await expectPictureOfAddress(page);
+    expect((await shown(page)).sha256).not.toBe(before.sha256);
     const exact = row(page, key).locator(".exact");
     await expect.poll(async () => (await exact.inputValue()) === address(page).get(key)).toBe(true);
     await row(page, key)
@@ -74,14 +123,16 @@ test("a slider that is dragged ends on the picture of its last value", async ({ 
   await expectPictureOfAddress(page);
 });
 
-test("choices change the picture", async ({ page }) => {
-  await openFinished(page, SMALL);
-  for (const { key, choices } of adjustable.filter(({ kind }) => kind === "choice")) {
+for (const { key, choices } of adjustable.filter(({ kind }) => kind === "choice")) {
+  test(`the choices of ${key} change the picture`, async ({ page }) => {
+    await openFinished(page, contextOf(key));
+    const before = await shown(page);
     await row(page, key).getByRole("combobox").selectOption({ index: 1 });
     await expectAddress(page, key, choices?.[1]?.value ?? "");
     await expectPictureOfAddress(page);
-  }
-});
+    expect((await shown(page)).sha256).not.toBe(before.sha256);
+  });
+}
 
 test("sides are ticked, and the last one stays", async ({ page }) => {
   await openFinished(page, SMALL);
@@ -182,7 +233,11 @@ test("everything can be reached and used by keyboard alone", async ({ page }) =>
   for (const id of ["play", "restart", "speed", "seed", "dice", "download", "copy", "reset"])
     expect(order).toContain(id);
   for (const { label } of engine.presets()) expect(order).toContain(label);
-  for (const { key, kind } of adjustable) if (kind !== "sides") expect(order).toContain(`field-${key}`);
+  for (const { key, kind } of adjustable) {
+    if (kind === "sides") continue;
+    if (reasonIn(SMALL, key) === undefined) expect(order).toContain(`field-${key}`);
+    else expect(order).not.toContain(`field-${key}`);
+  }
   for (const side of ["n", "e", "s", "w"]) expect(order).toContain(side);
 });
 

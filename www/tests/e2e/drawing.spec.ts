@@ -201,6 +201,24 @@ test("ridges, undo and clear change the link, and escape ends drawing", async ({
   await expect(page.getByRole("button", { name: "Draw", exact: true })).toBeFocused();
 });
 
+test("Clear and Undo by keyboard keep the focus among the tools", async ({ page }) => {
+  await openTool(page);
+  await draw(page, BLOB);
+  await expectAddress(page, "land", "drawn");
+  const clear = page.getByRole("button", { name: "Clear" });
+  await clear.focus();
+  await page.keyboard.press("Enter");
+  await expect(clear).toBeDisabled();
+  await expect(page.getByRole("button", { name: "Coast" })).toBeFocused();
+  const undo = page.getByRole("button", { name: "Undo" });
+  await undo.focus();
+  await page.keyboard.press("Enter");
+  await expect(undo).toBeFocused();
+  await page.keyboard.press("Enter");
+  await expect(undo).toBeDisabled();
+  await expect(page.getByRole("button", { name: "Coast" })).toBeFocused();
+});
+
 test("what is too small for a land is said, and stays to be drawn on", async ({ page }) => {
   await openTool(page);
   await draw(page, [

@@ -1,4 +1,4 @@
-import { expect, test } from "@playwright/test";
+import { expect, type Page, test } from "@playwright/test";
 import { WRITE_EVERY_MS } from "../../src/link.ts";
 import { engine, pictureOf } from "../core.ts";
 import { address, expectAddress, finished, openFinished, shown } from "./riverpage.ts";
@@ -7,6 +7,7 @@ for (const link of [
   "seed=kauri",
   "seed=wai%20%26%20roto&preset=trimmed-curl&sides=nw&mouths=5",
   "seed=kea&style=skeleton&preset=momentum&attractors=900&aspect=0.7",
+  "land=archipelago&attractors=900&sea=0.6",
 ]) {
   test(`opening ?${link} shows the picture that the River class draws`, async ({ page }) => {
     await openFinished(page, link);
@@ -108,6 +109,63 @@ test("a link in the fragment, and going back, change the picture without a reloa
   await expect(page.locator("#title")).toHaveText("first");
   await finished(page);
   expect(await shown(page)).toEqual(first);
+});
+
+/** Counts the calls of a function of the engine. Call before `goto`. */
+async function countCalls(page: Page, name: string): Promise<() => Promise<number>> {
+  await page.addInitScript((counted) => {
+    const count = { calls: 0 };
+    Object.assign(globalThis, { count });
+    const instantiate = WebAssembly.instantiate;
+    const counting = async (...given: Parameters<typeof instantiate>) => {
+      const instance = (await Reflect.apply(instantiate, WebAssembly, given)) as unknown as WebAssembly.Instance;
+      const original = instance.exports[counted] as (...args: unknown[]) => unknown;
+      const calling = (...args: unknown[]): unknown => {
+        count.calls += 1;
+        return original(...args);
+      };
+      const exports = { ...instance.exports, [counted]: calling };
+      return Object.create(WebAssembly.Instance.prototype, { exports: { value: exports } });
+    };
+    WebAssembly.instantiate = counting as unknown as typeof instantiate;
+  }, name);
+  return () => page.evaluate(() => (globalThis as unknown as { count: { calls: number } }).count.calls);
+}
+
+for (const link of ["land=archipelago&growth=brownian", "seed=kea&land=island&attractors=300"]) {
+  test(`a link in the fragment, #${link}, shows what the same link as a query does`, async ({ page }) => {
+    await page.emulateMedia({ reducedMotion: "reduce" });
+    await page.goto(`./#${link}`);
+    await finished(page);
+    const { width, height, sha256 } = await shown(page);
+    const expected = pictureOf(link, width, height);
+    expect(sha256).toBe(expected.sha256);
+    await expect(page.locator("#caption")).toContainText(`${expected.summary.mouths} rivers`);
+    expect(new URL(page.url()).hash).toBe("");
+    expect(new URL(page.url()).search.slice(1)).toBe(engine.readLink(link).link);
+  });
+}
+
+test("a link in the fragment is opened once, however soon after another change", async ({ page }) => {
+  const readings = await countCalls(page, "readLink");
+  await openFinished(page, "attractors=300");
+  await page.evaluate(() => {
+    window.addEventListener("hashchange", () => {
+      document.body.dataset["followed"] = "yes";
+    });
+  });
+  for (const seed of ["first", "second", "third"]) {
+    const before = await readings();
+    // A canonical link would not be read again.
+    const hash = `attractors=300&seed=${seed}&curl=0.50`;
+    await page.evaluate((hash) => {
+      location.hash = hash;
+    }, hash);
+    await expect(page.locator("body")).toHaveAttribute("data-followed", "yes");
+    await expect(page.locator("#title")).toHaveText(seed);
+    expect((await readings()) - before).toBe(1);
+    await page.locator("body").evaluate((body) => body.removeAttribute("data-followed"));
+  }
 });
 
 test("Copy link gives the whole address of what is shown, at once", async ({ page, context }) => {

@@ -67,6 +67,67 @@ for (const { name, ...viewport } of SIZES) {
   });
 }
 
+/** The widths at which the layout changes, and the desk's smallest, with their neighbours. */
+for (const width of [320, 519, 520, 820, 859, 860, 999, 1000, 1040, 1090, 1200, 1280, 1440]) {
+  test(`the legend stays under the picture and beside nothing, drawing or not, ${width} wide`, async ({ page }) => {
+    await page.setViewportSize({ width, height: 720 });
+    await openFinished(page, "attractors=300");
+    const legend = page.locator(".legend");
+    const frame = await page.locator("#frame").boundingBox();
+    const before = await legend.boundingBox();
+    if (!frame || !before) throw new Error("no legend");
+    const expectInStage = async (selector: string): Promise<void> => {
+      const stage = await page.locator(".stage").boundingBox();
+      if (!stage) throw new Error("no stage");
+      for (const part of await legend.locator(selector).all()) {
+        const { x, y, width, height } = (await part.boundingBox()) ?? { x: 0, y: 0, width: 0, height: 0 };
+        if (width === 0) continue;
+        const name = await part.evaluate((element) => element.outerHTML);
+        expect(x, name).toBeGreaterThanOrEqual(stage.x);
+        expect(x + width, name).toBeLessThanOrEqual(stage.x + stage.width);
+        expect(y, name).toBeGreaterThanOrEqual(frame.y + frame.height);
+        expect(y + height, name).toBeLessThanOrEqual(stage.y + stage.height);
+      }
+    };
+    await expectInStage("p, button, input");
+    await page.getByRole("button", { name: "Draw", exact: true }).click();
+    await expect(page.locator("#tools")).toBeVisible();
+    await expectInStage("p, button");
+    expect(await page.locator("#frame").boundingBox()).toEqual(frame);
+    // Phones may need a second row of buttons.
+    if (width >= 520) expect(Math.abs(((await legend.boundingBox())?.height ?? 0) - before.height)).toBeLessThan(4);
+  });
+}
+
+for (const [width, height] of [
+  [1440, 900],
+  [1280, 800],
+  [1100, 700],
+  [820, 1180],
+  [390, 844],
+] as const) {
+  test(`the screen shows the picture's own pixels, not a stretched copy, ${width} by ${height}`, async ({ page }) => {
+    await page.setViewportSize({ width, height });
+    await openFinished(page, "land=island&attractors=300");
+    const screen = `data:image/png;base64,${(await page.screenshot()).toString("base64")}`;
+    const different = await page.locator("canvas").evaluate(async (canvas: HTMLCanvasElement, screen) => {
+      const image = new Image();
+      image.src = screen;
+      await image.decode();
+      const copy = document.createElement("canvas");
+      const { width, height } = canvas;
+      Object.assign(copy, { width, height });
+      const context = copy.getContext("2d");
+      const { left, top } = canvas.getBoundingClientRect();
+      context?.drawImage(image, -Math.round(left), -Math.round(top));
+      const seen = context?.getImageData(0, 0, width, height).data ?? [];
+      const own = canvas.getContext("2d")?.getImageData(0, 0, width, height).data ?? [];
+      return [...own].filter((byte, i) => byte !== seen[i]).length;
+    }, screen);
+    expect(different).toBe(0);
+  });
+}
+
 test("a screen with fine pixels gets a fine picture, up to two to the CSS pixel", async ({ browser }) => {
   for (const [ratio, expected] of [
     [1, 1],

@@ -42,7 +42,7 @@ test("two notes about one key are both kept", () => {
 test("each preset is shown by its own values and by no other preset's", () => {
   for (const preset of presets) {
     const recipe = fresh();
-    recipe.open("seed=rimu&attractors=900&curl=1.7&momentum=0.3&trim=40");
+    recipe.open("seed=rimu&attractors=900&curl=1.7&momentum=0.3&trim=40&growth=brownian");
     recipe.set(presetValues(preset, presets, table));
     const shown = presets.filter((one) => isShown(presetValues(one, presets, table), recipe.values));
     expect(shown.map(({ name }) => name)).toEqual([preset.name]);

@@ -23,6 +23,11 @@ test("the finished state is a sentence with its counts", () => {
   );
 });
 
+test("where there are no attractors none are counted", () => {
+  const brownian = { ...summary, attractors: 0, unreached: 0 };
+  expect(sentence(brownian)).toBe("1 river, 210 sources, Strahler order 5. 12,345 nodes.");
+});
+
 test("an early end says why", () => {
   expect(sentence({ ...summary, stopped: "Growth died out early." })).toMatch(/unreached\. Growth died out early\.$/);
 });
@@ -51,12 +56,18 @@ test("a file is named after its seed, in any script, and after nothing else", ()
 });
 
 test("a canvas has the screen's pixels, up to two a CSS pixel and four million in all", () => {
-  expect(backingSize({ width: 300, height: 200 }, 1)).toEqual({ width: 300, height: 200 });
-  expect(backingSize({ width: 300, height: 200 }, 3)).toEqual({ width: 600, height: 400 });
-  const { width, height } = backingSize({ width: 4000, height: 2000 }, 2);
+  const place = { x: 0, y: 0, width: 300, height: 200 };
+  expect(backingSize(place, 1)).toEqual({ width: 300, height: 200 });
+  expect(backingSize(place, 3)).toEqual({ width: 600, height: 400 });
+  const { width, height } = backingSize({ ...place, width: 4000, height: 2000 }, 2);
   expect(width * height).toBeLessThanOrEqual(4_200_000);
   expect(width / height).toBeCloseTo(2, 2);
-  expect(backingSize({ width: 0, height: 0 }, 2)).toEqual({ width: 0, height: 0 });
+  expect(backingSize({ ...place, width: 0, height: 0 }, 2)).toEqual({ width: 0, height: 0 });
+});
+
+test("a canvas between two pixels of the screen ends where the browser rounds its edges to", () => {
+  expect(backingSize({ x: 38.6, y: 83.3, width: 978.8, height: 652.9 }, 1)).toEqual({ width: 978, height: 653 });
+  expect(backingSize({ x: 38.3, y: 83.3, width: 978.3, height: 652.1 }, 1.5)).toEqual({ width: 1468, height: 978 });
 });
 
 test("speeds have names", () => {
