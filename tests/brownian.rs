@@ -9,7 +9,7 @@ use proptest::prelude::*;
 use riverseed::grow::{Brownian, Ending, Field, Growth, Order, Parameters};
 use riverseed::land::Cell;
 use riverseed::random::Seed;
-use riverseed::recipe::{Sides, link};
+use riverseed::recipe::{Key, Sides, link};
 use riverseed::session::Session;
 use riverseed::tree::{NO_PARENT, Tree};
 
@@ -175,7 +175,9 @@ proptest! {
 
     #[test]
     fn any_recipe_grows_a_tree_that_keeps_every_promise(link in random_link(100), sensitivity in 16u32..=64) {
-        let recipe = link::read(&format!("{link}&growth=brownian&sensitivity={sensitivity}")).unwrap();
+        let mut recipe = link::read(&link).unwrap();
+        recipe.set(Key::Growth, "brownian").unwrap();
+        recipe.set(Key::Sensitivity, &sensitivity.to_string()).unwrap();
         let mut growth = Growth::new(Parameters::of(&recipe)).unwrap();
         while growth.tick() {}
         prop_assert_eq!(growth.ending(), Some(Ending::Complete));

@@ -44,7 +44,11 @@ proptest! {
 
     #[test]
     fn changing_to_another_recipe_gives_its_picture(link in random_link(400), other in random_link(400)) {
-        let recipe = |link: &str| link::read(&format!("{link}&growth=brownian&sensitivity=60")).unwrap();
+        let recipe = |link: &str| {
+            let mut recipe = link::read(link).unwrap();
+            recipe.set(Key::Growth, "brownian").unwrap();
+            recipe
+        };
         for (from, to) in [(link::read(&link).unwrap(), recipe(&other)), (recipe(&link), link::read(&other).unwrap())] {
             // With the same domain, the picture's memory may be kept.
             let mut to = to;

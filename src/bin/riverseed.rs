@@ -258,8 +258,12 @@ fn grow(recipe: Recipe, size: u32, progress: &ProgressBar) -> Result<Session, Fa
     }
     if session.summary().is_stalled() {
         let (attractors, unreached) = (session.growth().attractors(), session.growth().unreached());
-        let advice = "a longer reach, a shorter kill distance, a shorter step or less curl helps";
-        eprintln!("riverseed: growth died out, {unreached} of {attractors} attractors unreached; {advice}");
+        if session.summary().nodes == 0 {
+            eprintln!("riverseed: no river grew: no land lies open to the sea");
+        } else {
+            let advice = "a longer reach, a shorter kill distance, a shorter step, less curl or land less cut up helps";
+            eprintln!("riverseed: growth died out, {unreached} of {attractors} attractors unreached; {advice}");
+        }
     }
     Ok(session)
 }

@@ -164,15 +164,15 @@ impl Attractors {
     }
 
     /// Gives a new node all attractors that it is nearest to, tells of each, and returns their pull. Where two nodes are
-    /// equally near, the earlier keeps the attractor. Behind a ridge of `ridged` land there is none.
-    pub fn capture(&mut self, node: u32, at: Vec2, ridged: Option<&Land>, tell: impl FnMut(Capture)) -> Pull {
+    /// equally near, the earlier keeps the attractor. Land that is `hiding` some is asked which.
+    pub fn capture(&mut self, node: u32, at: Vec2, hiding: Option<&Land>, tell: impl FnMut(Capture)) -> Pull {
         self.hits.clear();
-        self.find_nearer(at, ridged);
+        self.find_nearer(at, hiding);
         self.hand_over(node, at, tell)
     }
 
     /// Looks for attractors that a place is nearer to than their nearest node, and notes the new distance.
-    fn find_nearer(&mut self, at: Vec2, ridged: Option<&Land>) {
+    fn find_nearer(&mut self, at: Vec2, hiding: Option<&Land>) {
         let (columns, rows) = (self.cells_within(at.x, self.columns), self.cells_within(at.y, self.rows));
         let half = self.cell * 0.5;
         // Counted on, since V8 is slow to make floats of whole numbers.
@@ -187,7 +187,7 @@ impl Attractors {
                 let squared = f32x4::splat(gap_x * gap_x + gap_y * gap_y);
                 if squared.simd_lt(cell.farthest).any() {
                     let blocks = &mut self.blocks[cell.first as usize..cell.end as usize];
-                    cell.farthest = find_nearer_in(blocks, cell.first, at, ridged, &mut self.hits) * OVER_ROUNDING;
+                    cell.farthest = find_nearer_in(blocks, cell.first, at, hiding, &mut self.hits) * OVER_ROUNDING;
                 }
                 x += self.cell;
             }
@@ -280,7 +280,7 @@ impl Attractors {
 /// Looks through a cell's blocks, the first of them being number `first`. Returns how far its attractors are from their
 /// nearest nodes at most, lane by lane.
 #[inline]
-fn find_nearer_in(blocks: &mut [Block], first: u32, at: Vec2, ridged: Option<&Land>, hits: &mut Vec<Hit>) -> f32x4 {
+fn find_nearer_in(blocks: &mut [Block], first: u32, at: Vec2, hiding: Option<&Land>, hits: &mut Vec<Hit>) -> f32x4 {
     let (x, y) = (f32x4::splat(at.x), f32x4::splat(at.y));
     let mut farthest = f32x4::splat(USED_UP);
     for (index, block) in (first..).zip(blocks) {
@@ -288,7 +288,7 @@ fn find_nearer_in(blocks: &mut [Block], first: u32, at: Vec2, ridged: Option<&La
         let squared = dx * dx + dy * dy;
         let lanes = squared.simd_lt(block.near).to_bitmask();
         if lanes != 0 {
-            match ridged {
+            match hiding {
                 None => {
                     block.near = squared.fast_min(block.near);
                     hits.push(Hit { block: index, lanes });

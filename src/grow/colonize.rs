@@ -43,6 +43,7 @@ pub struct Colonize {
     doomed: Vec<u32>,
     /// Rivers that no attractor has reached yet.
     pilots: Vec<Pilot>,
+    mouths: u32,
     unreached: u32,
     node_limit: usize,
     ending: Option<Ending>,
@@ -82,6 +83,7 @@ impl Colonize {
         }
         let attractors = Attractors::new(&parameters)?;
         let mut this = Self {
+            mouths: 0,
             unreached: attractors.count(),
             attractors,
             tree: Tree::default(),
@@ -99,6 +101,7 @@ impl Colonize {
         this.tree.tick_starts.push(0);
         for mouth in mouths(&this.parameters) {
             this.plant(mouth);
+            this.mouths += 1;
         }
         this.capture_from(0);
         Ok(this)
@@ -217,7 +220,7 @@ impl Colonize {
         let Self { parameters, attractors, tree, shoots, changed, doomed, .. } = self;
         for node in first..tree.len() {
             let at = tree.at[node];
-            let gained = attractors.capture(node as u32, at, parameters.ridges_near(at), |capture| {
+            let gained = attractors.capture(node as u32, at, parameters.hidden_from(at), |capture| {
                 if let Some(pull) = shoots.pull.get_mut(capture.previous_owner as usize) {
                     pull.subtract(Pull::toward(tree.at[capture.previous_owner as usize], capture.at));
                     changed.insert(capture.previous_owner);
@@ -302,6 +305,16 @@ impl Colonize {
     /// How growth ended; `None` while it goes on.
     pub fn ending(&self) -> Option<Ending> {
         self.ending
+    }
+
+    /// How many mouths were planted.
+    pub fn mouths(&self) -> u32 {
+        self.mouths
+    }
+
+    /// How many attractors were scattered.
+    pub fn attractors(&self) -> u32 {
+        self.attractors.count()
     }
 
     /// How many attractors are not used up: no river has come near enough.

@@ -65,7 +65,7 @@ impl Growth {
     /// How many river mouths there are; when a Brownian tree grows, so far.
     pub fn mouths(&self) -> u32 {
         match &self.grower {
-            Grower::Colonize(_) => self.parameters.mouths,
+            Grower::Colonize(growth) => growth.mouths(),
             Grower::Brownian(growth) => growth.mouths(),
         }
     }
@@ -73,7 +73,7 @@ impl Growth {
     /// How many attractors have been scattered: none for a Brownian tree.
     pub fn attractors(&self) -> u32 {
         match &self.grower {
-            Grower::Colonize(_) => self.parameters.attractors,
+            Grower::Colonize(growth) => growth.attractors(),
             Grower::Brownian(_) => 0,
         }
     }
@@ -89,7 +89,7 @@ impl Growth {
     /// The discharge of a river that drains everything: known before growth begins, for a Brownian tree nearly.
     pub fn everything(&self) -> u32 {
         match &self.grower {
-            Grower::Colonize(_) => self.parameters.attractors,
+            Grower::Colonize(growth) => growth.attractors(),
             Grower::Brownian(growth) => growth.everything(),
         }
     }
@@ -97,7 +97,7 @@ impl Growth {
     /// How much of everything is drained so far.
     pub fn drained(&self) -> u32 {
         match &self.grower {
-            Grower::Colonize(growth) => self.parameters.attractors - growth.unreached(),
+            Grower::Colonize(growth) => growth.attractors() - growth.unreached(),
             Grower::Brownian(growth) => growth.tree().len() as u32,
         }
     }

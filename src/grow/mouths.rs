@@ -3,13 +3,13 @@
 use glam::Vec2;
 
 use super::Parameters;
-use crate::land::Shore;
+use crate::land::{Land, Shore};
 use crate::random::{Purpose, Stream};
 
 /// The root of a river tree.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mouth {
-    /// On the border of the domain.
+    /// On the border of the domain, or on a coast.
     pub at: Vec2,
     /// The unit vector away from the sea.
     pub inland: Vec2,
@@ -23,23 +23,25 @@ pub fn mouths(parameters: &Parameters) -> Vec<Mouth> {
     let Some(land) = &parameters.land else { return on_sides(parameters) };
     let mut chance = parameters.seed.stream(Purpose::Mouths);
     let regions = land.regions().iter().zip(&parameters.basins);
-    regions.flat_map(|(region, &count)| on_coast(&region.shores, count, parameters.apart, &mut chance)).collect()
+    regions.flat_map(|(region, &count)| on_coast(land, &region.shores, count, parameters.apart, &mut chance)).collect()
 }
 
-/// Places mouths on a coast, each at the remotest of some random places from those before it (Mitchell 1991), so that
-/// they keep apart. As many as asked for, unless they would come too near to each other.
-fn on_coast(coast: &[Shore], count: u32, apart: f32, chance: &mut Stream) -> Vec<Mouth> {
+/// Places mouths on a coast, each at the best of some random places: remote from those before it, so that they keep apart
+/// (Mitchell 1991), and in a bay rather than on a cape, as where rivers meet the sea. As many as asked for, unless they
+/// would come too near to each other.
+fn on_coast(land: &Land, coast: &[Shore], count: u32, apart: f32, chance: &mut Stream) -> Vec<Mouth> {
     const CANDIDATES: usize = 24;
+    /// Remoter than this, in units, a place is no better for it.
+    const REMOTE: f32 = 400.0;
     let mut mouths: Vec<Mouth> = Vec::new();
     for _ in 0..count {
-        let remoteness = |shore: &Shore| {
-            mouths.iter().map(|mouth| mouth.at.distance_squared(shore.at)).fold(f32::INFINITY, f32::min)
-        };
+        let remoteness =
+            |shore: &Shore| mouths.iter().map(|mouth| mouth.at.distance(shore.at)).fold(f32::INFINITY, f32::min);
         let candidates = (0..CANDIDATES).filter_map(|_| coast.get((chance.unit() * coast.len() as f32) as usize));
-        let best = candidates.map(|shore| (remoteness(shore), shore)).reduce(|a, b| if b.0 > a.0 { b } else { a });
-        if let Some((remoteness, shore)) = best
-            && remoteness > apart * apart
-        {
+        let apart = candidates.map(|shore| (remoteness(shore), shore)).filter(|(remoteness, _)| *remoteness > apart);
+        let score = |remoteness: f32, shore: &Shore| remoteness.min(REMOTE) * (1.0 + land.shelter(shore.at)).max(0.1);
+        let scored = apart.map(|(remoteness, shore)| (score(remoteness, shore), shore));
+        if let Some((_, shore)) = scored.reduce(|a, b| if b.0 > a.0 { b } else { a }) {
             mouths.push(Mouth { at: shore.at, inland: shore.inland });
         }
     }

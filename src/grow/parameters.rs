@@ -27,7 +27,7 @@ pub struct Parameters {
     pub domain: Domain,
     /// The land; `None` if all of the domain is.
     pub land: Option<Arc<Land>>,
-    /// How many rivers reach the sea.
+    /// How many rivers reach the sea at most.
     pub mouths: u32,
     /// How many of them in each region of the land, largest first. Regions without one stay dry.
     pub basins: Vec<u32>,
@@ -39,7 +39,7 @@ pub struct Parameters {
     pub procedure: Procedure,
     /// The step of a Brownian tree's last passes, in units.
     pub sensitivity: f32,
-    /// How many attractors there are.
+    /// How many attractors there are, on a grid about: as many as asked for, unless next to no land has a river mouth.
     pub attractors: u32,
     /// Whether each has a cell of a grid to itself.
     pub on_grid: bool,
@@ -59,6 +59,10 @@ pub struct Parameters {
     pub stretch: u32,
 }
 
+/// Attractors are never packed closer than on so much land, in square units: on less there are fewer, and none where no
+/// land has a coast. So the memory of growth depends on the number asked for alone.
+const LEAST_AREA: f32 = AREA / 20.0;
+
 impl Parameters {
     /// Resolves a recipe.
     pub fn of(recipe: &Recipe) -> Self {
@@ -74,8 +78,8 @@ impl Parameters {
             None => AREA,
             Some(land) => watered(Some(land), &basins).map(|region| region.cells as f32 * SIDE * SIDE).sum(),
         };
-        // Land without a coast has no river, and no attractor.
-        let spacing = (area.max(SIDE * SIDE) / attractors as f32).sqrt();
+        let spacing = (area.max(LEAST_AREA) / attractors as f32).sqrt();
+        let attractors = attractors.min((area / (spacing * spacing)).round() as u32);
         let spacings = |key| recipe.number(key) * spacing;
         Self {
             seed: Seed::from_text(recipe.seed()),
@@ -124,13 +128,13 @@ impl Parameters {
         }
     }
 
-    /// The land, if it has ridges within the reach of a node: attractors do not pull through them.
+    /// The land, if it may hide attractors within the reach of a node.
     #[inline]
-    pub fn ridges_near(&self, node: Vec2) -> Option<&Land> {
-        self.land.as_deref().filter(|land| !land.ridges().is_empty() && !land.is_clear_of_ridges(node, self.reach))
+    pub fn hidden_from(&self, node: Vec2) -> Option<&Land> {
+        self.land.as_deref().filter(|land| !land.sees_all(node, self.reach))
     }
 
-    /// Whether an attractor pulls a node: it does not through a ridge.
+    /// Whether an attractor pulls a node: it does not through a ridge, or across the water between islands.
     pub fn sees(&self, node: Vec2, attractor: Vec2) -> bool {
         self.land.as_ref().is_none_or(|land| land.sees(node, attractor))
     }
@@ -142,11 +146,18 @@ fn watered<'a>(land: Option<&'a Land>, basins: &'a [u32]) -> impl Iterator<Item 
 }
 
 /// Shares mouths out among regions by their size, as parliaments share out seats (Webster and Sainte-Laguë): a second
-/// mouth only goes where there is thrice the land of a region without one. Only regions with a coast have any.
+/// mouth only goes where there is thrice the land of a region without one. But first each region with a fair share of
+/// the land has one, as far as there are mouths. Only regions with a coast have any.
 fn share_out(regions: &[Region], mouths: u32) -> Vec<u32> {
+    /// One in so many cells of land is a fair share.
+    const FAIR: u32 = 40;
+    let land: u32 = regions.iter().map(|region| region.cells).sum();
     let mut shares = vec![0; regions.len()];
     for _ in 0..mouths {
-        let land_each = |&(i, region): &(usize, &Region)| region.cells / (2 * shares[i] + 1);
+        let land_each = |&(i, region): &(usize, &Region)| {
+            let comes_first = shares[i] == 0 && region.cells >= land / FAIR;
+            (comes_first, region.cells / (2 * shares[i] + 1))
+        };
         let coastal = regions.iter().enumerate().filter(|(_, region)| !region.shores.is_empty());
         if let Some((i, _)) = coastal.reduce(|a, b| if land_each(&b) > land_each(&a) { b } else { a }) {
             shares[i] += 1;

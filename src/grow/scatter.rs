@@ -3,7 +3,7 @@
 use glam::Vec2;
 
 use super::Parameters;
-use crate::land::Land;
+use crate::land::{Cell, Land};
 use crate::random::{Purpose, Stream};
 
 /// Places the attractors, in the order of their drawing: one more leaves all others where they are, unless on a grid.
@@ -14,15 +14,16 @@ pub fn scatter(parameters: &Parameters) -> Vec<Vec2> {
             let anywhere = |_| Vec2::new(chance.unit(), chance.unit()) * parameters.domain.size;
             (0..parameters.attractors).map(anywhere).collect()
         }
-        (None, true) => on_grid(parameters, parameters.attractors, &mut chance),
+        (None, true) => on_grid(parameters, parameters.attractors, |_| true, &mut chance),
         (Some(land), false) => on_land(parameters, land, &mut chance),
         (Some(land), true) => {
             // As fine a grid as puts about so many cells on the land.
             let size = parameters.domain.size;
             let cells = (size.x * size.y / (parameters.spacing * parameters.spacing)) as u32;
-            let mut places = on_grid(parameters, cells.max(1), &mut chance);
-            places.retain(|&place| parameters.watered().any(|region| land.is_in(region, place)));
-            places
+            let regions: Vec<_> = parameters.watered().collect();
+            let is_watered =
+                |place| land.at(place) == Cell::Available && regions.iter().any(|region| land.is_in(region, place));
+            on_grid(parameters, cells.max(1), is_watered, &mut chance)
         }
     }
 }
@@ -43,19 +44,18 @@ fn on_land(parameters: &Parameters, land: &Land, chance: &mut Stream) -> Vec<Vec
     (0..parameters.attractors).filter_map(anywhere).collect()
 }
 
-/// One at random in each cell of a grid over the domain.
-fn on_grid(parameters: &Parameters, cells: u32, chance: &mut Stream) -> Vec<Vec2> {
+/// One at random in each cell of a grid over the domain, those left out that are not wanted.
+fn on_grid(parameters: &Parameters, cells: u32, is_wanted: impl Fn(Vec2) -> bool, chance: &mut Stream) -> Vec<Vec2> {
     let size = parameters.domain.size;
     let rows = ((size.y / parameters.spacing).round() as u32).clamp(1, cells);
     let first_of = |row: u32| (u64::from(row) * u64::from(cells) / u64::from(rows)) as u32;
-    let mut places = Vec::with_capacity(cells as usize);
+    let mut places = Vec::with_capacity(parameters.attractors as usize);
     for row in 0..rows {
         let columns = first_of(row + 1) - first_of(row);
         let cell = size / Vec2::new(columns as f32, rows as f32);
-        places.extend(
-            (0..columns)
-                .map(|column| (Vec2::new(column as f32, row as f32) + Vec2::new(chance.unit(), chance.unit())) * cell),
-        );
+        let anywhere = (0..columns)
+            .map(|column| (Vec2::new(column as f32, row as f32) + Vec2::new(chance.unit(), chance.unit())) * cell);
+        places.extend(anywhere.filter(|&place| is_wanted(place)));
     }
     places
 }

@@ -23,9 +23,10 @@ pub struct Land {
     grid: Grid,
     regions: Vec<Region>,
     ridges: Vec<Vec<Vec2>>,
-    /// Room to where land ends, and to the nearest ridge.
+    /// Room to where land ends, and to what hides attractors.
     room: Clearance,
-    room_to_ridge: Clearance,
+    view: Clearance,
+    is_parted: bool,
 }
 
 impl Land {
@@ -57,13 +58,13 @@ impl Land {
     /// Land above the sea, cut by ridges.
     pub(super) fn new(domain: &Domain, relief: Relief, ridges: Vec<Vec<Vec2>>) -> Self {
         let mut grid = Grid::above_water(domain, &relief);
-        grid.fill_ponds();
         ridges.iter().for_each(|ridge| grid.raise(ridge));
         let mut regions = grid.regions(Cell::Available);
         regions.iter_mut().for_each(|region| region.shores = grid.shores(region, &relief));
         let room = grid.clearance(|cell| cell != Cell::Available);
-        let room_to_ridge = grid.clearance(|cell| cell == Cell::Illegal);
-        Self { relief, grid, regions, ridges, room, room_to_ridge }
+        let is_parted = regions.len() > 1;
+        let view = grid.clearance(|cell| hides(cell, is_parted));
+        Self { relief, grid, regions, ridges, room, view, is_parted }
     }
 
     /// The height of every point.
@@ -74,6 +75,15 @@ impl Land {
     /// Land that hangs together, the largest first.
     pub fn regions(&self) -> &[Region] {
         &self.regions
+    }
+
+    /// How much land there is around a place on the coast: 0 on a straight one, toward 1 in a bay, toward -1 on a cape.
+    pub fn shelter(&self, at: Vec2) -> f32 {
+        const FAR: f32 = 30.0;
+        const AROUND: [(f32, f32); 8] =
+            [(1.0, 0.0), (0.7, 0.7), (0.0, 1.0), (-0.7, 0.7), (-1.0, 0.0), (-0.7, -0.7), (0.0, -1.0), (0.7, -0.7)];
+        let land = |way: (f32, f32)| (self.relief.height(at + Vec2::from(way) * FAR) / FAR).clamp(-1.0, 1.0);
+        AROUND.into_iter().map(land).sum::<f32>() / AROUND.len() as f32
     }
 
     /// Whether a point lies in a region.
@@ -103,14 +113,16 @@ impl Land {
         walk(from / SIDE, to / SIDE).all(|(column, row)| self.cell(column, row) == Cell::Available)
     }
 
-    /// Whether there surely is no ridge within a distance of a point of the domain.
-    pub fn is_clear_of_ridges(&self, at: Vec2, distance: f32) -> bool {
-        self.room_to_ridge.is_clear(at / SIDE, distance / SIDE)
+    /// Whether a point of the domain surely sees all land within a distance.
+    #[inline]
+    pub fn sees_all(&self, at: Vec2, distance: f32) -> bool {
+        self.view.is_clear(at / SIDE, distance / SIDE)
     }
 
-    /// Whether no ridge lies between two points.
+    /// Whether neither a ridge lies between two points, nor, where there are several regions, water: what grows in one of
+    /// them is nothing to the others.
     pub fn sees(&self, from: Vec2, to: Vec2) -> bool {
-        walk(from / SIDE, to / SIDE).all(|(column, row)| self.cell(column, row) != Cell::Illegal)
+        walk(from / SIDE, to / SIDE).all(|(column, row)| !hides(self.cell(column, row), self.is_parted))
     }
 
     /// A point of a region: cells are counted row by row, and `within` runs from 0 to 1 in each direction of the cell.
@@ -136,6 +148,10 @@ impl Land {
     }
 }
 
+fn hides(cell: Cell, is_parted: bool) -> bool {
+    cell == Cell::Illegal || (is_parted && cell == Cell::Unavailable)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -153,7 +169,8 @@ mod tests {
                 let with_ponds = Grid::above_water(&Domain::with_aspect(1.5), &land.relief).cells;
                 let water = with_ponds.iter().filter(|&&cell| cell == Cell::Unavailable).count();
                 let share = water as f32 / land.grid.cells.len() as f32;
-                assert!((share - sea).abs() < 0.03, "{kind}: {share} is not {sea}");
+                // Ponds are filled.
+                assert!((share - sea).abs() < 0.06, "{kind}: {share} is not {sea}");
             }
         }
     }

@@ -65,18 +65,6 @@ impl Grid {
         Self { cells, columns, rows, size: domain.size }
     }
 
-    /// Makes land of ponds: rivers run through them. The sea is the largest water, and any that covers at least a hundredth
-    /// of the domain.
-    pub fn fill_ponds(&mut self) {
-        let least = self.cells.len() as u32 / 100;
-        let waters = self.regions(Cell::Unavailable);
-        let ponds = waters.iter().skip(1).filter(|water| water.cells < least);
-        for run in ponds.flat_map(|pond| &pond.runs) {
-            let row = run.row as usize * self.columns as usize;
-            self.cells[row + run.start as usize..row + run.end as usize].fill(Cell::Available);
-        }
-    }
-
     /// Makes the land along a ridge illegal.
     pub fn raise(&mut self, ridge: &[Vec2]) {
         for pair in ridge.windows(2) {

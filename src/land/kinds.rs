@@ -69,7 +69,7 @@ impl Shape {
         match self.kind {
             LandKind::Rectangle | LandKind::Drawn => self.span(),
             LandKind::Island => -from_centre - self.moat(point),
-            LandKind::Basin => from_centre,
+            LandKind::Basin => from_centre + self.moat(point),
             LandKind::Continent | LandKind::Valley => self.coast_distance(point),
             LandKind::Archipelago => {
                 // The gap between the distances to the nearest and the next of some scattered centres: 0 midway, so that
@@ -117,7 +117,7 @@ impl Shape {
             .fold(f32::INFINITY, |least, (_, distance)| least.min(distance))
     }
 
-    /// A drop toward the border of the domain, so that land surrounded by sea is not cut by it. Its contours are
+    /// A drop toward the border of the domain, so that land surrounded by sea is not cut by it, nor a lake by land. Its contours are
     /// rectangles with round corners, the rounder the farther inside, so that no coast is straight for it.
     fn moat(&self, point: Vec2) -> f32 {
         const INSIDE: f32 = 0.3;

@@ -10,10 +10,11 @@ use crate::recipe::{GridPoint, Outline};
 /// How far beyond the domain a coast is taken that runs along its border, in units: such land goes on out there, and
 /// nothing of that coast is seen.
 const BEYOND: f32 = 150.0;
-/// How far the wildest coast strays from its drawn line, in units; most of it strays a third of that.
-const WILDEST: f32 = 48.0;
+/// How far the wildest coast strays from its drawn line, as a part of a bump's length: so little that the plane never
+/// folds, and lines that do not touch still do not.
+const WILDEST: f32 = 0.07;
 /// The bumps of a rough coast across the domain: small beside what people draw, so that a drawn shape stays itself.
-const BUMPS: f32 = 7.0;
+const BUMPS: f32 = 5.0;
 /// The length of the pieces that a line is bent in, in units, or more where there would be over [`MOST_PIECES`].
 const PIECE: f32 = 7.0;
 const MOST_PIECES: f32 = 2000.0;
@@ -44,12 +45,9 @@ impl Drawing {
 
     fn roughen(&mut self, shape: &Shape) {
         let piece = (self.length() / MOST_PIECES).max(PIECE);
-        let [east, south] = [3, 4].map(|index| shape.noise(index, BUMPS, 4));
-        let bend = |Vec2 { x, y }: Vec2| {
-            Vec2::new(x, y) + Vec2::new(east.get_noise_2d(x, y), south.get_noise_2d(x, y)) * shape.rough * WILDEST
-        };
+        let bend = bend(shape);
         let rough = |line: &Vec<Vec2>, is_closed| -> Vec<Vec2> {
-            divided(line, piece, is_closed).into_iter().map(bend).collect()
+            divided(line, piece, is_closed).into_iter().map(&bend).collect()
         };
         self.coasts = self.coasts.iter().map(|ring| rough(ring, true)).collect();
         self.ridges = self.ridges.iter().map(|line| rough(line, false)).collect();
@@ -71,6 +69,13 @@ impl Drawing {
         coast.iter().for_each(|[a, b]| crossings.add(*a, *b));
         Relief::of_coast(domain, &coast, &crossings.into_land())
     }
+}
+
+/// How a rough land moves every point of the plane.
+fn bend(shape: &Shape) -> impl Fn(Vec2) -> Vec2 {
+    let [east, south] = [4, 5].map(|index| shape.noise(index, BUMPS, 2));
+    let most = shape.rough * WILDEST * shape.domain.size.min_element() / BUMPS;
+    move |Vec2 { x, y }| Vec2::new(x, y) + Vec2::new(east.get_noise_2d(x, y), south.get_noise_2d(x, y)) * most
 }
 
 /// A ring whose runs along the border of the domain are taken beyond it.
@@ -163,8 +168,10 @@ fn first(x: f32, lines: usize) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::land::LandKind;
     use crate::land::{Cell, Land};
-    use crate::recipe::{Key, Recipe, link};
+    use crate::random::Seed;
+    use crate::recipe::{Key, Recipe, Sides, link};
     use proptest::prelude::*;
 
     /// A recipe with a smooth drawn land, in fractions.
@@ -236,6 +243,21 @@ mod tests {
             let places = || (0..10_000).map(|i| Vec2::new((i % 100) as f32, (i / 100) as f32) * 10.0);
             let differing = places().filter(|&at| smooth.at(at) != rough.at(at)).count();
             assert!((50..600).contains(&differing), "{seed}: {differing} of 10000");
+        }
+    }
+
+    #[test]
+    fn the_wildest_bend_never_folds_the_plane() {
+        for (seed, aspect) in ["kauri", "rimu", "kea", "totara"].into_iter().zip([0.25, 1.0, 1.5, 4.0]) {
+            let domain = Domain::with_aspect(aspect);
+            let seed = Seed::from_text(seed);
+            let shape = Shape { kind: LandKind::Drawn, domain, sides: Sides::SOUTH, seed, sea: 0.5, rough: 1.0 };
+            let bend = bend(&shape);
+            for i in 0..40_000 {
+                let at = domain.size * Vec2::new((i % 200) as f32, (i / 200) as f32) / 200.0;
+                let (along_x, along_y) = (bend(at + Vec2::X) - bend(at), bend(at + Vec2::Y) - bend(at));
+                assert!(along_x.perp_dot(along_y) > 0.0, "aspect {aspect}: folds at {at}");
+            }
         }
     }
 

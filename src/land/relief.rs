@@ -5,6 +5,8 @@
 
 use glam::Vec2;
 
+use super::grid::Cell;
+use super::regions::{Region, Run, regions};
 use super::walk::walk;
 use crate::domain::Domain;
 use crate::order;
@@ -32,6 +34,7 @@ impl Relief {
         let mut this = Self::sampled(domain, height);
         let level = quantile(&this.heights, share);
         this.heights.iter_mut().for_each(|height| *height -= level);
+        this.level_specks();
         let coast = this.contour();
         this.measured(&coast)
     }
@@ -53,6 +56,39 @@ impl Relief {
         let (columns, rows) = Self::corners(domain);
         let heights = (0..columns * rows).map(|i| height(corner(i, columns))).collect();
         Self { heights, columns, rows }
+    }
+
+    /// Sinks islets, and makes land of ponds: a map has no room for the rivers of the one, and those of the land around
+    /// run through the other. Ponds are waters of under a hundredth of the domain, unless there is no other water.
+    fn level_specks(&mut self) {
+        const ISLET: u32 = 4;
+        const LEVELLED: f32 = 1.0;
+        let pond = self.heights.len() as u32 / 100;
+        for run in
+            self.regions(Cell::Available).iter().skip(1).filter(|land| land.cells < ISLET).flat_map(|land| &land.runs)
+        {
+            self.row(run).fill(-LEVELLED);
+        }
+        for run in self
+            .regions(Cell::Unavailable)
+            .iter()
+            .skip(1)
+            .filter(|water| water.cells < pond)
+            .flat_map(|water| &water.runs)
+        {
+            self.row(run).fill(LEVELLED);
+        }
+    }
+
+    /// Corners of land, or of water, that hang together.
+    fn regions(&self, kind: Cell) -> Vec<Region> {
+        let cell = |&height: &f32| if height > 0.0 { Cell::Available } else { Cell::Unavailable };
+        regions(&self.heights.iter().map(cell).collect::<Vec<_>>(), kind, self.columns)
+    }
+
+    fn row(&mut self, run: &Run) -> &mut [f32] {
+        let start = run.row as usize * self.columns;
+        &mut self.heights[start + run.start as usize..start + run.end as usize]
     }
 
     /// The line of height 0, square by square of the lattice (marching squares).

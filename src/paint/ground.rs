@@ -11,6 +11,7 @@ use crate::land::{Land, Relief};
 const RING_WIDTH: f32 = 1.1;
 const COAST_WIDTH: f32 = 1.8;
 const RIDGE_WIDTH: f32 = 3.0;
+const RIDGE_PIECE: f32 = 6.0;
 
 /// Paints the ground of a picture, row by row, opaque.
 pub(super) fn ground(view: &View, land: &Land, palette: &Palette) -> Vec<[u8; 4]> {
@@ -119,8 +120,13 @@ fn ridges(view: &View, land: &Land) -> Option<Coverage> {
     let mut coverage = Coverage::new(view.width, view.height)?;
     let radius = RIDGE_WIDTH * view.scale * 0.5;
     for pair in land.ridges().iter().flat_map(|ridge| ridge.windows(2)) {
-        if land.relief().height(pair[0]) > 0.0 {
-            coverage.capsule(view.pixel(pair[0]), radius, view.pixel(pair[1]), radius);
+        // A ridge may run out to sea and back: there it is not shown.
+        let pieces = (pair[0].distance(pair[1]) / RIDGE_PIECE).ceil().max(1.0);
+        for piece in 0..pieces as u32 {
+            let at = |end: u32| pair[0].lerp(pair[1], (piece + end) as f32 / pieces);
+            if land.relief().height((at(0) + at(1)) * 0.5) > 0.0 {
+                coverage.capsule(view.pixel(at(0)), radius, view.pixel(at(1)), radius);
+            }
         }
     }
     Some(coverage)

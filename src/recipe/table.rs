@@ -264,7 +264,7 @@ pub static TABLE: [Parameter; COUNT] = {
             key: Key::Sides,
             name: "sides",
             label: "Sea on",
-            help: "The sides that rivers flow to: of the rectangle, a coast or a valley. Other lands have the sea all round.",
+            help: "The sides that rivers flow to: of the rectangle, a coast or a valley. Other lands have water of their own.",
             unit: "",
             group: "Land",
             stage: Land,
