@@ -57,22 +57,6 @@ impl Block {
     }
 }
 
-/// A cell of the grid.
-#[derive(Clone, Copy, Debug)]
-struct Cell {
-    /// No attractor of each lane has its nearest node farther than this (squared), with an allowance for rounding.
-    farthest: f32x4,
-    /// Its blocks, `first..end`.
-    first: u32,
-    end: u32,
-}
-
-impl Cell {
-    fn empty(squared_reach: f32) -> Self {
-        Self { farthest: f32x4::splat(squared_reach * OVER_ROUNDING), first: 0, end: 0 }
-    }
-}
-
 /// The attractors of a block that a new node is nearest to.
 #[derive(Clone, Copy, Debug)]
 struct Hit {
@@ -96,8 +80,10 @@ pub(super) struct Attractors {
     blocks: Vec<Block>,
     /// Room for what a new node finds.
     hits: Vec<Hit>,
-    /// Row by row.
-    cells: Vec<Cell>,
+    /// Each cell's first block, row by row, and the end of the last; and as many more ends as are asked for past it.
+    first_block: Vec<u32>,
+    /// No attractor of a cell has its nearest node farther than this (squared), with an allowance for rounding.
+    farthest: Vec<f32>,
     columns: i32,
     rows: i32,
     cell: f32,
@@ -116,7 +102,8 @@ impl Attractors {
         let mut this = Self {
             blocks: Vec::new(),
             hits: Vec::new(),
-            cells: vec![Cell::empty(parameters.reach * parameters.reach); (columns * rows) as usize],
+            first_block: vec![0; (columns * rows) as usize + 5],
+            farthest: vec![parameters.reach * parameters.reach * OVER_ROUNDING; (columns * rows) as usize + 4],
             columns,
             rows,
             cell,
@@ -135,13 +122,12 @@ impl Attractors {
 
     /// A counting sort by cell, each cell rounded up to whole blocks.
     fn fill(&mut self, places: &[Vec2]) -> Result<(), std::collections::TryReserveError> {
-        let mut filled = vec![0u32; self.cells.len()];
+        let mut filled = vec![0u32; self.first_block.len()];
         places.iter().for_each(|&at| filled[self.cell_of(at)] += 1);
         let mut blocks = 0;
-        for (cell, filled) in self.cells.iter_mut().zip(&filled) {
-            cell.first = blocks;
+        for (first, filled) in self.first_block.iter_mut().zip(&filled) {
+            *first = blocks;
             blocks += filled.div_ceil(4);
-            cell.end = blocks;
         }
         self.blocks.try_reserve_exact(blocks as usize)?;
         self.blocks.resize(blocks as usize, Block::empty());
@@ -149,7 +135,7 @@ impl Attractors {
         for &at in places {
             let cell = self.cell_of(at);
             filled[cell] -= 1;
-            let block = &mut self.blocks[(self.cells[cell].first + filled[cell] / 4) as usize];
+            let block = &mut self.blocks[(self.first_block[cell] + filled[cell] / 4) as usize];
             let lane = (filled[cell] % 4) as usize;
             block.x.as_mut_array()[lane] = at.x;
             block.y.as_mut_array()[lane] = at.y;
@@ -171,27 +157,32 @@ impl Attractors {
         self.hand_over(node, at, tell)
     }
 
-    /// Looks for attractors that a place is nearer to than their nearest node, and notes the new distance.
+    /// Looks for attractors that a place is nearer to than their nearest node, and notes the new distance. Four cells of a
+    /// row are asked at once; those past the end of the row are too far away, or asked in vain.
     fn find_nearer(&mut self, at: Vec2, hiding: Option<&Land>) {
         let (columns, rows) = (self.cells_within(at.x, self.columns), self.cells_within(at.y, self.rows));
-        let half = self.cell * 0.5;
+        let half = f32x4::splat(self.cell * 0.5);
         // Counted on, since V8 is slow to make floats of whole numbers.
-        let west = columns.start as f32 * self.cell + half;
-        let mut y = rows.start as f32 * self.cell + half;
+        let west = f32x4::new([0.5, 1.5, 2.5, 3.5]) * self.cell + f32x4::splat(columns.start as f32 * self.cell - at.x);
+        let mut dy = f32x4::splat((rows.start as f32 + 0.5) * self.cell - at.y);
         for row in rows {
-            let gap_y = gap(at.y, y, half);
-            let mut x = west;
-            let first = row * self.columns;
-            for cell in &mut self.cells[(first + columns.start) as usize..(first + columns.end) as usize] {
-                let gap_x = gap(at.x, x, half);
-                let squared = f32x4::splat(gap_x * gap_x + gap_y * gap_y);
-                if squared.simd_lt(cell.farthest).any() {
-                    let blocks = &mut self.blocks[cell.first as usize..cell.end as usize];
-                    cell.farthest = find_nearer_in(blocks, cell.first, at, hiding, &mut self.hits) * OVER_ROUNDING;
+            let squared_y = squared_gap(dy, half);
+            let mut dx = west;
+            let (start, end) = (row * self.columns + columns.start, row * self.columns + columns.end);
+            for first in (start as usize..end as usize).step_by(4) {
+                let farthest = &mut self.farthest[first..first + 4];
+                let bound = f32x4::new([farthest[0], farthest[1], farthest[2], farthest[3]]);
+                let mut lanes = (squared_gap(dx, half) + squared_y).simd_lt(bound).to_bitmask();
+                while lanes != 0 {
+                    let lane = (lanes.trailing_zeros() % 4) as usize;
+                    lanes &= lanes - 1;
+                    let (from, to) = (self.first_block[first + lane], self.first_block[first + lane + 1]);
+                    let blocks = &mut self.blocks[from as usize..to as usize];
+                    farthest[lane] = find_nearer_in(blocks, from, at, hiding, &mut self.hits) * OVER_ROUNDING;
                 }
-                x += self.cell;
+                dx += f32x4::splat(4.0 * self.cell);
             }
-            y += self.cell;
+            dy += f32x4::splat(self.cell);
         }
     }
 
@@ -242,8 +233,8 @@ impl Attractors {
         self.cells_within(at.y, self.rows).any(|row| {
             self.cells_within(at.x, self.columns).any(|column| {
                 let cell = (row * self.columns + column) as usize;
-                let Cell { first, end, .. } = self.cells[cell];
-                self.blocks[first as usize..end as usize].iter().any(|block| {
+                let (first, end) = (self.first_block[cell] as usize, self.first_block[cell + 1] as usize);
+                self.blocks[first..end].iter().any(|block| {
                     (0..4).filter(|&lane| block.near.to_array()[lane] != USED_UP).any(|lane| {
                         let gap = Vec2::new(block.x.to_array()[lane], block.y.to_array()[lane]) - at;
                         gap.x * gap.x + gap.y * gap.y < squared_reach
@@ -278,9 +269,9 @@ impl Attractors {
 }
 
 /// Looks through a cell's blocks, the first of them being number `first`. Returns how far its attractors are from their
-/// nearest nodes at most, lane by lane.
+/// nearest nodes at most, squared.
 #[inline]
-fn find_nearer_in(blocks: &mut [Block], first: u32, at: Vec2, hiding: Option<&Land>, hits: &mut Vec<Hit>) -> f32x4 {
+fn find_nearer_in(blocks: &mut [Block], first: u32, at: Vec2, hiding: Option<&Land>, hits: &mut Vec<Hit>) -> f32 {
     let (x, y) = (f32x4::splat(at.x), f32x4::splat(at.y));
     let mut farthest = f32x4::splat(USED_UP);
     for (index, block) in (first..).zip(blocks) {
@@ -298,7 +289,7 @@ fn find_nearer_in(blocks: &mut [Block], first: u32, at: Vec2, hiding: Option<&La
         }
         farthest = farthest.fast_max(block.near);
     }
-    farthest
+    largest(farthest)
 }
 
 /// How many cells go into the reach: so that a cell is near three spacings wide. Nine attractors a cell are enough to
@@ -308,10 +299,18 @@ fn cells_a_reach(parameters: &Parameters) -> i32 {
     (parameters.reach / (SPACINGS * parameters.spacing)).ceil().max(1.0) as i32
 }
 
-/// How far a coordinate lies outside an interval: `max(distance, 0)`, written so because wasm has no such instruction
-/// and would jump.
+/// How far 0 lies outside intervals around some middles, squared. `max(distance, 0)` is written so because wasm has no
+/// such instruction and would jump.
 #[inline]
-fn gap(x: f32, middle: f32, half: f32) -> f32 {
-    let distance = (x - middle).abs() - half;
-    (distance + distance.abs()) * 0.5
+fn squared_gap(middle: f32x4, half: f32x4) -> f32x4 {
+    let distance = middle.abs() - half;
+    let gap = (distance + distance.abs()) * f32x4::splat(0.5);
+    gap * gap
+}
+
+/// The largest lane.
+#[inline]
+fn largest(lanes: f32x4) -> f32 {
+    let pairs = lanes.unpack_lo(lanes).fast_max(lanes.unpack_hi(lanes));
+    pairs.unpack_lo(pairs).fast_max(pairs.unpack_hi(pairs)).to_array()[0]
 }
