@@ -188,11 +188,12 @@ mod tests {
     proptest! {
         #[test]
         fn any_lines_fit_or_are_refused(
-            coasts in proptest::collection::vec(proptest::collection::vec((-0.2f32..1.2, -0.2f32..1.2), 0..400), 0..5),
-            ridges in proptest::collection::vec(proptest::collection::vec((-0.2f32..1.2, -0.2f32..1.2), 0..100), 0..4),
+            coasts in proptest::collection::vec(proptest::collection::vec((-200i16..1200, -200i16..1200), 0..400), 0..5),
+            ridges in proptest::collection::vec(proptest::collection::vec((-200i16..1200, -200i16..1200), 0..100), 0..4),
         ) {
-            let lines = |lines: Vec<Vec<(f32, f32)>>| -> Vec<Vec<Vec2>> {
-                lines.into_iter().map(|line| line.into_iter().map(Vec2::from).collect()).collect()
+            let thousandths = |(x, y): (i16, i16)| Vec2::new(f32::from(x), f32::from(y)) / 1000.0;
+            let lines = |lines: Vec<Vec<(i16, i16)>>| -> Vec<Vec<Vec2>> {
+                lines.into_iter().map(|line| line.into_iter().map(thousandths).collect()).collect()
             };
             if let Ok(outline) = Outline::of_strokes(lines(coasts), lines(ridges)) {
                 let text = outline.to_string();
