@@ -6,7 +6,7 @@ mod common;
 use common::{random_link, twin};
 use glam::Vec2;
 use proptest::prelude::*;
-use riverseed::grow::{Colonize, Ending, Parameters, scatter};
+use riverseed::grow::{Colonize, Ending, Growth, Parameters, scatter};
 use riverseed::land::Cell;
 use riverseed::recipe::{link, preset::PRESETS};
 use riverseed::tree::Tree;
@@ -155,4 +155,27 @@ proptest! {
 
 fn is_land(parameters: &Parameters, point: Vec2) -> bool {
     parameters.land.as_ref().is_none_or(|land| land.at(point) == Cell::Available)
+}
+
+/// Whether two straight pieces cross, by the sides that their ends lie on.
+fn cross(a: Vec2, b: Vec2, c: Vec2, d: Vec2) -> bool {
+    let side = |from: Vec2, to: Vec2, at: Vec2| (to - from).perp_dot(at - from);
+    side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0
+}
+
+#[test]
+fn no_river_of_either_growth_crosses_a_ridge() {
+    for (seed, growth) in (0..6).flat_map(|seed| ["colonize", "brownian"].map(|growth| (seed, growth))) {
+        let link = format!("seed={seed}&growth={growth}&sensitivity=40&land=valley&rough=1&attractors=1500");
+        let mut grown = Growth::new(Parameters::of(&link::read(&link).unwrap())).unwrap();
+        while grown.tick() {}
+        let (tree, land) = (grown.tree(), grown.parameters().land.clone().unwrap());
+        let ridges: Vec<&[Vec2]> = land.ridges().iter().flat_map(|ridge| ridge.windows(2)).collect();
+        assert!(tree.len() > 100 && !ridges.is_empty(), "{link}");
+        for node in 0..tree.len() {
+            let Some(parent) = tree.parent_of(node) else { continue };
+            let (from, to) = (tree.at[parent], tree.at[node]);
+            assert!(!ridges.iter().any(|ridge| cross(from, to, ridge[0], ridge[1])), "node {node} of {link}");
+        }
+    }
 }

@@ -4,7 +4,8 @@
 //! is total, for pages: a shared link must never leave a blank page, so what is wrong is mended and said.
 
 use super::error::{RecipeError, shown};
-use super::table::{Key, Kind, TABLE};
+use super::parameter::{Key, Kind};
+use super::table::TABLE;
 use super::value::{Decimal, Value};
 use super::{Recipe, preset};
 

@@ -11,16 +11,18 @@ mod error;
 pub mod json;
 pub mod link;
 mod outline;
+mod parameter;
 pub mod preset;
 pub mod table;
 mod value;
 
 pub use error::RecipeError;
 pub use outline::{GridPoint, LONGEST as LONGEST_OUTLINE, LineKind, Outline, OutlineError};
-pub use table::{Key, Kind, Parameter, Stage};
+pub use parameter::{Key, Kind, Parameter, Stage};
 pub use value::{Decimal, Sides, Value};
 
-use table::{COUNT, TABLE};
+use parameter::COUNT;
+use table::TABLE;
 
 /// The number of the algorithm set that this crate draws. Once released, an edition's pictures never change.
 pub const EDITION: u32 = 1;

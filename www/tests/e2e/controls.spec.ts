@@ -1,8 +1,8 @@
 import { expect, type Locator, type Page, test } from "@playwright/test";
 import { isAdjustable } from "../../src/controls.ts";
 import { idleReason } from "../../src/idle.ts";
-import { engine, pictureOf } from "../core.ts";
-import { address, expectAddress, finished, openFinished, recordStates, shown } from "./riverpage.ts";
+import { engine } from "../core.ts";
+import { address, expectAddress, expectPictureOfAddress, openFinished, recordStates, shown } from "./riverpage.ts";
 
 /** Few attractors: these tests are about controls. */
 const SMALL = "seed=kauri&attractors=300&edition=1";
@@ -24,17 +24,6 @@ function contextOf(key: string): string {
 
 function row(page: Page, key: string): Locator {
   return page.locator(`[data-key="${key}"]`);
-}
-
-/** The picture on the page is the one its address promises. */
-async function expectPictureOfAddress(page: Page): Promise<void> {
-  await finished(page);
-  await expect
-    .poll(async () => {
-      const { width, height, sha256 } = await shown(page);
-      return sha256 === pictureOf(address(page).toString(), width, height).sha256;
-    })
-    .toBe(true);
 }
 
 for (const link of CONTEXTS) {

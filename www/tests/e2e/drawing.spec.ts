@@ -3,8 +3,8 @@ import { createRequire } from "node:module";
 import { deflateSync } from "node:zlib";
 import { expect, type Page, test } from "@playwright/test";
 import type { AxeResults } from "axe-core";
-import { engine, pictureOf } from "../core.ts";
-import { address, expectAddress, finished, openFinished, shown } from "./riverpage.ts";
+import { engine } from "../core.ts";
+import { address, expectAddress, expectPictureOfAddress, finished, openFinished, shown } from "./riverpage.ts";
 
 const SMALL = "seed=kauri&attractors=300";
 const BLOB = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11].map((i) => {
@@ -33,17 +33,6 @@ async function draw(page: Page, line: readonly (readonly [number, number])[]): P
 
 function linesIn(page: Page): engine.Lines {
   return engine.outlineLines(address(page).get("outline") ?? "");
-}
-
-/** The picture on the page is the one its address promises, drawn by the core alone. */
-async function expectPictureOfAddress(page: Page): Promise<void> {
-  await finished(page);
-  await expect
-    .poll(async () => {
-      const { width, height, sha256 } = await shown(page);
-      return sha256 === pictureOf(address(page).toString(), width, height).sha256;
-    })
-    .toBe(true);
 }
 
 /** A PNG of one byte a pixel, or three. */

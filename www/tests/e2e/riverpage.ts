@@ -2,6 +2,7 @@
 
 import { createHash } from "node:crypto";
 import { expect, type Page } from "@playwright/test";
+import { pictureOf } from "../core.ts";
 
 /** Opens a link and waits for its finished river, without animation. */
 export async function openFinished(page: Page, link = ""): Promise<void> {
@@ -41,6 +42,17 @@ export function address(page: Page): URLSearchParams {
 /** Waits until the address bar has a value (or has left it out). It is written with a delay. */
 export async function expectAddress(page: Page, key: string, value: string | null): Promise<void> {
   await expect.poll(() => address(page).get(key)).toBe(value);
+}
+
+/** The picture on the page is the one its address promises, drawn by the core alone. */
+export async function expectPictureOfAddress(page: Page): Promise<void> {
+  await finished(page);
+  await expect
+    .poll(async () => {
+      const { width, height, sha256 } = await shown(page);
+      return sha256 === pictureOf(address(page).toString(), width, height).sha256;
+    })
+    .toBe(true);
 }
 
 /** Notes every state the plate goes through, from the first. Call before `goto`. */

@@ -1,0 +1,251 @@
+//! What a parameter is: its key, its stage, the kind of value it takes, and how that is read, checked and written.
+
+use super::error::{RecipeError, shown};
+use super::outline::Outline;
+use super::table::TABLE;
+use super::value::{Decimal, Sides, Value};
+
+/// The stages that parameters belong to, in the order in which they run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Stage {
+    /// Shaping the land.
+    Land,
+    /// Growing the tree.
+    Grow,
+    /// Trimming it.
+    Prune,
+    /// Drawing it.
+    Paint,
+}
+
+impl Stage {
+    /// The stage's name, lower case.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Land => "land",
+            Self::Grow => "grow",
+            Self::Prune => "prune",
+            Self::Paint => "paint",
+        }
+    }
+}
+
+/// A parameter's place in the table.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[expect(missing_docs, reason = "each key is explained by its row of the table")]
+pub enum Key {
+    Seed,
+    Edition,
+    Aspect,
+    Land,
+    Outline,
+    Sea,
+    Rough,
+    Mouths,
+    Apart,
+    Sides,
+    Growth,
+    Sensitivity,
+    Attractors,
+    Scatter,
+    Reach,
+    Kill,
+    Step,
+    Momentum,
+    Curl,
+    Stretch,
+    Trim,
+    Width,
+    Style,
+}
+
+/// How many parameters there are.
+pub(super) const COUNT: usize = Key::Style as usize + 1;
+
+impl Key {
+    /// The row of this key.
+    pub fn parameter(self) -> &'static Parameter {
+        &TABLE[self as usize]
+    }
+
+    /// Finds a key by its name in links.
+    pub fn from_name(name: &str) -> Option<Self> {
+        TABLE.iter().find(|parameter| parameter.name == name).map(|parameter| parameter.key)
+    }
+}
+
+/// What values a parameter takes, and its default.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// Text of at most `longest` characters.
+    Text {
+        /// The most characters.
+        longest: usize,
+        /// The value when nothing is given.
+        default: &'static str,
+    },
+    /// A whole number.
+    Integer {
+        /// The least.
+        min: u32,
+        /// The most.
+        max: u32,
+        /// The value when nothing is given.
+        default: u32,
+    },
+    /// A number.
+    Number {
+        /// The least.
+        min: Decimal,
+        /// The most.
+        max: Decimal,
+        /// The step of a slider; any number between is allowed all the same.
+        step: Decimal,
+        /// The value when nothing is given.
+        default: Decimal,
+    },
+    /// One word of a list; the first is the default.
+    Choice {
+        /// Words and what they are called on screen.
+        choices: &'static [(&'static str, &'static str)],
+    },
+    /// Some sides of the domain.
+    Sides {
+        /// The value when nothing is given.
+        default: Sides,
+    },
+    /// A drawn land; nothing is drawn by default.
+    Outline,
+}
+
+/// A row of the table.
+#[derive(Clone, Copy, Debug)]
+pub struct Parameter {
+    /// The key that code uses.
+    pub key: Key,
+    /// The key that links, attributes, options and JSON use.
+    pub name: &'static str,
+    /// What the page calls it.
+    pub label: &'static str,
+    /// One line that says what it does.
+    pub help: &'static str,
+    /// The unit of its numbers; empty for plain numbers.
+    pub unit: &'static str,
+    /// The heading it stands under on the page.
+    pub group: &'static str,
+    /// The stage that has to run again when it changes.
+    pub stage: Stage,
+    /// Whether a slider should be logarithmic.
+    pub logarithmic: bool,
+    /// Its values and its default.
+    pub kind: Kind,
+}
+
+impl Parameter {
+    /// The value when nothing is given.
+    pub fn default_value(&self) -> Value {
+        match self.kind {
+            Kind::Text { default, .. } => Value::Text(default.into()),
+            Kind::Integer { default, .. } => Value::Integer(default),
+            Kind::Number { default, .. } => Value::Number(default),
+            Kind::Choice { .. } => Value::Choice(0),
+            Kind::Sides { default } => Value::Sides(default),
+            Kind::Outline => Value::Outline(Outline::default()),
+        }
+    }
+
+    /// Whether a value is of this parameter's kind and in its range.
+    pub fn accepts(&self, value: &Value) -> bool {
+        match (self.kind, value) {
+            (Kind::Text { longest, .. }, Value::Text(text)) => text.chars().count() <= longest,
+            (Kind::Integer { min, max, .. }, Value::Integer(n)) => (min..=max).contains(n),
+            (Kind::Number { min, max, .. }, Value::Number(x)) => (min..=max).contains(x),
+            (Kind::Choice { choices }, Value::Choice(index)) => *index < choices.len(),
+            (Kind::Sides { .. }, Value::Sides(_)) | (Kind::Outline, Value::Outline(_)) => true,
+            _ => false,
+        }
+    }
+
+    /// A value's text, which [`parse`](Self::parse) reads back to the same value.
+    pub fn text_of(&self, value: &Value) -> String {
+        match (self.kind, value) {
+            (_, Value::Text(text)) => text.clone(),
+            (_, Value::Integer(n)) => n.to_string(),
+            (_, Value::Number(x)) => x.to_string(),
+            (Kind::Choice { choices }, Value::Choice(index)) => {
+                choices.get(*index).map_or_else(String::new, |(word, _)| (*word).into())
+            }
+            (_, Value::Choice(index)) => index.to_string(),
+            (_, Value::Sides(sides)) => sides.to_string(),
+            (_, Value::Outline(outline)) => outline.to_string(),
+        }
+    }
+
+    /// Reads a value from its text.
+    ///
+    /// # Errors
+    /// Names the key, the text and what is allowed.
+    pub fn parse(&self, text: &str) -> Result<Value, RecipeError> {
+        match self.kind {
+            Kind::Text { longest, .. } => self.parse_text(text, longest),
+            Kind::Integer { min, max, .. } => self.parse_integer(text, min, max),
+            Kind::Number { min, max, .. } => self.parse_number(text, min, max),
+            Kind::Choice { choices } => choices
+                .iter()
+                .position(|(word, _)| *word == text)
+                .map(Value::Choice)
+                .ok_or_else(|| self.unknown_choice(text)),
+            Kind::Sides { .. } => Sides::parse(text).map(Value::Sides).ok_or_else(|| self.unknown_choice(text)),
+            Kind::Outline => Outline::parse(text.trim())
+                .map(Value::Outline)
+                .map_err(|reason| RecipeError::Outline { key: self.name, reason }),
+        }
+    }
+
+    fn parse_text(&self, text: &str, longest: usize) -> Result<Value, RecipeError> {
+        let text = text.trim();
+        let length = text.chars().count();
+        if length > longest {
+            return Err(RecipeError::TooLong { key: self.name, length, max: longest });
+        }
+        if text.chars().any(|c| c.is_control() || c == char::REPLACEMENT_CHARACTER) {
+            return Err(RecipeError::NotText { key: self.name });
+        }
+        Ok(Value::Text(text.into()))
+    }
+
+    fn parse_integer(&self, text: &str, min: u32, max: u32) -> Result<Value, RecipeError> {
+        let number = self.decimal(text)?;
+        if !number.is_whole() {
+            return Err(RecipeError::NotWhole { key: self.name, value: shown(text) });
+        }
+        if self.key == Key::Edition && number != Decimal::whole(super::EDITION) {
+            return Err(RecipeError::UnknownEdition { value: shown(text), known: super::EDITION });
+        }
+        self.within(number, text, Decimal::whole(min), Decimal::whole(max)).map(|number| Value::Integer(number.round()))
+    }
+
+    fn parse_number(&self, text: &str, min: Decimal, max: Decimal) -> Result<Value, RecipeError> {
+        self.within(self.decimal(text)?, text, min, max).map(Value::Number)
+    }
+
+    fn decimal(&self, text: &str) -> Result<Decimal, RecipeError> {
+        Decimal::parse(text.trim()).ok_or_else(|| RecipeError::NotANumber { key: self.name, value: shown(text) })
+    }
+
+    fn within(&self, number: Decimal, text: &str, min: Decimal, max: Decimal) -> Result<Decimal, RecipeError> {
+        if (min..=max).contains(&number) {
+            Ok(number)
+        } else {
+            Err(RecipeError::OutOfRange { key: self.name, value: shown(text), min, max })
+        }
+    }
+
+    fn unknown_choice(&self, text: &str) -> RecipeError {
+        let choices = match self.kind {
+            Kind::Choice { choices } => choices.iter().map(|(word, _)| *word).collect::<Vec<_>>().join(", "),
+            _ => "the sides n, e, s, w, each once".into(),
+        };
+        RecipeError::UnknownChoice { key: self.name, value: shown(text), choices }
+    }
+}
