@@ -157,6 +157,31 @@ fn is_land(parameters: &Parameters, point: Vec2) -> bool {
     parameters.land.as_ref().is_none_or(|land| land.at(point) == Cell::Available)
 }
 
+/// An island whose ridge, drawn twice, shuts all its land off from its coast.
+const SHUT_OFF: &str =
+    "land=drawn&rough=0&aspect=1&outline=.MzMzzMMzzMzMMzzM..M1M1zKM1zKzKM1zKM1M1..M4M4zHM4zHzHM4zHM4M4";
+
+#[test]
+fn land_shut_off_from_its_coast_takes_few_attractors_and_little_time() {
+    for (change, asked) in
+        [("", 6000), ("&scatter=grid", 6000), ("&attractors=1000000", 1_000_000), ("&reach=12&attractors=100", 100)]
+    {
+        let growth = grown(&format!("{SHUT_OFF}{change}"));
+        assert_eq!(growth.ending(), Some(Ending::Complete), "{change}");
+        // Only what lies between the coast and the ridge, under a hundredth of the domain, has a mouth.
+        assert!(growth.attractors() * 5 < asked, "{change}: {}", growth.attractors());
+    }
+}
+
+#[test]
+fn mouths_are_counted_as_they_are_planted() {
+    for link in ["land=island&mouths=64&apart=400", "land=archipelago&mouths=40", "land=basin&mouths=9&scatter=grid"] {
+        let growth = grown(&format!("{link}&attractors=900"));
+        assert_eq!(growth.mouths() as usize, growth.tree().mouths(), "{link}");
+        assert!(growth.attractors() >= growth.unreached(), "{link}");
+    }
+}
+
 /// Whether two straight pieces cross, by the sides that their ends lie on.
 fn cross(a: Vec2, b: Vec2, c: Vec2, d: Vec2) -> bool {
     let side = |from: Vec2, to: Vec2, at: Vec2| (to - from).perp_dot(at - from);
