@@ -35,6 +35,7 @@ pub mod grow;
 pub mod import;
 pub mod land;
 mod memory;
+pub mod network;
 mod order;
 pub mod paint;
 pub mod prune;

@@ -28,6 +28,8 @@ pub enum Purpose {
     Land = 4,
     /// Where the particles of a Brownian tree are born, in which order, and how they move.
     Particles = 5,
+    /// How the banks of rivers vary, and where rivers meander.
+    Courses = 6,
 }
 
 impl Seed {

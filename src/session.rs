@@ -2,11 +2,12 @@
 
 use thiserror::Error;
 
-use crate::grow::{Ending, GrowError, Growth, Parameters};
-use crate::paint::{PaintError, Painter, Progress, Rect, Style};
+use crate::grow::{Ending, GrowError, Growth, Parameters, Procedure};
+use crate::network::{self, Courses, Meander, Network};
+use crate::paint::{PaintError, Painter, Progress, Rect, Rivers, Style};
+use crate::prune::{self, Pruned};
 use crate::recipe::{Key, Recipe, Stage};
 use crate::tree::{Hydrology, Tree};
-use crate::{prune, prune::Pruned};
 
 /// Why a recipe cannot be shown.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
@@ -38,7 +39,18 @@ pub enum SessionError {
 pub struct Session {
     recipe: Recipe,
     growth: Growth,
+    /// Once growth has ended.
+    shaped: Option<Shaped>,
     painter: Painter,
+}
+
+/// A tree made into rivers.
+#[derive(Clone, Debug)]
+struct Shaped {
+    /// How many nodes are left of the tree, trimmed.
+    nodes: u32,
+    courses: Courses,
+    meander: Meander,
 }
 
 /// What a picture shows, in numbers.
@@ -60,6 +72,10 @@ pub struct Summary {
     pub unreached: u32,
     /// How growth ended; `None` while it goes on.
     pub ending: Option<Ending>,
+    /// Rounds that rivers have meandered.
+    pub rounds: u32,
+    /// Oxbow lakes that they have left.
+    pub oxbows: u32,
 }
 
 impl Summary {
@@ -78,7 +94,7 @@ impl Session {
     pub fn new(recipe: Recipe, width: u32, height: u32) -> Result<Self, SessionError> {
         let growth = Growth::new(Parameters::of(&recipe))?;
         let painter = Painter::new(&growth.parameters().domain, width, height)?;
-        Ok(Self { recipe, growth, painter })
+        Ok(Self { recipe, growth, shaped: None, painter })
     }
 
     /// The recipe.
@@ -98,7 +114,20 @@ impl Session {
                 let land = self.growth.parameters().land.clone();
                 self.grow(Parameters::on_land(&recipe, land), recipe)?;
             }
-            Some(Stage::Prune | Stage::Paint) => {
+            Some(Stage::Prune) => {
+                self.recipe = recipe;
+                self.shaped = None;
+                self.painter.start_over();
+            }
+            Some(Stage::Shape) => {
+                self.recipe = recipe;
+                let parameters = network::Parameters::of(&self.recipe, &self.growth);
+                if let Some(shaped) = &mut self.shaped {
+                    shaped.meander = Meander::new(&shaped.courses, parameters);
+                }
+                self.painter.start_over();
+            }
+            Some(Stage::Paint) => {
                 self.recipe = recipe;
                 self.painter.start_over();
             }
@@ -120,7 +149,7 @@ impl Session {
         if !is_same_land {
             self.painter.leave_land();
         }
-        (self.recipe, self.growth) = (recipe, growth);
+        (self.recipe, self.growth, self.shaped) = (recipe, growth, None);
         Ok(())
     }
 
@@ -139,25 +168,71 @@ impl Session {
     /// If the memory is not to be had; everything is then as before.
     pub fn restart(&mut self) -> Result<(), SessionError> {
         self.growth = Growth::new(self.growth.parameters().clone())?;
+        self.shaped = None;
         self.painter.start_over();
         Ok(())
     }
 
-    /// Grows by so many ticks at most. Returns whether there is more to grow.
-    pub fn advance(&mut self, ticks: u32) -> bool {
-        (0..ticks).all(|_| self.growth.tick())
+    /// Goes on by so many steps at most: ticks of growth, then one that makes rivers of the tree, then rounds of meandering.
+    /// Returns whether there is more to do.
+    pub fn advance(&mut self, steps: u32) -> bool {
+        (0..steps).all(|_| self.step())
+    }
+
+    fn step(&mut self) -> bool {
+        if self.growth.ending().is_none() {
+            self.growth.tick();
+            return true;
+        }
+        if let Some(shaped) = &mut self.shaped {
+            return shaped.meander.round();
+        }
+        let shaped = self.shape();
+        let goes_on = !shaped.meander.is_finished();
+        self.shaped = Some(shaped);
+        goes_on
+    }
+
+    /// Makes rivers of the tree.
+    fn shape(&self) -> Shaped {
+        let Pruned { tree, .. } = self.pruned();
+        let grown = self.growth.parameters();
+        // The strands of a Brownian tree never touch, so they do not cross.
+        let courses = Courses::of(&tree, grown.procedure == Procedure::Colonize, grown.land.as_deref());
+        let meander = Meander::new(&courses, network::Parameters::of(&self.recipe, &self.growth));
+        Shaped { nodes: tree.len() as u32, courses, meander }
+    }
+
+    /// Whether there is nothing more to do.
+    pub fn is_finished(&self) -> bool {
+        self.shaped.as_ref().is_some_and(|shaped| shaped.meander.is_finished())
+    }
+
+    /// The rivers; `None` while the tree grows.
+    pub fn network(&self) -> Option<&Network> {
+        self.shaped.as_ref().map(|shaped| shaped.meander.network())
+    }
+
+    /// How the rivers of this recipe are made of its tree.
+    pub fn network_parameters(&self) -> network::Parameters {
+        network::Parameters::of(&self.recipe, &self.growth)
     }
 
     /// Brings the picture up to date. Returns the rectangle that changed; `None` if nothing did.
     pub fn paint(&mut self) -> Option<Rect> {
         let recipe = &self.recipe;
+        let land = self.growth.parameters().land.as_deref();
+        if let Some(Shaped { meander, .. }) = &self.shaped {
+            let (network, rounds) = (meander.network(), meander.rounds());
+            return self.painter.paint_rivers(&Rivers { network, rounds, land, style: style(recipe) });
+        }
         self.painter.paint(&Progress {
             tree: self.growth.tree(),
             finished: self.growth.ending().is_some(),
             trim: recipe.integer(Key::Trim),
             everything: self.growth.everything(),
             full_width: recipe.number(Key::Width),
-            land: self.growth.parameters().land.as_deref(),
+            land,
             style: style(recipe),
         })
     }
@@ -195,15 +270,17 @@ impl Session {
             attractors: self.growth.attractors(),
             unreached: self.growth.unreached(),
             ending: self.growth.ending(),
+            rounds: 0,
+            oxbows: 0,
         };
-        if so_far.ending.is_none() {
-            return so_far;
-        }
-        let Pruned { tree, hydrology, .. } = self.pruned();
+        let Some(Shaped { nodes, courses, meander }) = &self.shaped else { return so_far };
+        let rivers = &courses.network.rivers;
         Summary {
-            nodes: tree.len() as u32,
-            sources: hydrology.depth.iter().filter(|&&depth| depth == 0).count() as u32,
-            order: hydrology.order.iter().copied().max().unwrap_or(0),
+            nodes: *nodes,
+            sources: rivers.len() as u32,
+            order: rivers.iter().map(|river| river.order).max().unwrap_or(0),
+            rounds: meander.rounds(),
+            oxbows: meander.network().oxbows.len() as u32,
             ..so_far
         }
     }

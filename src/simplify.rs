@@ -9,60 +9,81 @@ use std::collections::BinaryHeap;
 
 use glam::Vec2;
 
+/// No neighbour.
+pub(crate) const NONE: u32 = u32::MAX;
+
 /// The area that each point of a line stands for: at least those of the points that go before it. Dropping all points
 /// below a threshold simplifies the line. Infinite for the ends of an open line, and for the last three points of a
 /// closed one: these never go. O(n log n).
 pub(crate) fn significance(points: &[Vec2], is_closed: bool) -> Vec<f32> {
-    let mut ring = Ring::new(points, is_closed);
-    let mut queue: BinaryHeap<Reverse<(u32, usize)>> = (0..points.len()).filter_map(|i| ring.entry(i)).collect();
+    let count = points.len() as u32;
+    let end = |i: u32| if is_closed { i } else { NONE };
+    let before = (0..count).map(|i| if i == 0 { end(count - 1) } else { i - 1 }).collect();
+    let after = (0..count).map(|i| if i + 1 == count { end(0) } else { i + 1 }).collect();
     let mut significance = vec![f32::INFINITY; points.len()];
-    let (mut left, fewest) = (points.len(), if is_closed { 3 } else { 2 });
-    let mut highest = 0;
-    while left > fewest
-        && let Some(Reverse((bits, i))) = queue.pop()
-    {
-        // An entry is out of date when its point has gone or its neighbours have changed since.
-        if significance[i].is_finite() || ring.entry(i) != Some(Reverse((bits, i))) {
-            continue;
-        }
-        highest = highest.max(bits);
-        significance[i] = f32::from_bits(highest);
-        left -= 1;
-        let neighbours = ring.unlink(i);
-        queue.extend(neighbours.into_iter().filter_map(|i| ring.entry(i)));
-    }
+    let fewest = if is_closed { 3 } else { 2 };
+    Lines::new(points, before, after)
+        .simplify(|lines, _| lines.left > fewest, |gone, area| significance[gone as usize] = area);
     significance
 }
 
-/// The points that are left, each knowing its neighbours.
-struct Ring<'a> {
+/// The points that are left of some lines, each knowing its neighbours. A point without two of them stays.
+pub(crate) struct Lines<'a> {
     points: &'a [Vec2],
-    is_closed: bool,
-    before: Vec<usize>,
-    after: Vec<usize>,
+    before: Vec<u32>,
+    after: Vec<u32>,
+    is_gone: Vec<bool>,
+    left: usize,
 }
 
-impl<'a> Ring<'a> {
-    fn new(points: &'a [Vec2], is_closed: bool) -> Self {
-        let count = points.len();
-        let before = (0..count).map(|i| if i == 0 { count - 1 } else { i - 1 }).collect();
-        let after = (0..count).map(|i| if i + 1 == count { 0 } else { i + 1 }).collect();
-        Self { points, is_closed, before, after }
+impl<'a> Lines<'a> {
+    pub fn new(points: &'a [Vec2], before: Vec<u32>, after: Vec<u32>) -> Self {
+        Self { points, before, after, is_gone: vec![false; points.len()], left: points.len() }
+    }
+
+    /// Takes out one point after the other, the least area first, as long as `may_go` lets the next one go. One that it
+    /// does not is asked for again when a neighbour of its has gone. Each area told is at least the one before.
+    pub fn simplify(mut self, mut may_go: impl FnMut(&Self, u32) -> bool, mut tell: impl FnMut(u32, f32)) {
+        let mut queue: BinaryHeap<Reverse<(u32, u32)>> =
+            (0..self.points.len() as u32).filter_map(|i| self.entry(i)).collect();
+        let mut highest = 0;
+        while let Some(Reverse((bits, i))) = queue.pop() {
+            // An entry is out of date when its point has gone or its neighbours have changed since.
+            if self.is_gone(i) || self.entry(i) != Some(Reverse((bits, i))) || !may_go(&self, i) {
+                continue;
+            }
+            highest = highest.max(bits);
+            tell(i, f32::from_bits(highest));
+            let neighbours = self.unlink(i);
+            queue.extend(neighbours.into_iter().filter_map(|i| self.entry(i)));
+        }
+    }
+
+    pub fn is_gone(&self, i: u32) -> bool {
+        self.is_gone[i as usize]
+    }
+
+    /// A point and its neighbours; `None` if it has not two.
+    pub fn triangle(&self, i: u32) -> Option<[u32; 3]> {
+        let triangle = [self.before[i as usize], i, self.after[i as usize]];
+        (!triangle.contains(&NONE)).then_some(triangle)
     }
 
     /// A point's place in the queue: its area as bits, which for numbers from 0 on have the numbers' order.
-    fn entry(&self, i: usize) -> Option<Reverse<(u32, usize)>> {
-        if !self.is_closed && (i == 0 || i + 1 == self.points.len()) {
-            return None;
-        }
-        let (a, b) = (self.points[self.before[i]] - self.points[i], self.points[self.after[i]] - self.points[i]);
-        Some(Reverse(((a.perp_dot(b) * 0.5).abs().to_bits(), i)))
+    fn entry(&self, i: u32) -> Option<Reverse<(u32, u32)>> {
+        let [a, b, c] = self.triangle(i)?.map(|i| self.points[i as usize]);
+        Some(Reverse((((a - b).perp_dot(c - b) * 0.5).abs().to_bits(), i)))
     }
 
-    fn unlink(&mut self, i: usize) -> [usize; 2] {
-        let (before, after) = (self.before[i], self.after[i]);
-        self.after[before] = after;
-        self.before[after] = before;
+    fn unlink(&mut self, i: u32) -> [u32; 2] {
+        let (before, after) = (self.before[i as usize], self.after[i as usize]);
+        self.after[before as usize] = after;
+        // What follows a tributary's last point is a point of the river that it joins, with neighbours of its own.
+        if self.before[after as usize] == i {
+            self.before[after as usize] = before;
+        }
+        self.is_gone[i as usize] = true;
+        self.left -= 1;
         [before, after]
     }
 }

@@ -113,6 +113,12 @@ impl Land {
         walk(from / SIDE, to / SIDE).all(|(column, row)| self.cell(column, row) == Cell::Available)
     }
 
+    /// Whether all that lies within a distance of a point of the domain, north, south, east and west, is land.
+    #[inline]
+    pub fn is_all_land(&self, at: Vec2, distance: f32) -> bool {
+        self.room.is_clear(at / SIDE, distance / SIDE)
+    }
+
     /// Whether a point of the domain surely sees all land within a distance.
     #[inline]
     pub fn sees_all(&self, at: Vec2, distance: f32) -> bool {

@@ -12,12 +12,13 @@ mod ground;
 mod ink;
 mod painter;
 mod palette;
+mod rivers;
 mod skeleton;
 mod strokes;
 mod view;
 
 pub use coverage::{Coverage, Rect};
-pub use painter::{Painter, Progress};
+pub use painter::{Painter, Progress, Rivers};
 pub use strokes::{Pen, Widths};
 pub use view::{LONGEST_SIDE, PaintError, View};
 

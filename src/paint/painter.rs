@@ -10,12 +10,14 @@ use super::coverage::{Coverage, Rect};
 use super::flow::Flow;
 use super::ground::ground;
 use super::palette::{self, Palette};
+use super::rivers::draw_network;
 use super::strokes::{Pen, Widths};
 use super::view::{PaintError, View};
 use super::{Style, ink, skeleton};
 use crate::domain::Domain;
 use crate::land::Land;
 use crate::memory;
+use crate::network::Network;
 use crate::prune;
 use crate::tree::Tree;
 
@@ -53,6 +55,21 @@ pub struct Painter {
     is_blank: bool,
     /// Whether the picture shows a finished tree.
     is_finished: bool,
+    /// The round that the rivers shown have meandered to; `None` as long as a tree is shown.
+    round: Option<u32>,
+}
+
+/// Rivers to be painted.
+#[derive(Clone, Copy, Debug)]
+pub struct Rivers<'a> {
+    /// The network. Between two calls only rounds of meandering may have changed it.
+    pub network: &'a Network,
+    /// How many rounds that were.
+    pub rounds: u32,
+    /// The land; `None` if all of the domain is.
+    pub land: Option<&'a Land>,
+    /// The style.
+    pub style: Style,
 }
 
 impl Painter {
@@ -72,7 +89,7 @@ impl Painter {
         let pixmap = Pixmap::new(width, height).ok_or(none.clone())?;
         let coverage = Coverage::new(width, height).ok_or(none)?;
         let (drawn, flow) = (Vec::new(), Flow::default());
-        Ok(Self { view, pixmap, coverage, drawn, flow, ground: None, is_blank: true, is_finished: false })
+        Ok(Self { view, pixmap, coverage, drawn, flow, ground: None, is_blank: true, is_finished: false, round: None })
     }
 
     /// The picture: RGBA, opaque.
@@ -92,6 +109,7 @@ impl Painter {
         self.flow = Flow::default();
         self.is_blank = true;
         self.is_finished = false;
+        self.round = None;
     }
 
     /// Brings the picture up to date. Returns the rectangle that changed; `None` if nothing did.
@@ -112,11 +130,29 @@ impl Painter {
         if std::mem::take(&mut self.is_blank) || (progress.finished && progress.style == Style::Skeleton) {
             self.coverage.touch_all();
         }
-        if self.ground.as_ref().is_none_or(|(style, _)| *style != progress.style) {
-            let ground = |land| ground(&self.view, land, palette(progress.style));
-            self.ground = progress.land.map(|land| (progress.style, ground(land)));
-        }
+        self.lay_ground(progress.land, progress.style);
         self.compose(progress.style)
+    }
+
+    /// Paints rivers, in place of the tree that they were. Returns the rectangle that changed; `None` if nothing did.
+    pub fn paint_rivers(&mut self, rivers: &Rivers<'_>) -> Option<Rect> {
+        if self.round == Some(rivers.rounds) {
+            return None;
+        }
+        self.round = Some(rivers.rounds);
+        self.is_finished = true;
+        self.coverage.clear();
+        draw_network(&mut self.coverage, &self.view, rivers.network, rivers.style);
+        self.coverage.touch_all();
+        self.lay_ground(rivers.land, rivers.style);
+        self.compose(rivers.style)
+    }
+
+    /// Paints the ground if it is not there yet.
+    fn lay_ground(&mut self, land: Option<&Land>, style: Style) {
+        if self.ground.as_ref().is_none_or(|(painted, _)| *painted != style) {
+            self.ground = land.map(|land| (style, ground(&self.view, land, palette(style))));
+        }
     }
 
     /// Draws all strokes that are new or have grown wider since this was last called. Strokes near the tips have been

@@ -82,14 +82,14 @@ impl Pen {
 }
 
 /// A place in pixels, and the radius there.
-type Vertex = (Vec2, f32);
+pub(super) type Vertex = (Vec2, f32);
 
-fn middle(a: Vertex, b: Vertex) -> Vertex {
+pub(super) fn middle(a: Vertex, b: Vertex) -> Vertex {
     ((a.0 + b.0) * 0.5, (a.1 + b.1) * 0.5)
 }
 
 /// Draws a parabola as straight pieces, as many as keep it within a fifth of a pixel.
-fn parabola(coverage: &mut Coverage, start: Vertex, bend: Vertex, end: Vertex) {
+pub(super) fn parabola(coverage: &mut Coverage, start: Vertex, bend: Vertex, end: Vertex) {
     /// A parabola and n equal chords lie at most |second difference| / 4n² apart.
     const TOLERANCE_PX: f32 = 0.2;
     const MOST_PIECES: u32 = 16;

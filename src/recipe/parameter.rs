@@ -14,6 +14,8 @@ pub enum Stage {
     Grow,
     /// Trimming it.
     Prune,
+    /// Making rivers of it: courses, widths, meanders.
+    Shape,
     /// Drawing it.
     Paint,
 }
@@ -25,6 +27,7 @@ impl Stage {
             Self::Land => "land",
             Self::Grow => "grow",
             Self::Prune => "prune",
+            Self::Shape => "shape",
             Self::Paint => "paint",
         }
     }
@@ -55,7 +58,19 @@ pub enum Key {
     Curl,
     Stretch,
     Trim,
+    Simplify,
     Width,
+    Vary,
+    Meander,
+    MeanderRounds,
+    MeanderStrength,
+    MeanderMix,
+    Gentle,
+    Great,
+    Flat,
+    Neck,
+    Buffer,
+    Taper,
     Style,
 }
 

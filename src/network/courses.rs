@@ -1,0 +1,114 @@
+//! From a tree to courses: at each confluence the arm with the greatest discharge is the river's own, and every other one
+//! is a river that joins it.
+
+use glam::Vec2;
+
+use super::ranking;
+use super::uncross::uncross;
+use super::{NONE, Network, River, Vertex};
+use crate::land::Land;
+use crate::tree::{Hydrology, NO_PARENT, Tree};
+
+/// The courses of a tree as it grew, and the order in which their vertices go when they are simplified.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Courses {
+    /// A vertex a node; no widths yet.
+    pub network: Network,
+    /// The vertices that can go, in the order in which they do.
+    pub ranking: Vec<u32>,
+}
+
+impl Courses {
+    /// Reads the courses of a trimmed tree. `may_cross` says whether its steps may cross each other; `land` is where
+    /// simplified courses have to stay.
+    pub fn of(tree: &Tree, may_cross: bool, land: Option<&Land>) -> Self {
+        let network = if may_cross { courses(&uncross(tree)) } else { courses(tree) };
+        let ranking = ranking::rank(&network, land);
+        Self { network, ranking }
+    }
+}
+
+/// One vertex a node. Rivers stand in the order in which they leave the sea: a river after the one it joins. A mouth from
+/// which nothing grew is none.
+fn courses(tree: &Tree) -> Network {
+    let hydrology = Hydrology::of(tree);
+    let own_arm = own_arms(tree, &hydrology);
+    let mut network = Network { vertices: Vec::with_capacity(tree.len()), ..Network::default() };
+    let mut river_of = vec![NONE; tree.len()];
+    let mut place = vec![NONE; tree.len()];
+    for lowest in 0..tree.len() {
+        let parent = tree.parent[lowest];
+        let begins = parent == NO_PARENT || own_arm[parent as usize] != lowest as u32;
+        if !begins || (parent == NO_PARENT && own_arm[lowest] == NONE) {
+            continue;
+        }
+        let number = network.rivers.len() as u32;
+        let upstream: Vec<u32> =
+            std::iter::successors(Some(lowest as u32), |&node| Some(own_arm[node as usize]).filter(|&arm| arm != NONE))
+                .collect();
+        let start = network.vertices.len() as u32;
+        for &node in upstream.iter().rev() {
+            place[node as usize] = network.vertices.len() as u32;
+            river_of[node as usize] = number;
+            network.vertices.push(vertex(tree.at[node as usize], hydrology.discharge[node as usize]));
+        }
+        network.rivers.push(River {
+            start,
+            end: network.vertices.len() as u32,
+            joins: place.get(parent as usize).copied().unwrap_or(NONE),
+            parent: river_of.get(parent as usize).copied().unwrap_or(NONE),
+            order: hydrology.order[lowest],
+            magnitude: hydrology.magnitude[lowest],
+        });
+    }
+    network
+}
+
+fn vertex(at: Vec2, discharge: u32) -> Vertex {
+    Vertex { at, discharge, ..Vertex::default() }
+}
+
+/// Of each node's arms the one with the greatest discharge, of equal ones the longest, then the first; [`NONE`] at
+/// a source.
+fn own_arms(tree: &Tree, hydrology: &Hydrology) -> Vec<u32> {
+    let mut own_arm = vec![NONE; tree.len()];
+    let size = |node: u32| (hydrology.discharge[node as usize], hydrology.depth[node as usize]);
+    for node in 0..tree.len() as u32 {
+        if let Some(arm) = own_arm.get_mut(tree.parent[node as usize] as usize)
+            && (*arm == NONE || size(node) > size(*arm))
+        {
+            *arm = node;
+        }
+    }
+    own_arm
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn main_stem_follows_the_discharge() {
+        // 0 ← 1 ← {2, 3}; 3 ← 4: the arm of 2 drains more, the arm of 3 is longer.
+        let tree = Tree {
+            at: (0..5).map(|i| Vec2::new(i as f32, (i * i) as f32)).collect(),
+            parent: vec![NO_PARENT, 0, 1, 1, 3],
+            drained: vec![1, 1, 9, 2, 3],
+            tick_starts: vec![0, 1],
+        };
+        let network = courses(&tree);
+        let own =
+            |river: usize| network.vertices[network.rivers[river].own()].iter().map(|v| v.at.x).collect::<Vec<_>>();
+        assert_eq!((own(0), own(1)), (vec![2.0, 1.0, 0.0], vec![4.0, 3.0]));
+        assert_eq!((network.rivers[0].joins, network.rivers[0].parent), (NONE, NONE));
+        assert_eq!((network.rivers[1].joins, network.rivers[1].parent), (1, 0));
+        assert_eq!(network.vertices[2].discharge, 16);
+        assert_eq!(network.rivers[1].magnitude, 1);
+    }
+
+    #[test]
+    fn lone_mouth_is_no_river() {
+        let tree = Tree { at: vec![Vec2::ZERO], parent: vec![NO_PARENT], drained: vec![1], tick_starts: vec![0, 1] };
+        assert_eq!(courses(&tree), Network::default());
+    }
+}

@@ -1,0 +1,79 @@
+//! Signed Menger curvature: one over the radius of the circle through three points.
+
+use glam::Vec2;
+
+use super::plane::least;
+
+/// The curvature at the middle one of three points on a line: positive where the line turns toward the right-hand side of
+/// a screen whose y runs down, 0 where it is straight or where points coincide.
+///
+/// κ = 2 (b − a) × (c − b) / (|ab| |bc| |ca|). A line that turns straight back has no curvature by this formula; it is
+/// told as the sharpest bend that its points can hold, one over half their distance. Units: 1 / length.
+pub fn curvature(a: Vec2, b: Vec2, c: Vec2) -> f32 {
+    let (ab, bc, ca) = (b - a, c - b, a - c);
+    let lengths = ab.length() * bc.length() * ca.length();
+    let shorter = least(ab.length(), bc.length());
+    if shorter <= 0.0 {
+        return 0.0;
+    }
+    let cross = ab.perp_dot(bc);
+    let sharpest = 2.0 / shorter;
+    if ab.dot(bc) < 0.0 && ca.length() <= shorter * 1e-3 {
+        return if cross < 0.0 { -sharpest } else { sharpest };
+    }
+    (2.0 * cross / lengths).clamp(-sharpest, sharpest)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f32::consts::PI;
+
+    #[test]
+    fn circle_has_one_over_its_radius() {
+        for radius in [0.5f32, 3.0, 200.0] {
+            let at = |angle: f32| Vec2::new(libm::cosf(angle), libm::sinf(angle)) * radius;
+            assert!((curvature(at(0.1), at(0.4), at(0.9)) * radius - 1.0).abs() < 1e-3);
+            assert!((curvature(at(0.9), at(0.4), at(0.1)) * radius + 1.0).abs() < 1e-3);
+        }
+    }
+
+    #[test]
+    fn straight_lines_and_repeated_points_have_none() {
+        let [a, b, c] = [Vec2::ZERO, Vec2::ONE, Vec2::splat(3.0)];
+        for [a, b, c] in [[a, b, c], [a, a, c], [a, c, c], [b, b, b]] {
+            assert_eq!(curvature(a, b, c), 0.0);
+        }
+    }
+
+    #[test]
+    fn turning_straight_back_is_the_sharpest_bend() {
+        assert_eq!(curvature(Vec2::ZERO, Vec2::X * 2.0, Vec2::ZERO), 1.0);
+    }
+
+    /// Langbein and Leopold's curve, whose direction is ω sin(2π s / M) at length s: its curvature is
+    /// ω (2π / M) cos(2π s / M), its sinuosity 1 / J₀(ω).
+    #[test]
+    fn sine_generated_curve_has_its_analytic_curvature_and_sinuosity() {
+        const PIECES: usize = 400;
+        let length = 100.0f32;
+        for degrees in [45.0f32, 70.0, 90.0, 110.0] {
+            let omega = degrees.to_radians();
+            let heading = |s: f32| omega * libm::sinf(2.0 * PI * s / length);
+            let piece = length / PIECES as f32;
+            let mut line = vec![Vec2::ZERO];
+            for i in 0..PIECES {
+                let direction = heading((i as f32 + 0.5) * piece);
+                line.push(line[i] + Vec2::new(libm::cosf(direction), libm::sinf(direction)) * piece);
+            }
+            for i in (1..PIECES).step_by(7) {
+                let analytic = omega * 2.0 * PI / length * libm::cosf(2.0 * PI * i as f32 * piece / length);
+                let measured = curvature(line[i - 1], line[i], line[i + 1]);
+                assert!((measured - analytic).abs() < 2e-3, "{degrees}°, {i}: {measured} is not {analytic}");
+            }
+            let sinuosity = length / line[0].distance(line[PIECES]);
+            let analytic = 1.0 / libm::j0f(omega);
+            assert!((sinuosity / analytic - 1.0).abs() < 2e-3, "{degrees}°: {sinuosity} is not {analytic}");
+        }
+    }
+}

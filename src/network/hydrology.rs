@@ -1,0 +1,43 @@
+//! Slope and elevation of rivers that flow through no terrain.
+//!
+//! Rivers flatten downstream: slope falls as a power of discharge. So 'flat' has a meaning by discharge alone, and
+//! slopes summed from the mouth up are elevations that always fall toward the sea.
+
+use super::{NONE, Network};
+
+/// The slope at the mouth of a river that drains everything: that of lower rivers, a few units in ten thousand.
+const LEAST_SLOPE: f32 = 3e-4;
+
+/// The slope of a river that drains a share of everything: S ∝ Q^−0.4, as width, depth and velocity ∝ Q^0.5, Q^0.4 and Q^0.1
+/// of Leopold and Maddock (1953) leave it (Pelletier 2021).
+pub fn slope(share: f32) -> f32 {
+    LEAST_SLOPE * libm::powf(share.max(1e-6), -0.4)
+}
+
+/// The elevation of each vertex over the sea, in units; 0 at mouths. It falls along every river.
+pub fn elevations(network: &Network, everything: u32) -> Vec<f32> {
+    let downstream = network.downstream();
+    let mut elevations = vec![f32::NAN; network.vertices.len()];
+    let mut upward = Vec::new();
+    for start in 0..network.vertices.len() as u32 {
+        // Down to what is known, then up again.
+        let mut i = start;
+        while i != NONE && elevations[i as usize].is_nan() {
+            upward.push(i);
+            i = downstream[i as usize];
+        }
+        while let Some(i) = upward.pop() {
+            let vertex = &network.vertices[i as usize];
+            elevations[i as usize] = match network.vertices.get(downstream[i as usize] as usize) {
+                None => 0.0,
+                Some(next) => {
+                    let fall = slope(vertex.discharge as f32 / everything as f32) * vertex.at.distance(next.at);
+                    // However short the way, a river falls.
+                    let below = elevations[downstream[i as usize] as usize];
+                    (below + fall).max(below.next_up())
+                }
+            };
+        }
+    }
+    elevations
+}

@@ -1,0 +1,116 @@
+//! Meandering by vectors (Hodgin; Dragons Abound): each point moves toward the outside of its bend and downstream, by as much
+//! as the river curves there.
+//!
+//! Curvature is measured in widths, so that wide rivers and narrow ones bend alike; capped, so that no sharp corner runs
+//! away; and smoothed along the river over so many widths that bends of some eleven widths grow fastest, as those of
+//! rivers do. The cap comes first: one corner does not outweigh a bend.
+
+use glam::Vec2;
+
+use super::super::curvature::curvature;
+use super::super::parameters::Parameters;
+use super::super::plane::most;
+use super::super::{Network, River};
+
+/// A bend tighter than this pulls no more: curvature times width, a radius of two widths.
+const SHARPEST: f32 = 0.5;
+
+/// Over how many widths curvature is smoothed. A growing bend's rate goes with k² / (1 + k²L²)², which is greatest at a
+/// wavelength of 2πL.
+const MEMORY: f32 = 1.75;
+
+/// How much of the way to the middle of its neighbours a vertex is drawn, against kinks.
+const EASE: f32 = 0.08;
+
+/// How far a bend as sharp as can be moves in a round at full strength, in widths.
+const PACE: f32 = 0.6;
+
+/// The way that each vertex goes in this round.
+pub(super) fn moves(network: &Network, parameters: &Parameters) -> Vec<Vec2> {
+    let mut moves = vec![Vec2::ZERO; network.vertices.len()];
+    let mut course = Course::default();
+    for river in &network.rivers {
+        if network.vertices[river.own()].iter().any(|vertex| vertex.sway > 0.0) {
+            course.read(network, river, parameters.spacing);
+            course.smooth();
+            course.bend(network, river, parameters, &mut moves);
+        }
+    }
+    moves
+}
+
+/// One river's curvature, in widths.
+#[derive(Default)]
+pub(super) struct Course {
+    pub at: Vec<Vec2>,
+    /// The width that matters: rivers narrower than a spacing bend as if they were as wide.
+    pub width: Vec<f32>,
+    /// Curvature times width.
+    pub bend: Vec<f32>,
+    /// The length of the segment upstream.
+    pub step: Vec<f32>,
+}
+
+impl Course {
+    /// Reads a river, its junction included.
+    pub fn read(&mut self, network: &Network, river: &River, spacing: f32) {
+        self.at.clear();
+        self.width.clear();
+        for vertex in network.course(river) {
+            self.at.push(vertex.at);
+            self.width.push(most(vertex.width(), spacing));
+        }
+        let count = self.at.len();
+        self.step.clear();
+        self.step.push(0.0);
+        self.step.extend(self.at.windows(2).map(|pair| pair[0].distance(pair[1])));
+        self.bend.clear();
+        for i in 0..count {
+            // Measured over about a width either way: nearer points would tell of noise.
+            let stride = ((self.width[i] / spacing) as usize).clamp(1, 16).min(i).min(count - 1 - i);
+            let kappa = curvature(self.at[i - stride], self.at[i], self.at[i + stride]);
+            self.bend.push((kappa * self.width[i]).clamp(-SHARPEST, SHARPEST) / SHARPEST);
+        }
+    }
+
+    /// The unit vector downstream.
+    pub fn tangent(&self, i: usize) -> Vec2 {
+        (self.at[(i + 1).min(self.at.len() - 1)] - self.at[i.saturating_sub(1)]).normalize_or_zero()
+    }
+
+    /// Smooths curvature, an exponential filter once up and once down the river.
+    fn smooth(&mut self) {
+        let mut last = 0.0f32;
+        for i in 0..self.bend.len() {
+            last += (self.bend[i] - last) * share(self.step[i], self.width[i]);
+            self.bend[i] = last;
+        }
+        last = 0.0;
+        for i in (0..self.bend.len()).rev() {
+            last += (self.bend[i] - last) * share(self.step.get(i + 1).copied().unwrap_or(0.0), self.width[i]);
+            self.bend[i] = last;
+        }
+    }
+
+    fn bend(&self, network: &Network, river: &River, parameters: &Parameters, moves: &mut [Vec2]) {
+        let own = river.own();
+        for (i, (vertex, way)) in network.vertices[own.clone()].iter().zip(&mut moves[own]).enumerate() {
+            if vertex.sway == 0.0 || i == 0 || i + 1 == self.at.len() {
+                continue;
+            }
+            let (bend, tangent) = (self.bend[i], self.tangent(i));
+            // A positive bend turns toward `perp`, so its outside is the other way.
+            let outward = tangent.perp() * -bend;
+            let onward = tangent * bend.abs();
+            let push = outward * parameters.mix + onward * (1.0 - parameters.mix);
+            let pace = PACE * parameters.strength * self.width[i];
+            let ease = ((self.at[i - 1] + self.at[i + 1]) * 0.5 - self.at[i]) * EASE;
+            *way = (push * pace + ease) * vertex.sway;
+        }
+    }
+}
+
+/// How much of a new value a filter takes in over a step.
+fn share(step: f32, width: f32) -> f32 {
+    step / (step + MEMORY * width)
+}

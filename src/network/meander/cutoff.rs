@@ -1,0 +1,142 @@
+//! Cutoffs: where two limbs of a river come near each other, it breaks through, and leaves the loop as an oxbow lake.
+//!
+//! A loop that other rivers join is not left whole: the uppermost of them takes over its bed from there on, as brooks
+//! do, and joins the river below the neck; the rest join that one. So no tributary is ever cut off.
+
+use super::super::guard::Near;
+use super::super::parameters::Parameters;
+use super::super::plane::most;
+use super::super::{NONE, Network, Oxbow, River, Vertex};
+use super::river_of;
+
+/// A neck: the vertices above and below the loop.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Cut {
+    pub river: u32,
+    pub above: u32,
+    pub below: u32,
+}
+
+/// Whether there is a loop between two segments of a river, and not only a bend.
+pub(super) fn is_loop(i: u32, j: u32, width: f32, spacing: f32) -> bool {
+    const LEAST: f32 = 6.0;
+    i.abs_diff(j) as f32 * spacing > LEAST * most(width, spacing)
+}
+
+/// The necks to be cut: of each river's the one with the longest loop.
+pub(super) fn necks(network: &Network, near: &[Near], parameters: &Parameters) -> Vec<Cut> {
+    let river_of = river_of(network);
+    let mut necks: Vec<Option<Cut>> = vec![None; network.rivers.len()];
+    for &Near { first, second, distance } in near {
+        let river = river_of[first as usize];
+        let width = network.vertices[first as usize].width();
+        let is_neck = river == river_of[second as usize]
+            && distance < parameters.neck * most(width, parameters.spacing)
+            && is_loop(first, second, width, parameters.spacing);
+        let moves = |i: u32| network.vertices[i as usize].sway > 0.0;
+        if !is_neck || !(moves(first) || moves(second)) {
+            continue;
+        }
+        let Some(cut) = nearest_ends(network, river, first, second) else { continue };
+        let neck = &mut necks[river as usize];
+        if neck.is_none_or(|other| other.below - other.above < cut.below - cut.above) {
+            *neck = Some(cut);
+        }
+    }
+    necks.into_iter().flatten().collect()
+}
+
+/// The ends of two segments of a river that lie nearest each other.
+fn nearest_ends(network: &Network, river: u32, first: u32, second: u32) -> Option<Cut> {
+    let end = network.rivers[river as usize].end;
+    let at = |i: u32| network.vertices[i as usize].at;
+    let pairs = [(first, second), (first, second + 1), (first + 1, second), (first + 1, second + 1)];
+    let own = pairs.into_iter().filter(|&(_, below)| below < end);
+    let nearest = own.min_by_key(|&(above, below)| at(above).distance_squared(at(below)).to_bits());
+    nearest.map(|(above, below)| Cut { river, above, below })
+}
+
+/// Cuts through necks, at most one a river.
+pub(super) fn cut(network: &mut Network, cuts: &[Cut], round: u32) {
+    let loops: Vec<Loop> = cuts.iter().map(|&cut| Loop::of(network, cut)).collect();
+    let oxbows: Vec<Oxbow> = loops.iter().map(|cut_off| cut_off.oxbow(network, round)).collect();
+    network.oxbows.extend(oxbows);
+    let mut cut_of = vec![None; network.rivers.len()];
+    let mut bed_of = vec![None; network.rivers.len()];
+    for cut_off in &loops {
+        cut_of[cut_off.cut.river as usize] = Some(cut_off.cut);
+        if let Some(heir) = cut_off.heir {
+            bed_of[heir as usize] = Some(cut_off);
+        }
+    }
+    let mut vertices = Vec::with_capacity(network.vertices.len());
+    let mut place = vec![NONE; network.vertices.len()];
+    let mut rivers = network.rivers.clone();
+    for (number, river) in rivers.iter_mut().enumerate() {
+        let old = *river;
+        river.start = vertices.len() as u32;
+        let mut take = |i: u32, vertex: Vertex| {
+            place[i as usize] = vertices.len() as u32;
+            vertices.push(vertex);
+        };
+        let is_left = |i: &u32| cut_of[number].is_none_or(|cut: Cut| *i <= cut.above || *i >= cut.below);
+        (old.start..old.end).filter(is_left).for_each(|i| take(i, network.vertices[i as usize]));
+        if let Some(cut_off) = bed_of[number] {
+            cut_off.bed(network, &old).for_each(|(i, vertex)| take(i, vertex));
+            river.joins = cut_off.cut.below;
+        }
+        river.end = vertices.len() as u32;
+    }
+    for (number, river) in rivers.iter_mut().enumerate() {
+        if let Some(cut_off) = loops.iter().find(|cut_off| cut_off.is_left_to_heir(number as u32, river)) {
+            river.parent = cut_off.heir.unwrap_or(NONE);
+        }
+        river.joins = place.get(river.joins as usize).copied().unwrap_or(NONE);
+    }
+    (network.vertices, network.rivers) = (vertices, rivers);
+}
+
+/// A loop that is cut off.
+struct Loop {
+    cut: Cut,
+    /// The river that takes over its bed, and the vertex from which on.
+    heir: Option<u32>,
+    taken_from: u32,
+}
+
+impl Loop {
+    fn of(network: &Network, cut: Cut) -> Self {
+        let joins = |river: &River| (cut.above + 1..cut.below).contains(&river.joins);
+        let size = |river: &River| network.vertices[river.own()].last().map_or(0, |vertex| vertex.discharge);
+        let uppermost = (0u32..)
+            .zip(&network.rivers)
+            .filter(|(_, river)| joins(river))
+            .min_by_key(|(_, river)| (river.joins, u32::MAX - size(river)));
+        let (heir, taken_from) = uppermost.map_or((None, cut.below), |(heir, river)| (Some(heir), river.joins));
+        Self { cut, heir, taken_from }
+    }
+
+    /// Whether a river, as it was before, joined the part of the loop that has gone over to the heir.
+    fn is_left_to_heir(&self, number: u32, river: &River) -> bool {
+        self.heir.is_some_and(|heir| heir != number) && (self.taken_from..self.cut.below).contains(&river.joins)
+    }
+
+    /// The bed that the heir takes over: it holds its water alone now.
+    fn bed<'a>(&'a self, network: &'a Network, heir: &River) -> impl Iterator<Item = (u32, Vertex)> + 'a {
+        let gone = network.vertices[self.cut.above as usize].discharge;
+        let last = network.vertices[heir.own()].last().copied().unwrap_or_default();
+        (self.taken_from..self.cut.below).map(move |i| {
+            let old = network.vertices[i as usize];
+            let discharge = (old.discharge - gone).max(last.discharge);
+            let narrower = (discharge as f32 / old.discharge.max(1) as f32).sqrt();
+            let (left, right) = (most(old.left * narrower, last.left), most(old.right * narrower, last.right));
+            (i, Vertex { discharge, left, right, sway: 0.0, ..old })
+        })
+    }
+
+    /// What is left without a river.
+    fn oxbow(&self, network: &Network, round: u32) -> Oxbow {
+        let vertices = network.vertices[self.cut.above as usize..=self.taken_from as usize].to_vec();
+        Oxbow { river: self.cut.river, born: round, vertices }
+    }
+}

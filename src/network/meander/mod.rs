@@ -1,0 +1,191 @@
+//! Meanders: bends grow and travel in small rounds, necks are cut, and what is cut off stays as an oxbow lake.
+//!
+//! A round measures how near lines come to each other, cuts through necks, lets bends move by one of two models
+//! ([`bend`], [`flow`]), each vertex as freely as its sway says ([`sway`]) and as far as the guard allows, and spaces vertices
+//! evenly again. Vertices that come too near another river stay where they are from then on.
+
+mod bend;
+mod cutoff;
+mod flow;
+mod respace;
+mod sway;
+
+use glam::Vec2;
+
+use super::courses::Courses;
+use super::evenly::divide;
+use super::guard::{Guard, Near};
+use super::parameters::{Model, Parameters};
+use super::plane::most;
+use super::ranking::simplified;
+use super::smooth::{has_room, limits, smooth};
+use super::width::widen;
+use super::{NONE, Network};
+
+/// A network on its way from courses to meandering rivers: a stepper of rounds.
+#[derive(Clone, Debug)]
+pub struct Meander {
+    parameters: Parameters,
+    network: Network,
+    guard: Guard,
+    round: u32,
+}
+
+impl Meander {
+    /// Round 0: courses simplified, smooth and as wide as they will be.
+    pub fn new(courses: &Courses, parameters: Parameters) -> Self {
+        let coarse = simplified(&courses.network, &courses.ranking, parameters.simplify);
+        let (mut network, origin) = divide(&coarse, parameters.spacing);
+        let ground = (&parameters.domain, parameters.land.as_deref());
+        smooth(&mut network, &coarse, &origin, ground, parameters.spacing);
+        widen(&mut network, &parameters);
+        sway::give(&mut network, &parameters);
+        let guard = Guard::new(&parameters.domain, parameters.spacing);
+        Self { parameters, network, guard, round: 0 }
+    }
+
+    /// The network as it is.
+    pub fn network(&self) -> &Network {
+        &self.network
+    }
+
+    /// The parameters it is made by.
+    pub fn parameters(&self) -> &Parameters {
+        &self.parameters
+    }
+
+    /// How many rounds have been made.
+    pub fn rounds(&self) -> u32 {
+        self.round
+    }
+
+    /// Makes a round. Returns whether there is another one to make.
+    pub fn round(&mut self) -> bool {
+        if self.is_finished() {
+            return false;
+        }
+        self.round += 1;
+        let mut downstream = self.network.downstream();
+        let (mut clearance, mut near) = self.survey(&downstream);
+        if self.cut_necks(&downstream, &near) {
+            downstream = self.network.downstream();
+            (clearance, near) = self.survey(&downstream);
+        }
+        self.freeze(&near);
+        self.move_bends(&downstream, &clearance);
+        respace::respace(&mut self.network, &clearance, self.parameters.spacing);
+        !self.is_finished()
+    }
+
+    /// Whether there is no other round to make.
+    pub fn is_finished(&self) -> bool {
+        self.parameters.model == Model::None || self.round >= self.parameters.rounds
+    }
+
+    /// The clearance of each segment, and the pairs that are near each other.
+    fn survey(&mut self, downstream: &[u32]) -> (Vec<f32>, Vec<Near>) {
+        let Parameters { spacing, buffer, neck, .. } = self.parameters;
+        let vertices = &self.network.vertices;
+        let reach: Vec<f32> = vertices
+            .iter()
+            .zip(downstream)
+            .map(|(vertex, &below)| {
+                let Some(below) = vertices.get(below as usize) else { return 0.0 };
+                let width = most(vertex.width(), below.width());
+                if vertex.sway > 0.0 || below.sway > 0.0 {
+                    most(most(width + buffer, neck * most(width, spacing)), spacing)
+                } else if width + buffer > spacing {
+                    width + buffer
+                } else {
+                    0.0
+                }
+            })
+            .collect();
+        let mut near = Vec::new();
+        let clearance = self.guard.survey(&self.network, downstream, &reach, spacing, &mut |pair| near.push(pair));
+        (clearance, near)
+    }
+
+    /// Cuts through the necks among some pairs, one a river. Returns whether there were any.
+    fn cut_necks(&mut self, downstream: &[u32], near: &[Near]) -> bool {
+        let necks = cutoff::necks(&self.network, near, &self.parameters);
+        let cuts: Vec<_> = necks
+            .into_iter()
+            .filter(|cut| self.guard.is_free(&self.network, downstream, (cut.above, cut.below)))
+            .collect();
+        if cuts.is_empty() {
+            return false;
+        }
+        cutoff::cut(&mut self.network, &cuts, self.round);
+        true
+    }
+
+    /// Lets no vertex move any more that has come too near another river, or so near its own that the neck should have
+    /// been cut.
+    fn freeze(&mut self, near: &[Near]) {
+        let river_of = river_of(&self.network);
+        for pair in near {
+            if self.is_too_near(pair, &river_of) {
+                for upper in [pair.first, pair.second] {
+                    let river = self.network.rivers[river_of[upper as usize] as usize];
+                    let lower = if upper + 1 < river.end { upper + 1 } else { river.joins };
+                    for vertex in [upper, lower] {
+                        if let Some(vertex) = self.network.vertices.get_mut(vertex as usize) {
+                            vertex.sway = 0.0;
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    fn is_too_near(&self, pair: &Near, river_of: &[u32]) -> bool {
+        let Parameters { spacing, buffer, neck, .. } = self.parameters;
+        let [a, b] = [pair.first, pair.second].map(|i| (i, river_of[i as usize]));
+        let width = |i: u32| self.network.vertices[i as usize].width();
+        let apart = (width(a.0) + width(b.0)) * 0.5 + buffer;
+        if a.1 == b.1 {
+            return pair.distance < 0.5 * neck * most(width(a.0), spacing)
+                && cutoff::is_loop(a.0, b.0, width(a.0), spacing);
+        }
+        pair.distance < apart && !self.is_about_to_join(a, b, apart) && !self.is_about_to_join(b, a, apart)
+    }
+
+    /// Whether a river's segment is near another one because it is about to join it.
+    fn is_about_to_join(&self, (i, tributary): (u32, u32), (j, river): (u32, u32), apart: f32) -> bool {
+        let tributary = &self.network.rivers[tributary as usize];
+        let near = (2.0 * apart / self.parameters.spacing) as u32 + 3;
+        tributary.parent == river && tributary.end - i <= near && tributary.joins.abs_diff(j) <= near
+    }
+
+    fn move_bends(&mut self, downstream: &[u32], clearance: &[f32]) {
+        let moves = match self.parameters.model {
+            Model::Flow => flow::moves(&self.network, &self.parameters),
+            _ => bend::moves(&self.network, &self.parameters),
+        };
+        let limits = limits(clearance, downstream);
+        let Parameters { domain, land, spacing, .. } = &self.parameters;
+        for ((vertex, way), limit) in self.network.vertices.iter_mut().zip(moves).zip(limits) {
+            if way == Vec2::ZERO {
+                continue;
+            }
+            let far = way.length();
+            let to = vertex.at + way * (limit / most(far, limit));
+            // A segment may be one and a half spacings long, and both of its ends may move.
+            if domain.contains(to) && has_room(land.as_deref(), vertex.at, 2.5 * spacing) {
+                vertex.at = to;
+            } else {
+                vertex.sway = 0.0;
+            }
+        }
+    }
+}
+
+/// The river of each vertex.
+fn river_of(network: &Network) -> Vec<u32> {
+    let mut river_of = vec![NONE; network.vertices.len()];
+    for (number, river) in network.rivers.iter().enumerate() {
+        river_of[river.own()].fill(number as u32);
+    }
+    river_of
+}

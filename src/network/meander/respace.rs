@@ -1,0 +1,68 @@
+//! Even spacing again after a round: long segments are divided, and vertices that have come too close to the one before go.
+//!
+//! Dividing does not move a line. Taking a vertex out does, by its height over the line that is left: never farther than a share
+//! of the clearance that moving has left over.
+
+use super::super::evenly::{between, pieces};
+use super::super::plane::height;
+use super::super::{NONE, Network};
+
+/// With [`super::super::smooth::SHARE_OF_CLEARANCE`] it makes less than a half.
+const SHARE_OF_CLEARANCE: f32 = 0.15;
+
+/// Spaces vertices between half a spacing and one and a half, where that is possible.
+pub(super) fn respace(network: &mut Network, clearance: &[f32], spacing: f32) {
+    let is_junction = network.junctions();
+    let downstream = network.downstream();
+    let old = &network.vertices;
+    let mut place = vec![NONE; old.len()];
+    let mut vertices = Vec::with_capacity(old.len() + old.len() / 8);
+    for river in &mut network.rivers {
+        let own = river.own();
+        river.start = vertices.len() as u32;
+        let mut last = NONE;
+        for i in own.clone() {
+            let below = downstream[i];
+            let goes = i > own.start
+                && last != NONE
+                && last + 1 == i as u32
+                && below != NONE
+                && !is_junction[i]
+                && old[i].at.distance_squared(old[i - 1].at) < 0.25 * spacing * spacing
+                && height(old[i].at, old[i - 1].at, old[below as usize].at)
+                    <= SHARE_OF_CLEARANCE * clearance[i].min(clearance[i - 1]);
+            if goes {
+                continue;
+            }
+            if last != NONE {
+                divide(&mut vertices, &old[last as usize], &old[i], spacing);
+            }
+            place[i] = vertices.len() as u32;
+            vertices.push(old[i]);
+            last = i as u32;
+        }
+        if let (Some(upper), Some(junction)) = (old.get(last as usize), old.get(river.joins as usize)) {
+            divide(&mut vertices, upper, junction, spacing);
+        }
+        river.end = vertices.len() as u32;
+    }
+    for river in &mut network.rivers {
+        river.joins = place.get(river.joins as usize).copied().unwrap_or(NONE);
+    }
+    network.vertices = vertices;
+}
+
+/// Puts vertices between two if they are too far apart.
+fn divide(
+    vertices: &mut Vec<super::super::Vertex>,
+    upper: &super::super::Vertex,
+    lower: &super::super::Vertex,
+    spacing: f32,
+) {
+    let far = upper.at.distance(lower.at);
+    if far <= 1.5 * spacing {
+        return;
+    }
+    let pieces = pieces(far, spacing);
+    vertices.extend((1..pieces).map(|piece| between(upper, lower, piece as f32 / pieces as f32)));
+}

@@ -1,0 +1,99 @@
+//! How freely each vertex meanders: a little all over the map, here more and there not at all, and fully where the great rivers are
+//! flat; not at sources, mouths and junctions, and near them only little by little.
+//!
+//! A river is not held at a junction by a brook that is nothing to it: it carries the brook's end along. A tributary
+//! is always held where it ends.
+
+use super::super::hydrology::slope;
+use super::super::parameters::{Model, Parameters};
+use super::super::plane::{most, smooth_step};
+use super::super::{NONE, Network};
+use crate::order;
+
+/// No meandering within so many widths of what holds a river.
+const HELD: f32 = 1.0;
+
+/// The share of a river's discharge below which a tributary does not hold it, and above which it holds it wholly.
+const BROOK: f32 = 0.04;
+const EQUAL: f32 = 0.35;
+
+/// Gives every vertex its sway.
+pub(super) fn give(network: &mut Network, parameters: &Parameters) {
+    if parameters.model == Model::None {
+        return;
+    }
+    let flat = flat_discharge(network, parameters);
+    let great = great_rivers(network, flat, parameters.great);
+    let holds = holds(network);
+    let noise = parameters.gentle_noise();
+    for (number, river) in network.rivers.clone().iter().enumerate() {
+        let along = distances(network, number);
+        let Some(&length) = along.last() else { continue };
+        let own = &mut network.vertices[river.own()];
+        let width: Vec<f32> = own.iter().map(|vertex| most(vertex.width(), parameters.spacing)).collect();
+        let ramp = |far: f32, width: f32| smooth_step((far / width - HELD) / most(parameters.taper - HELD, 0.1));
+        let flat_from = own.iter().position(|vertex| vertex.discharge >= flat).filter(|_| great.contains(&number));
+        for (i, vertex) in own.iter_mut().enumerate() {
+            let gently = parameters.gentle * smooth_step(noise.get_noise_2d(vertex.at.x, vertex.at.y) * 1.25 + 0.25);
+            let fully =
+                flat_from.map_or(0.0, |from| if i < from { 0.0 } else { ramp(along[i] - along[from], width[i]) });
+            vertex.sway = most(gently, fully) * ramp(along[i], width[i]) * ramp(length - along[i], width[i]);
+        }
+        for (at, &hold) in holds[river.own()].iter().enumerate().filter(|(_, hold)| **hold > 0.0) {
+            let mut ease = |i: usize| {
+                let ramp = ramp((along[i] - along[at]).abs(), width[i]);
+                own[i].sway *= 1.0 - hold * (1.0 - ramp);
+                ramp < 1.0
+            };
+            let _ = (at..width.len()).all(&mut ease);
+            let _ = (0..at).rev().all(&mut ease);
+        }
+    }
+}
+
+/// The least discharge of what counts as flat: the flattest share of all courses, whose vertices lie evenly.
+fn flat_discharge(network: &Network, parameters: &Parameters) -> u32 {
+    let slope = |discharge: u32| slope(discharge as f32 / parameters.everything as f32);
+    let by_slope = order::ascending(network.vertices.iter().map(|vertex| order::key(slope(vertex.discharge))));
+    let count = (by_slope.len() as f32 * parameters.flat) as usize;
+    match by_slope.get(..count).and_then(<[usize]>::last) {
+        Some(&last) => network.vertices[last].discharge,
+        None => u32::MAX,
+    }
+}
+
+/// The rivers with the longest flat stretches.
+fn great_rivers(network: &Network, flat: u32, count: u32) -> Vec<usize> {
+    let length = |river: &super::super::River| {
+        network.vertices[river.own()].iter().filter(|vertex| vertex.discharge >= flat).count() as u32
+    };
+    let lengths: Vec<u32> = network.rivers.iter().map(length).collect();
+    let by_length = order::ascending(lengths.iter().map(|&length| u32::MAX - length));
+    by_length.into_iter().take(count as usize).filter(|&river| lengths[river] > 0).collect()
+}
+
+/// How firmly each vertex is held by what joins there, from 0 to 1.
+fn holds(network: &Network) -> Vec<f32> {
+    let mut holds = vec![0.0f32; network.vertices.len()];
+    for river in network.rivers.iter().filter(|river| river.joins != NONE) {
+        let Some(last) = network.vertices[river.own()].last() else { continue };
+        let below = network.vertices[river.joins as usize].discharge;
+        let share = last.discharge as f32 / below.max(1) as f32;
+        let hold = &mut holds[river.joins as usize];
+        *hold = most(*hold, smooth_step((share - BROOK) / (EQUAL - BROOK)));
+    }
+    holds
+}
+
+/// The distance of each vertex of a course from the source, its end included.
+fn distances(network: &Network, river: usize) -> Vec<f32> {
+    let mut along = 0.0;
+    let mut previous = None;
+    network
+        .course(&network.rivers[river])
+        .map(|vertex| {
+            along += previous.replace(vertex.at).map_or(0.0, |at: glam::Vec2| at.distance(vertex.at));
+            along
+        })
+        .collect()
+}

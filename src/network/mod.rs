@@ -1,0 +1,168 @@
+//! The network: a tree of nodes becomes rivers.
+//!
+//! A river is a course, a polyline from its source to its mouth or to the junction where it joins another, with discharge
+//! and two banks at each vertex. A junction is one vertex, the parent river's: a tributary has no copy of it, so
+//! nothing that moves a river can detach one.
+//!
+//! ```text
+//! tree ─► uncross ─► courses ─► simplify ─► evenly spaced, smooth ─► widths ─► meander
+//! ```
+//!
+//! No two rivers cross, at any time. The courses do not ([`uncross`]); a vertex goes only if its triangle holds no other
+//! ([`ranking`]); and what moves, moves by less than half of the way to the nearest other line ([`guard`]), so two lines
+//! can never meet, whatever moves them.
+
+mod courses;
+mod curvature;
+mod evenly;
+mod guard;
+pub mod hydrology;
+pub mod meander;
+mod parameters;
+mod plane;
+mod ranking;
+mod smooth;
+mod uncross;
+mod width;
+
+pub use courses::Courses;
+pub use curvature::curvature;
+pub use guard::{Guard, Near};
+pub use meander::Meander;
+pub use parameters::{Model, Parameters};
+pub use plane::{distance, meet};
+
+use std::ops::Range;
+
+use glam::Vec2;
+
+/// No vertex, no river.
+pub const NONE: u32 = u32::MAX;
+
+/// A point of a course.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Vertex {
+    /// Where it lies, in domain units.
+    pub at: Vec2,
+    /// What is drained at and above it.
+    pub discharge: u32,
+    /// How far the left bank is from the middle line, looking downstream, in units; 0 at a source.
+    pub left: f32,
+    /// How far the right bank is.
+    pub right: f32,
+    /// How freely it meanders, from 0, where it stays, to 1.
+    pub sway: f32,
+}
+
+impl Vertex {
+    /// From bank to bank, in units.
+    #[inline]
+    pub fn width(&self) -> f32 {
+        self.left + self.right
+    }
+}
+
+/// A river: a run of the network's vertices, source first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct River {
+    /// Its first vertex, the source.
+    pub start: u32,
+    /// The vertex after its own last one. That is its mouth, if it joins no other river.
+    pub end: u32,
+    /// The vertex at which it joins another river; [`NONE`] if it reaches the sea.
+    pub joins: u32,
+    /// The river it joins; [`NONE`] if it reaches the sea.
+    pub parent: u32,
+    /// Strahler's order at its end.
+    pub order: u8,
+    /// Shreve's magnitude at its end: the number of sources upstream.
+    pub magnitude: u32,
+}
+
+impl River {
+    /// The positions of its own vertices.
+    #[inline]
+    pub fn own(&self) -> Range<usize> {
+        self.start as usize..self.end as usize
+    }
+}
+
+/// A lake left by a river that cut off one of its loops.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Oxbow {
+    /// The river that left it.
+    pub river: u32,
+    /// The round in which it was cut off.
+    pub born: u32,
+    /// Its middle line with the widths that the river had.
+    pub vertices: Vec<Vertex>,
+}
+
+impl Oxbow {
+    /// How much of the river's width is left at each vertex: all of it in the middle, nothing at the ends, where silt has
+    /// closed the loop.
+    pub fn shares(&self) -> Vec<f32> {
+        const PLUG: f32 = 1.0;
+        const TAPER: f32 = 1.5;
+        let mut along = vec![0.0f32];
+        for pair in self.vertices.windows(2) {
+            along.push(along.last().copied().unwrap_or(0.0) + pair[0].at.distance(pair[1].at));
+        }
+        let length = along.last().copied().unwrap_or(0.0);
+        let width = self.vertices.iter().map(Vertex::width).fold(0.0, f32::max).max(f32::MIN_POSITIVE);
+        let share = |along: f32| ((along.min(length - along) / width - PLUG) / TAPER).clamp(0.0, 1.0).sqrt();
+        along.into_iter().map(share).collect()
+    }
+}
+
+/// Rivers with their junctions and oxbow lakes.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Network {
+    /// All vertices, river by river.
+    pub vertices: Vec<Vertex>,
+    /// The rivers. Their numbers stay the same whatever becomes of their courses.
+    pub rivers: Vec<River>,
+    /// The oxbow lakes, oldest first.
+    pub oxbows: Vec<Oxbow>,
+}
+
+impl Network {
+    /// The vertex below each; [`NONE`] below a mouth.
+    pub fn downstream(&self) -> Vec<u32> {
+        let mut downstream: Vec<u32> = (1..=self.vertices.len() as u32).collect();
+        for river in self.rivers.iter().filter(|river| river.end > river.start) {
+            downstream[river.end as usize - 1] = river.joins;
+        }
+        downstream
+    }
+
+    /// A river's course: its own vertices, then the junction if it ends in one.
+    pub fn course(&self, river: &River) -> impl DoubleEndedIterator<Item = &Vertex> + Clone {
+        let junction = (river.joins != NONE).then(|| &self.vertices[river.joins as usize]);
+        self.vertices[river.own()].iter().chain(junction)
+    }
+
+    /// For each vertex, whether a river joins another there.
+    pub fn junctions(&self) -> Vec<bool> {
+        let mut is_junction = vec![false; self.vertices.len()];
+        for river in self.rivers.iter().filter(|river| river.joins != NONE) {
+            is_junction[river.joins as usize] = true;
+        }
+        is_junction
+    }
+
+    /// The length of a river, in units.
+    pub fn length(&self, river: &River) -> f32 {
+        let course = self.course(river);
+        course.clone().zip(course.skip(1)).map(|(a, b)| a.at.distance(b.at)).sum()
+    }
+
+    /// The length of a river over the straight line from its source to its end; 1 if it ends where it begins.
+    pub fn sinuosity(&self, river: &River) -> f32 {
+        let ends = (self.course(river).next(), self.course(river).next_back());
+        match ends {
+            (Some(source), Some(end)) if source.at != end.at => self.length(river) / source.at.distance(end.at),
+            _ => 1.0,
+        }
+    }
+}

@@ -1,0 +1,126 @@
+//! What the network stage needs to know, in domain units.
+
+use std::sync::Arc;
+
+use fastnoise_lite::{FastNoiseLite, FractalType, NoiseType};
+
+use super::width::HAIRLINE;
+use crate::domain::Domain;
+use crate::grow::{Growth, Procedure};
+use crate::land::Land;
+use crate::random::{Purpose, Seed};
+use crate::recipe::{Key, Recipe};
+
+/// How rivers meander.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Model {
+    /// Each bend moves outward and downstream by its own curvature (Hodgin, Dragons Abound).
+    Bend,
+    /// By the curvature upstream of it, too (Howard and Knutson 1984): bends skew and travel.
+    Flow,
+    /// Not at all.
+    None,
+}
+
+/// The parameters of the network stage, resolved.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Parameters {
+    /// The seed's 64 bits.
+    pub seed: Seed,
+    /// The rectangle.
+    pub domain: Domain,
+    /// The land; `None` if all of the domain is.
+    pub land: Option<Arc<Land>>,
+    /// About how far apart the vertices of a course are.
+    pub spacing: f32,
+    /// The discharge that counts as everything.
+    pub everything: u32,
+    /// The width of a river that drains everything.
+    pub full_width: f32,
+    /// The share of the vertices that simplification takes out, of those that can go.
+    pub simplify: f32,
+    /// By what share of itself a bank's distance from the middle varies, at most.
+    pub vary: f32,
+    /// How rivers meander.
+    pub model: Model,
+    /// For how many rounds.
+    pub rounds: u32,
+    /// How far a bend moves in a round, from 0 to 1.
+    pub strength: f32,
+    /// How much of that is sideways, from 0 to 1; the rest is downstream.
+    pub mix: f32,
+    /// How much the rivers of a map meander that are none of the great ones, from 0 to 1.
+    pub gentle: f32,
+    /// How many rivers meander fully, where they are flat.
+    pub great: u32,
+    /// The share of all courses that counts as flat.
+    pub flat: f32,
+    /// How near two limbs of a river come before it cuts through, in widths.
+    pub neck: f32,
+    /// How far apart two rivers' banks stay, in units.
+    pub buffer: f32,
+    /// Over how many widths meandering sets in, from sources, mouths and junctions on.
+    pub taper: f32,
+}
+
+impl Parameters {
+    /// The parameters of a recipe, for the network of a growth.
+    pub fn of(recipe: &Recipe, growth: &Growth) -> Self {
+        let grown = growth.parameters();
+        let between_streams = match grown.procedure {
+            Procedure::Colonize => grown.spacing,
+            Procedure::Brownian => grown.sensitivity,
+        };
+        Self {
+            seed: grown.seed,
+            domain: grown.domain,
+            land: grown.land.clone(),
+            spacing: (between_streams * SPACING).clamp(LEAST_SPACING, MOST_SPACING),
+            everything: growth.everything().max(1),
+            full_width: recipe.number(Key::Width),
+            simplify: recipe.number(Key::Simplify) / 100.0,
+            vary: recipe.number(Key::Vary),
+            model: [Model::Bend, Model::Flow, Model::None][recipe.choice(Key::Meander).min(2)],
+            rounds: recipe.integer(Key::MeanderRounds),
+            strength: recipe.number(Key::MeanderStrength),
+            mix: recipe.number(Key::MeanderMix),
+            gentle: recipe.number(Key::Gentle),
+            great: recipe.integer(Key::Great),
+            flat: recipe.number(Key::Flat),
+            neck: recipe.number(Key::Neck),
+            buffer: recipe.number(Key::Buffer),
+            taper: recipe.number(Key::Taper),
+        }
+    }
+
+    /// Half the width of a river of some discharge, before its banks vary.
+    pub fn half_width(&self, discharge: u32) -> f32 {
+        let share = discharge as f32 / self.everything as f32;
+        (self.full_width * share.sqrt()).max(HAIRLINE) * 0.5
+    }
+
+    /// Noise along courses, from -1 to 1.
+    pub(super) fn width_noise(&self) -> FastNoiseLite {
+        self.noise(0, 1.0, 2)
+    }
+
+    /// Noise over the map: where rivers meander gently.
+    pub(super) fn gentle_noise(&self) -> FastNoiseLite {
+        const BUMPS: f32 = 3.0;
+        self.noise(1, BUMPS / self.domain.size.min_element(), 2)
+    }
+
+    fn noise(&self, index: u32, frequency: f32, octaves: i32) -> FastNoiseLite {
+        let mut noise = FastNoiseLite::with_seed(self.seed.key(Purpose::Courses).bits([index, 0, 0]) as i32);
+        noise.set_noise_type(Some(NoiseType::OpenSimplex2));
+        noise.set_fractal_type(Some(FractalType::FBm));
+        noise.set_fractal_octaves(Some(octaves));
+        noise.set_frequency(Some(frequency));
+        noise
+    }
+}
+
+/// A course's vertices lie this much of the distance between streams apart: enough for bends narrower than that.
+const SPACING: f32 = 0.25;
+const LEAST_SPACING: f32 = 0.25;
+const MOST_SPACING: f32 = 4.0;

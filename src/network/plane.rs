@@ -1,0 +1,124 @@
+//! Points, segments and triangles of the plane.
+
+use glam::{DVec2, Vec2};
+
+/// A straight piece of a line.
+pub(super) type Segment = (Vec2, Vec2);
+
+/// Twice the signed area of a triangle; exact but for the last rounding, so that its sign can be trusted.
+fn doubled_area(a: Vec2, b: Vec2, c: Vec2) -> f64 {
+    let (a, b, c): (DVec2, DVec2, DVec2) = (a.into(), b.into(), c.into());
+    (b - a).perp_dot(c - a)
+}
+
+/// Whether two segments have a point in common; touching counts.
+pub fn meet((a, b): (Vec2, Vec2), (c, d): (Vec2, Vec2)) -> bool {
+    let boxes_apart = a.max(b).cmplt(c.min(d)).any() || c.max(d).cmplt(a.min(b)).any();
+    if boxes_apart {
+        return false;
+    }
+    let apart = |p: f64, q: f64| (p > 0.0 && q > 0.0) || (p < 0.0 && q < 0.0);
+    !apart(doubled_area(a, b, c), doubled_area(a, b, d)) && !apart(doubled_area(c, d, a), doubled_area(c, d, b))
+}
+
+/// How far along the first segment, from 0 to 1, the line of the second one meets it; 0 if they are parallel.
+pub(super) fn meeting((a, b): Segment, (c, d): Segment) -> f32 {
+    let (from, to) = (doubled_area(c, d, a), doubled_area(c, d, b));
+    if from == to { 0.0 } else { (from / (from - to)).clamp(0.0, 1.0) as f32 }
+}
+
+/// The distance between two segments that do not cross.
+#[inline]
+pub fn distance((a, b): (Vec2, Vec2), (c, d): (Vec2, Vec2)) -> f32 {
+    let to_second = least(squared_distance(a, c, d), squared_distance(b, c, d));
+    let to_first = least(squared_distance(c, a, b), squared_distance(d, a, b));
+    least(to_second, to_first).sqrt()
+}
+
+/// The squared distance of a point from a segment.
+#[inline]
+fn squared_distance(point: Vec2, a: Vec2, b: Vec2) -> f32 {
+    let (along, out) = (b - a, point - a);
+    let squared_length = along.dot(along);
+    let t = out.dot(along);
+    if t <= 0.0 {
+        out.dot(out)
+    } else if t >= squared_length {
+        let out = point - b;
+        out.dot(out)
+    } else {
+        let off = out - along * (t / squared_length);
+        off.dot(off)
+    }
+}
+
+/// `f32::min` is several jumps in wasm.
+#[inline]
+pub(super) fn least(a: f32, b: f32) -> f32 {
+    if a < b { a } else { b }
+}
+
+/// The greater one, likewise.
+#[inline]
+pub(super) fn most(a: f32, b: f32) -> f32 {
+    if a > b { a } else { b }
+}
+
+/// Whether a point lies in a triangle, its border included.
+pub(super) fn is_in_triangle(point: Vec2, a: Vec2, b: Vec2, c: Vec2) -> bool {
+    let (ab, bc, ca) = (doubled_area(a, b, point), doubled_area(b, c, point), doubled_area(c, a, point));
+    (ab >= 0.0 && bc >= 0.0 && ca >= 0.0) || (ab <= 0.0 && bc <= 0.0 && ca <= 0.0)
+}
+
+/// How far a point lies from the line through two others; from the first if they are one.
+pub(super) fn height(point: Vec2, a: Vec2, b: Vec2) -> f32 {
+    squared_distance(point, a, b).sqrt()
+}
+
+/// From 0 to 1 as x goes from 0 to 1, level at both ends.
+pub(super) fn smooth_step(x: f32) -> f32 {
+    let x = x.clamp(0.0, 1.0);
+    x * x * (3.0 - 2.0 * x)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn point() -> impl Strategy<Value = Vec2> {
+        (0i32..8, 0i32..8).prop_map(|(x, y)| Vec2::new(x as f32, y as f32))
+    }
+
+    #[test]
+    fn segments_that_cross_or_touch_meet() {
+        let s = |ax: f32, ay: f32, bx: f32, by: f32| (Vec2::new(ax, ay), Vec2::new(bx, by));
+        assert!(meet(s(0., 0., 4., 4.), s(0., 4., 4., 0.)));
+        assert!(meet(s(0., 0., 4., 0.), s(2., 0., 2., 3.)));
+        assert!(meet(s(0., 0., 4., 0.), s(3., 0., 9., 0.)));
+        assert!(!meet(s(0., 0., 4., 0.), s(5., 0., 9., 0.)));
+        assert!(!meet(s(0., 0., 4., 4.), s(3., 0., 4., 1.)));
+        assert_eq!(meeting(s(0., 0., 4., 4.), s(0., 2., 2., 0.)), 0.25);
+    }
+
+    proptest! {
+        #[test]
+        fn distance_is_that_of_the_nearest_of_many_points(a in point(), b in point(), c in point(), d in point()) {
+            let along = |a: Vec2, b: Vec2| (0..=200).map(move |i| a.lerp(b, i as f32 / 200.0));
+            let sampled = along(a, b).map(|p| along(c, d).map(|q| p.distance(q)).fold(f32::MAX, f32::min)).fold(f32::MAX, f32::min);
+            if meet((a, b), (c, d)) {
+                prop_assert!(sampled < 0.06);
+            } else {
+                prop_assert!((distance((a, b), (c, d)) - sampled).abs() < 0.06);
+            }
+        }
+
+        #[test]
+        fn points_of_a_triangle_are_in_it(a in point(), b in point(), c in point(), t in 0f32..1.0, u in 0f32..1.0) {
+            prop_assume!(doubled_area(a, b, c) != 0.0);
+            let inside = a.lerp(b, t * 0.98 + 0.01).lerp(c, u * 0.98 + 0.01);
+            prop_assert!(is_in_triangle(inside, a, b, c));
+            prop_assert!(!is_in_triangle(a * 2.0 - inside, a, b, c));
+        }
+    }
+}

@@ -1,0 +1,125 @@
+//! In which order vertices go when courses are simplified: one ranking of all rivers, made once, so that any degree of
+//! simplification is a prefix of it.
+//!
+//! The method is that of Visvalingam and Whyatt, with rules of its own for a network: sources, mouths and junctions stay; a
+//! vertex goes only while its triangle with its neighbours holds no other vertex, so that the line cannot come to lie across
+//! another; and only if the line that is left stays on land.
+
+use glam::Vec2;
+
+use super::plane::is_in_triangle;
+use super::{NONE, Network};
+use crate::land::Land;
+use crate::simplify::Lines;
+
+/// The vertices that can go, in the order in which they do.
+pub(super) fn rank(network: &Network, land: Option<&Land>) -> Vec<u32> {
+    let points: Vec<Vec2> = network.vertices.iter().map(|vertex| vertex.at).collect();
+    let cells = Cells::new(&points);
+    let (before, after) = links(network);
+    let mut order = Vec::with_capacity(points.len());
+    Lines::new(&points, before, after).simplify(
+        |lines, i| {
+            lines.triangle(i).is_some_and(|triangle| {
+                let [a, b, c] = triangle.map(|i| points[i as usize]);
+                land.is_none_or(|land| land.allows(a, c))
+                    && cells.all_around(a, b, c, |other| {
+                        lines.is_gone(other)
+                            || triangle.contains(&other)
+                            || !is_in_triangle(points[other as usize], a, b, c)
+                    })
+            })
+        },
+        |gone, _| order.push(gone),
+    );
+    order
+}
+
+/// A network with a share of the ranked vertices gone.
+pub(super) fn simplified(network: &Network, ranking: &[u32], share: f32) -> Network {
+    let count = (ranking.len() as f32 * share) as usize;
+    let mut stays = vec![true; network.vertices.len()];
+    ranking.iter().take(count).for_each(|&vertex| stays[vertex as usize] = false);
+    let mut place = Vec::with_capacity(stays.len() + 1);
+    let mut left = 0;
+    for &stays in &stays {
+        place.push(left);
+        left += u32::from(stays);
+    }
+    place.push(left);
+    let mut simplified = network.clone();
+    simplified.vertices = network.vertices.iter().zip(&stays).filter(|(_, stays)| **stays).map(|(v, _)| *v).collect();
+    for river in &mut simplified.rivers {
+        (river.start, river.end) = (place[river.start as usize], place[river.end as usize]);
+        river.joins = place.get(river.joins as usize).copied().unwrap_or(NONE);
+    }
+    simplified
+}
+
+/// The neighbours of the vertices that may go; of the others none upstream.
+fn links(network: &Network) -> (Vec<u32>, Vec<u32>) {
+    let mut after = network.downstream();
+    let mut before: Vec<u32> = (0..after.len() as u32).map(|i| i.wrapping_sub(1)).collect();
+    for river in network.rivers.iter().filter(|river| river.end > river.start) {
+        before[river.start as usize] = NONE;
+    }
+    for (i, _) in network.junctions().into_iter().enumerate().filter(|(_, is_junction)| *is_junction) {
+        // It keeps its place in both lines, and its own neighbour downstream: so it is no triangle's middle.
+        before[i] = NONE;
+    }
+    after.truncate(before.len());
+    (before, after)
+}
+
+/// Points by cells of a grid.
+struct Cells {
+    starts: Vec<u32>,
+    points: Vec<u32>,
+    columns: usize,
+    rows: usize,
+    side: f32,
+    corner: Vec2,
+}
+
+impl Cells {
+    fn new(points: &[Vec2]) -> Self {
+        let corner = points.iter().copied().fold(Vec2::INFINITY, Vec2::min);
+        let size = (points.iter().copied().fold(corner, Vec2::max) - corner).max(Vec2::ONE);
+        let side = (size.x * size.y / (points.len() + 1) as f32).sqrt().max(size.max_element() / 4096.0);
+        let (columns, rows) = ((size.x / side) as usize + 1, (size.y / side) as usize + 1);
+        let mut this =
+            Self { starts: vec![0; columns * rows + 1], points: vec![0; points.len()], columns, rows, side, corner };
+        let cell =
+            |this: &Self, at: Vec2| this.place(at.y, corner.y, rows) * columns + this.place(at.x, corner.x, columns);
+        for &at in points {
+            let cell = cell(&this, at);
+            this.starts[cell] += 1;
+        }
+        let mut end = 0;
+        for start in &mut this.starts {
+            end += *start;
+            *start = end;
+        }
+        for (i, &at) in points.iter().enumerate().rev() {
+            let cell = cell(&this, at);
+            this.starts[cell] -= 1;
+            this.points[this.starts[cell] as usize] = i as u32;
+        }
+        this
+    }
+
+    fn place(&self, x: f32, from: f32, end: usize) -> usize {
+        (((x - from) / self.side) as usize).min(end - 1)
+    }
+
+    /// Whether something holds for all points in the cells around a triangle.
+    fn all_around(&self, a: Vec2, b: Vec2, c: Vec2, mut holds: impl FnMut(u32) -> bool) -> bool {
+        let (least, most) = (a.min(b).min(c), a.max(b).max(c));
+        let left = self.place(least.x, self.corner.x, self.columns);
+        let right = self.place(most.x, self.corner.x, self.columns);
+        (self.place(least.y, self.corner.y, self.rows)..=self.place(most.y, self.corner.y, self.rows)).all(|row| {
+            let run = self.starts[row * self.columns + left]..self.starts[row * self.columns + right + 1];
+            self.points[run.start as usize..run.end as usize].iter().all(|&point| holds(point))
+        })
+    }
+}

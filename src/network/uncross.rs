@@ -1,0 +1,200 @@
+//! Where a grown river crosses another, or itself, it joins it.
+//!
+//! Growth by space colonization does not look where older rivers run: with strong curl or momentum it steps across
+//! them. In nature the two would join at the crossing. So steps are taken once more in the order in which they grew,
+//! and one that meets an older step ends in it: what grew from there on belongs to the older river. What led to the
+//! crossing stays, as a stream of its own. Nothing is lost of what the rivers drain.
+
+use glam::Vec2;
+
+use super::NONE;
+use super::plane::{Segment, meet, meeting};
+use crate::tree::{NO_PARENT, Tree};
+
+/// A tree whose steps meet only at its nodes. The nodes stand in another order than before, parents first as ever.
+/// A branch that cannot be joined cleanly, for lack of room, goes.
+pub(super) fn uncross(tree: &Tree) -> Tree {
+    let mut planar = Planar::new(tree);
+    // The new number of each old node.
+    let mut number = vec![NONE; tree.len()];
+    for node in 0..tree.len() {
+        number[node] = match tree.parent_of(node) {
+            None => planar.push(tree.at[node], NO_PARENT, tree.drained[node]),
+            Some(parent) if number[parent] == NONE => NONE,
+            Some(parent) => planar.grow(tree.at[node], number[parent], tree.drained[node]).unwrap_or(NONE),
+        };
+    }
+    planar.into_tree()
+}
+
+/// A growing tree with an index of its steps. A step is known by its upper node.
+struct Planar {
+    at: Vec<Vec2>,
+    parent: Vec<u32>,
+    drained: Vec<u32>,
+    /// A list of steps for each cell: its first entry, and for each entry the step and the next entry.
+    first: Vec<u32>,
+    entries: Vec<(u32, u32)>,
+    columns: usize,
+    rows: usize,
+    side: f32,
+    corner: Vec2,
+    /// A piece shorter than this is none.
+    tiny: f32,
+}
+
+impl Planar {
+    fn new(tree: &Tree) -> Self {
+        let steps = (0..tree.len()).filter_map(|node| Some(tree.at[node].distance(tree.at[tree.parent_of(node)?])));
+        let (total, count) = steps.fold((0.0, 0), |(total, count), step| (total + step, count + 1));
+        let mean: f32 = total / count.max(1) as f32;
+        let corner = tree.at.iter().copied().fold(Vec2::INFINITY, Vec2::min);
+        let size = tree.at.iter().copied().fold(corner, Vec2::max) - corner;
+        // Large enough for a step to lie in a cell or two, and not so small that cells outnumber steps by far.
+        let side = (mean * 1.5).max((size.x * size.y / (4 * tree.len() + 1) as f32).sqrt()).max(1e-3);
+        let (columns, rows) = ((size.x / side) as usize + 1, (size.y / side) as usize + 1);
+        let capacity = tree.len() + tree.len() / 8;
+        let mut this = Self {
+            at: Vec::with_capacity(capacity),
+            parent: Vec::with_capacity(capacity),
+            drained: Vec::with_capacity(capacity),
+            first: vec![NONE; columns * rows],
+            entries: Vec::with_capacity(2 * capacity),
+            columns,
+            rows,
+            side,
+            corner,
+            tiny: mean * 0.02,
+        };
+        this.entries.clear();
+        this
+    }
+
+    fn push(&mut self, at: Vec2, parent: u32, drained: u32) -> u32 {
+        let node = self.at.len() as u32;
+        self.at.push(at);
+        self.parent.push(parent);
+        self.drained.push(drained);
+        if parent != NO_PARENT {
+            self.enter(node);
+        }
+        node
+    }
+
+    /// Adds a step from a node; where it would meet an older step it starts there instead. `None` if neither can be.
+    fn grow(&mut self, at: Vec2, from: u32, drained: u32) -> Option<u32> {
+        let Some((step, share)) = self.last_met((at, self.at[from as usize]), from) else {
+            return Some(self.push(at, from, drained));
+        };
+        let crossing = at.lerp(self.at[from as usize], share);
+        let (upper, lower) = (step, self.parent[step as usize]);
+        let ends = [upper, lower];
+        if let Some(&end) = ends.iter().find(|&&end| self.at[end as usize].distance(crossing) <= self.tiny) {
+            return self.is_free((at, self.at[end as usize]), &[end]).then(|| self.push(at, end, drained));
+        }
+        let halves = [(self.at[upper as usize], crossing), (crossing, self.at[lower as usize])];
+        let is_clean = at.distance(crossing) > self.tiny
+            && self.is_free((at, crossing), &ends)
+            && halves.iter().all(|&half| self.is_free(half, &ends));
+        is_clean.then(|| {
+            let junction = self.push(crossing, lower, 0);
+            self.parent[upper as usize] = junction;
+            self.push(at, junction, drained)
+        })
+    }
+
+    /// Of the steps that a new one meets, the one it meets last on its way from `from`, and the share of its way
+    /// left then.
+    fn last_met(&self, new: Segment, from: u32) -> Option<(u32, f32)> {
+        let mut met: Option<(u32, f32)> = None;
+        self.visit(new, |step| {
+            let other = self.segment(step);
+            if step == from || self.parent[step as usize] == from || !meet(new, other) {
+                return;
+            }
+            let share = meeting(new, other);
+            if met.is_none_or(|(_, least)| share < least) {
+                met = Some((step, share));
+            }
+        });
+        met
+    }
+
+    /// Whether a segment meets no step but those that have one of these nodes for an end, or are the step between them.
+    fn is_free(&self, new: Segment, ends: &[u32]) -> bool {
+        let mut is_free = true;
+        self.visit(new, |step| {
+            let is_end = ends.contains(&step) || ends.contains(&self.parent[step as usize]);
+            is_free &= is_end || !meet(new, self.segment(step));
+        });
+        is_free
+    }
+
+    fn segment(&self, step: u32) -> Segment {
+        (self.at[step as usize], self.at[self.parent[step as usize] as usize])
+    }
+
+    fn enter(&mut self, step: u32) {
+        let cells: Vec<usize> = self.cells(self.segment(step)).collect();
+        for cell in cells {
+            self.entries.push((step, self.first[cell]));
+            self.first[cell] = self.entries.len() as u32 - 1;
+        }
+    }
+
+    fn visit(&self, segment: Segment, mut visit: impl FnMut(u32)) {
+        for cell in self.cells(segment) {
+            let mut entry = self.first[cell];
+            while let Some(&(step, next)) = self.entries.get(entry as usize) {
+                visit(step);
+                entry = next;
+            }
+        }
+    }
+
+    /// The cells of the box around a segment.
+    fn cells(&self, (a, b): Segment) -> impl Iterator<Item = usize> + use<> {
+        let columns = self.columns;
+        let place = |x: f32, end: usize| ((x / self.side) as usize).min(end - 1);
+        let (least, most) = (a.min(b) - self.corner, a.max(b) - self.corner);
+        let (left, right) = (place(least.x, columns), place(most.x, columns));
+        (place(least.y, self.rows)..=place(most.y, self.rows))
+            .flat_map(move |row| (left..=right).map(move |column| row * columns + column))
+    }
+
+    /// The nodes in an order in which parents stand first.
+    fn into_tree(self) -> Tree {
+        let count = self.at.len();
+        let mut upper = vec![NONE; count];
+        let mut sibling = vec![NONE; count];
+        let mut order: Vec<u32> = Vec::with_capacity(count);
+        for node in (0..count).rev() {
+            match self.parent[node] {
+                NO_PARENT => order.push(node as u32),
+                parent => {
+                    sibling[node] = upper[parent as usize];
+                    upper[parent as usize] = node as u32;
+                }
+            }
+        }
+        order.reverse();
+        let mut number = vec![NO_PARENT; count];
+        let mut next = 0;
+        while let Some(&node) = order.get(next) {
+            number[node as usize] = next as u32;
+            let mut child = upper[node as usize];
+            while child != NONE {
+                order.push(child);
+                child = sibling[child as usize];
+            }
+            next += 1;
+        }
+        let parent = |node: u32| number.get(self.parent[node as usize] as usize).copied().unwrap_or(NO_PARENT);
+        Tree {
+            at: order.iter().map(|&node| self.at[node as usize]).collect(),
+            parent: order.iter().map(|&node| parent(node)).collect(),
+            drained: order.iter().map(|&node| self.drained[node as usize]).collect(),
+            tick_starts: vec![0, count as u32],
+        }
+    }
+}

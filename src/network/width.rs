@@ -1,0 +1,73 @@
+//! Widths: by discharge, with a small variation of each bank.
+//!
+//! Width is the square root of discharge (Leopold and Maddock 1953), so that squared widths add where rivers join; 0 at a
+//! source. The two banks vary each for itself, since banks that bulge together look like beads on a string. Below a junction no
+//! river is ever narrower than its arms were there.
+
+use fastnoise_lite::FastNoiseLite;
+
+use super::parameters::Parameters;
+use super::plane::{least, most};
+use super::{NONE, Network};
+
+/// The least width of a stream, in units: thin, but not too thin to be seen.
+pub const HAIRLINE: f32 = 0.6;
+
+/// How many spacings a river takes to come from nothing to its width.
+const TAPER: f32 = 8.0;
+
+/// Gives every vertex its banks.
+pub(super) fn widen(network: &mut Network, parameters: &Parameters) {
+    let noise = parameters.width_noise();
+    let mut floors = Floors(vec![(0.0, 0.0); network.vertices.len()]);
+    // Tributaries stand after the rivers that they join.
+    for number in (0..network.rivers.len()).rev() {
+        widen_river(network, number, parameters, &noise, &mut floors);
+    }
+}
+
+/// The least half-widths that arms ask for at junctions.
+struct Floors(Vec<(f32, f32)>);
+
+impl Floors {
+    fn raise(&mut self, vertex: u32, half: f32) {
+        if let Some((left, right)) = self.0.get_mut(vertex as usize) {
+            (*left, *right) = (most(*left, half), most(*right, half));
+        }
+    }
+}
+
+fn widen_river(
+    network: &mut Network,
+    number: usize,
+    parameters: &Parameters,
+    noise: &FastNoiseLite,
+    floors: &mut Floors,
+) {
+    let river = network.rivers[number];
+    let (mut along, mut floor, mut last) = (0.0f32, (0.0f32, 0.0f32), (0.0f32, 0.0f32));
+    let mut previous = None;
+    for i in river.own() {
+        let vertex = &mut network.vertices[i];
+        along += previous.map_or(0.0, |at| vertex.at.distance(at));
+        previous = Some(vertex.at);
+        let taper = least(along / (parameters.spacing * TAPER), 1.0).sqrt();
+        let half = parameters.half_width(vertex.discharge) * taper;
+        let bank = |side: f32| {
+            // Some ten widths to a bulge.
+            let place = along / (most(half, HAIRLINE) * 20.0) * 1.7;
+            half * (1.0 + parameters.vary * noise.get_noise_2d(place, number as f32 * 17.3 + side))
+        };
+        let arms = floors.0[i];
+        if arms.0 > 0.0 {
+            // A junction: what comes down here and what joins.
+            floor = (most(floor.0, most(arms.0, last.0)), most(floor.1, most(arms.1, last.1)));
+        }
+        (vertex.left, vertex.right) = (most(bank(0.0), floor.0), most(bank(71.0), floor.1));
+        last = (vertex.left, vertex.right);
+    }
+    if river.joins != NONE {
+        // Both arms: what is below has to be as wide as the tributary, and on each side half of it.
+        floors.raise(river.joins, most((last.0 + last.1) * 0.5, f32::MIN_POSITIVE));
+    }
+}
