@@ -7,7 +7,7 @@
 use glam::Vec2;
 
 use super::guard::Guard;
-use super::plane::least;
+use super::plane::{least, most};
 use super::{NONE, Network};
 use crate::domain::Domain;
 use crate::land::Land;
@@ -50,12 +50,20 @@ pub(super) fn smooth(
     }
 }
 
+/// Lines come no nearer than this, in units: far above what is lost to rounding, far below what can be seen.
+const LEAST_CLEARANCE: f32 = 0.02;
+
+/// The clearance that moving may use up.
+pub(super) fn room(clearance: f32) -> f32 {
+    most(clearance - LEAST_CLEARANCE, 0.0)
+}
+
 /// How far each vertex may move: by the least clearance of the segments that end in it.
 pub(super) fn limits(clearance: &[f32], downstream: &[u32]) -> Vec<f32> {
-    let mut limits: Vec<f32> = clearance.iter().map(|&clearance| clearance * SHARE_OF_CLEARANCE).collect();
+    let mut limits: Vec<f32> = clearance.iter().map(|&clearance| room(clearance) * SHARE_OF_CLEARANCE).collect();
     for (&clearance, &below) in clearance.iter().zip(downstream) {
         if let Some(limit) = limits.get_mut(below as usize) {
-            *limit = least(*limit, clearance * SHARE_OF_CLEARANCE);
+            *limit = least(*limit, room(clearance) * SHARE_OF_CLEARANCE);
         }
     }
     limits

@@ -37,6 +37,28 @@ impl Floors {
     }
 }
 
+/// Makes a vertex that has become a junction as wide as what comes down to it, and lets no bank below it come nearer than
+/// it is there: as far down as the next junction of which that is true already.
+pub(super) fn settle(network: &mut Network, river: usize, junction: u32, arm: f32) {
+    let is_junction = network.junctions();
+    let river = network.rivers[river];
+    let above = network.vertices[(junction.max(river.start + 1) - 1) as usize];
+    let mut floor = (most(arm, above.left), most(arm, above.right));
+    for i in junction as usize..river.end as usize {
+        let vertex = &mut network.vertices[i];
+        if i > junction as usize && is_junction[i] && vertex.left >= floor.0 && vertex.right >= floor.1 {
+            return;
+        }
+        (vertex.left, vertex.right) = (most(vertex.left, floor.0), most(vertex.right, floor.1));
+        if is_junction[i] {
+            floor = (vertex.left, vertex.right);
+        }
+    }
+    if river.joins != NONE {
+        settle(network, river.parent as usize, river.joins, (floor.0 + floor.1) * 0.5);
+    }
+}
+
 fn widen_river(
     network: &mut Network,
     number: usize,
@@ -59,11 +81,14 @@ fn widen_river(
             half * (1.0 + parameters.vary * noise.get_noise_2d(place, number as f32 * 17.3 + side))
         };
         let arms = floors.0[i];
-        if arms.0 > 0.0 {
-            // A junction: what comes down here and what joins.
+        let is_junction = arms.0 > 0.0;
+        if is_junction {
             floor = (most(floor.0, most(arms.0, last.0)), most(floor.1, most(arms.1, last.1)));
         }
         (vertex.left, vertex.right) = (most(bank(0.0), floor.0), most(bank(71.0), floor.1));
+        if is_junction {
+            floor = (vertex.left, vertex.right);
+        }
         last = (vertex.left, vertex.right);
     }
     if river.joins != NONE {

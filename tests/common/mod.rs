@@ -23,7 +23,11 @@ pub fn random_link(most_attractors: u32) -> impl Strategy<Value = String> {
     let zero_or = |most: f64| prop_oneof![Just(0.0), 0.0..=most];
     let bends = (zero_or(0.9), zero_or(2.0), 1u32..=64);
     let finish = (prop_oneof![Just(0u32), 0u32..=60], 1.0f64..=40.0, 0usize..3);
-    ("[a-z]{1,8}", land, ground, growth, bends, finish).prop_map(|(seed, land, ground, growth, bends, finish)| {
+    let meanders = (prop_oneof![3 => Just("bend"), 2 => Just("flow"), 1 => Just("none")], prop_oneof![4 => 0u32..=60, 1 => 0u32..=400]);
+    let how = (0.0f64..=1.0, 0.0f64..=1.0, 0.0f64..=1.0, 0u32..=16, 0.0f64..=1.0);
+    let guards = (1.0f64..=4.0, 0.0f64..=20.0, 1.0f64..=20.0);
+    let rivers = (0u32..=95, 0.0f64..=0.5, meanders, how, guards).prop_map(rivers_link);
+    ("[a-z]{1,8}", land, ground, growth, bends, finish, rivers).prop_map(|(seed, land, ground, growth, bends, finish, rivers)| {
         let (land, sea, rough, outline) = land;
         let (aspect, mouths, sides, attractors, grid) = ground;
         let (reach, kill, step, procedure, sensitivity, apart) = growth;
@@ -35,7 +39,19 @@ pub fn random_link(most_attractors: u32) -> impl Strategy<Value = String> {
         format!(
             "seed={seed}&growth={procedure}&sensitivity={sensitivity}&apart={apart}&land={land}&outline={outline}&sea={sea:.3}&rough={rough:.3}&aspect={aspect:.3}&mouths={mouths}&sides={sides}&attractors={attractors}&scatter={scatter}\
              &reach={reach:.3}&kill={kill:.3}&step={step:.3}&momentum={momentum:.3}&curl={curl:.3}&stretch={stretch}\
-             &trim={trim}&width={width:.2}&style={style}"
+             &trim={trim}&width={width:.2}&style={style}{rivers}"
         )
     })
+}
+
+/// How a tree is made into rivers: simplification, uneven banks, the model and its rounds, how they meander, what keeps them apart.
+type Rivers = (u32, f64, (&'static str, u32), (f64, f64, f64, u32, f64), (f64, f64, f64));
+
+fn rivers_link((simplify, vary, (meander, rounds), how, guards): Rivers) -> String {
+    let (strength, mix, gentle, great, flat) = how;
+    let (neck, buffer, taper) = guards;
+    format!(
+        "&simplify={simplify}&vary={vary:.3}&meander={meander}&meander-rounds={rounds}&meander-strength={strength:.3}\
+         &meander-mix={mix:.3}&gentle={gentle:.3}&great={great}&flat={flat:.3}&neck={neck:.2}&buffer={buffer:.2}&taper={taper:.2}"
+    )
 }

@@ -6,6 +6,7 @@
 use super::super::guard::Near;
 use super::super::parameters::Parameters;
 use super::super::plane::most;
+use super::super::width::settle;
 use super::super::{NONE, Network, Oxbow, River, Vertex};
 use super::river_of;
 
@@ -87,13 +88,20 @@ pub(super) fn cut(network: &mut Network, cuts: &[Cut], round: u32) {
         }
         river.end = vertices.len() as u32;
     }
-    for (number, river) in rivers.iter_mut().enumerate() {
-        if let Some(cut_off) = loops.iter().find(|cut_off| cut_off.is_left_to_heir(number as u32, river)) {
+    let mut moved: Vec<u32> = loops.iter().filter_map(|cut_off| cut_off.heir).collect();
+    for (number, river) in (0..).zip(&mut rivers) {
+        if let Some(cut_off) = loops.iter().find(|cut_off| cut_off.is_left_to_heir(number, river)) {
             river.parent = cut_off.heir.unwrap_or(NONE);
+            moved.push(number);
         }
         river.joins = place.get(river.joins as usize).copied().unwrap_or(NONE);
     }
     (network.vertices, network.rivers) = (vertices, rivers);
+    for river in moved {
+        let river = network.rivers[river as usize];
+        let arm = network.vertices[river.own()].last().map_or(0.0, Vertex::width);
+        settle(network, river.parent as usize, river.joins, arm * 0.5);
+    }
 }
 
 /// A loop that is cut off.

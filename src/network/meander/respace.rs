@@ -5,6 +5,7 @@
 
 use super::super::evenly::{between, pieces};
 use super::super::plane::height;
+use super::super::smooth::room;
 use super::super::{NONE, Network};
 
 /// With [`super::super::smooth::SHARE_OF_CLEARANCE`] it makes less than a half.
@@ -28,9 +29,11 @@ pub(super) fn respace(network: &mut Network, clearance: &[f32], spacing: f32) {
                 && last + 1 == i as u32
                 && below != NONE
                 && !is_junction[i]
+                // Of what stays the clearance is not known.
+                && old[i].sway > 0.0
                 && old[i].at.distance_squared(old[i - 1].at) < 0.25 * spacing * spacing
                 && height(old[i].at, old[i - 1].at, old[below as usize].at)
-                    <= SHARE_OF_CLEARANCE * clearance[i].min(clearance[i - 1]);
+                    <= SHARE_OF_CLEARANCE * room(clearance[i].min(clearance[i - 1]));
             if goes {
                 continue;
             }

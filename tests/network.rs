@@ -1,0 +1,125 @@
+//! What the network promises, on random networks of both growers: no two rivers cross, no tributary is ever detached, every
+//! river reaches its mouth, widths never shrink below a junction.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
+
+mod common;
+
+use common::random_link;
+use glam::Vec2;
+use proptest::prelude::*;
+use riverseed::grow::{Growth, Parameters, Procedure};
+use riverseed::network::{self, Courses, Meander, NONE, Network, hydrology, meet};
+use riverseed::prune;
+use riverseed::recipe::{Key, Recipe, link};
+use riverseed::tree::Hydrology;
+
+fn shaped(recipe: &Recipe) -> Meander {
+    let mut growth = Growth::new(Parameters::of(recipe)).unwrap();
+    while growth.tick() {}
+    let pruned = prune::trim(growth.tree(), &Hydrology::of(growth.tree()), recipe.integer(Key::Trim));
+    let may_cross = growth.parameters().procedure == Procedure::Colonize;
+    let courses = Courses::of(&pruned.tree, may_cross, growth.parameters().land.as_deref());
+    check_rivers(&courses.network);
+    check_no_crossing(&courses.network, "as grown");
+    Meander::new(&courses, network::Parameters::of(recipe, &growth))
+}
+
+/// Two segments with no end in common never meet. A sweep from west to east, with nothing of the guard's.
+fn check_no_crossing(network: &Network, when: &str) {
+    let downstream = network.downstream();
+    let at = |i: u32| network.vertices[i as usize].at;
+    let mut segments: Vec<(u32, u32)> = (0..).zip(downstream).filter(|(_, below)| *below != NONE).collect();
+    let west = |&(i, j): &(u32, u32)| at(i).x.min(at(j).x);
+    segments.sort_by(|a, b| west(a).total_cmp(&west(b)));
+    for (n, a) in segments.iter().enumerate() {
+        let east = at(a.0).x.max(at(a.1).x);
+        for b in segments[n + 1..].iter().take_while(|b| west(b) <= east) {
+            let joined = a.0 == b.0 || a.0 == b.1 || a.1 == b.0 || a.1 == b.1;
+            let (p, q) = ((at(a.0), at(a.1)), (at(b.0), at(b.1)));
+            assert!(joined || !meet(p, q), "{when}: {a:?} {p:?} meets {b:?} {q:?}");
+        }
+    }
+}
+
+/// Every river has a course, joins its parent at one of its vertices, and comes to the sea.
+fn check_rivers(network: &Network) {
+    let mut end = 0;
+    for (number, river) in network.rivers.iter().enumerate() {
+        assert_eq!(river.start, end, "rivers stand one after the other");
+        assert!(river.end > river.start, "river {number} has a vertex of its own");
+        end = river.end;
+        assert_eq!(river.joins == NONE, river.parent == NONE);
+        if river.joins != NONE {
+            let parent = network.rivers[river.parent as usize];
+            assert!(parent.own().contains(&(river.joins as usize)), "river {number} ends on its parent");
+        }
+        let to_the_sea = std::iter::successors(Some(*river), |river| network.rivers.get(river.parent as usize).copied());
+        assert!(to_the_sea.take(network.rivers.len() + 1).count() <= network.rivers.len(), "river {number} goes in circles");
+        assert!(river.order >= 1 && river.magnitude >= 1);
+    }
+    assert_eq!(end as usize, network.vertices.len());
+}
+
+fn check_vertices(network: &Network, size: Vec2) {
+    for vertex in &network.vertices {
+        assert!(vertex.at.is_finite() && vertex.at.cmpge(Vec2::ZERO).all() && vertex.at.cmple(size).all(), "{vertex:?}");
+        assert!(vertex.left.is_finite() && vertex.right.is_finite() && vertex.left >= 0.0 && vertex.right >= 0.0);
+        assert!((0.0..=1.0).contains(&vertex.sway), "{vertex:?}");
+    }
+    for river in &network.rivers {
+        let discharges: Vec<u32> = network.course(river).map(|vertex| vertex.discharge).collect();
+        assert!(discharges.is_sorted(), "{discharges:?}");
+    }
+}
+
+/// Below a junction no river is narrower than its arms are there.
+fn check_widths(network: &Network) {
+    let junctions = network.junctions();
+    for river in &network.rivers {
+        let own = &network.vertices[river.own()];
+        assert!(own[0].width() == 0.0, "a source has no width");
+        let mut least = 0.0f32;
+        for (vertex, is_junction) in own.iter().zip(&junctions[river.own()]) {
+            assert!(vertex.width() >= least * 0.9999, "{} is less than {least}: {:?}", vertex.width(), own.iter().zip(&junctions[river.own()]).map(|(v,j)| (v.width(), v.discharge, *j, v.sway)).collect::<Vec<_>>());
+            if *is_junction {
+                least = vertex.width();
+            }
+        }
+        if river.joins != NONE {
+            let (last, junction) = (own.last().unwrap(), network.vertices[river.joins as usize]);
+            assert!(junction.width() >= last.width() * 0.9999, "{river:?}: {:?} then {junction:?}", own.last());
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(1000))]
+
+    #[test]
+    fn every_network_holds_its_promises(link in random_link(600), every in 1u32..40) {
+        let recipe = link::read(&link).unwrap();
+        let mut meander = shaped(&recipe);
+        let size = meander.parameters().domain.size;
+        loop {
+            let network = meander.network();
+            let rounds = meander.rounds();
+            if rounds <= 2 || rounds % every == 0 || meander.is_finished() {
+                check_no_crossing(network, &format!("{link}, round {rounds}"));
+                check_rivers(network);
+                check_vertices(network, size);
+                check_widths(network); eprintln!("ok round {rounds} {}", network.oxbows.len());
+            }
+            if !meander.round() && meander.is_finished() && meander.rounds() == rounds {
+                break;
+            }
+        }
+        let network = meander.network();
+        let elevations = hydrology::elevations(network, meander.parameters().everything);
+        for (i, &below) in network.downstream().iter().enumerate() {
+            match elevations.get(below as usize) {
+                Some(below) => prop_assert!(elevations[i] > *below),
+                None => prop_assert_eq!(elevations[i], 0.0),
+            }
+        }
+    }
+}
