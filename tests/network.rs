@@ -53,8 +53,12 @@ fn check_rivers(network: &Network) {
             let parent = network.rivers[river.parent as usize];
             assert!(parent.own().contains(&(river.joins as usize)), "river {number} ends on its parent");
         }
-        let to_the_sea = std::iter::successors(Some(*river), |river| network.rivers.get(river.parent as usize).copied());
-        assert!(to_the_sea.take(network.rivers.len() + 1).count() <= network.rivers.len(), "river {number} goes in circles");
+        let to_the_sea =
+            std::iter::successors(Some(*river), |river| network.rivers.get(river.parent as usize).copied());
+        assert!(
+            to_the_sea.take(network.rivers.len() + 1).count() <= network.rivers.len(),
+            "river {number} goes in circles"
+        );
         assert!(river.order >= 1 && river.magnitude >= 1);
     }
     assert_eq!(end as usize, network.vertices.len());
@@ -62,7 +66,10 @@ fn check_rivers(network: &Network) {
 
 fn check_vertices(network: &Network, size: Vec2) {
     for vertex in &network.vertices {
-        assert!(vertex.at.is_finite() && vertex.at.cmpge(Vec2::ZERO).all() && vertex.at.cmple(size).all(), "{vertex:?}");
+        assert!(
+            vertex.at.is_finite() && vertex.at.cmpge(Vec2::ZERO).all() && vertex.at.cmple(size).all(),
+            "{vertex:?}"
+        );
         assert!(vertex.left.is_finite() && vertex.right.is_finite() && vertex.left >= 0.0 && vertex.right >= 0.0);
         assert!((0.0..=1.0).contains(&vertex.sway), "{vertex:?}");
     }
@@ -80,7 +87,15 @@ fn check_widths(network: &Network) {
         assert!(own[0].width() == 0.0, "a source has no width");
         let mut least = 0.0f32;
         for (vertex, is_junction) in own.iter().zip(&junctions[river.own()]) {
-            assert!(vertex.width() >= least * 0.9999, "{} is less than {least}: {:?}", vertex.width(), own.iter().zip(&junctions[river.own()]).map(|(v,j)| (v.width(), v.discharge, *j, v.sway)).collect::<Vec<_>>());
+            assert!(
+                vertex.width() >= least * 0.9999,
+                "{} is less than {least}: {:?}",
+                vertex.width(),
+                own.iter()
+                    .zip(&junctions[river.own()])
+                    .map(|(v, j)| (v.width(), v.discharge, *j, v.sway))
+                    .collect::<Vec<_>>()
+            );
             if *is_junction {
                 least = vertex.width();
             }

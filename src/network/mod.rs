@@ -99,19 +99,29 @@ pub struct Oxbow {
 }
 
 impl Oxbow {
-    /// How much of the river's width is left at each vertex: all of it in the middle, nothing at the ends, where silt has
-    /// closed the loop.
-    pub fn shares(&self) -> Vec<f32> {
-        const PLUG: f32 = 1.0;
+    /// The lake that there is to see: the longest run of vertices that no river has run over, each with the share of its
+    /// width that is left, all of it in the middle, nothing at the ends, where silt has closed the loop. Empty if that is
+    /// too short to be a lake.
+    pub fn lake(&self) -> Vec<(Vertex, f32)> {
+        const LEAST_WIDTHS: f32 = 3.0;
         const TAPER: f32 = 1.5;
-        let mut along = vec![0.0f32];
-        for pair in self.vertices.windows(2) {
-            along.push(along.last().copied().unwrap_or(0.0) + pair[0].at.distance(pair[1].at));
+        let runs = self.vertices.split(|vertex| vertex.width() <= 0.0);
+        let Some(lake) = runs.max_by_key(|run| run.len()) else { return Vec::new() };
+        let mut length = 0.0;
+        let mut previous = None;
+        let along: Vec<f32> = lake
+            .iter()
+            .map(|vertex| {
+                length += previous.replace(vertex.at).map_or(0.0, |at: Vec2| at.distance(vertex.at));
+                length
+            })
+            .collect();
+        let width = lake.iter().map(Vertex::width).fold(0.0, f32::max);
+        if length < LEAST_WIDTHS * width {
+            return Vec::new();
         }
-        let length = along.last().copied().unwrap_or(0.0);
-        let width = self.vertices.iter().map(Vertex::width).fold(0.0, f32::max).max(f32::MIN_POSITIVE);
-        let share = |along: f32| ((along.min(length - along) / width - PLUG) / TAPER).clamp(0.0, 1.0).sqrt();
-        along.into_iter().map(share).collect()
+        let share = |along: f32| (along.min(length - along) / (TAPER * width)).clamp(0.0, 1.0).sqrt();
+        lake.iter().zip(along).map(|(vertex, along)| (*vertex, share(along))).collect()
     }
 }
 

@@ -60,9 +60,9 @@ impl Pen<'_> {
     /// A lake: a river's loop, thin at both ends, which silt has closed.
     fn lake(&self, oxbow: &Oxbow, line: &mut Vec<Vertex>) {
         line.clear();
-        let course: Vec<&network::Vertex> = oxbow.vertices.iter().collect();
-        let shares = oxbow.shares();
-        for (i, (vertex, share)) in course.iter().zip(shares).enumerate().filter(|(_, (_, share))| *share > 0.0) {
+        let lake = oxbow.lake();
+        let course: Vec<&network::Vertex> = lake.iter().map(|(vertex, _)| vertex).collect();
+        for (i, (vertex, share)) in lake.iter().enumerate() {
             let (at, radius) = self.between_banks(vertex.at, vertex, tangent(&course, i));
             line.push((at, radius * share));
         }

@@ -23,7 +23,10 @@ pub fn random_link(most_attractors: u32) -> impl Strategy<Value = String> {
     let zero_or = |most: f64| prop_oneof![Just(0.0), 0.0..=most];
     let bends = (zero_or(0.9), zero_or(2.0), 1u32..=64);
     let finish = (prop_oneof![Just(0u32), 0u32..=60], 1.0f64..=40.0, 0usize..3);
-    let meanders = (prop_oneof![3 => Just("bend"), 2 => Just("flow"), 1 => Just("none")], prop_oneof![4 => 0u32..=60, 1 => 0u32..=400]);
+    let meanders = (
+        prop_oneof![3 => Just("bend"), 2 => Just("flow"), 1 => Just("none")],
+        prop_oneof![4 => 0u32..=60, 1 => 0u32..=400],
+    );
     let how = (0.0f64..=1.0, 0.0f64..=1.0, 0.0f64..=1.0, 0u32..=16, 0.0f64..=1.0);
     let guards = (1.0f64..=4.0, 0.0f64..=20.0, 1.0f64..=20.0);
     let rivers = (0u32..=95, 0.0f64..=0.5, meanders, how, guards).prop_map(rivers_link);

@@ -15,15 +15,19 @@ use super::super::{Network, River};
 /// A bend tighter than this pulls no more: curvature times width, a radius of two widths.
 const SHARPEST: f32 = 0.5;
 
-/// Over how many widths curvature is smoothed. A growing bend's rate goes with k² / (1 + k²L²)², which is greatest at a
-/// wavelength of 2πL.
-const MEMORY: f32 = 1.75;
+/// Over how many widths curvature is smoothed. A small bend's rate of growth goes with k² / (1 + k²L²)², which is greatest at
+/// a wavelength of 2πL; grown bends come out somewhat shorter.
+const MEMORY: f32 = 2.2;
 
-/// How much of the way to the middle of its neighbours a vertex is drawn, against kinks.
-const EASE: f32 = 0.08;
+/// From this share of it on a bend is eased.
+const NEARLY: f32 = 0.7;
+
+/// How much of the way to the middle of its neighbours a vertex is drawn in a round where the river bends more sharply than
+/// that. Drawn so everywhere, rivers would pull straight like rubber bands.
+const EASE: f32 = 0.4;
 
 /// How far a bend as sharp as can be moves in a round at full strength, in widths.
-const PACE: f32 = 0.6;
+const PACE: f32 = 0.9;
 
 /// The way that each vertex goes in this round.
 pub(super) fn moves(network: &Network, parameters: &Parameters) -> Vec<Vec2> {
@@ -45,8 +49,10 @@ pub(super) struct Course {
     pub at: Vec<Vec2>,
     /// The width that matters: rivers narrower than a spacing bend as if they were as wide.
     pub width: Vec<f32>,
-    /// Curvature times width.
+    /// Curvature times width, the sharpest bend being one.
     pub bend: Vec<f32>,
+    /// How much sharper than the sharpest it is, from 0 to 1.
+    pub kink: Vec<f32>,
     /// The length of the segment upstream.
     pub step: Vec<f32>,
 }
@@ -65,17 +71,25 @@ impl Course {
         self.step.push(0.0);
         self.step.extend(self.at.windows(2).map(|pair| pair[0].distance(pair[1])));
         self.bend.clear();
+        self.kink.clear();
         for i in 0..count {
             // Measured over about a width either way: nearer points would tell of noise.
             let stride = ((self.width[i] / spacing) as usize).clamp(1, 16).min(i).min(count - 1 - i);
             let kappa = curvature(self.at[i - stride], self.at[i], self.at[i + stride]);
-            self.bend.push((kappa * self.width[i]).clamp(-SHARPEST, SHARPEST) / SHARPEST);
+            let bend = kappa * self.width[i] / SHARPEST;
+            self.bend.push(bend.clamp(-1.0, 1.0));
+            self.kink.push((bend.abs() - NEARLY).clamp(0.0, 1.0));
         }
     }
 
     /// The unit vector downstream.
     pub fn tangent(&self, i: usize) -> Vec2 {
         (self.at[(i + 1).min(self.at.len() - 1)] - self.at[i.saturating_sub(1)]).normalize_or_zero()
+    }
+
+    /// The way that takes a kink out of a line.
+    pub fn ease(&self, i: usize) -> Vec2 {
+        ((self.at[i - 1] + self.at[i + 1]) * 0.5 - self.at[i]) * (EASE * self.kink[i])
     }
 
     /// Smooths curvature, an exponential filter once up and once down the river.
@@ -104,8 +118,7 @@ impl Course {
             let onward = tangent * bend.abs();
             let push = outward * parameters.mix + onward * (1.0 - parameters.mix);
             let pace = PACE * parameters.strength * self.width[i];
-            let ease = ((self.at[i - 1] + self.at[i + 1]) * 0.5 - self.at[i]) * EASE;
-            *way = (push * pace + ease) * vertex.sway;
+            *way = (push * pace + self.ease(i)) * vertex.sway;
         }
     }
 }

@@ -40,7 +40,8 @@ pub(super) fn moves(network: &Network, parameters: &Parameters) -> Vec<Vec2> {
                 continue;
             }
             let rate = (OMEGA * course.bend[i] + GAMMA * upstream) * slackening;
-            *way = course.tangent(i).perp() * (-rate * PACE * parameters.strength * width * vertex.sway);
+            let outward = course.tangent(i).perp() * (-rate * PACE * parameters.strength * width);
+            *way = (outward + course.ease(i)) * vertex.sway;
         }
     }
     moves

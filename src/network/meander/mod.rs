@@ -71,7 +71,10 @@ impl Meander {
             downstream = self.network.downstream();
             (clearance, near) = self.survey(&downstream);
         }
-        self.freeze(&near);
+        if self.freeze(&near) {
+            sway::ease_off(&mut self.network, self.parameters.spacing);
+        }
+        self.guard.erode(&mut self.network, &downstream, self.parameters.buffer);
         self.move_bends(&downstream, &clearance);
         respace::respace(&mut self.network, &clearance, self.parameters.spacing);
         !self.is_finished()
@@ -121,9 +124,10 @@ impl Meander {
     }
 
     /// Lets no vertex move any more that has come too near another river, or so near its own that the neck should have
-    /// been cut.
-    fn freeze(&mut self, near: &[Near]) {
+    /// been cut. Returns whether there are any that could until now.
+    fn freeze(&mut self, near: &[Near]) -> bool {
         let river_of = river_of(&self.network);
+        let mut any = false;
         for pair in near {
             if self.is_too_near(pair, &river_of) {
                 for upper in [pair.first, pair.second] {
@@ -131,12 +135,14 @@ impl Meander {
                     let lower = if upper + 1 < river.end { upper + 1 } else { river.joins };
                     for vertex in [upper, lower] {
                         if let Some(vertex) = self.network.vertices.get_mut(vertex as usize) {
+                            any |= vertex.sway > 0.0;
                             vertex.sway = 0.0;
                         }
                     }
                 }
             }
         }
+        any
     }
 
     fn is_too_near(&self, pair: &Near, river_of: &[u32]) -> bool {

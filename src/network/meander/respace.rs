@@ -6,7 +6,7 @@
 use super::super::evenly::{between, pieces};
 use super::super::plane::height;
 use super::super::smooth::room;
-use super::super::{NONE, Network};
+use super::super::{NONE, Network, Vertex};
 
 /// With [`super::super::smooth::SHARE_OF_CLEARANCE`] it makes less than a half.
 const SHARE_OF_CLEARANCE: f32 = 0.15;
@@ -45,7 +45,9 @@ pub(super) fn respace(network: &mut Network, clearance: &[f32], spacing: f32) {
             last = i as u32;
         }
         if let (Some(upper), Some(junction)) = (old.get(last as usize), old.get(river.joins as usize)) {
-            divide(&mut vertices, upper, junction, spacing);
+            // No wider for being near a wider river.
+            let end = Vertex { at: junction.at, ..*upper };
+            divide(&mut vertices, upper, &end, spacing);
         }
         river.end = vertices.len() as u32;
     }
@@ -56,12 +58,7 @@ pub(super) fn respace(network: &mut Network, clearance: &[f32], spacing: f32) {
 }
 
 /// Puts vertices between two if they are too far apart.
-fn divide(
-    vertices: &mut Vec<super::super::Vertex>,
-    upper: &super::super::Vertex,
-    lower: &super::super::Vertex,
-    spacing: f32,
-) {
+fn divide(vertices: &mut Vec<Vertex>, upper: &Vertex, lower: &Vertex, spacing: f32) {
     let far = upper.at.distance(lower.at);
     if far <= 1.5 * spacing {
         return;

@@ -6,8 +6,8 @@
 
 use super::super::hydrology::slope;
 use super::super::parameters::{Model, Parameters};
-use super::super::plane::{most, smooth_step};
-use super::super::{NONE, Network};
+use super::super::plane::{least, most, smooth_step};
+use super::super::{NONE, Network, Vertex};
 use crate::order;
 
 /// No meandering within so many widths of what holds a river.
@@ -47,6 +47,26 @@ pub(super) fn give(network: &mut Network, parameters: &Parameters) {
             };
             let _ = (at..width.len()).all(&mut ease);
             let _ = (0..at).rev().all(&mut ease);
+        }
+    }
+}
+
+/// Lets sway fall off toward vertices that have none, so that a river does not bend sharply round what holds it.
+pub(super) fn ease_off(network: &mut Network, spacing: f32) {
+    const WIDTHS: f32 = 5.0;
+    let ease = |vertex: &mut Vertex, beside: &mut Vertex| {
+        let rise = beside.at.distance(vertex.at) / (WIDTHS * most(vertex.width(), spacing));
+        vertex.sway = least(vertex.sway, beside.sway + rise);
+    };
+    for river in &network.rivers {
+        let own = &mut network.vertices[river.own()];
+        for i in 1..own.len() {
+            let (before, rest) = own.split_at_mut(i);
+            ease(&mut rest[0], &mut before[i - 1]);
+        }
+        for i in (1..own.len()).rev() {
+            let (before, rest) = own.split_at_mut(i);
+            ease(&mut before[i - 1], &mut rest[0]);
         }
     }
 }
