@@ -26,6 +26,7 @@ const GROUPS = {
   "Brownian tree on 1024² cells, sensitivity 12": brownian,
   "Drawing 100,000 segments at 1024²": drawing,
   "A slider or a pen moves: regrow and redraw 15,000 attractors at 1024²": slider,
+  "Rivers of a default map, and their rounds of meandering": rivers,
   "The page, while 100,000 attractors grow at 1024²": page,
   "The wasm file of the page": size,
 };
@@ -153,6 +154,34 @@ async function slider() {
     const [natively, asWasm] = await inTurn(9, [native, task, 5], [wasm, task, 5]);
     row(`wasm, ${what}`, median(asWasm), "ms", atMost(16, 10));
     guide("native", median(natively), "ms");
+  }
+}
+
+async function rivers() {
+  const FEW = 6700; // attractors for some 10,000 vertices
+  const MANY = 201000;
+  for (const side of [native, wasm]) {
+    const [round, pairs] = await inTurn(5, [side, `round ${FEW}`, 9], [side, `pairs ${FEW}`]);
+    row(`${side.name}: all pairs / a round over 10,000 vertices`, median(ratios(pairs, round)), "×", atLeast(20));
+    guide("a round", median(round), "ms");
+  }
+  const [natively, asWasm] = await inTurn(9, [native, `round ${FEW}`, 9], [wasm, `round ${FEW}`, 9]);
+  row("a round: wasm / native", median(ratios(asWasm, natively)), "×", atMost(1.35));
+  for (const side of [native, wasm]) {
+    const [few, many] = await inTurn(5, [side, `round ${FEW}`, 9], [side, `round ${MANY}`, 3]);
+    const exponent = median(ratios(many, few).map((ratio) => Math.log10(ratio) / Math.log10(MANY / FEW)));
+    row(`${side.name}: exponent from 10,000 to 300,000 vertices`, exponent, "", atMost(1.1));
+  }
+  const [nativeShape, wasmShape] = await inTurn(9, [native, "shape", 3], [wasm, "shape", 3]);
+  row("wasm: the whole network stage of a default map", median(wasmShape), "ms", atMost(50));
+  guide("native", median(nativeShape), "ms");
+  for (const [task, what] of [
+    ["late simplify 60 62", "simplify"],
+    ["late width 14 14.5", "width"],
+    ["late style ink map", "style"],
+  ]) {
+    const [late] = await inTurn(9, [wasm, task, 4]);
+    row(`wasm, ${what} changes: until the finished picture at 1024²`, median(late), "ms", atMost(16));
   }
 }
 

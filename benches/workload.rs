@@ -8,9 +8,11 @@ use std::collections::BTreeMap;
 
 use glam::Vec2;
 use riverseed::domain::Domain;
-use riverseed::grow::{Brownian, Colonize, Field, Parameters};
+use riverseed::grow::{Brownian, Colonize, Field, Growth, Parameters};
 use riverseed::land::Land;
+use riverseed::network::{self, Courses, Meander};
 use riverseed::paint::{Coverage, Pen, View, Widths};
+use riverseed::prune;
 use riverseed::random::Seed;
 use riverseed::recipe::preset::PRESETS;
 use riverseed::recipe::{Key, Recipe, Sides, link};
@@ -21,6 +23,8 @@ use tiny_skia::{FillRule, LineCap, Mask, Paint, PathBuilder, Pixmap, Stroke, Tra
 #[path = "../tests/common/literal.rs"]
 #[allow(dead_code, reason = "tests use more of it")]
 mod literal;
+#[path = "../tests/common/pairs.rs"]
+mod pairs;
 #[path = "../tests/common/twin.rs"]
 mod twin;
 
@@ -65,6 +69,10 @@ fn repetition(task: &str) -> Option<Repetition> {
         ["picture"] => changes("width=12", "width=12.5", ATTRACTORS_FOR_SEGMENTS, BARE),
         ["slider", attractors] => changes("reach=3", "reach=3.05", attractors.parse().ok()?, BARE),
         ["page-slider", attractors] => changes("", "reach=2.45", attractors.parse().ok()?, "aspect=1"),
+        ["shape"] => shaping_of_rivers(),
+        ["round", attractors] => round(attractors),
+        ["pairs", attractors] => all_pairs(attractors),
+        ["late", key, one, other] => late(&format!("{key}={one}"), &format!("{key}={other}")),
         ["pen"] => changes("rough=0.5", "rough=0.51", 6000, DRAWN),
         ["differing"] => Some(Box::new(|| differing_bytes().unwrap_or(u32::MAX))),
         _ => None,
@@ -160,6 +168,81 @@ fn brownian(side: &str, sensitivity: &str) -> Option<Repetition> {
 fn literal_brownian(side: &str, sensitivity: &str) -> Option<Repetition> {
     let (field, sensitivity) = (square(side)?, sensitivity.parse().ok()?);
     Some(Box::new(move || literal::grow(&field, Seed::from_text("kauri"), sensitivity).len() as u32))
+}
+
+// ---- the network
+
+/// A default map's tree to its rivers, all rounds of meandering made; the number of vertices.
+fn shaping_of_rivers() -> Option<Repetition> {
+    let recipe = recipe("")?;
+    let growth = all_grown(&recipe)?;
+    let trim = recipe.integer(Key::Trim);
+    Some(Box::new(move || {
+        let pruned = prune::trim(growth.tree(), &Hydrology::of(growth.tree()), trim);
+        let courses = Courses::of(&pruned.tree, true, None);
+        let mut meander = Meander::new(&courses, network::Parameters::of(&recipe, &growth));
+        while meander.round() {}
+        meander.network().vertices.len() as u32
+    }))
+}
+
+fn all_grown(recipe: &Recipe) -> Option<Growth> {
+    let mut growth = Growth::new(Parameters::of(recipe)).ok()?;
+    while growth.tick() {}
+    Some(growth)
+}
+
+/// Rivers that are halfway through their rounds.
+fn half_meandered(attractors: &str) -> Option<Meander> {
+    let mut recipe = recipe("")?;
+    recipe.set(Key::Attractors, attractors).ok()?;
+    let growth = all_grown(&recipe)?;
+    let pruned = prune::trim(growth.tree(), &Hydrology::of(growth.tree()), recipe.integer(Key::Trim));
+    let courses = Courses::of(&pruned.tree, true, None);
+    let mut meander = Meander::new(&courses, network::Parameters::of(&recipe, &growth));
+    (0..20).for_each(|_| {
+        meander.round();
+    });
+    Some(meander)
+}
+
+/// A round of meandering; the number of vertices.
+fn round(attractors: &str) -> Option<Repetition> {
+    let halfway = half_meandered(attractors)?;
+    let mut meander = halfway.clone();
+    Some(Box::new(move || {
+        // The rounds from here on, again and again: each as if it were the first after a copy that is not counted.
+        if !meander.round() {
+            meander = halfway.clone();
+        }
+        meander.network().vertices.len() as u32
+    }))
+}
+
+/// What a round has to know, by all pairs: without moving anything.
+fn all_pairs(attractors: &str) -> Option<Repetition> {
+    let meander = half_meandered(attractors)?;
+    let network = meander.network().clone();
+    let reach = meander.reach(&network.downstream());
+    Some(Box::new(move || pairs::survey(&network, &reach, meander.caps()).1.len() as u32))
+}
+
+/// A parameter of the network or of its painting changes, on a default map that is there already: until the finished picture.
+fn late(one: &str, other: &str) -> Option<Repetition> {
+    let recipes = [recipe(one)?, recipe(other)?];
+    let mut session = Session::new(recipes[0].clone(), SIDE, SIDE).ok()?;
+    session.advance(u32::MAX);
+    session.paint();
+    let mut turn = 0;
+    Some(Box::new(move || {
+        turn = 1 - turn;
+        if session.change(recipes[turn].clone()).is_err() {
+            return 0;
+        }
+        session.advance(u32::MAX);
+        session.paint();
+        session.network().map_or(0, |network| network.rivers.len() as u32)
+    }))
 }
 
 // ---- drawing
@@ -282,17 +365,24 @@ fn changes(one: &str, other: &str, attractors: u32, common: &str) -> Option<Repe
     };
     let recipes = [recipe(one)?, recipe(other)?];
     let mut session = Session::new(recipes[0].clone(), SIDE, SIDE).ok()?;
-    session.advance(u32::MAX);
+    grow(&mut session);
     let mut turn = 0;
     Some(Box::new(move || {
         turn = 1 - turn;
         if session.change(recipes[turn].clone()).is_err() {
             return 0;
         }
-        session.advance(u32::MAX);
+        grow(&mut session);
         session.paint();
         session.tree().len() as u32
     }))
+}
+
+/// Grows the tree, of which rivers are made in the frames that follow.
+fn grow(session: &mut Session) {
+    while session.growth().ending().is_none() {
+        session.advance(1);
+    }
 }
 
 /// How many bytes of a picture painted while it grew differ from the picture painted at once.
@@ -301,10 +391,14 @@ fn differing_bytes() -> Option<u32> {
     let recipe = recipe(&format!("{BARE}&attractors={ATTRACTORS_FOR_SEGMENTS}"))?;
     let painted = |ticks: u32| {
         let mut session = Session::new(recipe.clone(), SIDE, SIDE).ok()?;
-        while session.advance(ticks) {
+        while session.growth().ending().is_none() {
+            for _ in 0..ticks {
+                if session.growth().ending().is_none() {
+                    session.advance(1);
+                }
+            }
             session.paint();
         }
-        session.paint();
         Some(session.pixmap().data().to_vec())
     };
     let (frames, at_once) = (painted(TICKS_A_FRAME)?, painted(u32::MAX)?);

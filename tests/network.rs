@@ -4,11 +4,11 @@
 
 mod common;
 
-use common::random_link;
+use common::{pairs, random_link};
 use glam::Vec2;
 use proptest::prelude::*;
 use riverseed::grow::{Growth, Parameters, Procedure};
-use riverseed::network::{self, Courses, Meander, NONE, Network, hydrology, meet};
+use riverseed::network::{self, Courses, Guard, Meander, NONE, Network, hydrology, meet};
 use riverseed::prune;
 use riverseed::recipe::{Key, Recipe, link};
 use riverseed::tree::Hydrology;
@@ -108,6 +108,29 @@ fn check_widths(network: &Network) {
 }
 
 proptest! {
+    #![proptest_config(ProptestConfig::with_cases(40))]
+
+    #[test]
+    fn guard_sees_what_all_pairs_say(link in random_link(300), rounds in 0u32..30) {
+        let recipe = link::read(&link).unwrap();
+        let mut meander = shaped(&recipe);
+        (0..rounds).for_each(|_| {
+            meander.round();
+        });
+        let (network, parameters) = (meander.network(), meander.parameters());
+        // All pairs of more take a while.
+        prop_assume!(network.vertices.len() < 4000);
+        let downstream = network.downstream();
+        let reach = meander.reach(&downstream);
+        let mut guard = Guard::new(&parameters.domain, parameters.spacing);
+        let mut near = Vec::new();
+        let clearance = guard.survey(network, &downstream, &reach, meander.caps(), &mut |pair| near.push(pair));
+        near.sort_by_key(|pair| (pair.first, pair.second));
+        prop_assert_eq!((clearance, near), pairs::survey(network, &reach, meander.caps()));
+    }
+}
+
+proptest! {
     #![proptest_config(ProptestConfig::with_cases(1000))]
 
     #[test]
@@ -122,7 +145,7 @@ proptest! {
                 check_no_crossing(network, &format!("{link}, round {rounds}"));
                 check_rivers(network);
                 check_vertices(network, size);
-                check_widths(network); eprintln!("ok round {rounds} {}", network.oxbows.len());
+                check_widths(network);
             }
             if !meander.round() && meander.is_finished() && meander.rounds() == rounds {
                 break;

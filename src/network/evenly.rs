@@ -1,11 +1,12 @@
 //! Vertices at even spacing along a course, without moving its line.
 
+use super::parameters::Parameters;
 use super::{NONE, Network, Vertex};
 
-/// Puts vertices between those of a network, so that neighbours lie at most one and a half spacings apart, and at
+/// Puts vertices between those of a network, so that neighbours lie at most one and a half steps apart, and at
 /// least two thirds of one where the course has room. Returns for each vertex where it lies between two old ones: the upper one's
 /// place among the old vertices, and the share of the way to the next.
-pub(super) fn divide(network: &Network, spacing: f32) -> (Network, Vec<(u32, f32)>) {
+pub(super) fn divide(network: &Network, parameters: &Parameters) -> (Network, Vec<(u32, f32)>) {
     let downstream = network.downstream();
     let mut place = vec![NONE; network.vertices.len()];
     let mut divided = Network { rivers: network.rivers.clone(), ..Network::default() };
@@ -18,7 +19,8 @@ pub(super) fn divide(network: &Network, spacing: f32) -> (Network, Vec<(u32, f32
             divided.vertices.push(network.vertices[i]);
             origin.push((i as u32, 0.0));
             let Some(next) = network.vertices.get(downstream[i] as usize) else { continue };
-            let pieces = pieces(network.vertices[i].at.distance(next.at), spacing);
+            let step = parameters.step(2.0 * parameters.half_width(network.vertices[i].discharge));
+            let pieces = pieces(network.vertices[i].at.distance(next.at), step);
             for piece in 1..pieces {
                 let share = piece as f32 / pieces as f32;
                 divided.vertices.push(between(&network.vertices[i], next, share));

@@ -9,8 +9,8 @@
 
 use glam::Vec2;
 
-use super::plane::{distance, meet, most};
-use super::{NONE, Network};
+use super::Network;
+use super::plane::{distance, least, meet, most};
 use crate::domain::Domain;
 
 /// Two segments, each known by its upper vertex, and their distance.
@@ -27,96 +27,88 @@ pub struct Near {
 /// A grid of segments, used again from round to round.
 #[derive(Clone, Debug, Default)]
 pub struct Guard {
+    spacing: f32,
     side: f32,
     columns: usize,
     rows: usize,
     /// Where each cell begins in `entries`.
     starts: Vec<u32>,
     entries: Vec<Entry>,
-    /// Half the length of the longest segment.
+    /// Half the length of the longest segment, and that over what its reach lets expect, see [`Guard::expected`].
     longest_half: f32,
+    stretch: f32,
 }
 
 /// A segment in a cell.
 #[derive(Clone, Copy, Debug, Default)]
 struct Entry {
     middle: Vec2,
+    /// Half its length.
+    half: f32,
     reach: f32,
     segment: u32,
 }
 
+/// What a survey looks at.
+#[derive(Clone, Copy)]
+struct Survey<'a> {
+    network: &'a Network,
+    downstream: &'a [u32],
+}
+
 impl Guard {
-    /// An empty grid for segments about as long as a spacing.
+    /// An empty grid for segments about as long as a spacing, or longer where rivers are wide.
     pub fn new(domain: &Domain, spacing: f32) -> Self {
-        let side = spacing * 2.5;
+        let side = spacing * 2.0;
         let cells = (domain.size / side).floor() + 1.0;
-        Self { side, columns: cells.x as usize, rows: cells.y as usize, ..Self::default() }
+        Self { spacing, side, columns: cells.x as usize, rows: cells.y as usize, ..Self::default() }
     }
 
-    /// Measures the distance of each segment from the nearest other one with no end in common, if it is below `cap`, else
-    /// `cap`; by its upper vertex. Mouths, which have no segment, have `cap`. `reach` is how far each segment looks around;
-    /// one that can neither move nor matter beyond `cap` looks nowhere, 0. Of each pair nearer than the farther of two
-    /// reaches `tell` is told, unless they are near each other along one river.
+    /// Measures the distance of each segment, known by its upper vertex, from the nearest other one with no end in common,
+    /// if that is below its cap, else the cap itself. `reach` is how far each segment looks around, at least to its cap; one
+    /// that can neither move nor matter to others beyond their caps looks nowhere, 0. Of each pair nearer than the
+    /// farther of two reaches `tell` is told, unless they are near each other along one river.
     pub fn survey(
         &mut self,
         network: &Network,
         downstream: &[u32],
         reach: &[f32],
-        cap: f32,
+        caps: Vec<f32>,
         tell: &mut dyn FnMut(Near),
     ) -> Vec<f32> {
         self.enter(network, downstream, reach);
-        let mut clearance = vec![cap; downstream.len()];
-        for run in self.starts.windows(2) {
-            for place in run[0] as usize..run[1] as usize {
-                if self.entries[place].reach > 0.0 {
-                    self.look_around(self.entries[place], network, downstream, &mut clearance, tell);
-                }
-            }
+        let mut clearance = caps;
+        let survey = Survey { network, downstream };
+        for &own in self.entries.iter().filter(|entry| entry.reach > 0.0) {
+            self.look_around(own, survey, &mut clearance, tell);
         }
         clearance
     }
 
-    fn look_around(
-        &self,
-        own: Entry,
-        network: &Network,
-        downstream: &[u32],
-        clearance: &mut [f32],
-        tell: &mut dyn FnMut(Near),
-    ) {
-        let radius = own.reach + 2.0 * self.longest_half;
+    fn look_around(&self, own: Entry, survey: Survey<'_>, clearance: &mut [f32], tell: &mut dyn FnMut(Near)) {
+        // A longer one has a longer reach, and looks itself.
+        let radius = own.reach + own.half + self.stretch * self.expected(own.reach);
         let i = own.segment as usize;
-        let segment = |i: usize| (network.vertices[i].at, network.vertices[downstream[i] as usize].at);
         for row in self.runs(own.middle, radius) {
             for other in &self.entries[row] {
-                let off = other.middle - own.middle;
-                if off.dot(off) > radius * radius
-                    || other.reach > own.reach
-                    || (other.reach == own.reach && other.segment <= own.segment)
-                {
+                if other.reach > own.reach || (other.reach == own.reach && other.segment <= own.segment) {
                     continue;
                 }
                 let j = other.segment as usize;
-                let (below_i, below_j) = (downstream[i], downstream[j]);
-                if below_i == other.segment || below_j == own.segment || below_i == below_j {
-                    continue;
-                }
-                let distance = distance(segment(i), segment(j));
-                if distance < own.reach {
-                    if distance < clearance[i] {
-                        clearance[i] = distance;
-                    }
-                    if distance < clearance[j] {
-                        clearance[j] = distance;
-                    }
-                    if i.abs_diff(j) > NEIGHBOURS {
-                        let (first, second) = (own.segment.min(other.segment), own.segment.max(other.segment));
-                        tell(Near { first, second, distance });
-                    }
+                let are_neighbours = i.abs_diff(j) <= NEIGHBOURS;
+                // Of neighbours only the clearance matters.
+                let far = if are_neighbours { most(clearance[i], clearance[j]) } else { own.reach };
+                let (off, far) = (other.middle - own.middle, far + own.half + other.half);
+                if off.dot(off) < far * far {
+                    survey.measure(own, *other, are_neighbours, clearance, tell);
                 }
             }
         }
+    }
+
+    /// Half of what a segment with some reach is long at most, but for a factor: longer where rivers are wide.
+    fn expected(&self, reach: f32) -> f32 {
+        most(self.spacing, reach)
     }
 
     /// Whether a line from one vertex to another, across a neck, meets no segment of the last survey but those that end
@@ -157,23 +149,18 @@ impl Guard {
     fn enter(&mut self, network: &Network, downstream: &[u32], reach: &[f32]) {
         self.starts.clear();
         self.starts.resize(self.columns * self.rows + 1, 0);
-        self.longest_half = 0.0;
-        let mut middles = Vec::with_capacity(downstream.len());
-        for (vertex, &below) in network.vertices.iter().zip(downstream) {
-            let middle = match network.vertices.get(below as usize) {
-                None => (Vec2::NAN, NONE),
-                Some(next) => {
-                    self.longest_half = most(self.longest_half, vertex.at.distance_squared(next.at));
-                    let middle = (vertex.at + next.at) * 0.5;
-                    (middle, self.cell(middle))
-                }
-            };
-            if middle.1 != NONE {
-                self.starts[middle.1 as usize] += 1;
-            }
-            middles.push(middle);
+        (self.longest_half, self.stretch) = (0.0, 0.0);
+        let mut placed: Vec<(u32, Entry)> = Vec::with_capacity(downstream.len());
+        for (segment, ((vertex, &below), &reach)) in (0..).zip(network.vertices.iter().zip(downstream).zip(reach)) {
+            let Some(next) = network.vertices.get(below as usize) else { continue };
+            let half = vertex.at.distance(next.at) * 0.5;
+            self.longest_half = most(self.longest_half, half);
+            self.stretch = most(self.stretch, half / self.expected(reach));
+            let middle = (vertex.at + next.at) * 0.5;
+            let cell = self.cell(middle);
+            self.starts[cell as usize] += 1;
+            placed.push((cell, Entry { middle, half, reach, segment }));
         }
-        self.longest_half = self.longest_half.sqrt() * 0.5;
         let mut end = 0;
         for start in &mut self.starts {
             end += *start;
@@ -181,10 +168,10 @@ impl Guard {
         }
         self.entries.clear();
         self.entries.resize(end as usize, Entry::default());
-        for (i, &(middle, cell)) in middles.iter().enumerate().rev().filter(|(_, middle)| middle.1 != NONE) {
+        for &(cell, entry) in placed.iter().rev() {
             let start = &mut self.starts[cell as usize];
             *start -= 1;
-            self.entries[*start as usize] = Entry { middle, reach: reach[i], segment: i as u32 };
+            self.entries[*start as usize] = entry;
         }
     }
 
@@ -203,6 +190,30 @@ impl Guard {
             let row = row * self.columns;
             self.starts[row + left] as usize..self.starts[row + right + 1] as usize
         })
+    }
+}
+
+impl Survey<'_> {
+    fn measure(
+        self,
+        own: Entry,
+        other: Entry,
+        are_neighbours: bool,
+        clearance: &mut [f32],
+        tell: &mut dyn FnMut(Near),
+    ) {
+        let (i, j) = (own.segment as usize, other.segment as usize);
+        let (below_i, below_j) = (self.downstream[i], self.downstream[j]);
+        if below_i == other.segment || below_j == own.segment || below_i == below_j {
+            return;
+        }
+        let at = |i: usize| self.network.vertices[i].at;
+        let distance = distance((at(i), at(below_i as usize)), (at(j), at(below_j as usize)));
+        clearance[i] = least(clearance[i], distance);
+        clearance[j] = least(clearance[j], distance);
+        if !are_neighbours && distance < own.reach {
+            tell(Near { first: own.segment.min(other.segment), second: own.segment.max(other.segment), distance });
+        }
     }
 }
 

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use fastnoise_lite::{FastNoiseLite, FractalType, NoiseType};
 
+use super::plane::most;
 use super::width::HAIRLINE;
 use crate::domain::Domain;
 use crate::grow::{Growth, Procedure};
@@ -57,7 +58,7 @@ pub struct Parameters {
     pub flat: f32,
     /// How near two limbs of a river come before it cuts through, in widths.
     pub neck: f32,
-    /// How far apart two rivers' banks stay, in units.
+    /// How far apart two rivers' banks stay.
     pub buffer: f32,
     /// Over how many widths meandering sets in, from sources, mouths and junctions on.
     pub taper: f32,
@@ -88,9 +89,16 @@ impl Parameters {
             great: recipe.integer(Key::Great),
             flat: recipe.number(Key::Flat),
             neck: recipe.number(Key::Neck),
-            buffer: recipe.number(Key::Buffer),
+            buffer: recipe.number(Key::Buffer) * between_streams,
             taper: recipe.number(Key::Taper),
         }
+    }
+
+    /// How far apart the vertices of a river of some width are: a wide one needs no more of them to a bend.
+    #[inline]
+    pub fn step(&self, width: f32) -> f32 {
+        const A_WIDTH: f32 = 0.25;
+        most(self.spacing, width * A_WIDTH)
     }
 
     /// Half the width of a river of some discharge, before its banks vary.
@@ -121,6 +129,6 @@ impl Parameters {
 }
 
 /// A course's vertices lie this much of the distance between streams apart: enough for bends narrower than that.
-const SPACING: f32 = 0.25;
+const SPACING: f32 = 0.32;
 const LEAST_SPACING: f32 = 0.25;
-const MOST_SPACING: f32 = 4.0;
+const MOST_SPACING: f32 = 5.0;

@@ -7,9 +7,9 @@
 use glam::Vec2;
 
 use super::guard::Guard;
+use super::parameters::Parameters;
 use super::plane::{least, most};
 use super::{NONE, Network};
-use crate::domain::Domain;
 use crate::land::Land;
 
 /// How often vertices are moved toward the smooth line: most are there after two or three.
@@ -20,18 +20,14 @@ const ROUNDS: u32 = 6;
 pub(super) const SHARE_OF_CLEARANCE: f32 = 0.3;
 
 /// Smooths a network that [`super::evenly::divide`] has made of a coarser one.
-pub(super) fn smooth(
-    network: &mut Network,
-    coarse: &Network,
-    origin: &[(u32, f32)],
-    (domain, land): (&Domain, Option<&Land>),
-    spacing: f32,
-) {
+pub(super) fn smooth(network: &mut Network, coarse: &Network, origin: &[(u32, f32)], parameters: &Parameters) {
+    let (land, spacing) = (parameters.land.as_deref(), parameters.spacing);
     let mut targets = targets(coarse, origin);
     let downstream = network.downstream();
-    let mut guard = Guard::new(domain, spacing);
+    let mut guard = Guard::new(&parameters.domain, spacing);
     for (target, vertex) in targets.iter_mut().zip(&network.vertices) {
-        if !has_room(land, vertex.at, vertex.at.distance(*target) + spacing) {
+        let step = parameters.step(2.0 * parameters.half_width(vertex.discharge));
+        if !has_room(land, vertex.at, vertex.at.distance(*target) + 2.0 * step) {
             *target = vertex.at;
         }
     }
@@ -42,7 +38,8 @@ pub(super) fn smooth(
         if reach.iter().all(|&reach| reach == 0.0) {
             break;
         }
-        let clearance = guard.survey(network, &downstream, &reach, spacing, &mut |_| {});
+        let caps = vec![spacing; reach.len()];
+        let clearance = guard.survey(network, &downstream, &reach, caps, &mut |_| {});
         let limits = limits(&clearance, &downstream);
         for ((vertex, &target), limit) in network.vertices.iter_mut().zip(&targets).zip(limits) {
             vertex.at = toward(vertex.at, target, limit);

@@ -310,7 +310,7 @@ pub static TABLE: [Parameter; COUNT] = {
             group: "Meanders",
             stage: Shape,
             logarithmic: false,
-            kind: Kind::Integer { min: 0, max: 400, default: 40 },
+            kind: Kind::Integer { min: 0, max: 400, default: 32 },
         },
         Parameter {
             key: Key::MeanderStrength,
@@ -321,7 +321,7 @@ pub static TABLE: [Parameter; COUNT] = {
             group: "Meanders",
             stage: Shape,
             logarithmic: false,
-            kind: number(0.0, 1.0, 0.01, 0.5),
+            kind: number(0.0, 1.0, 0.01, 0.6),
         },
         Parameter {
             key: Key::MeanderMix,
@@ -383,11 +383,11 @@ pub static TABLE: [Parameter; COUNT] = {
             name: "buffer",
             label: "Buffer",
             help: "How far banks of two rivers stay apart: nearer, they move no more.",
-            unit: "units",
+            unit: "spacings",
             group: "Meanders",
             stage: Shape,
             logarithmic: false,
-            kind: number(0.0, 20.0, 0.5, 2.0),
+            kind: number(0.0, 1.0, 0.01, 0.15),
         },
         Parameter {
             key: Key::Taper,

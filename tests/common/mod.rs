@@ -2,6 +2,7 @@
 #![allow(dead_code, reason = "each test file uses its own part")]
 
 pub mod literal;
+pub mod pairs;
 pub mod twin;
 
 use proptest::prelude::*;
@@ -28,7 +29,7 @@ pub fn random_link(most_attractors: u32) -> impl Strategy<Value = String> {
         prop_oneof![4 => 0u32..=60, 1 => 0u32..=400],
     );
     let how = (0.0f64..=1.0, 0.0f64..=1.0, 0.0f64..=1.0, 0u32..=16, 0.0f64..=1.0);
-    let guards = (1.0f64..=4.0, 0.0f64..=20.0, 1.0f64..=20.0);
+    let guards = (1.0f64..=4.0, 0.0f64..=1.0, 1.0f64..=20.0);
     let rivers = (0u32..=95, 0.0f64..=0.5, meanders, how, guards).prop_map(rivers_link);
     ("[a-z]{1,8}", land, ground, growth, bends, finish, rivers).prop_map(|(seed, land, ground, growth, bends, finish, rivers)| {
         let (land, sea, rough, outline) = land;

@@ -30,14 +30,14 @@ const EASE: f32 = 0.4;
 const PACE: f32 = 0.9;
 
 /// The way that each vertex goes in this round.
-pub(super) fn moves(network: &Network, parameters: &Parameters) -> Vec<Vec2> {
+pub(super) fn moves(network: &Network, pace: &[f32], parameters: &Parameters) -> Vec<Vec2> {
     let mut moves = vec![Vec2::ZERO; network.vertices.len()];
     let mut course = Course::default();
     for river in &network.rivers {
-        if network.vertices[river.own()].iter().any(|vertex| vertex.sway > 0.0) {
-            course.read(network, river, parameters.spacing);
+        if pace[river.own()].iter().any(|&pace| pace > 0.0) {
+            course.read(network, river, parameters);
             course.smooth();
-            course.bend(network, river, parameters, &mut moves);
+            course.bend(&pace[river.own()], parameters, &mut moves[river.own()]);
         }
     }
     moves
@@ -59,12 +59,12 @@ pub(super) struct Course {
 
 impl Course {
     /// Reads a river, its junction included.
-    pub fn read(&mut self, network: &Network, river: &River, spacing: f32) {
+    pub fn read(&mut self, network: &Network, river: &River, parameters: &Parameters) {
         self.at.clear();
         self.width.clear();
         for vertex in network.course(river) {
             self.at.push(vertex.at);
-            self.width.push(most(vertex.width(), spacing));
+            self.width.push(most(vertex.width(), parameters.spacing));
         }
         let count = self.at.len();
         self.step.clear();
@@ -74,7 +74,7 @@ impl Course {
         self.kink.clear();
         for i in 0..count {
             // Measured over about a width either way: nearer points would tell of noise.
-            let stride = ((self.width[i] / spacing) as usize).clamp(1, 16).min(i).min(count - 1 - i);
+            let stride = ((self.width[i] / parameters.step(self.width[i])) as usize).max(1).min(i).min(count - 1 - i);
             let kappa = curvature(self.at[i - stride], self.at[i], self.at[i + stride]);
             let bend = kappa * self.width[i] / SHARPEST;
             self.bend.push(bend.clamp(-1.0, 1.0));
@@ -106,10 +106,9 @@ impl Course {
         }
     }
 
-    fn bend(&self, network: &Network, river: &River, parameters: &Parameters, moves: &mut [Vec2]) {
-        let own = river.own();
-        for (i, (vertex, way)) in network.vertices[own.clone()].iter().zip(&mut moves[own]).enumerate() {
-            if vertex.sway == 0.0 || i == 0 || i + 1 == self.at.len() {
+    fn bend(&self, pace: &[f32], parameters: &Parameters, moves: &mut [Vec2]) {
+        for (i, (&pace, way)) in pace.iter().zip(moves).enumerate() {
+            if pace == 0.0 || i == 0 || i + 1 == self.at.len() {
                 continue;
             }
             let (bend, tangent) = (self.bend[i], self.tangent(i));
@@ -117,8 +116,8 @@ impl Course {
             let outward = tangent.perp() * -bend;
             let onward = tangent * bend.abs();
             let push = outward * parameters.mix + onward * (1.0 - parameters.mix);
-            let pace = PACE * parameters.strength * self.width[i];
-            *way = (push * pace + self.ease(i)) * vertex.sway;
+            let far = PACE * parameters.strength * self.width[i];
+            *way = (push * far + self.ease(i)) * pace;
         }
     }
 }

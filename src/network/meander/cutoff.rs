@@ -8,7 +8,7 @@ use super::super::parameters::Parameters;
 use super::super::plane::most;
 use super::super::width::settle;
 use super::super::{NONE, Network, Oxbow, River, Vertex};
-use super::river_of;
+use super::{NARROWEST, river_of};
 
 /// A neck: the vertices above and below the loop.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -19,9 +19,9 @@ pub(super) struct Cut {
 }
 
 /// Whether there is a loop between two segments of a river, and not only a bend.
-pub(super) fn is_loop(i: u32, j: u32, width: f32, spacing: f32) -> bool {
+pub(super) fn is_loop(i: u32, j: u32, width: f32, parameters: &Parameters) -> bool {
     const LEAST: f32 = 6.0;
-    i.abs_diff(j) as f32 * spacing > LEAST * most(width, spacing)
+    i.abs_diff(j) as f32 * parameters.step(width) > LEAST * most(width, parameters.spacing)
 }
 
 /// The necks to be cut: of each river's the one with the longest loop.
@@ -32,8 +32,8 @@ pub(super) fn necks(network: &Network, near: &[Near], parameters: &Parameters) -
         let river = river_of[first as usize];
         let width = network.vertices[first as usize].width();
         let is_neck = river == river_of[second as usize]
-            && distance < parameters.neck * most(width, parameters.spacing)
-            && is_loop(first, second, width, parameters.spacing);
+            && distance < parameters.neck * most(width, NARROWEST * parameters.spacing)
+            && is_loop(first, second, width, parameters);
         let moves = |i: u32| network.vertices[i as usize].sway > 0.0;
         if !is_neck || !(moves(first) || moves(second)) {
             continue;

@@ -21,27 +21,26 @@ const MEMORY: f32 = 1.4;
 const PACE: f32 = 0.5;
 
 /// The way that each vertex goes in this round.
-pub(super) fn moves(network: &Network, parameters: &Parameters) -> Vec<Vec2> {
+pub(super) fn moves(network: &Network, pace: &[f32], parameters: &Parameters) -> Vec<Vec2> {
     let mut moves = vec![Vec2::ZERO; network.vertices.len()];
     let mut course = Course::default();
     for river in &network.rivers {
-        if network.vertices[river.own()].iter().all(|vertex| vertex.sway == 0.0) {
+        if pace[river.own()].iter().all(|&pace| pace == 0.0) {
             continue;
         }
-        course.read(network, river, parameters.spacing);
+        course.read(network, river, parameters);
         let slackening = libm::powf(network.sinuosity(river), -2.0 / 3.0);
         let mut upstream = 0.0f32;
-        let own = river.own();
-        for (i, (vertex, way)) in network.vertices[own.clone()].iter().zip(&mut moves[own]).enumerate() {
+        for (i, (&pace, way)) in pace[river.own()].iter().zip(&mut moves[river.own()]).enumerate() {
             let width = course.width[i];
             // The mean of what lies upstream, weighted by G, after another step.
             upstream += (course.bend[i] - upstream) * (1.0 - libm::expf(-course.step[i] / (MEMORY * width)));
-            if vertex.sway == 0.0 || i == 0 || i + 1 == course.at.len() {
+            if pace == 0.0 || i == 0 || i + 1 == course.at.len() {
                 continue;
             }
             let rate = (OMEGA * course.bend[i] + GAMMA * upstream) * slackening;
             let outward = course.tangent(i).perp() * (-rate * PACE * parameters.strength * width);
-            *way = (outward + course.ease(i)) * vertex.sway;
+            *way = (outward + course.ease(i)) * pace;
         }
     }
     moves

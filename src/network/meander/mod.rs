@@ -22,6 +22,15 @@ use super::smooth::{has_room, limits, smooth};
 use super::width::widen;
 use super::{NONE, Network};
 
+/// Clearances are measured up to this share of a step. Vertices move by less than a third of it in a round.
+const CAP: f32 = 0.75;
+
+/// From this share of a spacing on a river is wide: what moves near it counts on it to look around, moving or not.
+const WIDE: f32 = 0.6;
+
+/// Where necks are concerned, no river is narrower than this share of a spacing.
+const NARROWEST: f32 = 0.5;
+
 /// A network on its way from courses to meandering rivers: a stepper of rounds.
 #[derive(Clone, Debug)]
 pub struct Meander {
@@ -35,9 +44,8 @@ impl Meander {
     /// Round 0: courses simplified, smooth and as wide as they will be.
     pub fn new(courses: &Courses, parameters: Parameters) -> Self {
         let coarse = simplified(&courses.network, &courses.ranking, parameters.simplify);
-        let (mut network, origin) = divide(&coarse, parameters.spacing);
-        let ground = (&parameters.domain, parameters.land.as_deref());
-        smooth(&mut network, &coarse, &origin, ground, parameters.spacing);
+        let (mut network, origin) = divide(&coarse, &parameters);
+        smooth(&mut network, &coarse, &origin, &parameters);
         widen(&mut network, &parameters);
         sway::give(&mut network, &parameters);
         let guard = Guard::new(&parameters.domain, parameters.spacing);
@@ -71,12 +79,13 @@ impl Meander {
             downstream = self.network.downstream();
             (clearance, near) = self.survey(&downstream);
         }
+        let pace = self.pace();
         if self.freeze(&near) {
             sway::ease_off(&mut self.network, self.parameters.spacing);
         }
         self.guard.erode(&mut self.network, &downstream, self.parameters.buffer);
-        self.move_bends(&downstream, &clearance);
-        respace::respace(&mut self.network, &clearance, self.parameters.spacing);
+        self.move_bends(&downstream, &clearance, &pace);
+        respace::respace(&mut self.network, &clearance, &pace, &self.parameters);
         !self.is_finished()
     }
 
@@ -85,27 +94,60 @@ impl Meander {
         self.parameters.model == Model::None || self.round >= self.parameters.rounds
     }
 
-    /// The clearance of each segment, and the pairs that are near each other.
-    fn survey(&mut self, downstream: &[u32]) -> (Vec<f32>, Vec<Near>) {
+    /// How freely each vertex moves in this round. Rivers that meander but gently do so in every third round, thrice as
+    /// far: nobody sees it, and a round takes half the time.
+    fn pace(&self) -> Vec<f32> {
+        const SELDOM: u32 = 3;
+        let mut pace = vec![0.0; self.network.vertices.len()];
+        for (number, river) in (0..).zip(&self.network.rivers) {
+            let own = &self.network.vertices[river.own()];
+            let is_gentle = own.iter().all(|vertex| vertex.sway * SELDOM as f32 <= 1.0);
+            let times = match (is_gentle, (self.round + number) % SELDOM) {
+                (false, _) => 1.0,
+                (true, 0) => SELDOM as f32,
+                (true, _) => continue,
+            };
+            pace[river.own()].iter_mut().zip(own).for_each(|(pace, vertex)| *pace = vertex.sway * times);
+        }
+        pace
+    }
+
+    /// How far each segment looks around for others: until banks could come too near each other, if it can move or is wide.
+    pub fn reach(&self, downstream: &[u32]) -> Vec<f32> {
         let Parameters { spacing, buffer, neck, .. } = self.parameters;
         let vertices = &self.network.vertices;
-        let reach: Vec<f32> = vertices
+        let wide = WIDE * spacing;
+        let near =
+            |width: f32| most((width + most(width, wide)) * 0.5 + buffer, neck * most(width, NARROWEST * spacing));
+        let pace = self.pace();
+        vertices
             .iter()
+            .zip(&pace)
             .zip(downstream)
-            .map(|(vertex, &below)| {
-                let Some(below) = vertices.get(below as usize) else { return 0.0 };
+            .map(|((vertex, &moves), &lower)| {
+                let Some(below) = vertices.get(lower as usize) else { return 0.0 };
                 let width = most(vertex.width(), below.width());
-                if vertex.sway > 0.0 || below.sway > 0.0 {
-                    most(most(width + buffer, neck * most(width, spacing)), spacing)
-                } else if width + buffer > spacing {
+                if moves > 0.0 || pace[lower as usize] > 0.0 {
+                    most(near(width), CAP * self.parameters.step(width))
+                } else if width > wide {
                     width + buffer
                 } else {
                     0.0
                 }
             })
-            .collect();
+            .collect()
+    }
+
+    /// Up to which distance it matters how near the next line is: what moves need.
+    pub fn caps(&self) -> Vec<f32> {
+        self.network.vertices.iter().map(|vertex| CAP * self.parameters.step(vertex.width())).collect()
+    }
+
+    /// The clearance of each segment, and the pairs that are near each other.
+    fn survey(&mut self, downstream: &[u32]) -> (Vec<f32>, Vec<Near>) {
+        let reach = self.reach(downstream);
         let mut near = Vec::new();
-        let clearance = self.guard.survey(&self.network, downstream, &reach, spacing, &mut |pair| near.push(pair));
+        let clearance = self.guard.survey(&self.network, downstream, &reach, self.caps(), &mut |pair| near.push(pair));
         (clearance, near)
     }
 
@@ -151,8 +193,8 @@ impl Meander {
         let width = |i: u32| self.network.vertices[i as usize].width();
         let apart = (width(a.0) + width(b.0)) * 0.5 + buffer;
         if a.1 == b.1 {
-            return pair.distance < 0.5 * neck * most(width(a.0), spacing)
-                && cutoff::is_loop(a.0, b.0, width(a.0), spacing);
+            return pair.distance < 0.5 * neck * most(width(a.0), NARROWEST * spacing)
+                && cutoff::is_loop(a.0, b.0, width(a.0), &self.parameters);
         }
         pair.distance < apart && !self.is_about_to_join(a, b, apart) && !self.is_about_to_join(b, a, apart)
     }
@@ -164,13 +206,13 @@ impl Meander {
         tributary.parent == river && tributary.end - i <= near && tributary.joins.abs_diff(j) <= near
     }
 
-    fn move_bends(&mut self, downstream: &[u32], clearance: &[f32]) {
+    fn move_bends(&mut self, downstream: &[u32], clearance: &[f32], pace: &[f32]) {
         let moves = match self.parameters.model {
-            Model::Flow => flow::moves(&self.network, &self.parameters),
-            _ => bend::moves(&self.network, &self.parameters),
+            Model::Flow => flow::moves(&self.network, pace, &self.parameters),
+            _ => bend::moves(&self.network, pace, &self.parameters),
         };
         let limits = limits(clearance, downstream);
-        let Parameters { domain, land, spacing, .. } = &self.parameters;
+        let Parameters { domain, land, .. } = &self.parameters;
         for ((vertex, way), limit) in self.network.vertices.iter_mut().zip(moves).zip(limits) {
             if way == Vec2::ZERO {
                 continue;
@@ -178,7 +220,8 @@ impl Meander {
             let far = way.length();
             let to = vertex.at + way * (limit / most(far, limit));
             // A segment may be one and a half spacings long, and both of its ends may move.
-            if domain.contains(to) && has_room(land.as_deref(), vertex.at, 2.5 * spacing) {
+            let step = self.parameters.step(vertex.width());
+            if domain.contains(to) && has_room(land.as_deref(), vertex.at, 2.0 * step) {
                 vertex.at = to;
             } else {
                 vertex.sway = 0.0;

@@ -4,6 +4,7 @@
 //! of the clearance that moving has left over.
 
 use super::super::evenly::{between, pieces};
+use super::super::parameters::Parameters;
 use super::super::plane::height;
 use super::super::smooth::room;
 use super::super::{NONE, Network, Vertex};
@@ -11,8 +12,8 @@ use super::super::{NONE, Network, Vertex};
 /// With [`super::super::smooth::SHARE_OF_CLEARANCE`] it makes less than a half.
 const SHARE_OF_CLEARANCE: f32 = 0.15;
 
-/// Spaces vertices between half a spacing and one and a half, where that is possible.
-pub(super) fn respace(network: &mut Network, clearance: &[f32], spacing: f32) {
+/// Spaces vertices between half a step and one and a half, where that is possible.
+pub(super) fn respace(network: &mut Network, clearance: &[f32], pace: &[f32], parameters: &Parameters) {
     let is_junction = network.junctions();
     let downstream = network.downstream();
     let old = &network.vertices;
@@ -30,15 +31,15 @@ pub(super) fn respace(network: &mut Network, clearance: &[f32], spacing: f32) {
                 && below != NONE
                 && !is_junction[i]
                 // Of what stays the clearance is not known.
-                && old[i].sway > 0.0
-                && old[i].at.distance_squared(old[i - 1].at) < 0.25 * spacing * spacing
+                && pace[i] > 0.0
+                && old[i].at.distance(old[i - 1].at) < 0.5 * parameters.step(old[i].width())
                 && height(old[i].at, old[i - 1].at, old[below as usize].at)
                     <= SHARE_OF_CLEARANCE * room(clearance[i].min(clearance[i - 1]));
             if goes {
                 continue;
             }
             if last != NONE {
-                divide(&mut vertices, &old[last as usize], &old[i], spacing);
+                divide(&mut vertices, &old[last as usize], &old[i], parameters);
             }
             place[i] = vertices.len() as u32;
             vertices.push(old[i]);
@@ -47,7 +48,7 @@ pub(super) fn respace(network: &mut Network, clearance: &[f32], spacing: f32) {
         if let (Some(upper), Some(junction)) = (old.get(last as usize), old.get(river.joins as usize)) {
             // No wider for being near a wider river.
             let end = Vertex { at: junction.at, ..*upper };
-            divide(&mut vertices, upper, &end, spacing);
+            divide(&mut vertices, upper, &end, parameters);
         }
         river.end = vertices.len() as u32;
     }
@@ -58,11 +59,12 @@ pub(super) fn respace(network: &mut Network, clearance: &[f32], spacing: f32) {
 }
 
 /// Puts vertices between two if they are too far apart.
-fn divide(vertices: &mut Vec<Vertex>, upper: &Vertex, lower: &Vertex, spacing: f32) {
+fn divide(vertices: &mut Vec<Vertex>, upper: &Vertex, lower: &Vertex, parameters: &Parameters) {
     let far = upper.at.distance(lower.at);
-    if far <= 1.5 * spacing {
+    let step = parameters.step(upper.width());
+    if far <= 1.5 * step {
         return;
     }
-    let pieces = pieces(far, spacing);
+    let pieces = pieces(far, step);
     vertices.extend((1..pieces).map(|piece| between(upper, lower, piece as f32 / pieces as f32)));
 }

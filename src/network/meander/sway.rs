@@ -17,6 +17,9 @@ const HELD: f32 = 1.0;
 const BROOK: f32 = 0.04;
 const EQUAL: f32 = 0.35;
 
+/// What sways less than this stands still: it would not be seen, and takes as long as the rest.
+const LEAST: f32 = 0.05;
+
 /// Gives every vertex its sway.
 pub(super) fn give(network: &mut Network, parameters: &Parameters) {
     if parameters.model == Model::None {
@@ -37,7 +40,8 @@ pub(super) fn give(network: &mut Network, parameters: &Parameters) {
             let gently = parameters.gentle * smooth_step(noise.get_noise_2d(vertex.at.x, vertex.at.y) * 1.25 + 0.25);
             let fully =
                 flat_from.map_or(0.0, |from| if i < from { 0.0 } else { ramp(along[i] - along[from], width[i]) });
-            vertex.sway = most(gently, fully) * ramp(along[i], width[i]) * ramp(length - along[i], width[i]);
+            let sway = most(gently, fully) * ramp(along[i], width[i]) * ramp(length - along[i], width[i]);
+            vertex.sway = if sway < LEAST { 0.0 } else { sway };
         }
         for (at, &hold) in holds[river.own()].iter().enumerate().filter(|(_, hold)| **hold > 0.0) {
             let mut ease = |i: usize| {
