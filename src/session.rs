@@ -102,6 +102,11 @@ impl Session {
         &self.recipe
     }
 
+    /// How it is painted.
+    pub fn style(&self) -> Style {
+        style(&self.recipe)
+    }
+
     /// Goes over to another recipe. Returns the earliest stage that has to run again, `None` if nothing is different.
     ///
     /// # Errors

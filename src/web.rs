@@ -5,6 +5,7 @@ use js_sys::{Array, Error, Float32Array, Object, Reflect};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
+use crate::export::{ExportError, geojson, json, svg};
 use crate::grow::Ending;
 use crate::land::trace;
 use crate::paint::{PaintError, Rect};
@@ -253,6 +254,24 @@ impl River {
         self.session.growth().ticks_per_height()
     }
 
+    /// The map as it is, as the text of an SVG file. Throws an Error, as long as the tree grows.
+    pub fn svg(&self) -> Result<String, JsValue> {
+        svg::svg(&self.session).map_err(|error| export_error(&error))
+    }
+
+    /// The rivers as they are, as GeoJSON. Throws an Error, as long as the tree grows.
+    #[wasm_bindgen(unchecked_return_type = "object")]
+    pub fn geojson(&self) -> Result<JsValue, JsValue> {
+        to_js(&geojson::collection(&self.session).map_err(|error| export_error(&error))?)
+    }
+
+    /// Recipe, nodes and rivers as they are: what the command line writes as JSON. Throws an Error, as long as the tree
+    /// grows.
+    #[wasm_bindgen(unchecked_return_type = "object")]
+    pub fn network(&self) -> Result<JsValue, JsValue> {
+        to_js(&json::network(&self.session, false).map_err(|error| export_error(&error))?)
+    }
+
     /// The picture in numbers.
     #[wasm_bindgen(unchecked_return_type = "Summary")]
     pub fn summary(&self) -> Result<JsValue, JsValue> {
@@ -289,6 +308,11 @@ fn session_error(error: &SessionError) -> JsValue {
         SessionError::Paint(PaintError::Size { width: 0, .. } | PaintError::Size { height: 0, .. }) => "bad-params",
         SessionError::Grow(_) | SessionError::Paint(_) => "too-large",
     };
+    coded(code, &error.to_string())
+}
+
+fn export_error(error: &ExportError) -> JsValue {
+    let code = if *error == ExportError::Unfinished { "unfinished" } else { "too-large" };
     coded(code, &error.to_string())
 }
 

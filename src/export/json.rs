@@ -1,27 +1,30 @@
 //! The JSON form of a network (design: one data form). Columns, full precision, stable names; the README explains them.
 
-use std::io::Write;
+use serde::{Serialize, Serializer};
 
-use serde::Serialize;
-
-use crate::grow::{Procedure, scatter};
+use super::{ExportError, rivers};
+use crate::grow::{Ending, Procedure, scatter};
+use crate::network::{self, NONE, Network, Oxbow, River, Vertex};
 use crate::prune::Pruned;
-use crate::recipe::{self, Key};
+use crate::recipe::{Key, Recipe};
 use crate::session::Session;
 
 #[derive(Serialize)]
-struct Network {
-    recipe: serde_json::Value,
+struct Form<'a> {
+    recipe: &'a Recipe,
     resolved: Resolved,
     domain: Size,
     growth: Growth,
     nodes: Nodes,
+    rivers: Rivers<'a>,
+    oxbows: Oxbows<'a>,
     #[serde(skip_serializing_if = "Option::is_none")]
     attractors: Option<Columns>,
 }
 
 /// The values used, lengths in domain units.
 #[derive(Serialize)]
+#[serde(rename_all = "kebab-case")]
 struct Resolved {
     spacing: f32,
     reach: f32,
@@ -33,6 +36,20 @@ struct Resolved {
     sensitivity: f32,
     trim: u32,
     width: f32,
+    everything: u32,
+    vertex_spacing: f32,
+    simplify: f32,
+    vary: f32,
+    meander: String,
+    meander_rounds: u32,
+    meander_strength: f32,
+    meander_mix: f32,
+    gentle: f32,
+    great: u32,
+    flat: f32,
+    neck: f32,
+    buffer: f32,
+    taper: f32,
 }
 
 #[derive(Serialize)]
@@ -59,7 +76,7 @@ struct Columns {
 struct Nodes {
     #[serde(flatten)]
     at: Columns,
-    parent: Vec<i64>,
+    parent: Vec<i32>,
     tick: Vec<u32>,
     depth: Vec<u32>,
     order: Vec<u8>,
@@ -74,48 +91,135 @@ impl FromIterator<glam::Vec2> for Columns {
     }
 }
 
-/// Writes the network of a session that has finished growing, with its attractors if asked for.
+/// Rivers, made one by one as they are written.
+struct Rivers<'a>(&'a Network);
+
+#[derive(Serialize)]
+struct RiverForm {
+    id: u32,
+    parent: Option<u32>,
+    order: u8,
+    magnitude: u32,
+    discharge: u32,
+    /// x, y, width.
+    points: Vec<[f32; 3]>,
+}
+
+struct Oxbows<'a>(&'a [Oxbow]);
+
+#[derive(Serialize)]
+struct OxbowForm {
+    id: u32,
+    river: u32,
+    born: u32,
+    points: Vec<[f32; 3]>,
+}
+
+impl Serialize for Rivers<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let form = |(id, river): (u32, &River)| RiverForm {
+            id,
+            parent: (river.parent != NONE).then_some(river.parent),
+            order: river.order,
+            magnitude: river.magnitude,
+            discharge: self.0.discharge(river),
+            points: self.0.course(river).map(|vertex| point(vertex, 1.0)).collect(),
+        };
+        serializer.collect_seq((0..).zip(&self.0.rivers).map(form))
+    }
+}
+
+impl Serialize for Oxbows<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let form = |(id, oxbow): (u32, &Oxbow)| OxbowForm {
+            id,
+            river: oxbow.river,
+            born: oxbow.born,
+            points: oxbow.vertices.iter().zip(oxbow.shares()).map(|(vertex, share)| point(vertex, share)).collect(),
+        };
+        serializer.collect_seq((0..).zip(self.0).map(form))
+    }
+}
+
+fn point(vertex: &Vertex, share: f32) -> [f32; 3] {
+    [vertex.at.x, vertex.at.y, vertex.width() * share]
+}
+
+/// The network of a session as it is, ready to be written, with its attractors if asked for.
 ///
 /// # Errors
-/// Those of the writer.
-pub fn write(out: impl Write, session: &Session, with_attractors: bool) -> serde_json::Result<()> {
+/// If there are no rivers yet, or the memory is not to be had.
+pub fn network(session: &Session, with_attractors: bool) -> Result<impl Serialize + '_, ExportError> {
+    /// Of the nodes' columns, about two nodes a vertex.
+    const BYTES_A_VERTEX: usize = 64;
+    let rivers_and_oxbows = rivers(session, BYTES_A_VERTEX)?;
     let parameters = session.growth().parameters();
     let summary = session.summary();
-    let recipe = session.recipe();
-    let network = Network {
-        recipe: recipe::json::to_json(recipe),
-        resolved: Resolved {
-            spacing: parameters.spacing,
-            reach: parameters.reach,
-            kill: parameters.kill,
-            step: parameters.step,
-            momentum: parameters.momentum,
-            curl: parameters.curl,
-            stretch: parameters.stretch,
-            sensitivity: parameters.sensitivity,
-            trim: recipe.integer(Key::Trim),
-            width: recipe.number(Key::Width),
-        },
+    Ok(Form {
+        recipe: session.recipe(),
+        resolved: resolved(session),
         domain: Size { width: parameters.domain.size.x, height: parameters.domain.size.y },
         growth: Growth {
             ticks: summary.ticks,
             attractors: summary.attractors,
             unreached: summary.unreached,
-            complete: summary.ending == Some(crate::grow::Ending::Complete),
+            complete: summary.ending == Some(Ending::Complete),
         },
         nodes: nodes(session.pruned()),
+        rivers: Rivers(rivers_and_oxbows),
+        oxbows: Oxbows(&rivers_and_oxbows.oxbows),
         attractors: with_attractors.then(|| match parameters.procedure {
             Procedure::Colonize => scatter(parameters).into_iter().collect(),
             Procedure::Brownian => Columns::from_iter([]),
         }),
-    };
-    serde_json::to_writer(out, &network)
+    })
+}
+
+/// Writes the network of a session, with its attractors if asked for.
+///
+/// # Errors
+/// If there are no rivers yet, or the memory is not to be had; and those of the writer.
+#[cfg(feature = "json")]
+pub fn write(out: impl std::io::Write, session: &Session, with_attractors: bool) -> std::io::Result<()> {
+    let network = network(session, with_attractors).map_err(std::io::Error::other)?;
+    Ok(serde_json::to_writer(out, &network)?)
+}
+
+fn resolved(session: &Session) -> Resolved {
+    let (recipe, grown) = (session.recipe(), session.growth().parameters());
+    let shaped: network::Parameters = session.network_parameters();
+    Resolved {
+        spacing: grown.spacing,
+        reach: grown.reach,
+        kill: grown.kill,
+        step: grown.step,
+        momentum: grown.momentum,
+        curl: grown.curl,
+        stretch: grown.stretch,
+        sensitivity: grown.sensitivity,
+        trim: recipe.integer(Key::Trim),
+        width: shaped.full_width,
+        everything: shaped.everything,
+        vertex_spacing: shaped.spacing,
+        simplify: shaped.simplify,
+        vary: shaped.vary,
+        meander: Key::Meander.parameter().text_of(recipe.value(Key::Meander)),
+        meander_rounds: shaped.rounds,
+        meander_strength: shaped.strength,
+        meander_mix: shaped.mix,
+        gentle: shaped.gentle,
+        great: shaped.great,
+        flat: shaped.flat,
+        neck: shaped.neck,
+        buffer: shaped.buffer,
+        taper: shaped.taper,
+    }
 }
 
 fn nodes(Pruned { tree, hydrology, .. }: Pruned) -> Nodes {
     Nodes {
         tick: tree.ticks().collect(),
-        parent: (0..tree.len()).map(|node| tree.parent_of(node).map_or(-1, |parent| parent as i64)).collect(),
+        parent: (0..tree.len()).map(|node| tree.parent_of(node).map_or(-1, |parent| parent as i32)).collect(),
         at: tree.at.into_iter().collect(),
         depth: hydrology.depth,
         order: hydrology.order,

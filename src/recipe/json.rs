@@ -8,23 +8,13 @@ use serde_json::Value as Json;
 use super::Recipe;
 use super::error::RecipeError;
 use super::link;
-use super::table::TABLE;
-use super::value::Value;
 
 /// The longest JSON recipe that is read, in bytes: a network of a million nodes fits.
 pub const LONGEST: usize = 256 << 20;
 
-/// All values of a recipe, defaults too: such a recipe stays readable when a default is chosen anew.
+/// All values of a recipe, defaults too.
 pub fn to_json(recipe: &Recipe) -> Json {
-    let member = |parameter: &super::Parameter| {
-        let value = match recipe.value(parameter.key) {
-            Value::Integer(n) => Json::from(*n),
-            Value::Number(x) => Json::from(x.to_f64()),
-            other => Json::from(parameter.text_of(other)),
-        };
-        (parameter.name.to_owned(), value)
-    };
-    Json::Object(TABLE.iter().map(member).collect())
+    serde_json::to_value(recipe).unwrap_or_default()
 }
 
 /// Reads a recipe over defaults.
@@ -121,7 +111,7 @@ impl<'de> Visitor<'de> for MembersVisitor {
 }
 
 /// The members of a network's JSON: the recipe first, then what this reader has no use for.
-const NETWORK: [&str; 6] = ["recipe", "resolved", "domain", "growth", "nodes", "attractors"];
+const NETWORK: [&str; 8] = ["recipe", "resolved", "domain", "growth", "nodes", "rivers", "oxbows", "attractors"];
 
 fn pass_over_network<'de, A: MapAccess<'de>>(mut map: A) -> Result<(), A::Error> {
     let mut seen = vec![String::from(NETWORK[0])];
