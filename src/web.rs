@@ -13,13 +13,15 @@ use crate::recipe::link::{self, Notice};
 use crate::recipe::preset::PRESETS;
 use crate::recipe::table::TABLE;
 use crate::recipe::{GridPoint, Kind, LONGEST_OUTLINE, Outline, Parameter, Recipe, Stage};
-use crate::session::{Session, SessionError};
+use crate::session::{Phase, Session, SessionError};
 use crate::{dice, digest};
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
 /** The stages of a river, in the order in which they run. */
-export type Stage = "land" | "grow" | "prune" | "paint";
+export type Stage = "land" | "grow" | "prune" | "shape" | "paint";
+/** What a river's next step does: a tick of growth; rivers made of the tree, all at once; a round of meandering; nothing. */
+export type Phase = "growing" | "shaping" | "meandering" | "finished";
 /** A row of the parameter table. */
 export interface Parameter {
   readonly key: string;
@@ -75,6 +77,11 @@ export interface Summary {
   readonly order: number;
   readonly attractors: number;
   readonly unreached: number;
+  /** Rounds that rivers have meandered. */
+  readonly rounds: number;
+  /** Oxbow lakes that they have left. */
+  readonly oxbows: number;
+  /** Whether everything is done, meandering too. */
   readonly finished: boolean;
   /** Why growth ended early; null if it did not. */
   readonly stopped: string | null;
@@ -201,9 +208,22 @@ impl River {
         self.session.restart().map_err(|error| session_error(&error))
     }
 
-    /// Grows by so many ticks at most. Returns whether growth is finished.
-    pub fn advance(&mut self, ticks: u32) -> bool {
-        !self.session.advance(ticks)
+    /// Goes on by so many steps at most: ticks of growth, then one that makes rivers of the tree, then rounds of
+    /// meandering. Returns whether there is nothing more to do.
+    pub fn advance(&mut self, steps: u32) -> bool {
+        !self.session.advance(steps)
+    }
+
+    /// What the next step does.
+    #[wasm_bindgen(getter, unchecked_return_type = "Phase")]
+    pub fn phase(&self) -> String {
+        match self.session.phase() {
+            Phase::Growing => "growing",
+            Phase::Shaping => "shaping",
+            Phase::Meandering => "meandering",
+            Phase::Finished => "finished",
+        }
+        .into()
     }
 
     /// Draws what is new. Returns whether any pixel changed.
@@ -290,7 +310,9 @@ impl River {
             order: summary.order,
             attractors: summary.attractors,
             unreached: summary.unreached,
-            finished: summary.ending.is_some(),
+            rounds: summary.rounds,
+            oxbows: summary.oxbows,
+            finished: self.session.is_finished(),
             stopped,
         })
     }
@@ -396,6 +418,8 @@ struct SummaryView {
     order: u8,
     attractors: u32,
     unreached: u32,
+    rounds: u32,
+    oxbows: u32,
     finished: bool,
     stopped: Option<&'static str>,
 }
