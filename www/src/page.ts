@@ -7,6 +7,7 @@ import { setText } from "./dom.ts";
 import { Drawing } from "./drawing.ts";
 import { isRecoverable, named } from "./errors.ts";
 import type { State } from "./growth.ts";
+import { Folds } from "./folds.ts";
 import { AddressBar, addressOf, linkOf, replaceAddress } from "./link.ts";
 import { parts } from "./parts.ts";
 import { listenForPictures } from "./picture-entry.ts";
@@ -39,7 +40,8 @@ class Page {
     const table = engine.parameters();
     this.#recipe = new Recipe((text) => engine.readLink(text));
     this.#recipe.open(linkOf(location));
-    this.#controls = controls(table, (key, text) => this.#choose(key, text));
+    const folds = new Folds(() => localStorage);
+    this.#controls = controls(table, (key, text) => this.#choose(key, text), folds);
     this.#presets = presets(engine.presets(), table, (values) => this.#set(values, "watch"));
     this.#seedBox = new SeedBox(parts.seedForm, parts.seed, (seed) => this.#set([["seed", seed]], "watch"));
     describeSeed(table);

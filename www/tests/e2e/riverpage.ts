@@ -11,6 +11,17 @@ export async function openFinished(page: Page, link = ""): Promise<void> {
   await finished(page);
 }
 
+/** The same with every group of controls unfolded. */
+export async function openUnfolded(page: Page, link = ""): Promise<void> {
+  await openFinished(page, link);
+  await unfold(page);
+}
+
+export async function unfold(page: Page): Promise<void> {
+  const folded = page.locator("details:not([open]):is(.group, .more) > summary");
+  while ((await folded.count()) > 0) await folded.first().click();
+}
+
 export async function finished(page: Page): Promise<void> {
   await expect(page.locator("#frame")).toHaveAttribute("data-state", "finished");
 }
