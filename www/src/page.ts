@@ -4,6 +4,7 @@ import "./style.css";
 import type { Summary } from "../pkg/riverseed.js";
 import { type Controls, controls } from "./controls.ts";
 import { setText } from "./dom.ts";
+import { Downloads } from "./downloads.ts";
 import { Drawing } from "./drawing.ts";
 import { isRecoverable, named } from "./errors.ts";
 import type { State } from "./growth.ts";
@@ -16,7 +17,7 @@ import { type How, Plate } from "./plate.ts";
 import { type Presets, presets } from "./presets.ts";
 import { Recipe } from "./recipe.ts";
 import { SeedBox } from "./seed.ts";
-import { copy, fileName, picture, save } from "./share.ts";
+import { copy } from "./share.ts";
 import { Announcer, alternative, caption, sentence, showFailure, showNotices } from "./status.ts";
 import { Transport } from "./transport.ts";
 import { rangeOf } from "./values.ts";
@@ -82,7 +83,7 @@ class Page {
   #listen(): void {
     parts.dice.addEventListener("click", () => this.#throwDice());
     parts.reset.addEventListener("click", () => this.#open(`seed=${encodeURIComponent(this.#recipe.seed)}`));
-    parts.download.addEventListener("click", () => void this.#download());
+    new Downloads(parts, this.core, this.#recipe, (error) => this.#fail(error));
     parts.copy.addEventListener("click", () => void this.#copyLink());
     parts.drawing.draw.addEventListener("click", () => this.#showDrawing());
     listenForPictures(parts.drawing, (file) => void this.#trace(file));
@@ -219,22 +220,6 @@ class Page {
 
   #note(message: string): void {
     showNotices(parts.notices, [message], () => this.#showNotices());
-  }
-
-  async #download(): Promise<void> {
-    parts.download.disabled = true;
-    parts.shared.textContent = "Drawing the picture…";
-    try {
-      const { link, seed } = this.#recipe;
-      save(await picture(this.core, link), fileName(seed));
-      parts.shared.textContent = "The picture is in your downloads.";
-    } catch (error) {
-      const { code, message } = named(error);
-      parts.shared.textContent = `The picture could not be drawn: ${message}`;
-      if (code === "panic") this.#fail(error);
-    } finally {
-      parts.download.disabled = false;
-    }
   }
 
   async #copyLink(): Promise<void> {

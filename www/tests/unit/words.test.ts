@@ -49,10 +49,10 @@ test("the caption has two lines in every state", () => {
 });
 
 test("a file is named after its seed, in any script, and after nothing else", () => {
-  expect(fileName("kauri")).toBe("riverseed-kauri.png");
-  expect(fileName("../../etc/passwd")).toBe("riverseed-etc-passwd.png");
-  expect(fileName("Ōtākaro 2")).toBe("riverseed-Ōtākaro-2.png");
-  expect(fileName("!?")).toBe("riverseed.png");
+  expect(fileName("kauri", "png")).toBe("riverseed-kauri.png");
+  expect(fileName("../../etc/passwd", "svg")).toBe("riverseed-etc-passwd.svg");
+  expect(fileName("Ōtākaro 2", "geojson")).toBe("riverseed-Ōtākaro-2.geojson");
+  expect(fileName("!?", "json")).toBe("riverseed.json");
 });
 
 test("a canvas has the screen's pixels, up to two a CSS pixel and four million in all", () => {
