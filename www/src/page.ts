@@ -1,14 +1,14 @@
 /** The page: puts the parts together. The recipe says what is shown; everything else follows it. */
 
 import "./style.css";
-import type { Summary } from "../pkg/riverseed.js";
+import type { Phase, Summary } from "../pkg/riverseed.js";
 import { type Controls, controls } from "./controls.ts";
 import { setText } from "./dom.ts";
 import { Downloads } from "./downloads.ts";
 import { Drawing } from "./drawing.ts";
 import { isRecoverable, named } from "./errors.ts";
-import type { State } from "./growth.ts";
 import { Folds } from "./folds.ts";
+import type { State } from "./growth.ts";
 import { AddressBar, addressOf, linkOf, replaceAddress } from "./link.ts";
 import { parts } from "./parts.ts";
 import { listenForPictures } from "./picture-entry.ts";
@@ -47,7 +47,7 @@ class Page {
     this.#seedBox = new SeedBox(parts.seedForm, parts.seed, (seed) => this.#set([["seed", seed]], "watch"));
     describeSeed(table);
     this.#plate = Plate.open(core, parts, this.#recipe.link, {
-      changed: (state, summary) => this.#follow(state, summary),
+      changed: (state, phase, summary) => this.#follow(state, phase, summary),
       failed: (error) => this.#fail(error),
     });
     this.#transport = this.#makeTransport();
@@ -170,7 +170,7 @@ class Page {
   }
 
   #how(how: How): How {
-    return prefersStill.matches ? "settle" : how;
+    return prefersStill.matches ? "still" : how;
   }
 
   #showRecipe(): void {
@@ -193,15 +193,15 @@ class Page {
   }
 
   /** The plate changed: the caption, the text alternative and the announcement follow. */
-  #follow(state: State, summary: Summary): void {
+  #follow(state: State, phase: Phase, summary: Summary): void {
     this.#transport.show(state);
     parts.frame.dataset["state"] = state;
-    caption(state, summary).forEach((line, i) => {
+    parts.frame.dataset["phase"] = phase;
+    caption(state, phase, summary).forEach((line, i) => {
       setText(parts.caption.children[i], line);
     });
-    const finished = state === "finished";
-    parts.canvas.setAttribute("aria-label", alternative(this.#recipe.seed, finished ? summary : undefined));
-    if (finished) this.#announcer.say(`Finished: ${sentence(summary)}`);
+    parts.canvas.setAttribute("aria-label", alternative(this.#recipe.seed, phase, summary));
+    if (state === "finished") this.#announcer.say(`Finished: ${sentence(summary)}`);
     else this.#announcer.hush();
   }
 

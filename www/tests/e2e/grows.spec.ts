@@ -12,6 +12,7 @@ test("a visitor sees a river grow, and then its counts", async ({ page }) => {
   const states = await recordStates(page);
   await page.goto("./");
   await expect(page.locator("#caption")).toContainText("Growing");
+  await expect(page.locator("#caption")).toContainText("Meandering");
   await finished(page);
   expect(await states()).toEqual(["growing", "finished"]);
   const { summary } = pictureOf("", 16, 16);
