@@ -5,12 +5,12 @@
 //! parent's, to the digit.
 
 use glam::Vec2;
-use serde::{Serialize, Serializer};
 
 use super::banks::{Banks, Width};
+use super::value::Value;
 use super::{ExportError, rivers};
 use crate::domain::Domain;
-use crate::network::{NONE, Network, Oxbow, River, hydrology};
+use crate::network::{NONE, Network, hydrology};
 use crate::recipe::link;
 use crate::session::Session;
 
@@ -18,13 +18,28 @@ use crate::session::Session;
 ///
 /// # Errors
 /// If there are no rivers yet, or the memory is not to be had.
-pub fn collection(session: &Session) -> Result<impl Serialize + '_, ExportError> {
+pub fn collection(session: &Session) -> Result<Value<'_>, ExportError> {
     const BYTES_A_VERTEX: usize = 16;
     let network = rivers(session, BYTES_A_VERTEX)?;
     let parameters = session.network_parameters();
     let elevations = hydrology::elevations(network, parameters.everything);
     let features = Features { network, domain: parameters.domain, elevations };
-    Ok(Collection { kind: "FeatureCollection", riverseed: link::write(session.recipe()), features })
+    let lakes: Vec<(u32, Vec<Vec2>)> = (0..)
+        .zip(&network.oxbows)
+        .filter_map(|(id, oxbow)| Some((id, Banks::of_lake(oxbow, Width::Own { more: 0.0 }).simple_ring()?)))
+        .collect();
+    let count = network.rivers.len();
+    let all = count + lakes.len();
+    let feature = move |i: usize| match lakes.get(i.wrapping_sub(count)) {
+        Some((id, ring)) => features.lake(*id, ring),
+        None => features.river(i as u32),
+    };
+    Ok(Value::Object(vec![
+        ("type", Value::Text("FeatureCollection")),
+        // The link of the recipe.
+        ("riverseed", Value::Owned(link::write(session.recipe()))),
+        ("features", Value::list(all, feature)),
+    ]))
 }
 
 /// Writes the rivers of a session.
@@ -37,105 +52,49 @@ pub fn write(out: impl std::io::Write, session: &Session) -> std::io::Result<()>
     Ok(serde_json::to_writer(out, &collection)?)
 }
 
-#[derive(Serialize)]
-struct Collection<'a> {
-    #[serde(rename = "type")]
-    kind: &'static str,
-    /// The link of the recipe.
-    riverseed: String,
-    features: Features<'a>,
-}
-
-/// The features, made one by one as they are written.
 struct Features<'a> {
     network: &'a Network,
     domain: Domain,
     elevations: Vec<f32>,
 }
 
-#[derive(Serialize)]
-struct Feature {
-    #[serde(rename = "type")]
-    kind: &'static str,
-    id: String,
-    geometry: Geometry,
-    properties: Properties,
-}
-
-#[derive(Serialize)]
-#[serde(tag = "type", content = "coordinates")]
-enum Geometry {
-    /// Longitude, latitude, height.
-    LineString(Vec<[f64; 3]>),
-    Polygon([Vec<[f64; 2]>; 1]),
-}
-
-#[derive(Serialize)]
-#[serde(tag = "kind", rename_all = "lowercase")]
-enum Properties {
-    River {
-        id: u32,
-        /// The river it joins; null if it reaches the sea.
-        parent: Option<u32>,
-        /// The river in whose mouth its water reaches the sea.
-        mouth: u32,
-        order: u8,
-        magnitude: u32,
-        discharge: u32,
-        /// In domain units.
-        length: f64,
-        sinuosity: f64,
-    },
-    Oxbow {
-        id: u32,
-        /// The river that left it, and in which round.
-        river: u32,
-        born: u32,
-    },
-}
-
-impl Serialize for Features<'_> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let rivers = (0..).zip(&self.network.rivers).map(|(id, river)| self.river(id, river));
-        let lakes = (0..).zip(&self.network.oxbows).filter_map(|(id, oxbow)| self.lake(id, oxbow));
-        serializer.collect_seq(rivers.chain(lakes))
-    }
-}
-
-impl Features<'_> {
-    fn river(&self, id: u32, river: &River) -> Feature {
-        let network = self.network;
+impl<'a> Features<'a> {
+    fn river(&self, id: u32) -> Value<'a> {
+        let (network, river) = (self.network, &self.network.rivers[id as usize]);
         let junction = (river.joins != NONE).then_some(river.joins as usize);
         let mut line: Vec<[f64; 3]> = river.own().chain(junction).map(|vertex| self.position(vertex)).collect();
         if let [only] = line[..] {
             line.push(only); // A line has two positions at least.
         }
-        let properties = Properties::River {
-            id,
-            parent: (river.parent != NONE).then_some(river.parent),
-            mouth: self.mouth(id),
-            order: river.order,
-            magnitude: river.magnitude,
-            discharge: network.discharge(river),
-            length: rounded(network.length(river), 100.0, 100.0),
-            sinuosity: rounded(network.sinuosity(river), 1000.0, 1000.0),
-        };
-        Feature { kind: "Feature", id: format!("river-{id}"), geometry: Geometry::LineString(line), properties }
+        let line = Value::list(line.len(), move |i| Value::doubles(line[i].to_vec()));
+        let properties = vec![
+            ("kind", Value::Text("river")),
+            ("id", Value::whole(id)),
+            ("parent", Value::unless(river.parent, NONE)),
+            ("mouth", Value::whole(self.mouth(id))),
+            ("order", Value::whole(river.order.into())),
+            ("magnitude", Value::whole(river.magnitude)),
+            ("discharge", Value::whole(network.discharge(river))),
+            ("length", Value::Double(rounded(network.length(river), 100.0, 100.0))),
+            ("sinuosity", Value::Double(rounded(network.sinuosity(river), 1000.0, 1000.0))),
+        ];
+        feature(format!("river-{id}"), "LineString", line, properties)
     }
 
-    fn lake(&self, id: u32, oxbow: &Oxbow) -> Option<Feature> {
-        let Banks { left, right } = Banks::of_lake(oxbow, Width::Own { more: 0.0 }).forward();
-        // The right bank first: counterclockwise where north is up. Both banks share their ends.
-        let mut ring: Vec<[f64; 2]> =
-            right.iter().chain(left.iter().rev().skip(1)).map(|&at| self.degrees(at)).collect();
-        ring.dedup();
-        let properties = Properties::Oxbow { id, river: oxbow.river, born: oxbow.born };
-        (ring.len() > 3).then(|| Feature {
-            kind: "Feature",
-            id: format!("oxbow-{id}"),
-            geometry: Geometry::Polygon([ring]),
-            properties,
-        })
+    fn lake(&self, id: u32, ring: &[Vec2]) -> Value<'a> {
+        let oxbow = &self.network.oxbows[id as usize];
+        let ring: Vec<[f64; 2]> = ring.iter().map(|&at| self.degrees(at)).collect();
+        let properties = vec![
+            ("kind", Value::Text("oxbow")),
+            ("id", Value::whole(id)),
+            ("river", Value::whole(oxbow.river)),
+            ("born", Value::whole(oxbow.born)),
+        ];
+        let rings = Value::list(1, move |_| {
+            let ring = ring.clone();
+            Value::list(ring.len(), move |i| Value::doubles(ring[i].to_vec()))
+        });
+        feature(format!("oxbow-{id}"), "Polygon", rings, properties)
     }
 
     /// The river in whose mouth a river's water reaches the sea.
@@ -157,6 +116,21 @@ impl Features<'_> {
         // A thousandth of a unit is a hundred-thousandth of a degree.
         [from_middle.x, -from_middle.y].map(|x| rounded(x, 1000.0, 100_000.0))
     }
+}
+
+fn feature<'a>(
+    id: String,
+    kind: &'static str,
+    coordinates: Value<'a>,
+    properties: Vec<(&'static str, Value<'a>)>,
+) -> Value<'a> {
+    let geometry = vec![("type", Value::Text(kind)), ("coordinates", coordinates)];
+    Value::Object(vec![
+        ("type", Value::Text("Feature")),
+        ("id", Value::Owned(id)),
+        ("geometry", Value::Object(geometry)),
+        ("properties", Value::Object(properties)),
+    ])
 }
 
 /// A number to so many parts, written in a unit that has so many of them.

@@ -1,178 +1,46 @@
 //! The JSON form of a network (design: one data form). Columns, full precision, stable names; the README explains them.
 
-use serde::{Serialize, Serializer};
+use glam::Vec2;
 
+use super::value::Value;
 use super::{ExportError, rivers};
 use crate::grow::{Ending, Procedure, scatter};
-use crate::network::{self, NONE, Network, Oxbow, River, Vertex};
+use crate::network::{NONE, Network, Vertex};
 use crate::prune::Pruned;
-use crate::recipe::{Key, Recipe};
+use crate::recipe::table::TABLE;
+use crate::recipe::{self, Key, Recipe};
 use crate::session::Session;
 
-#[derive(Serialize)]
-struct Form<'a> {
-    recipe: &'a Recipe,
-    resolved: Resolved,
-    domain: Size,
-    growth: Growth,
-    nodes: Nodes,
-    rivers: Rivers<'a>,
-    oxbows: Oxbows<'a>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    attractors: Option<Columns>,
-}
-
-/// The values used, lengths in domain units.
-#[derive(Serialize)]
-#[serde(rename_all = "kebab-case")]
-struct Resolved {
-    spacing: f32,
-    reach: f32,
-    kill: f32,
-    step: f32,
-    momentum: f32,
-    curl: f32,
-    stretch: u32,
-    sensitivity: f32,
-    trim: u32,
-    width: f32,
-    everything: u32,
-    vertex_spacing: f32,
-    simplify: f32,
-    vary: f32,
-    meander: String,
-    meander_rounds: u32,
-    meander_strength: f32,
-    meander_mix: f32,
-    gentle: f32,
-    great: u32,
-    flat: f32,
-    neck: f32,
-    buffer: f32,
-    taper: f32,
-}
-
-#[derive(Serialize)]
-struct Size {
-    width: f32,
-    height: f32,
-}
-
-#[derive(Serialize)]
-struct Growth {
-    ticks: u32,
-    attractors: u32,
-    unreached: u32,
-    complete: bool,
-}
-
-#[derive(Serialize)]
-struct Columns {
-    x: Vec<f32>,
-    y: Vec<f32>,
-}
-
-#[derive(Serialize)]
-struct Nodes {
-    #[serde(flatten)]
-    at: Columns,
-    parent: Vec<i32>,
-    tick: Vec<u32>,
-    depth: Vec<u32>,
-    order: Vec<u8>,
-    magnitude: Vec<u32>,
-    discharge: Vec<u32>,
-}
-
-impl FromIterator<glam::Vec2> for Columns {
-    fn from_iter<I: IntoIterator<Item = glam::Vec2>>(points: I) -> Self {
-        let (x, y) = points.into_iter().map(|point| (point.x, point.y)).unzip();
-        Self { x, y }
-    }
-}
-
-/// Rivers, made one by one as they are written.
-struct Rivers<'a>(&'a Network);
-
-#[derive(Serialize)]
-struct RiverForm {
-    id: u32,
-    parent: Option<u32>,
-    order: u8,
-    magnitude: u32,
-    discharge: u32,
-    /// x, y, width.
-    points: Vec<[f32; 3]>,
-}
-
-struct Oxbows<'a>(&'a [Oxbow]);
-
-#[derive(Serialize)]
-struct OxbowForm {
-    id: u32,
-    river: u32,
-    born: u32,
-    points: Vec<[f32; 3]>,
-}
-
-impl Serialize for Rivers<'_> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let form = |(id, river): (u32, &River)| RiverForm {
-            id,
-            parent: (river.parent != NONE).then_some(river.parent),
-            order: river.order,
-            magnitude: river.magnitude,
-            discharge: self.0.discharge(river),
-            points: self.0.course(river).map(|vertex| point(vertex, 1.0)).collect(),
-        };
-        serializer.collect_seq((0..).zip(&self.0.rivers).map(form))
-    }
-}
-
-impl Serialize for Oxbows<'_> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let form = |(id, oxbow): (u32, &Oxbow)| OxbowForm {
-            id,
-            river: oxbow.river,
-            born: oxbow.born,
-            points: oxbow.vertices.iter().zip(oxbow.shares()).map(|(vertex, share)| point(vertex, share)).collect(),
-        };
-        serializer.collect_seq((0..).zip(self.0).map(form))
-    }
-}
-
-fn point(vertex: &Vertex, share: f32) -> [f32; 3] {
-    [vertex.at.x, vertex.at.y, vertex.width() * share]
-}
+/// Names and values.
+type Members<'a> = Vec<(&'static str, Value<'a>)>;
 
 /// The network of a session as it is, ready to be written, with its attractors if asked for.
 ///
 /// # Errors
 /// If there are no rivers yet, or the memory is not to be had.
-pub fn network(session: &Session, with_attractors: bool) -> Result<impl Serialize + '_, ExportError> {
+pub fn network(session: &Session, with_attractors: bool) -> Result<Value<'_>, ExportError> {
     /// Of the nodes' columns, about two nodes a vertex.
     const BYTES_A_VERTEX: usize = 64;
-    let rivers_and_oxbows = rivers(session, BYTES_A_VERTEX)?;
+    let network = rivers(session, BYTES_A_VERTEX)?;
     let parameters = session.growth().parameters();
-    let summary = session.summary();
-    Ok(Form {
-        recipe: session.recipe(),
-        resolved: resolved(session),
-        domain: Size { width: parameters.domain.size.x, height: parameters.domain.size.y },
-        growth: Growth {
-            ticks: summary.ticks,
-            attractors: summary.attractors,
-            unreached: summary.unreached,
-            complete: summary.ending == Some(Ending::Complete),
-        },
-        nodes: nodes(session.pruned()),
-        rivers: Rivers(rivers_and_oxbows),
-        oxbows: Oxbows(&rivers_and_oxbows.oxbows),
-        attractors: with_attractors.then(|| match parameters.procedure {
-            Procedure::Colonize => scatter(parameters).into_iter().collect(),
-            Procedure::Brownian => Columns::from_iter([]),
-        }),
-    })
+    let [width, height] = parameters.domain.size.to_array().map(Value::Single);
+    let mut form = vec![
+        ("recipe", recipe(session.recipe())),
+        ("resolved", Value::Object(resolved(session))),
+        ("domain", Value::Object(vec![("width", width), ("height", height)])),
+        ("growth", Value::Object(growth(session))),
+        ("nodes", Value::Object(nodes(session.pruned()))),
+        ("rivers", Value::list(network.rivers.len(), |i| river(network, i))),
+        ("oxbows", Value::list(network.oxbows.len(), |i| oxbow(network, i))),
+    ];
+    if with_attractors {
+        let attractors = match parameters.procedure {
+            Procedure::Colonize => scatter(parameters),
+            Procedure::Brownian => Vec::new(),
+        };
+        form.push(("attractors", Value::Object(columns(&attractors))));
+    }
+    Ok(Value::Object(form))
 }
 
 /// Writes the network of a session, with its attractors if asked for.
@@ -185,45 +53,115 @@ pub fn write(out: impl std::io::Write, session: &Session, with_attractors: bool)
     Ok(serde_json::to_writer(out, &network)?)
 }
 
-fn resolved(session: &Session) -> Resolved {
-    let (recipe, grown) = (session.recipe(), session.growth().parameters());
-    let shaped: network::Parameters = session.network_parameters();
-    Resolved {
-        spacing: grown.spacing,
-        reach: grown.reach,
-        kill: grown.kill,
-        step: grown.step,
-        momentum: grown.momentum,
-        curl: grown.curl,
-        stretch: grown.stretch,
-        sensitivity: grown.sensitivity,
-        trim: recipe.integer(Key::Trim),
-        width: shaped.full_width,
-        everything: shaped.everything,
-        vertex_spacing: shaped.spacing,
-        simplify: shaped.simplify,
-        vary: shaped.vary,
-        meander: Key::Meander.parameter().text_of(recipe.value(Key::Meander)),
-        meander_rounds: shaped.rounds,
-        meander_strength: shaped.strength,
-        meander_mix: shaped.mix,
-        gentle: shaped.gentle,
-        great: shaped.great,
-        flat: shaped.flat,
-        neck: shaped.neck,
-        buffer: shaped.buffer,
-        taper: shaped.taper,
-    }
+/// All values of a recipe, defaults too: such a recipe stays readable when a default is chosen anew. Numbers are numbers,
+/// everything else is text.
+pub fn recipe<'a>(recipe: &Recipe) -> Value<'a> {
+    let member = |parameter: &recipe::Parameter| {
+        let value = match recipe.value(parameter.key) {
+            recipe::Value::Integer(number) => Value::whole(*number),
+            recipe::Value::Number(number) => Value::Double(number.to_f64()),
+            other => Value::Owned(parameter.text_of(other)),
+        };
+        (parameter.name, value)
+    };
+    Value::Object(TABLE.iter().map(member).collect())
 }
 
-fn nodes(Pruned { tree, hydrology, .. }: Pruned) -> Nodes {
-    Nodes {
-        tick: tree.ticks().collect(),
-        parent: (0..tree.len()).map(|node| tree.parent_of(node).map_or(-1, |parent| parent as i32)).collect(),
-        at: tree.at.into_iter().collect(),
-        depth: hydrology.depth,
-        order: hydrology.order,
-        magnitude: hydrology.magnitude,
-        discharge: hydrology.discharge,
-    }
+/// The values used, lengths in domain units.
+fn resolved<'a>(session: &Session) -> Members<'a> {
+    let grown = session.growth().parameters();
+    let shaped = session.network_parameters();
+    let numbers = [
+        ("spacing", grown.spacing),
+        ("reach", grown.reach),
+        ("kill", grown.kill),
+        ("step", grown.step),
+        ("momentum", grown.momentum),
+        ("curl", grown.curl),
+        ("sensitivity", grown.sensitivity),
+        ("width", shaped.full_width),
+        ("vertex-spacing", shaped.spacing),
+        ("simplify", shaped.simplify),
+        ("vary", shaped.vary),
+        ("meander-strength", shaped.strength),
+        ("meander-mix", shaped.mix),
+        ("gentle", shaped.gentle),
+        ("flat", shaped.flat),
+        ("neck", shaped.neck),
+        ("buffer", shaped.buffer),
+        ("taper", shaped.taper),
+    ];
+    let wholes = [
+        ("stretch", grown.stretch),
+        ("trim", session.recipe().integer(Key::Trim)),
+        ("everything", shaped.everything),
+        ("meander-rounds", shaped.rounds),
+        ("great", shaped.great),
+    ];
+    let meander = Key::Meander.parameter().text_of(session.recipe().value(Key::Meander));
+    let numbers = numbers.into_iter().map(|(name, number)| (name, Value::Single(number)));
+    let wholes = wholes.into_iter().map(|(name, number)| (name, Value::whole(number)));
+    numbers.chain(wholes).chain([("meander", Value::Owned(meander))]).collect()
+}
+
+fn growth<'a>(session: &Session) -> Members<'a> {
+    let summary = session.summary();
+    vec![
+        ("ticks", Value::whole(summary.ticks)),
+        ("attractors", Value::whole(summary.attractors)),
+        ("unreached", Value::whole(summary.unreached)),
+        ("complete", Value::Truth(summary.ending == Some(Ending::Complete))),
+    ]
+}
+
+fn columns<'a>(points: &[Vec2]) -> Members<'a> {
+    let column = |axis: usize| Value::singles(points.iter().map(|point| point[axis]).collect());
+    vec![("x", column(0)), ("y", column(1))]
+}
+
+fn nodes<'a>(Pruned { tree, hydrology, .. }: Pruned) -> Members<'a> {
+    let mut nodes = columns(&tree.at);
+    let tick = tree.ticks().collect();
+    let parent = move |node: usize| Value::Whole(tree.parent_of(node).map_or(-1, |parent| parent as i64));
+    nodes.extend([
+        ("parent", Value::list(hydrology.depth.len(), parent)),
+        ("tick", Value::wholes(tick)),
+        ("depth", Value::wholes(hydrology.depth)),
+        ("order", Value::wholes(hydrology.order.into_iter().map(u32::from).collect())),
+        ("magnitude", Value::wholes(hydrology.magnitude)),
+        ("discharge", Value::wholes(hydrology.discharge)),
+    ]);
+    nodes
+}
+
+fn river<'a>(network: &Network, id: usize) -> Value<'a> {
+    let river = &network.rivers[id];
+    Value::Object(vec![
+        ("id", Value::Whole(id as i64)),
+        ("parent", Value::unless(river.parent, NONE)),
+        ("order", Value::whole(river.order.into())),
+        ("magnitude", Value::whole(river.magnitude)),
+        ("discharge", Value::whole(network.discharge(river))),
+        ("points", points(network.course(river).map(|vertex| point(vertex, 1.0)).collect())),
+    ])
+}
+
+fn oxbow<'a>(network: &Network, id: usize) -> Value<'a> {
+    let oxbow = &network.oxbows[id];
+    let points_of = oxbow.vertices.iter().zip(oxbow.shares()).map(|(vertex, share)| point(vertex, share));
+    Value::Object(vec![
+        ("id", Value::Whole(id as i64)),
+        ("river", Value::whole(oxbow.river)),
+        ("born", Value::whole(oxbow.born)),
+        ("points", points(points_of.collect())),
+    ])
+}
+
+/// x, y and so much of the width.
+fn point(vertex: &Vertex, share: f32) -> [f32; 3] {
+    [vertex.at.x, vertex.at.y, vertex.width() * share]
+}
+
+fn points<'a>(points: Vec<[f32; 3]>) -> Value<'a> {
+    Value::list(points.len(), move |i| Value::singles(points[i].to_vec()))
 }

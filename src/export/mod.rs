@@ -8,6 +8,9 @@ pub mod json;
 #[cfg(feature = "png")]
 pub mod png;
 pub mod svg;
+mod value;
+
+pub use value::Value;
 
 use thiserror::Error;
 

@@ -12,11 +12,6 @@ use super::link;
 /// The longest JSON recipe that is read, in bytes: a network of a million nodes fits.
 pub const LONGEST: usize = 256 << 20;
 
-/// All values of a recipe, defaults too.
-pub fn to_json(recipe: &Recipe) -> Json {
-    serde_json::to_value(recipe).unwrap_or_default()
-}
-
 /// Reads a recipe over defaults.
 ///
 /// # Errors
@@ -139,7 +134,8 @@ mod tests {
     #[test]
     fn written_recipe_reads_back() {
         let recipe = link::read("seed=Te+Awa&curl=0.6&sides=ns&style=skeleton").unwrap();
-        assert_eq!(read(&to_json(&recipe).to_string()), Ok(recipe));
+        let written = serde_json::to_string(&crate::export::json::recipe(&recipe)).unwrap();
+        assert_eq!(read(&written), Ok(recipe));
     }
 
     #[test]

@@ -7,7 +7,6 @@
 //! The parameters themselves stand in one table, [`table::TABLE`].
 
 mod error;
-mod form;
 #[cfg(feature = "json")]
 pub mod json;
 pub mod link;
