@@ -55,10 +55,11 @@ impl Banks {
 
     /// A lake's banks, which meet at both of its ends. Empty if silt has closed it all.
     pub fn of_lake(oxbow: &Oxbow, width: Width) -> Self {
-        let course: Vec<&Vertex> = oxbow.vertices.iter().collect();
+        let lake = oxbow.lake();
+        let course: Vec<&Vertex> = lake.iter().map(|(vertex, _)| vertex).collect();
         let mut line = Vec::with_capacity(course.len());
-        for (i, share) in oxbow.shares().into_iter().enumerate().filter(|(_, share)| *share > 0.0) {
-            let (at, half) = between(course[i].at, course[i], tangent(&course, i), width);
+        for (i, &(vertex, share)) in lake.iter().enumerate().filter(|(_, (_, share))| *share > 0.0) {
+            let (at, half) = between(vertex.at, &vertex, tangent(&course, i), width);
             push(&mut line, (at, half * share));
         }
         if let [first, .., last] = &mut line[..] {

@@ -148,7 +148,8 @@ fn river<'a>(network: &Network, id: usize) -> Value<'a> {
 
 fn oxbow<'a>(network: &Network, id: usize) -> Value<'a> {
     let oxbow = &network.oxbows[id];
-    let points_of = oxbow.vertices.iter().zip(oxbow.shares()).map(|(vertex, share)| point(vertex, share));
+    let lake = oxbow.lake();
+    let points_of = lake.iter().map(|(vertex, share)| point(vertex, *share));
     Value::Object(vec![
         ("id", Value::Whole(id as i64)),
         ("river", Value::whole(oxbow.river)),
