@@ -53,6 +53,19 @@ struct Shaped {
     meander: Meander,
 }
 
+/// What the next step of a session does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Phase {
+    /// A tick of growth.
+    Growing,
+    /// Rivers are made of the tree, all at once.
+    Shaping,
+    /// A round of meandering.
+    Meandering,
+    /// Nothing: there is nothing more to do.
+    Finished,
+}
+
 /// What a picture shows, in numbers.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Summary {
@@ -100,6 +113,11 @@ impl Session {
     /// The recipe.
     pub fn recipe(&self) -> &Recipe {
         &self.recipe
+    }
+
+    /// How it is painted.
+    pub fn style(&self) -> Style {
+        style(&self.recipe)
     }
 
     /// Goes over to another recipe. Returns the earliest stage that has to run again, `None` if nothing is different.
@@ -205,7 +223,17 @@ impl Session {
 
     /// Whether there is nothing more to do.
     pub fn is_finished(&self) -> bool {
-        self.shaped.as_ref().is_some_and(|shaped| shaped.meander.is_finished())
+        self.phase() == Phase::Finished
+    }
+
+    /// What the next step does.
+    pub fn phase(&self) -> Phase {
+        match &self.shaped {
+            Some(shaped) if shaped.meander.is_finished() => Phase::Finished,
+            Some(_) => Phase::Meandering,
+            None if self.growth.ending().is_some() => Phase::Shaping,
+            None => Phase::Growing,
+        }
     }
 
     /// The rivers; `None` while the tree grows.

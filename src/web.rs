@@ -5,6 +5,7 @@ use js_sys::{Array, Error, Float32Array, Object, Reflect};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
+use crate::export::{ExportError, geojson, json, svg};
 use crate::grow::Ending;
 use crate::land::trace;
 use crate::paint::{PaintError, Rect};
@@ -12,13 +13,15 @@ use crate::recipe::link::{self, Notice};
 use crate::recipe::preset::PRESETS;
 use crate::recipe::table::TABLE;
 use crate::recipe::{GridPoint, Kind, LONGEST_OUTLINE, Outline, Parameter, Recipe, Stage};
-use crate::session::{Session, SessionError};
+use crate::session::{Phase, Session, SessionError};
 use crate::{dice, digest};
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
 /** The stages of a river, in the order in which they run. */
-export type Stage = "land" | "grow" | "prune" | "paint";
+export type Stage = "land" | "grow" | "prune" | "shape" | "paint";
+/** What a river's next step does: a tick of growth; rivers made of the tree, all at once; a round of meandering; nothing. */
+export type Phase = "growing" | "shaping" | "meandering" | "finished";
 /** A row of the parameter table. */
 export interface Parameter {
   readonly key: string;
@@ -74,6 +77,11 @@ export interface Summary {
   readonly order: number;
   readonly attractors: number;
   readonly unreached: number;
+  /** Rounds that rivers have meandered. */
+  readonly rounds: number;
+  /** Oxbow lakes that they have left. */
+  readonly oxbows: number;
+  /** Whether everything is done, meandering too. */
   readonly finished: boolean;
   /** Why growth ended early; null if it did not. */
   readonly stopped: string | null;
@@ -200,9 +208,22 @@ impl River {
         self.session.restart().map_err(|error| session_error(&error))
     }
 
-    /// Grows by so many ticks at most. Returns whether growth is finished.
-    pub fn advance(&mut self, ticks: u32) -> bool {
-        !self.session.advance(ticks)
+    /// Goes on by so many steps at most: ticks of growth, then one that makes rivers of the tree, then rounds of
+    /// meandering. Returns whether there is nothing more to do.
+    pub fn advance(&mut self, steps: u32) -> bool {
+        !self.session.advance(steps)
+    }
+
+    /// What the next step does.
+    #[wasm_bindgen(getter, unchecked_return_type = "Phase")]
+    pub fn phase(&self) -> String {
+        match self.session.phase() {
+            Phase::Growing => "growing",
+            Phase::Shaping => "shaping",
+            Phase::Meandering => "meandering",
+            Phase::Finished => "finished",
+        }
+        .into()
     }
 
     /// Draws what is new. Returns whether any pixel changed.
@@ -253,6 +274,24 @@ impl River {
         self.session.growth().ticks_per_height()
     }
 
+    /// The map as it is, as the text of an SVG file. Throws an Error, as long as the tree grows.
+    pub fn svg(&self) -> Result<String, JsValue> {
+        svg::svg(&self.session).map_err(|error| export_error(&error))
+    }
+
+    /// The rivers as they are, as GeoJSON. Throws an Error, as long as the tree grows.
+    #[wasm_bindgen(unchecked_return_type = "object")]
+    pub fn geojson(&self) -> Result<JsValue, JsValue> {
+        to_js(&geojson::collection(&self.session).map_err(|error| export_error(&error))?)
+    }
+
+    /// Recipe, nodes and rivers as they are: what the command line writes as JSON. Throws an Error, as long as the tree
+    /// grows.
+    #[wasm_bindgen(unchecked_return_type = "object")]
+    pub fn network(&self) -> Result<JsValue, JsValue> {
+        to_js(&json::network(&self.session, false).map_err(|error| export_error(&error))?)
+    }
+
     /// The picture in numbers.
     #[wasm_bindgen(unchecked_return_type = "Summary")]
     pub fn summary(&self) -> Result<JsValue, JsValue> {
@@ -271,7 +310,9 @@ impl River {
             order: summary.order,
             attractors: summary.attractors,
             unreached: summary.unreached,
-            finished: summary.ending.is_some(),
+            rounds: summary.rounds,
+            oxbows: summary.oxbows,
+            finished: self.session.is_finished(),
             stopped,
         })
     }
@@ -289,6 +330,11 @@ fn session_error(error: &SessionError) -> JsValue {
         SessionError::Paint(PaintError::Size { width: 0, .. } | PaintError::Size { height: 0, .. }) => "bad-params",
         SessionError::Grow(_) | SessionError::Paint(_) => "too-large",
     };
+    coded(code, &error.to_string())
+}
+
+fn export_error(error: &ExportError) -> JsValue {
+    let code = if *error == ExportError::Unfinished { "unfinished" } else { "too-large" };
     coded(code, &error.to_string())
 }
 
@@ -372,6 +418,8 @@ struct SummaryView {
     order: u8,
     attractors: u32,
     unreached: u32,
+    rounds: u32,
+    oxbows: u32,
     finished: bool,
     stopped: Option<&'static str>,
 }

@@ -77,6 +77,34 @@ fn an_older_file_survives_a_failure_and_nothing_is_left_beside_it() {
 }
 
 #[test]
+fn ending_says_what_is_written() {
+    let written = |name: &str| {
+        let out = scratch(name);
+        let output = riverseed(&["render", "seed=rata&attractors=200", "-o", out.to_str().unwrap()]);
+        assert!(output.status.success() && output.stderr.is_empty(), "{output:?}");
+        fs::read_to_string(out).unwrap()
+    };
+    let svg = written("map.svg");
+    let document = roxmltree::Document::parse(&svg).unwrap();
+    assert!(document.descendants().any(|node| node.attribute("id") == Some("river-0")));
+    let rivers = written("map.GeoJSON").parse::<geojson::FeatureCollection>().unwrap();
+    assert_eq!(rivers.foreign_members.unwrap()["riverseed"], "seed=rata&edition=1&attractors=200");
+    assert_eq!(written("map.svg"), svg);
+}
+
+#[test]
+fn rivers_are_in_the_network_with_what_they_were_made_by() {
+    let network = network("rivers.json", &["attractors=400&meander=flow&meander-rounds=3&simplify=50"]);
+    let resolved = &network["resolved"];
+    assert_eq!((&resolved["meander"], &resolved["meander-rounds"]), (&"flow".into(), &3.into()));
+    assert_eq!((&resolved["simplify"], &resolved["everything"]), (&0.5.into(), &400.into()));
+    let rivers = network["rivers"].as_array().unwrap();
+    assert!(!rivers.is_empty() && rivers.iter().any(|river| river["parent"].is_null()));
+    let points = rivers[0]["points"].as_array().unwrap();
+    assert!(points.iter().all(|point| point.as_array().unwrap().len() == 3));
+}
+
+#[test]
 fn network_is_a_recipe_of_itself() {
     let first = network("first.json", &["seed=rimu&attractors=300&curl=0.6"]);
     let again = network("again.json", &["--recipe", scratch("first.json").to_str().unwrap()]);
@@ -121,7 +149,18 @@ fn what_is_wrong_is_named_and_nothing_is_written() {
     );
     assert_eq!(refusal(&["render", "--attractors", "-o", out]).0, 2);
     assert_eq!(refusal(&["render", "--size", "300", "-o", "x.json"]).0, 2);
-    assert_eq!(refusal(&["render", "-o", "x.gif"]).0, 2);
+    assert_eq!(
+        refusal(&["render", "--size", "300", "-o", "x.svg"]),
+        (2, "riverseed: --size does not go with .svg\n".into())
+    );
+    assert_eq!(
+        refusal(&["render", "--attractors", "-o", "x.geojson"]),
+        (2, "riverseed: --attractors without a number does not go with .geojson\n".into())
+    );
+    assert_eq!(
+        refusal(&["render", "-o", "x.gif"]),
+        (2, "riverseed: x.gif: the ending of the output is none of .png, .svg, .geojson, .json\n".into())
+    );
     assert_eq!(refusal(&["render", "--size", "9000", "-o", out]).0, 2);
     assert_eq!(refusal(&["render", "--recipe", "no-such-file.json", "-o", out]).0, 1);
     assert_eq!(refusal(&["render", "curl=1", "--curl", "1", "--curl", "1", "-o", out]).0, 2);

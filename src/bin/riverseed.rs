@@ -45,7 +45,7 @@ enum Failure {
     Recipe(#[from] RecipeError),
     #[error(transparent)]
     Session(#[from] SessionError),
-    #[error("{}: the ending of the output is none of .png, .json", path.display())]
+    #[error("{}: the ending of the output is none of .png, .svg, .geojson, .json", path.display())]
     Ending { path: PathBuf },
     #[error("{option} does not go with {ending}")]
     Mismatch { option: &'static str, ending: &'static str },
@@ -78,7 +78,7 @@ fn command() -> Command {
         .arg_required_else_help(true)
         .subcommand(
             Command::new("render")
-                .about("Draws a recipe as PNG, or writes its network as JSON")
+                .about("Draws a recipe as PNG or SVG, or writes its rivers as GeoJSON or JSON")
                 .after_help("Link, file and options may be mixed; of values given twice the later wins.")
                 .arg(Arg::new("link").help("Link text, such as \"seed=kauri&curl=0.6\""))
                 .arg(
@@ -94,7 +94,7 @@ fn command() -> Command {
                         .long("output")
                         .value_name("OUT")
                         .required(true)
-                        .help("The file to write; its ending, .png or .json, says what")
+                        .help("The file to write; its ending, .png, .svg, .geojson or .json, says what")
                         .value_parser(value_parser!(PathBuf)),
                 )
                 .arg(
@@ -148,24 +148,41 @@ fn option(parameter: &'static Parameter) -> Arg {
     }
 }
 
+/// The forms of a file, by its ending.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Form {
+    Png,
+    Svg,
+    GeoJson,
+    Json,
+}
+
+impl Form {
+    const ALL: [(Self, &'static str); 4] =
+        [(Self::Png, ".png"), (Self::Svg, ".svg"), (Self::GeoJson, ".geojson"), (Self::Json, ".json")];
+
+    fn of(path: &Path) -> Option<(Self, &'static str)> {
+        let ending = path.extension()?.to_str()?;
+        Self::ALL.into_iter().find(|(_, own)| own[1..].eq_ignore_ascii_case(ending))
+    }
+}
+
 fn render(matches: &ArgMatches) -> Result<(), Failure> {
     let Some(output) = matches.get_one::<PathBuf>("output") else { return Ok(()) };
-    let ending = output.extension().and_then(|ending| ending.to_str()).map(str::to_ascii_lowercase);
     let recipe = recipe(matches)?;
     let size = matches.get_one("size").copied().unwrap_or(LONGEST_SIDE);
     let wants_attractors = matches
         .get_occurrences::<String>("attractors")
         .is_some_and(|mut occurrences| occurrences.any(|values| values.len() == 0));
-    match ending.as_deref() {
-        Some("png") if wants_attractors => {
-            Err(Failure::Mismatch { option: "--attractors without a number", ending: ".png" })
+    let wants_size = matches.value_source("size") == Some(ValueSource::CommandLine);
+    let (form, ending) = Form::of(output).ok_or_else(|| Failure::Ending { path: output.clone() })?;
+    match form {
+        Form::Png | Form::Svg | Form::GeoJson if wants_attractors => {
+            Err(Failure::Mismatch { option: "--attractors without a number", ending })
         }
-        Some("json") if matches.value_source("size") == Some(ValueSource::CommandLine) => {
-            Err(Failure::Mismatch { option: "--size", ending: ".json" })
-        }
-        Some("png") => write_file(output, |out| write_png(out, recipe, size)),
-        Some("json") => write_file(output, |out| write_json(out, recipe, wants_attractors)),
-        _ => Err(Failure::Ending { path: output.clone() }),
+        Form::Svg | Form::GeoJson | Form::Json if wants_size => Err(Failure::Mismatch { option: "--size", ending }),
+        Form::Png => write_file(output, |out| write_png(out, recipe, size)),
+        form => write_file(output, |out| write_network(out, recipe, form, wants_attractors)),
     }
 }
 
@@ -180,11 +197,15 @@ fn write_png(out: &mut dyn Write, recipe: Recipe, size: u32) -> Result<(), Failu
     Ok(())
 }
 
-fn write_json(out: &mut dyn Write, recipe: Recipe, with_attractors: bool) -> Result<(), Failure> {
+fn write_network(out: &mut dyn Write, recipe: Recipe, form: Form, with_attractors: bool) -> Result<(), Failure> {
     let progress = progress(&recipe, 1);
     let session = grow(recipe, 1, &progress)?;
     progress.set_message("writing");
-    export::json::write(&mut *out, &session, with_attractors).map_err(io::Error::from)?;
+    match form {
+        Form::Svg => out.write_all(export::svg::svg(&session).map_err(io::Error::other)?.as_bytes())?,
+        Form::GeoJson => export::geojson::write(&mut *out, &session)?,
+        _ => export::json::write(&mut *out, &session, with_attractors)?,
+    }
     writeln!(out)?;
     progress.finish_and_clear();
     Ok(())

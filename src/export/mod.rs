@@ -1,6 +1,45 @@
 //! Pictures and networks as files.
+//!
+//! What a file holds is built as plain data, for a program and for a page alike; only a program writes JSON as text.
 
-#[cfg(feature = "json")]
+mod banks;
+pub mod geojson;
 pub mod json;
 #[cfg(feature = "png")]
 pub mod png;
+pub mod svg;
+mod value;
+
+pub use value::Value;
+
+use thiserror::Error;
+
+use crate::memory;
+use crate::network::Network;
+use crate::session::Session;
+
+/// Why there is nothing to write.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+#[non_exhaustive]
+pub enum ExportError {
+    /// There are no rivers yet.
+    #[error("the rivers are still growing")]
+    Unfinished,
+    /// The memory was not to be had.
+    #[error("the file needs about {megabytes} MB, which this machine does not give")]
+    OutOfMemory {
+        /// About how much is needed.
+        megabytes: u32,
+    },
+}
+
+/// The rivers of a session, if there are any and so many bytes of memory for each of their vertices.
+fn rivers(session: &Session, bytes_a_vertex: usize) -> Result<&Network, ExportError> {
+    let network = session.network().ok_or(ExportError::Unfinished)?;
+    let vertices = network.vertices.len() + network.oxbows.iter().map(|oxbow| oxbow.vertices.len()).sum::<usize>();
+    let bytes = vertices * bytes_a_vertex;
+    if !memory::is_to_be_had(bytes) {
+        return Err(ExportError::OutOfMemory { megabytes: (bytes / 1_000_000) as u32 + 1 });
+    }
+    Ok(network)
+}

@@ -9,6 +9,7 @@
 //! Growth asks the field, painting asks the relief: so the coast is smooth at any size, and rivers end at it.
 
 mod clearance;
+mod contours;
 mod field;
 mod grid;
 mod kinds;

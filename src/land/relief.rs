@@ -123,6 +123,11 @@ impl Relief {
         self
     }
 
+    /// How many columns and rows of corners there are.
+    pub(super) fn size(&self) -> (usize, usize) {
+        (self.columns, self.rows)
+    }
+
     /// The height at a corner of the lattice.
     #[inline]
     pub(super) fn corner(&self, column: usize, row: usize) -> f32 {

@@ -2,7 +2,7 @@
 
 use glam::Vec2;
 
-use super::plane::least;
+use super::plane::{least, most};
 
 /// The curvature at the middle one of three points on a line: positive where the line turns toward the right-hand side of
 /// a screen whose y runs down, 0 where it is straight or where points coincide.
@@ -21,7 +21,8 @@ pub fn curvature(a: Vec2, b: Vec2, c: Vec2) -> f32 {
     if ab.dot(bc) < 0.0 && ca.length() <= shorter * 1e-3 {
         return if cross < 0.0 { -sharpest } else { sharpest };
     }
-    (2.0 * cross / lengths).clamp(-sharpest, sharpest)
+    // Not `clamp`, whose panic would print its limits: the tables for that are 7 kB of the page's download.
+    most(least(2.0 * cross / lengths, sharpest), -sharpest)
 }
 
 #[cfg(test)]

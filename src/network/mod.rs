@@ -161,6 +161,11 @@ impl Network {
         is_junction
     }
 
+    /// The discharge of a river at its end; 0 if it has no vertices.
+    pub fn discharge(&self, river: &River) -> u32 {
+        self.vertices[river.own()].last().map_or(0, |vertex| vertex.discharge)
+    }
+
     /// The length of a river, in units.
     pub fn length(&self, river: &River) -> f32 {
         let course = self.course(river);

@@ -8,9 +8,10 @@ use super::palette::{Colour, Palette, mix};
 use super::view::View;
 use crate::land::{Land, Relief};
 
-const RING_WIDTH: f32 = 1.1;
-const COAST_WIDTH: f32 = 1.8;
-const RIDGE_WIDTH: f32 = 3.0;
+/// Widths of lines, in units.
+pub(crate) const RING_WIDTH: f32 = 1.1;
+pub(crate) const COAST_WIDTH: f32 = 1.8;
+pub(crate) const RIDGE_WIDTH: f32 = 3.0;
 const RIDGE_PIECE: f32 = 6.0;
 
 /// Paints the ground of a picture, row by row, opaque.

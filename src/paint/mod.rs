@@ -8,10 +8,10 @@
 
 mod coverage;
 mod flow;
-mod ground;
+pub(crate) mod ground;
 mod ink;
 mod painter;
-mod palette;
+pub(crate) mod palette;
 mod rivers;
 mod skeleton;
 mod strokes;
@@ -21,6 +21,8 @@ pub use coverage::{Coverage, Rect};
 pub use painter::{Painter, Progress, Rivers};
 pub use strokes::{Pen, Widths};
 pub use view::{LONGEST_SIDE, PaintError, View};
+
+pub(crate) use painter::palette as palette_of;
 
 /// How a network is painted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

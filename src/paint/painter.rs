@@ -200,7 +200,8 @@ impl Painter {
     }
 }
 
-fn palette(style: Style) -> &'static Palette {
+/// What a style paints with.
+pub(crate) fn palette(style: Style) -> &'static Palette {
     match style {
         Style::Ink => &palette::INK,
         Style::Map => &palette::MAP,

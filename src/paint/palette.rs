@@ -1,11 +1,11 @@
 //! The colours of the styles.
 
 /// A colour: red, green, blue.
-pub(super) type Colour = [u8; 3];
+pub(crate) type Colour = [u8; 3];
 
 /// What a style paints with.
 #[derive(Debug)]
-pub(super) struct Palette {
+pub(crate) struct Palette {
     /// Land where all of the domain is.
     pub plain: Colour,
     /// Land at the coast, and far from it.
@@ -80,6 +80,6 @@ pub(super) const fn blend(from: u8, to: u8, coverage: u32) -> u8 {
 }
 
 /// A colour, so much of the way to another.
-pub(super) fn mix(from: Colour, to: Colour, share: f32) -> Colour {
+pub(crate) fn mix(from: Colour, to: Colour, share: f32) -> Colour {
     std::array::from_fn(|i| (f32::from(from[i]) + (f32::from(to[i]) - f32::from(from[i])) * share + 0.5) as u8)
 }

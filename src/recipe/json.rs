@@ -8,24 +8,9 @@ use serde_json::Value as Json;
 use super::Recipe;
 use super::error::RecipeError;
 use super::link;
-use super::table::TABLE;
-use super::value::Value;
 
 /// The longest JSON recipe that is read, in bytes: a network of a million nodes fits.
 pub const LONGEST: usize = 256 << 20;
-
-/// All values of a recipe, defaults too: such a recipe stays readable when a default is chosen anew.
-pub fn to_json(recipe: &Recipe) -> Json {
-    let member = |parameter: &super::Parameter| {
-        let value = match recipe.value(parameter.key) {
-            Value::Integer(n) => Json::from(*n),
-            Value::Number(x) => Json::from(x.to_f64()),
-            other => Json::from(parameter.text_of(other)),
-        };
-        (parameter.name.to_owned(), value)
-    };
-    Json::Object(TABLE.iter().map(member).collect())
-}
 
 /// Reads a recipe over defaults.
 ///
@@ -121,7 +106,7 @@ impl<'de> Visitor<'de> for MembersVisitor {
 }
 
 /// The members of a network's JSON: the recipe first, then what this reader has no use for.
-const NETWORK: [&str; 6] = ["recipe", "resolved", "domain", "growth", "nodes", "attractors"];
+const NETWORK: [&str; 8] = ["recipe", "resolved", "domain", "growth", "nodes", "rivers", "oxbows", "attractors"];
 
 fn pass_over_network<'de, A: MapAccess<'de>>(mut map: A) -> Result<(), A::Error> {
     let mut seen = vec![String::from(NETWORK[0])];
@@ -149,7 +134,8 @@ mod tests {
     #[test]
     fn written_recipe_reads_back() {
         let recipe = link::read("seed=Te+Awa&curl=0.6&sides=ns&style=skeleton").unwrap();
-        assert_eq!(read(&to_json(&recipe).to_string()), Ok(recipe));
+        let written = serde_json::to_string(&crate::export::json::recipe(&recipe)).unwrap();
+        assert_eq!(read(&written), Ok(recipe));
     }
 
     #[test]

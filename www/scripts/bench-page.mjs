@@ -1,6 +1,7 @@
 #!/usr/bin/env node
-// Frames of the built page while 100,000 attractors grow on a canvas of 1024 by 1024, as JSON on one line:
-//   {"p50","p95","max" frame gap in ms, "longest" callback in ms, "frames", "seconds"}
+// Frames of the built page on a canvas of 1024 by 1024, while 100,000 attractors grow and while the rivers of 6,000
+// meander, as JSON on one line:
+//   {"growing", "meandering": {"p50","p95","max" frame gap in ms, "longest" callback in ms, "frames", "seconds"}}
 //
 // The page must have been built (npm run build). CHROME names the browser, REPEAT how many rivers (default 3, the
 // median of each figure is printed).
@@ -8,7 +9,11 @@
 import { chromium } from "@playwright/test";
 import { preview } from "vite";
 
-const LINK = "seed=kauri&aspect=1&attractors=100000";
+/** The step that makes rivers of a tree counts as meandering. */
+const LINKS = {
+  growing: "seed=kauri&aspect=1&attractors=100000&meander=none",
+  meandering: "seed=kauri&aspect=1&attractors=6000",
+};
 const SIDE_PX = 1024;
 const repeat = Number(process.env.REPEAT ?? 3);
 
@@ -19,20 +24,24 @@ const browser = await chromium.launch({
   args: ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking"],
 });
 try {
-  const runs = [];
-  for (let i = 0; i < repeat; i++) runs.push(await measure());
-  console.log(JSON.stringify(medians(runs)));
+  const found = {};
+  for (const phase of Object.keys(LINKS)) {
+    const runs = [];
+    for (let i = 0; i < repeat; i++) runs.push(await measure(phase));
+    found[phase] = medians(runs);
+  }
+  console.log(JSON.stringify(found));
 } finally {
   await browser.close();
   await new Promise((done) => server.httpServer.close(done));
 }
 
-async function measure() {
+async function measure(phase) {
   // bypassCSP lets the style below in; nothing else depends on the policy.
   const page = await browser.newPage({ viewport: { width: 1600, height: 1200 }, bypassCSP: true });
   await page.addInitScript(watchFrames);
   await page.addInitScript(fixFrame, SIDE_PX);
-  await page.goto(`${address}?${LINK}`);
+  await page.goto(`${address}?${LINKS[phase]}`);
   await page.waitForSelector('#frame[data-state="finished"]', { timeout: 300_000 });
   const size = await page.evaluate(() => {
     const { width, height } = document.querySelector("canvas");
@@ -44,28 +53,28 @@ async function measure() {
   if (process.env.DETAIL) {
     console.error(
       frames
-        .map(({ worked, growing }, i) => ({ i, worked: Math.round(worked * 10) / 10, growing }))
+        .map(({ worked, phase }, i) => ({ i, worked: Math.round(worked * 10) / 10, phase }))
         .sort((a, b) => b.worked - a.worked)
         .slice(0, 12),
     );
   }
-  return figures(frames.filter(({ growing }) => growing));
+  return figures(frames.filter((frame) => (frame.phase === "growing") === (phase === "growing")));
 }
 
-/** In the page: notes when each frame began, how long its callbacks took, and whether the river was growing. */
+/** In the page: notes when each frame of an animation began, how long its callbacks took, and what the river did. */
 function watchFrames() {
   const frames = [];
   globalThis.frames_ = frames;
-  const isGrowing = () => document.querySelector("#frame")?.dataset.state === "growing";
+  const shown = () => document.querySelector("#frame")?.dataset ?? {};
   const request = globalThis.requestAnimationFrame.bind(globalThis);
   globalThis.requestAnimationFrame = (callback) =>
     request((now) => {
-      const grew = isGrowing();
+      const { state, phase } = shown();
       const began = performance.now();
       callback(now);
       const worked = performance.now() - began;
       // The last frame, which finishes the river, counts as well.
-      frames.push({ now, worked, growing: grew || isGrowing() });
+      if (state === "growing" || shown().state === "growing") frames.push({ now, worked, phase: phase ?? "growing" });
     });
 }
 

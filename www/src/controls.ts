@@ -4,6 +4,8 @@ import type { Parameter } from "../pkg/riverseed.js";
 import { type Control, control } from "./control.ts";
 import { el } from "./dom.ts";
 import type { Change } from "./field.ts";
+import type { Folds } from "./folds.ts";
+import { type Group, group } from "./group.ts";
 import { idleReason } from "./idle.ts";
 import { rangeOf } from "./values.ts";
 
@@ -18,31 +20,23 @@ export function isAdjustable(parameter: Parameter): boolean {
   return parameter.key !== "seed" && parameter.kind !== "outline" && !(range && range.min === range.max);
 }
 
-export function controls(table: readonly Parameter[], change: Change): Controls {
+export function controls(table: readonly Parameter[], change: Change, folds: Folds): Controls {
   const made = new Map<string, Control>();
-  const element = el("div", { class: "groups" });
+  const groups: Group[] = [];
   for (const [heading, parameters] of grouped(table.filter(isAdjustable))) {
-    const members = parameters.map((parameter) => {
-      const one = control(parameter, change);
-      made.set(parameter.key, one);
-      return one.element;
-    });
-    element.append(group(heading, members));
+    for (const parameter of parameters) made.set(parameter.key, control(parameter, change));
+    groups.push(group(heading, parameters, made, folds));
   }
   return {
-    element,
+    element: el("div", { class: "groups" }, ...groups.map(({ element }) => element)),
     show(values) {
       for (const [key, one] of made) {
         const text = values.get(key);
         if (text !== undefined) one.show(text, idleReason(key, values));
       }
+      for (const one of groups) one.show(values);
     },
   };
-}
-
-function group(heading: string, members: HTMLElement[]): HTMLElement {
-  const summary = el("summary", {}, el("h2", {}, heading));
-  return el("details", { class: "group", open: true }, summary, el("div", { class: "members" }, ...members));
 }
 
 function grouped(table: readonly Parameter[]): Map<string, Parameter[]> {

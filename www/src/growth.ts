@@ -1,23 +1,30 @@
 /**
- * The frame loop: how much to grow before the next picture. It knows the time and nothing of pixels; what it grows
+ * The frame loop: how far to go before the next picture. It knows the time and nothing of pixels; what grows and meanders
  * is the same to the bit however the work is sliced.
  */
 
+import type { Phase } from "../pkg/riverseed.js";
+
 /** At 1x the front crosses the height of the picture in this time. */
 export const HEIGHT_SECONDS = 5;
-/** What growing may take of a frame that animates: painting, and the rest of the page, need the other 10 ms. */
+/** At 1x rivers meander at this pace: about a round a frame. */
+export const ROUNDS_PER_SECOND = 40;
+/** What steps may take of a frame that animates: painting, and the rest of the page, need the other 10 ms. */
 export const FRAME_BUDGET_MS = 6;
-/** What it may take of a frame when somebody waits for the finished river. */
+/** What they may take of a frame when somebody waits for the finished river. */
 export const SETTLE_BUDGET_MS = 10;
+/** After steps that took longer than this, painting is left to the next frame: one callback with both would be felt. */
+export const LONG_STEPS_MS = 20;
 /** While somebody waits for a river that takes longer than this, it is shown so often: each picture delays the end. */
 export const SETTLE_QUIET_MS = 250;
-/** After a pause in frames (a hidden tab, a busy machine) growth goes on from where it was, it does not catch up. */
+/** After a pause in frames (a hidden tab, a busy machine) it goes on from where it was, it does not catch up. */
 const LONGEST_STEP_MS = 100;
 
 /** What grows: the core's river, or a stand-in in a test. */
 export interface Growing {
   readonly ticksPerHeight: number;
-  advance(ticks: number): boolean;
+  readonly phase: Phase;
+  advance(steps: number): boolean;
   restart(): void;
 }
 
@@ -28,13 +35,15 @@ export interface Frames {
 }
 
 /**
- * growing: animated; paused: animated, held; settling: to the end as fast as the page bears; finished: nothing to do.
+ * growing: animated, meanders too; paused: animated, held; settling: to the end as fast as the page bears; finished: nothing to do.
  */
 export type State = "growing" | "paused" | "settling" | "finished";
 
 export interface Audience {
-  /** Show what has grown. */
+  /** Show what there is. */
   draw(): void;
+  /** Something was shown that may give way to another recipe. */
+  ready(): void;
   changed(state: State): void;
   failed(error: unknown): void;
 }
@@ -45,10 +54,15 @@ export class Growth {
   #state: State = "paused";
   #handle: number | undefined;
   #last: number | undefined;
-  /** Ticks that are due and not yet grown, with their fraction. */
+  /** Steps that are due and not yet made, with their fraction. */
   #owed = 0;
   #shownAt = 0;
   #redraw = false;
+  /** While settling: whether the tree is worth a picture before it becomes rivers, and whether any grown one was shown. */
+  #showsTree = false;
+  #isShown = false;
+  /** The next frame paints and makes no steps: those of the last one took too long. */
+  #paintsNext = false;
 
   constructor(
     private readonly river: Growing,
@@ -58,6 +72,11 @@ export class Growth {
 
   get state(): State {
     return this.#state;
+  }
+
+  /** Whether another recipe would throw away what nobody has seen yet. */
+  get isBusy(): boolean {
+    return this.#state === "settling" && !this.#isShown;
   }
 
   /** Animates a river from where it stands. */
@@ -72,11 +91,11 @@ export class Growth {
   }
 
   pause(): void {
-    if (this.#state === "growing" || this.#state === "settling") this.#enter("paused");
+    if (this.#runs) this.#enter("paused");
   }
 
   toggle(): void {
-    if (this.#state === "growing" || this.#state === "settling") this.pause();
+    if (this.#runs) this.pause();
     else this.play();
   }
 
@@ -86,9 +105,11 @@ export class Growth {
     this.watch();
   }
 
-  /** To the finished river without animation, in slices. */
-  settle(): void {
+  /** To the finished river without animation, in slices; if asked for, the grown tree is shown on the way. */
+  settle(showsTree: boolean): void {
     this.#shownAt = this.frames.now();
+    this.#showsTree = showsTree;
+    this.#isShown = false;
     this.#enter("settling");
   }
 
@@ -106,13 +127,18 @@ export class Growth {
   }
 
   wake(): void {
-    if (this.#redraw || this.#state === "growing" || this.#state === "settling") this.#wake();
+    if (this.#redraw || this.#runs) this.#wake();
+  }
+
+  get #runs(): boolean {
+    return this.#state === "growing" || this.#state === "settling";
   }
 
   #enter(state: State): void {
     this.#last = undefined;
     this.#owed = 0;
     this.#redraw = true;
+    this.#paintsNext = false;
     this.#become(state);
     this.#wake();
   }
@@ -138,42 +164,62 @@ export class Growth {
   }
 
   #step(now: number): void {
-    const finished = this.#grow(now);
-    const quiet = this.#state === "settling" && !finished && now - this.#shownAt < SETTLE_QUIET_MS;
-    if (!quiet) {
-      this.#redraw = false;
-      this.#shownAt = now;
-      this.audience.draw();
-    }
-    if (finished) this.#become("finished");
+    const began = this.frames.now();
+    const before = this.river.phase;
+    if (this.#runs && before !== "finished" && !this.#paintsNext) this.#proceed(now, before);
+    const shows = this.#paintsNext || this.#isWorthShowing(now, before);
+    this.#paintsNext = shows && !this.#paintsNext && this.frames.now() - began > LONG_STEPS_MS;
+    if (shows && !this.#paintsNext) this.#show(now);
     this.wake();
   }
 
-  /** Grows what is due, within the budget. True when this frame finished the river. */
-  #grow(now: number): boolean {
-    if (this.#state === "settling") return this.#advance(Number.POSITIVE_INFINITY, SETTLE_BUDGET_MS);
-    if (this.#state !== "growing") return false;
+  /** Whether there is a picture to be painted. Of a river that settles, seldom. */
+  #isWorthShowing(now: number, before: Phase): boolean {
+    const { phase } = this.river;
+    if (this.#state !== "settling" || phase === "finished") return true;
+    const isGrown = before === "growing" && phase !== before;
+    return (isGrown && this.#showsTree) || now - this.#shownAt >= SETTLE_QUIET_MS;
+  }
+
+  #show(now: number): void {
+    const { phase } = this.river;
+    this.#redraw = false;
+    this.#shownAt = now;
+    this.#isShown = phase !== "growing";
+    this.audience.draw();
+    if (this.#runs && phase === "finished") this.#become("finished");
+    if (!this.isBusy) this.audience.ready();
+  }
+
+  /** Makes the steps that are due, within the budget. */
+  #proceed(now: number, phase: Phase): void {
+    if (this.#state === "settling") {
+      this.#advance(phase, Number.POSITIVE_INFINITY, SETTLE_BUDGET_MS);
+      return;
+    }
     const elapsed = this.#last === undefined ? 0 : Math.min(now - this.#last, LONGEST_STEP_MS);
     this.#last = now;
-    return this.#advance(this.#due(elapsed), FRAME_BUDGET_MS);
+    this.#advance(phase, this.#due(phase, elapsed), FRAME_BUDGET_MS);
   }
 
-  #due(elapsedMs: number): number {
-    if (this.speed === Number.POSITIVE_INFINITY) return Number.POSITIVE_INFINITY;
-    const ticksPerMs = (this.river.ticksPerHeight * this.speed) / (HEIGHT_SECONDS * 1000);
-    return this.#owed + elapsedMs * ticksPerMs;
+  #due(phase: Phase, elapsedMs: number): number {
+    if (phase === "shaping" || this.speed === Number.POSITIVE_INFINITY) return Number.POSITIVE_INFINITY;
+    const perSecond = phase === "growing" ? this.river.ticksPerHeight / HEIGHT_SECONDS : ROUNDS_PER_SECOND;
+    return this.#owed + (elapsedMs * perSecond * this.speed) / 1000;
   }
 
-  /** One tick at a time: a tick is far longer than asking the clock, and the longest bounds how late a frame can be. */
-  #advance(due: number, budgetMs: number): boolean {
+  /**
+   * One step at a time: a step is far longer than asking the clock, and the longest bounds how late a frame can be. Another
+   * phase begins with another frame, so that its first picture is seen.
+   */
+  #advance(phase: Phase, due: number, budgetMs: number): void {
     const end = this.frames.now() + budgetMs;
-    while (due >= 1) {
-      if (this.river.advance(1)) return true;
+    while (due >= 1 && this.river.phase === phase) {
+      this.river.advance(1);
       due -= 1;
       if (this.frames.now() >= end) break;
     }
-    // Whole ticks that did not fit are dropped: growth takes longer rather than falling ever further behind.
+    // Whole steps that did not fit are dropped: it takes longer rather than falling ever further behind.
     this.#owed = due % 1 || 0;
-    return false;
   }
 }

@@ -26,6 +26,22 @@ const on =
   (values: Values): boolean =>
     lands.includes(shape(values));
 
+/** All that meandering goes by, but its model. */
+const MEANDERS = [
+  "meander-rounds",
+  "meander-strength",
+  "meander-mix",
+  "gentle",
+  "great",
+  "flat",
+  "neck",
+  "buffer",
+  "taper",
+];
+
+/** Bends grow in proportion to widths, so that of rivers that meander the skeleton shows widths, too. */
+const meanders = (values: Values): boolean => !is("meander", "none")(values) && !is("meander-rounds", "0")(values);
+
 /** Of several rules for a key the first that holds gives the reason. */
 const RULES: readonly Rule[] = [
   { keys: ["sea", "rough"], when: on("rectangle"), reason: "The whole rectangle is land: it has no coast." },
@@ -46,7 +62,21 @@ const RULES: readonly Rule[] = [
     reason: "A Brownian tree bends as its particles wander.",
   },
   { keys: ["stretch"], when: is("curl", "0"), reason: "Only rivers with curl have stretches." },
-  { keys: ["width"], when: is("style", "skeleton"), reason: "The skeleton is one pixel wide everywhere." },
+  { keys: MEANDERS, when: is("meander", "none"), reason: "Rivers do not meander here." },
+  { keys: MEANDERS.slice(1), when: is("meander-rounds", "0"), reason: "Without a round no river meanders." },
+  { keys: ["meander-mix"], when: is("meander", "flow"), reason: "Only bends that grow outward have it." },
+  { keys: ["meander-mix"], when: is("meander-strength", "0"), reason: "Bends without strength do not move." },
+  { keys: ["flat"], when: is("great", "0"), reason: "No great rivers, none that is flat." },
+  {
+    keys: ["meander-strength", "meander-mix", "neck", "buffer", "taper"],
+    when: (values) => is("great", "0")(values) && is("gentle", "0")(values),
+    reason: "No river meanders, great or gently.",
+  },
+  {
+    keys: ["width", "vary"],
+    when: (values) => is("style", "skeleton")(values) && !meanders(values),
+    reason: "The skeleton is one pixel wide everywhere.",
+  },
 ];
 
 /** Why a key does nothing in a recipe; nothing if it does something. */

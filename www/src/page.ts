@@ -1,11 +1,13 @@
 /** The page: puts the parts together. The recipe says what is shown; everything else follows it. */
 
 import "./style.css";
-import type { Summary } from "../pkg/riverseed.js";
+import type { Phase, Summary } from "../pkg/riverseed.js";
 import { type Controls, controls } from "./controls.ts";
 import { setText } from "./dom.ts";
+import { Downloads } from "./downloads.ts";
 import { Drawing } from "./drawing.ts";
 import { isRecoverable, named } from "./errors.ts";
+import { Folds } from "./folds.ts";
 import type { State } from "./growth.ts";
 import { AddressBar, addressOf, linkOf, replaceAddress } from "./link.ts";
 import { parts } from "./parts.ts";
@@ -15,7 +17,7 @@ import { type How, Plate } from "./plate.ts";
 import { type Presets, presets } from "./presets.ts";
 import { Recipe } from "./recipe.ts";
 import { SeedBox } from "./seed.ts";
-import { copy, fileName, picture, save } from "./share.ts";
+import { copy } from "./share.ts";
 import { Announcer, alternative, caption, sentence, showFailure, showNotices } from "./status.ts";
 import { Transport } from "./transport.ts";
 import { rangeOf } from "./values.ts";
@@ -39,12 +41,13 @@ class Page {
     const table = engine.parameters();
     this.#recipe = new Recipe((text) => engine.readLink(text));
     this.#recipe.open(linkOf(location));
-    this.#controls = controls(table, (key, text) => this.#choose(key, text));
+    const folds = new Folds(() => localStorage);
+    this.#controls = controls(table, (key, text) => this.#choose(key, text), folds);
     this.#presets = presets(engine.presets(), table, (values) => this.#set(values, "watch"));
     this.#seedBox = new SeedBox(parts.seedForm, parts.seed, (seed) => this.#set([["seed", seed]], "watch"));
     describeSeed(table);
     this.#plate = Plate.open(core, parts, this.#recipe.link, {
-      changed: (state, summary) => this.#follow(state, summary),
+      changed: (state, phase, summary) => this.#follow(state, phase, summary),
       failed: (error) => this.#fail(error),
     });
     this.#transport = this.#makeTransport();
@@ -80,7 +83,7 @@ class Page {
   #listen(): void {
     parts.dice.addEventListener("click", () => this.#throwDice());
     parts.reset.addEventListener("click", () => this.#open(`seed=${encodeURIComponent(this.#recipe.seed)}`));
-    parts.download.addEventListener("click", () => void this.#download());
+    new Downloads(parts, this.core, this.#recipe, (error) => this.#fail(error));
     parts.copy.addEventListener("click", () => void this.#copyLink());
     parts.drawing.draw.addEventListener("click", () => this.#showDrawing());
     listenForPictures(parts.drawing, (file) => void this.#trace(file));
@@ -167,7 +170,7 @@ class Page {
   }
 
   #how(how: How): How {
-    return prefersStill.matches ? "settle" : how;
+    return prefersStill.matches ? "still" : how;
   }
 
   #showRecipe(): void {
@@ -190,15 +193,15 @@ class Page {
   }
 
   /** The plate changed: the caption, the text alternative and the announcement follow. */
-  #follow(state: State, summary: Summary): void {
+  #follow(state: State, phase: Phase, summary: Summary): void {
     this.#transport.show(state);
     parts.frame.dataset["state"] = state;
-    caption(state, summary).forEach((line, i) => {
+    parts.frame.dataset["phase"] = phase;
+    caption(state, phase, summary).forEach((line, i) => {
       setText(parts.caption.children[i], line);
     });
-    const finished = state === "finished";
-    parts.canvas.setAttribute("aria-label", alternative(this.#recipe.seed, finished ? summary : undefined));
-    if (finished) this.#announcer.say(`Finished: ${sentence(summary)}`);
+    parts.canvas.setAttribute("aria-label", alternative(this.#recipe.seed, phase, summary));
+    if (state === "finished") this.#announcer.say(`Finished: ${sentence(summary)}`);
     else this.#announcer.hush();
   }
 
@@ -217,22 +220,6 @@ class Page {
 
   #note(message: string): void {
     showNotices(parts.notices, [message], () => this.#showNotices());
-  }
-
-  async #download(): Promise<void> {
-    parts.download.disabled = true;
-    parts.shared.textContent = "Drawing the picture…";
-    try {
-      const { link, seed } = this.#recipe;
-      save(await picture(this.core, link), fileName(seed));
-      parts.shared.textContent = "The picture is in your downloads.";
-    } catch (error) {
-      const { code, message } = named(error);
-      parts.shared.textContent = `The picture could not be drawn: ${message}`;
-      if (code === "panic") this.#fail(error);
-    } finally {
-      parts.download.disabled = false;
-    }
   }
 
   async #copyLink(): Promise<void> {

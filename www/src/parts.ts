@@ -16,6 +16,7 @@ export const parts = {
   seed: find("#seed", HTMLInputElement),
   dice: find("#dice", HTMLButtonElement),
   download: find("#download", HTMLButtonElement),
+  formats: find("#formats", HTMLElement),
   copy: find("#copy", HTMLButtonElement),
   reset: find("#reset", HTMLButtonElement),
   shared: find("#shared", HTMLElement),

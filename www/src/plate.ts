@@ -1,13 +1,16 @@
 /** The plate: the canvas, the river on it, and the loop that grows and draws it. */
 
-import type { River, Summary } from "../pkg/riverseed.js";
+import type { Phase, River, Summary } from "../pkg/riverseed.js";
 import { Blitter } from "./blit.ts";
 import { backingSize } from "./canvas.ts";
 import { Growth, type State } from "./growth.ts";
 import type { Core } from "./wasm.ts";
 
-/** watch: see it grow; settle: the finished river as soon as may be, for a slider that is being dragged. */
-export type How = "watch" | "settle";
+/**
+ * watch: see it grow and meander; settle: as soon as may be, for a slider that is being dragged: the tree when it is grown,
+ * then its finished rivers; still: nothing but finished rivers.
+ */
+export type How = "watch" | "settle" | "still";
 
 export interface PlateParts {
   /** Holds the picture and what stands under it; is told the river's shape. */
@@ -19,11 +22,11 @@ export interface PlateParts {
 
 export interface PlateEvents {
   /** Something on the plate changed: the state, or in it the river. */
-  changed(state: State, summary: Summary): void;
+  changed(state: State, phase: Phase, summary: Summary): void;
   failed(error: unknown): void;
 }
 
-/** While the river grows its numbers are read this often: counting all its sources is not free, and nobody reads faster. */
+/** While the river grows or meanders its numbers are read this often: counting all its sources is not free, and nobody reads faster. */
 const COUNT_EVERY_MS = 250;
 /** While a window is dragged wider the old picture is stretched; it is drawn anew when the hand rests this long. */
 const RESIZE_PAUSE_MS = 120;
@@ -34,6 +37,7 @@ export class Plate {
   #applying = 0;
   #resizing: ReturnType<typeof setTimeout> | undefined;
   #counted = Number.NEGATIVE_INFINITY;
+  #told: Phase | undefined;
   #canRun = true;
   readonly #growth: Growth;
   readonly #blitter: Blitter;
@@ -55,7 +59,8 @@ export class Plate {
       { ...frames, now: () => performance.now() },
       {
         draw: () => this.#draw(),
-        changed: () => this.#changed(),
+        ready: () => this.#followWish(),
+        changed: () => this.#tell(),
         failed: (error) => this.events.failed(error),
       },
     );
@@ -103,12 +108,12 @@ export class Plate {
   }
 
   /**
-   * Shows another recipe. While a dragged slider's river still settles, only the latest of the links that come in is
-   * remembered: otherwise each new value would throw the growth of the last away, and none would ever be seen.
+   * Shows another recipe. While a dragged slider's river still settles unseen, only the latest of the links that come in
+   * is remembered: otherwise each new value would throw the work for the last away, and none would ever be seen.
    */
   show(link: string, how: How): void {
     this.#wanted = { link, how };
-    if (how === "watch" || this.state !== "settling") this.#applySoon();
+    if (how === "watch" || !this.#growth.isBusy) this.#applySoon();
   }
 
   #applySoon(): void {
@@ -130,12 +135,13 @@ export class Plate {
     if (stage === "none") return;
     this.#fit();
     if (stage === "land" || stage === "grow") this.#grow(wanted.how);
-    else this.#growth.redraw();
+    else if (stage === "paint" || this.river.phase === "growing") this.#growth.redraw();
+    else this.#growth.settle(false);
   }
 
   #grow(how: How): void {
     if (how === "watch") this.#growth.watch();
-    else this.#growth.settle();
+    else this.#growth.settle(how === "settle");
   }
 
   #paint(): void {
@@ -145,18 +151,19 @@ export class Plate {
   #draw(): void {
     this.#paint();
     const still = this.state === "finished" || this.state === "paused";
-    if (still || performance.now() - this.#counted >= COUNT_EVERY_MS) this.#tell();
+    const isNews = still || this.#told !== this.river.phase;
+    if (isNews || performance.now() - this.#counted >= COUNT_EVERY_MS) this.#tell();
   }
 
   #tell(): void {
     this.#counted = performance.now();
-    this.events.changed(this.state, this.river.summary());
+    this.#told = this.river.phase;
+    this.events.changed(this.state, this.#told, this.river.summary());
   }
 
-  #changed(): void {
-    this.#tell();
-    // At once, not in the next frame: what follows a pen or a slider is seen twice as often.
-    if (this.state !== "settling" && this.#wanted) this.#applyNow();
+  /** At once, not in the next frame: what follows a pen or a slider is seen twice as often. */
+  #followWish(): void {
+    if (this.#wanted) this.#applyNow();
   }
 
   /** Makes the frame the river's shape and the picture the frame's size; the river stays the same. */

@@ -42,6 +42,12 @@ impl Ground {
         }
     }
 
+    /// Blocks without a picture, row by row.
+    pub fn of_blocks(columns: usize, land: Vec<f32>) -> Self {
+        let rows = land.len() / columns;
+        Self { columns, rows, land, ridges: Vec::new(), block: 1.0, width: columns as f32, height: rows as f32 }
+    }
+
     /// The middle of a column of blocks, as a fraction of the picture's width. The columns next to the picture on either
     /// side are mirrored, so that its border lies half-way between.
     pub fn across(&self, column: i32) -> f32 {

@@ -89,6 +89,11 @@ pub fn trace(width: u32, height: u32, rgba: &[u8]) -> Result<Outline, TraceError
     })
 }
 
+/// The closed lines around blocks that are more land than water, in fractions of the blocks' width and height.
+pub(super) fn rings(columns: usize, land: Vec<f32>) -> Vec<Vec<glam::Vec2>> {
+    contour::rings(&Ground::of_blocks(columns, land))
+}
+
 fn check_size(width: u32, height: u32, bytes: usize) -> Result<(), TraceError> {
     if width.max(height) > LONGEST_SIDE {
         return Err(TraceError::TooLarge { width, height });

@@ -2,7 +2,7 @@ import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { expect, type Page, test } from "@playwright/test";
 import type { AxeResults } from "axe-core";
-import { finished, openFinished } from "./riverpage.ts";
+import { finished, openFinished, openUnfolded, unfold } from "./riverpage.ts";
 
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 
@@ -24,6 +24,10 @@ for (const colorScheme of ["light", "dark"] as const) {
       await openFinished(page, "preset=trimmed-curl&attractors=300&mouths=900");
       await page.getByText("Keyboard", { exact: true }).click();
       expect(await violations(page)).toEqual([]);
+      await unfold(page);
+      await page.getByRole("button", { name: "Download" }).click();
+      await expect(page.getByRole("menu")).toBeVisible();
+      expect(await violations(page)).toEqual([]);
     });
   }
 }
@@ -37,7 +41,7 @@ test("axe finds nothing in a failure", async ({ page }) => {
 
 test("axe finds nothing in forced colours, and the sliders are the system's", async ({ page }) => {
   await page.emulateMedia({ forcedColors: "active" });
-  await openFinished(page, "attractors=300");
+  await openUnfolded(page, "attractors=300");
   expect(await violations(page)).toEqual([]);
   const appearance = await page.locator("#field-curl").evaluate((slider) => getComputedStyle(slider).appearance);
   expect(appearance).toBe("auto");
@@ -52,7 +56,7 @@ test("the picture is one image with a name, and growth can be paused", async ({ 
 
 test("text can be twice as large without anything being cut off sideways", async ({ page }) => {
   await page.setViewportSize({ width: 640, height: 800 });
-  await openFinished(page, "attractors=300");
+  await openUnfolded(page, "attractors=300");
   await page.evaluate(() => {
     document.documentElement.style.fontSize = "30px";
   });

@@ -2,7 +2,17 @@ import { expect, type Locator, type Page, test } from "@playwright/test";
 import { isAdjustable } from "../../src/controls.ts";
 import { idleReason } from "../../src/idle.ts";
 import { engine } from "../core.ts";
-import { address, expectAddress, expectPictureOfAddress, openFinished, recordStates, shown } from "./riverpage.ts";
+import {
+  address,
+  expectAddress,
+  expectPictureOfAddress,
+  finished,
+  openFinished,
+  openUnfolded,
+  recordPhases,
+  recordStates,
+  shown,
+} from "./riverpage.ts";
 
 /** Few attractors: these tests are about controls. */
 const SMALL = "seed=kauri&attractors=300&edition=1";
@@ -14,9 +24,19 @@ function reasonIn(link: string, key: string): string | undefined {
 }
 
 /** Recipes in one of which every control has something to do. */
-const CONTEXTS = [SMALL, `${SMALL}&curl=0.5`, `${SMALL}&land=island&mouths=30`, `${SMALL}&growth=brownian`];
+const CONTEXTS = [
+  SMALL,
+  `${SMALL}&curl=0.5`,
+  `${SMALL}&land=island&mouths=30`,
+  `${SMALL}&growth=brownian`,
+  `${SMALL}&meander=none`,
+];
+
+/** Many rivers that meander for long: here they come near each other. */
+const CLOSE = `${SMALL}&great=16&gentle=1&meander-rounds=120&meander-strength=1`;
 
 function contextOf(key: string): string {
+  if (key === "neck" || key === "buffer") return CLOSE;
   const link = CONTEXTS.find((one) => reasonIn(one, key) === undefined);
   if (link === undefined) throw new Error(`${key} does nothing in any recipe here`);
   return link;
@@ -30,7 +50,7 @@ for (const link of CONTEXTS) {
   test(`every row of the table has a control with its label, and its help or why it is idle: ?${link}`, async ({
     page,
   }) => {
-    await openFinished(page, link);
+    await openUnfolded(page, link);
     await expect(page.locator("[data-key]")).toHaveCount(adjustable.length);
     for (const { key, label, help } of adjustable) {
       const reason = reasonIn(link, key);
@@ -45,7 +65,7 @@ for (const link of CONTEXTS) {
 }
 
 test("an idle control keeps its value and has it again", async ({ page }) => {
-  await openFinished(page, `${SMALL}&land=island&sea=0.3`);
+  await openUnfolded(page, `${SMALL}&land=island&sea=0.3`);
   const land = page.getByLabel("Land", { exact: true });
   const sea = page.getByRole("slider", { name: "Sea", exact: true });
   await expect(sea).toBeEnabled();
@@ -60,8 +80,31 @@ test("an idle control keeps its value and has it again", async ({ page }) => {
   await expectPictureOfAddress(page);
 });
 
+test("rivers that do not meander leave their controls idle, and have them again", async ({ page }) => {
+  await openUnfolded(page, `${SMALL}&meander-rounds=20`);
+  const fields = [
+    "meander-rounds",
+    "meander-strength",
+    "meander-mix",
+    "gentle",
+    "great",
+    "flat",
+    "neck",
+    "buffer",
+    "taper",
+  ];
+  await row(page, "meander").getByRole("combobox").selectOption("none");
+  for (const key of fields) await expect(row(page, key)).toContainText("do not meander");
+  await expectPictureOfAddress(page);
+  await row(page, "meander").getByRole("combobox").selectOption("flow");
+  await expect(row(page, "meander-mix").locator(".exact")).toBeDisabled();
+  await expect(row(page, "meander-rounds").locator(".exact")).toHaveValue("20");
+  await expect(row(page, "meander-rounds").getByRole("slider")).toBeEnabled();
+  await expectPictureOfAddress(page);
+});
+
 test("a preset is a way of space colonization, and goes back to it", async ({ page }) => {
-  await openFinished(page, "seed=kauri&growth=brownian&sensitivity=40&attractors=300");
+  await openUnfolded(page, "seed=kauri&growth=brownian&sensitivity=40&attractors=300");
   await expect(page.locator('#presets [aria-pressed="true"]')).toHaveCount(0);
   await page.getByRole("button", { name: "Momentum", exact: true }).click();
   await expectAddress(page, "growth", null);
@@ -72,9 +115,10 @@ test("a preset is a way of space colonization, and goes back to it", async ({ pa
 for (const { key, label, stage, default: value } of adjustable.filter(({ min }) => min !== undefined)) {
   test(`the slider of ${key} changes the picture, and reset brings it back`, async ({ page }) => {
     const states = await recordStates(page);
-    await openFinished(page, key === "attractors" ? "" : contextOf(key));
+    const phases = await recordPhases(page);
+    await openUnfolded(page, key === "attractors" ? "" : contextOf(key));
     const before = await shown(page);
-    const began = (await states()).length;
+    const began = [(await states()).length, (await phases()).length] as const;
     const slider = row(page, key).getByRole("slider");
     await expect(slider).toHaveAccessibleName(label);
     await slider.focus();
@@ -90,15 +134,14 @@ for (const { key, label, stage, default: value } of adjustable.filter(({ min }) 
     await expectAddress(page, key, null);
     await expect(slider).toBeFocused();
     await expect.poll(() => shown(page)).toEqual(before);
-    // Late stages never grow the river again; early ones do so without animation.
-    const since = (await states()).slice(began);
-    expect(since).not.toContain("growing");
-    if (stage === "prune" || stage === "paint") expect(since).toEqual([]);
+    // Early stages grow the river again, without animation; late ones do not grow it.
+    expect((await states()).slice(began[0])).not.toContain("growing");
+    if (!["land", "grow"].includes(stage)) expect((await phases()).slice(began[1])).not.toContain("growing");
   });
 }
 
 test("a slider that is dragged ends on the picture of its last value", async ({ page }) => {
-  await openFinished(page, "seed=kauri&attractors=3000");
+  await openUnfolded(page, "seed=kauri&attractors=3000");
   const slider = row(page, "curl").getByRole("slider");
   await slider.scrollIntoViewIfNeeded();
   const box = await slider.boundingBox();
@@ -112,9 +155,32 @@ test("a slider that is dragged ends on the picture of its last value", async ({ 
   await expectPictureOfAddress(page);
 });
 
+test("a slider of meanders that is dragged shows rivers on the way and grows nothing", async ({ page }) => {
+  const phases = await recordPhases(page);
+  await openUnfolded(page, SMALL);
+  const began = (await phases()).length;
+  const slider = row(page, "meander-strength").getByRole("slider");
+  await slider.scrollIntoViewIfNeeded();
+  const box = await slider.boundingBox();
+  if (!box) throw new Error("the slider is not shown");
+  const y = box.y + box.height / 2;
+  const seen = new Set<string>();
+  await page.mouse.move(box.x + box.width / 2, y);
+  await page.mouse.down();
+  for (let i = 1; i <= 12; i++) {
+    await page.mouse.move(box.x + box.width * (0.5 + i * 0.04), y);
+    seen.add((await shown(page)).sha256);
+  }
+  expect(seen.size).toBeGreaterThan(3);
+  await page.mouse.up();
+  await expect.poll(() => Number(address(page).get("meander-strength"))).toBeGreaterThan(0.9);
+  await expectPictureOfAddress(page);
+  expect((await phases()).slice(began)).not.toContain("growing");
+});
+
 for (const { key, choices } of adjustable.filter(({ kind }) => kind === "choice")) {
   test(`the choices of ${key} change the picture`, async ({ page }) => {
-    await openFinished(page, contextOf(key));
+    await openUnfolded(page, contextOf(key));
     const before = await shown(page);
     await row(page, key).getByRole("combobox").selectOption({ index: 1 });
     await expectAddress(page, key, choices?.[1]?.value ?? "");
@@ -124,7 +190,7 @@ for (const { key, choices } of adjustable.filter(({ kind }) => kind === "choice"
 }
 
 test("sides are ticked, and the last one stays", async ({ page }) => {
-  await openFinished(page, SMALL);
+  await openUnfolded(page, SMALL);
   const sides = row(page, "sides");
   await sides.getByLabel("West").check();
   await expectAddress(page, "sides", "sw");
@@ -137,7 +203,7 @@ test("sides are ticked, and the last one stays", async ({ page }) => {
 });
 
 test("an exact value can be typed; one out of range is clamped and said", async ({ page }) => {
-  await openFinished(page, SMALL);
+  await openUnfolded(page, SMALL);
   const curl = page.getByLabel("Curl, exact value");
   await curl.fill("0.123");
   await curl.press("Enter");
@@ -154,7 +220,7 @@ test("an exact value can be typed; one out of range is clamped and said", async 
 
 for (const preset of engine.presets()) {
   test(`the preset ${preset.name} is a button`, async ({ page }) => {
-    await openFinished(page, `${SMALL}&curl=1.7&momentum=0.2`);
+    await openUnfolded(page, `${SMALL}&curl=1.7&momentum=0.2`);
     const button = page.getByRole("button", { name: preset.label, exact: true });
     await button.click();
     await expect(button).toHaveAttribute("aria-pressed", "true");
@@ -167,7 +233,7 @@ for (const preset of engine.presets()) {
 }
 
 test("the dice give a new seed that can be read", async ({ page }) => {
-  await openFinished(page, SMALL);
+  await openUnfolded(page, SMALL);
   const field = page.getByLabel("Seed", { exact: true });
   const seen = new Set(["kauri"]);
   for (let i = 0; i < 3; i++) {
@@ -182,7 +248,7 @@ test("the dice give a new seed that can be read", async ({ page }) => {
 });
 
 test("typing a seed grows it, Enter at once, an empty box nothing", async ({ page }) => {
-  await openFinished(page, SMALL);
+  await openUnfolded(page, SMALL);
   const field = page.getByLabel("Seed", { exact: true });
   await field.fill("Waikato");
   await expectAddress(page, "seed", "Waikato");
@@ -198,14 +264,17 @@ test("typing a seed grows it, Enter at once, an empty box nothing", async ({ pag
 });
 
 test("Reset all goes back to the defaults and keeps the seed", async ({ page }) => {
-  await openFinished(page, "seed=kea&curl=1&trim=20&style=skeleton&aspect=2");
+  await openUnfolded(page, "seed=kea&curl=1&trim=20&style=skeleton&aspect=2");
   await page.getByRole("button", { name: "Reset all" }).click();
   await expect.poll(() => new URL(page.url()).search).toBe(`?${engine.readLink("seed=kea").link}`);
   await expectPictureOfAddress(page);
 });
 
 test("everything can be reached and used by keyboard alone", async ({ page }) => {
-  await openFinished(page, SMALL);
+  await openUnfolded(page, SMALL);
+  // The focus begins at the top again, and what was unfolded is so still.
+  await page.reload();
+  await finished(page);
   const order: string[] = [];
   for (;;) {
     await page.keyboard.press("Tab");
@@ -228,6 +297,8 @@ test("everything can be reached and used by keyboard alone", async ({ page }) =>
     else expect(order).not.toContain(`field-${key}`);
   }
   for (const side of ["n", "e", "s", "w"]) expect(order).toContain(side);
+  for (const heading of new Set(adjustable.map(({ group }) => group)))
+    expect(order.some((name) => name.startsWith(heading))).toBe(true);
 });
 
 test("Space plays and pauses from the page, and stays a space in the seed", async ({ page }) => {

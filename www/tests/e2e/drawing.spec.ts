@@ -4,7 +4,15 @@ import { deflateSync } from "node:zlib";
 import { expect, type Page, test } from "@playwright/test";
 import type { AxeResults } from "axe-core";
 import { engine } from "../core.ts";
-import { address, expectAddress, expectPictureOfAddress, finished, openFinished, shown } from "./riverpage.ts";
+import {
+  address,
+  expectAddress,
+  expectPictureOfAddress,
+  finished,
+  openFinished,
+  openUnfolded,
+  shown,
+} from "./riverpage.ts";
 
 const SMALL = "seed=kauri&attractors=300";
 const BLOB = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11].map((i) => {
@@ -235,7 +243,7 @@ test("a drawn land of a link is there to be drawn on", async ({ page }) => {
 });
 
 test("choosing a drawn land in the list opens the tool", async ({ page }) => {
-  await openFinished(page, SMALL);
+  await openUnfolded(page, SMALL);
   await page.locator("#field-land").selectOption("drawn");
   await expect(page.getByRole("group", { name: "Drawing a land" })).toBeVisible();
 });

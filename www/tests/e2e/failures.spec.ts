@@ -1,5 +1,5 @@
 import { expect, type Page, test } from "@playwright/test";
-import { finished } from "./riverpage.ts";
+import { finished, unfold } from "./riverpage.ts";
 
 async function expectFailure(page: Page, code: string, advice: RegExp): Promise<void> {
   const failure = page.getByRole("alert");
@@ -118,6 +118,7 @@ test("a panic on a slider's change leaves advice, not a frozen page", async ({ p
   await trapOn(page, "river_change");
   await page.goto("./?attractors=300");
   await finished(page);
+  await unfold(page);
   await page.evaluate(() => Object.assign(globalThis, { trap: true }));
   await page.getByRole("slider", { name: "Curl" }).press("ArrowRight");
   await expectFailure(page, "panic", /report the link/);
@@ -152,6 +153,7 @@ test("a river too large for this device is refused and the last one stays", asyn
   });
   await page.goto("./?attractors=300");
   await finished(page);
+  await unfold(page);
   await page.evaluate(() => Object.assign(globalThis, { refuse: true }));
   await page.getByRole("slider", { name: "Curl" }).press("ArrowRight");
   await expect(page.locator("#notices")).toContainText("needs 3 GB");

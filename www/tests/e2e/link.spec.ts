@@ -1,7 +1,7 @@
 import { expect, type Page, test } from "@playwright/test";
 import { WRITE_EVERY_MS } from "../../src/link.ts";
 import { engine, pictureOf } from "../core.ts";
-import { address, expectAddress, finished, openFinished, shown } from "./riverpage.ts";
+import { address, expectAddress, finished, openFinished, openUnfolded, shown } from "./riverpage.ts";
 
 for (const link of [
   "seed=kauri",
@@ -30,7 +30,7 @@ test("the address is replaced, never pushed, and at a bounded rate", async ({ pa
       replace(...given);
     };
   });
-  await openFinished(page, "seed=kauri&attractors=200");
+  await openUnfolded(page, "seed=kauri&attractors=200");
   const before = await page.evaluate(() => history.length);
   await page.getByRole("slider", { name: "Curl" }).focus();
   for (let i = 0; i < 40; i++) await page.keyboard.press("ArrowRight");

@@ -1,5 +1,5 @@
 import { expect, test } from "@playwright/test";
-import { openFinished } from "./riverpage.ts";
+import { openFinished, openUnfolded } from "./riverpage.ts";
 
 const SIZES = [
   { name: "desk", width: 1440, height: 900 },
@@ -36,7 +36,7 @@ for (const { name, ...viewport } of SIZES) {
     }
 
     test("every control can be brought into sight and is large enough for a finger", async ({ page }) => {
-      await openFinished(page, "attractors=300&curl=1");
+      await openUnfolded(page, "attractors=300&curl=1");
       for (const control of await page.locator("button, input, select, summary, label.side").all()) {
         if (!(await control.isVisible())) continue;
         await control.scrollIntoViewIfNeeded();

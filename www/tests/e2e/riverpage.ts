@@ -11,6 +11,17 @@ export async function openFinished(page: Page, link = ""): Promise<void> {
   await finished(page);
 }
 
+/** The same with every group of controls unfolded. */
+export async function openUnfolded(page: Page, link = ""): Promise<void> {
+  await openFinished(page, link);
+  await unfold(page);
+}
+
+export async function unfold(page: Page): Promise<void> {
+  const folded = page.locator("details:not([open]):is(.group, .more) > summary");
+  while ((await folded.count()) > 0) await folded.first().click();
+}
+
 export async function finished(page: Page): Promise<void> {
   await expect(page.locator("#frame")).toHaveAttribute("data-state", "finished");
 }
@@ -56,17 +67,26 @@ export async function expectPictureOfAddress(page: Page): Promise<void> {
 }
 
 /** Notes every state the plate goes through, from the first. Call before `goto`. */
-export async function recordStates(page: Page): Promise<() => Promise<string[]>> {
-  await page.addInitScript(() => {
-    const states: string[] = [];
-    Object.assign(globalThis, { states });
+export function recordStates(page: Page): Promise<() => Promise<string[]>> {
+  return record(page, "state");
+}
+
+/** Notes every phase of a river that the plate shows, from the first. Call before `goto`. */
+export function recordPhases(page: Page): Promise<() => Promise<string[]>> {
+  return record(page, "phase");
+}
+
+async function record(page: Page, what: "state" | "phase"): Promise<() => Promise<string[]>> {
+  await page.addInitScript((what) => {
+    const seen: string[] = [];
+    Object.assign(globalThis, { [`${what}s`]: seen });
     const note = (): void => {
-      const state = document.querySelector<HTMLElement>("#frame")?.dataset["state"];
-      if (state !== undefined && state !== states.at(-1)) states.push(state);
+      const now = document.querySelector<HTMLElement>("#frame")?.dataset[what];
+      if (now !== undefined && now !== seen.at(-1)) seen.push(now);
     };
-    new MutationObserver(note).observe(document, { subtree: true, attributeFilter: ["data-state"] });
-  });
-  return () => page.evaluate(() => (globalThis as unknown as { states: string[] }).states);
+    new MutationObserver(note).observe(document, { subtree: true, attributeFilter: [`data-${what}`] });
+  }, what);
+  return () => page.evaluate((what) => (globalThis as unknown as Record<string, string[]>)[`${what}s`] ?? [], what);
 }
 
 /** Collects what the page complains about. */

@@ -1,20 +1,26 @@
 import { expect, test } from "vitest";
+import type { Phase } from "../../pkg/riverseed.js";
 import {
   FRAME_BUDGET_MS,
   type Growing,
   Growth,
   HEIGHT_SECONDS,
+  LONG_STEPS_MS,
+  ROUNDS_PER_SECOND,
   SETTLE_BUDGET_MS,
   SETTLE_QUIET_MS,
   type State,
 } from "../../src/growth.ts";
 
-/** A display and a clock that only move when told; growing takes as long as a test says. */
+/** A display and a clock that only move when told; a step takes as long as a test says. */
 class Stage implements Growing {
   readonly ticksPerHeight = 300;
   time = 1000;
+  /** Steps of any kind. */
   ticks = 0;
   drawn: number[] = [];
+  phases: Phase[] = [];
+  ready = 0;
   states: State[] = [];
   failures: unknown[] = [];
   restarts = 0;
@@ -23,7 +29,11 @@ class Stage implements Growing {
   #handles = 0;
   readonly growth: Growth;
 
-  constructor(readonly lastTick = 1_000_000) {
+  /** Grows until its last tick; with rounds, it is then made into rivers and meanders for so many. */
+  constructor(
+    readonly lastTick = 1_000_000,
+    readonly rounds?: number,
+  ) {
     const frames = {
       now: () => this.time,
       request: (callback: (now: number) => void) => {
@@ -33,16 +43,27 @@ class Stage implements Growing {
       cancel: (handle: number) => void this.#callbacks.delete(handle),
     };
     this.growth = new Growth(this, frames, {
-      draw: () => void this.drawn.push(this.ticks),
+      draw: () => {
+        this.drawn.push(this.ticks);
+        this.phases.push(this.phase);
+      },
+      ready: () => void this.ready++,
       changed: (state) => void this.states.push(state),
       failed: (error) => void this.failures.push(error),
     });
   }
 
+  get phase(): Phase {
+    if (this.ticks < this.lastTick) return "growing";
+    if (this.rounds === undefined || this.ticks > this.lastTick + this.rounds) return "finished";
+    return this.ticks === this.lastTick ? "shaping" : "meandering";
+  }
+
   advance(ticks: number): boolean {
+    expect(this.phase).not.toBe("finished");
     this.ticks += ticks;
     this.time += this.cost;
-    return this.ticks >= this.lastTick;
+    return this.phase === "finished";
   }
 
   restart(): void {
@@ -161,7 +182,7 @@ test("a finished river asks for no more frames, and playing it starts again", ()
 test("settling shows nothing but the finished river, if that is soon", () => {
   const stage = new Stage(200);
   stage.cost = 0.2;
-  stage.growth.settle();
+  stage.growth.settle(false);
   stage.frames(20);
   expect(stage.growth.state).toBe("finished");
   expect(stage.drawn).toEqual([200]);
@@ -170,7 +191,7 @@ test("settling shows nothing but the finished river, if that is soon", () => {
 test("settling takes turns with the page, and shows what there is now and then once it takes long", () => {
   const stage = new Stage(10_000);
   stage.cost = 1;
-  stage.growth.settle();
+  stage.growth.settle(false);
   stage.frames(1);
   expect(stage.ticks).toBe(SETTLE_BUDGET_MS);
   stage.frames(Math.ceil((4 * SETTLE_QUIET_MS) / (1000 / 60)));
@@ -181,7 +202,7 @@ test("settling takes turns with the page, and shows what there is now and then o
 
 test("a redraw is drawn once, and grows nothing", () => {
   const stage = new Stage(10);
-  stage.growth.settle();
+  stage.growth.settle(false);
   stage.frames(2);
   stage.growth.redraw();
   stage.growth.redraw();
@@ -209,8 +230,81 @@ test("a failure is told once and stops the loop", () => {
   stage.advance = () => {
     throw new Error("unreachable");
   };
-  stage.growth.settle();
+  stage.growth.settle(false);
   stage.frames(5);
   expect(stage.failures).toHaveLength(1);
   expect(stage.waiting).toBe(0);
+});
+
+test("growth is followed by meandering, animated at its own pace", () => {
+  const stage = new Stage(10, 4 * ROUNDS_PER_SECOND);
+  stage.growth.watch();
+  while (stage.phase !== "meandering") stage.frames(1);
+  stage.frames(60);
+  const rounds = stage.ticks - stage.lastTick - 1;
+  expect(Math.abs(rounds - ROUNDS_PER_SECOND)).toBeLessThanOrEqual(2);
+  stage.frames(240);
+  expect(stage.states).toEqual(["growing", "finished"]);
+  expect(new Set(stage.phases)).toEqual(new Set(["growing", "shaping", "meandering", "finished"]));
+});
+
+test("speed multiplies rounds, too", () => {
+  const stage = new Stage(1, 1000);
+  stage.growth.speed = 4;
+  stage.growth.watch();
+  while (stage.phase !== "meandering") stage.frames(1);
+  const before = stage.ticks;
+  stage.frames(60);
+  expect(Math.abs(stage.ticks - before - 4 * ROUNDS_PER_SECOND)).toBeLessThanOrEqual(5);
+});
+
+test("a settling river that was grown shows its tree on the way, if it is asked to, and then gives way to another", () => {
+  const stage = new Stage(20, 30);
+  stage.cost = 1;
+  stage.growth.settle(true);
+  while (stage.phase === "growing") {
+    expect(stage.growth.isBusy).toBe(true);
+    stage.frames(1);
+  }
+  expect(stage.drawn).toEqual([20]);
+  expect([stage.growth.isBusy, stage.ready]).toEqual([false, 1]);
+  stage.frames(10);
+  expect(stage.drawn).toEqual([20, 51]);
+  expect(stage.growth.state).toBe("finished");
+});
+
+test("a settling river that is not asked to shows nothing but its end", () => {
+  const stage = new Stage(20, 30);
+  stage.cost = 1;
+  stage.growth.settle(false);
+  stage.frames(3);
+  expect(stage.growth.isBusy).toBe(true);
+  stage.frames(10);
+  expect(stage.drawn).toEqual([51]);
+  expect([stage.growth.isBusy, stage.ready]).toEqual([false, 1]);
+});
+
+test("a river that settles for long gives way once anything grown was shown", () => {
+  const stage = new Stage(0, 10_000);
+  stage.cost = 1;
+  stage.growth.settle(false);
+  while (stage.drawn.length === 0) stage.frames(1);
+  expect(stage.phases).toEqual(["meandering"]);
+  expect(stage.growth.isBusy).toBe(false);
+});
+
+test("long steps and painting take turns", () => {
+  const stage = new Stage(3, 5);
+  stage.cost = LONG_STEPS_MS + 1;
+  stage.growth.speed = Number.POSITIVE_INFINITY;
+  stage.growth.watch();
+  for (let i = 0; i < 40; i++) {
+    const before = [stage.ticks, stage.drawn.length] as const;
+    stage.frames(1);
+    const worked = stage.ticks - before[0];
+    const drew = stage.drawn.length - before[1];
+    expect(worked + drew).toBeLessThanOrEqual(1);
+  }
+  expect(stage.drawn).toEqual([1, 2, 3, 4, 5, 6, 7, 8, 9]);
+  expect(stage.growth.state).toBe("finished");
 });

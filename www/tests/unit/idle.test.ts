@@ -3,17 +3,37 @@ import { isAdjustable } from "../../src/controls.ts";
 import { idleReason } from "../../src/idle.ts";
 import { engine, parameter, pictureOf } from "../core.ts";
 
-/** What decides whether others do something; coarse, since every value of every key is drawn. */
-const COARSE = "attractors=100&sensitivity=64&mouths=24";
+/** What decides whether others do something; coarse and soon done, since every value of every key is drawn. */
+const COARSE = "attractors=100&sensitivity=64&mouths=24&meander-rounds=10";
 const OUTLINE = engine.outlineOf([Float32Array.of(0.2, 0.2, 0.8, 0.25, 0.75, 0.8, 0.2, 0.7)], []);
 const lands = parameter("land").choices?.map(({ value }) => `land=${value}`) ?? [];
 const growths = parameter("growth").choices?.map(({ value }) => `growth=${value}`) ?? [];
 const styles = parameter("style").choices?.map(({ value }) => `style=${value}`) ?? [];
+const meanders = parameter("meander").choices?.map(({ value }) => `meander=${value}`) ?? [];
 const recipes = [
   ...[...lands, `land=drawn&outline=${OUTLINE}`].flatMap((land) => growths.map((growth) => `${land}&${growth}`)),
   ...styles,
+  ...meanders,
   "curl=0.6",
-].map((link) => `${COARSE}&${link}`);
+  "meander-rounds=0",
+  "meander-strength=0",
+  "great=0",
+  "great=0&gentle=0",
+  "style=skeleton&meander=none",
+  "style=skeleton&meander-rounds=0",
+].map((link) => merged(COARSE, link));
+
+/** What these do depends on whether anywhere two lines come near each other. */
+const BY_CHANCE = ["neck", "buffer"];
+/** What may change nothing although it could: how rivers would meander can be chosen before they do; without strength they only smooth. */
+function maySame(link: string): string[] {
+  if (link.includes("meander-rounds=0")) return [...BY_CHANCE, "meander"];
+  if (link.includes("meander-strength=0")) return [...BY_CHANCE, "gentle", "great", "flat", "taper"];
+  return BY_CHANCE;
+}
+
+/** Many rivers that meander for long. */
+const CLOSE = "attractors=500&great=16&gentle=1&meander-rounds=120&meander-strength=1";
 
 const keys = engine
   .parameters()
@@ -28,14 +48,15 @@ function textsOf(key: string): string[] {
   return [String(min), String(Math.min(max ?? 0, 1000))];
 }
 
-function valuesOf(link: string): Map<string, string> {
-  return new Map(engine.readLink(link).values);
+/** A link with the values of another one over its own. */
+function merged(link: string, over: string): string {
+  const query = new URLSearchParams(link);
+  for (const [key, text] of new URLSearchParams(over)) query.set(key, text);
+  return query.toString();
 }
 
-function withValue(link: string, key: string, text: string): string {
-  const query = new URLSearchParams(link);
-  query.set(key, text);
-  return query.toString();
+function valuesOf(link: string): Map<string, string> {
+  return new Map(engine.readLink(link).values);
 }
 
 const pictures = new Map<string, string>();
@@ -48,22 +69,29 @@ function drawn(link: string): string {
 }
 
 for (const link of recipes) {
-  test(`what is idle changes nothing: ${link.slice(0, 80)}`, () => {
+  test(`what is idle changes nothing: ${link.slice(0, 100)}`, () => {
     const idle = keys.filter((key) => idleReason(key, valuesOf(link)) !== undefined);
     for (const key of idle) {
-      for (const text of textsOf(key)) expect(drawn(withValue(link, key, text)), `${key}=${text}`).toBe(drawn(link));
+      for (const text of textsOf(key))
+        expect(drawn(merged(link, `${key}=${text}`)), `${key}=${text}`).toBe(drawn(link));
     }
   }, 60_000);
 }
 
-test("what is not idle changes something, on every land, however it grows", () => {
-  const unchanged = recipes.flatMap((link) => {
+for (const link of recipes) {
+  test(`what is not idle changes something: ${link.slice(0, 100)}`, () => {
     const active = keys.filter((key) => idleReason(key, valuesOf(link)) === undefined);
-    const isSame = (key: string) => textsOf(key).every((text) => drawn(withValue(link, key, text)) === drawn(link));
-    return active.filter(isSame).map((key) => `${key} in ${link}`);
-  });
-  expect(unchanged).toEqual([]);
-}, 60_000);
+    const isSame = (key: string) => textsOf(key).every((text) => drawn(merged(link, `${key}=${text}`)) === drawn(link));
+    expect(active.filter((key) => !maySame(link).includes(key) && isSame(key))).toEqual([]);
+  }, 60_000);
+}
+
+for (const key of BY_CHANCE) {
+  test(`${key} changes something where lines come near each other`, () => {
+    const [least, most] = textsOf(key).map((text) => drawn(`${CLOSE}&${key}=${text}`));
+    expect(least).not.toBe(most);
+  }, 60_000);
+}
 
 test("every key that can be idle is so in some recipe, and does something in another", () => {
   for (const key of keys) {
@@ -72,7 +100,20 @@ test("every key that can be idle is so in some recipe, and does something in ano
       key,
     ).toBe(true);
   }
-  for (const key of ["sea", "rough", "apart", "sides", "sensitivity", "attractors", "curl", "stretch", "width"]) {
+  for (const key of [
+    "sea",
+    "rough",
+    "apart",
+    "sides",
+    "sensitivity",
+    "attractors",
+    "curl",
+    "stretch",
+    "width",
+    "vary",
+    "flat",
+    "neck",
+  ]) {
     expect(
       recipes.some((link) => idleReason(key, valuesOf(link)) !== undefined),
       key,

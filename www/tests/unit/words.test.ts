@@ -13,6 +13,8 @@ const summary = {
   order: 5,
   attractors: 4000,
   unreached: 18,
+  rounds: 40,
+  oxbows: 0,
   finished: true,
   stopped: null,
 };
@@ -28,31 +30,44 @@ test("where there are no attractors none are counted", () => {
   expect(sentence(brownian)).toBe("1 river, 210 sources, Strahler order 5. 12,345 nodes.");
 });
 
+test("oxbow lakes are counted where there are any", () => {
+  expect(sentence({ ...summary, oxbows: 1 })).toMatch(/^1 river, 210 sources, Strahler order 5, 1 oxbow lake\. /);
+  expect(sentence({ ...summary, oxbows: 12 })).toMatch(/, 12 oxbow lakes\. /);
+});
+
 test("an early end says why", () => {
   expect(sentence({ ...summary, stopped: "Growth died out early." })).toMatch(/unreached\. Growth died out early\.$/);
 });
 
 test("the picture's alternative names the seed, whatever it holds", () => {
-  expect(alternative("<b>kauri</b>", summary)).toBe(
+  expect(alternative("<b>kauri</b>", "finished", summary)).toBe(
     "River network grown from the seed “<b>kauri</b>”: 1 river, 210 sources, Strahler order 5.",
   );
 });
 
-test("a picture that grows says so", () => {
-  expect(alternative("kauri", undefined)).toBe("River network grown from the seed “kauri”: still growing.");
+test("a picture that grows or meanders says so", () => {
+  const start = "River network grown from the seed “kauri”: still";
+  expect(alternative("kauri", "growing", summary)).toBe(`${start} growing.`);
+  expect(alternative("kauri", "shaping", summary)).toBe(`${start} growing.`);
+  expect(alternative("kauri", "meandering", summary)).toBe(`${start} meandering.`);
 });
 
 test("the caption has two lines in every state", () => {
-  expect(caption("growing", summary)).toEqual(["Growing", "12,345 nodes so far"]);
-  expect(caption("paused", summary)).toEqual(["Paused", "12,345 nodes so far"]);
-  expect(caption("finished", summary)[0]).toBe("1 river, 210 sources, Strahler order 5");
+  const oxbows = { ...summary, oxbows: 2 };
+  expect(caption("growing", "growing", summary)).toEqual(["Growing", "12,345 nodes so far"]);
+  expect(caption("growing", "shaping", summary)).toEqual(["Growing", "12,345 nodes so far"]);
+  expect(caption("growing", "meandering", summary)).toEqual(["Meandering", "40 rounds so far"]);
+  expect(caption("settling", "meandering", oxbows)).toEqual(["Meandering", "40 rounds so far, 2 oxbow lakes"]);
+  expect(caption("paused", "growing", summary)).toEqual(["Paused while growing", "12,345 nodes so far"]);
+  expect(caption("paused", "meandering", oxbows)[0]).toBe("Paused while meandering");
+  expect(caption("finished", "finished", summary)[0]).toBe("1 river, 210 sources, Strahler order 5");
 });
 
 test("a file is named after its seed, in any script, and after nothing else", () => {
-  expect(fileName("kauri")).toBe("riverseed-kauri.png");
-  expect(fileName("../../etc/passwd")).toBe("riverseed-etc-passwd.png");
-  expect(fileName("Ōtākaro 2")).toBe("riverseed-Ōtākaro-2.png");
-  expect(fileName("!?")).toBe("riverseed.png");
+  expect(fileName("kauri", "png")).toBe("riverseed-kauri.png");
+  expect(fileName("../../etc/passwd", "svg")).toBe("riverseed-etc-passwd.svg");
+  expect(fileName("Ōtākaro 2", "geojson")).toBe("riverseed-Ōtākaro-2.geojson");
+  expect(fileName("!?", "json")).toBe("riverseed.json");
 });
 
 test("a canvas has the screen's pixels, up to two a CSS pixel and four million in all", () => {

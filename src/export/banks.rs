@@ -1,0 +1,189 @@
+//! Rivers and lakes as shapes: two banks, from the source to the end.
+//!
+//! Where a bend is tighter than the river is wide its inner bank runs backward for a while, as the offset of any curve does.
+//! Both banks together still go round all that a disc as wide as the river sweeps, at least once: filled by the
+//! non-zero rule, that shows no gap and nothing beyond.
+
+use glam::Vec2;
+
+use crate::network::{NONE, Network, Oxbow, River, Vertex, meet};
+
+/// How far beyond its last vertex a river reaches into the sea, in widths.
+const PAST_SHORE: f32 = 0.5;
+
+/// A river's or a lake's outline, in units. Both banks have as many points.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Banks {
+    pub left: Vec<Vec2>,
+    pub right: Vec<Vec2>,
+}
+
+/// How wide rivers are drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Width {
+    /// As wide as they are, and so much on each side so that a brook can be seen.
+    Own { more: f32 },
+    /// All alike: half of that.
+    Even { half: f32 },
+}
+
+/// A place between two banks and half of the way from one to the other.
+type Place = (Vec2, f32);
+
+impl Banks {
+    /// A river's banks. They begin at its source, both at one point; a tributary's end in the middle of the river that it
+    /// joins, those of others past the shore. Empty if it has no vertices.
+    pub fn of_river(network: &Network, river: &River, width: Width) -> Self {
+        let course: Vec<&Vertex> = network.course(river).collect();
+        let mut line = Vec::with_capacity(course.len() + 1);
+        for (i, vertex) in course.iter().enumerate() {
+            // A tributary ends no wider than it came.
+            let banks = if i + 1 == course.len() && river.joins != NONE { course[i.saturating_sub(1)] } else { vertex };
+            push(&mut line, between(vertex.at, banks, tangent(&course, i), width));
+        }
+        if river.joins == NONE
+            && let (Some(&(mouth, half)), Some(last)) = (line.last(), course.last())
+        {
+            let past = last.width() * PAST_SHORE;
+            push(&mut line, (mouth + tangent(&course, course.len() - 1) * past, half));
+        }
+        if let Some((_, half)) = line.first_mut() {
+            *half = 0.0;
+        }
+        Self::along(&line)
+    }
+
+    /// A lake's banks, which meet at both of its ends. Empty if silt has closed it all.
+    pub fn of_lake(oxbow: &Oxbow, width: Width) -> Self {
+        let lake = oxbow.lake();
+        let course: Vec<&Vertex> = lake.iter().map(|(vertex, _)| vertex).collect();
+        let mut line = Vec::with_capacity(course.len());
+        for (i, &(vertex, share)) in lake.iter().enumerate().filter(|(_, (_, share))| *share > 0.0) {
+            let (at, half) = between(vertex.at, &vertex, tangent(&course, i), width);
+            push(&mut line, (at, half * share));
+        }
+        if let [first, .., last] = &mut line[..] {
+            (first.1, last.1) = (0.0, 0.0);
+        }
+        if line.len() > 2 { Self::along(&line) } else { Self::default() }
+    }
+
+    /// The outline as one closed line that does not cross itself, as readers of polygons want it; its first point is its
+    /// last. What of a bank runs backward is left out, and where banks cross for all that, they come nearer to each
+    /// other. `None` if nothing helps.
+    pub fn simple_ring(&self) -> Option<Vec<Vec2>> {
+        [1.0, 0.5, 0.25, 0.1].into_iter().map(|share| self.ring(share)).find(|ring| is_simple(ring))
+    }
+
+    /// Down the right bank and up the left one, so much of the way from the middle: counterclockwise on a map whose
+    /// north is up.
+    fn ring(&self, share: f32) -> Vec<Vec2> {
+        let middle: Vec<Vec2> = self.left.iter().zip(&self.right).map(|(left, right)| (*left + *right) * 0.5).collect();
+        let forward = |bank: &[Vec2]| {
+            let mut kept: Vec<Vec2> = Vec::with_capacity(bank.len() * 2);
+            for (i, (&at, &middle_at)) in bank.iter().zip(&middle).enumerate() {
+                let at = middle_at.lerp(at, share);
+                let is_end = i == 0 || i + 1 == bank.len();
+                let runs_on = |last: Vec2| (at - last).dot(middle[i + 1] - middle[i - 1]) > 0.0;
+                if is_end || kept.last().is_some_and(|&last| runs_on(last)) {
+                    kept.push(at);
+                }
+            }
+            kept
+        };
+        let mut ring = forward(&self.right);
+        ring.extend(forward(&self.left).into_iter().rev().skip(1));
+        ring
+    }
+
+    fn along(line: &[Place]) -> Self {
+        let banks = line.iter().enumerate().map(|(i, &(at, half))| {
+            let aside = aside(line, i) * half;
+            (at - aside, at + aside)
+        });
+        let (left, right) = banks.unzip();
+        Self { left, right }
+    }
+}
+
+/// Whether a closed line has an inside and does not meet itself.
+fn is_simple(ring: &[Vec2]) -> bool {
+    let sides: Vec<(Vec2, Vec2)> = ring.windows(2).map(|side| (side[0], side[1])).collect();
+    let last = sides.len().wrapping_sub(1);
+    let is_apart = |i: usize, j: usize| j == i + 1 || (i == 0 && j == last) || !meet(sides[i], sides[j]);
+    sides.len() > 2 && (0..sides.len()).all(|i| (i + 1..sides.len()).all(|j| is_apart(i, j)))
+}
+
+/// Adds a place, unless it is where the last one is.
+fn push(line: &mut Vec<Place>, place: Place) {
+    if line.last().is_none_or(|last| last.0 != place.0) {
+        line.push(place);
+    }
+}
+
+fn between(at: Vec2, banks: &Vertex, tangent: Vec2, width: Width) -> Place {
+    match width {
+        // `perp` points to the right of someone who looks along the tangent, as y runs down.
+        Width::Own { more } => (at + tangent.perp() * ((banks.right - banks.left) * 0.5), banks.width() * 0.5 + more),
+        Width::Even { half } => (at, half),
+    }
+}
+
+fn tangent(course: &[&Vertex], i: usize) -> Vec2 {
+    (course[(i + 1).min(course.len() - 1)].at - course[i.saturating_sub(1)].at).normalize_or_zero()
+}
+
+/// The way to the right bank at a corner of a line, so long that both sides of the corner keep their distance: a mitre. It is cut
+/// where the line turns by more than 60°, and nothing where it turns straight back.
+fn aside(line: &[Place], i: usize) -> Vec2 {
+    const SHORTEST: f32 = 0.75; // cos² 30°
+    let way = |from: usize, to: usize| (line[to].0 - line[from].0).normalize_or_zero();
+    let (before, after) = (way(i.saturating_sub(1), i), way(i, (i + 1).min(line.len() - 1)));
+    let middle = match (i == 0, i + 1 == line.len()) {
+        (true, _) => after,
+        (_, true) => before,
+        _ => (before + after) * 0.5,
+    };
+    // No `f32::max`, which knows what to do with NaN and is several jumps in wasm.
+    let squared = middle.length_squared();
+    middle.perp() / if squared > SHORTEST { squared } else { SHORTEST }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::network::Network;
+
+    fn river(points: &[(f32, f32)], width: f32) -> (Network, River) {
+        let vertex = |&(x, y): &(f32, f32)| Vertex {
+            at: Vec2::new(x, y),
+            left: width / 2.0,
+            right: width / 2.0,
+            ..Vertex::default()
+        };
+        let river = River { start: 0, end: points.len() as u32, joins: NONE, parent: NONE, order: 1, magnitude: 1 };
+        (Network { vertices: points.iter().map(vertex).collect(), rivers: vec![river], oxbows: vec![] }, river)
+    }
+
+    #[test]
+    fn left_bank_is_north_of_a_river_that_runs_east() {
+        let (network, river) = river(&[(0.0, 0.0), (10.0, 0.0), (20.0, 0.0)], 4.0);
+        let banks = Banks::of_river(&network, &river, Width::Own { more: 0.0 });
+        assert_eq!(banks.left, [(0.0, 0.0), (10.0, -2.0), (20.0, -2.0), (22.0, -2.0)].map(Vec2::from));
+        assert_eq!(banks.right, [(0.0, 0.0), (10.0, 2.0), (20.0, 2.0), (22.0, 2.0)].map(Vec2::from));
+    }
+
+    #[test]
+    fn banks_keep_their_distance_round_a_corner() {
+        let (network, river) = river(&[(0.0, 0.0), (20.0, 0.0), (20.0 + 10.0, 17.3), (40.0, 34.6)], 4.0);
+        let banks = Banks::of_river(&network, &river, Width::Even { half: 2.0 });
+        assert!((banks.left[1].y + 2.0).abs() < 1e-3 && (banks.right[1].y - 2.0).abs() < 1e-3);
+    }
+
+    #[test]
+    fn doubling_back_makes_no_spike() {
+        let (network, river) = river(&[(0.0, 0.0), (20.0, 0.0), (0.0, 0.0), (0.0, 0.0)], 4.0);
+        let banks = Banks::of_river(&network, &river, Width::Even { half: 2.0 });
+        assert!(banks.left.iter().chain(&banks.right).all(|at| at.is_finite() && at.abs().max_element() < 23.0));
+    }
+}

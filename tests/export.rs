@@ -1,0 +1,168 @@
+//! What is exported opens in the readers that others wrote.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
+#![cfg(feature = "cli")]
+
+mod common;
+
+use std::collections::BTreeSet;
+
+use common::random_link;
+use geojson::{FeatureCollection, GeometryValue};
+use proptest::prelude::*;
+use resvg::{tiny_skia, usvg};
+use riverseed::export::{ExportError, geojson as to_geojson, json as to_json, svg};
+use riverseed::recipe::link;
+use riverseed::session::Session;
+
+fn finished(link: &str, width: u32, height: u32) -> Session {
+    let mut session = Session::new(link::read(link).unwrap(), width, height).unwrap();
+    while session.advance(64) {}
+    session
+}
+
+fn collection(session: &Session) -> FeatureCollection {
+    let mut text = Vec::new();
+    to_geojson::write(&mut text, session).unwrap();
+    String::from_utf8(text).unwrap().parse::<geojson::GeoJson>().unwrap().try_into().unwrap()
+}
+
+fn network(session: &Session) -> serde_json::Value {
+    let mut text = Vec::new();
+    to_json::write(&mut text, session, false).unwrap();
+    serde_json::from_slice(&text).unwrap()
+}
+
+/// Checks an SVG: well-formed, ids its own, a path a river, all numbers numbers.
+fn check_svg(session: &Session) {
+    let text = svg::svg(session).unwrap();
+    let document = roxmltree::Document::parse(&text).unwrap();
+    let ids: Vec<&str> = document.descendants().filter_map(|node| node.attribute("id")).collect();
+    assert_eq!(ids.iter().collect::<BTreeSet<_>>().len(), ids.len());
+    let rivers = ids.iter().filter(|id| id.strip_prefix("river-").is_some_and(|id| id.parse::<u32>().is_ok())).count();
+    assert_eq!(rivers, session.network().unwrap().rivers.len());
+    for data in document.descendants().filter_map(|node| node.attribute("d")) {
+        assert!(data.bytes().all(|c| b"Mqtlaz0123456789.- ".contains(&c)), "{data}");
+        // Lines that were cut off by a number that is none would end at 0 0, or at the end of all numbers.
+        assert!(!data.contains("21474836"), "{data}");
+    }
+    let tree = usvg::Tree::from_str(&text, &usvg::Options::default()).unwrap();
+    let size = session.growth().parameters().domain.size;
+    assert!((tree.size().width() - size.x).abs() < 0.01 && (tree.size().height() - size.y).abs() < 0.01);
+}
+
+/// Checks a GeoJSON: rivers hang together, lakes are closed.
+fn check_geojson(session: &Session) {
+    let features = collection(session).features;
+    let id = |feature: &geojson::Feature, key: &str| feature.property(key).and_then(serde_json::Value::as_u64);
+    let line = |feature: &geojson::Feature| match &feature.geometry.as_ref().unwrap().value {
+        GeometryValue::LineString { coordinates } => coordinates.clone(),
+        GeometryValue::Polygon { coordinates } => coordinates[0].clone(),
+        other => panic!("{other:?}"),
+    };
+    let rivers = session.network().unwrap().rivers.len();
+    let lines: Vec<_> = features.iter().map(line).collect();
+    for (number, feature) in features.iter().enumerate() {
+        let line = &lines[number];
+        assert!(line.iter().flat_map(|at| at.as_slice()).all(|x| x.is_finite()));
+        if number >= rivers {
+            assert!(line.len() > 3 && line.first() == line.last());
+            continue;
+        }
+        assert_eq!(id(feature, "id"), Some(number as u64));
+        assert!(line.len() > 1 && line.windows(2).all(|pair| pair[0][2] >= pair[1][2]), "a river rises");
+        match id(feature, "parent") {
+            Some(parent) => {
+                assert!(lines[parent as usize].contains(line.last().unwrap()));
+                assert_eq!(id(feature, "mouth"), id(&features[parent as usize], "mouth"));
+            }
+            None => assert!(id(feature, "mouth") == Some(number as u64) && line.last().unwrap()[2] == 0.0),
+        }
+    }
+}
+
+/// Checks the JSON form: a tributary's last point is one of its parent's.
+fn check_json(session: &Session) {
+    let network = network(session);
+    let rivers = network["rivers"].as_array().unwrap();
+    assert_eq!(rivers.len(), session.network().unwrap().rivers.len());
+    for river in rivers {
+        let points = river["points"].as_array().unwrap();
+        assert!(points.iter().all(|point| point.as_array().unwrap().iter().all(serde_json::Value::is_f64)));
+        if let Some(parent) = river["parent"].as_u64() {
+            assert!(rivers[parent as usize]["points"].as_array().unwrap().contains(points.last().unwrap()));
+        }
+    }
+    assert_eq!(network["oxbows"].as_array().unwrap().len(), session.network().unwrap().oxbows.len());
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(40))]
+
+    #[test]
+    fn any_network_can_be_read(
+        link in random_link(700),
+        model in proptest::sample::select(vec!["bend", "flow", "none"]),
+        rounds in 0u32..120,
+        great in 0u32..9,
+    ) {
+        let session = finished(&format!("{link}&meander={model}&meander-rounds={rounds}&great={great}"), 1, 1);
+        check_svg(&session);
+        check_geojson(&session);
+        check_json(&session);
+    }
+}
+
+#[test]
+fn hostile_seeds_are_text_and_nothing_else() {
+    let seed = r#"<script>alert("&'")</script>]]>-->"#;
+    let query: String = seed.bytes().map(|byte| format!("%{byte:02x}")).collect();
+    let session = finished(&format!("seed={query}&attractors=100"), 1, 1);
+    check_svg(&session);
+    let text = svg::svg(&session).unwrap();
+    let document = roxmltree::Document::parse(&text).unwrap();
+    let text_of = |name| document.descendants().find(|node| node.has_tag_name(name)).unwrap().text().unwrap();
+    let title = ("http://www.w3.org/2000/svg", "title");
+    assert_eq!(text_of(title), seed);
+    assert_eq!(link::read(text_of((title.0, "metadata"))).as_ref(), Ok(session.recipe()));
+    assert!(!text.contains("<script"));
+    let members = collection(&session).foreign_members.unwrap();
+    assert_eq!(link::read(members["riverseed"].as_str().unwrap()).as_ref(), Ok(session.recipe()));
+}
+
+#[test]
+fn map_without_rivers_is_a_file_too() {
+    let shut_off = "land=drawn&rough=0&aspect=1&attractors=100&outline=.MzMzzMMzzMzMMzzM..M1M1zKM1zKzKM1zKM1M1..M4M4zHM4zHzHM4zHM4M4";
+    let session = finished(shut_off, 1, 1);
+    assert_eq!(session.network().unwrap().rivers.len(), 0);
+    check_svg(&session);
+    check_json(&session);
+    assert!(collection(&session).features.is_empty());
+}
+
+#[test]
+fn nothing_is_written_while_the_tree_grows() {
+    let session = Session::new(link::read("attractors=100").unwrap(), 1, 1).unwrap();
+    assert_eq!(svg::svg(&session), Err(ExportError::Unfinished));
+    assert_eq!(to_geojson::collection(&session).err(), Some(ExportError::Unfinished));
+    assert_eq!(to_json::network(&session, false).err(), Some(ExportError::Unfinished));
+}
+
+#[test]
+fn svg_looks_like_the_picture() {
+    const SIDE: u32 = 1000;
+    for link in [
+        "seed=kauri&aspect=1&attractors=2000",
+        "seed=rimu&aspect=1&attractors=2000&land=island&style=map&mouths=9&meander-rounds=200&width=30",
+        "seed=totara&aspect=1&land=valley&growth=brownian&sensitivity=24",
+    ] {
+        let mut session = finished(link, SIDE, SIDE);
+        session.paint();
+        let tree = usvg::Tree::from_str(&svg::svg(&session).unwrap(), &usvg::Options::default()).unwrap();
+        let mut pixmap = tiny_skia::Pixmap::new(SIDE, SIDE).unwrap();
+        resvg::render(&tree, tiny_skia::Transform::identity(), &mut pixmap.as_mut());
+        let differ = |(a, b): (&[u8], &[u8])| a.iter().zip(b).any(|(a, b)| a.abs_diff(*b) > 60);
+        let pixels = pixmap.data().chunks_exact(4).zip(session.pixmap().data().chunks_exact(4));
+        let differing = pixels.filter(|&pair| differ(pair)).count();
+        assert!(differing * 100 < (SIDE * SIDE) as usize, "{link}: {differing} pixels differ");
+    }
+}
