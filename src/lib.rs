@@ -38,6 +38,7 @@ mod memory;
 pub mod network;
 mod order;
 pub mod paint;
+mod plane;
 pub mod prune;
 pub mod random;
 pub mod recipe;

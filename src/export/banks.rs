@@ -7,6 +7,7 @@
 use glam::Vec2;
 
 use crate::network::{NONE, Network, Oxbow, River, Vertex, meet};
+use crate::plane::direction;
 
 /// How far beyond its last vertex a river reaches into the sea, in widths.
 const PAST_SHORE: f32 = 0.5;
@@ -130,14 +131,14 @@ fn between(at: Vec2, banks: &Vertex, tangent: Vec2, width: Width) -> Place {
 }
 
 fn tangent(course: &[&Vertex], i: usize) -> Vec2 {
-    (course[(i + 1).min(course.len() - 1)].at - course[i.saturating_sub(1)].at).normalize_or_zero()
+    direction(course[(i + 1).min(course.len() - 1)].at - course[i.saturating_sub(1)].at)
 }
 
 /// The way to the right bank at a corner of a line, so long that both sides of the corner keep their distance: a mitre. It is cut
 /// where the line turns by more than 60°, and nothing where it turns straight back.
 fn aside(line: &[Place], i: usize) -> Vec2 {
     const SHORTEST: f32 = 0.75; // cos² 30°
-    let way = |from: usize, to: usize| (line[to].0 - line[from].0).normalize_or_zero();
+    let way = |from: usize, to: usize| direction(line[to].0 - line[from].0);
     let (before, after) = (way(i.saturating_sub(1), i), way(i, (i + 1).min(line.len() - 1)));
     let middle = match (i == 0, i + 1 == line.len()) {
         (true, _) => after,

@@ -2,7 +2,7 @@
 
 use glam::Vec2;
 
-use super::plane::{least, most};
+use crate::plane::{least, length, most};
 
 /// The curvature at the middle one of three points on a line: positive where the line turns toward the right-hand side of
 /// a screen whose y runs down, 0 where it is straight or where points coincide.
@@ -11,14 +11,14 @@ use super::plane::{least, most};
 /// told as the sharpest bend that its points can hold, one over half their distance. Units: 1 / length.
 pub fn curvature(a: Vec2, b: Vec2, c: Vec2) -> f32 {
     let (ab, bc, ca) = (b - a, c - b, a - c);
-    let lengths = ab.length() * bc.length() * ca.length();
-    let shorter = least(ab.length(), bc.length());
+    let lengths = length(ab) * length(bc) * length(ca);
+    let shorter = least(length(ab), length(bc));
     if shorter <= 0.0 {
         return 0.0;
     }
     let cross = ab.perp_dot(bc);
     let sharpest = 2.0 / shorter;
-    if ab.dot(bc) < 0.0 && ca.length() <= shorter * 1e-3 {
+    if ab.dot(bc) < 0.0 && length(ca) <= shorter * 1e-3 {
         return if cross < 0.0 { -sharpest } else { sharpest };
     }
     // Not `clamp`, whose panic would print its limits: the tables for that are 7 kB of the page's download.

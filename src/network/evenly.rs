@@ -2,6 +2,7 @@
 
 use super::parameters::Parameters;
 use super::{NONE, Network, Vertex};
+use crate::plane::distance;
 
 /// Puts vertices between those of a network, so that neighbours lie at most one and a half steps apart, and at
 /// least two thirds of one where the course has room. Returns for each vertex where it lies between two old ones: the upper one's
@@ -20,7 +21,7 @@ pub(super) fn divide(network: &Network, parameters: &Parameters) -> (Network, Ve
             origin.push((i as u32, 0.0));
             let Some(next) = network.vertices.get(downstream[i] as usize) else { continue };
             let step = parameters.step(2.0 * parameters.half_width(network.vertices[i].discharge));
-            let pieces = pieces(network.vertices[i].at.distance(next.at), step);
+            let pieces = pieces(distance(network.vertices[i].at, next.at), step);
             for piece in 1..pieces {
                 let share = piece as f32 / pieces as f32;
                 divided.vertices.push(between(&network.vertices[i], next, share));

@@ -10,8 +10,8 @@
 use glam::Vec2;
 
 use super::Network;
-use super::plane::{distance, least, meet, most};
 use crate::domain::Domain;
+use crate::plane::{distance, gap, least, meet, most};
 
 /// Two segments, each known by its upper vertex, and their distance.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -115,7 +115,7 @@ impl Guard {
     /// in either.
     pub fn is_free(&self, network: &Network, downstream: &[u32], (a, b): (u32, u32)) -> bool {
         let line = (network.vertices[a as usize].at, network.vertices[b as usize].at);
-        let radius = line.0.distance(line.1) * 0.5 + self.longest_half;
+        let radius = distance(line.0, line.1) * 0.5 + self.longest_half;
         self.runs((line.0 + line.1) * 0.5, radius).all(|row| {
             self.entries[row].iter().all(|other| {
                 let (j, below) = (other.segment, downstream[other.segment as usize]);
@@ -135,7 +135,7 @@ impl Guard {
                 self.entries[row].iter().any(|entry| {
                     let upper = &vertices[entry.segment as usize];
                     let lower = &vertices[downstream[entry.segment as usize] as usize];
-                    let apart = distance((lake.at, lake.at), (upper.at, lower.at));
+                    let apart = gap((lake.at, lake.at), (upper.at, lower.at));
                     apart < (lake.width() + upper.width()) * 0.5 + buffer
                 })
             });
@@ -153,7 +153,7 @@ impl Guard {
         let mut placed: Vec<(u32, Entry)> = Vec::with_capacity(downstream.len());
         for (segment, ((vertex, &below), &reach)) in (0..).zip(network.vertices.iter().zip(downstream).zip(reach)) {
             let Some(next) = network.vertices.get(below as usize) else { continue };
-            let half = vertex.at.distance(next.at) * 0.5;
+            let half = distance(vertex.at, next.at) * 0.5;
             self.longest_half = most(self.longest_half, half);
             self.stretch = most(self.stretch, half / self.expected(reach));
             let middle = (vertex.at + next.at) * 0.5;
@@ -208,7 +208,7 @@ impl Survey<'_> {
             return;
         }
         let at = |i: usize| self.network.vertices[i].at;
-        let distance = distance((at(i), at(below_i as usize)), (at(j), at(below_j as usize)));
+        let distance = gap((at(i), at(below_i as usize)), (at(j), at(below_j as usize)));
         clearance[i] = least(clearance[i], distance);
         clearance[j] = least(clearance[j], distance);
         if !are_neighbours && distance < own.reach {

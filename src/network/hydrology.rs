@@ -4,6 +4,7 @@
 //! slopes summed from the mouth up are elevations that always fall toward the sea.
 
 use super::{NONE, Network};
+use crate::plane::distance;
 
 /// The slope at the mouth of a river that drains everything: that of lower rivers, a few units in ten thousand.
 const LEAST_SLOPE: f32 = 3e-4;
@@ -31,7 +32,7 @@ pub fn elevations(network: &Network, everything: u32) -> Vec<f32> {
             elevations[i as usize] = match network.vertices.get(downstream[i as usize] as usize) {
                 None => 0.0,
                 Some(next) => {
-                    let fall = slope(vertex.discharge as f32 / everything as f32) * vertex.at.distance(next.at);
+                    let fall = slope(vertex.discharge as f32 / everything as f32) * distance(vertex.at, next.at);
                     // However short the way, a river falls.
                     let below = elevations[downstream[i as usize] as usize];
                     (below + fall).max(below.next_up())

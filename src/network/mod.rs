@@ -19,22 +19,23 @@ mod guard;
 pub mod hydrology;
 pub mod meander;
 mod parameters;
-mod plane;
 mod ranking;
 mod smooth;
 mod uncross;
 mod width;
 
+pub use crate::plane::{gap, meet};
 pub use courses::Courses;
 pub use curvature::curvature;
 pub use guard::{Guard, Near};
 pub use meander::Meander;
 pub use parameters::{Model, Parameters};
-pub use plane::{distance, meet};
 
 use std::ops::Range;
 
 use glam::Vec2;
+
+use crate::plane::distance;
 
 /// No vertex, no river.
 pub const NONE: u32 = u32::MAX;
@@ -112,7 +113,7 @@ impl Oxbow {
         let along: Vec<f32> = lake
             .iter()
             .map(|vertex| {
-                length += previous.replace(vertex.at).map_or(0.0, |at: Vec2| at.distance(vertex.at));
+                length += previous.replace(vertex.at).map_or(0.0, |at: Vec2| distance(at, vertex.at));
                 length
             })
             .collect();
@@ -169,14 +170,14 @@ impl Network {
     /// The length of a river, in units.
     pub fn length(&self, river: &River) -> f32 {
         let course = self.course(river);
-        course.clone().zip(course.skip(1)).map(|(a, b)| a.at.distance(b.at)).sum()
+        course.clone().zip(course.skip(1)).map(|(a, b)| distance(a.at, b.at)).sum()
     }
 
     /// The length of a river over the straight line from its source to its end; 1 if it ends where it begins.
     pub fn sinuosity(&self, river: &River) -> f32 {
         let ends = (self.course(river).next(), self.course(river).next_back());
         match ends {
-            (Some(source), Some(end)) if source.at != end.at => self.length(river) / source.at.distance(end.at),
+            (Some(source), Some(end)) if source.at != end.at => self.length(river) / distance(source.at, end.at),
             _ => 1.0,
         }
     }

@@ -4,11 +4,11 @@ use std::sync::Arc;
 
 use fastnoise_lite::{FastNoiseLite, FractalType, NoiseType};
 
-use super::plane::most;
 use super::width::HAIRLINE;
 use crate::domain::Domain;
 use crate::grow::{Growth, Procedure};
 use crate::land::Land;
+use crate::plane::most;
 use crate::random::{Purpose, Seed};
 use crate::recipe::{Key, Recipe};
 

@@ -7,9 +7,9 @@
 
 use glam::Vec2;
 
-use super::plane::is_in_triangle;
 use super::{NONE, Network};
 use crate::land::Land;
+use crate::plane::is_in_triangle;
 use crate::simplify::Lines;
 
 /// The vertices that can go, in the order in which they do.

@@ -8,9 +8,9 @@ use glam::Vec2;
 
 use super::guard::Guard;
 use super::parameters::Parameters;
-use super::plane::{least, most};
 use super::{NONE, Network};
 use crate::land::Land;
+use crate::plane::{distance, least, most};
 
 /// How often vertices are moved toward the smooth line: most are there after two or three.
 const ROUNDS: u32 = 6;
@@ -27,7 +27,7 @@ pub(super) fn smooth(network: &mut Network, coarse: &Network, origin: &[(u32, f3
     let mut guard = Guard::new(&parameters.domain, spacing);
     for (target, vertex) in targets.iter_mut().zip(&network.vertices) {
         let step = parameters.step(2.0 * parameters.half_width(vertex.discharge));
-        if !has_room(land, vertex.at, vertex.at.distance(*target) + 2.0 * step) {
+        if !has_room(land, vertex.at, distance(vertex.at, *target) + 2.0 * step) {
             *target = vertex.at;
         }
     }
@@ -72,7 +72,7 @@ pub(super) fn has_room(land: Option<&Land>, at: Vec2, distance: f32) -> bool {
 }
 
 fn toward(at: Vec2, target: Vec2, limit: f32) -> Vec2 {
-    let (way, far) = (target - at, at.distance(target));
+    let (way, far) = (target - at, distance(at, target));
     if far <= limit { target } else { at + way * (limit / far) }
 }
 

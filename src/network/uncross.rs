@@ -8,7 +8,7 @@
 use glam::Vec2;
 
 use super::NONE;
-use super::plane::{Segment, meet, meeting};
+use crate::plane::{Segment, distance, meet, meeting};
 use crate::tree::{NO_PARENT, Tree};
 
 /// A tree whose steps meet only at its nodes. The nodes stand in another order than before, parents first as ever.
@@ -45,7 +45,7 @@ struct Planar {
 
 impl Planar {
     fn new(tree: &Tree) -> Self {
-        let steps = (0..tree.len()).filter_map(|node| Some(tree.at[node].distance(tree.at[tree.parent_of(node)?])));
+        let steps = (0..tree.len()).filter_map(|node| Some(distance(tree.at[node], tree.at[tree.parent_of(node)?])));
         let (total, count) = steps.fold((0.0, 0), |(total, count), step| (total + step, count + 1));
         let mean: f32 = total / count.max(1) as f32;
         let corner = tree.at.iter().copied().fold(Vec2::INFINITY, Vec2::min);
@@ -89,11 +89,11 @@ impl Planar {
         let crossing = at.lerp(self.at[from as usize], share);
         let (upper, lower) = (step, self.parent[step as usize]);
         let ends = [upper, lower];
-        if let Some(&end) = ends.iter().find(|&&end| self.at[end as usize].distance(crossing) <= self.tiny) {
+        if let Some(&end) = ends.iter().find(|&&end| distance(self.at[end as usize], crossing) <= self.tiny) {
             return self.is_free((at, self.at[end as usize]), &[end]).then(|| self.push(at, end, drained));
         }
         let halves = [(self.at[upper as usize], crossing), (crossing, self.at[lower as usize])];
-        let is_clean = at.distance(crossing) > self.tiny
+        let is_clean = distance(at, crossing) > self.tiny
             && self.is_free((at, crossing), &ends)
             && halves.iter().all(|&half| self.is_free(half, &ends));
         is_clean.then(|| {

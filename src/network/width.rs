@@ -7,8 +7,8 @@
 use fastnoise_lite::FastNoiseLite;
 
 use super::parameters::Parameters;
-use super::plane::{least, most};
 use super::{NONE, Network};
+use crate::plane::{distance, least, most};
 
 /// The least width of a stream, in units: thin, but not too thin to be seen.
 pub const HAIRLINE: f32 = 0.6;
@@ -71,7 +71,7 @@ fn widen_river(
     let mut previous = None;
     for i in river.own() {
         let vertex = &mut network.vertices[i];
-        along += previous.map_or(0.0, |at| vertex.at.distance(at));
+        along += previous.map_or(0.0, |at| distance(vertex.at, at));
         previous = Some(vertex.at);
         let taper = least(along / (parameters.spacing * TAPER), 1.0).sqrt();
         let half = parameters.half_width(vertex.discharge) * taper;

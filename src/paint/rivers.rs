@@ -10,6 +10,7 @@ use super::strokes::{Vertex, middle, parabola};
 use super::view::View;
 use super::{Style, skeleton};
 use crate::network::{self, NONE, Network, Oxbow, River};
+use crate::plane::direction;
 
 /// What is added to each bank, in pixels, so that a brook can be seen.
 const VISIBLE_PX: f32 = 0.2;
@@ -79,7 +80,7 @@ impl Pen<'_> {
 }
 
 fn tangent(course: &[&network::Vertex], i: usize) -> Vec2 {
-    (course[(i + 1).min(course.len() - 1)].at - course[i.saturating_sub(1)].at).normalize_or_zero()
+    direction(course[(i + 1).min(course.len() - 1)].at - course[i.saturating_sub(1)].at)
 }
 
 /// Draws a line as a chain of parabolas round its vertices.

@@ -1,6 +1,6 @@
 //! The guard's survey, pair by pair: every segment against every other.
 
-use riverseed::network::{NONE, Near, Network, distance};
+use riverseed::network::{NONE, Near, Network, gap};
 
 /// What [`riverseed::network::Guard::survey`] says: the clearance of each segment, and the pairs near each other, in order.
 pub fn survey(network: &Network, reach: &[f32], caps: Vec<f32>) -> (Vec<f32>, Vec<Near>) {
@@ -15,7 +15,7 @@ pub fn survey(network: &Network, reach: &[f32], caps: Vec<f32>) -> (Vec<f32>, Ve
             if below_i == j || below_j == i || below_i == below_j {
                 continue;
             }
-            let distance = distance((at(i), at(below_i)), (at(j), at(below_j)));
+            let distance = gap((at(i), at(below_i)), (at(j), at(below_j)));
             if reach[i].max(reach[j]) > 0.0 {
                 clearance[i] = clearance[i].min(distance);
                 clearance[j] = clearance[j].min(distance);

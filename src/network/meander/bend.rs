@@ -9,8 +9,8 @@ use glam::Vec2;
 
 use super::super::curvature::curvature;
 use super::super::parameters::Parameters;
-use super::super::plane::most;
 use super::super::{Network, River};
+use crate::plane::{direction, distance, most};
 
 /// A bend tighter than this pulls no more: curvature times width, a radius of two widths.
 const SHARPEST: f32 = 0.5;
@@ -69,7 +69,7 @@ impl Course {
         let count = self.at.len();
         self.step.clear();
         self.step.push(0.0);
-        self.step.extend(self.at.windows(2).map(|pair| pair[0].distance(pair[1])));
+        self.step.extend(self.at.windows(2).map(|pair| distance(pair[0], pair[1])));
         self.bend.clear();
         self.kink.clear();
         for i in 0..count {
@@ -84,7 +84,7 @@ impl Course {
 
     /// The unit vector downstream.
     pub fn tangent(&self, i: usize) -> Vec2 {
-        (self.at[(i + 1).min(self.at.len() - 1)] - self.at[i.saturating_sub(1)]).normalize_or_zero()
+        direction(self.at[(i + 1).min(self.at.len() - 1)] - self.at[i.saturating_sub(1)])
     }
 
     /// The way that takes a kink out of a line.

@@ -5,10 +5,10 @@
 
 use super::super::guard::Near;
 use super::super::parameters::Parameters;
-use super::super::plane::most;
 use super::super::width::settle;
 use super::super::{NONE, Network, Oxbow, River, Vertex};
 use super::{NARROWEST, river_of};
+use crate::plane::most;
 
 /// A neck: the vertices above and below the loop.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -16,11 +16,11 @@ use super::courses::Courses;
 use super::evenly::divide;
 use super::guard::{Guard, Near};
 use super::parameters::{Model, Parameters};
-use super::plane::most;
 use super::ranking::simplified;
 use super::smooth::{has_room, limits, smooth};
 use super::width::widen;
 use super::{NONE, Network};
+use crate::plane::{length, most};
 
 /// Clearances are measured up to this share of a step. Vertices move by less than a third of it in a round.
 const CAP: f32 = 0.75;
@@ -217,7 +217,7 @@ impl Meander {
             if way == Vec2::ZERO {
                 continue;
             }
-            let far = way.length();
+            let far = length(way);
             let to = vertex.at + way * (limit / most(far, limit));
             // A segment may be one and a half spacings long, and both of its ends may move.
             let step = self.parameters.step(vertex.width());

@@ -5,9 +5,9 @@
 
 use super::super::evenly::{between, pieces};
 use super::super::parameters::Parameters;
-use super::super::plane::height;
 use super::super::smooth::room;
 use super::super::{NONE, Network, Vertex};
+use crate::plane::{distance, height};
 
 /// With [`super::super::smooth::SHARE_OF_CLEARANCE`] it makes less than a half.
 const SHARE_OF_CLEARANCE: f32 = 0.15;
@@ -32,7 +32,7 @@ pub(super) fn respace(network: &mut Network, clearance: &[f32], pace: &[f32], pa
                 && !is_junction[i]
                 // Of what stays the clearance is not known.
                 && pace[i] > 0.0
-                && old[i].at.distance(old[i - 1].at) < 0.5 * parameters.step(old[i].width())
+                && distance(old[i].at, old[i - 1].at) < 0.5 * parameters.step(old[i].width())
                 && height(old[i].at, old[i - 1].at, old[below as usize].at)
                     <= SHARE_OF_CLEARANCE * room(clearance[i].min(clearance[i - 1]));
             if goes {
@@ -60,7 +60,7 @@ pub(super) fn respace(network: &mut Network, clearance: &[f32], pace: &[f32], pa
 
 /// Puts vertices between two if they are too far apart.
 fn divide(vertices: &mut Vec<Vertex>, upper: &Vertex, lower: &Vertex, parameters: &Parameters) {
-    let far = upper.at.distance(lower.at);
+    let far = distance(upper.at, lower.at);
     let step = parameters.step(upper.width());
     if far <= 1.5 * step {
         return;

@@ -6,9 +6,9 @@
 
 use super::super::hydrology::slope;
 use super::super::parameters::{Model, Parameters};
-use super::super::plane::{least, most, smooth_step};
 use super::super::{NONE, Network, Vertex};
 use crate::order;
+use crate::plane::{distance, least, most, smooth_step};
 
 /// No meandering within so many widths of what holds a river.
 const HELD: f32 = 1.0;
@@ -59,7 +59,7 @@ pub(super) fn give(network: &mut Network, parameters: &Parameters) {
 pub(super) fn ease_off(network: &mut Network, spacing: f32) {
     const WIDTHS: f32 = 5.0;
     let ease = |vertex: &mut Vertex, beside: &mut Vertex| {
-        let rise = beside.at.distance(vertex.at) / (WIDTHS * most(vertex.width(), spacing));
+        let rise = distance(beside.at, vertex.at) / (WIDTHS * most(vertex.width(), spacing));
         vertex.sway = least(vertex.sway, beside.sway + rise);
     };
     for river in &network.rivers {
@@ -116,7 +116,7 @@ fn distances(network: &Network, river: usize) -> Vec<f32> {
     network
         .course(&network.rivers[river])
         .map(|vertex| {
-            along += previous.replace(vertex.at).map_or(0.0, |at: glam::Vec2| at.distance(vertex.at));
+            along += previous.replace(vertex.at).map_or(0.0, |at: glam::Vec2| distance(at, vertex.at));
             along
         })
         .collect()

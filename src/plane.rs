@@ -1,9 +1,12 @@
 //! Points, segments and triangles of the plane.
+//!
+//! Lengths are taken here and not by glam, which without its `std` feature computes a square root bit by bit, where every
+//! processor has an instruction for it.
 
 use glam::{DVec2, Vec2};
 
 /// A straight piece of a line.
-pub(super) type Segment = (Vec2, Vec2);
+pub(crate) type Segment = (Vec2, Vec2);
 
 /// Twice the signed area of a triangle; exact but for the last rounding, so that its sign can be trusted.
 fn doubled_area(a: Vec2, b: Vec2, c: Vec2) -> f64 {
@@ -22,14 +25,33 @@ pub fn meet((a, b): (Vec2, Vec2), (c, d): (Vec2, Vec2)) -> bool {
 }
 
 /// How far along the first segment, from 0 to 1, the line of the second one meets it; 0 if they are parallel.
-pub(super) fn meeting((a, b): Segment, (c, d): Segment) -> f32 {
+pub(crate) fn meeting((a, b): Segment, (c, d): Segment) -> f32 {
     let (from, to) = (doubled_area(c, d, a), doubled_area(c, d, b));
     if from == to { 0.0 } else { (from / (from - to)).clamp(0.0, 1.0) as f32 }
 }
 
+/// The length of a vector.
+#[inline]
+pub(crate) fn length(vector: Vec2) -> f32 {
+    vector.length_squared().sqrt()
+}
+
+/// The distance between two points.
+#[inline]
+pub(crate) fn distance(a: Vec2, b: Vec2) -> f32 {
+    a.distance_squared(b).sqrt()
+}
+
+/// A vector's direction, as a unit vector; of a vector too short to have one, zero.
+#[inline]
+pub(crate) fn direction(vector: Vec2) -> Vec2 {
+    let length = length(vector);
+    if length > 1e-12 { vector / length } else { Vec2::ZERO }
+}
+
 /// The distance between two segments that do not cross.
 #[inline]
-pub fn distance((a, b): (Vec2, Vec2), (c, d): (Vec2, Vec2)) -> f32 {
+pub fn gap((a, b): (Vec2, Vec2), (c, d): (Vec2, Vec2)) -> f32 {
     let to_second = least(squared_distance(a, c, d), squared_distance(b, c, d));
     let to_first = least(squared_distance(c, a, b), squared_distance(d, a, b));
     least(to_second, to_first).sqrt()
@@ -54,29 +76,29 @@ fn squared_distance(point: Vec2, a: Vec2, b: Vec2) -> f32 {
 
 /// `f32::min` is several jumps in wasm.
 #[inline]
-pub(super) fn least(a: f32, b: f32) -> f32 {
+pub(crate) fn least(a: f32, b: f32) -> f32 {
     if a < b { a } else { b }
 }
 
 /// The greater one, likewise.
 #[inline]
-pub(super) fn most(a: f32, b: f32) -> f32 {
+pub(crate) fn most(a: f32, b: f32) -> f32 {
     if a > b { a } else { b }
 }
 
 /// Whether a point lies in a triangle, its border included.
-pub(super) fn is_in_triangle(point: Vec2, a: Vec2, b: Vec2, c: Vec2) -> bool {
+pub(crate) fn is_in_triangle(point: Vec2, a: Vec2, b: Vec2, c: Vec2) -> bool {
     let (ab, bc, ca) = (doubled_area(a, b, point), doubled_area(b, c, point), doubled_area(c, a, point));
     (ab >= 0.0 && bc >= 0.0 && ca >= 0.0) || (ab <= 0.0 && bc <= 0.0 && ca <= 0.0)
 }
 
 /// How far a point lies from the line through two others; from the first if they are one.
-pub(super) fn height(point: Vec2, a: Vec2, b: Vec2) -> f32 {
+pub(crate) fn height(point: Vec2, a: Vec2, b: Vec2) -> f32 {
     squared_distance(point, a, b).sqrt()
 }
 
 /// From 0 to 1 as x goes from 0 to 1, level at both ends.
-pub(super) fn smooth_step(x: f32) -> f32 {
+pub(crate) fn smooth_step(x: f32) -> f32 {
     let x = x.clamp(0.0, 1.0);
     x * x * (3.0 - 2.0 * x)
 }
@@ -103,13 +125,13 @@ mod tests {
 
     proptest! {
         #[test]
-        fn distance_is_that_of_the_nearest_of_many_points(a in point(), b in point(), c in point(), d in point()) {
+        fn gap_is_that_of_the_nearest_of_many_points(a in point(), b in point(), c in point(), d in point()) {
             let along = |a: Vec2, b: Vec2| (0..=200).map(move |i| a.lerp(b, i as f32 / 200.0));
             let sampled = along(a, b).map(|p| along(c, d).map(|q| p.distance(q)).fold(f32::MAX, f32::min)).fold(f32::MAX, f32::min);
             if meet((a, b), (c, d)) {
                 prop_assert!(sampled < 0.06);
             } else {
-                prop_assert!((distance((a, b), (c, d)) - sampled).abs() < 0.06);
+                prop_assert!((gap((a, b), (c, d)) - sampled).abs() < 0.06);
             }
         }
 
