@@ -7,7 +7,7 @@
 use glam::Vec2;
 
 use super::banks::{Banks, Width};
-use super::value::Value;
+use super::value::{Members, Value};
 use super::{ExportError, rivers};
 use crate::domain::Domain;
 use crate::network::{NONE, Network, hydrology};
@@ -24,22 +24,24 @@ pub fn collection(session: &Session) -> Result<Value<'_>, ExportError> {
     let parameters = session.network_parameters();
     let elevations = hydrology::elevations(network, parameters.everything);
     let features = Features { network, domain: parameters.domain, elevations };
-    let lakes: Vec<(u32, Vec<Vec2>)> = (0..)
-        .zip(&network.oxbows)
-        .filter_map(|(id, oxbow)| Some((id, Banks::of_lake(oxbow, Width::Own { more: 0.0 }).simple_ring()?)))
-        .collect();
+    let mut lakes = Vec::new();
+    for (id, oxbow) in (0..).zip(&network.oxbows) {
+        if let Some(ring) = Banks::of_lake(oxbow, Width::Own { more: 0.0 }).simple_ring() {
+            lakes.push((id, ring));
+        }
+    }
     let count = network.rivers.len();
     let all = count + lakes.len();
     let feature = move |i: usize| match lakes.get(i.wrapping_sub(count)) {
         Some((id, ring)) => features.lake(*id, ring),
         None => features.river(i as u32),
     };
-    Ok(Value::Object(vec![
-        ("type", Value::Text("FeatureCollection")),
-        // The link of the recipe.
-        ("riverseed", Value::Owned(link::write(session.recipe()))),
-        ("features", Value::list(all, feature)),
-    ]))
+    let mut collection = Members::default();
+    collection
+        .text("type", "FeatureCollection")
+        .owned("riverseed", link::write(session.recipe()))
+        .value("features", Value::list(all, feature));
+    Ok(collection.into())
 }
 
 /// Writes the rivers of a session.
@@ -66,34 +68,26 @@ impl<'a> Features<'a> {
         if let [only] = line[..] {
             line.push(only); // A line has two positions at least.
         }
-        let line = Value::list(line.len(), move |i| Value::doubles(line[i].to_vec()));
-        let properties = vec![
-            ("kind", Value::Text("river")),
-            ("id", Value::whole(id)),
-            ("parent", Value::unless(river.parent, NONE)),
-            ("mouth", Value::whole(self.mouth(id))),
-            ("order", Value::whole(river.order.into())),
-            ("magnitude", Value::whole(river.magnitude)),
-            ("discharge", Value::whole(network.discharge(river))),
-            ("length", Value::Double(rounded(network.length(river), 100.0, 100.0))),
-            ("sinuosity", Value::Double(rounded(network.sinuosity(river), 1000.0, 1000.0))),
-        ];
-        feature(format!("river-{id}"), "LineString", line, properties)
+        let mut properties = Members::default();
+        properties
+            .text("kind", "river")
+            .whole("id", id)
+            .unless("parent", river.parent, NONE)
+            .whole("mouth", self.mouth(id))
+            .whole("order", river.order.into())
+            .whole("magnitude", river.magnitude)
+            .whole("discharge", network.discharge(river))
+            .double("length", rounded(network.length(river), 100.0, 100.0))
+            .double("sinuosity", rounded(network.sinuosity(river), 1000.0, 1000.0));
+        feature(format!("river-{id}"), "LineString", positions(line), properties)
     }
 
     fn lake(&self, id: u32, ring: &[Vec2]) -> Value<'a> {
         let oxbow = &self.network.oxbows[id as usize];
         let ring: Vec<[f64; 2]> = ring.iter().map(|&at| self.degrees(at)).collect();
-        let properties = vec![
-            ("kind", Value::Text("oxbow")),
-            ("id", Value::whole(id)),
-            ("river", Value::whole(oxbow.river)),
-            ("born", Value::whole(oxbow.born)),
-        ];
-        let rings = Value::list(1, move |_| {
-            let ring = ring.clone();
-            Value::list(ring.len(), move |i| Value::doubles(ring[i].to_vec()))
-        });
+        let mut properties = Members::default();
+        properties.text("kind", "oxbow").whole("id", id).whole("river", oxbow.river).whole("born", oxbow.born);
+        let rings = Value::list(1, move |_| positions(ring.clone()));
         feature(format!("oxbow-{id}"), "Polygon", rings, properties)
     }
 
@@ -118,19 +112,17 @@ impl<'a> Features<'a> {
     }
 }
 
-fn feature<'a>(
-    id: String,
-    kind: &'static str,
-    coordinates: Value<'a>,
-    properties: Vec<(&'static str, Value<'a>)>,
-) -> Value<'a> {
-    let geometry = vec![("type", Value::Text(kind)), ("coordinates", coordinates)];
-    Value::Object(vec![
-        ("type", Value::Text("Feature")),
-        ("id", Value::Owned(id)),
-        ("geometry", Value::Object(geometry)),
-        ("properties", Value::Object(properties)),
-    ])
+fn positions<'a, const N: usize>(line: Vec<[f64; N]>) -> Value<'a> {
+    Value::list(line.len(), move |i| Value::doubles(line[i].to_vec()))
+}
+
+#[inline(never)]
+fn feature<'a>(id: String, kind: &'static str, coordinates: Value<'a>, properties: Members<'a>) -> Value<'a> {
+    let mut geometry = Members::default();
+    geometry.text("type", kind).value("coordinates", coordinates);
+    let mut feature = Members::default();
+    feature.text("type", "Feature").owned("id", id).object("geometry", geometry).object("properties", properties);
+    feature.into()
 }
 
 /// A number to so many parts, written in a unit that has so many of them.

@@ -2,7 +2,7 @@
 
 use glam::Vec2;
 
-use super::value::Value;
+use super::value::{Members, Value};
 use super::{ExportError, rivers};
 use crate::grow::{Ending, Procedure, scatter};
 use crate::network::{NONE, Network, Vertex};
@@ -10,9 +10,7 @@ use crate::prune::Pruned;
 use crate::recipe::table::TABLE;
 use crate::recipe::{self, Key, Recipe};
 use crate::session::Session;
-
-/// Names and values.
-type Members<'a> = Vec<(&'static str, Value<'a>)>;
+use crate::tree::NO_PARENT;
 
 /// The network of a session as it is, ready to be written, with its attractors if asked for.
 ///
@@ -23,24 +21,24 @@ pub fn network(session: &Session, with_attractors: bool) -> Result<Value<'_>, Ex
     const BYTES_A_VERTEX: usize = 64;
     let network = rivers(session, BYTES_A_VERTEX)?;
     let parameters = session.growth().parameters();
-    let [width, height] = parameters.domain.size.to_array().map(Value::Single);
-    let mut form = vec![
-        ("recipe", recipe(session.recipe())),
-        ("resolved", Value::Object(resolved(session))),
-        ("domain", Value::Object(vec![("width", width), ("height", height)])),
-        ("growth", Value::Object(growth(session))),
-        ("nodes", Value::Object(nodes(session.pruned()))),
-        ("rivers", Value::list(network.rivers.len(), |i| river(network, i))),
-        ("oxbows", Value::list(network.oxbows.len(), |i| oxbow(network, i))),
-    ];
+    let mut domain = Members::default();
+    domain.single("width", parameters.domain.size.x).single("height", parameters.domain.size.y);
+    let mut form = Members::default();
+    form.value("recipe", recipe(session.recipe()))
+        .object("resolved", resolved(session))
+        .object("domain", domain)
+        .object("growth", growth(session))
+        .object("nodes", nodes(session.pruned()))
+        .value("rivers", Value::list(network.rivers.len(), |i| river(network, i as u32)))
+        .value("oxbows", Value::list(network.oxbows.len(), |i| oxbow(network, i as u32)));
     if with_attractors {
         let attractors = match parameters.procedure {
             Procedure::Colonize => scatter(parameters),
             Procedure::Brownian => Vec::new(),
         };
-        form.push(("attractors", Value::Object(columns(&attractors))));
+        form.object("attractors", columns(&attractors));
     }
-    Ok(Value::Object(form))
+    Ok(form.into())
 }
 
 /// Writes the network of a session, with its attractors if asked for.
@@ -56,106 +54,119 @@ pub fn write(out: impl std::io::Write, session: &Session, with_attractors: bool)
 /// All values of a recipe, defaults too: such a recipe stays readable when a default is chosen anew. Numbers are numbers,
 /// everything else is text.
 pub fn recipe<'a>(recipe: &Recipe) -> Value<'a> {
-    let member = |parameter: &recipe::Parameter| {
-        let value = match recipe.value(parameter.key) {
-            recipe::Value::Integer(number) => Value::whole(*number),
-            recipe::Value::Number(number) => Value::Double(number.to_f64()),
-            other => Value::Owned(parameter.text_of(other)),
+    let mut members = Members::default();
+    for parameter in &TABLE {
+        match recipe.value(parameter.key) {
+            recipe::Value::Integer(number) => members.whole(parameter.name, *number),
+            recipe::Value::Number(number) => members.double(parameter.name, number.to_f64()),
+            other => members.owned(parameter.name, parameter.text_of(other)),
         };
-        (parameter.name, value)
-    };
-    Value::Object(TABLE.iter().map(member).collect())
+    }
+    members.into()
 }
 
 /// The values used, lengths in domain units.
 fn resolved<'a>(session: &Session) -> Members<'a> {
     let grown = session.growth().parameters();
     let shaped = session.network_parameters();
-    let numbers = [
-        ("spacing", grown.spacing),
-        ("reach", grown.reach),
-        ("kill", grown.kill),
-        ("step", grown.step),
-        ("momentum", grown.momentum),
-        ("curl", grown.curl),
-        ("sensitivity", grown.sensitivity),
-        ("width", shaped.full_width),
-        ("vertex-spacing", shaped.spacing),
-        ("simplify", shaped.simplify),
-        ("vary", shaped.vary),
-        ("meander-strength", shaped.strength),
-        ("meander-mix", shaped.mix),
-        ("gentle", shaped.gentle),
-        ("flat", shaped.flat),
-        ("neck", shaped.neck),
-        ("buffer", shaped.buffer),
-        ("taper", shaped.taper),
-    ];
-    let wholes = [
-        ("stretch", grown.stretch),
-        ("trim", session.recipe().integer(Key::Trim)),
-        ("everything", shaped.everything),
-        ("meander-rounds", shaped.rounds),
-        ("great", shaped.great),
-    ];
-    let meander = Key::Meander.parameter().text_of(session.recipe().value(Key::Meander));
-    let numbers = numbers.into_iter().map(|(name, number)| (name, Value::Single(number)));
-    let wholes = wholes.into_iter().map(|(name, number)| (name, Value::whole(number)));
-    numbers.chain(wholes).chain([("meander", Value::Owned(meander))]).collect()
+    let mut members = Members::default();
+    members
+        .single("spacing", grown.spacing)
+        .single("reach", grown.reach)
+        .single("kill", grown.kill)
+        .single("step", grown.step)
+        .single("momentum", grown.momentum)
+        .single("curl", grown.curl)
+        .whole("stretch", grown.stretch)
+        .single("sensitivity", grown.sensitivity)
+        .whole("trim", session.recipe().integer(Key::Trim))
+        .single("width", shaped.full_width)
+        .whole("everything", shaped.everything)
+        .single("vertex-spacing", shaped.spacing)
+        .single("simplify", shaped.simplify)
+        .single("vary", shaped.vary)
+        .owned("meander", Key::Meander.parameter().text_of(session.recipe().value(Key::Meander)))
+        .whole("meander-rounds", shaped.rounds)
+        .single("meander-strength", shaped.strength)
+        .single("meander-mix", shaped.mix)
+        .single("gentle", shaped.gentle)
+        .whole("great", shaped.great)
+        .single("flat", shaped.flat)
+        .single("neck", shaped.neck)
+        .single("buffer", shaped.buffer)
+        .single("taper", shaped.taper);
+    members
 }
 
 fn growth<'a>(session: &Session) -> Members<'a> {
     let summary = session.summary();
-    vec![
-        ("ticks", Value::whole(summary.ticks)),
-        ("attractors", Value::whole(summary.attractors)),
-        ("unreached", Value::whole(summary.unreached)),
-        ("complete", Value::Truth(summary.ending == Some(Ending::Complete))),
-    ]
+    let mut members = Members::default();
+    members
+        .whole("ticks", summary.ticks)
+        .whole("attractors", summary.attractors)
+        .whole("unreached", summary.unreached)
+        .value("complete", Value::Truth(summary.ending == Some(Ending::Complete)));
+    members
 }
 
 fn columns<'a>(points: &[Vec2]) -> Members<'a> {
-    let column = |axis: usize| Value::singles(points.iter().map(|point| point[axis]).collect());
-    vec![("x", column(0)), ("y", column(1))]
+    let mut members = Members::default();
+    members
+        .value("x", Value::singles(points.iter().map(|point| point.x).collect()))
+        .value("y", Value::singles(points.iter().map(|point| point.y).collect()));
+    members
 }
 
 fn nodes<'a>(Pruned { tree, hydrology, .. }: Pruned) -> Members<'a> {
-    let mut nodes = columns(&tree.at);
-    let tick = tree.ticks().collect();
-    let parent = move |node: usize| Value::Whole(tree.parent_of(node).map_or(-1, |parent| parent as i64));
-    nodes.extend([
-        ("parent", Value::list(hydrology.depth.len(), parent)),
-        ("tick", Value::wholes(tick)),
-        ("depth", Value::wholes(hydrology.depth)),
-        ("order", Value::wholes(hydrology.order.into_iter().map(u32::from).collect())),
-        ("magnitude", Value::wholes(hydrology.magnitude)),
-        ("discharge", Value::wholes(hydrology.discharge)),
-    ]);
-    nodes
+    let mut members = columns(&tree.at);
+    let count = tree.len();
+    let parent = tree.parent;
+    let starts = tree.tick_starts;
+    members
+        .value(
+            "parent",
+            Value::list(count, move |node| {
+                Value::Whole(if parent[node] == NO_PARENT { -1 } else { parent[node].into() })
+            }),
+        )
+        // The last tick that starts with the node or before it.
+        .value(
+            "tick",
+            Value::list(count, move |node| {
+                Value::Whole(starts.partition_point(|&start| start as usize <= node) as i64 - 1)
+            }),
+        )
+        .value("depth", Value::wholes(hydrology.depth))
+        .value("order", Value::list(count, move |node| Value::Whole(hydrology.order[node].into())))
+        .value("magnitude", Value::wholes(hydrology.magnitude))
+        .value("discharge", Value::wholes(hydrology.discharge));
+    members
 }
 
-fn river<'a>(network: &Network, id: usize) -> Value<'a> {
-    let river = &network.rivers[id];
-    Value::Object(vec![
-        ("id", Value::Whole(id as i64)),
-        ("parent", Value::unless(river.parent, NONE)),
-        ("order", Value::whole(river.order.into())),
-        ("magnitude", Value::whole(river.magnitude)),
-        ("discharge", Value::whole(network.discharge(river))),
-        ("points", points(network.course(river).map(|vertex| point(vertex, 1.0)).collect())),
-    ])
+fn river<'a>(network: &Network, id: u32) -> Value<'a> {
+    let river = &network.rivers[id as usize];
+    let mut members = Members::default();
+    members
+        .whole("id", id)
+        .unless("parent", river.parent, NONE)
+        .whole("order", river.order.into())
+        .whole("magnitude", river.magnitude)
+        .whole("discharge", network.discharge(river))
+        .value("points", points(network.course(river).map(|vertex| point(vertex, 1.0)).collect()));
+    members.into()
 }
 
-fn oxbow<'a>(network: &Network, id: usize) -> Value<'a> {
-    let oxbow = &network.oxbows[id];
+fn oxbow<'a>(network: &Network, id: u32) -> Value<'a> {
+    let oxbow = &network.oxbows[id as usize];
     let lake = oxbow.lake();
-    let points_of = lake.iter().map(|(vertex, share)| point(vertex, *share));
-    Value::Object(vec![
-        ("id", Value::Whole(id as i64)),
-        ("river", Value::whole(oxbow.river)),
-        ("born", Value::whole(oxbow.born)),
-        ("points", points(points_of.collect())),
-    ])
+    let line = lake.iter().map(|(vertex, share)| point(vertex, *share));
+    let mut members = Members::default();
+    members
+        .whole("id", id)
+        .whole("river", oxbow.river)
+        .whole("born", oxbow.born)
+        .value("points", points(line.collect()));
+    members.into()
 }
 
 /// x, y and so much of the width.
@@ -163,6 +174,7 @@ fn point(vertex: &Vertex, share: f32) -> [f32; 3] {
     [vertex.at.x, vertex.at.y, vertex.width() * share]
 }
 
+#[inline(never)]
 fn points<'a>(points: Vec<[f32; 3]>) -> Value<'a> {
     Value::list(points.len(), move |i| Value::singles(points[i].to_vec()))
 }

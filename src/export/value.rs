@@ -32,28 +32,76 @@ impl<'a> Value<'a> {
     }
 
     /// A list of numbers.
+    #[inline(never)]
     pub(super) fn singles(numbers: Vec<f32>) -> Self {
         Self::list(numbers.len(), move |i| Self::Single(numbers[i]))
     }
 
     /// A list of numbers.
+    #[inline(never)]
     pub(super) fn doubles(numbers: Vec<f64>) -> Self {
         Self::list(numbers.len(), move |i| Self::Double(numbers[i]))
     }
 
     /// A list of whole numbers.
+    #[inline(never)]
     pub(super) fn wholes(numbers: Vec<u32>) -> Self {
-        Self::list(numbers.len(), move |i| Self::whole(numbers[i]))
+        Self::list(numbers.len(), move |i| Self::Whole(numbers[i].into()))
+    }
+}
+
+/// The members of an object as they are put together, by functions of their own: inlined, they would be several times as much
+/// code to download.
+#[derive(Default)]
+pub(super) struct Members<'a>(Vec<(&'static str, Value<'a>)>);
+
+impl<'a> Members<'a> {
+    #[inline(never)]
+    pub fn value(&mut self, name: &'static str, value: Value<'a>) -> &mut Self {
+        self.0.push((name, value));
+        self
     }
 
-    /// A whole number.
-    pub(super) fn whole(number: u32) -> Self {
-        Self::Whole(number.into())
+    #[inline(never)]
+    pub fn object(&mut self, name: &'static str, members: Self) -> &mut Self {
+        self.value(name, Value::Object(members.0))
     }
 
-    /// A number, or nothing for one that stands for nothing.
-    pub(super) fn unless(number: u32, none: u32) -> Self {
-        if number == none { Self::Null } else { Self::whole(number) }
+    #[inline(never)]
+    pub fn whole(&mut self, name: &'static str, number: u32) -> &mut Self {
+        self.value(name, Value::Whole(number.into()))
+    }
+
+    /// A whole number, or null for the one that stands for none.
+    #[inline(never)]
+    pub fn unless(&mut self, name: &'static str, number: u32, none: u32) -> &mut Self {
+        if number == none { self.value(name, Value::Null) } else { self.whole(name, number) }
+    }
+
+    #[inline(never)]
+    pub fn single(&mut self, name: &'static str, number: f32) -> &mut Self {
+        self.value(name, Value::Single(number))
+    }
+
+    #[inline(never)]
+    pub fn double(&mut self, name: &'static str, number: f64) -> &mut Self {
+        self.value(name, Value::Double(number))
+    }
+
+    #[inline(never)]
+    pub fn text(&mut self, name: &'static str, text: &'static str) -> &mut Self {
+        self.value(name, Value::Text(text))
+    }
+
+    #[inline(never)]
+    pub fn owned(&mut self, name: &'static str, text: String) -> &mut Self {
+        self.value(name, Value::Owned(text))
+    }
+}
+
+impl<'a> From<Members<'a>> for Value<'a> {
+    fn from(members: Members<'a>) -> Self {
+        Self::Object(members.0)
     }
 }
 

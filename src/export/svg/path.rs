@@ -1,8 +1,8 @@
 //! The data of a path: smooth lines, in hundredths of a unit.
 
-use std::fmt::Write;
-
 use glam::Vec2;
+
+use super::text::Text;
 
 /// A point in hundredths of a unit. Whole numbers add without error, and print without tables.
 type Point = [i32; 2];
@@ -10,17 +10,27 @@ type Point = [i32; 2];
 /// A path's data as it is written. What follows the first point is told relative to the one before.
 #[derive(Debug, Default)]
 pub(super) struct Path {
-    pub data: String,
+    data: Text,
     at: Point,
     /// Whether the next number would run into the one before.
     is_after_number: bool,
 }
 
 impl Path {
+    /// As it stands in the attribute `d`.
+    pub fn data(&self) -> &str {
+        &self.data.0
+    }
+
+    /// As it stands in the attribute `d`.
+    pub fn into_data(self) -> String {
+        self.data.0
+    }
+
     /// Begins a line.
     pub fn start(&mut self, at: Vec2) {
         self.at = [0, 0];
-        self.command('M');
+        self.command("M");
         self.go_to(whole(at));
     }
 
@@ -28,16 +38,17 @@ impl Path {
     pub fn line(&mut self, points: &[Vec2]) {
         let [first, rest @ ..] = points else { return };
         self.start(*first);
-        self.command('l');
+        self.command("l");
         rest.iter().for_each(|&to| self.go_to(whole(to)));
     }
 
     /// A smooth line from the first of some points, where the path has come to, to the last: a chain of parabolas from
     /// the middle of one side to the middle of the next.
+    #[inline(never)]
     pub fn smooth(&mut self, points: &[Vec2]) {
         let [_, corners @ .., last] = points else { return };
         self.parabolas(corners.iter().chain([last]));
-        self.command('l');
+        self.command("l");
         self.go_to(whole(*last));
     }
 
@@ -45,7 +56,7 @@ impl Path {
     pub fn ring(&mut self, points: &[Vec2]) {
         let [first, .., last] = points else { return };
         self.start((*first + *last) * 0.5);
-        self.command('q');
+        self.command("q");
         self.number_pair(difference(whole(*first), self.at));
         let control = whole(*first);
         self.go_to(middle(control, whole(points[1])));
@@ -58,21 +69,21 @@ impl Path {
         let way = difference(whole(to), self.at);
         // A radius that is too short is lengthened until it fits.
         let radius = way[0].unsigned_abs().max(way[1].unsigned_abs()).div_ceil(2) as i32;
-        self.command('a');
+        self.command("a");
         self.number_pair([radius, radius]);
-        self.data.push_str(" 0 0 1");
+        self.data.text(" 0 0 1");
         self.go_to(whole(to));
     }
 
     pub fn close(&mut self) {
-        self.command('z');
+        self.command("z");
     }
 
     fn parabolas<'a>(&mut self, mut corners: impl Iterator<Item = &'a Vec2>) {
         let Some(first) = corners.next() else { return };
         // The first piece is straight: its control point is where it begins.
         let control = self.at;
-        self.data.push_str("q0 0");
+        self.data.text("q0 0");
         self.is_after_number = true;
         self.go_to(middle(control, whole(*first)));
         self.reflected(control, corners);
@@ -83,15 +94,15 @@ impl Path {
     fn reflected<'a>(&mut self, mut control: Point, corners: impl Iterator<Item = &'a Vec2>) {
         for (i, &corner) in corners.enumerate() {
             if i == 0 {
-                self.command('t');
+                self.command("t");
             }
             control = [2 * self.at[0] - control[0], 2 * self.at[1] - control[1]];
             self.go_to(middle(control, whole(corner)));
         }
     }
 
-    fn command(&mut self, letter: char) {
-        self.data.push(letter);
+    fn command(&mut self, letter: &str) {
+        self.data.text(letter);
         self.is_after_number = false;
     }
 
@@ -100,12 +111,13 @@ impl Path {
         self.at = to;
     }
 
+    #[inline(never)]
     fn number_pair(&mut self, pair: Point) {
         for hundredths in pair {
             if self.is_after_number && hundredths >= 0 {
-                self.data.push(' ');
+                self.data.text(" ");
             }
-            number(&mut self.data, hundredths);
+            self.data.hundredths(hundredths);
             self.is_after_number = true;
         }
     }
@@ -124,33 +136,9 @@ fn middle(a: Point, b: Point) -> Point {
     [(a[0] + b[0]) >> 1, (a[1] + b[1]) >> 1]
 }
 
-/// Appends a number of hundredths as a decimal, as short as it goes.
-pub(super) fn number(out: &mut String, hundredths: i32) {
-    if hundredths < 0 {
-        out.push('-');
-    }
-    let (units, rest) = (hundredths.unsigned_abs() / 100, hundredths.unsigned_abs() % 100);
-    // Writing to a String cannot fail.
-    let _ = match (rest, rest % 10) {
-        (0, _) => write!(out, "{units}"),
-        (_, 0) => write!(out, "{units}.{}", rest / 10),
-        _ => write!(out, "{units}.{}{}", rest / 10, rest % 10),
-    };
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn numbers_are_as_short_as_they_go() {
-        for (hundredths, text) in [(0, "0"), (5, "0.05"), (-5, "-0.05"), (120, "1.2"), (-12345, "-123.45"), (700, "7")]
-        {
-            let mut out = String::new();
-            number(&mut out, hundredths);
-            assert_eq!(out, text);
-        }
-    }
 
     #[test]
     fn line_goes_by_the_middles_of_its_sides() {
@@ -158,7 +146,7 @@ mod tests {
         let mut path = Path::default();
         path.start(points[0]);
         path.smooth(&points);
-        assert_eq!(path.data, "M0 0q0 0 2 0t4 2 2 5l0 3");
+        assert_eq!(path.data(), "M0 0q0 0 2 0t4 2 2 5l0 3");
     }
 
     #[test]
@@ -168,7 +156,7 @@ mod tests {
         path.start(points[0]);
         path.smooth(&points);
         path.smooth(&points[1..]);
-        assert_eq!(path.data, "M0 0q0 0 1 1l1 1");
+        assert_eq!(path.data(), "M0 0q0 0 1 1l1 1");
     }
 
     #[test]
@@ -176,6 +164,6 @@ mod tests {
         let points = [(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0)].map(Vec2::from);
         let mut path = Path::default();
         path.ring(&points);
-        assert_eq!(path.data, "M0 2q0-2 2-2t2 2-2 2-2-2z");
+        assert_eq!(path.data(), "M0 2q0-2 2-2t2 2-2 2-2-2z");
     }
 }

@@ -1,0 +1,98 @@
+//! The text of an SVG file as it is written, piece by piece.
+//!
+//! Its pieces are functions of their own, never inlined: `write!` would be plainer, and three times as much code to
+//! download.
+
+use crate::paint::palette::Colour;
+
+/// A text in the making.
+#[derive(Debug, Default)]
+pub(super) struct Text(pub String);
+
+impl Text {
+    #[inline(never)]
+    pub fn text(&mut self, text: &str) -> &mut Self {
+        self.0.push_str(text);
+        self
+    }
+
+    /// A whole number.
+    #[inline(never)]
+    pub fn whole(&mut self, number: u32) -> &mut Self {
+        const MOST_DIGITS: usize = 10;
+        let (mut digits, mut rest) = ([b'0'; MOST_DIGITS], number);
+        let mut first = MOST_DIGITS;
+        while rest > 0 || first == MOST_DIGITS {
+            first -= 1;
+            digits[first] = b'0' + (rest % 10) as u8;
+            rest /= 10;
+        }
+        digits[first..].iter().for_each(|&digit| self.0.push(char::from(digit)));
+        self
+    }
+
+    /// A number of hundredths as a decimal, as short as it goes.
+    #[inline(never)]
+    pub fn hundredths(&mut self, hundredths: i32) -> &mut Self {
+        if hundredths < 0 {
+            self.text("-");
+        }
+        let (units, rest) = (hundredths.unsigned_abs() / 100, hundredths.unsigned_abs() % 100);
+        self.whole(units);
+        if rest > 0 {
+            self.text(".").whole(rest / 10);
+            if !rest.is_multiple_of(10) {
+                self.whole(rest % 10);
+            }
+        }
+        self
+    }
+
+    /// A length from 0 on, in hundredths.
+    pub fn units(&mut self, units: f32) -> &mut Self {
+        self.hundredths((units * 100.0 + 0.5) as i32)
+    }
+
+    /// A colour, in hexadecimal digits.
+    #[inline(never)]
+    pub fn colour(&mut self, colour: Colour) -> &mut Self {
+        self.text("#");
+        for half in colour.into_iter().flat_map(|channel| [channel >> 4, channel & 15]) {
+            self.0.push(char::from(b"0123456789abcdef"[usize::from(half)]));
+        }
+        self
+    }
+
+    /// Text as XML has it. What XML cannot hold, even escaped, is shown as the sign for that.
+    pub fn escaped(&mut self, text: &str) -> &mut Self {
+        for c in text.chars() {
+            match c {
+                '&' => self.text("&amp;"),
+                '<' => self.text("&lt;"),
+                '>' => self.text("&gt;"),
+                '\0'..='\u{1f}' | '\u{7f}'..='\u{9f}' | '\u{fffe}' | '\u{ffff}' => self.text("\u{fffd}"),
+                c => self.text(c.encode_utf8(&mut [0; 4])),
+            };
+        }
+        self
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_as_short_as_they_go() {
+        for (hundredths, text) in [(0, "0"), (5, "0.05"), (-5, "-0.05"), (120, "1.2"), (-12345, "-123.45"), (700, "7")]
+        {
+            assert_eq!(Text::default().hundredths(hundredths).0, text);
+        }
+        assert_eq!(Text::default().whole(u32::MAX).text(" ").whole(0).0, format!("{} 0", u32::MAX));
+    }
+
+    #[test]
+    fn colours_are_as_css_has_them() {
+        assert_eq!(Text::default().colour([0, 0x1f, 0xff]).0, "#001fff");
+    }
+}
