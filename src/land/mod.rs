@@ -8,10 +8,10 @@
 //!
 //! Growth asks the field, painting asks the relief: so the coast is smooth at any size, and rivers end at it.
 
-mod clearance;
 mod field;
 mod grid;
 mod kinds;
+mod obstacles;
 mod outline;
 mod regions;
 mod relief;
@@ -22,6 +22,6 @@ mod walk;
 pub use field::Land;
 pub use grid::{Cell, SIDE};
 pub use kinds::LandKind;
-pub use regions::{Region, Run, Shore};
+pub use regions::{Cells, Region, Run, Shore};
 pub use relief::Relief;
 pub use strokes::DrawError;

@@ -125,8 +125,16 @@ impl Relief {
 
     /// The height at a corner of the lattice.
     #[inline]
-    pub(super) fn corner(&self, column: usize, row: usize) -> f32 {
+    fn corner(&self, column: usize, row: usize) -> f32 {
         self.heights[row.min(self.rows - 1) * self.columns + column.min(self.columns - 1)]
+    }
+
+    /// The heights between a row of corners and the next, from the first column on.
+    pub(super) fn corners_between(&self, row: usize, share: f32, heights: &mut [f32]) {
+        let corners = |row: usize| &self.heights[row.min(self.rows - 1) * self.columns..][..self.columns];
+        for ((height, upper), lower) in heights.iter_mut().zip(corners(row)).zip(corners(row + 1)) {
+            *height = upper * (1.0 - share) + lower * share;
+        }
     }
 
     /// How far inland a point lies, in units; negative at sea. Points outside the domain have the value of its border.
