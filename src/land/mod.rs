@@ -24,4 +24,5 @@ pub use grid::{Cell, SIDE};
 pub use kinds::LandKind;
 pub use regions::{Cells, Region, Run, Shore};
 pub use relief::Relief;
+pub(crate) use relief::{Across, Column};
 pub use strokes::DrawError;

@@ -123,12 +123,6 @@ impl Relief {
         self
     }
 
-    /// The height at a corner of the lattice.
-    #[inline]
-    fn corner(&self, column: usize, row: usize) -> f32 {
-        self.heights[row.min(self.rows - 1) * self.columns + column.min(self.columns - 1)]
-    }
-
     /// The heights between a row of corners and the next, from the first column on.
     pub(super) fn corners_between(&self, row: usize, share: f32, heights: &mut [f32]) {
         let corners = |row: usize| &self.heights[row.min(self.rows - 1) * self.columns..][..self.columns];
@@ -140,10 +134,21 @@ impl Relief {
     /// How far inland a point lies, in units; negative at sea. Points outside the domain have the value of its border.
     #[inline]
     pub fn height(&self, point: Vec2) -> f32 {
-        let (column, x) = lattice(point.x, self.columns);
-        let (row, y) = lattice(point.y, self.rows);
-        let along = |row: usize| self.corner(column, row) * (1.0 - x) + self.corner(column + 1, row) * x;
-        along(row) * (1.0 - y) + along(row + 1) * y
+        self.across(point.y).height(self.column(point.x))
+    }
+
+    /// The heights of all points of one y.
+    #[inline]
+    pub(crate) fn across(&self, y: f32) -> Across<'_> {
+        let (row, share) = lattice(y, self.rows);
+        let corners = |row: usize| &self.heights[row * self.columns..][..self.columns];
+        Across { row, north: corners(row), south: corners(row + 1), share }
+    }
+
+    /// Where an x lies.
+    #[inline]
+    pub(crate) fn column(&self, x: f32) -> Column {
+        lattice(x, self.columns)
     }
 
     /// The way inland, and how much farther inland a step that way leads.
@@ -152,6 +157,34 @@ impl Relief {
         let step = Self::SPACING;
         let rise = |axis: Vec2| self.height(point + axis * step) - self.height(point - axis * step);
         Vec2::new(rise(Vec2::X), rise(Vec2::Y)) / (2.0 * step)
+    }
+}
+
+/// A column of the lattice, and how far a place lies on the way to the next.
+pub(crate) type Column = (usize, f32);
+
+/// The relief of one y.
+pub(crate) struct Across<'a> {
+    /// The row of corners to the north.
+    pub row: usize,
+    north: &'a [f32],
+    south: &'a [f32],
+    /// How far it lies on the way to the row to the south.
+    share: f32,
+}
+
+impl Across<'_> {
+    /// The height at an x.
+    #[inline]
+    pub fn height(&self, (column, x): Column) -> f32 {
+        let along = |corners: &[f32]| corners[column] * (1.0 - x) + corners[column + 1] * x;
+        along(self.north) * (1.0 - self.share) + along(self.south) * self.share
+    }
+
+    /// The heights of all corners around two columns and what lies between.
+    pub fn corners(&self, west: Column, east: Column) -> impl Iterator<Item = f32> + Clone {
+        let around = west.0..=east.0 + 1;
+        self.north[around.clone()].iter().chain(&self.south[around]).copied()
     }
 }
 

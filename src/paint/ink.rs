@@ -34,13 +34,13 @@ fn on_plain_land(pixels: &mut [u8], coverage: &[u8], palette: &Palette) {
     }
 }
 
-/// Most of a map has no river: there the ground is copied, many pixels at a time.
+/// Most of a map has no river: the ground is copied, and many pixels at a time are left at that.
 fn on_ground(pixels: &mut [u8], coverage: &[u8], palette: &Palette, ground: &[[u8; 4]]) {
     const MANY: usize = 16;
+    pixels.copy_from_slice(ground.as_flattened());
     for ((pixels, coverage), ground) in pixels.chunks_mut(MANY * 4).zip(coverage.chunks(MANY)).zip(ground.chunks(MANY))
     {
         if coverage.iter().fold(0, |any, &coverage| any | coverage) == 0 {
-            pixels.copy_from_slice(ground.as_flattened());
             continue;
         }
         for ((pixel, &coverage), ground) in pixels.chunks_exact_mut(4).zip(coverage).zip(ground) {

@@ -6,8 +6,6 @@ pub(super) type Colour = [u8; 3];
 /// What a style paints with.
 #[derive(Debug)]
 pub(super) struct Palette {
-    /// Land where all of the domain is.
-    pub plain: Colour,
     /// Land at the coast, and far from it.
     pub lowland: Colour,
     pub inland: Colour,
@@ -46,7 +44,6 @@ pub(super) static NIGHT: Palette = even([0; 3], [0; 3], [0x58; 3], [0x38; 3], [0
 /// Land and water of one colour each, no rings.
 const fn even(land: Colour, water: Colour, coast: Colour, ridge: Colour, river: Colour) -> Palette {
     Palette {
-        plain: land,
         lowland: land,
         inland: land,
         shallows: water,
