@@ -117,14 +117,15 @@ impl Land {
     /// included.
     #[inline]
     pub fn allows(&self, from: Vec2, to: Vec2) -> bool {
-        let distance = (to - from).abs().max_element();
-        self.borders.is_clear(from / SIDE, distance / SIDE) || self.borders.let_pass(from / SIDE, to / SIDE)
+        let (from, to) = (from / SIDE, to / SIDE);
+        let room = self.borders.room(from);
+        (to - from).length_squared() <= room * room || self.borders.let_pass(from, to)
     }
 
     /// Whether a point of the domain surely sees all land within a distance.
     #[inline]
     pub fn sees_all(&self, at: Vec2, distance: f32) -> bool {
-        self.hiding().is_none_or(|hiding| hiding.is_clear(at / SIDE, distance / SIDE))
+        self.hiding().is_none_or(|hiding| hiding.has_room(at / SIDE, distance / SIDE))
     }
 
     /// Whether neither a ridge lies between two points, nor, where there are several regions, water: what grows in one of

@@ -64,12 +64,19 @@ impl Obstacles {
         }
     }
 
-    /// Whether there surely is no obstacle within a distance, in cells, along either axis. The point lies in the field.
+    /// How far from a point of the field there surely is no obstacle, along either axis, in cells.
     #[inline]
-    pub fn is_clear(&self, at: Vec2, distance: f32) -> bool {
-        let tile = at.y as usize / TILE * self.tile_columns + at.x as usize / TILE;
-        let between = self.away.get(tile).map_or(0, |tiles| tiles.saturating_sub(1));
-        f32::from(between) * TILE as f32 >= distance
+    pub fn room(&self, at: Vec2) -> f32 {
+        let tile = at.y as u32 / TILE as u32 * self.tile_columns as u32 + at.x as u32 / TILE as u32;
+        let between = self.away.get(tile as usize).map_or(0, |tiles| tiles.saturating_sub(1));
+        f32::from(between) * TILE as f32
+    }
+
+    /// Whether there surely is no obstacle within a distance of a point, in cells. Short ones are worth a closer look than
+    /// tiles allow.
+    #[inline]
+    pub fn has_room(&self, at: Vec2, distance: f32) -> bool {
+        self.room(at) >= distance || (distance <= TILE as f32 && self.is_box_clear(at - distance, at + distance))
     }
 
     /// Whether a straight line from one point to another, in cells, touches no obstacle.
@@ -90,14 +97,14 @@ impl Obstacles {
         let (west, east, north, south) = (west as usize, east as usize, north as usize, south as usize);
         let mut met = 0;
         for row in north / TILE..=south / TILE {
-            let first = north.max(row * TILE) - row * TILE;
-            let last = south.min(row * TILE + TILE - 1) - row * TILE;
-            let down = bits(first * TILE, last * TILE + TILE - 1);
-            for column in west / TILE..=east / TILE {
-                let first = west.max(column * TILE) - column * TILE;
-                let last = east.min(column * TILE + TILE - 1) - column * TILE;
-                let across = bits(first, last) * EVERY_ROW;
-                met |= self.cells[row * self.tile_columns + column] & across & down;
+            let first = if row == north / TILE { north % TILE * TILE } else { 0 };
+            let last = if row == south / TILE { south % TILE * TILE + TILE - 1 } else { 63 };
+            let tiles = &self.cells[row * self.tile_columns..][west / TILE..=east / TILE];
+            let down = bits(first, last);
+            for (i, tile) in tiles.iter().enumerate() {
+                let first = if i == 0 { west % TILE } else { 0 };
+                let last = if i + 1 == tiles.len() { east % TILE } else { TILE - 1 };
+                met |= tile & down & (bits(first, last) * EVERY_ROW);
             }
         }
         met == 0
@@ -156,15 +163,18 @@ mod tests {
 
     proptest! {
         #[test]
-        fn what_is_clear_has_no_obstacle_near(
+        fn there_is_no_obstacle_where_there_is_room(
             cells in proptest::collection::vec((0..COLUMNS, 0..ROWS), 0..4),
-            x in 0f32..90.0, y in 0f32..70.0, distance in 0f32..60.0,
+            x in 0f32..90.0, y in 0f32..70.0,
         ) {
             let gap = |at: f32, cell: usize| (cell as f32 - at).max(at - (cell + 1) as f32);
             let nearest = cells.iter().map(|&(c, r)| gap(x, c).max(gap(y, r))).fold(f32::INFINITY, f32::min);
-            let is_clear = obstacles(&cells, false).is_clear(Vec2::new(x, y), distance);
-            prop_assert!(!is_clear || nearest >= distance);
-            prop_assert!(is_clear || nearest < distance + 2.0 * TILE as f32);
+            let room = obstacles(&cells, false).room(Vec2::new(x, y));
+            prop_assert!(nearest >= room);
+            for distance in [2.0, 7.0, 20.0] {
+                prop_assert!(nearest >= distance || !obstacles(&cells, false).has_room(Vec2::new(x, y), distance));
+            }
+            prop_assert!(nearest < room + 2.0 * TILE as f32 || cells.is_empty());
         }
 
         #[test]

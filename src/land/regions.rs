@@ -58,8 +58,8 @@ pub struct Cells {
 }
 
 impl Cells {
-    /// Rather fewer than a run across the domain has.
-    const MANY: u32 = 256;
+    /// Far fewer than a run across the domain has.
+    const MANY: u32 = 64;
 
     /// Counts the cells of regions.
     pub fn of<'a>(regions: impl Iterator<Item = &'a Region>) -> Self {

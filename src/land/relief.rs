@@ -223,7 +223,7 @@ impl<'a> Nearest<'a> {
             for (column, row) in walk(*from / Relief::SPACING, *to / Relief::SPACING) {
                 for (column, row) in [(column, row), (column + 1, row), (column, row + 1), (column + 1, row + 1)] {
                     if (0..columns as i32).contains(&column) && (0..rows as i32).contains(&row) {
-                        this.propose(row as usize * columns + column as usize, piece);
+                        this.propose(column as usize, row as usize, piece);
                     }
                 }
             }
@@ -240,27 +240,37 @@ impl<'a> Nearest<'a> {
     /// Each corner of a row asks those of the row beside it, and its neighbours to the left and right.
     fn hear_from_row(&mut self, row: usize, other: Option<usize>) {
         let (start, columns) = (row * self.columns, self.columns);
-        if let Some(other) = other {
+        if let Some(other) = other.map(|other| other * columns) {
             for column in 0..columns {
-                for beside in column.saturating_sub(1)..(column + 2).min(columns) {
-                    self.propose(start + column, self.piece[other * columns + beside]);
+                let (west, east) = (column.saturating_sub(1), (column + 1).min(columns - 1));
+                let [west, middle, east] = [west, column, east].map(|beside| self.piece[other + beside]);
+                self.propose(column, row, west);
+                // Neighbours often have heard of the same piece.
+                if middle != west {
+                    self.propose(column, row, middle);
+                }
+                if east != middle {
+                    self.propose(column, row, east);
                 }
             }
         }
         for column in 1..columns {
-            self.propose(start + column, self.piece[start + column - 1]);
+            self.propose(column, row, self.piece[start + column - 1]);
         }
         for column in (0..columns - 1).rev() {
-            self.propose(start + column, self.piece[start + column + 1]);
+            self.propose(column, row, self.piece[start + column + 1]);
         }
     }
 
-    fn propose(&mut self, i: usize, piece: u32) {
+    #[inline]
+    fn propose(&mut self, column: usize, row: usize, piece: u32) {
+        let i = row * self.columns + column;
         if piece == self.piece[i] {
             return;
         }
         if let Some([from, to]) = self.coast.get(piece as usize) {
-            let squared = squared_distance(corner(i, self.columns), *from, *to);
+            let corner = Vec2::new(column as f32, row as f32) * Relief::SPACING;
+            let squared = squared_distance(corner, *from, *to);
             if squared < self.squared[i] {
                 (self.squared[i], self.piece[i]) = (squared, piece);
             }
