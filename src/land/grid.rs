@@ -152,6 +152,7 @@ impl Grid {
 const MANY: usize = 32;
 
 /// Whether there is water in some columns of a row, which may lie outside.
+#[inline(never)] // two copies of a vectorised loop weigh more than a call
 fn has_water(row: &[Cell], columns: &Range<usize>) -> bool {
     let cells = row.get(columns.clone()).unwrap_or_default();
     cells.iter().fold(false, |any, &cell| any | (cell == Cell::Unavailable))

@@ -32,12 +32,12 @@ impl Obstacles {
         let cells = vec![0; tile_columns * tile_rows];
         let mut this = Self { cells, away: Vec::new(), columns, rows, tile_columns, outside };
         obstacles.for_each(|stretch| this.mark(stretch));
-        this.away = this.cells.iter().map(|&cells| if cells == 0 { u8::MAX } else { 0 }).collect();
         this.spread();
         this
     }
 
     /// Notes a stretch of obstacles, which may go on over the ends of rows.
+    #[inline(never)]
     fn mark(&mut self, Range { mut start, end }: Range<usize>) {
         while start < end {
             let (row, column) = (start / self.columns, start % self.columns);
@@ -51,8 +51,9 @@ impl Obstacles {
         }
     }
 
-    /// From tile to neighbouring tile, there and back (Rosenfeld and Pfaltz 1968): king's moves.
+    /// Measures how far obstacles are, from tile to neighbouring tile, there and back (Rosenfeld and Pfaltz 1968): king's moves.
     fn spread(&mut self) {
+        self.away = self.cells.iter().map(|&cells| if cells == 0 { u8::MAX } else { 0 }).collect();
         let columns = self.tile_columns;
         for row in 0..self.away.len() / columns {
             let (before, rest) = self.away.split_at_mut(row * columns);
