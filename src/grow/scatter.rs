@@ -3,7 +3,7 @@
 use glam::Vec2;
 
 use super::Parameters;
-use crate::land::{Cell, Land};
+use crate::land::{Cell, Cells, Land};
 use crate::random::{Purpose, Stream};
 
 /// Places the attractors, in the order of their drawing: one more leaves all others where they are, unless on a grid.
@@ -30,16 +30,11 @@ pub fn scatter(parameters: &Parameters) -> Vec<Vec2> {
 
 /// Anywhere in cells of land, each as likely as any other.
 fn on_land(parameters: &Parameters, land: &Land, chance: &mut Stream) -> Vec<Vec2> {
-    let regions: Vec<_> = parameters.watered().collect();
-    let cells: u32 = regions.iter().map(|region| region.cells).sum();
+    let cells = Cells::of(parameters.watered());
     let anywhere = |_| {
-        let mut cell = (chance.unit() * cells as f32) as u32;
+        let cell = (chance.unit() * cells.count() as f32) as u32;
         let within = Vec2::new(chance.unit(), chance.unit());
-        regions.iter().find_map(|region| {
-            let point = land.point(region, cell, within);
-            cell = cell.wrapping_sub(region.cells);
-            point
-        })
+        cells.cell(cell).map(|(column, row)| land.point(column, row, within))
     };
     (0..parameters.attractors).filter_map(anywhere).collect()
 }

@@ -2,13 +2,12 @@
 
 use glam::Vec2;
 
-use super::clearance::Clearance;
 use super::grid::{Cell, Grid, SIDE};
 use super::kinds::{LandKind, Shape};
+use super::obstacles::Obstacles;
 use super::outline::Drawing;
-use super::regions::Region;
+use super::regions::{Region, regions_of};
 use super::relief::Relief;
-use super::walk::walk;
 use crate::domain::Domain;
 use crate::random::Seed;
 use crate::recipe::{Key, Outline, Recipe};
@@ -23,10 +22,20 @@ pub struct Land {
     grid: Grid,
     regions: Vec<Region>,
     ridges: Vec<Vec<Vec2>>,
-    /// Room to where land ends, and to what hides attractors.
-    room: Clearance,
-    view: Clearance,
-    is_parted: bool,
+    /// What no river crosses: where land ends.
+    borders: Obstacles,
+    hides: Hides,
+}
+
+/// What lies between attractors and nodes that they do not pull.
+#[derive(Clone, Debug, PartialEq)]
+enum Hides {
+    /// Nothing, on land that hangs together and has no ridges.
+    Nothing,
+    /// Ridges.
+    Ridges(Obstacles),
+    /// All that is not land, where there are several regions: what grows in one of them is nothing to the others.
+    Borders,
 }
 
 impl Land {
@@ -51,20 +60,22 @@ impl Land {
     fn drawn(shape: &Shape, outline: &Outline) -> Option<Self> {
         let drawing = Drawing::of(outline, shape);
         let this = Self::new(&shape.domain, drawing.relief(&shape.domain), drawing.ridges);
-        let land = this.grid.cells.iter().filter(|&&cell| cell != Cell::Unavailable).count();
-        (LEAST_DRAWN..1.0).contains(&(land as f32 / this.grid.cells.len() as f32)).then_some(this)
+        (LEAST_DRAWN..1.0).contains(&this.grid.share_of_land()).then_some(this)
     }
 
     /// Land above the sea, cut by ridges.
     pub(super) fn new(domain: &Domain, relief: Relief, ridges: Vec<Vec<Vec2>>) -> Self {
         let mut grid = Grid::above_water(domain, &relief);
-        ridges.iter().for_each(|ridge| grid.raise(ridge));
-        let mut regions = grid.regions(Cell::Available);
+        let raised = grid.raise(&ridges);
+        let mut regions = regions_of(&grid.runs);
         regions.iter_mut().for_each(|region| region.shores = grid.shores(region, &relief));
-        let room = grid.clearance(|cell| cell != Cell::Available);
-        let is_parted = regions.len() > 1;
-        let view = grid.clearance(|cell| hides(cell, is_parted));
-        Self { relief, grid, regions, ridges, room, view, is_parted }
+        let borders = grid.borders();
+        let hides = match (regions.len(), raised.len()) {
+            (0..=1, 0) => Hides::Nothing,
+            (0..=1, _) => Hides::Ridges(grid.obstacles(&raised)),
+            _ => Hides::Borders,
+        };
+        Self { relief, grid, regions, ridges, borders, hides }
     }
 
     /// The height of every point.
@@ -106,35 +117,42 @@ impl Land {
     /// included.
     #[inline]
     pub fn allows(&self, from: Vec2, to: Vec2) -> bool {
-        self.room.is_clear(from / SIDE, (to - from).abs().max_element() / SIDE) || self.is_land_between(from, to)
-    }
-
-    fn is_land_between(&self, from: Vec2, to: Vec2) -> bool {
-        walk(from / SIDE, to / SIDE).all(|(column, row)| self.cell(column, row) == Cell::Available)
+        let (from, to) = (from / SIDE, to / SIDE);
+        let room = self.borders.room(from);
+        (to - from).length_squared() <= room * room || self.borders.let_pass(from, to)
     }
 
     /// Whether all that lies within a distance of a point of the domain, north, south, east and west, is land.
     #[inline]
     pub fn is_all_land(&self, at: Vec2, distance: f32) -> bool {
-        self.room.is_clear(at / SIDE, distance / SIDE)
+        self.borders.has_room(at / SIDE, distance / SIDE)
     }
 
     /// Whether a point of the domain surely sees all land within a distance.
     #[inline]
     pub fn sees_all(&self, at: Vec2, distance: f32) -> bool {
-        self.view.is_clear(at / SIDE, distance / SIDE)
+        self.hiding().is_none_or(|hiding| hiding.has_room(at / SIDE, distance / SIDE))
     }
 
     /// Whether neither a ridge lies between two points, nor, where there are several regions, water: what grows in one of
     /// them is nothing to the others.
     pub fn sees(&self, from: Vec2, to: Vec2) -> bool {
-        walk(from / SIDE, to / SIDE).all(|(column, row)| !hides(self.cell(column, row), self.is_parted))
+        self.hiding().is_none_or(|hiding| hiding.let_pass(from / SIDE, to / SIDE))
     }
 
-    /// A point of a region: cells are counted row by row, and `within` runs from 0 to 1 in each direction of the cell.
-    pub fn point(&self, region: &Region, cell: u32, within: Vec2) -> Option<Vec2> {
-        let (column, row) = region.cell(cell)?;
-        Some(((Vec2::new(column as f32, row as f32) + within) * SIDE).min(self.grid.size))
+    #[inline]
+    fn hiding(&self) -> Option<&Obstacles> {
+        match &self.hides {
+            Hides::Nothing => None,
+            Hides::Ridges(ridges) => Some(ridges),
+            Hides::Borders => Some(&self.borders),
+        }
+    }
+
+    /// A point of a cell: `within` runs from 0 to 1 in each of its directions. Where the cell reaches over the border of the
+    /// domain, the point comes to the border.
+    pub fn point(&self, column: u32, row: u32, within: Vec2) -> Vec2 {
+        ((Vec2::new(column as f32, row as f32) + within) * SIDE).min(self.grid.size)
     }
 
     /// How many columns of cells there are; the last may reach over the border of the domain.
@@ -152,10 +170,6 @@ impl Land {
     pub fn cell(&self, column: i32, row: i32) -> Cell {
         self.grid.cell(column, row)
     }
-}
-
-fn hides(cell: Cell, is_parted: bool) -> bool {
-    cell == Cell::Illegal || (is_parted && cell == Cell::Unavailable)
 }
 
 #[cfg(test)]

@@ -1,12 +1,15 @@
 //! The grid of cells that land is cut into.
 
+use std::ops::Range;
+
 use glam::Vec2;
 
-use super::clearance::Clearance;
-use super::regions::{Region, Shore, regions};
+use super::obstacles::Obstacles;
+use super::regions::{Region, Run, Shore, without};
 use super::relief::Relief;
 use super::walk::walk;
 use crate::domain::Domain;
+use crate::order;
 
 /// What a cell is to rivers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -27,65 +30,77 @@ pub const SIDE: f32 = 1.0;
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Grid {
     pub cells: Vec<Cell>,
+    /// The stretches of land, row by row.
+    pub runs: Vec<Run>,
+    /// How many cells are land, ridges included.
+    land: u32,
     pub columns: i32,
     pub rows: i32,
     /// Of the domain, in units: the last cells reach over its border.
     pub size: Vec2,
 }
 
+/// How many cells go into an interval of the relief's lattice.
+const CELLS: usize = (Relief::SPACING / SIDE) as usize;
+
 impl Grid {
-    /// The cells whose middles lie above water. Along a row the relief is linear from one lattice corner to the next, so
-    /// most cells need not be looked at one by one.
+    /// The cells whose middles lie above water.
     pub fn above_water(domain: &Domain, relief: &Relief) -> Self {
-        const CELLS: usize = (Relief::SPACING / SIDE) as usize;
-        let count = |length: f32| (length / SIDE).ceil() as i32;
+        let count = |length: f32| (length / SIDE).ceil() as usize;
         let (columns, rows) = (count(domain.size.x), count(domain.size.y));
-        let mut cells = vec![Cell::Unavailable; (columns * rows) as usize];
-        for (row, cells) in cells.chunks_mut(columns as usize).enumerate() {
+        let mut heights = vec![0.0; columns.div_ceil(CELLS) + 1];
+        let mut runs = Vec::new();
+        for row in 0..rows {
             let y = ((row % CELLS) as f32 + 0.5) / CELLS as f32;
-            let height = |column: usize| {
-                relief.corner(column, row / CELLS) * (1.0 - y) + relief.corner(column, row / CELLS + 1) * y
-            };
-            let mut left = height(0);
-            for (column, cells) in cells.chunks_mut(CELLS).enumerate() {
-                let right = height(column + 1);
-                if left > 0.0 && right > 0.0 {
-                    cells.fill(Cell::Available);
-                } else if left > 0.0 || right > 0.0 {
-                    for (i, cell) in cells.iter_mut().enumerate() {
-                        let x = (i as f32 + 0.5) / CELLS as f32;
-                        if left * (1.0 - x) + right * x > 0.0 {
-                            *cell = Cell::Available;
-                        }
-                    }
-                }
-                left = right;
-            }
+            relief.corners_between(row / CELLS, y, &mut heights);
+            land_of_row(row as u32, columns, &heights, &mut runs);
         }
-        Self { cells, columns, rows, size: domain.size }
+        let mut cells = vec![Cell::Unavailable; columns * rows];
+        for Run { row, start, end, .. } in &runs {
+            let first = *row as usize * columns;
+            cells[first + *start as usize..first + *end as usize].fill(Cell::Available);
+        }
+        let land = runs.iter().map(|run| run.end - run.start).sum();
+        Self { cells, runs, land, columns: columns as i32, rows: rows as i32, size: domain.size }
     }
 
-    /// Makes the land along a ridge illegal.
-    pub fn raise(&mut self, ridge: &[Vec2]) {
-        for pair in ridge.windows(2) {
+    /// The share of the cells that is land, ridges included.
+    pub fn share_of_land(&self) -> f32 {
+        self.land as f32 / self.cells.len() as f32
+    }
+
+    /// Makes the land along ridges illegal. Returns the numbers of its cells, ascending.
+    pub fn raise(&mut self, ridges: &[Vec<Vec2>]) -> Vec<usize> {
+        let mut raised = Vec::new();
+        for pair in ridges.iter().flat_map(|ridge| ridge.windows(2)) {
             for (column, row) in walk(pair[0] / SIDE, pair[1] / SIDE) {
                 if let Some(i) = self.index(column, row)
                     && self.cells[i] == Cell::Available
                 {
                     self.cells[i] = Cell::Illegal;
+                    raised.push(i);
                 }
             }
         }
+        let order = order::ascending(raised.iter().map(|&i| i as u32));
+        let raised: Vec<usize> = order.into_iter().map(|i| raised[i]).collect();
+        self.runs = without(&self.runs, &raised, self.columns as usize);
+        raised
     }
 
-    /// The regions that cells of a kind make, the largest first.
-    pub fn regions(&self, kind: Cell) -> Vec<Region> {
-        regions(&self.cells, kind, self.columns as usize)
+    /// Where land ends.
+    pub fn borders(&self) -> Obstacles {
+        let columns = self.columns as usize;
+        let number = |run: &Run, column: u32| run.row as usize * columns + column as usize;
+        let starts = self.runs.iter().map(|run| number(run, run.start)).chain([self.cells.len()]);
+        let ends = [0].into_iter().chain(self.runs.iter().map(|run| number(run, run.end)));
+        Obstacles::of(columns, self.rows as usize, true, ends.zip(starts).map(|(end, start)| end..start))
     }
 
-    /// The room there is around every cell.
-    pub fn clearance(&self, is_obstacle: impl Fn(Cell) -> bool) -> Clearance {
-        Clearance::of(&self.cells, self.columns as usize, |&cell| is_obstacle(cell))
+    /// Some cells as obstacles.
+    pub fn obstacles(&self, cells: &[usize]) -> Obstacles {
+        let cells = cells.iter().map(|&cell| cell..cell + 1);
+        Obstacles::of(self.columns as usize, self.rows as usize, false, cells)
     }
 
     /// All cells of a region beside the sea.
@@ -95,12 +110,19 @@ impl Grid {
         for run in &region.runs {
             let (row, start, end) = (run.row as usize, run.start as usize, run.end as usize);
             let (above, here, below) = (self.row(row.wrapping_sub(1)), self.row(row), self.row(row + 1));
-            for column in start..end {
-                let west = column == start && is_water(here, column.wrapping_sub(1));
-                let east = column + 1 == end && is_water(here, column + 1);
-                if west || east || is_water(above, column) || is_water(below, column) {
-                    let at = middle(column as i32, row as i32).min(self.size);
-                    shores.push(Shore { at, inland: relief.slope(at).normalize_or(Vec2::NEG_Y) });
+            let mut add = |column: usize| {
+                let at = middle(column as i32, row as i32).min(self.size);
+                shores.push(Shore { at, inland: relief.slope(at).normalize_or(Vec2::NEG_Y) });
+            };
+            let (west, east) = (is_water(here, start.wrapping_sub(1)), is_water(here, end));
+            let is_end = |column: usize| (column == start && west) || (column + 1 == end && east);
+            // Most of a run lies between other runs: many of its cells at a time are passed over.
+            for first in (start..end).step_by(MANY) {
+                let columns = first..(first + MANY).min(end);
+                if has_water(above, &columns) || has_water(below, &columns) || is_end(first) || is_end(columns.end - 1)
+                {
+                    let is_shore = |&c: &usize| is_water(above, c) || is_water(below, c) || is_end(c);
+                    columns.filter(is_shore).for_each(&mut add);
                 }
             }
         }
@@ -124,6 +146,42 @@ impl Grid {
         let inside = (0..self.columns).contains(&column) && (0..self.rows).contains(&row);
         inside.then(|| (row * self.columns + column) as usize)
     }
+}
+
+/// How many cells are looked at together.
+const MANY: usize = 32;
+
+/// Whether there is water in some columns of a row, which may lie outside.
+#[inline(never)] // two copies of a vectorised loop weigh more than a call
+fn has_water(row: &[Cell], columns: &Range<usize>) -> bool {
+    let cells = row.get(columns.clone()).unwrap_or_default();
+    cells.iter().fold(false, |any, &cell| any | (cell == Cell::Unavailable))
+}
+
+/// Adds the stretches of a row's cells that lie above water. From one lattice corner to the next the height is linear,
+/// so most cells need not be looked at one by one.
+fn land_of_row(row: u32, columns: usize, heights: &[f32], runs: &mut Vec<Run>) {
+    let mut start = None;
+    let mut turn = |column: usize, is_land: bool| match start {
+        None if is_land => start = Some(column as u32),
+        Some(first) if !is_land => {
+            runs.push(Run { row, start: first, end: column as u32, before: 0 });
+            start = None;
+        }
+        _ => {}
+    };
+    for (interval, ends) in heights.windows(2).enumerate() {
+        let (first, [left, right]) = (interval * CELLS, [ends[0], ends[1]]);
+        if (left > 0.0) == (right > 0.0) {
+            turn(first, left > 0.0);
+            continue;
+        }
+        for i in 0..CELLS.min(columns - first) {
+            let x = (i as f32 + 0.5) / CELLS as f32;
+            turn(first + i, left * (1.0 - x) + right * x > 0.0);
+        }
+    }
+    turn(columns, false);
 }
 
 fn middle(column: i32, row: i32) -> Vec2 {

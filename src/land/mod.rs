@@ -8,11 +8,11 @@
 //!
 //! Growth asks the field, painting asks the relief: so the coast is smooth at any size, and rivers end at it.
 
-mod clearance;
 mod contours;
 mod field;
 mod grid;
 mod kinds;
+mod obstacles;
 mod outline;
 mod regions;
 mod relief;
@@ -23,6 +23,7 @@ mod walk;
 pub use field::Land;
 pub use grid::{Cell, SIDE};
 pub use kinds::LandKind;
-pub use regions::{Region, Run, Shore};
+pub use regions::{Cells, Region, Run, Shore};
 pub use relief::Relief;
+pub(crate) use relief::{Across, Column};
 pub use strokes::DrawError;

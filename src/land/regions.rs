@@ -45,17 +45,56 @@ impl Region {
         let next = self.runs.partition_point(|run| (run.row, run.start) <= (row, column));
         next.checked_sub(1).is_some_and(|run| self.runs[run].row == row && column < self.runs[run].end)
     }
+}
 
-    /// The column and row of one of the cells, counted row by row.
-    pub fn cell(&self, index: u32) -> Option<(u32, u32)> {
-        let run = self.runs.get(self.runs.partition_point(|run| run.before <= index).checked_sub(1)?)?;
-        (index < self.cells).then_some((run.start + index - run.before, run.row))
+/// The cells of some regions, one region after the other, each row by row: told by number at once, not by a search among
+/// all runs.
+#[derive(Clone, Debug)]
+pub struct Cells {
+    runs: Vec<Run>,
+    /// Of every so many cells, the run of the first.
+    run_of: Vec<u32>,
+    count: u32,
+}
+
+impl Cells {
+    /// Far fewer than a run across the domain has.
+    const MANY: u32 = 64;
+
+    /// Counts the cells of regions.
+    pub fn of<'a>(regions: impl Iterator<Item = &'a Region>) -> Self {
+        let mut this = Self { runs: Vec::new(), run_of: Vec::new(), count: 0 };
+        for run in regions.flat_map(|region| &region.runs) {
+            let end = this.count + run.end - run.start;
+            let firsts = end.div_ceil(Self::MANY) as usize;
+            this.run_of.resize(firsts, this.runs.len() as u32);
+            this.runs.push(Run { before: this.count, ..*run });
+            this.count = end;
+        }
+        this
+    }
+
+    /// How many there are.
+    pub fn count(&self) -> u32 {
+        self.count
+    }
+
+    /// The column and row of a cell.
+    pub fn cell(&self, number: u32) -> Option<(u32, u32)> {
+        let first = *self.run_of.get((number / Self::MANY) as usize)? as usize;
+        let has = |run: &&Run| number < run.before + (run.end - run.start);
+        let run = self.runs.get(first..)?.iter().find(has)?;
+        Some((run.start + number - run.before, run.row))
     }
 }
 
 /// The regions that cells of a kind make, the largest first; of equally large ones, the northern.
 pub(super) fn regions(cells: &[Cell], kind: Cell, columns: usize) -> Vec<Region> {
-    let runs = runs(cells, kind, columns);
+    regions_of(&runs(cells, kind, columns))
+}
+
+/// The regions that runs make, which come row by row and do not touch in their rows; in the same order.
+pub(super) fn regions_of(runs: &[Run]) -> Vec<Region> {
     let mut joined = Joined((0..runs.len() as u32).collect());
     let mut above = 0;
     for (i, run) in runs.iter().enumerate() {
@@ -67,7 +106,7 @@ pub(super) fn regions(cells: &[Cell], kind: Cell, columns: usize) -> Vec<Region>
         let touching = runs[above..i].iter().take_while(|over| over.row < run.row && over.start < run.end);
         (above..).zip(touching).for_each(|(over, _)| joined.join(over as u32, i as u32));
     }
-    gather(&runs, &mut joined)
+    gather(runs, &mut joined)
 }
 
 fn runs(cells: &[Cell], kind: Cell, columns: usize) -> Vec<Run> {
@@ -83,6 +122,23 @@ fn runs(cells: &[Cell], kind: Cell, columns: usize) -> Vec<Run> {
         }
     }
     runs
+}
+
+/// Runs without some of their cells, which are counted row by row and come in that order.
+pub(super) fn without(runs: &[Run], cells: &[usize], columns: usize) -> Vec<Run> {
+    let mut left = Vec::with_capacity(runs.len() + cells.len());
+    let mut cells = cells.iter().peekable();
+    for run in runs {
+        let first = run.row as usize * columns;
+        let mut start = run.start;
+        while let Some(cell) = cells.next_if(|&&cell| cell < first + run.end as usize) {
+            let column = (cell - first) as u32;
+            left.extend((start < column).then_some(Run { start, end: column, ..*run }));
+            start = column + 1;
+        }
+        left.extend((start < run.end).then_some(Run { start, ..*run }));
+    }
+    left
 }
 
 fn gather(runs: &[Run], joined: &mut Joined) -> Vec<Region> {
@@ -158,7 +214,8 @@ mod tests {
             let ours: Vec<Vec<usize>> = regions(cells, Cell::Available, columns)
                 .iter()
                 .map(|region| {
-                    let at = |i| region.cell(i).map(|(column, row)| row as usize * columns + column as usize).unwrap();
+                    let cells = Cells::of(std::iter::once(region));
+                    let at = |i| cells.cell(i).map(|(column, row)| row as usize * columns + column as usize).unwrap();
                     (0..region.cells).map(at).collect()
                 })
                 .collect();

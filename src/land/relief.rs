@@ -134,13 +134,32 @@ impl Relief {
         self.heights[row.min(self.rows - 1) * self.columns + column.min(self.columns - 1)]
     }
 
+    /// The heights between a row of corners and the next, from the first column on.
+    pub(super) fn corners_between(&self, row: usize, share: f32, heights: &mut [f32]) {
+        let corners = |row: usize| &self.heights[row.min(self.rows - 1) * self.columns..][..self.columns];
+        for ((height, upper), lower) in heights.iter_mut().zip(corners(row)).zip(corners(row + 1)) {
+            *height = upper * (1.0 - share) + lower * share;
+        }
+    }
+
     /// How far inland a point lies, in units; negative at sea. Points outside the domain have the value of its border.
     #[inline]
     pub fn height(&self, point: Vec2) -> f32 {
-        let (column, x) = lattice(point.x, self.columns);
-        let (row, y) = lattice(point.y, self.rows);
-        let along = |row: usize| self.corner(column, row) * (1.0 - x) + self.corner(column + 1, row) * x;
-        along(row) * (1.0 - y) + along(row + 1) * y
+        self.across(point.y).height(self.column(point.x))
+    }
+
+    /// The heights of all points of one y.
+    #[inline]
+    pub(crate) fn across(&self, y: f32) -> Across<'_> {
+        let (row, share) = lattice(y, self.rows);
+        let corners = |row: usize| &self.heights[row * self.columns..][..self.columns];
+        Across { row, north: corners(row), south: corners(row + 1), share }
+    }
+
+    /// Where an x lies.
+    #[inline]
+    pub(crate) fn column(&self, x: f32) -> Column {
+        lattice(x, self.columns)
     }
 
     /// The way inland, and how much farther inland a step that way leads.
@@ -149,6 +168,34 @@ impl Relief {
         let step = Self::SPACING;
         let rise = |axis: Vec2| self.height(point + axis * step) - self.height(point - axis * step);
         Vec2::new(rise(Vec2::X), rise(Vec2::Y)) / (2.0 * step)
+    }
+}
+
+/// A column of the lattice, and how far a place lies on the way to the next.
+pub(crate) type Column = (usize, f32);
+
+/// The relief of one y.
+pub(crate) struct Across<'a> {
+    /// The row of corners to the north.
+    pub row: usize,
+    north: &'a [f32],
+    south: &'a [f32],
+    /// How far it lies on the way to the row to the south.
+    share: f32,
+}
+
+impl Across<'_> {
+    /// The height at an x.
+    #[inline]
+    pub fn height(&self, (column, x): Column) -> f32 {
+        let along = |corners: &[f32]| corners[column] * (1.0 - x) + corners[column + 1] * x;
+        along(self.north) * (1.0 - self.share) + along(self.south) * self.share
+    }
+
+    /// The heights of all corners around two columns and what lies between.
+    pub fn corners(&self, west: Column, east: Column) -> impl Iterator<Item = f32> + Clone {
+        let around = west.0..=east.0 + 1;
+        self.north[around.clone()].iter().chain(&self.south[around]).copied()
     }
 }
 
@@ -187,7 +234,7 @@ impl<'a> Nearest<'a> {
             for (column, row) in walk(*from / Relief::SPACING, *to / Relief::SPACING) {
                 for (column, row) in [(column, row), (column + 1, row), (column, row + 1), (column + 1, row + 1)] {
                     if (0..columns as i32).contains(&column) && (0..rows as i32).contains(&row) {
-                        this.propose(row as usize * columns + column as usize, piece);
+                        this.propose(column as usize, row as usize, piece);
                     }
                 }
             }
@@ -204,27 +251,37 @@ impl<'a> Nearest<'a> {
     /// Each corner of a row asks those of the row beside it, and its neighbours to the left and right.
     fn hear_from_row(&mut self, row: usize, other: Option<usize>) {
         let (start, columns) = (row * self.columns, self.columns);
-        if let Some(other) = other {
+        if let Some(other) = other.map(|other| other * columns) {
             for column in 0..columns {
-                for beside in column.saturating_sub(1)..(column + 2).min(columns) {
-                    self.propose(start + column, self.piece[other * columns + beside]);
+                let (west, east) = (column.saturating_sub(1), (column + 1).min(columns - 1));
+                let [west, middle, east] = [west, column, east].map(|beside| self.piece[other + beside]);
+                self.propose(column, row, west);
+                // Neighbours often have heard of the same piece.
+                if middle != west {
+                    self.propose(column, row, middle);
+                }
+                if east != middle {
+                    self.propose(column, row, east);
                 }
             }
         }
         for column in 1..columns {
-            self.propose(start + column, self.piece[start + column - 1]);
+            self.propose(column, row, self.piece[start + column - 1]);
         }
         for column in (0..columns - 1).rev() {
-            self.propose(start + column, self.piece[start + column + 1]);
+            self.propose(column, row, self.piece[start + column + 1]);
         }
     }
 
-    fn propose(&mut self, i: usize, piece: u32) {
+    #[inline]
+    fn propose(&mut self, column: usize, row: usize, piece: u32) {
+        let i = row * self.columns + column;
         if piece == self.piece[i] {
             return;
         }
         if let Some([from, to]) = self.coast.get(piece as usize) {
-            let squared = squared_distance(corner(i, self.columns), *from, *to);
+            let corner = Vec2::new(column as f32, row as f32) * Relief::SPACING;
+            let squared = squared_distance(corner, *from, *to);
             if squared < self.squared[i] {
                 (self.squared[i], self.piece[i]) = (squared, piece);
             }

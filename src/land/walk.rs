@@ -37,7 +37,7 @@ pub(super) fn walk(from: Vec2, to: Vec2) -> impl Iterator<Item = (i32, i32)> {
 
 /// The whole number below. `f32::floor` is a call on processors of before 2008, which is what we compile for.
 #[inline]
-fn floor(x: f32) -> i32 {
+pub(super) fn floor(x: f32) -> i32 {
     let whole = x as i32;
     whole - i32::from(x < whole as f32)
 }

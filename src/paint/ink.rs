@@ -34,19 +34,21 @@ fn on_plain_land(pixels: &mut [u8], coverage: &[u8], palette: &Palette) {
     }
 }
 
-/// Most of a map has no river: there the ground is copied, many pixels at a time.
+/// Most of a map has no river: the ground is copied, and many pixels at a time are left at that.
 fn on_ground(pixels: &mut [u8], coverage: &[u8], palette: &Palette, ground: &[[u8; 4]]) {
     const MANY: usize = 16;
-    for ((pixels, coverage), ground) in pixels.chunks_mut(MANY * 4).zip(coverage.chunks(MANY)).zip(ground.chunks(MANY))
-    {
-        if coverage.iter().fold(0, |any, &coverage| any | coverage) == 0 {
-            pixels.copy_from_slice(ground.as_flattened());
-            continue;
-        }
-        for ((pixel, &coverage), ground) in pixels.chunks_exact_mut(4).zip(coverage).zip(ground) {
+    pixels.copy_from_slice(ground.as_flattened());
+    let (many, rest) = coverage.as_chunks::<MANY>();
+    let mut lay = |first: usize, coverage: &[u8]| {
+        let pixels = pixels[first * 4..].chunks_exact_mut(4);
+        for ((pixel, &coverage), ground) in pixels.zip(coverage).zip(&ground[first..]) {
             pixel.copy_from_slice(&over(*ground, palette, coverage));
         }
+    };
+    for (i, coverage) in many.iter().enumerate().filter(|(_, coverage)| **coverage != [0; MANY]) {
+        lay(i * MANY, coverage);
     }
+    lay(many.len() * MANY, rest);
 }
 
 /// River of some coverage over a colour.

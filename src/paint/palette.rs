@@ -6,8 +6,6 @@ pub(crate) type Colour = [u8; 3];
 /// What a style paints with.
 #[derive(Debug)]
 pub(crate) struct Palette {
-    /// Land where all of the domain is.
-    pub plain: Colour,
     /// Land at the coast, and far from it.
     pub lowland: Colour,
     pub inland: Colour,
@@ -43,10 +41,17 @@ pub(super) static MAP: Palette = Palette {
 /// White on black, the coast dim.
 pub(super) static NIGHT: Palette = even([0; 3], [0; 3], [0x58; 3], [0x38; 3], [0xff; 3]);
 
+impl Palette {
+    /// The colour of land where all of the domain is.
+    pub fn plain(&self) -> Colour {
+        let [red, green, blue, _] = self.ramp[0];
+        [red, green, blue]
+    }
+}
+
 /// Land and water of one colour each, no rings.
 const fn even(land: Colour, water: Colour, coast: Colour, ridge: Colour, river: Colour) -> Palette {
     Palette {
-        plain: land,
         lowland: land,
         inland: land,
         shallows: water,
