@@ -134,7 +134,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(1000))]
 
     #[test]
-    fn every_network_holds_its_promises(link in random_link(600), every in 1u32..40) {
+    fn every_network_holds_its_promises(link in random_link(400), every in 4u32..60) {
         let recipe = link::read(&link).unwrap();
         let mut meander = shaped(&recipe);
         let size = meander.parameters().domain.size;

@@ -36,8 +36,10 @@ proptest! {
         while session.advance(7) {}
         session.paint();
         session.change(other).unwrap();
+        while session.advance(7) {}
         session.paint();
         session.change(recipe.clone()).unwrap();
+        while session.advance(7) {}
         session.paint();
         prop_assert!(session.pixmap().data() == painted(&recipe, u32::MAX), "{link}");
     }

@@ -8,7 +8,7 @@
 use glam::Vec2;
 
 use super::NONE;
-use crate::plane::{Segment, distance, meet, meeting};
+use crate::plane::{Segment, distance, height, meet, meeting};
 use crate::tree::{NO_PARENT, Tree};
 
 /// A tree whose steps meet only at its nodes. The nodes stand in another order than before, parents first as ever.
@@ -83,6 +83,9 @@ impl Planar {
 
     /// Adds a step from a node; where it would meet an older step it starts there instead. `None` if neither can be.
     fn grow(&mut self, at: Vec2, from: u32, drained: u32) -> Option<u32> {
+        if self.folds_back(at, from) {
+            return None;
+        }
         let Some((step, share)) = self.last_met((at, self.at[from as usize]), from) else {
             return Some(self.push(at, from, drained));
         };
@@ -101,6 +104,22 @@ impl Planar {
             self.parent[upper as usize] = junction;
             self.push(at, junction, drained)
         })
+    }
+
+    /// Whether a step from a node would lie upon another step that ends there.
+    fn folds_back(&self, at: Vec2, from: u32) -> bool {
+        let new = (at, self.at[from as usize]);
+        let mut folds_back = false;
+        self.visit(new, |step| {
+            let far_end = match (step == from, self.parent[step as usize] == from) {
+                (true, _) => self.parent[step as usize],
+                (_, true) => step,
+                _ => return,
+            };
+            let far_end = self.at[far_end as usize];
+            folds_back |= height(at, far_end, new.1) <= self.tiny || height(far_end, at, new.1) <= self.tiny;
+        });
+        folds_back
     }
 
     /// Of the steps that a new one meets, the one it meets last on its way from `from`, and the share of its way

@@ -54,8 +54,9 @@ pub(super) fn settle(network: &mut Network, river: usize, junction: u32, arm: f3
             floor = (vertex.left, vertex.right);
         }
     }
+    let last = network.vertices[river.end as usize - 1];
     if river.joins != NONE {
-        settle(network, river.parent as usize, river.joins, (floor.0 + floor.1) * 0.5);
+        settle(network, river.parent as usize, river.joins, last.width() * 0.5);
     }
 }
 

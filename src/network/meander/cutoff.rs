@@ -8,7 +8,7 @@ use super::super::parameters::Parameters;
 use super::super::width::settle;
 use super::super::{NONE, Network, Oxbow, River, Vertex};
 use super::{NARROWEST, river_of};
-use crate::plane::most;
+use crate::plane::{distance, most};
 
 /// A neck: the vertices above and below the loop.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -19,21 +19,24 @@ pub(super) struct Cut {
 }
 
 /// Whether there is a loop between two segments of a river, and not only a bend.
-pub(super) fn is_loop(i: u32, j: u32, width: f32, parameters: &Parameters) -> bool {
+pub(super) fn is_loop(network: &Network, pair: &Near, parameters: &Parameters) -> bool {
     const LEAST: f32 = 6.0;
-    i.abs_diff(j) as f32 * parameters.step(width) > LEAST * most(width, parameters.spacing)
+    let between = &network.vertices[pair.first as usize..=pair.second as usize];
+    let length: f32 = between.windows(2).map(|pair| distance(pair[0].at, pair[1].at)).sum();
+    length > LEAST * most(between[0].width(), parameters.spacing)
 }
 
 /// The necks to be cut: of each river's the one with the longest loop.
 pub(super) fn necks(network: &Network, near: &[Near], parameters: &Parameters) -> Vec<Cut> {
     let river_of = river_of(network);
     let mut necks: Vec<Option<Cut>> = vec![None; network.rivers.len()];
-    for &Near { first, second, distance } in near {
+    for pair in near {
+        let &Near { first, second, distance } = pair;
         let river = river_of[first as usize];
         let width = network.vertices[first as usize].width();
         let is_neck = river == river_of[second as usize]
             && distance < parameters.neck * most(width, NARROWEST * parameters.spacing)
-            && is_loop(first, second, width, parameters);
+            && is_loop(network, pair, parameters);
         let moves = |i: u32| network.vertices[i as usize].sway > 0.0;
         if !is_neck || !(moves(first) || moves(second)) {
             continue;

@@ -19,7 +19,7 @@ use super::parameters::{Model, Parameters};
 use super::ranking::simplified;
 use super::smooth::{has_room, limits, smooth};
 use super::width::widen;
-use super::{NONE, Network};
+use super::{NONE, Network, Vertex};
 use crate::plane::{length, most};
 
 /// Clearances are measured up to this share of a step. Vertices move by less than a third of it in a round.
@@ -46,6 +46,7 @@ impl Meander {
         let coarse = simplified(&courses.network, &courses.ranking, parameters.simplify);
         let (mut network, origin) = divide(&coarse, &parameters);
         smooth(&mut network, &coarse, &origin, &parameters);
+        thin_out(&mut network, &parameters);
         widen(&mut network, &parameters);
         sway::give(&mut network, &parameters);
         let guard = Guard::new(&parameters.domain, parameters.spacing);
@@ -194,7 +195,7 @@ impl Meander {
         let apart = (width(a.0) + width(b.0)) * 0.5 + buffer;
         if a.1 == b.1 {
             return pair.distance < 0.5 * neck * most(width(a.0), NARROWEST * spacing)
-                && cutoff::is_loop(a.0, b.0, width(a.0), &self.parameters);
+                && cutoff::is_loop(&self.network, pair, &self.parameters);
         }
         pair.distance < apart && !self.is_about_to_join(a, b, apart) && !self.is_about_to_join(b, a, apart)
     }
@@ -227,6 +228,30 @@ impl Meander {
                 vertex.sway = 0.0;
             }
         }
+    }
+}
+
+/// Takes out vertices that lie closer than they need, as those of a Brownian tree do, of which hardly any have been
+/// simplified away: half of them at a time.
+fn thin_out(network: &mut Network, parameters: &Parameters) {
+    const TIMES: u32 = 4;
+    let mut guard = Guard::new(&parameters.domain, parameters.spacing);
+    for _ in 0..TIMES {
+        let downstream = network.downstream();
+        let is_close = |(vertex, &below): (&Vertex, &u32)| {
+            let next = network.vertices.get(below as usize);
+            next.is_some_and(|next| {
+                vertex.at.distance_squared(next.at) < 0.25 * parameters.spacing * parameters.spacing
+            })
+        };
+        let close = network.vertices.iter().zip(&downstream).filter(|pair| is_close(*pair)).count();
+        if close * 8 < downstream.len() {
+            return;
+        }
+        let reach = vec![parameters.spacing; downstream.len()];
+        let clearance = guard.survey(network, &downstream, &reach, reach.clone(), &mut |_| {});
+        let everywhere = vec![1.0; downstream.len()];
+        respace::respace(network, &clearance, &everywhere, parameters);
     }
 }
 

@@ -30,6 +30,8 @@ pub(super) fn respace(network: &mut Network, clearance: &[f32], pace: &[f32], pa
                 && last + 1 == i as u32
                 && below != NONE
                 && !is_junction[i]
+                // As wide as a tributary's last vertex is, its junction is known to be.
+                && i + 1 < own.end
                 // Of what stays the clearance is not known.
                 && pace[i] > 0.0
                 && distance(old[i].at, old[i - 1].at) < 0.5 * parameters.step(old[i].width())
