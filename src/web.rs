@@ -2,17 +2,16 @@
 
 use glam::Vec2;
 use js_sys::{Array, Error, Float32Array, Object, Reflect};
-use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
-use crate::export::{ExportError, geojson, json, svg};
+use crate::export::{ExportError, Value, geojson, json, svg};
 use crate::grow::Ending;
 use crate::land::trace;
 use crate::paint::{PaintError, Rect};
 use crate::recipe::link::{self, Notice};
-use crate::recipe::preset::PRESETS;
+use crate::recipe::preset::{PRESETS, Preset};
 use crate::recipe::table::TABLE;
-use crate::recipe::{GridPoint, Kind, LONGEST_OUTLINE, Outline, Parameter, Recipe, Stage};
+use crate::recipe::{Decimal, GridPoint, Key, Kind, LONGEST_OUTLINE, Outline, Parameter, Recipe, Stage};
 use crate::session::{Phase, Session, SessionError};
 use crate::{dice, digest};
 
@@ -95,33 +94,39 @@ fn start() {
 
 /// The parameter table.
 #[wasm_bindgen(unchecked_return_type = "Parameter[]")]
-pub fn parameters() -> Result<JsValue, JsValue> {
-    to_js(&TABLE.iter().map(ParameterView::of).collect::<Vec<_>>())
+pub fn parameters() -> Array {
+    TABLE.iter().map(row).collect()
 }
 
 /// All presets.
 #[wasm_bindgen(unchecked_return_type = "Preset[]")]
-pub fn presets() -> Result<JsValue, JsValue> {
-    let view = |preset: &crate::recipe::preset::Preset| PresetView {
-        name: preset.name,
-        label: preset.label,
-        help: preset.help,
-        values: preset
-            .values
-            .iter()
-            .map(|(key, text)| (key.parameter().name, canonical(key.parameter(), text)))
-            .collect(),
+pub fn presets() -> Array {
+    let values = |preset: &Preset| -> Array {
+        let canonical = |(key, text): &(Key, &str)| pair(key.parameter().name, &canonical(key.parameter(), text));
+        preset.values.iter().map(canonical).collect()
     };
-    to_js(&PRESETS.iter().map(view).collect::<Vec<_>>())
+    let view = |preset: &Preset| {
+        object(&[
+            ("name", preset.name.into()),
+            ("label", preset.label.into()),
+            ("help", preset.help.into()),
+            ("values", values(preset).into()),
+        ])
+    };
+    PRESETS.iter().map(view).collect()
 }
 
 /// Reads a link leniently. Total: never throws, whatever the text.
 #[wasm_bindgen(js_name = readLink, unchecked_return_type = "Reading")]
-pub fn read_link(text: &str) -> Result<JsValue, JsValue> {
+pub fn read_link(text: &str) -> Object {
     let (recipe, notices) = link::read_leniently(text);
-    let values = TABLE.iter().map(|parameter| (parameter.name, parameter.text_of(recipe.value(parameter.key))));
-    let notices = notices.into_iter().map(|Notice { key, message }| NoticeView { key, message });
-    to_js(&Reading { link: link::write(&recipe), values: values.collect(), notices: notices.collect() })
+    let value = |parameter: &Parameter| pair(parameter.name, &parameter.text_of(recipe.value(parameter.key)));
+    let notice = |Notice { key, message }| object(&[("key", String::into(key)), ("message", String::into(message))]);
+    object(&[
+        ("link", link::write(&recipe).into()),
+        ("values", TABLE.iter().map(value).collect::<Array>().into()),
+        ("notices", notices.into_iter().map(notice).collect::<Array>().into()),
+    ])
 }
 
 /// A new seed, a word that can be said aloud.
@@ -140,15 +145,12 @@ pub fn outline_of(coasts: Vec<Float32Array>, ridges: Vec<Float32Array>) -> Resul
 
 /// The lines of an outline. Throws an Error if the text is none.
 #[wasm_bindgen(js_name = outlineLines, unchecked_return_type = "Lines")]
-pub fn outline_lines(text: &str) -> Result<JsValue, JsValue> {
+pub fn outline_lines(text: &str) -> Result<Object, JsValue> {
     let outline = Outline::parse(text).map_err(|error| coded("bad-params", &error.to_string()))?;
     let flat = |line: &Vec<GridPoint>| -> Vec<f32> { line.iter().flat_map(|at| at.fraction().to_array()).collect() };
     let lines =
         |lines: &[Vec<GridPoint>]| lines.iter().map(|line| Float32Array::from(&flat(line)[..])).collect::<Array>();
-    let found = Object::new();
-    Reflect::set(&found, &"coasts".into(), &lines(outline.coasts()))?;
-    Reflect::set(&found, &"ridges".into(), &lines(outline.ridges()))?;
-    Ok(found.into())
+    Ok(object(&[("coasts", lines(outline.coasts()).into()), ("ridges", lines(outline.ridges()).into())]))
 }
 
 /// Traces a picture: white land, black water, a third colour for ridges. Throws an Error if it shows no coast.
@@ -282,19 +284,19 @@ impl River {
     /// The rivers as they are, as GeoJSON. Throws an Error, as long as the tree grows.
     #[wasm_bindgen(unchecked_return_type = "object")]
     pub fn geojson(&self) -> Result<JsValue, JsValue> {
-        to_js(&geojson::collection(&self.session).map_err(|error| export_error(&error))?)
+        geojson::collection(&self.session).map(|file| to_js(&file)).map_err(|error| export_error(&error))
     }
 
     /// Recipe, nodes and rivers as they are: what the command line writes as JSON. Throws an Error, as long as the tree
     /// grows.
     #[wasm_bindgen(unchecked_return_type = "object")]
     pub fn network(&self) -> Result<JsValue, JsValue> {
-        to_js(&json::network(&self.session, false).map_err(|error| export_error(&error))?)
+        json::network(&self.session, false).map(|file| to_js(&file)).map_err(|error| export_error(&error))
     }
 
     /// The picture in numbers.
     #[wasm_bindgen(unchecked_return_type = "Summary")]
-    pub fn summary(&self) -> Result<JsValue, JsValue> {
+    pub fn summary(&self) -> Object {
         let summary = self.session.summary();
         let stopped = match summary.ending {
             Some(Ending::NodeLimit) => Some("The tree grew to its limit of nodes and was stopped."),
@@ -302,19 +304,19 @@ impl River {
             _ if summary.is_stalled() => Some(DIED_OUT),
             _ => None,
         };
-        to_js(&SummaryView {
-            ticks: summary.ticks,
-            nodes: summary.nodes,
-            mouths: summary.mouths,
-            sources: summary.sources,
-            order: summary.order,
-            attractors: summary.attractors,
-            unreached: summary.unreached,
-            rounds: summary.rounds,
-            oxbows: summary.oxbows,
-            finished: self.session.is_finished(),
-            stopped,
-        })
+        object(&[
+            ("ticks", summary.ticks.into()),
+            ("nodes", summary.nodes.into()),
+            ("mouths", summary.mouths.into()),
+            ("sources", summary.sources.into()),
+            ("order", summary.order.into()),
+            ("attractors", summary.attractors.into()),
+            ("unreached", summary.unreached.into()),
+            ("rounds", summary.rounds.into()),
+            ("oxbows", summary.oxbows.into()),
+            ("finished", self.session.is_finished().into()),
+            ("stopped", stopped.map_or(JsValue::NULL, JsValue::from)),
+        ])
     }
 }
 
@@ -341,14 +343,45 @@ fn export_error(error: &ExportError) -> JsValue {
 /// A JavaScript Error that code can tell by its `code` and a person by its message.
 fn coded(code: &str, message: &str) -> JsValue {
     let error = Error::new(message);
-    // Setting a property of a fresh, extensible object cannot fail.
-    let _ = Reflect::set(&error, &"code".into(), &code.into());
+    set(&error, &[("code", code.into())]);
     error.into()
 }
 
-/// Plain objects, absent values left out.
-fn to_js(value: &impl Serialize) -> Result<JsValue, JsValue> {
-    value.serialize(&serde_wasm_bindgen::Serializer::json_compatible()).map_err(JsValue::from)
+/// Data as plain objects and lists.
+fn to_js(value: &Value) -> JsValue {
+    match value {
+        Value::Null => JsValue::NULL,
+        Value::Truth(truth) => (*truth).into(),
+        Value::Whole(number) => (*number as f64).into(),
+        Value::Single(number) => (*number).into(),
+        Value::Double(number) => (*number).into(),
+        Value::Text(text) => JsValue::from_str(text),
+        Value::Owned(text) => JsValue::from_str(text),
+        Value::List(count, item) => (0..*count).map(|i| to_js(&item(i))).collect::<Array>().into(),
+        Value::Object(members) => {
+            let object = Object::new();
+            members.iter().for_each(|(name, value)| set(&object, &[(name, to_js(value))]));
+            object.into()
+        }
+    }
+}
+
+/// A plain object.
+fn object(members: &[(&str, JsValue)]) -> Object {
+    let object = Object::new();
+    set(&object, members);
+    object
+}
+
+fn set(object: &Object, members: &[(&str, JsValue)]) {
+    for (name, value) in members {
+        // Setting a property of a fresh, extensible object cannot fail.
+        let _ = Reflect::set(object, &JsValue::from_str(name), value);
+    }
+}
+
+fn pair(name: &str, text: &str) -> Array {
+    [name, text].into_iter().map(JsValue::from_str).collect()
 }
 
 /// A value in the one spelling that links are written in.
@@ -356,104 +389,51 @@ fn canonical(parameter: &Parameter, text: &str) -> String {
     parameter.parse(text).map_or_else(|_| text.into(), |value| parameter.text_of(&value))
 }
 
-#[derive(Serialize)]
-#[serde(rename_all = "camelCase")]
-struct ParameterView {
-    key: &'static str,
-    label: &'static str,
-    help: &'static str,
-    group: &'static str,
-    stage: &'static str,
-    unit: &'static str,
-    scale: &'static str,
-    default: String,
-    #[serde(flatten)]
-    kind: KindView,
+/// A row of the parameter table.
+fn row(parameter: &Parameter) -> Object {
+    let row = object(&[
+        ("key", parameter.name.into()),
+        ("label", parameter.label.into()),
+        ("help", parameter.help.into()),
+        ("kind", kind_name(parameter.kind).into()),
+        ("group", parameter.group.into()),
+        ("stage", parameter.stage.name().into()),
+        ("unit", parameter.unit.into()),
+        ("scale", if parameter.logarithmic { "log" } else { "linear" }.into()),
+        ("default", parameter.text_of(&parameter.default_value()).into()),
+    ]);
+    describe(parameter.kind, &row);
+    row
 }
 
-#[derive(Serialize)]
-#[serde(tag = "kind", rename_all = "camelCase", rename_all_fields = "camelCase")]
-enum KindView {
-    Text { max_length: usize },
-    Integer { min: u32, max: u32, step: u32 },
-    Number { min: f64, max: f64, step: f64 },
-    Choice { choices: Vec<ChoiceView> },
-    Sides { choices: Vec<ChoiceView> },
-    Outline { max_length: usize },
+fn kind_name(kind: Kind) -> &'static str {
+    match kind {
+        Kind::Text { .. } => "text",
+        Kind::Integer { .. } => "integer",
+        Kind::Number { .. } => "number",
+        Kind::Outline => "outline",
+        Kind::Choice { .. } => "choice",
+        Kind::Sides { .. } => "sides",
+    }
 }
 
-#[derive(Serialize)]
-struct ChoiceView {
-    value: &'static str,
-    label: &'static str,
-}
-
-#[derive(Serialize)]
-struct PresetView {
-    name: &'static str,
-    label: &'static str,
-    help: &'static str,
-    values: Vec<(&'static str, String)>,
-}
-
-#[derive(Serialize)]
-struct NoticeView {
-    key: String,
-    message: String,
-}
-
-#[derive(Serialize)]
-struct Reading {
-    link: String,
-    values: Vec<(&'static str, String)>,
-    notices: Vec<NoticeView>,
-}
-
-#[derive(Serialize)]
-struct SummaryView {
-    ticks: u32,
-    nodes: u32,
-    mouths: u32,
-    sources: u32,
-    order: u8,
-    attractors: u32,
-    unreached: u32,
-    rounds: u32,
-    oxbows: u32,
-    finished: bool,
-    stopped: Option<&'static str>,
-}
-
-impl ParameterView {
-    fn of(parameter: &Parameter) -> Self {
-        Self {
-            key: parameter.name,
-            label: parameter.label,
-            help: parameter.help,
-            group: parameter.group,
-            stage: parameter.stage.name(),
-            unit: parameter.unit,
-            scale: if parameter.logarithmic { "log" } else { "linear" },
-            default: parameter.text_of(&parameter.default_value()),
-            kind: KindView::of(parameter.kind),
+/// Says in a row what values its parameter takes.
+fn describe(kind: Kind, row: &Object) {
+    let range =
+        |[min, max, step]: [f64; 3]| set(row, &[("min", min.into()), ("max", max.into()), ("step", step.into())]);
+    match kind {
+        Kind::Text { longest, .. } => set(row, &[("maxLength", longest.into())]),
+        Kind::Integer { min, max, .. } => range([min.into(), max.into(), 1.0]),
+        Kind::Number { min, max, step, .. } => range([min, max, step].map(Decimal::to_f64)),
+        Kind::Outline => set(row, &[("maxLength", LONGEST_OUTLINE.into())]),
+        Kind::Choice { choices } => set(row, &[("choices", choices_of(choices).into())]),
+        Kind::Sides { .. } => {
+            let sides = [("n", "North"), ("e", "East"), ("s", "South"), ("w", "West")];
+            set(row, &[("choices", choices_of(&sides).into())]);
         }
     }
 }
 
-impl KindView {
-    fn of(kind: Kind) -> Self {
-        let view = |&(value, label): &(&'static str, &'static str)| ChoiceView { value, label };
-        match kind {
-            Kind::Text { longest, .. } => Self::Text { max_length: longest },
-            Kind::Integer { min, max, .. } => Self::Integer { min, max, step: 1 },
-            Kind::Number { min, max, step, .. } => {
-                Self::Number { min: min.to_f64(), max: max.to_f64(), step: step.to_f64() }
-            }
-            Kind::Outline => Self::Outline { max_length: LONGEST_OUTLINE },
-            Kind::Choice { choices } => Self::Choice { choices: choices.iter().map(view).collect() },
-            Kind::Sides { .. } => Self::Sides {
-                choices: [("n", "North"), ("e", "East"), ("s", "South"), ("w", "West")].iter().map(view).collect(),
-            },
-        }
-    }
+fn choices_of(choices: &[(&str, &str)]) -> Array {
+    choices.iter().map(|&(value, label)| object(&[("value", value.into()), ("label", label.into())])).collect()
 }

@@ -118,9 +118,10 @@ pub enum RecipeError {
 /// A value as an error message shows it: a hostile text must not fill the screen.
 pub(super) fn shown(value: &str) -> String {
     const MOST: usize = 40;
-    let clean = |text: &str| text.chars().map(|c| if c.is_control() { '\u{fffd}' } else { c }).collect::<String>();
-    match value.char_indices().nth(MOST) {
-        Some((end, _)) => format!("{}…", clean(&value[..end])),
-        None => clean(value),
+    let clean = |c: char| if c.is_control() { '\u{fffd}' } else { c };
+    let mut shown: String = value.chars().take(MOST).map(clean).collect();
+    if value.chars().nth(MOST).is_some() {
+        shown.push('…');
     }
+    shown
 }

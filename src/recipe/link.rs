@@ -156,8 +156,7 @@ fn shorten<'a>(link: &'a str, notices: &mut Vec<Notice>) -> &'a str {
     }
     let error = RecipeError::TooLong { key: "link", length: link.len(), max: LONGEST };
     notices.push(Notice { key: String::new(), message: format!("{error}: the rest is left out") });
-    let end = (0..=LONGEST).rev().find(|&i| link.is_char_boundary(i)).unwrap_or(0);
-    &link[..end]
+    (0..=LONGEST).rev().find_map(|end| link.get(..end)).unwrap_or("")
 }
 
 /// Splits link text into names and values; whatever the bytes are, this gives some pairs.

@@ -163,7 +163,7 @@ impl Outline {
             return Err(OutlineError::BadCharacter { at: at + 1 });
         }
         let mut outline = Self::default();
-        let mut rest = text;
+        let mut rest = text.as_bytes();
         while !rest.is_empty() {
             rest = outline.take_line(rest, text.len() - rest.len() + 1)?;
         }
@@ -174,14 +174,14 @@ impl Outline {
     }
 
     /// Reads the first line of a text that begins at a place, and returns what follows it.
-    fn take_line<'a>(&mut self, text: &'a str, at: usize) -> Result<&'a str, OutlineError> {
-        let line = text.strip_prefix('.').ok_or(OutlineError::NoBeginning)?;
-        let (kind, line) = line.strip_prefix('.').map_or((LineKind::Coast, line), |line| (LineKind::Ridge, line));
-        let (digits, rest) = line.split_at(line.find('.').unwrap_or(line.len()));
+    fn take_line<'a>(&mut self, text: &'a [u8], at: usize) -> Result<&'a [u8], OutlineError> {
+        let line = text.strip_prefix(b".").ok_or(OutlineError::NoBeginning)?;
+        let (kind, line) = line.strip_prefix(b".").map_or((LineKind::Coast, line), |line| (LineKind::Ridge, line));
+        let (digits, rest) = line.split_at(line.iter().position(|&c| c == b'.').unwrap_or(line.len()));
         if digits.len() % POINT != 0 {
             return Err(OutlineError::BrokenPoint { kind, at });
         }
-        let points: Vec<GridPoint> = digits.as_bytes().chunks(POINT).filter_map(GridPoint::parse).collect();
+        let points: Vec<GridPoint> = digits.chunks(POINT).filter_map(GridPoint::parse).collect();
         if points.len() < kind.fewest() {
             return Err(OutlineError::TooFew { kind, at, points: points.len() });
         }
