@@ -143,7 +143,7 @@ impl Relief {
     }
 
     /// How far inland a point lies, in units; negative at sea. Points outside the domain have the value of its border.
-    #[inline]
+    #[inline(always)] // asked for every corner of every cell
     pub fn height(&self, point: Vec2) -> f32 {
         self.across(point.y).height(self.column(point.x))
     }

@@ -115,6 +115,7 @@ impl Pyramid {
         found
     }
 
+    #[inline]
     fn look_into_tile(&self, at: Place, column: i32, row: i32, found: Found) -> Found {
         let mut cells = self.tiles[(row * self.tile_columns + column) as usize];
         let corner = Place { column: column << TILE_BITS, row: row << TILE_BITS };
