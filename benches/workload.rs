@@ -10,7 +10,7 @@ use glam::Vec2;
 use riverseed::domain::Domain;
 use riverseed::grow::{Brownian, Colonize, Field, Growth, Parameters};
 use riverseed::land::Land;
-use riverseed::network::{self, Courses, Meander};
+use riverseed::network::{self, Courses, Meander, NONE, Network, River, Vertex};
 use riverseed::paint::{Coverage, Pen, View, Widths};
 use riverseed::prune;
 use riverseed::random::Seed;
@@ -70,8 +70,8 @@ fn repetition(task: &str) -> Option<Repetition> {
         ["slider", attractors] => changes("reach=3", "reach=3.05", attractors.parse().ok()?, BARE),
         ["page-slider", attractors] => changes("", "reach=2.45", attractors.parse().ok()?, "aspect=1"),
         ["shape"] => shaping_of_rivers(),
-        ["round", attractors] => round(attractors),
-        ["pairs", attractors] => all_pairs(attractors),
+        ["round", maps] => round(maps.parse().ok()?),
+        ["pairs"] => all_pairs(),
         ["late", key, one, other] => late(&format!("{key}={one}"), &format!("{key}={other}")),
         ["pen"] => changes("rough=0.5", "rough=0.51", 6000, DRAWN),
         ["differing"] => Some(Box::new(|| differing_bytes().unwrap_or(u32::MAX))),
@@ -192,10 +192,11 @@ fn all_grown(recipe: &Recipe) -> Option<Growth> {
     Some(growth)
 }
 
-/// Rivers that are halfway through their rounds.
-fn half_meandered(attractors: &str) -> Option<Meander> {
-    let mut recipe = recipe("")?;
-    recipe.set(Key::Attractors, attractors).ok()?;
+/// Some 10,000 vertices of rivers that are halfway through their rounds, on each of so many maps side by side.
+fn half_meandered(maps: u32) -> Option<Meander> {
+    const ATTRACTORS: &str = "9000";
+    let mut recipe = recipe("meander-rounds=400")?;
+    recipe.set(Key::Attractors, ATTRACTORS).ok()?;
     let growth = all_grown(&recipe)?;
     let pruned = prune::trim(growth.tree(), &Hydrology::of(growth.tree()), recipe.integer(Key::Trim));
     let courses = Courses::of(&pruned.tree, true, None);
@@ -203,25 +204,51 @@ fn half_meandered(attractors: &str) -> Option<Meander> {
     (0..20).for_each(|_| {
         meander.round();
     });
-    Some(meander)
+    Some(Meander::of(side_by_side(meander.network(), maps, meander.parameters().domain.size), wide(&meander, maps)))
 }
 
-/// A round of meandering; the number of vertices.
-fn round(attractors: &str) -> Option<Repetition> {
-    let halfway = half_meandered(attractors)?;
+/// The parameters for so many maps from west to east.
+fn wide(meander: &Meander, maps: u32) -> network::Parameters {
+    let mut parameters = meander.parameters().clone();
+    parameters.domain.size.x *= maps as f32;
+    parameters
+}
+
+fn side_by_side(network: &Network, maps: u32, size: Vec2) -> Network {
+    let mut all = Network::default();
+    for map in 0..maps {
+        let (east, first) = (Vec2::new(size.x * map as f32, 0.0), all.vertices.len() as u32);
+        let rivers = all.rivers.len() as u32;
+        let moved = |number: u32, by: u32| if number == NONE { NONE } else { number + by };
+        all.vertices.extend(network.vertices.iter().map(|vertex| Vertex { at: vertex.at + east, ..*vertex }));
+        all.rivers.extend(network.rivers.iter().map(|river| River {
+            start: river.start + first,
+            end: river.end + first,
+            joins: moved(river.joins, first),
+            parent: moved(river.parent, rivers),
+            ..*river
+        }));
+    }
+    all
+}
+
+/// Rounds of meandering, one after the other; the number of rivers.
+fn round(maps: u32) -> Option<Repetition> {
+    const ROUNDS: u32 = 12;
+    let halfway = half_meandered(maps)?;
     let mut meander = halfway.clone();
     Some(Box::new(move || {
-        // The rounds from here on, again and again: each as if it were the first after a copy that is not counted.
-        if !meander.round() {
+        if meander.rounds() == ROUNDS {
             meander = halfway.clone();
         }
-        meander.network().vertices.len() as u32
+        meander.round();
+        meander.network().rivers.len() as u32
     }))
 }
 
 /// What a round has to know, by all pairs: without moving anything.
-fn all_pairs(attractors: &str) -> Option<Repetition> {
-    let meander = half_meandered(attractors)?;
+fn all_pairs() -> Option<Repetition> {
+    let meander = half_meandered(1)?;
     let network = meander.network().clone();
     let reach = meander.reach(&network.downstream());
     Some(Box::new(move || pairs::survey(&network, &reach, meander.caps()).1.len() as u32))

@@ -49,6 +49,11 @@ impl Meander {
         thin_out(&mut network, &parameters);
         widen(&mut network, &parameters);
         sway::give(&mut network, &parameters);
+        Self::of(network, parameters)
+    }
+
+    /// Goes on with a network that has its widths and sway already, wherever it comes from.
+    pub fn of(network: Network, parameters: Parameters) -> Self {
         let guard = Guard::new(&parameters.domain, parameters.spacing);
         Self { parameters, network, guard, round: 0 }
     }
