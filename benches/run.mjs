@@ -27,6 +27,7 @@ const GROUPS = {
   "Drawing 100,000 segments at 1024²": drawing,
   "A slider or a pen moves: regrow and redraw 15,000 attractors at 1024²": slider,
   "Rivers of a default map, and their rounds of meandering": rivers,
+  "Bends of the great rivers of 20 maps; in nature wavelength 11 widths, radius 2 to 3": bends,
   "The page at 1024², while 100,000 attractors grow, then while the rivers of 6,000 meander": page,
   "The wasm file of the page": size,
 };
@@ -154,6 +155,18 @@ async function slider() {
     const [natively, asWasm] = await inTurn(9, [native, task, 5], [wasm, task, 5]);
     row(`wasm, ${what}`, median(asWasm), "ms", atMost(16, 10));
     guide("native", median(natively), "ms");
+  }
+}
+
+async function bends() {
+  for (const model of ["bend", "flow"]) {
+    for (const [measure, unit] of [["wavelength", "widths"], ["radius", "widths"], ["sinuosity", ""]]) {
+      const quartiles = [];
+      for (const percent of [25, 50, 75]) {
+        quartiles.push((await native.run(`bends ${model} ${measure} ${percent}`)).result / 100);
+      }
+      guide(`${model}: ${measure}, quartiles ${quartiles.join(", ")}; median`, quartiles[1], unit);
+    }
   }
 }
 

@@ -6,6 +6,7 @@
 
 use std::collections::BTreeMap;
 
+use bends::Bend;
 use glam::Vec2;
 use riverseed::domain::Domain;
 use riverseed::grow::{Brownian, Colonize, Field, Growth, Parameters};
@@ -20,6 +21,8 @@ use riverseed::session::Session;
 use riverseed::tree::{Hydrology, Tree};
 use tiny_skia::{FillRule, LineCap, Mask, Paint, PathBuilder, Pixmap, Stroke, Transform};
 
+#[path = "bends.rs"]
+mod bends;
 #[path = "../tests/common/literal.rs"]
 #[allow(dead_code, reason = "tests use more of it")]
 mod literal;
@@ -72,6 +75,7 @@ fn repetition(task: &str) -> Option<Repetition> {
         ["shape"] => shaping_of_rivers(),
         ["round", maps] => round(maps.parse().ok()?),
         ["pairs"] => all_pairs(),
+        ["bends", model, measure, percent] => bends_of(model, measure, percent.parse().ok()?),
         ["late", key, one, other] => late(&format!("{key}={one}"), &format!("{key}={other}")),
         ["pen"] => changes("rough=0.5", "rough=0.51", 6000, DRAWN),
         ["differing"] => Some(Box::new(|| differing_bytes().unwrap_or(u32::MAX))),
@@ -252,6 +256,27 @@ fn all_pairs() -> Option<Repetition> {
     let network = meander.network().clone();
     let reach = meander.reach(&network.downstream());
     Some(Box::new(move || pairs::survey(&network, &reach, meander.caps()).1.len() as u32))
+}
+
+/// A quantile, in percent, of a measure of the free bends of twenty maps, in hundredths.
+fn bends_of(model: &str, measure: &str, percent: usize) -> Option<Repetition> {
+    let measure = match measure {
+        "wavelength" => |bend: &Bend| bend.wavelength,
+        "radius" => |bend: &Bend| bend.radius,
+        _ => |bend: &Bend| bend.sinuosity,
+    };
+    let link = format!("meander={model}&great=4&meander-rounds=60");
+    let mut all: Vec<f32> = (0..20)
+        .filter_map(|seed| {
+            let mut session = Session::new(recipe(&format!("seed={seed}&{link}"))?, 1, 1).ok()?;
+            session.advance(u32::MAX);
+            Some(bends::bends(session.network()?).iter().map(measure).collect::<Vec<f32>>())
+        })
+        .flatten()
+        .collect();
+    all.sort_by(f32::total_cmp);
+    let value = all.get((all.len().saturating_sub(1)) * percent / 100).copied()?;
+    Some(Box::new(move || (value * 100.0) as u32))
 }
 
 /// A parameter of the network or of its painting changes, on a default map that is there already: until the finished picture.

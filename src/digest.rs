@@ -1,5 +1,6 @@
 //! A digest of everything a recipe decides: what proves that two machines draw the same.
 
+use crate::network::Vertex;
 use crate::prune::Pruned;
 use crate::recipe::Recipe;
 use crate::session::{Session, SessionError};
@@ -7,7 +8,7 @@ use crate::session::{Session, SessionError};
 /// The pixel width of the picture that goes into a digest.
 const WIDTH: u32 = 160;
 
-/// Grows and paints a recipe and returns the FNV-1a hash (64 bits) of its tree, its hydrology and its pixels, as 16
+/// Grows and paints a recipe and returns the FNV-1a hash (64 bits) of its tree, its hydrology, its rivers and its pixels, as 16
 /// hexadecimal digits.
 ///
 /// # Errors
@@ -27,6 +28,14 @@ pub fn digest(recipe: &Recipe) -> Result<String, SessionError> {
     hash.words(hydrology.order.into_iter().map(u32::from));
     hash.words(hydrology.magnitude);
     hash.words(hydrology.discharge);
+    if let Some(network) = session.network() {
+        hash.words(network.rivers.iter().flat_map(|river| [river.start, river.end, river.joins, river.parent]));
+        let vertices = network.vertices.iter().chain(network.oxbows.iter().flat_map(|oxbow| &oxbow.vertices));
+        vertices.for_each(|vertex| {
+            let Vertex { at, discharge, left, right, sway } = *vertex;
+            hash.words([at.x.to_bits(), at.y.to_bits(), discharge, left.to_bits(), right.to_bits(), sway.to_bits()]);
+        });
+    }
     hash.bytes(session.pixmap().data());
     Ok(format!("{:016x}", hash.0))
 }

@@ -1,11 +1,11 @@
 //! Riverseed: a river network that grows from a word.
 //!
 //! A [recipe](recipe::Recipe) holds a seed text and parameters. Rivers [grow] from their mouths into the [land] by space
-//! colonization or as a Brownian tree, are [trimmed](prune), read for their [hydrology](tree::Hydrology) and
-//! [painted](paint). Data flows one way:
+//! colonization or as a Brownian tree, are [trimmed](prune), read for their [hydrology](tree::Hydrology), made into a
+//! [network] of rivers that meander, and [painted](paint). Data flows one way:
 //!
 //! ```text
-//! recipe ─► land ─► grow ─► tree ─► prune ─► paint / export
+//! recipe ─► land ─► grow ─► tree ─► prune ─► network ─► paint / export
 //! ```
 //!
 //! Each stage is a function of its part of the recipe, the stage before it and its own random stream, and is the same

@@ -141,7 +141,7 @@ proptest! {
         loop {
             let network = meander.network();
             let rounds = meander.rounds();
-            if rounds <= 2 || rounds % every == 0 || meander.is_finished() {
+            if rounds <= 2 || rounds.is_multiple_of(every) || meander.is_finished() {
                 check_no_crossing(network, &format!("{link}, round {rounds}"));
                 check_rivers(network);
                 check_vertices(network, size);

@@ -91,15 +91,19 @@ impl Guard {
         let i = own.segment as usize;
         for row in self.runs(own.middle, radius) {
             for other in &self.entries[row] {
-                if other.reach > own.reach || (other.reach == own.reach && other.segment <= own.segment) {
+                let (off, halves) = (other.middle - own.middle, own.half + other.half);
+                let far = own.reach + halves;
+                if off.dot(off) >= far * far
+                    || other.reach > own.reach
+                    || (other.reach == own.reach && other.segment <= own.segment)
+                {
                     continue;
                 }
                 let j = other.segment as usize;
                 let are_neighbours = i.abs_diff(j) <= NEIGHBOURS;
                 // Of neighbours only the clearance matters.
-                let far = if are_neighbours { most(clearance[i], clearance[j]) } else { own.reach };
-                let (off, far) = (other.middle - own.middle, far + own.half + other.half);
-                if off.dot(off) < far * far {
+                let far = most(clearance[i], clearance[j]) + halves;
+                if !are_neighbours || off.dot(off) < far * far {
                     survey.measure(own, *other, are_neighbours, clearance, tell);
                 }
             }

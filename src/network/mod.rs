@@ -8,8 +8,8 @@
 //! tree ─► uncross ─► courses ─► simplify ─► evenly spaced, smooth ─► widths ─► meander
 //! ```
 //!
-//! No two rivers cross, at any time. The courses do not ([`uncross`]); a vertex goes only if its triangle holds no other
-//! ([`ranking`]); and what moves, moves by less than half of the way to the nearest other line ([`guard`]), so two lines
+//! No two rivers cross, at any time. The courses do not (`uncross.rs`); a vertex goes only if its triangle holds no other
+//! (`ranking.rs`); and what moves, moves by less than half of the way to the nearest other line (by the [`Guard`]), so two lines
 //! can never meet, whatever moves them.
 
 mod courses;

@@ -44,13 +44,13 @@ pub(super) fn settle(network: &mut Network, river: usize, junction: u32, arm: f3
     let river = network.rivers[river];
     let above = network.vertices[(junction.max(river.start + 1) - 1) as usize];
     let mut floor = (most(arm, above.left), most(arm, above.right));
-    for i in junction as usize..river.end as usize {
-        let vertex = &mut network.vertices[i];
-        if i > junction as usize && is_junction[i] && vertex.left >= floor.0 && vertex.right >= floor.1 {
+    let below = junction as usize..river.end as usize;
+    for (i, (vertex, &is_junction)) in network.vertices[below.clone()].iter_mut().zip(&is_junction[below]).enumerate() {
+        if i > 0 && is_junction && vertex.left >= floor.0 && vertex.right >= floor.1 {
             return;
         }
         (vertex.left, vertex.right) = (most(vertex.left, floor.0), most(vertex.right, floor.1));
-        if is_junction[i] {
+        if is_junction {
             floor = (vertex.left, vertex.right);
         }
     }

@@ -310,7 +310,7 @@ pub static TABLE: [Parameter; COUNT] = {
             group: "Meanders",
             stage: Shape,
             logarithmic: false,
-            kind: Kind::Integer { min: 0, max: 400, default: 32 },
+            kind: Kind::Integer { min: 0, max: 400, default: 24 },
         },
         Parameter {
             key: Key::MeanderStrength,

@@ -27,7 +27,7 @@ const NEARLY: f32 = 0.7;
 const EASE: f32 = 0.4;
 
 /// How far a bend as sharp as can be moves in a round at full strength, in widths.
-const PACE: f32 = 0.9;
+const PACE: f32 = 1.2;
 
 /// The way that each vertex goes in this round.
 pub(super) fn moves(network: &Network, pace: &[f32], parameters: &Parameters) -> Vec<Vec2> {

@@ -18,7 +18,7 @@ const GAMMA: f32 = 2.5;
 const MEMORY: f32 = 1.4;
 
 /// How far a bank moves in a round at full strength where the rate is one, in widths.
-const PACE: f32 = 0.5;
+const PACE: f32 = 0.66;
 
 /// The way that each vertex goes in this round.
 pub(super) fn moves(network: &Network, pace: &[f32], parameters: &Parameters) -> Vec<Vec2> {

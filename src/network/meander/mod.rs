@@ -1,7 +1,7 @@
 //! Meanders: bends grow and travel in small rounds, necks are cut, and what is cut off stays as an oxbow lake.
 //!
 //! A round measures how near lines come to each other, cuts through necks, lets bends move by one of two models
-//! ([`bend`], [`flow`]), each vertex as freely as its sway says ([`sway`]) and as far as the guard allows, and spaces vertices
+//! (`bend.rs`, `flow.rs`), each vertex as freely as its sway says (`sway.rs`) and as far as the guard allows, and spaces vertices
 //! evenly again. Vertices that come too near another river stay where they are from then on.
 
 mod bend;
