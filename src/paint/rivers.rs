@@ -15,8 +15,8 @@ use crate::plane::direction;
 /// What is added to each bank, in pixels, so that a brook can be seen.
 const VISIBLE_PX: f32 = 0.2;
 
-/// How far beyond its last vertex a river reaches into the sea, in widths.
-const PAST_SHORE: f32 = 0.5;
+/// How far beyond its last vertex a river reaches into the sea, in widths; its round end adds another half.
+const PAST_SHORE: f32 = 0.1;
 
 /// Draws a network.
 pub(super) fn draw_network(coverage: &mut Coverage, view: &View, network: &Network, style: Style) {
