@@ -1,8 +1,8 @@
-/** Loads the river engine once for the page, and names what can go wrong on the way. */
+/** The river engine: the wasm module that the page opens with. */
 
 import init, * as engine from "../pkg/riverseed.js";
 import wasmUrl from "../pkg/riverseed_bg.wasm?url";
-import { PageError } from "./errors.ts";
+import { once, start } from "./wasm-module.ts";
 
 export type Engine = typeof engine;
 
@@ -11,73 +11,9 @@ export interface Core {
   readonly memory: WebAssembly.Memory;
 }
 
-/** A module of one function that splats and counts bits in four lanes: valid only where SIMD is. */
-const SIMD_PROBE = new Uint8Array([
-  0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0, 253, 15, 253, 98, 11,
-]);
-
-/** Asked before the download, so that an old browser does not fetch what it cannot run. */
-export function isSupported(): boolean {
-  return typeof WebAssembly === "object" && WebAssembly.validate(SIMD_PROBE);
-}
-
-let loading: Promise<Core> | undefined;
-
-/** The engine: one download and one memory, however often it is asked for. A failed load can be tried again. */
-export function load(): Promise<Core> {
-  loading ??= start().catch((error: unknown) => {
-    loading = undefined;
-    throw error;
-  });
-  return loading;
-}
-
-async function start(): Promise<Core> {
-  if (!isSupported()) throw new PageError("wasm-unsupported", "no WebAssembly, or none with SIMD");
-  const compiled = await compile(await download(wasmUrl));
-  try {
+export const load: () => Promise<Core> = once(() =>
+  start(wasmUrl, async (compiled) => {
     const { memory } = await init({ module_or_path: compiled });
     return { engine, memory };
-  } catch (error) {
-    // Script and wasm from different builds do not link: a stale cache, or half an upload.
-    if (error instanceof WebAssembly.LinkError) throw new PageError("wasm-fetch", error.message);
-    throw error;
-  }
-}
-
-async function download(url: string): Promise<Response> {
-  let response: Response;
-  try {
-    response = await fetch(url, { credentials: "same-origin" });
-  } catch (error) {
-    throw new PageError("wasm-fetch", String(error));
-  }
-  if (!response.ok) throw new PageError("wasm-fetch", `the server answered ${response.status} for ${url}`);
-  return response;
-}
-
-async function compile(response: Response): Promise<WebAssembly.Module> {
-  const type = response.headers.get("content-type") ?? "";
-  try {
-    if (type.startsWith("application/wasm")) return await WebAssembly.compileStreaming(response);
-    // The wrong type on the right bytes is common on plain hosts and harms nobody: compile without streaming.
-    const bytes = await response.arrayBuffer();
-    if (!isWasm(bytes)) throw new PageError("wasm-mime", `expected application/wasm, got ${type || "no type"}`);
-    return await WebAssembly.compile(bytes);
-  } catch (error) {
-    throw nameCompileError(error);
-  }
-}
-
-function isWasm(bytes: ArrayBuffer): boolean {
-  const magic = new Uint8Array(bytes, 0, Math.min(4, bytes.byteLength));
-  return magic.length === 4 && magic.every((byte, i) => byte === SIMD_PROBE[i]);
-}
-
-function nameCompileError(error: unknown): PageError {
-  if (error instanceof PageError) return error;
-  const message = error instanceof Error ? error.message : String(error);
-  // There is no error class for this: Chromium and Safari name the missing keyword, Firefox says CSP.
-  if (/unsafe-eval|content security policy|\bCSP\b/i.test(message)) return new PageError("wasm-csp", message);
-  return new PageError("wasm-fetch", message);
-}
+  }),
+);
