@@ -33,7 +33,7 @@ site: wasm ## build the page into www/dist, to be served from any folder of any 
 	@$(npm) build
 
 .PHONY: wasm
-wasm: ## build the wasm package into www/pkg and weigh it
+wasm: ## build the wasm packages into www/pkg and www/pkg-tools, and weigh them
 	@$(setup) rust wasm node
 	@$(run) node scripts/wasm.mjs
 
@@ -52,7 +52,7 @@ test-wasm: ## the core as wasm, in headless Chromium: the same pictures to the b
 	@$(setup) rust wasm browser
 	@mkdir -p target
 	@$(run) bash -c 'sed "s|\$$CHROME|$$CHROME|" scripts/webdriver.json' > target/webdriver.json
-	$(wasm) cargo test $(wasm32) $(WASM_TESTS:%=--test %)
+	$(wasm) cargo test $(wasm32) --features tools $(WASM_TESTS:%=--test %)
 
 .PHONY: test-page
 test-page: wasm ## the TypeScript, without a browser
@@ -74,9 +74,11 @@ check: wasm ## format, lints, types and documentation: not one warning
 	@$(setup) lint
 	$(run) cargo fmt --check
 	$(run) cargo clippy --quiet --all-targets --all-features -- -D warnings
-	$(wasm) cargo clippy --quiet --lib --examples $(WASM_TESTS:%=--test %) $(wasm32) -- -D warnings
+	$(wasm) cargo clippy --quiet --lib --examples $(wasm32) -- -D warnings
+	$(wasm) cargo clippy --quiet --lib $(WASM_TESTS:%=--test %) $(wasm32) --features tools -- -D warnings
 	RUSTDOCFLAGS="-D warnings" $(run) cargo doc --quiet --no-deps --all-features
 	RUSTDOCFLAGS="-D warnings" $(wasm) cargo doc --quiet --no-deps --lib $(wasm32)
+	RUSTDOCFLAGS="-D warnings" $(wasm) cargo doc --quiet --no-deps --lib $(wasm32) --features tools
 	$(npm) types
 	$(npm) lint
 
@@ -98,4 +100,4 @@ goldens: ## draw the golden pictures and digests anew; then look at them and say
 
 .PHONY: clean
 clean: ## remove what was built here; tools in ~/.cache/riverseed and www/node_modules stay
-	rm -rf target www/pkg www/dist www/test-results www/playwright-report
+	rm -rf target www/pkg www/pkg-tools www/dist www/test-results www/playwright-report

@@ -216,6 +216,7 @@ function size() {
   const bytes = readFileSync("www/pkg/riverseed_bg.wasm");
   row("brotli", brotliCompressSync(bytes).length / 1000, "kB", atMost(100, 80));
   guide("bare", bytes.length / 1000, "kB");
+  guide("the tools, brotli", brotliCompressSync(readFileSync("www/pkg-tools/riverseed_tools_bg.wasm")).length / 1000, "kB");
 }
 
 // ---- the two sides: run(task) → { ms, result }

@@ -27,8 +27,10 @@
 //! [`session::Session`] holds a recipe with all its stages, for whoever shows it and changes it.
 
 pub mod dice;
+#[cfg(feature = "tools")]
 pub mod digest;
 pub mod domain;
+#[cfg(feature = "tools")]
 pub mod export;
 pub mod grow;
 #[cfg(feature = "png")]

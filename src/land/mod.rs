@@ -4,10 +4,11 @@
 //! each Available (land), Unavailable (water) or Illegal (a ridge that no river may cross), as in seed document 2.
 //!
 //! A drawn land comes from an [`Outline`](crate::recipe::Outline), which hand-drawn lines
-//! ([`of_strokes`](crate::recipe::Outline::of_strokes)) or a picture ([`trace`]) are turned into.
+//! ([`of_strokes`](crate::recipe::Outline::of_strokes)) or a picture (`trace`, of the feature `tools`) are turned into.
 //!
 //! Growth asks the field, painting asks the relief: so the coast is smooth at any size, and rivers end at it.
 
+#[cfg(feature = "tools")]
 mod contours;
 mod field;
 mod grid;
@@ -17,6 +18,7 @@ mod outline;
 mod regions;
 mod relief;
 mod strokes;
+#[cfg(feature = "tools")]
 pub mod trace;
 mod walk;
 

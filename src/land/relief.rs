@@ -124,11 +124,13 @@ impl Relief {
     }
 
     /// How many columns and rows of corners there are.
+    #[cfg(feature = "tools")]
     pub(super) fn size(&self) -> (usize, usize) {
         (self.columns, self.rows)
     }
 
     /// The height at a corner of the lattice.
+    #[cfg(feature = "tools")]
     #[inline]
     pub(super) fn corner(&self, column: usize, row: usize) -> f32 {
         self.heights[row.min(self.rows - 1) * self.columns + column.min(self.columns - 1)]

@@ -22,6 +22,7 @@ pub use painter::{Painter, Progress, Rivers};
 pub use strokes::{Pen, Widths};
 pub use view::{LONGEST_SIDE, PaintError, View};
 
+#[cfg(feature = "tools")]
 pub(crate) use painter::palette as palette_of;
 
 /// How a network is painted.

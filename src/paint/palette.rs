@@ -41,6 +41,7 @@ pub(super) static MAP: Palette = Palette {
 /// White on black, the coast dim.
 pub(super) static NIGHT: Palette = even([0; 3], [0; 3], [0x58; 3], [0x38; 3], [0xff; 3]);
 
+#[cfg(feature = "tools")]
 impl Palette {
     /// The colour of land where all of the domain is.
     pub fn plain(&self) -> Colour {

@@ -7,14 +7,14 @@ import expected from "../../tests/digest.txt?raw";
 import { type Line, linesOf } from "./digest-lines.ts";
 import { find } from "./dom.ts";
 import { named } from "./errors.ts";
-import { load } from "./wasm.ts";
+import { loadTools } from "./tools.ts";
 
 async function compare(): Promise<void> {
-  const { engine } = await load();
+  const tools = await loadTools();
   const lines = linesOf(expected);
   const grown: Line[] = [];
   for (const { link } of lines) {
-    grown.push({ link, digest: engine.digest(link) });
+    grown.push({ link, digest: tools.digest(link) });
     await new Promise((resume) => setTimeout(resume));
   }
   const wrong = lines.filter(({ digest }, i) => grown[i]?.digest !== digest);

@@ -8,6 +8,7 @@ export type Code =
   | "wasm-fetch"
   | "wasm-mime"
   | "wasm-csp"
+  | "no-tools"
   | "bad-params"
   | "too-large"
   | "no-land"
@@ -62,6 +63,11 @@ const ADVICE: Record<Code, Advice> = {
       "'wasm-unsafe-eval' to its script-src.",
     reload: false,
   },
+  "no-tools": {
+    title: "A part of Riverseed did not arrive",
+    text: "What makes files and traces pictures could not be downloaded. Check the connection and try again.",
+    reload: true,
+  },
   "bad-params": {
     title: "This recipe could not be read",
     text: "A value in it is not one that the river engine knows. Start from a fresh river, then change one thing at a time.",
@@ -115,7 +121,7 @@ export function named(thrown: unknown): PageError {
   return new PageError("unknown", thrown.message);
 }
 
-const RECOVERABLE: ReadonlySet<Code> = new Set(["bad-params", "too-large", "no-land", "bad-image"]);
+const RECOVERABLE: ReadonlySet<Code> = new Set(["no-tools", "bad-params", "too-large", "no-land", "bad-image"]);
 
 /** A failure after which the picture on the page is still good, so that a note beside it is enough. */
 export function isRecoverable(error: PageError): boolean {

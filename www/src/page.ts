@@ -19,6 +19,7 @@ import { Recipe } from "./recipe.ts";
 import { SeedBox } from "./seed.ts";
 import { copy } from "./share.ts";
 import { Announcer, alternative, caption, sentence, showFailure, showNotices } from "./status.ts";
+import { loadTools } from "./tools.ts";
 import { Transport } from "./transport.ts";
 import { rangeOf } from "./values.ts";
 import { type Core, load } from "./wasm.ts";
@@ -95,9 +96,9 @@ class Page {
   /** Turns a picture of a land into the land. */
   async #trace(file: Blob): Promise<void> {
     try {
-      const { engine } = this.core;
-      const { rgba, width, height } = await pixelsOf(file, engine.longestTracedSide());
-      this.#drawing.take(engine.traceImage(rgba, width, height));
+      const tools = await loadTools();
+      const { rgba, width, height } = await pixelsOf(file, tools.longestTracedSide());
+      this.#drawing.take(tools.traceImage(rgba, width, height));
       this.#set([["aspect", this.#aspectOf({ width, height })]], "settle");
     } catch (thrown) {
       const error = named(thrown);

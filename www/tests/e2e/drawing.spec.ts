@@ -4,6 +4,7 @@ import { deflateSync } from "node:zlib";
 import { expect, type Page, test } from "@playwright/test";
 import type { AxeResults } from "axe-core";
 import { engine } from "../core.ts";
+import { tools } from "../tools.ts";
 import {
   address,
   expectAddress,
@@ -231,7 +232,7 @@ test("what is too small for a land is said, and stays to be drawn on", async ({ 
 });
 
 test("a drawn land of a link is there to be drawn on", async ({ page }) => {
-  const outline = engine.traceImage(
+  const outline = tools.traceImage(
     new Uint8Array(64 * 64 * 4).map((_, i) => ((i >> 2) % 64 < 30 ? 255 : 0)),
     64,
     64,

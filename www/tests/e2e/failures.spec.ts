@@ -81,6 +81,35 @@ test("a policy that forbids WebAssembly", async ({ page }) => {
   await expectFailure(page, "wasm-csp", /wasm-unsafe-eval/);
 });
 
+/** What is fetched when somebody asks for a file or brings a picture: the module, or its script. */
+for (const what of ["wasm", "js"]) {
+  test(`the tools do not arrive (${what}): the picture stays, and the next try fetches them`, async ({ page }) => {
+    let asked = 0;
+    await page.route(`**/riverseed_tools*.${what}`, (route) => {
+      asked++;
+      return route.abort();
+    });
+    await page.goto("./?attractors=300");
+    await finished(page);
+    expect(asked).toBe(0);
+    const choose = async (format: string) => {
+      await page.getByRole("button", { name: "Download" }).click();
+      await page.getByRole("menuitem", { name: new RegExp(`^${format} `) }).click();
+    };
+    await choose("SVG");
+    await expect(page.locator("#shared")).toContainText("did not arrive");
+    await page.locator("#picture").setInputFiles({ name: "land.png", mimeType: "image/png", buffer: Buffer.alloc(9) });
+    await expect(page.locator("#notices")).toContainText("Check the connection and try again.");
+    await expect(page.locator("#failure")).toBeHidden();
+    expect(asked).toBeGreaterThan(0);
+    await choose("PNG");
+    await expect(page.locator("#shared")).toContainText(".png is in your downloads");
+    await page.unrouteAll();
+    await choose("SVG");
+    await expect(page.locator("#shared")).toContainText(".svg is in your downloads");
+  });
+}
+
 /** Makes a function of the engine trap, as a panic does, once `globalThis.trap` is set. */
 async function trapOn(page: Page, name: string): Promise<void> {
   await page.addInitScript((trapped) => {

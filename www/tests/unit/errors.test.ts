@@ -7,6 +7,7 @@ const CODES: Code[] = [
   "wasm-fetch",
   "wasm-mime",
   "wasm-csp",
+  "no-tools",
   "bad-params",
   "too-large",
   "panic",

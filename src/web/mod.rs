@@ -1,19 +1,20 @@
-//! The only file that knows JavaScript: recipes, the parameter table and a river, for a page.
+//! The only place that knows JavaScript: recipes, the parameter table and a river, for a page.
+
+#[cfg(feature = "tools")]
+pub mod tools;
 
 use glam::Vec2;
 use js_sys::{Array, Error, Float32Array, Object, Reflect};
 use wasm_bindgen::prelude::*;
 
-use crate::export::{ExportError, Value, geojson, json, svg};
+use crate::dice;
 use crate::grow::Ending;
-use crate::land::trace;
 use crate::paint::{PaintError, Rect};
 use crate::recipe::link::{self, Notice};
 use crate::recipe::preset::{PRESETS, Preset};
 use crate::recipe::table::TABLE;
 use crate::recipe::{Decimal, GridPoint, Key, Kind, LONGEST_OUTLINE, Outline, Parameter, Recipe, Stage};
 use crate::session::{Phase, Session, SessionError};
-use crate::{dice, digest};
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
@@ -153,28 +154,9 @@ pub fn outline_lines(text: &str) -> Result<Object, JsValue> {
     Ok(object(&[("coasts", lines(outline.coasts()).into()), ("ridges", lines(outline.ridges()).into())]))
 }
 
-/// Traces a picture: white land, black water, a third colour for ridges. Throws an Error if it shows no coast.
-#[wasm_bindgen(js_name = traceImage)]
-pub fn trace_image(rgba: &[u8], width_px: u32, height_px: u32) -> Result<String, JsValue> {
-    let outline = trace::trace(width_px, height_px, rgba);
-    outline.map(|outline| outline.to_string()).map_err(|error| coded("no-land", &error.to_string()))
-}
-
-/// The longest side of a picture that is traced, in pixels.
-#[wasm_bindgen(js_name = longestTracedSide)]
-pub fn longest_traced_side() -> u32 {
-    trace::LONGEST_SIDE
-}
-
 /// The points of a line given as x and y in turn; half a point at the end is left out.
 fn points(line: &Float32Array) -> Vec<Vec2> {
     line.to_vec().chunks_exact(2).map(Vec2::from_slice).collect()
-}
-
-/// The digest of a recipe: what proves that two browsers draw the same. The link is read strictly.
-#[wasm_bindgen(js_name = digest)]
-pub fn digest_of(link: &str) -> Result<String, JsValue> {
-    digest::digest(&read_strictly(link)?).map_err(|error| session_error(&error))
 }
 
 /// A river: a recipe, its tree as far as it has grown, and its picture.
@@ -276,24 +258,6 @@ impl River {
         self.session.growth().ticks_per_height()
     }
 
-    /// The map as it is, as the text of an SVG file. Throws an Error, as long as the tree grows.
-    pub fn svg(&self) -> Result<String, JsValue> {
-        svg::svg(&self.session).map_err(|error| export_error(&error))
-    }
-
-    /// The rivers as they are, as GeoJSON. Throws an Error, as long as the tree grows.
-    #[wasm_bindgen(unchecked_return_type = "object")]
-    pub fn geojson(&self) -> Result<JsValue, JsValue> {
-        geojson::collection(&self.session).map(|file| to_js(&file)).map_err(|error| export_error(&error))
-    }
-
-    /// Recipe, nodes and rivers as they are: what the command line writes as JSON. Throws an Error, as long as the tree
-    /// grows.
-    #[wasm_bindgen(unchecked_return_type = "object")]
-    pub fn network(&self) -> Result<JsValue, JsValue> {
-        json::network(&self.session, false).map(|file| to_js(&file)).map_err(|error| export_error(&error))
-    }
-
     /// The picture in numbers.
     #[wasm_bindgen(unchecked_return_type = "Summary")]
     pub fn summary(&self) -> Object {
@@ -335,35 +299,11 @@ fn session_error(error: &SessionError) -> JsValue {
     coded(code, &error.to_string())
 }
 
-fn export_error(error: &ExportError) -> JsValue {
-    let code = if *error == ExportError::Unfinished { "unfinished" } else { "too-large" };
-    coded(code, &error.to_string())
-}
-
 /// A JavaScript Error that code can tell by its `code` and a person by its message.
 fn coded(code: &str, message: &str) -> JsValue {
     let error = Error::new(message);
     set(&error, &[("code", code.into())]);
     error.into()
-}
-
-/// Data as plain objects and lists.
-fn to_js(value: &Value) -> JsValue {
-    match value {
-        Value::Null => JsValue::NULL,
-        Value::Truth(truth) => (*truth).into(),
-        Value::Whole(number) => (*number as f64).into(),
-        Value::Single(number) => (*number).into(),
-        Value::Double(number) => (*number).into(),
-        Value::Text(text) => JsValue::from_str(text),
-        Value::Owned(text) => JsValue::from_str(text),
-        Value::List(count, item) => (0..*count).map(|i| to_js(&item(i))).collect::<Array>().into(),
-        Value::Object(members) => {
-            let object = Object::new();
-            members.iter().for_each(|(name, value)| set(&object, &[(name, to_js(value))]));
-            object.into()
-        }
-    }
 }
 
 /// A plain object.

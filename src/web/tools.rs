@@ -1,0 +1,73 @@
+//! What most visitors of a page never ask for: files, the tracing of pictures, the digest.
+
+use js_sys::{Array, Object};
+use wasm_bindgen::prelude::*;
+
+use super::{River, coded, read_strictly, session_error, set};
+use crate::digest;
+use crate::export::{ExportError, Value, geojson, json, svg};
+use crate::land::trace;
+
+/// Traces a picture: white land, black water, a third colour for ridges. Throws an Error if it shows no coast.
+#[wasm_bindgen(js_name = traceImage)]
+pub fn trace_image(rgba: &[u8], width_px: u32, height_px: u32) -> Result<String, JsValue> {
+    let outline = trace::trace(width_px, height_px, rgba);
+    outline.map(|outline| outline.to_string()).map_err(|error| coded("no-land", &error.to_string()))
+}
+
+/// The longest side of a picture that is traced, in pixels.
+#[wasm_bindgen(js_name = longestTracedSide)]
+pub fn longest_traced_side() -> u32 {
+    trace::LONGEST_SIDE
+}
+
+/// The digest of a recipe: what proves that two browsers draw the same. The link is read strictly.
+#[wasm_bindgen(js_name = digest)]
+pub fn digest_of(link: &str) -> Result<String, JsValue> {
+    digest::digest(&read_strictly(link)?).map_err(|error| session_error(&error))
+}
+
+#[wasm_bindgen]
+impl River {
+    /// The map as it is, as the text of an SVG file. Throws an Error, as long as the tree grows.
+    pub fn svg(&self) -> Result<String, JsValue> {
+        svg::svg(&self.session).map_err(|error| export_error(&error))
+    }
+
+    /// The rivers as they are, as GeoJSON. Throws an Error, as long as the tree grows.
+    #[wasm_bindgen(unchecked_return_type = "object")]
+    pub fn geojson(&self) -> Result<JsValue, JsValue> {
+        geojson::collection(&self.session).map(|file| to_js(&file)).map_err(|error| export_error(&error))
+    }
+
+    /// Recipe, nodes and rivers as they are: what the command line writes as JSON. Throws an Error, as long as the tree
+    /// grows.
+    #[wasm_bindgen(unchecked_return_type = "object")]
+    pub fn network(&self) -> Result<JsValue, JsValue> {
+        json::network(&self.session, false).map(|file| to_js(&file)).map_err(|error| export_error(&error))
+    }
+}
+
+fn export_error(error: &ExportError) -> JsValue {
+    let code = if *error == ExportError::Unfinished { "unfinished" } else { "too-large" };
+    coded(code, &error.to_string())
+}
+
+/// Data as plain objects and lists.
+fn to_js(value: &Value) -> JsValue {
+    match value {
+        Value::Null => JsValue::NULL,
+        Value::Truth(truth) => (*truth).into(),
+        Value::Whole(number) => (*number as f64).into(),
+        Value::Single(number) => (*number).into(),
+        Value::Double(number) => (*number).into(),
+        Value::Text(text) => JsValue::from_str(text),
+        Value::Owned(text) => JsValue::from_str(text),
+        Value::List(count, item) => (0..*count).map(|i| to_js(&item(i))).collect::<Array>().into(),
+        Value::Object(members) => {
+            let object = Object::new();
+            members.iter().for_each(|(name, value)| set(&object, &[(name, to_js(value))]));
+            object.into()
+        }
+    }
+}

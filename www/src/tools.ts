@@ -1,0 +1,21 @@
+/** The tools: a second wasm module, for what most visitors never ask for. It is fetched when somebody does. */
+
+import wasmUrl from "../pkg-tools/riverseed_tools_bg.wasm?url";
+import { named, PageError } from "./errors.ts";
+import { once, start } from "./wasm-module.ts";
+
+export type Tools = typeof import("../pkg-tools/riverseed_tools.js");
+
+export const loadTools: () => Promise<Tools> = once(() =>
+  start(wasmUrl, async (compiled) => {
+    const tools = await import("../pkg-tools/riverseed_tools.js");
+    await tools.default({ module_or_path: compiled });
+    return tools;
+  }).catch((thrown: unknown) => {
+    const { code, message } = named(thrown);
+    throw new PageError(
+      "no-tools",
+      `the part of Riverseed that does this did not arrive (${code}: ${message}). Check the connection and try again.`,
+    );
+  }),
+);
