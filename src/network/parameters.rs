@@ -4,11 +4,10 @@ use std::sync::Arc;
 
 use fastnoise_lite::{FastNoiseLite, FractalType, NoiseType};
 
-use super::width::HAIRLINE;
 use crate::domain::Domain;
 use crate::grow::{Growth, Procedure};
 use crate::land::Land;
-use crate::plane::most;
+use crate::plane::{least, most};
 use crate::random::{Purpose, Seed};
 use crate::recipe::{Key, Recipe};
 
@@ -36,6 +35,8 @@ pub struct Parameters {
     pub spacing: f32,
     /// The discharge that counts as everything.
     pub everything: u32,
+    /// The least width of a stream: thin, but not too thin to be seen; less where streams lie close together.
+    pub hairline: f32,
     /// The width of a river that drains everything.
     pub full_width: f32,
     /// The share of the vertices that simplification takes out, of those that can go.
@@ -78,6 +79,7 @@ impl Parameters {
             land: grown.land.clone(),
             spacing: (between_streams * SPACING).clamp(LEAST_SPACING, MOST_SPACING),
             everything: growth.everything().max(1),
+            hairline: least(HAIRLINE, between_streams * HAIRLINE_SHARE),
             full_width: recipe.number(Key::Width),
             simplify: recipe.number(Key::Simplify) / 100.0,
             vary: recipe.number(Key::Vary),
@@ -104,7 +106,7 @@ impl Parameters {
     /// Half the width of a river of some discharge, before its banks vary.
     pub fn half_width(&self, discharge: u32) -> f32 {
         let share = discharge as f32 / self.everything as f32;
-        (self.full_width * share.sqrt()).max(HAIRLINE) * 0.5
+        most(self.full_width * share.sqrt(), self.hairline) * 0.5
     }
 
     /// Noise along courses, from -1 to 1.
@@ -127,6 +129,10 @@ impl Parameters {
         noise
     }
 }
+
+/// The least width of a stream, in units, and as a share of the distance between streams.
+const HAIRLINE: f32 = 0.6;
+const HAIRLINE_SHARE: f32 = 0.1;
 
 /// A course's vertices lie this much of the distance between streams apart: enough for bends narrower than that.
 const SPACING: f32 = 0.32;

@@ -10,9 +10,6 @@ use super::parameters::Parameters;
 use super::{NONE, Network};
 use crate::plane::{distance, least, most};
 
-/// The least width of a stream, in units: thin, but not too thin to be seen.
-pub const HAIRLINE: f32 = 0.6;
-
 /// How many spacings a river takes to come from nothing to its width.
 const TAPER: f32 = 8.0;
 
@@ -78,7 +75,7 @@ fn widen_river(
         let half = parameters.half_width(vertex.discharge) * taper;
         let bank = |side: f32| {
             // Some ten widths to a bulge.
-            let place = along / (most(half, HAIRLINE) * 20.0) * 1.7;
+            let place = along / (most(half, parameters.hairline) * 20.0) * 1.7;
             half * (1.0 + parameters.vary * noise.get_noise_2d(place, number as f32 * 17.3 + side))
         };
         let arms = floors.0[i];
