@@ -10,6 +10,7 @@ import { execFileSync } from "node:child_process";
 import { createHash } from "node:crypto";
 import { existsSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
+import { homedir } from "node:os";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { brotliCompressSync, gzipSync } from "node:zlib";
@@ -45,6 +46,7 @@ function buildPackage({ target, "out-dir": dir, "out-name": name, profile, cargo
   console.log(`Building the wasm package ${dir} (2 minutes the first time, then half a minute)`);
   rmSync(stamp, { force: true });
   // Builds with other features have the same file name, and cargo would take one for another. What we depend on stays.
+  hideFolders();
   run("cargo", "clean", "--quiet", "--package", "riverseed", `--${profile}`, "--target", "wasm32-unknown-unknown");
   // no-install: wasm-pack would fetch tools, ours are there and have the right versions.
   run(
@@ -52,6 +54,15 @@ function buildPackage({ target, "out-dir": dir, "out-name": name, profile, cargo
     ...["--out-dir", dir, "--out-name", name, "--", ...cargo, "--features", features.join(",")],
   );
   writeFileSync(stamp, now);
+}
+
+/** Messages of panics name the files of dependencies: not by the folders of this machine, so that all machines build the same bytes. */
+function hideFolders() {
+  run("cargo", "fetch", "--quiet", "--locked");
+  const sources = join(process.env.CARGO_HOME ?? join(homedir(), ".cargo"), "registry/src");
+  const remaps = readdirSync(sources).map((registry) => `--remap-path-prefix=${join(sources, registry)}=crates`);
+  // Added to the flags of .cargo/config.toml.
+  process.env.CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUSTFLAGS = remaps.join(" ");
 }
 
 /** A digest of every file that can change a package. */

@@ -6,11 +6,8 @@
 
 use glam::Vec2;
 
-use crate::network::{NONE, Network, Oxbow, River, Vertex, meet};
+use crate::network::{Network, Oxbow, Place, River, meet};
 use crate::plane::direction;
-
-/// How far beyond its last vertex a river reaches into the sea, in widths.
-const PAST_SHORE: f32 = 0.5;
 
 /// A river's or a lake's outline, in units. Both banks have as many points.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -24,47 +21,31 @@ pub(super) struct Banks {
 pub(super) enum Width {
     /// As wide as they are, and so much on each side so that a brook can be seen.
     Own { more: f32 },
-    /// All alike: half of that.
+    /// All alike, half of that to each side of the course, from its first vertex to its last.
     Even { half: f32 },
 }
-
-/// A place between two banks and half of the way from one to the other.
-type Place = (Vec2, f32);
 
 impl Banks {
     /// A river's banks. They begin at its source, both at one point; a tributary's end in the middle of the river that it
     /// joins, those of others past the shore. Empty if it has no vertices.
     pub fn of_river(network: &Network, river: &River, width: Width) -> Self {
-        let course: Vec<&Vertex> = network.course(river).collect();
-        let mut line = Vec::with_capacity(course.len() + 1);
-        for (i, vertex) in course.iter().enumerate() {
-            // A tributary ends no wider than it came.
-            let banks = if i + 1 == course.len() && river.joins != NONE { course[i.saturating_sub(1)] } else { vertex };
-            push(&mut line, between(vertex.at, banks, tangent(&course, i), width));
-        }
-        if river.joins == NONE
-            && let (Some(&(mouth, half)), Some(last)) = (line.last(), course.last())
-        {
-            let past = last.width() * PAST_SHORE;
-            push(&mut line, (mouth + tangent(&course, course.len() - 1) * past, half));
-        }
-        if let Some((_, half)) = line.first_mut() {
-            *half = 0.0;
+        let mut line = match width {
+            Width::Own { more } => widened(network.middle(river), more),
+            Width::Even { half } => network.course(river).map(|vertex| Place { at: vertex.at, half }).collect(),
+        };
+        line.dedup_by_key(|place| place.at);
+        if let Some(source) = line.first_mut() {
+            source.half = 0.0;
         }
         Self::along(&line)
     }
 
-    /// A lake's banks, which meet at both of its ends. Empty if silt has closed it all.
-    pub fn of_lake(oxbow: &Oxbow, width: Width) -> Self {
-        let lake = oxbow.lake();
-        let course: Vec<&Vertex> = lake.iter().map(|(vertex, _)| vertex).collect();
-        let mut line = Vec::with_capacity(course.len());
-        for (i, &(vertex, share)) in lake.iter().enumerate().filter(|(_, (_, share))| *share > 0.0) {
-            let (at, half) = between(vertex.at, &vertex, tangent(&course, i), width);
-            push(&mut line, (at, half * share));
-        }
+    /// A lake's banks, so much farther out than they are, which meet at both of its ends. Empty if silt has closed it all.
+    pub fn of_lake(oxbow: &Oxbow, more: f32) -> Self {
+        let mut line = widened(oxbow.middle(), more);
+        line.dedup_by_key(|place| place.at);
         if let [first, .., last] = &mut line[..] {
-            (first.1, last.1) = (0.0, 0.0);
+            (first.half, last.half) = (0.0, 0.0);
         }
         if line.len() > 2 { Self::along(&line) } else { Self::default() }
     }
@@ -98,7 +79,7 @@ impl Banks {
     }
 
     fn along(line: &[Place]) -> Self {
-        let banks = line.iter().enumerate().map(|(i, &(at, half))| {
+        let banks = line.iter().enumerate().map(|(i, &Place { at, half })| {
             let aside = aside(line, i) * half;
             (at - aside, at + aside)
         });
@@ -115,30 +96,15 @@ fn is_simple(ring: &[Vec2]) -> bool {
     sides.len() > 2 && (0..sides.len()).all(|i| (i + 1..sides.len()).all(|j| is_apart(i, j)))
 }
 
-/// Adds a place, unless it is where the last one is.
-fn push(line: &mut Vec<Place>, place: Place) {
-    if line.last().is_none_or(|last| last.0 != place.0) {
-        line.push(place);
-    }
-}
-
-fn between(at: Vec2, banks: &Vertex, tangent: Vec2, width: Width) -> Place {
-    match width {
-        // `perp` points to the right of someone who looks along the tangent, as y runs down.
-        Width::Own { more } => (at + tangent.perp() * ((banks.right - banks.left) * 0.5), banks.width() * 0.5 + more),
-        Width::Even { half } => (at, half),
-    }
-}
-
-fn tangent(course: &[&Vertex], i: usize) -> Vec2 {
-    direction(course[(i + 1).min(course.len() - 1)].at - course[i.saturating_sub(1)].at)
+fn widened(line: Vec<Place>, more: f32) -> Vec<Place> {
+    line.into_iter().map(|place| Place { half: place.half + more, ..place }).collect()
 }
 
 /// The way to the right bank at a corner of a line, so long that both sides of the corner keep their distance: a mitre. It is cut
 /// where the line turns by more than 60°, and nothing where it turns straight back.
 fn aside(line: &[Place], i: usize) -> Vec2 {
     const SHORTEST: f32 = 0.75; // cos² 30°
-    let way = |from: usize, to: usize| direction(line[to].0 - line[from].0);
+    let way = |from: usize, to: usize| direction(line[to].at - line[from].at);
     let (before, after) = (way(i.saturating_sub(1), i), way(i, (i + 1).min(line.len() - 1)));
     let middle = match (i == 0, i + 1 == line.len()) {
         (true, _) => after,
@@ -153,7 +119,7 @@ fn aside(line: &[Place], i: usize) -> Vec2 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::network::Network;
+    use crate::network::{NONE, Vertex};
 
     fn river(points: &[(f32, f32)], width: f32) -> (Network, River) {
         let vertex = |&(x, y): &(f32, f32)| Vertex {
@@ -170,8 +136,8 @@ mod tests {
     fn left_bank_is_north_of_a_river_that_runs_east() {
         let (network, river) = river(&[(0.0, 0.0), (10.0, 0.0), (20.0, 0.0)], 4.0);
         let banks = Banks::of_river(&network, &river, Width::Own { more: 0.0 });
-        assert_eq!(banks.left, [(0.0, 0.0), (10.0, -2.0), (20.0, -2.0), (22.0, -2.0)].map(Vec2::from));
-        assert_eq!(banks.right, [(0.0, 0.0), (10.0, 2.0), (20.0, 2.0), (22.0, 2.0)].map(Vec2::from));
+        assert_eq!(banks.left, [(0.0, 0.0), (10.0, -2.0), (20.0, -2.0), (20.4, -2.0)].map(Vec2::from));
+        assert_eq!(banks.right, [(0.0, 0.0), (10.0, 2.0), (20.0, 2.0), (20.4, 2.0)].map(Vec2::from));
     }
 
     #[test]

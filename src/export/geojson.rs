@@ -6,7 +6,7 @@
 
 use glam::Vec2;
 
-use super::banks::{Banks, Width};
+use super::banks::Banks;
 use super::value::{Members, Value};
 use super::{ExportError, rivers};
 use crate::domain::Domain;
@@ -26,7 +26,7 @@ pub fn collection(session: &Session) -> Result<Value<'_>, ExportError> {
     let features = Features { network, domain: parameters.domain, elevations };
     let mut lakes = Vec::new();
     for (id, oxbow) in (0..).zip(&network.oxbows) {
-        if let Some(ring) = Banks::of_lake(oxbow, Width::Own { more: 0.0 }).simple_ring() {
+        if let Some(ring) = Banks::of_lake(oxbow, 0.0).simple_ring() {
             lakes.push((id, ring));
         }
     }

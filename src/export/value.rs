@@ -1,7 +1,6 @@
 //! What is to be written, as one type of data: so a page, which pays for each byte of code, serializes it by one function,
 //! and not by one for each kind of record.
 
-#[cfg(feature = "json")]
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
 /// Data as JSON knows it.
@@ -106,7 +105,6 @@ impl<'a> From<Members<'a>> for Value<'a> {
     }
 }
 
-#[cfg(feature = "json")]
 impl Serialize for Value<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         match self {

@@ -169,7 +169,7 @@ mod tests {
             x in 0f32..90.0, y in 0f32..70.0,
         ) {
             let gap = |at: f32, cell: usize| (cell as f32 - at).max(at - (cell + 1) as f32);
-            let nearest = cells.iter().map(|&(c, r)| gap(x, c).max(gap(y, r))).fold(f32::INFINITY, f32::min);
+            let nearest = cells.iter().map(|&(c, r)| gap(x, c).max(gap(y, r)).max(0.0)).fold(f32::INFINITY, f32::min);
             let room = obstacles(&cells, false).room(Vec2::new(x, y));
             prop_assert!(nearest >= room);
             for distance in [2.0, 7.0, 20.0] {

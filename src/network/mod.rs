@@ -18,6 +18,7 @@ mod evenly;
 mod guard;
 pub mod hydrology;
 pub mod meander;
+mod middle;
 mod parameters;
 mod ranking;
 mod smooth;
@@ -29,6 +30,7 @@ pub use courses::Courses;
 pub use curvature::curvature;
 pub use guard::{Guard, Near};
 pub use meander::Meander;
+pub use middle::Place;
 pub use parameters::{Model, Parameters};
 
 use std::ops::Range;

@@ -16,43 +16,46 @@ pub struct Preset {
     pub values: &'static [(Key, &'static str)],
 }
 
+/// The paper's patterns are trees as they have grown.
+const AS_GROWN: [(Key, &str); 2] = [(Key::Simplify, "0"), (Key::Meander, "none")];
+
 /// The six variants of the paper (section 4.4): the plain procedure, momentum and curl, each as grown and trimmed.
 pub static PRESETS: &[Preset] = &[
     Preset {
         name: "original",
         label: "Original",
         help: "Space colonization as it is, with all its short side branches.",
-        values: &[(Key::Trim, "0")],
+        values: &[(Key::Trim, "0"), AS_GROWN[0], AS_GROWN[1]],
     },
     Preset {
         name: "momentum",
         label: "Momentum",
         help: "Every turn exaggerated: more curves, and here and there a zigzag.",
-        values: &[(Key::Momentum, "0.45"), (Key::Trim, "0")],
+        values: &[(Key::Momentum, "0.45"), (Key::Trim, "0"), AS_GROWN[0], AS_GROWN[1]],
     },
     Preset {
         name: "curl",
         label: "Curl",
         help: "Stretches turned left and right at random: winding, complex, busy at its ends.",
-        values: &[(Key::Curl, "0.9"), (Key::Stretch, "7"), (Key::Trim, "0")],
+        values: &[(Key::Curl, "0.9"), (Key::Stretch, "7"), (Key::Trim, "0"), AS_GROWN[0], AS_GROWN[1]],
     },
     Preset {
         name: "trimmed-original",
         label: "Trimmed original",
         help: "The plain procedure without its short side branches.",
-        values: &[(Key::Trim, "6")],
+        values: &[(Key::Trim, "6"), AS_GROWN[0], AS_GROWN[1]],
     },
     Preset {
         name: "trimmed-momentum",
         label: "Trimmed momentum",
         help: "Exaggerated turns without short side branches.",
-        values: &[(Key::Momentum, "0.45"), (Key::Trim, "6")],
+        values: &[(Key::Momentum, "0.45"), (Key::Trim, "6"), AS_GROWN[0], AS_GROWN[1]],
     },
     Preset {
         name: "trimmed-curl",
         label: "Trimmed curl",
         help: "Winding rivers without short side branches: what people took for real ones.",
-        values: &[(Key::Curl, "0.9"), (Key::Stretch, "7"), (Key::Trim, "6")],
+        values: &[(Key::Curl, "0.9"), (Key::Stretch, "7"), (Key::Trim, "6"), AS_GROWN[0], AS_GROWN[1]],
     },
 ];
 

@@ -1,9 +1,10 @@
 //! What most visitors of a page never ask for: files, the tracing of pictures, the digest.
 
-use js_sys::{Array, Object};
+use serde::Serialize;
+use serde_wasm_bindgen::Serializer;
 use wasm_bindgen::prelude::*;
 
-use super::{River, coded, read_strictly, session_error, set};
+use super::{River, coded, read_strictly, session_error};
 use crate::digest;
 use crate::export::{ExportError, Value, geojson, json, svg};
 use crate::land::trace;
@@ -37,14 +38,14 @@ impl River {
     /// The rivers as they are, as GeoJSON. Throws an Error, as long as the tree grows.
     #[wasm_bindgen(unchecked_return_type = "object")]
     pub fn geojson(&self) -> Result<JsValue, JsValue> {
-        geojson::collection(&self.session).map(|file| to_js(&file)).map_err(|error| export_error(&error))
+        geojson::collection(&self.session).map_err(|error| export_error(&error)).and_then(|file| to_js(&file))
     }
 
     /// Recipe, nodes and rivers as they are: what the command line writes as JSON. Throws an Error, as long as the tree
     /// grows.
     #[wasm_bindgen(unchecked_return_type = "object")]
     pub fn network(&self) -> Result<JsValue, JsValue> {
-        json::network(&self.session, false).map(|file| to_js(&file)).map_err(|error| export_error(&error))
+        json::network(&self.session, false).map_err(|error| export_error(&error)).and_then(|file| to_js(&file))
     }
 }
 
@@ -54,20 +55,6 @@ fn export_error(error: &ExportError) -> JsValue {
 }
 
 /// Data as plain objects and lists.
-fn to_js(value: &Value) -> JsValue {
-    match value {
-        Value::Null => JsValue::NULL,
-        Value::Truth(truth) => (*truth).into(),
-        Value::Whole(number) => (*number as f64).into(),
-        Value::Single(number) => (*number).into(),
-        Value::Double(number) => (*number).into(),
-        Value::Text(text) => JsValue::from_str(text),
-        Value::Owned(text) => JsValue::from_str(text),
-        Value::List(count, item) => (0..*count).map(|i| to_js(&item(i))).collect::<Array>().into(),
-        Value::Object(members) => {
-            let object = Object::new();
-            members.iter().for_each(|(name, value)| set(&object, &[(name, to_js(value))]));
-            object.into()
-        }
-    }
+fn to_js(value: &Value) -> Result<JsValue, JsValue> {
+    value.serialize(&Serializer::json_compatible()).map_err(JsValue::from)
 }

@@ -39,17 +39,19 @@ pub fn svg(session: &Session) -> Result<String, ExportError> {
     draw_rivers(&mut out, network, width(style));
     if style != Style::Skeleton {
         out.text("</g>\n<g id=\"oxbows\" fill=\"").colour(palette.river).text("\">\n");
-        draw_lakes(&mut out, network, width(style));
+        draw_lakes(&mut out, network);
     }
     out.text("</g>\n</g>\n</svg>");
     Ok(out.0)
 }
 
-/// As wide as a picture of a pixel a unit shows them.
+/// What is added to each bank, in units, so that a brook can be seen: what a picture of a pixel a unit adds.
+const VISIBLE: f32 = 0.2;
+
 fn width(style: Style) -> Width {
     match style {
         Style::Skeleton => Width::Even { half: 0.5 },
-        Style::Ink | Style::Map => Width::Own { more: 0.2 },
+        Style::Ink | Style::Map => Width::Own { more: VISIBLE },
     }
 }
 
@@ -76,9 +78,9 @@ fn describe(out: &mut Text, network: &Network, river: &River) {
     out.text("\" data-discharge=\"").whole(network.discharge(river));
 }
 
-fn draw_lakes(out: &mut Text, network: &Network, width: Width) {
+fn draw_lakes(out: &mut Text, network: &Network) {
     for (id, oxbow) in (0..).zip(&network.oxbows) {
-        let banks = Banks::of_lake(oxbow, width);
+        let banks = Banks::of_lake(oxbow, VISIBLE);
         if !banks.left.is_empty() {
             out.text("<path id=\"oxbow-").whole(id).text("\" data-river=\"").whole(oxbow.river);
             outline(out, &banks);

@@ -1,0 +1,74 @@
+//! Rivers and lakes as whoever draws them wants them: the middle line between the banks, and how far those are from it.
+
+use glam::Vec2;
+
+use super::{NONE, Network, Oxbow, River, Vertex};
+use crate::plane::direction;
+
+/// How far beyond its last vertex a river reaches into the sea, in widths. A round end adds another half.
+const PAST_SHORE: f32 = 0.1;
+
+/// A place in the middle between two banks.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Place {
+    /// Where it lies, in units.
+    pub at: Vec2,
+    /// How far either bank is, in units.
+    pub half: f32,
+}
+
+impl Network {
+    /// The middle line of a river from its source to its end: a tributary's end in the middle of the river that it joins, no
+    /// wider than it came; another's past the shore.
+    pub fn middle(&self, river: &River) -> Vec<Place> {
+        let course: Vec<&Vertex> = self.course(river).collect();
+        let last = course.len().wrapping_sub(1);
+        let is_tributary = river.joins != NONE;
+        let place = |(i, vertex): (usize, &&Vertex)| {
+            let banks = if is_tributary && i == last { course[i.saturating_sub(1)] } else { vertex };
+            between(vertex.at, banks, tangent(&course, i))
+        };
+        let mut line: Vec<Place> = course.iter().enumerate().map(place).collect();
+        if let Some(&mouth) = line.last().filter(|_| !is_tributary) {
+            line.push(Place { at: mouth.at + tangent(&course, last) * (2.0 * mouth.half * PAST_SHORE), ..mouth });
+        }
+        line
+    }
+}
+
+impl Oxbow {
+    /// The middle line of the lake that there is to see; empty if there is none.
+    pub fn middle(&self) -> Vec<Place> {
+        let lake = self.lake();
+        let course: Vec<&Vertex> = lake.iter().map(|(vertex, _)| vertex).collect();
+        let place = |(i, (vertex, share)): (usize, &(Vertex, f32))| {
+            let place = between(vertex.at, vertex, tangent(&course, i));
+            Place { half: place.half * share, ..place }
+        };
+        lake.iter().enumerate().map(place).collect()
+    }
+}
+
+fn between(at: Vec2, banks: &Vertex, tangent: Vec2) -> Place {
+    // `perp` points to the right of someone who looks along the tangent, as y runs down.
+    Place { at: at + tangent.perp() * ((banks.right - banks.left) * 0.5), half: banks.width() * 0.5 }
+}
+
+fn tangent(course: &[&Vertex], i: usize) -> Vec2 {
+    direction(course[(i + 1).min(course.len() - 1)].at - course[i.saturating_sub(1)].at)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn middle_lies_toward_the_farther_bank_and_runs_past_the_shore() {
+        let vertex = |x: f32| Vertex { at: Vec2::new(x, 0.0), left: 1.0, right: 3.0, ..Vertex::default() };
+        let river = River { start: 0, end: 3, joins: NONE, parent: NONE, order: 1, magnitude: 1 };
+        let network = Network { vertices: [0.0, 10.0, 20.0].map(vertex).into(), rivers: vec![river], oxbows: vec![] };
+        let line = network.middle(&river);
+        assert_eq!(line[1], Place { at: Vec2::new(10.0, 1.0), half: 2.0 });
+        assert_eq!(line[3].at, Vec2::new(20.4, 1.0));
+    }
+}
