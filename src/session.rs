@@ -318,6 +318,7 @@ fn style(recipe: &Recipe) -> Style {
     match recipe.choice(Key::Style) {
         1 => Style::Skeleton,
         2 => Style::Map,
+        3 => Style::Dark,
         _ => Style::Ink,
     }
 }

@@ -46,6 +46,7 @@ const PICTURES: &[(&str, &str)] = &[
     ("uneven", "vary=0.5&width=40&mouths=1&attractors=800&great=0"),
     ("brownian-flow", "growth=brownian&sensitivity=40&trim=12&meander=flow&great=4&style=map&land=continent"),
     ("island", "land=island&mouths=6&attractors=2000"),
+    ("dark", "style=dark&land=island&seed=kauri&attractors=2000"),
     ("continent", "land=continent&style=map&attractors=2000"),
     ("archipelago", "land=archipelago&mouths=9&attractors=2000&style=map"),
     ("valley", "land=valley&attractors=2000"),

@@ -6,31 +6,31 @@
 use tiny_skia::Pixmap;
 
 use super::coverage::{Coverage, Rect};
-use super::palette::{Palette, blend};
+use super::palette::{Palette, over};
 
-/// Colours a rectangle of the picture: rivers on a ground, or on plain land.
+/// Colours rectangles of the picture: rivers on a ground, or on plain land.
 pub(super) fn compose(
     pixmap: &mut Pixmap,
     coverage: &Coverage,
     ground: Option<&[[u8; 4]]>,
     palette: &Palette,
-    rect: Rect,
+    rects: &[Rect],
 ) {
-    let width = pixmap.width() as usize;
-    for row in rect.top as usize..rect.bottom as usize {
+    let (width, ramp) = (pixmap.width() as usize, palette.ramp());
+    for (rect, row) in rects.iter().flat_map(|rect| (rect.top..rect.bottom).map(move |row| (rect, row as usize))) {
         let (start, end) = (row * width + rect.left as usize, row * width + rect.right as usize);
         let pixels = &mut pixmap.data_mut()[start * 4..end * 4];
         let coverage = &coverage.mask().data()[start..end];
         match ground {
-            None => on_plain_land(pixels, coverage, palette),
+            None => on_plain_land(pixels, coverage, &ramp),
             Some(ground) => on_ground(pixels, coverage, palette, &ground[start..end]),
         }
     }
 }
 
-fn on_plain_land(pixels: &mut [u8], coverage: &[u8], palette: &Palette) {
+fn on_plain_land(pixels: &mut [u8], coverage: &[u8], ramp: &[[u8; 4]; 256]) {
     for (pixel, &coverage) in pixels.chunks_exact_mut(4).zip(coverage) {
-        pixel.copy_from_slice(&palette.ramp[coverage as usize]);
+        pixel.copy_from_slice(&ramp[coverage as usize]);
     }
 }
 
@@ -42,7 +42,7 @@ fn on_ground(pixels: &mut [u8], coverage: &[u8], palette: &Palette, ground: &[[u
     let mut lay = |first: usize, coverage: &[u8]| {
         let pixels = pixels[first * 4..].chunks_exact_mut(4);
         for ((pixel, &coverage), ground) in pixels.zip(coverage).zip(&ground[first..]) {
-            pixel.copy_from_slice(&over(*ground, palette, coverage));
+            pixel.copy_from_slice(&river_over(*ground, palette, coverage));
         }
     };
     for (i, coverage) in many.iter().enumerate().filter(|(_, coverage)| **coverage != [0; MANY]) {
@@ -53,11 +53,7 @@ fn on_ground(pixels: &mut [u8], coverage: &[u8], palette: &Palette, ground: &[[u
 
 /// River of some coverage over a colour.
 #[inline]
-fn over(ground: [u8; 4], palette: &Palette, coverage: u8) -> [u8; 4] {
-    if coverage == 0 {
-        return ground;
-    }
-    let [red, green, blue] = palette.river;
-    let over = |from, to| blend(from, to, u32::from(coverage));
-    [over(ground[0], red), over(ground[1], green), over(ground[2], blue), 255]
+fn river_over(ground: [u8; 4], palette: &Palette, coverage: u8) -> [u8; 4] {
+    let [red, green, blue, _] = ground;
+    if coverage == 0 { ground } else { over([red, green, blue], palette.river, u32::from(coverage)) }
 }

@@ -30,6 +30,8 @@ pub(crate) use painter::palette as palette_of;
 pub enum Style {
     /// Ink on paper, rivers as wide as their discharge asks.
     Ink,
+    /// The same for pages with a dark scheme: light rivers on paper like the night.
+    Dark,
     /// A coloured map: green lowland, blue rivers and sea.
     Map,
     /// White lines one pixel wide on black, as in the study of the paper (figure 6.1).

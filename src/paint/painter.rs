@@ -185,9 +185,9 @@ impl Painter {
         let around = touched.iter().copied().reduce(Rect::union)?;
         let ground = self.ground.as_ref().map(|(_, ground)| ground.as_slice());
         match style {
-            Style::Ink | Style::Map => touched
-                .iter()
-                .for_each(|&rect| ink::compose(&mut self.pixmap, &self.coverage, ground, palette(style), rect)),
+            Style::Ink | Style::Dark | Style::Map => {
+                ink::compose(&mut self.pixmap, &self.coverage, ground, palette(style), &touched);
+            }
             Style::Skeleton if self.is_finished => {
                 skeleton::compose_thinned(&mut self.pixmap, &self.coverage, ground);
                 return Some(self.coverage.bounds());
@@ -204,14 +204,17 @@ impl Painter {
 pub(crate) fn palette(style: Style) -> &'static Palette {
     match style {
         Style::Ink => &palette::INK,
+        Style::Dark => &palette::DARK,
         Style::Map => &palette::MAP,
-        Style::Skeleton => &palette::NIGHT,
+        Style::Skeleton => &palette::SKELETON,
     }
 }
 
 fn widths(progress: &Progress<'_>) -> Widths {
     match progress.style {
-        Style::Ink | Style::Map => Widths::ByDischarge { full: progress.full_width, everything: progress.everything },
+        Style::Ink | Style::Dark | Style::Map => {
+            Widths::ByDischarge { full: progress.full_width, everything: progress.everything }
+        }
         Style::Skeleton => Widths::Even { width_px: skeleton::WIDTH_PX },
     }
 }

@@ -19,14 +19,20 @@ pub(crate) struct Palette {
     pub rings: &'static [(f32, f32)],
     pub ridge: Colour,
     pub river: Colour,
-    /// The colour of each coverage by river, from bare plain land to river.
-    pub ramp: [[u8; 4]; 256],
+    /// Land where all of the domain is.
+    pub plain: Colour,
 }
 
 /// Ink on paper.
 pub(super) static INK: Palette = Palette {
     rings: &[(7.0, 0.34), (16.0, 0.2), (28.0, 0.1)],
     ..even([0xf6, 0xf0, 0xe2], [0xdd, 0xe6, 0xe4], [0x4a, 0x62, 0x78], [0xa8, 0x93, 0x78], [0x1f, 0x3f, 0x66])
+};
+
+/// Ink's drawing on dark paper, for pages with a dark scheme.
+pub(super) static DARK: Palette = Palette {
+    rings: INK.rings,
+    ..even([0x16, 0x1f, 0x2b], [0x0f, 0x15, 0x1e], [0x6d, 0x8c, 0xa6], [0x6e, 0x60, 0x4c], [0x9c, 0xc6, 0xe8])
 };
 
 /// A map as atlases colour it: green lowland, blue water.
@@ -39,14 +45,13 @@ pub(super) static MAP: Palette = Palette {
 };
 
 /// White on black, the coast dim.
-pub(super) static NIGHT: Palette = even([0; 3], [0; 3], [0x58; 3], [0x38; 3], [0xff; 3]);
+pub(super) static SKELETON: Palette = even([0; 3], [0; 3], [0x58; 3], [0x38; 3], [0xff; 3]);
 
-#[cfg(feature = "tools")]
 impl Palette {
-    /// The colour of land where all of the domain is.
-    pub fn plain(&self) -> Colour {
-        let [red, green, blue, _] = self.ramp[0];
-        [red, green, blue]
+    /// The colour of each coverage by river, from bare plain land to river. Made for a picture: as a table for each style it
+    /// would weigh a kilobyte of every download.
+    pub fn ramp(&self) -> [[u8; 4]; 256] {
+        std::array::from_fn(|coverage| over(self.plain, self.river, coverage as u32))
     }
 }
 
@@ -62,27 +67,15 @@ const fn even(land: Colour, water: Colour, coast: Colour, ridge: Colour, river: 
         rings: &[],
         ridge,
         river,
-        ramp: ramp(land, river),
+        plain: land,
     }
 }
 
-const fn ramp(from: Colour, to: Colour) -> [[u8; 4]; 256] {
-    let mut ramp = [[255; 4]; 256];
-    let mut coverage = 0;
-    while coverage < 256 {
-        let mut channel = 0;
-        while channel < 3 {
-            ramp[coverage][channel] = blend(from[channel], to[channel], coverage as u32);
-            channel += 1;
-        }
-        coverage += 1;
-    }
-    ramp
-}
-
-/// A channel, covered by another in so many 255ths.
-pub(super) const fn blend(from: u8, to: u8, coverage: u32) -> u8 {
-    ((from as u32 * (255 - coverage) + to as u32 * coverage + 127) / 255) as u8
+/// A colour, covered by another in so many 255ths; opaque.
+#[inline]
+pub(super) fn over([red, green, blue]: Colour, by: Colour, coverage: u32) -> [u8; 4] {
+    let blend = |from: u8, to: u8| ((u32::from(from) * (255 - coverage) + u32::from(to) * coverage + 127) / 255) as u8;
+    [blend(red, by[0]), blend(green, by[1]), blend(blue, by[2]), 255]
 }
 
 /// A colour, so much of the way to another.

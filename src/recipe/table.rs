@@ -404,12 +404,14 @@ pub static TABLE: [Parameter; COUNT] = {
             key: Key::Style,
             name: "style",
             label: "Style",
-            help: "Ink on paper, the bare skeleton one pixel wide, or a coloured map.",
+            help: "Ink on paper, the bare skeleton one pixel wide, a coloured map, or light ink on dark paper.",
             unit: "",
             group: "Finish",
             stage: Paint,
             logarithmic: false,
-            kind: Kind::Choice { choices: &[("ink", "ink"), ("skeleton", "skeleton"), ("map", "map")] },
+            kind: Kind::Choice {
+                choices: &[("ink", "ink"), ("skeleton", "skeleton"), ("map", "map"), ("dark", "dark")],
+            },
         },
     ]
 };

@@ -23,7 +23,7 @@ pub fn random_link(most_attractors: u32) -> impl Strategy<Value = String> {
     let growth = (2.1f64..=12.0, 0.5f64..=1.4, 0.2f64..=1.2, procedure, 40u32..=64, prop_oneof![Just(0), 0..=400]);
     let zero_or = |most: f64| prop_oneof![Just(0.0), 0.0..=most];
     let bends = (zero_or(0.9), zero_or(2.0), 1u32..=64);
-    let finish = (prop_oneof![Just(0u32), 0u32..=60], 1.0f64..=40.0, 0usize..3);
+    let finish = (prop_oneof![Just(0u32), 0u32..=60], 1.0f64..=40.0, 0usize..4);
     let meanders = (
         prop_oneof![3 => Just("bend"), 2 => Just("flow"), 1 => Just("none")],
         prop_oneof![4 => 0u32..=60, 1 => 0u32..=400],
@@ -39,7 +39,7 @@ pub fn random_link(most_attractors: u32) -> impl Strategy<Value = String> {
         let (trim, width, style) = finish;
         let sides: String = "nesw".chars().enumerate().filter(|(i, _)| sides >> i & 1 == 1).map(|(_, c)| c).collect();
         let scatter = if grid { "grid" } else { "random" };
-        let style = ["ink", "skeleton", "map"][style];
+        let style = ["ink", "skeleton", "map", "dark"][style];
         format!(
             "seed={seed}&growth={procedure}&sensitivity={sensitivity}&apart={apart}&land={land}&outline={outline}&sea={sea:.3}&rough={rough:.3}&aspect={aspect:.3}&mouths={mouths}&sides={sides}&attractors={attractors}&scatter={scatter}\
              &reach={reach:.3}&kill={kill:.3}&step={step:.3}&momentum={momentum:.3}&curl={curl:.3}&stretch={stretch}\

@@ -15,7 +15,7 @@ const SHADES: u32 = 16;
 pub(super) fn ground(out: &mut Text, size: Vec2, land: Option<&Land>, palette: &Palette) {
     let Some(land) = land else {
         out.text("<rect id=\"land\"");
-        sheet(out, size, palette.plain());
+        sheet(out, size, palette.plain);
         return;
     };
     out.text("<g id=\"sea\">\n<rect");

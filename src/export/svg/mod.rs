@@ -51,7 +51,7 @@ const VISIBLE: f32 = 0.2;
 fn width(style: Style) -> Width {
     match style {
         Style::Skeleton => Width::Even { half: 0.5 },
-        Style::Ink | Style::Map => Width::Own { more: VISIBLE },
+        Style::Ink | Style::Dark | Style::Map => Width::Own { more: VISIBLE },
     }
 }
 
