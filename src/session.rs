@@ -3,6 +3,7 @@
 use thiserror::Error;
 
 use crate::grow::{Ending, GrowError, Growth, Parameters, Procedure};
+use crate::memory;
 use crate::network::{self, Courses, Meander, Network};
 use crate::paint::{PaintError, Painter, Progress, Rect, Rivers, Style};
 use crate::prune::{self, Pruned};
@@ -44,13 +45,22 @@ pub struct Session {
     painter: Painter,
 }
 
-/// A tree made into rivers.
+/// A tree on its way to rivers.
 #[derive(Clone, Debug)]
 struct Shaped {
     /// How many nodes are left of the tree, trimmed.
     nodes: u32,
-    courses: Courses,
-    meander: Meander,
+    rivers: Shaping,
+}
+
+/// What has been made of a tree: a stage a step, so that none keeps a page waiting for long.
+#[derive(Clone, Debug)]
+enum Shaping {
+    Courses(Network),
+    Ranked(Courses),
+    Rivers(Courses, Box<Meander>),
+    /// The memory was not to be had: it stays a tree.
+    Starved,
 }
 
 /// What the next step of a session does.
@@ -58,7 +68,7 @@ struct Shaped {
 pub enum Phase {
     /// A tick of growth.
     Growing,
-    /// Rivers are made of the tree, all at once.
+    /// Rivers are made of the tree, in three steps.
     Shaping,
     /// A round of meandering.
     Meandering,
@@ -140,8 +150,8 @@ impl Session {
             Some(Stage::Shape) => {
                 self.recipe = recipe;
                 let parameters = network::Parameters::of(&self.recipe, &self.growth);
-                if let Some(shaped) = &mut self.shaped {
-                    shaped.meander = Meander::new(&shaped.courses, parameters);
+                if let Some(Shaped { rivers: Shaping::Rivers(courses, meander), .. }) = &mut self.shaped {
+                    **meander = Meander::new(courses, parameters);
                 }
                 self.painter.start_over();
             }
@@ -191,7 +201,7 @@ impl Session {
         Ok(())
     }
 
-    /// Goes on by so many steps at most: ticks of growth, then one that makes rivers of the tree, then rounds of meandering.
+    /// Goes on by so many steps at most: ticks of growth, then a few that make rivers of the tree, then rounds of meandering.
     /// Returns whether there is more to do.
     pub fn advance(&mut self, steps: u32) -> bool {
         (0..steps).all(|_| self.step())
@@ -202,23 +212,44 @@ impl Session {
             self.growth.tick();
             return true;
         }
-        if let Some(shaped) = &mut self.shaped {
-            return shaped.meander.round();
-        }
-        let shaped = self.shape();
-        let goes_on = !shaped.meander.is_finished();
-        self.shaped = Some(shaped);
-        goes_on
+        self.shaped = Some(match self.shaped.take() {
+            None => self.draw_courses(),
+            Some(Shaped { nodes, rivers }) => Shaped { nodes, rivers: self.shape(rivers) },
+        });
+        !self.is_finished()
     }
 
-    /// Makes rivers of the tree.
-    fn shape(&self) -> Shaped {
+    /// Finds the courses of rivers in the tree.
+    fn draw_courses(&self) -> Shaped {
+        // What rivers took of a million attractors, twice.
+        const BYTES_A_NODE: usize = 200;
         let Pruned { tree, .. } = self.pruned();
-        let grown = self.growth.parameters();
-        // The strands of a Brownian tree never touch, so they do not cross.
-        let courses = Courses::of(&tree, grown.procedure == Procedure::Colonize, grown.land.as_deref());
-        let meander = Meander::new(&courses, network::Parameters::of(&self.recipe, &self.growth));
-        Shaped { nodes: tree.len() as u32, courses, meander }
+        let rivers = if memory::is_to_be_had(tree.len() * BYTES_A_NODE) {
+            // The strands of a Brownian tree never touch, so they do not cross.
+            let may_cross = self.growth.parameters().procedure == Procedure::Colonize;
+            Shaping::Courses(Courses::unranked(&tree, may_cross))
+        } else {
+            Shaping::Starved
+        };
+        Shaped { nodes: tree.len() as u32, rivers }
+    }
+
+    /// The next stage of rivers.
+    fn shape(&self, rivers: Shaping) -> Shaping {
+        match rivers {
+            Shaping::Courses(network) => {
+                Shaping::Ranked(Courses::ranked(network, self.growth.parameters().land.as_deref()))
+            }
+            Shaping::Ranked(courses) => {
+                let meander = Box::new(Meander::new(&courses, self.network_parameters()));
+                Shaping::Rivers(courses, meander)
+            }
+            Shaping::Rivers(courses, mut meander) => {
+                meander.round();
+                Shaping::Rivers(courses, meander)
+            }
+            Shaping::Starved => Shaping::Starved,
+        }
     }
 
     /// Whether there is nothing more to do.
@@ -228,17 +259,25 @@ impl Session {
 
     /// What the next step does.
     pub fn phase(&self) -> Phase {
-        match &self.shaped {
-            Some(shaped) if shaped.meander.is_finished() => Phase::Finished,
-            Some(_) => Phase::Meandering,
+        match self.shaped.as_ref().map(|shaped| &shaped.rivers) {
+            Some(Shaping::Rivers(_, meander)) if !meander.is_finished() => Phase::Meandering,
+            Some(Shaping::Rivers(..) | Shaping::Starved) => Phase::Finished,
+            Some(Shaping::Courses(_) | Shaping::Ranked(_)) => Phase::Shaping,
             None if self.growth.ending().is_some() => Phase::Shaping,
             None => Phase::Growing,
         }
     }
 
-    /// The rivers; `None` while the tree grows.
+    /// The rivers; `None` while there are none yet, or if there is no memory for them.
     pub fn network(&self) -> Option<&Network> {
-        self.shaped.as_ref().map(|shaped| shaped.meander.network())
+        self.meander().map(Meander::network)
+    }
+
+    fn meander(&self) -> Option<&Meander> {
+        match &self.shaped {
+            Some(Shaped { rivers: Shaping::Rivers(_, meander), .. }) => Some(meander),
+            _ => None,
+        }
     }
 
     /// How the rivers of this recipe are made of its tree.
@@ -250,7 +289,7 @@ impl Session {
     pub fn paint(&mut self) -> Option<Rect> {
         let recipe = &self.recipe;
         let land = self.growth.parameters().land.as_deref();
-        if let Some(Shaped { meander, .. }) = &self.shaped {
+        if let Some(Shaped { rivers: Shaping::Rivers(_, meander), .. }) = &self.shaped {
             let (network, rounds) = (meander.network(), meander.rounds());
             return self.painter.paint_rivers(&Rivers { network, rounds, land, style: style(recipe) });
         }
@@ -301,15 +340,22 @@ impl Session {
             rounds: 0,
             oxbows: 0,
         };
-        let Some(Shaped { nodes, courses, meander }) = &self.shaped else { return so_far };
-        let rivers = &courses.network.rivers;
-        Summary {
-            nodes: *nodes,
-            sources: rivers.len() as u32,
-            order: rivers.iter().map(|river| river.order).max().unwrap_or(0),
-            rounds: meander.rounds(),
-            oxbows: meander.network().oxbows.len() as u32,
-            ..so_far
+        match &self.shaped {
+            Some(Shaped { nodes, rivers: Shaping::Rivers(_, meander) }) => {
+                let rivers = &meander.network().rivers;
+                Summary {
+                    nodes: *nodes,
+                    sources: rivers.len() as u32,
+                    order: rivers.iter().map(|river| river.order).max().unwrap_or(0),
+                    rounds: meander.rounds(),
+                    oxbows: meander.network().oxbows.len() as u32,
+                    ..so_far
+                }
+            }
+            Some(Shaped { nodes, rivers: Shaping::Starved }) => {
+                Summary { nodes: *nodes, ending: Some(Ending::OutOfMemory), ..so_far }
+            }
+            _ => so_far,
         }
     }
 }

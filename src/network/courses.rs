@@ -22,7 +22,16 @@ impl Courses {
     /// Reads the courses of a trimmed tree. `may_cross` says whether its steps may cross each other; `land` is where
     /// simplified courses have to stay.
     pub fn of(tree: &Tree, may_cross: bool, land: Option<&Land>) -> Self {
-        let network = if may_cross { courses(&uncross(tree)) } else { courses(tree) };
+        Self::ranked(Self::unranked(tree, may_cross), land)
+    }
+
+    /// The first half of the work: the courses alone.
+    pub fn unranked(tree: &Tree, may_cross: bool) -> Network {
+        if may_cross { courses(&uncross(tree)) } else { courses(tree) }
+    }
+
+    /// The second half: the order in which vertices go.
+    pub fn ranked(network: Network, land: Option<&Land>) -> Self {
         let ranking = ranking::rank(&network, land);
         Self { network, ranking }
     }

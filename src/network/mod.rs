@@ -19,6 +19,7 @@ mod guard;
 pub mod hydrology;
 pub mod meander;
 mod middle;
+mod orders;
 mod parameters;
 mod ranking;
 mod smooth;

@@ -4,6 +4,7 @@
 //! do, and joins the river below the neck; the rest join that one. So no tributary is ever cut off.
 
 use super::super::guard::Near;
+use super::super::orders;
 use super::super::parameters::Parameters;
 use super::super::width::settle;
 use super::super::{NONE, Network, Oxbow, River, Vertex};
@@ -100,6 +101,9 @@ pub(super) fn cut(network: &mut Network, cuts: &[Cut], round: u32) {
         river.joins = place.get(river.joins as usize).copied().unwrap_or(NONE);
     }
     (network.vertices, network.rivers) = (vertices, rivers);
+    if !moved.is_empty() {
+        orders::count(network);
+    }
     for river in moved {
         let river = network.rivers[river as usize];
         let arm = network.vertices[river.own()].last().map_or(0.0, Vertex::width);

@@ -24,7 +24,7 @@ test("the picture is saved as a large PNG under the seed's name", async ({ page 
   await expect(page.locator("#shared")).toHaveText("riverseed-puriri.png is in your downloads.");
 });
 
-for (const style of ["ink", "map", "skeleton"]) {
+for (const style of ["ink", "dark", "map", "skeleton"]) {
   test(`an SVG is a picture that a browser shows: ${style}`, async ({ page }) => {
     const said = complaints(page);
     await openFinished(page, `${LINK}&land=island&style=${style}`);
