@@ -88,6 +88,10 @@ pub(crate) fn most(a: f32, b: f32) -> f32 {
 
 /// Whether a point lies in a triangle, its border included.
 pub(crate) fn is_in_triangle(point: Vec2, a: Vec2, b: Vec2, c: Vec2) -> bool {
+    // In a triangle without an area all points of its line are on the same side of everything.
+    if point.cmplt(a.min(b).min(c)).any() || point.cmpgt(a.max(b).max(c)).any() {
+        return false;
+    }
     let (ab, bc, ca) = (doubled_area(a, b, point), doubled_area(b, c, point), doubled_area(c, a, point));
     (ab >= 0.0 && bc >= 0.0 && ca >= 0.0) || (ab <= 0.0 && bc <= 0.0 && ca <= 0.0)
 }

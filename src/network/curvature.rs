@@ -27,6 +27,7 @@ pub fn curvature(a: Vec2, b: Vec2, c: Vec2) -> f32 {
 
 #[cfg(test)]
 mod tests {
+    use super::super::samples::{sine_generated, sinuosity};
     use super::*;
     use std::f32::consts::PI;
 
@@ -52,29 +53,20 @@ mod tests {
         assert_eq!(curvature(Vec2::ZERO, Vec2::X * 2.0, Vec2::ZERO), 1.0);
     }
 
-    /// Langbein and Leopold's curve, whose direction is ω sin(2π s / M) at length s: its curvature is
-    /// ω (2π / M) cos(2π s / M), its sinuosity 1 / J₀(ω).
     #[test]
     fn sine_generated_curve_has_its_analytic_curvature_and_sinuosity() {
-        const PIECES: usize = 400;
+        const PIECES: u32 = 400;
         let length = 100.0f32;
         for degrees in [45.0f32, 70.0, 90.0, 110.0] {
             let omega = degrees.to_radians();
-            let heading = |s: f32| omega * libm::sinf(2.0 * PI * s / length);
-            let piece = length / PIECES as f32;
-            let mut line = vec![Vec2::ZERO];
-            for i in 0..PIECES {
-                let direction = heading((i as f32 + 0.5) * piece);
-                line.push(line[i] + Vec2::new(libm::cosf(direction), libm::sinf(direction)) * piece);
-            }
-            for i in (1..PIECES).step_by(7) {
-                let analytic = omega * 2.0 * PI / length * libm::cosf(2.0 * PI * i as f32 * piece / length);
+            let line = sine_generated(omega, length, 1, PIECES);
+            for i in (1..PIECES as usize).step_by(7) {
+                let analytic = omega * 2.0 * PI / length * libm::cosf(2.0 * PI * i as f32 / PIECES as f32);
                 let measured = curvature(line[i - 1], line[i], line[i + 1]);
                 assert!((measured - analytic).abs() < 2e-3, "{degrees}°, {i}: {measured} is not {analytic}");
             }
-            let sinuosity = length / line[0].distance(line[PIECES]);
-            let analytic = 1.0 / libm::j0f(omega);
-            assert!((sinuosity / analytic - 1.0).abs() < 2e-3, "{degrees}°: {sinuosity} is not {analytic}");
+            let (measured, analytic) = (sinuosity(&line), 1.0 / libm::j0f(omega));
+            assert!((measured / analytic - 1.0).abs() < 2e-3, "{degrees}°: {measured} is not {analytic}");
         }
     }
 }

@@ -52,3 +52,40 @@ pub(super) fn between(upper: &Vertex, lower: &Vertex, share: f32) -> Vertex {
         sway: mix(upper.sway, lower.sway),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::samples::{parameters, river, straight};
+    use super::*;
+    use crate::plane::height;
+    use glam::Vec2;
+
+    #[test]
+    fn vertices_come_to_lie_about_a_step_apart_on_the_same_line() {
+        let points = [(0.0, 0.0), (0.6, 0.0), (30.0, 17.3), (31.9, 17.0), (90.0, 80.0)].map(Vec2::from);
+        let parameters = parameters();
+        let network = river(&points, 1.0);
+        let (divided, origin) = divide(&network, &parameters);
+        assert_eq!(divided.vertices.len(), origin.len());
+        let step = parameters.step(2.0 * parameters.half_width(100));
+        for (i, pair) in divided.vertices.windows(2).enumerate() {
+            let (upper, share) = origin[i];
+            let (a, b) = (points[upper as usize], points[upper as usize + 1]);
+            assert!(height(pair[0].at, a, b) < 1e-4, "on the line");
+            assert!((pair[0].at.distance(a) - share * a.distance(b)).abs() < 1e-3, "where it is said to be");
+            let apart = pair[0].at.distance(pair[1].at) / step;
+            assert!(apart <= 1.5 && (apart > 0.66 || a.distance(b) < step), "{apart}");
+        }
+    }
+
+    #[test]
+    fn junctions_are_followed() {
+        let network =
+            river(&straight((0.0, 0.0), (40.0, 0.0), 4), 1.0).with_arm(&straight((20.0, 30.0), (20.0, 10.0), 2), 2, 10);
+        let (divided, _) = divide(&network, &parameters());
+        let arm = divided.rivers[1];
+        assert_eq!(divided.vertices[arm.joins as usize].at, Vec2::new(20.0, 0.0));
+        let last = divided.vertices[arm.own()].last().unwrap();
+        assert!(last.at.y > 0.0 && last.at.y < 2.0, "the way to the junction is divided, too");
+    }
+}

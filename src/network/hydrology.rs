@@ -42,3 +42,29 @@ pub fn elevations(network: &Network, everything: u32) -> Vec<f32> {
     }
     elevations
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::samples::{river, straight};
+    use super::*;
+
+    #[test]
+    fn four_times_the_slope_takes_a_thirty_second_of_the_discharge() {
+        assert!((slope(0.01) / slope(0.32) - 4.0).abs() < 1e-4);
+        assert_eq!(slope(1.0), 3e-4);
+        assert!(slope(0.0).is_finite());
+    }
+
+    #[test]
+    fn elevations_are_slopes_summed_from_the_mouth() {
+        let network = river(&straight((0.0, 0.0), (100.0, 0.0), 10), 1.0).with_arm(
+            &straight((50.0, 40.0), (50.0, 10.0), 3),
+            5,
+            25,
+        );
+        let elevations = elevations(&network, 100);
+        assert_eq!(elevations[10], 0.0);
+        assert!((elevations[0] - 100.0 * slope(1.0)).abs() < 1e-6);
+        assert!((elevations[11] - elevations[5] - 40.0 * slope(0.25)).abs() < 1e-6);
+    }
+}

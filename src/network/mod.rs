@@ -22,6 +22,8 @@ mod middle;
 mod orders;
 mod parameters;
 mod ranking;
+#[cfg(test)]
+mod samples;
 mod smooth;
 mod uncross;
 mod width;

@@ -123,3 +123,65 @@ impl Cells {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::samples::{places, river, sine_generated, sinuosity, straight};
+    use super::*;
+
+    #[test]
+    fn what_is_least_seen_goes_first() {
+        let points = [(0.0, 0.0), (10.0, 0.1), (20.0, 0.0), (30.0, 8.0), (40.0, 0.0)].map(Vec2::from);
+        assert_eq!(rank(&river(&points, 1.0), None), [1, 2, 3]);
+    }
+
+    #[test]
+    fn sources_mouths_and_junctions_stay() {
+        let main = straight((0.0, 0.0), (80.0, 0.0), 8);
+        let arm = straight((30.0, 50.0), (40.0, 10.0), 4);
+        let network = river(&main, 1.0).with_arm(&arm, 4, 10);
+        let ranking = rank(&network, None);
+        let left = simplified(&network, &ranking, 1.0);
+        assert_eq!(places(&left), [(0.0, 0.0), (40.0, 0.0), (80.0, 0.0), (30.0, 50.0)].map(Vec2::from));
+        assert_eq!((left.rivers[1].start, left.rivers[1].joins), (3, 1));
+    }
+
+    #[test]
+    fn a_line_never_comes_to_lie_across_another_river() {
+        // The bend of one river goes round the source of the other.
+        let bend = [(0.0, 0.0), (50.0, 40.0), (100.0, 0.0), (150.0, 0.0)].map(Vec2::from);
+        let brook = [(50.0, 20.0), (60.0, -20.0), (110.0, -20.0)].map(Vec2::from);
+        assert!(rank(&river(&bend, 1.0), None).contains(&1));
+        assert!(!rank(&river(&bend, 1.0).with_arm(&brook, 3, 10), None).contains(&1));
+    }
+
+    #[test]
+    fn any_degree_is_a_part_of_a_lesser_one() {
+        let network = river(&sine_generated(1.2, 90.0, 3, 40), 1.0);
+        let ranking = rank(&network, None);
+        let mut before = places(&network);
+        for percent in [10, 35, 60, 85, 100] {
+            let left = places(&simplified(&network, &ranking, percent as f32 / 100.0));
+            assert!(left.len() < before.len() && left.iter().all(|at| before.contains(at)), "{percent}");
+            before = left;
+        }
+    }
+
+    #[test]
+    fn sine_generated_curve_keeps_its_sinuosity() {
+        for degrees in [45.0f32, 70.0, 90.0, 110.0] {
+            let omega = degrees.to_radians();
+            let network = river(&sine_generated(omega, 100.0, 3, 200), 1.0);
+            let ranking = rank(&network, None);
+            let analytic = 1.0 / libm::j0f(omega);
+            for percent in [20, 60, 90] {
+                let left = places(&simplified(&network, &ranking, percent as f32 / 100.0));
+                let measured = sinuosity(&left);
+                assert!(
+                    (measured / analytic - 1.0).abs() < 0.01,
+                    "{degrees}°, {percent} %: {measured} is not {analytic}"
+                );
+            }
+        }
+    }
+}

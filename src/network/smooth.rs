@@ -109,3 +109,69 @@ fn targets(coarse: &Network, origin: &[(u32, f32)]) -> Vec<Vec2> {
         })
         .collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::curvature::curvature;
+    use super::super::evenly::divide;
+    use super::super::ranking::{rank, simplified};
+    use super::super::samples::{parameters, places, river, sine_generated, sinuosity};
+    use super::*;
+    use crate::plane::meet;
+
+    fn smoothed(coarse: &Network) -> Vec<Vec2> {
+        let parameters = parameters();
+        let (mut network, origin) = divide(coarse, &parameters);
+        smooth(&mut network, coarse, &origin, &parameters);
+        places(&network)
+    }
+
+    fn sharpest(line: &[Vec2]) -> f32 {
+        line.windows(3).map(|at| curvature(at[0], at[1], at[2]).abs()).fold(0.0, f32::max)
+    }
+
+    const CORNER: [(f32, f32); 3] = [(100.0, 100.0), (106.0, 100.0), (106.0, 106.0)];
+
+    #[test]
+    fn corners_become_bends_and_ends_stay() {
+        let corner = CORNER.map(Vec2::from);
+        let network = river(&corner, 1.0);
+        let line = smoothed(&network);
+        assert_eq!((line[0], line[line.len() - 1]), (corner[0], corner[2]));
+        let divided = places(&divide(&network, &parameters()).0);
+        assert!(sharpest(&line) < 0.85 * sharpest(&divided), "{} {}", sharpest(&divided), sharpest(&line));
+        assert!(line.iter().all(|at| at.distance(corner[1]) > 0.9));
+    }
+
+    #[test]
+    fn a_corner_is_not_pushed_across_what_lies_inside_it() {
+        let brook = [(105.5, 100.5), (103.0, 103.0), (103.0, 108.0)].map(Vec2::from);
+        let network = river(&CORNER.map(Vec2::from), 1.0).with_arm(&brook, 2, 10);
+        let free = smoothed(&river(&CORNER.map(Vec2::from), 1.0));
+        let meets = |line: &[Vec2]| line.windows(2).any(|pair| meet((pair[0], pair[1]), (brook[0], brook[1])));
+        assert!(meets(&free), "it would");
+        assert!(!meets(&smoothed(&network)[..free.len()]), "it is not");
+    }
+
+    #[test]
+    fn sine_generated_curve_comes_back_after_simplification() {
+        let omega = 1.3f32;
+        let wave = 120.0;
+        let fine = river(&sine_generated(omega, wave, 3, 240), 1.0);
+        let line = smoothed(&simplified(&fine, &rank(&fine, None), 0.9));
+        let analytic = 1.0 / libm::j0f(omega);
+        assert!((sinuosity(&line) / analytic - 1.0).abs() < 0.02, "{} is not {analytic}", sinuosity(&line));
+        let wide: Vec<f32> = line.windows(9).map(|at| curvature(at[0], at[4], at[8]).abs()).collect();
+        let sharpest = wide.iter().copied().fold(0.0, f32::max);
+        let analytic = omega * std::f32::consts::TAU / wave;
+        assert!((sharpest / analytic - 1.0).abs() < 0.2, "{sharpest} is not {analytic}");
+    }
+
+    #[test]
+    fn a_vertex_moves_as_far_as_both_its_segments_allow() {
+        assert_eq!(
+            limits(&[10.02, 2.02, 0.01], &[1, 2, NONE]),
+            [10.0, 2.0, 0.0].map(|room: f32| room * 0.3).map(f32::abs)
+        );
+    }
+}

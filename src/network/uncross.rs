@@ -217,3 +217,52 @@ impl Planar {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A river from (0, 0) eastward, and a later one that steps across it from the south.
+    fn crossing(last: Vec2) -> Tree {
+        let at = [(0.0, 0.0), (10.0, 0.0), (20.0, 0.0), (14.0, 16.0), (14.0, 6.0)].map(Vec2::from);
+        Tree {
+            at: at.into_iter().chain([last]).collect(),
+            parent: vec![NO_PARENT, 0, 1, NO_PARENT, 3, 4],
+            drained: vec![1, 2, 3, 4, 5, 6],
+            tick_starts: vec![0, 6],
+        }
+    }
+
+    #[test]
+    fn a_step_across_an_older_one_joins_it_there() {
+        let tree = uncross(&crossing(Vec2::new(14.0, -6.0)));
+        let junction = (0..tree.len()).find(|&node| tree.at[node].distance(Vec2::new(14.0, 0.0)) < 1e-4).unwrap();
+        let upper: Vec<Vec2> =
+            (0..tree.len()).filter(|&node| tree.parent_of(node) == Some(junction)).map(|node| tree.at[node]).collect();
+        assert_eq!(tree.len(), 7);
+        assert!(upper.contains(&Vec2::new(20.0, 0.0)) && upper.contains(&Vec2::new(14.0, -6.0)));
+        assert_eq!(tree.at[tree.parent_of(junction).unwrap()], Vec2::new(10.0, 0.0));
+        assert_eq!(tree.drained.iter().sum::<u32>(), 21, "nothing is lost of what they drain");
+    }
+
+    #[test]
+    fn what_does_not_cross_stays() {
+        let mut tree = crossing(Vec2::new(14.0, 2.0));
+        let uncrossed = uncross(&tree);
+        let sorted = |at: &[Vec2]| {
+            let mut at: Vec<(u32, u32)> = at.iter().map(|at| (at.x.to_bits(), at.y.to_bits())).collect();
+            at.sort_unstable();
+            at
+        };
+        assert_eq!(sorted(&uncrossed.at), sorted(&tree.at));
+        tree.at.clear();
+    }
+
+    #[test]
+    fn a_crossing_beside_a_node_ends_in_the_node() {
+        let tree = uncross(&crossing(Vec2::new(6.02, -6.0)));
+        assert_eq!(tree.len(), 6);
+        let last = (0..tree.len()).find(|&node| tree.at[node].y < 0.0).unwrap();
+        assert_eq!(tree.at[tree.parent_of(last).unwrap()], Vec2::new(10.0, 0.0));
+    }
+}

@@ -94,3 +94,59 @@ fn widen_river(
         floors.raise(river.joins, most((last.0 + last.1) * 0.5, f32::MIN_POSITIVE));
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::samples::{parameters, river, straight};
+    use super::*;
+    use crate::network::Vertex;
+
+    /// A river that an arm of so many in a hundred of its discharge joins halfway.
+    fn confluence(share: u32) -> Network {
+        let mut network = river(&straight((0.0, 500.0), (200.0, 500.0), 200), 0.0).with_arm(
+            &straight((100.0, 400.0), (100.0, 499.0), 99),
+            100,
+            share,
+        );
+        network.vertices[..100].iter_mut().for_each(|vertex| vertex.discharge = 100 - share);
+        network
+    }
+
+    fn widened(mut network: Network, vary: f32) -> Network {
+        widen(&mut network, &Parameters { vary, everything: 100, full_width: 10.0, ..parameters() });
+        network
+    }
+
+    #[test]
+    fn squared_widths_add_where_rivers_join() {
+        for share in [10, 30, 50] {
+            let network = widened(confluence(share), 0.0);
+            let [above, arm, below] = [99, 299, 101].map(|i| network.vertices[i].width());
+            assert!((above * above + arm * arm - below * below).abs() < 1e-3, "{above}² + {arm}² = {below}²");
+            assert_eq!(below, 10.0);
+        }
+    }
+
+    #[test]
+    fn rivers_begin_as_nothing_and_widen_soon() {
+        let network = widened(confluence(30), 0.0);
+        let widths: Vec<f32> = network.vertices[..100].iter().map(Vertex::width).collect();
+        assert!(widths[0] == 0.0 && widths.is_sorted() && widths[8] == widths[99]);
+    }
+
+    #[test]
+    fn banks_vary_each_for_itself_and_within_bounds() {
+        let network = widened(confluence(30), 0.3);
+        let below: Vec<&Vertex> = network.vertices[120..200].iter().collect();
+        assert!(below.iter().any(|vertex| (vertex.left - vertex.right).abs() > 0.2));
+        assert!(below.iter().all(|vertex| (vertex.left - 5.0).abs() < 2.5 && (vertex.right - 5.0).abs() < 2.5));
+    }
+
+    #[test]
+    fn a_new_junction_is_as_wide_as_its_arms_and_so_is_all_below() {
+        let mut network = widened(confluence(30), 0.0);
+        settle(&mut network, 0, 50, 4.9);
+        let half = |i: usize| network.vertices[i].left;
+        assert!(half(49) < 4.9 && half(50) == 4.9 && half(99) == 4.9 && half(101) == 5.0);
+    }
+}

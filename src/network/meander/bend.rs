@@ -126,3 +126,54 @@ impl Course {
 fn share(step: f32, width: f32) -> f32 {
     step / (step + MEMORY * width)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::samples::{parameters, river, sine_generated, straight};
+    use super::*;
+
+    const PIECES: u32 = 60;
+
+    /// The ways of a river's vertices, with its line. Its bends are about eleven widths long.
+    fn ways(line: &[Vec2], mix: f32) -> Vec<Vec2> {
+        let parameters = Parameters { mix, strength: 1.0, ..parameters() };
+        moves(&river(line, 5.0), &vec![1.0; line.len()], &parameters)
+    }
+
+    #[test]
+    fn bends_move_outward_and_downstream_by_the_mix() {
+        let line = sine_generated(1.0, 60.0, 3, PIECES);
+        // Apexes, where curvature is greatest; away from the ends, which stay.
+        for apex in [60usize, 90, 120] {
+            let turn = (line[apex] - line[apex - 1]).perp_dot(line[apex + 1] - line[apex]);
+            let tangent = direction(line[apex + 1] - line[apex - 1]);
+            let outside = tangent.perp() * -turn.signum();
+            let (outward, onward) = (ways(&line, 1.0)[apex], ways(&line, 0.0)[apex]);
+            assert!(outward.dot(outside) > 0.5 && outward.dot(tangent).abs() < 0.1, "{apex}: {outward}");
+            assert!(onward.dot(tangent) > 0.5 && onward.dot(outside).abs() < 0.1, "{apex}: {onward}");
+        }
+    }
+
+    #[test]
+    fn straight_rivers_and_ends_stay() {
+        assert!(ways(&straight((0.0, 0.0), (90.0, 40.0), 90), 0.6).iter().all(|way| way.length() < 1e-3));
+        let bent = ways(&sine_generated(1.0, 60.0, 3, PIECES), 0.6);
+        assert_eq!((bent[0], bent[bent.len() - 1]), (Vec2::ZERO, Vec2::ZERO));
+    }
+
+    #[test]
+    fn no_bend_pulls_more_than_the_sharpest() {
+        // A hairpin of half a width.
+        let hairpin: Vec<Vec2> =
+            straight((0.0, 0.0), (60.0, 0.0), 60).into_iter().chain(straight((60.0, 2.5), (0.0, 2.5), 60)).collect();
+        assert!(ways(&hairpin, 1.0).iter().all(|way| way.length() <= PACE * 5.0 + EASE * 60.0));
+        assert!(ways(&hairpin, 1.0).iter().any(|way| way.length() > 0.2));
+    }
+
+    #[test]
+    fn what_has_no_pace_stays() {
+        let line = sine_generated(1.0, 60.0, 3, PIECES);
+        let still = moves(&river(&line, 5.0), &vec![0.0; line.len()], &parameters());
+        assert!(still.iter().all(|way| *way == Vec2::ZERO));
+    }
+}

@@ -155,3 +155,79 @@ impl Loop {
         Oxbow { river: self.cut.river, born: round, vertices }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::samples::{parameters, places, river, straight};
+    use super::*;
+    use glam::Vec2;
+
+    /// A river that runs east, loops to the south and comes back to within a unit: 0 to 20, 20 to 60, 60 to 80.
+    fn hairpin() -> Network {
+        let mut line = straight((0.0, 50.0), (20.0, 50.0), 20);
+        line.extend(straight((20.0, 51.0), (20.0, 70.0), 19));
+        line.extend(straight((21.0, 70.0), (21.0, 50.0), 20));
+        line.extend(straight((22.0, 50.0), (40.0, 50.0), 18));
+        river(&line, 1.0)
+    }
+
+    fn near(first: u32, second: u32) -> Near {
+        Near { first, second, distance: 1.0 }
+    }
+
+    #[test]
+    fn a_loop_is_found_where_limbs_come_near_and_the_longest_is_taken() {
+        let network = hairpin();
+        let parameters = Parameters { neck: 1.5, ..parameters() };
+        let cuts = necks(&network, &[near(30, 49), near(20, 59), near(38, 41)], &parameters);
+        assert_eq!(cuts.len(), 1);
+        assert!(cuts[0].above <= 21 && cuts[0].below >= 59, "{cuts:?}");
+        // Too far apart, too short, or both of it held: no neck.
+        assert!(necks(&network, &[Near { distance: 1.6, ..near(20, 59) }, near(38, 41)], &parameters).is_empty());
+        let mut held = network;
+        held.vertices.iter_mut().for_each(|vertex| vertex.sway = 0.0);
+        assert!(necks(&held, &[near(20, 59)], &parameters).is_empty());
+    }
+
+    #[test]
+    fn the_river_breaks_through_and_leaves_a_lake() {
+        let mut network = hairpin();
+        let line = places(&network);
+        cut(&mut network, &[Cut { river: 0, above: 20, below: 60 }], 7);
+        assert_eq!(places(&network), [&line[..=20], &line[60..]].concat());
+        assert_eq!(network.rivers[0].end as usize, network.vertices.len());
+        let lake = &network.oxbows[0];
+        assert_eq!((lake.river, lake.born), (0, 7));
+        assert_eq!(lake.vertices.iter().map(|vertex| vertex.at).collect::<Vec<Vec2>>(), line[20..=60]);
+    }
+
+    #[test]
+    fn a_tributary_takes_over_the_bed_below_it() {
+        let mut network = hairpin().with_arm(&straight((0.0, 60.0), (19.0, 60.0), 19), 30, 10);
+        network.vertices[30..79].iter_mut().for_each(|vertex| vertex.discharge = 110);
+        let (line, arm) = (places(&network), network.rivers[1]);
+        let (old_own, bed) = (line[arm.own()].to_vec(), &line[30..60]);
+        cut(&mut network, &[Cut { river: 0, above: 20, below: 60 }], 1);
+        let heir = network.rivers[1];
+        assert_eq!(places(&network)[heir.own()], [&old_own, bed].concat(), "it runs on in the old bed");
+        assert_eq!(network.vertices[heir.joins as usize].at, line[60], "and joins below the neck");
+        assert!(network.vertices[heir.own()].iter().all(|vertex| vertex.discharge == 10), "with its own water");
+        let lake = &network.oxbows[0];
+        assert_eq!(lake.vertices.last().unwrap().at, line[30], "only what is above it becomes a lake");
+    }
+
+    #[test]
+    fn the_rest_of_the_loop_s_tributaries_join_the_heir() {
+        let mut network = hairpin().with_arm(&straight((0.0, 60.0), (19.0, 60.0), 19), 30, 10).with_arm(
+            &straight((50.0, 60.0), (22.0, 60.0), 28),
+            50,
+            10,
+        );
+        let joined = network.vertices[50].at;
+        cut(&mut network, &[Cut { river: 0, above: 20, below: 60 }], 1);
+        let [main, heir, other] = network.rivers[..] else { panic!("three rivers") };
+        assert_eq!((heir.parent, other.parent), (0, 1));
+        assert_eq!(network.vertices[other.joins as usize].at, joined);
+        assert_eq!([main, heir, other].map(|river| (river.order, river.magnitude)), [(2, 3), (2, 2), (1, 1)]);
+    }
+}

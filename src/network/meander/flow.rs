@@ -45,3 +45,45 @@ pub(super) fn moves(network: &Network, pace: &[f32], parameters: &Parameters) ->
     }
     moves
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::samples::{parameters, river, sine_generated};
+    use super::super::bend;
+    use super::*;
+
+    /// How far each vertex goes to the left, by a model.
+    fn sideways(line: &[Vec2], moves: impl Fn(&Network, &[f32], &Parameters) -> Vec<Vec2>) -> Vec<f32> {
+        let parameters = Parameters { mix: 1.0, strength: 1.0, ..parameters() };
+        let ways = moves(&river(line, 5.0), &vec![1.0; line.len()], &parameters);
+        (1..line.len() - 1).map(|i| ways[i].perp_dot((line[i + 1] - line[i - 1]).normalize())).collect()
+    }
+
+    /// The phase of a wave of so many samples, in samples.
+    fn phase(values: &[f32], wave: usize) -> f32 {
+        let turn = |i: usize| std::f32::consts::TAU * i as f32 / wave as f32;
+        let sum = |part: fn(f32) -> f32| values.iter().enumerate().map(|(i, value)| value * part(turn(i))).sum::<f32>();
+        libm::atan2f(sum(libm::sinf), sum(libm::cosf)) / std::f32::consts::TAU * wave as f32
+    }
+
+    #[test]
+    fn banks_move_most_downstream_of_the_apex() {
+        const WAVE: usize = 60;
+        let line = sine_generated(0.6, 60.0, 6, WAVE as u32);
+        let middle = 2 * WAVE..4 * WAVE;
+        let (by_flow, by_bend) = (&sideways(&line, moves)[middle.clone()], &sideways(&line, bend::moves)[middle]);
+        let lag = (phase(by_flow, WAVE) - phase(by_bend, WAVE)).rem_euclid(WAVE as f32);
+        // A fraction of a quarter wave downstream: bends skew and travel, and they grow.
+        assert!(lag > 2.0 && lag < 15.0, "{lag} of {WAVE}");
+    }
+
+    #[test]
+    fn a_river_moves_only_below_where_it_bends() {
+        // Straight for sixty units, then bent.
+        let mut line: Vec<Vec2> = (0..60).map(|x| Vec2::new(x as f32 - 40.0, 400.0)).collect();
+        line.extend(sine_generated(0.6, 60.0, 2, 60));
+        let far = sideways(&line, moves);
+        assert!(far[..50].iter().all(|far| far.abs() < 1e-3));
+        assert!(far[70..100].iter().any(|far| far.abs() > 0.1));
+    }
+}

@@ -268,3 +268,49 @@ fn river_of(network: &Network) -> Vec<u32> {
     }
     river_of
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::samples::{parameters, places, river, sine_generated, sinuosity, straight};
+    use super::*;
+
+    /// A river of gentle bends, left to itself for some rounds.
+    fn meandered(model: Model, rounds: u32) -> Network {
+        let line = sine_generated(0.3, 44.0, 8, 44);
+        let mut meander = Meander::of(river(&line, 4.0), Parameters { model, rounds, strength: 0.6, ..parameters() });
+        while meander.round() {}
+        assert_eq!(meander.rounds(), if model == Model::None { 0 } else { rounds });
+        meander.network().clone()
+    }
+
+    #[test]
+    fn bends_grow_until_necks_are_cut() {
+        for model in [Model::Bend, Model::Flow] {
+            let sinuosity = |rounds| sinuosity(&places(&meandered(model, rounds)));
+            let [young, grown] = [sinuosity(0), sinuosity(20)];
+            assert!(young < 1.03 && grown > 1.05, "{model:?}: {young}, then {grown}");
+        }
+        let old = meandered(Model::Bend, 150);
+        assert!(!old.oxbows.is_empty());
+        assert!(sinuosity(&places(&old)) < 6.0);
+    }
+
+    #[test]
+    fn without_a_model_nothing_moves() {
+        assert_eq!(places(&meandered(Model::None, 9)), sine_generated(0.3, 44.0, 8, 44));
+    }
+
+    #[test]
+    fn rivers_stop_short_of_each_other() {
+        // Another river runs right beside the bends.
+        let beside = straight((60.0, 394.0), (330.0, 394.0), 270);
+        let network = river(&sine_generated(0.3, 44.0, 8, 44), 4.0).with_arm(&beside, 340, 20);
+        let mut meander = Meander::of(network, Parameters { rounds: 60, strength: 1.0, ..parameters() });
+        while meander.round() {}
+        let network = meander.network();
+        let [main, other] = [0, 1].map(|river| &network.vertices[network.rivers[river].own()]);
+        let near = main[..main.len() - 20].iter().flat_map(|a| other.iter().map(move |b| a.at.distance(b.at)));
+        let nearest = near.fold(f32::INFINITY, f32::min);
+        assert!(nearest > 0.3, "{nearest}");
+    }
+}

@@ -70,3 +70,48 @@ fn divide(vertices: &mut Vec<Vertex>, upper: &Vertex, lower: &Vertex, parameters
     let pieces = pieces(far, step);
     vertices.extend((1..pieces).map(|piece| between(upper, lower, piece as f32 / pieces as f32)));
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::samples::{parameters, places, river, straight};
+    use super::*;
+    use glam::Vec2;
+
+    fn respaced(mut network: Network, clearance: f32) -> Network {
+        let (clearance, pace) = (vec![clearance; network.vertices.len()], vec![1.0; network.vertices.len()]);
+        respace(&mut network, &clearance, &pace, &parameters());
+        network
+    }
+
+    #[test]
+    fn what_has_drawn_apart_is_divided_and_what_crowds_goes() {
+        let mut line = straight((0.0, 0.0), (12.0, 0.0), 4);
+        line.extend(straight((12.2, 0.0), (16.0, 0.0), 19));
+        let spaced = places(&respaced(river(&line, 1.0), 1.0));
+        for pair in spaced[1..spaced.len() - 1].windows(2) {
+            let apart = pair[0].distance(pair[1]);
+            assert!((0.39..=1.5).contains(&apart), "{apart}");
+        }
+        assert_eq!((spaced[0], spaced[spaced.len() - 1]), (line[0], line[line.len() - 1]));
+    }
+
+    #[test]
+    fn junctions_stay_and_are_followed() {
+        let network =
+            river(&straight((0.0, 0.0), (4.0, 0.0), 20), 1.0).with_arm(&straight((2.0, 9.0), (2.0, 3.0), 6), 10, 10);
+        let spaced = respaced(network, 1.0);
+        let arm = spaced.rivers[1];
+        assert!(spaced.rivers[0].end < 15, "vertices have gone");
+        assert_eq!(spaced.vertices[arm.joins as usize].at, Vec2::new(2.0, 0.0));
+        assert!(arm.own().len() > 7, "the way to the junction is divided");
+    }
+
+    #[test]
+    fn no_line_moves_into_what_is_near() {
+        // A crowded corner, whose middle vertex stands a tenth of a unit out.
+        let line = [(0.0, 0.0), (1.0, 0.0), (1.2, 0.1), (1.4, 0.0), (2.4, 0.0), (3.4, 0.0)].map(Vec2::from);
+        let has_corner = |network: &Network| places(network).contains(&line[2]);
+        assert!(has_corner(&respaced(river(&line, 1.0), 0.4)));
+        assert!(!has_corner(&respaced(river(&line, 1.0), 2.0)));
+    }
+}

@@ -121,3 +121,71 @@ fn distances(network: &Network, river: usize) -> Vec<f32> {
         })
         .collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::samples::{parameters, river, straight};
+    use super::*;
+    use crate::network::River;
+
+    /// A river 400 units long, two wide, with an arm halfway that brings such a share of its water.
+    fn swaying(share: u32, parameters: &Parameters) -> (Network, River) {
+        let mut network = river(&straight((0.0, 400.0), (400.0, 400.0), 400), 2.0).with_arm(
+            &straight((200.0, 100.0), (200.0, 399.0), 299),
+            200,
+            share,
+        );
+        network.vertices.iter_mut().for_each(|vertex| vertex.sway = 0.0);
+        give(&mut network, parameters);
+        let main = network.rivers[0];
+        (network, main)
+    }
+
+    fn only_great(great: u32) -> Parameters {
+        Parameters { great, gentle: 0.0, flat: 1.0, taper: 6.0, everything: 100, ..parameters() }
+    }
+
+    #[test]
+    fn nothing_moves_at_sources_mouths_and_equal_junctions() {
+        let (network, main) = swaying(40, &Parameters { gentle: 1.0, ..only_great(2) });
+        let sway = |i: usize| network.vertices[i].sway;
+        for held in [0, 1, 200, main.end as usize - 1, main.end as usize, network.vertices.len() - 1] {
+            assert_eq!(sway(held), 0.0, "{held}");
+        }
+        assert!(sway(100) > 0.9 && sway(300) > 0.9, "{} {}", sway(100), sway(300));
+    }
+
+    #[test]
+    fn a_brook_does_not_hold_a_river() {
+        let (network, _) = swaying(2, &only_great(1));
+        assert_eq!(network.vertices[200].sway, 1.0);
+    }
+
+    #[test]
+    fn as_many_rivers_meander_as_are_asked_for() {
+        for great in 0..4 {
+            let (network, _) = swaying(40, &only_great(great));
+            let moves = |river: &&River| network.vertices[river.own()].iter().any(|vertex| vertex.sway > 0.0);
+            assert_eq!(network.rivers.iter().filter(moves).count(), great.min(2) as usize);
+        }
+    }
+
+    #[test]
+    fn only_what_is_flat_meanders_fully() {
+        let mut network = river(&straight((0.0, 400.0), (400.0, 400.0), 400), 2.0);
+        network.vertices.iter_mut().enumerate().for_each(|(i, vertex)| vertex.discharge = i as u32 + 1);
+        give(&mut network, &Parameters { flat: 0.25, everything: 400, ..only_great(1) });
+        assert!(network.vertices[..300].iter().all(|vertex| vertex.sway == 0.0));
+        assert_eq!(network.vertices[350].sway, 1.0);
+    }
+
+    #[test]
+    fn sway_falls_off_toward_what_is_held() {
+        let mut network = river(&straight((0.0, 0.0), (60.0, 0.0), 60), 2.0);
+        network.vertices[30].sway = 0.0;
+        ease_off(&mut network, 1.0);
+        let sway: Vec<f32> = network.vertices.iter().map(|vertex| vertex.sway).collect();
+        assert!(sway[30..45].is_sorted() && sway[15..=30].iter().rev().is_sorted());
+        assert!(sway[31] < 0.2 && sway[45] == 1.0 && sway[15] == 1.0);
+    }
+}
