@@ -128,6 +128,16 @@ mod tests {
     }
 
     #[test]
+    fn no_river_is_narrower_than_the_arms_it_has_taken_in() {
+        // As banks vary, an arm may be wider just above its end than the river is just below it; here it is by far.
+        let mut network = confluence(50);
+        network.vertices[..201].iter_mut().for_each(|vertex| vertex.discharge = 20);
+        let network = widened(network, 0.0);
+        let [arm, junction, mouth] = [299, 100, 200].map(|i| network.vertices[i].width());
+        assert!(arm > 7.0 && junction >= arm && mouth >= arm, "{arm} {junction} {mouth}");
+    }
+
+    #[test]
     fn rivers_begin_as_nothing_and_widen_soon() {
         let network = widened(confluence(30), 0.0);
         let widths: Vec<f32> = network.vertices[..100].iter().map(Vertex::width).collect();

@@ -98,11 +98,11 @@ mod tests {
     #[test]
     fn junctions_stay_and_are_followed() {
         let network =
-            river(&straight((0.0, 0.0), (4.0, 0.0), 20), 1.0).with_arm(&straight((2.0, 9.0), (2.0, 3.0), 6), 10, 10);
+            river(&straight((0.0, 0.0), (4.0, 0.0), 20), 1.0).with_arm(&straight((2.2, 9.0), (2.2, 3.0), 6), 11, 10);
         let spaced = respaced(network, 1.0);
         let arm = spaced.rivers[1];
         assert!(spaced.rivers[0].end < 15, "vertices have gone");
-        assert_eq!(spaced.vertices[arm.joins as usize].at, Vec2::new(2.0, 0.0));
+        assert_eq!(spaced.vertices[arm.joins as usize].at, Vec2::new(2.2, 0.0));
         assert!(arm.own().len() > 7, "the way to the junction is divided");
     }
 
