@@ -254,7 +254,7 @@ fn round(maps: u32) -> Option<Repetition> {
 fn all_pairs() -> Option<Repetition> {
     let meander = half_meandered(1)?;
     let network = meander.network().clone();
-    let reach = meander.reach(&network.downstream());
+    let reach = meander.reach(&network.downstream(), &meander.pace());
     Some(Box::new(move || pairs::survey(&network, &reach, meander.caps()).1.len() as u32))
 }
 

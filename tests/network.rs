@@ -149,7 +149,7 @@ proptest! {
         // All pairs of more take a while.
         prop_assume!(network.vertices.len() < 4000);
         let downstream = network.downstream();
-        let reach = meander.reach(&downstream);
+        let reach = meander.reach(&downstream, &meander.pace());
         let mut guard = Guard::new(&parameters.domain, parameters.spacing);
         let mut near = Vec::new();
         let clearance = guard.survey(network, &downstream, &reach, meander.caps(), &mut |pair| near.push(pair));

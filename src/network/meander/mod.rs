@@ -79,13 +79,12 @@ impl Meander {
             return false;
         }
         self.round += 1;
-        let mut downstream = self.network.downstream();
-        let (mut clearance, mut near) = self.survey(&downstream);
+        let (mut downstream, mut pace) = (self.network.downstream(), self.pace());
+        let (mut clearance, mut near) = self.survey(&downstream, &pace);
         if self.cut_necks(&downstream, &near) {
-            downstream = self.network.downstream();
-            (clearance, near) = self.survey(&downstream);
+            (downstream, pace) = (self.network.downstream(), self.pace());
+            (clearance, near) = self.survey(&downstream, &pace);
         }
-        let pace = self.pace();
         if self.freeze(&near) {
             sway::ease_off(&mut self.network, self.parameters.spacing);
         }
@@ -102,7 +101,7 @@ impl Meander {
 
     /// How freely each vertex moves in this round. Rivers that meander but gently do so in every third round, thrice as
     /// far: nobody sees it, and a round takes half the time.
-    fn pace(&self) -> Vec<f32> {
+    pub fn pace(&self) -> Vec<f32> {
         const SELDOM: u32 = 3;
         let mut pace = vec![0.0; self.network.vertices.len()];
         for (number, river) in (0..).zip(&self.network.rivers) {
@@ -119,16 +118,15 @@ impl Meander {
     }
 
     /// How far each segment looks around for others: until banks could come too near each other, if it can move or is wide.
-    pub fn reach(&self, downstream: &[u32]) -> Vec<f32> {
+    pub fn reach(&self, downstream: &[u32], pace: &[f32]) -> Vec<f32> {
         let Parameters { spacing, buffer, neck, .. } = self.parameters;
         let vertices = &self.network.vertices;
         let wide = WIDE * spacing;
         let near =
             |width: f32| most((width + most(width, wide)) * 0.5 + buffer, neck * most(width, NARROWEST * spacing));
-        let pace = self.pace();
         vertices
             .iter()
-            .zip(&pace)
+            .zip(pace)
             .zip(downstream)
             .map(|((vertex, &moves), &lower)| {
                 let Some(below) = vertices.get(lower as usize) else { return 0.0 };
@@ -150,8 +148,8 @@ impl Meander {
     }
 
     /// The clearance of each segment, and the pairs that are near each other.
-    fn survey(&mut self, downstream: &[u32]) -> (Vec<f32>, Vec<Near>) {
-        let reach = self.reach(downstream);
+    fn survey(&mut self, downstream: &[u32], pace: &[f32]) -> (Vec<f32>, Vec<Near>) {
+        let reach = self.reach(downstream, pace);
         let mut near = Vec::new();
         let clearance = self.guard.survey(&self.network, downstream, &reach, self.caps(), &mut |pair| near.push(pair));
         (clearance, near)
