@@ -127,6 +127,14 @@ mod tests {
         assert_eq!(meeting(s(0., 0., 4., 4.), s(0., 2., 2., 0.)), 0.25);
     }
 
+    #[test]
+    fn a_triangle_without_an_area_holds_what_lies_between_its_corners() {
+        let [a, b, c] = [1.0, 4.0, 2.0].map(Vec2::splat);
+        for (at, is_inside) in [(0.5, false), (1.0, true), (3.0, true), (4.5, false)] {
+            assert_eq!(is_in_triangle(Vec2::splat(at), a, b, c), is_inside, "{at}");
+        }
+    }
+
     proptest! {
         #[test]
         fn gap_is_that_of_the_nearest_of_many_points(a in point(), b in point(), c in point(), d in point()) {
