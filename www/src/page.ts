@@ -18,6 +18,7 @@ import { type Presets, presets } from "./presets.ts";
 import { Recipe } from "./recipe.ts";
 import { SeedBox } from "./seed.ts";
 import { copy } from "./share.ts";
+import { ShareDialog } from "./share-dialog.ts";
 import { Announcer, alternative, caption, sentence, showFailure, showNotices } from "./status.ts";
 import { loadTools } from "./tools.ts";
 import { Transport } from "./transport.ts";
@@ -65,8 +66,8 @@ class Page {
   start(): void {
     parts.facade.hidden = true;
     this.#transport.enable();
-    for (const button of [parts.dice, parts.download, parts.copy, parts.reset, parts.drawing.draw])
-      button.disabled = false;
+    const { dice, download, copy, reset, sharing, drawing } = parts;
+    for (const button of [dice, download, sharing.open, copy, reset, drawing.draw]) button.disabled = false;
     this.#showRecipe();
     this.#plate.start(this.#how("watch"));
   }
@@ -84,7 +85,8 @@ class Page {
   #listen(): void {
     parts.dice.addEventListener("click", () => this.#throwDice());
     parts.reset.addEventListener("click", () => this.#open(`seed=${encodeURIComponent(this.#recipe.seed)}`));
-    new Downloads(parts, this.core, this.#recipe, (error) => this.#fail(error));
+    const downloads = new Downloads(parts, this.core, this.#recipe, (error) => this.#fail(error));
+    new ShareDialog(parts.sharing, this.#recipe, (say) => void downloads.save("png", say));
     parts.copy.addEventListener("click", () => void this.#copyLink());
     parts.drawing.draw.addEventListener("click", () => this.#showDrawing());
     listenForPictures(parts.drawing, (file) => void this.#trace(file));

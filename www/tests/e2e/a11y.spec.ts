@@ -28,6 +28,9 @@ for (const colorScheme of ["light", "dark"] as const) {
       await page.getByRole("button", { name: "Download" }).click();
       await expect(page.getByRole("menu")).toBeVisible();
       expect(await violations(page)).toEqual([]);
+      await page.getByRole("button", { name: "Share" }).click();
+      await expect(page.getByRole("dialog")).toBeVisible();
+      expect(await violations(page)).toEqual([]);
     });
   }
 }
