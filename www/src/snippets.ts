@@ -4,6 +4,7 @@
  */
 
 import { addressOf } from "./link.ts";
+import { attributeOf } from "./widget/attributes.ts";
 
 /** A river that is to be shared. */
 export interface Shared {
@@ -20,16 +21,8 @@ export interface Shared {
 const ELEMENT_SCRIPT = "widget/river-seed.js";
 const EMBED_PAGE = "embed.html";
 
-/** Keys that mean something else as an attribute of any HTML element. */
-const TAKEN_BY_HTML: ReadonlySet<string> = new Set(["style", "width"]);
-
 /** An iframe's width where its style is not let through; elsewhere it is as wide as its column. */
 const IFRAME_WIDTH_PX = 720;
-
-/** The attribute of the element that holds a parameter. */
-export function attributeOf(key: string): string {
-  return TAKEN_BY_HTML.has(key) ? `river-${key}` : key;
-}
 
 /** What a river is called where its picture is not seen. */
 export function titleOf(seed: string): string {

@@ -1,12 +1,5 @@
 import { expect, test } from "vitest";
-import {
-  attributeOf,
-  elementSnippet,
-  iframeSnippet,
-  markdownSnippet,
-  type Shared,
-  titleOf,
-} from "../../src/snippets.ts";
+import { elementSnippet, iframeSnippet, markdownSnippet, type Shared, titleOf } from "../../src/snippets.ts";
 
 const shared = (link: string): Shared => ({
   link,
@@ -25,12 +18,6 @@ test("an element has a river's values as attributes, and a link for readers with
 });
 
 test("keys that HTML has for itself carry a prefix", () => {
-  expect(["style", "width", "curl", "meander-mix"].map(attributeOf)).toEqual([
-    "river-style",
-    "river-width",
-    "curl",
-    "meander-mix",
-  ]);
   expect(elementSnippet(shared("seed=a&width=20&style=map"))).toContain(
     `<river-seed seed="a" river-width="20" river-style="map">`,
   );

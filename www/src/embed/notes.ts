@@ -1,0 +1,27 @@
+/** What embed.html says when something is wrong: in the river's place, or over the river. */
+
+import { el } from "../dom.ts";
+import type { ErrorDetail } from "../widget/events.ts";
+
+/** In the river's place: what happened, what can be done, and its name for whoever runs the page. */
+export function failureNote({ code, message, advice }: ErrorDetail): HTMLElement {
+  return el(
+    "div",
+    { class: "note", role: "alert" },
+    el("p", {}, advice),
+    el("p", { class: "detail" }, `${code}: ${message}`),
+  );
+}
+
+/** Over the river, until it is dismissed: what of the link had to be mended. */
+export function mendedNote(notices: readonly { readonly message: string }[]): HTMLElement {
+  const close = el("button", { type: "button" }, "Dismiss");
+  const note = el(
+    "aside",
+    { class: "note", role: "status" },
+    el("ul", {}, ...notices.map(({ message }) => el("li", {}, message))),
+    close,
+  );
+  close.addEventListener("click", () => note.remove());
+  return note;
+}

@@ -1,0 +1,51 @@
+/** Pages on another origin than the site: a server of one page. */
+
+import { createHash } from "node:crypto";
+import { createServer } from "node:http";
+import type { AddressInfo } from "node:net";
+import type { Locator, Page } from "@playwright/test";
+import { pictureOf } from "../core.ts";
+
+/** The site's address as a page elsewhere has to write it. */
+export function siteOf(baseURL: string | undefined): string {
+  if (baseURL === undefined) throw new Error("the tests have no base address");
+  return baseURL;
+}
+
+/**
+ * Opens a page of somebody else's. From a real server: a page that a test answers for has no address, and browsers do not let
+ * such a page load anything from this machine.
+ */
+export async function openElsewhere(page: Page, body: string): Promise<void> {
+  const html = `<!doctype html><html lang="en"><title>A post</title><body><h1 style="margin:0;height:40px">A post</h1>${body}`;
+  const server = createServer((_, response) =>
+    response.setHeader("content-type", "text/html; charset=utf-8").end(html),
+  );
+  await new Promise<void>((listening) => server.listen(0, "127.0.0.1", listening));
+  page.once("close", () => server.close());
+  await page.goto(`http://127.0.0.1:${(server.address() as AddressInfo).port}/`);
+}
+
+/** What the screen shows where an element stands, which is at whole pixels. */
+export async function seen(page: Page, element: Locator): Promise<{ width: number; height: number; sha256: string }> {
+  await element.scrollIntoViewIfNeeded();
+  const shot = (await element.screenshot()).toString("base64");
+  const { width, height, base64 } = await page.evaluate(async (shot) => {
+    const bytes = Uint8Array.from(atob(shot), (sign) => sign.charCodeAt(0));
+    const image = await createImageBitmap(new Blob([bytes], { type: "image/png" }));
+    const canvas = new OffscreenCanvas(image.width, image.height);
+    const context = canvas.getContext("2d");
+    context?.drawImage(image, 0, 0);
+    const { data } = context?.getImageData(0, 0, image.width, image.height) ?? { data: new Uint8ClampedArray() };
+    let binary = "";
+    for (let i = 0; i < data.length; i += 8192) binary += String.fromCharCode(...data.subarray(i, i + 8192));
+    return { width: image.width, height: image.height, base64: btoa(binary) };
+  }, shot);
+  return { width, height, sha256: createHash("sha256").update(Buffer.from(base64, "base64")).digest("hex") };
+}
+
+/** Whether the screen shows the finished river of a link, to the pixel. */
+export async function showsRiver(page: Page, element: Locator, link: string): Promise<boolean> {
+  const { width, height, sha256 } = await seen(page, element);
+  return sha256 === pictureOf(link, width, height).sha256;
+}
