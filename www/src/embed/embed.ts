@@ -43,4 +43,4 @@ river.addEventListener("error", ({ detail }) => {
 
 host.onTheme((theme) => river.setAttribute("theme", theme));
 new ResizeObserver(measure).observe(river);
-document.body.append(river);
+document.body.append(el("main", {}, river));

@@ -17,8 +17,8 @@ export function failureNote({ code, message, advice }: ErrorDetail): HTMLElement
 export function mendedNote(notices: readonly { readonly message: string }[]): HTMLElement {
   const close = el("button", { type: "button" }, "Dismiss");
   const note = el(
-    "aside",
-    { class: "note", role: "status" },
+    "div",
+    { class: "note mended", role: "status" },
     el("ul", {}, ...notices.map(({ message }) => el("li", {}, message))),
     close,
   );

@@ -17,7 +17,7 @@ export function siteOf(baseURL: string | undefined): string {
  * such a page load anything from this machine.
  */
 export async function openElsewhere(page: Page, body: string): Promise<void> {
-  const html = `<!doctype html><html lang="en"><title>A post</title><body><h1 style="margin:0;height:40px">A post</h1>${body}`;
+  const html = `<!doctype html><html lang="en"><title>A post</title><body><h1>A post</h1>${body}`;
   const server = createServer((_, response) =>
     response.setHeader("content-type", "text/html; charset=utf-8").end(html),
   );
@@ -26,10 +26,10 @@ export async function openElsewhere(page: Page, body: string): Promise<void> {
   await page.goto(`http://127.0.0.1:${(server.address() as AddressInfo).port}/`);
 }
 
-/** What the screen shows where an element stands, which is at whole pixels. */
+/** What the screen shows where an element stands. */
 export async function seen(page: Page, element: Locator): Promise<{ width: number; height: number; sha256: string }> {
   await element.scrollIntoViewIfNeeded();
-  const shot = (await element.screenshot()).toString("base64");
+  const shot = (await page.screenshot({ clip: await placeOf(element) })).toString("base64");
   const { width, height, base64 } = await page.evaluate(async (shot) => {
     const bytes = Uint8Array.from(atob(shot), (sign) => sign.charCodeAt(0));
     const image = await createImageBitmap(new Blob([bytes], { type: "image/png" }));
@@ -42,6 +42,14 @@ export async function seen(page: Page, element: Locator): Promise<{ width: numbe
     return { width: image.width, height: image.height, base64: btoa(binary) };
   }, shot);
   return { width, height, sha256: createHash("sha256").update(Buffer.from(base64, "base64")).digest("hex") };
+}
+
+/** The pixels of the screen that an element covers: its edges go to the nearest ones. */
+async function placeOf(element: Locator): Promise<{ x: number; y: number; width: number; height: number }> {
+  const box = await element.boundingBox();
+  if (!box) throw new Error("the element is nowhere");
+  const [x, y] = [Math.round(box.x), Math.round(box.y)];
+  return { x, y, width: Math.round(box.x + box.width) - x, height: Math.round(box.y + box.height) - y };
 }
 
 /** Whether the screen shows the finished river of a link, to the pixel. */
