@@ -12,7 +12,6 @@ const EMBED_HERE = ["river-seed.js", "tag-here.js", "riverseed_bg.wasm"];
 
 const LIMITS = [
   ["element and loader", ["river-seed.js"], 6_000],
-  ["element and loader, as modules", withImports("element.js"), 6_500],
   ["glue", withImports("core.js"), 5_000],
   ["whole embed", EMBED, 135_000],
   ["whole embed, without a worker", EMBED_HERE, 135_000],

@@ -40,7 +40,7 @@ export class Host {
       this.asked.push(path);
       const { status = 200, headers, body } = this.#answers.get(path) ?? (await this.#file(path));
       response.writeHead(status, {
-        "content-type": TYPES[extname(path)] ?? TYPES[".html"],
+        "content-type": this.types[extname(path)] ?? TYPES[".html"],
         ...this.headers,
         ...headers,
       });
@@ -59,9 +59,17 @@ export class Host {
     return `http://127.0.0.1:${(this.server.address() as AddressInfo).port}`;
   }
 
+  /** By the ending of a file. */
+  readonly types = { ...TYPES };
+
   /** What is answered for a path, in place of any file. */
   answer(path: string, answer: Answer): void {
     this.#answers.set(path, answer);
+  }
+
+  /** From now on the path is a file again. */
+  forget(path: string): void {
+    this.#answers.delete(path);
   }
 
   /** Serves a folder's files under a path, which ends in a slash. */
