@@ -1,14 +1,18 @@
 /** What embed.html says when something is wrong: in the river's place, or over the river. */
 
+import { advice } from "../advice.ts";
 import { el } from "../dom.ts";
+import { PageError } from "../errors.ts";
 import type { ErrorDetail } from "../widget/events.ts";
 
 /** In the river's place: what happened, what can be done, and its name for whoever runs the page. */
-export function failureNote({ code, message, advice }: ErrorDetail): HTMLElement {
+export function failureNote({ code, message }: ErrorDetail): HTMLElement {
+  const { title, text } = advice(new PageError(code, message));
   return el(
     "div",
     { class: "note", role: "alert" },
-    el("p", {}, advice),
+    el("p", { class: "title" }, title),
+    el("p", {}, text),
     el("p", { class: "detail" }, `${code}: ${message}`),
   );
 }
