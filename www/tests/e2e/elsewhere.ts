@@ -1,29 +1,23 @@
-/** Pages on another origin than the site: a server of one page. */
+/** Pages on another origin than the site's, and what is to be seen on them. */
 
 import { createHash } from "node:crypto";
-import { createServer } from "node:http";
-import type { AddressInfo } from "node:net";
 import type { Locator, Page } from "@playwright/test";
 import { pictureOf } from "../core.ts";
+import type { Host } from "./widget/hosts.ts";
 
-/** The site's address as a page elsewhere has to write it. */
-export function siteOf(baseURL: string | undefined): string {
-  if (baseURL === undefined) throw new Error("the tests have no base address");
-  return baseURL;
+/** Where a page elsewhere is opened: the browser's page, somebody else's host, and the site's address. */
+export interface Elsewhere {
+  page: Page;
+  blog: Host;
+  baseURL: string | undefined;
 }
 
-/**
- * Opens a page of somebody else's. From a real server: a page that a test answers for has no address, and browsers do not let
- * such a page load anything from this machine.
- */
-export async function openElsewhere(page: Page, body: string): Promise<void> {
-  const html = `<!doctype html><html lang="en"><title>A post</title><body><h1>A post</h1>${body}`;
-  const server = createServer((_, response) =>
-    response.setHeader("content-type", "text/html; charset=utf-8").end(html),
-  );
-  await new Promise<void>((listening) => server.listen(0, "127.0.0.1", listening));
-  page.once("close", () => server.close());
-  await page.goto(`http://127.0.0.1:${(server.address() as AddressInfo).port}/`);
+/** Opens a page of somebody else's; in it `SITE/` stands for the site's address. */
+export async function openElsewhere({ page, blog, baseURL }: Elsewhere, body: string): Promise<void> {
+  if (baseURL === undefined) throw new Error("the tests have no base address");
+  const html = `<!doctype html><html lang="en"><title>A post</title><link rel="icon" href="data:,"><body><h1>A post</h1>${body}`;
+  blog.answer("/post.html", { body: html.replaceAll("SITE/", baseURL) });
+  await page.goto(`${blog.origin}/post.html`);
 }
 
 /** What the screen shows where an element stands. */

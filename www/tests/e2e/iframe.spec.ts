@@ -1,18 +1,19 @@
-import { expect, type Page, test } from "@playwright/test";
+import type { Page } from "@playwright/test";
 import { violations } from "./axe.ts";
-import { openElsewhere, showsRiver, siteOf } from "./elsewhere.ts";
+import { type Elsewhere, openElsewhere, showsRiver } from "./elsewhere.ts";
 import { complaints, openFinished } from "./riverpage.ts";
+import { expect, test } from "./widget/hosts.ts";
 
 const LINK = "seed=kowhai&attractors=300&curl=0.6";
 
 test.use({ reducedMotion: "reduce", permissions: ["clipboard-read", "clipboard-write"] });
 
 /** Opens a page elsewhere with an iframe of the river. */
-async function openFramed(page: Page, baseURL: string | undefined, { query = LINK, more = "" } = {}): Promise<void> {
-  const site = siteOf(baseURL);
-  const iframe = `<iframe src="${site}embed.html?${query}" title="Rivers" width="480" height="320" style="border:0"></iframe>`;
-  await openElsewhere(page, iframe + more.replaceAll("SITE/", site));
-  await expect(page.frameLocator("iframe").first().locator(":root")).toHaveAttribute("data-state", "ready");
+async function openFramed(elsewhere: Elsewhere, { query = LINK, more = "" } = {}): Promise<void> {
+  const iframe = `<iframe src="SITE/embed.html?${query}" title="Rivers" width="480" height="320" style="border:0"></iframe>`;
+  await openElsewhere(elsewhere, iframe + more);
+  const frame = elsewhere.page.frameLocator("iframe").first();
+  await expect(frame.locator(":root")).toHaveAttribute("data-state", "ready");
 }
 
 /** Notes what the page around hears from its frames. Call before anything is opened. */
@@ -40,34 +41,35 @@ async function violationsInFrame(page: Page): Promise<string[]> {
 
 const river = (page: Page) => page.frameLocator("iframe").first().locator("river-seed");
 
-test("the iframe that Share copies draws the same river on another origin", async ({ page }) => {
+test("the iframe that Share copies draws the same river on another origin", async ({ page, blog, baseURL }) => {
   await openFinished(page, LINK);
   await page.getByRole("button", { name: "Share" }).click();
   await page.getByRole("button", { name: "Copy iframe" }).click();
   await expect(page.getByRole("dialog").getByRole("status")).toHaveText("Iframe copied.");
   const snippet = await page.evaluate(() => navigator.clipboard.readText());
   const said = complaints(page);
-  await openElsewhere(page, `<div style="width:480px">${snippet}</div>`);
+  await openElsewhere({ page, blog, baseURL }, `<div style="width:480px">${snippet}</div>`);
   await expect.poll(() => showsRiver(page, page.locator("iframe"), LINK)).toBe(true);
   expect(said).toEqual([]);
 });
 
-test("the element that Share copies draws the same river on another origin", async ({ page }) => {
+test("the element that Share copies draws the same river on another origin", async ({ page, blog, baseURL }) => {
   await openFinished(page, LINK);
   await page.getByRole("button", { name: "Share" }).click();
   await page.getByRole("button", { name: "Copy element" }).click();
   await expect(page.getByRole("dialog").getByRole("status")).toHaveText("Element copied.");
   const snippet = await page.evaluate(() => navigator.clipboard.readText());
-  await openElsewhere(page, `<div style="width:480px">${snippet}</div>`);
+  await openElsewhere({ page, blog, baseURL }, `<div style="width:480px">${snippet}</div>`);
   await expect.poll(() => showsRiver(page, page.locator("river-seed"), LINK)).toBe(true);
 });
 
 test("the page around is told the height that fits, once, and again when the width changes", async ({
   page,
+  blog,
   baseURL,
 }) => {
   const heard = await heights(page);
-  await openFramed(page, baseURL);
+  await openFramed({ page, blog, baseURL });
   await expect.poll(heard).toEqual([320]);
   const iframe = page.locator("iframe");
   await iframe.evaluate((frame) => frame.setAttribute("height", "700"));
@@ -75,27 +77,30 @@ test("the page around is told the height that fits, once, and again when the wid
   await expect.poll(heard).toEqual([320, 400]);
 });
 
-test("with the host script an iframe is as high as its river", async ({ page, baseURL }) => {
-  await openFramed(page, baseURL, { query: `${LINK}&aspect=2`, more: `<script src="SITE/embed-host.js"></script>` });
+test("with the host script an iframe is as high as its river", async ({ page, blog, baseURL }) => {
+  await openFramed(
+    { page, blog, baseURL },
+    { query: `${LINK}&aspect=2`, more: `<script src="SITE/embed-host.js"></script>` },
+  );
   const iframe = page.locator("iframe");
   await expect(iframe).toHaveCSS("height", "240px");
   await iframe.evaluate((frame) => frame.setAttribute("width", "600"));
   await expect(iframe).toHaveCSS("height", "300px");
 });
 
-test("the host script hands over the theme, at first and when it changes", async ({ page, baseURL }) => {
+test("the host script hands over the theme, at first and when it changes", async ({ page, blog, baseURL }) => {
   await openElsewhere(
-    page,
-    `<iframe src="${siteOf(baseURL)}embed.html?${LINK}" data-theme="dark" title="Rivers"></iframe>
-     <script src="${siteOf(baseURL)}embed-host.js"></script>`,
+    { page, blog, baseURL },
+    `<iframe src="SITE/embed.html?${LINK}" data-theme="dark" title="Rivers"></iframe>
+     <script src="SITE/embed-host.js"></script>`,
   );
   await expect(river(page)).toHaveAttribute("theme", "dark");
   await page.locator("iframe").evaluate((frame) => frame.setAttribute("data-theme", "light"));
   await expect(river(page)).toHaveAttribute("theme", "light");
 });
 
-test("only the page around is heard, and only what it may say", async ({ page, baseURL }) => {
-  await openFramed(page, baseURL, { more: `<iframe name="neighbour" srcdoc="x" title="Another"></iframe>` });
+test("only the page around is heard, and only what it may say", async ({ page, blog, baseURL }) => {
+  await openFramed({ page, blog, baseURL }, { more: `<iframe name="neighbour" srcdoc="x" title="Another"></iframe>` });
   await river(page).evaluate((element) => {
     const themes: (string | null)[] = [];
     Object.assign(globalThis, { themes });
@@ -117,15 +122,22 @@ test("only the page around is heard, and only what it may say", async ({ page, b
   await expect(river(page)).toHaveAttribute("recipe", LINK);
 });
 
-test("the host script listens to no one but frames of the site", async ({ page, baseURL }) => {
-  await openFramed(page, baseURL, {
-    more: `<iframe name="stranger" srcdoc="x" title="A stranger" height="50"></iframe>
+test("the host script listens to no one but frames of the site", async ({ page, blog, baseURL }) => {
+  await openFramed(
+    { page, blog, baseURL },
+    {
+      more: `<iframe name="stranger" srcdoc="x" title="A stranger" height="50"></iframe>
       <iframe name="other" src="SITE/digest.html" title="Another page of the site" height="50"></iframe>
+      <iframe name="turned" src="SITE/embed.html?${LINK}" title="A river at first" height="50"></iframe>
       <script src="SITE/embed-host.js"></script>`,
-  });
+    },
+  );
   await expect(page.locator("iframe").first()).toHaveCSS("height", "320px");
+  blog.answer("/evil.html", { body: "<title>Evil</title>" });
+  await page.frame("turned")?.goto(`${blog.origin}/evil.html`);
+  await page.evaluate(() => document.querySelector<HTMLElement>("[name=turned]")?.style.removeProperty("height"));
   const evil = { riverseed: { height: 9999 } };
-  for (const name of ["stranger", "other"])
+  for (const name of ["stranger", "other", "turned"])
     await page.frame(name)?.evaluate((evil) => parent.postMessage(evil, "*"), evil);
   await page.evaluate((evil) => postMessage(evil, "*"), evil);
   const first = page.frames().find((frame) => frame.url().includes("/embed.html"));
@@ -133,7 +145,7 @@ test("the host script listens to no one but frames of the site", async ({ page, 
     await first?.evaluate((height) => parent.postMessage({ riverseed: { height } }, "*"), height);
   await first?.evaluate(() => parent.postMessage({ riverseed: { height: 123 } }, "*"));
   await expect(page.locator("iframe").first()).toHaveCSS("height", "123px");
-  for (const name of ["stranger", "other"])
+  for (const name of ["stranger", "other", "turned"])
     await expect(page.locator(`iframe[name=${name}]`)).toHaveCSS("height", "50px");
 });
 
@@ -173,13 +185,14 @@ test("what had to be mended is said over the river, as text, and can be dismisse
 
 test("a failure is said in the river's place, by its name, and the page around gives it room", async ({
   page,
+  blog,
   baseURL,
 }) => {
   const heard = await heights(page);
   await page.route("**/*.wasm", (route) => route.fulfill({ status: 404, body: "not here" }));
   await openElsewhere(
-    page,
-    `<iframe src="${siteOf(baseURL)}embed.html?${LINK}" title="Rivers" width="300" height="60"></iframe>`,
+    { page, blog, baseURL },
+    `<iframe src="SITE/embed.html?${LINK}" title="Rivers" width="300" height="60"></iframe>`,
   );
   const note = page.frameLocator("iframe").getByRole("alert");
   await expect(note).toContainText("wasm-fetch");
