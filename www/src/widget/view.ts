@@ -81,8 +81,9 @@ export class View {
   name(label: string): void {
     this.#label = label;
     for (const canvas of [this.#canvas, this.#next]) {
-      canvas?.setAttribute("role", label === "" ? "none" : "img");
+      canvas?.setAttribute("role", "img");
       canvas?.setAttribute("aria-label", label);
+      canvas?.setAttribute("aria-hidden", String(label === ""));
     }
   }
 
