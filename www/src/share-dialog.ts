@@ -5,6 +5,7 @@ import { addressOf } from "./link.ts";
 import type { Recipe } from "./recipe.ts";
 import { copy, fileName } from "./share.ts";
 import { elementSnippet, iframeSnippet, markdownSnippet, type Shared } from "./snippets.ts";
+import { beyondCaps } from "./widget/reading.ts";
 
 export interface ShareParts {
   dialog: HTMLDialogElement;
@@ -99,7 +100,7 @@ export class ShareDialog {
     const { link, seed, values } = this.recipe;
     const shared = { link, seed, aspect: values.get("aspect") ?? "", page: location.href };
     for (const [form, box] of this.#boxes) box.value = form.text(shared);
-    this.#say("Whoever opens one of these sees the same rivers, to the bit.");
+    this.#say(promiseFor(values));
     this.parts.dialog.showModal();
   }
 
@@ -116,6 +117,13 @@ export class ShareDialog {
   #say(text: string): void {
     this.parts.told.textContent = text;
   }
+}
+
+/** A widget does not grow all that the page does, and then its rivers are others. */
+function promiseFor(values: ReadonlyMap<string, string>): string {
+  const beyond = beyondCaps(values).map(({ message }) => message);
+  if (beyond.length === 0) return "Whoever opens one of these sees the same rivers, to the bit.";
+  return `As an element or an iframe these will be other rivers: ${beyond.join("; ")}.`;
 }
 
 function headed(name: string): string {

@@ -16,7 +16,13 @@ const host = new HostPage(window);
 const heights = new Heights((height) => host.tell(heightMessage(height)));
 const { recipe, attributes } = readQuery(linkOf(location));
 const river = el("river-seed", { ...Object.fromEntries(attributes), recipe });
-let aspect = aspectOf(recipe);
+let aspect = 1;
+
+/** The element has the river's shape by itself; the frame's style sheet needs it to fit the whole of it in. */
+function shape(link: string): void {
+  aspect = aspectOf(link);
+  root.style.setProperty("--aspect", String(aspect));
+}
 
 /** How high the frame should be: as the river's shape wants it at this width, or as high as what stands in its place. */
 function measure(): void {
@@ -25,7 +31,7 @@ function measure(): void {
 }
 
 river.addEventListener("ready", ({ detail }) => {
-  aspect = aspectOf(detail.link);
+  shape(detail.link);
   root.dataset["state"] = "ready";
   if (detail.notices.length > 0) document.body.append(mendedNote(detail.notices));
   measure();
@@ -41,6 +47,8 @@ river.addEventListener("error", ({ detail }) => {
   measure();
 });
 
+shape(recipe);
 host.onTheme((theme) => river.setAttribute("theme", theme));
+new ResizeObserver(measure).observe(root);
 new ResizeObserver(measure).observe(river);
 document.body.append(el("main", {}, river));

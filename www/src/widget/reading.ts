@@ -14,6 +14,16 @@ export const CAPS: ReadonlyMap<string, { bound: number; isLeast: boolean }> = ne
   ["sensitivity", { bound: 16, isLeast: true }],
 ]);
 
+/** What of a recipe's values a widget does not go as far with, how far it does, and that in words. */
+export function beyondCaps(values: ReadonlyMap<string, string>): { key: string; bound: number; message: string }[] {
+  return [...CAPS].flatMap(([key, { bound, isLeast }]) => {
+    const value = Number(values.get(key));
+    if (isLeast ? value >= bound : value <= bound) return [];
+    const beyond = isLeast ? "less" : "more";
+    return [{ key, bound, message: `${key}: ${value} is ${beyond} than a widget grows: ${bound} is used` }];
+  });
+}
+
 /** The style for dark pages, if the core has it. */
 const DARK = "dark";
 
@@ -21,12 +31,9 @@ export function read(engine: Engine, { text, isDark }: Wish): Reading {
   const asked = engine.readLink(text);
   const values = new Map(asked.values);
   const notices = [...asked.notices];
-  for (const [key, { bound, isLeast }] of CAPS) {
-    const value = Number(values.get(key));
-    if (isLeast ? value >= bound : value <= bound) continue;
+  for (const { key, bound, message } of beyondCaps(values)) {
     values.set(key, String(bound));
-    const beyond = isLeast ? "less" : "more";
-    notices.push({ key, message: `${key}: ${value} is ${beyond} than a widget grows: ${bound} is used` });
+    notices.push({ key, message });
   }
   if (isDark && !new URLSearchParams(text).has("style") && hasDark(engine)) values.set("style", DARK);
   return {

@@ -160,6 +160,16 @@ test("nothing is shown but the river, and nothing scrolls", async ({ page }) => 
   expect(await page.evaluate(() => getComputedStyle(document.documentElement).overflow)).toBe("hidden");
 });
 
+test("in a frame of another shape the river is seen whole, in the middle", async ({ page }) => {
+  await page.setViewportSize({ width: 480, height: 320 });
+  await page.goto(`./embed.html?${LINK}&aspect=2`);
+  const canvas = page.locator("river-seed canvas");
+  await expect(canvas).toHaveCount(1);
+  expect(await canvas.boundingBox()).toEqual({ x: 0, y: 40, width: 480, height: 240 });
+  await page.setViewportSize({ width: 480, height: 199 });
+  await expect.poll(() => canvas.boundingBox()).toEqual({ x: 40, y: -0.5, width: 400, height: 200 });
+});
+
 test("the element's attributes are taken from the query, and nothing else is", async ({ page }) => {
   await page.goto(`./embed.html?${LINK}&theme=dark&controls&onclick=alert(1)&alt=x`);
   const element = page.locator("river-seed");

@@ -91,6 +91,11 @@ for (const seed of [
   });
 }
 
+test("it is said beforehand where a widget shows other rivers", async ({ page }) => {
+  await openShare(page, "seed=kowhai&attractors=20001&meander=none");
+  await expect(sharing(page).getByRole("status")).toContainText("attractors: 20001 is more than a widget grows");
+});
+
 test("what is shared follows the rivers", async ({ page }) => {
   await openShare(page);
   await page.keyboard.press("Escape");
