@@ -29,8 +29,12 @@ demo: wasm ## build everything and serve the page here; its address is printed
 	@$(npm) dev -- --host 127.0.0.1
 
 .PHONY: site
-site: wasm ## build the page into www/dist, to be served from any folder of any server
+site: widget ## build the page, with the widget's files, into www/dist, to be served from any folder of any server
 	@$(npm) build
+
+.PHONY: widget
+widget: wasm ## build <river-seed> into www/dist-widget, and weigh it
+	@$(npm) build:widget
 
 .PHONY: wasm
 wasm: ## build the wasm packages into www/pkg and www/pkg-tools, and weigh them
@@ -60,7 +64,7 @@ test-page: wasm ## the TypeScript, without a browser
 
 # On a free port, since a page served by another checkout must not be what is tested.
 .PHONY: test-browser
-test-browser: site ## the page in Chromium, end to end
+test-browser: site widget ## the page and the widget in Chromium, end to end
 	@$(setup) browser
 	@PORT=$$(node -e '$(free_port)') $(npm) e2e
 
@@ -85,7 +89,7 @@ check: wasm ## format, lints, types and documentation: not one warning
 # ---- measure and tend it
 
 .PHONY: bench
-bench: site ## the figures that the README quotes: natively, as wasm in Node, and in the page
+bench: site widget ## the figures that the README quotes: natively, as wasm in Node, and in the page
 	@$(setup) browser
 	@$(run) node scripts/wasm.mjs figures
 	@$(run) node benches/run.mjs
@@ -100,4 +104,4 @@ goldens: ## draw the golden pictures and digests anew; then look at them and say
 
 .PHONY: clean
 clean: ## remove what was built here; tools in ~/.cache/riverseed and www/node_modules stay
-	rm -rf target www/pkg www/pkg-tools www/dist www/test-results www/playwright-report
+	rm -rf target www/pkg www/pkg-tools www/dist www/dist-widget www/test-results www/playwright-report

@@ -1,4 +1,6 @@
 import { defineConfig, type Plugin } from "vite";
+import { wholeAddresses } from "./build/social.ts";
+import { widgetFiles } from "./build/widget.ts";
 
 /**
  * What the built page allows itself. Not in the dev server, which injects styles and talks over a socket.
@@ -27,13 +29,13 @@ function contentSecurityPolicy(): Plugin {
 export default defineConfig({
   // Relative addresses: the built folder works on any static host, in any subfolder.
   base: "./",
-  plugins: [contentSecurityPolicy()],
+  plugins: [contentSecurityPolicy(), wholeAddresses(process.env["RIVERSEED_SITE"]), widgetFiles()],
   // The digest page imports tests/digest.txt, one folder up.
   server: { fs: { allow: [".."] } },
   build: {
     // The wasm stays a file of its own, so that it streams and is cached.
     assetsInlineLimit: 0,
     target: "es2022",
-    rolldownOptions: { input: ["index.html", "digest.html"] },
+    rolldownOptions: { input: ["index.html", "digest.html", "embed.html", "examples/blog.html"] },
   },
 });

@@ -1,4 +1,4 @@
-/** The download menu: one file at a time, and word of how it went. */
+/** Downloads: one file at a time, and word of how it went. */
 
 import { named, type PageError } from "./errors.ts";
 import { type Format, fileOf, isFormat } from "./files.ts";
@@ -24,24 +24,30 @@ export class Downloads {
     private readonly failed: (error: PageError) => void,
   ) {
     new Menu(parts.download, parts.formats, ({ dataset }) => {
-      if (isFormat(dataset["format"]) && !this.#isBusy) void this.#download(dataset["format"]);
+      if (isFormat(dataset["format"])) void this.save(dataset["format"], (text) => this.#say(text));
     });
   }
 
-  async #download(format: Format): Promise<void> {
+  /** Saves what is shown, unless another file is still being made, and says how it goes. */
+  async save(format: Format, say: (text: string) => void): Promise<void> {
+    if (this.#isBusy) return;
     const { link, seed } = this.recipe;
     const name = fileName(seed, format);
     this.#isBusy = true;
-    this.parts.shared.textContent = `Making ${name}…`;
+    say(`Making ${name}…`);
     try {
       save(await fileOf(this.core, link, format), name);
-      this.parts.shared.textContent = `${name} is in your downloads.`;
+      say(`${name} is in your downloads.`);
     } catch (thrown) {
       const error = named(thrown);
-      this.parts.shared.textContent = `${name} could not be made: ${error.message}`;
+      say(`${name} could not be made: ${error.message}`);
       if (error.code === "panic") this.failed(error);
     } finally {
       this.#isBusy = false;
     }
+  }
+
+  #say(text: string): void {
+    this.parts.shared.textContent = text;
   }
 }

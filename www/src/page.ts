@@ -11,18 +11,21 @@ import { Folds } from "./folds.ts";
 import type { State } from "./growth.ts";
 import { AddressBar, addressOf, linkOf, replaceAddress } from "./link.ts";
 import { parts } from "./parts.ts";
+import type { How } from "./picture.ts";
 import { listenForPictures } from "./picture-entry.ts";
 import { nearestAspect, pixelsOf } from "./picture-file.ts";
-import { type How, Plate } from "./plate.ts";
+import { Plate } from "./plate.ts";
 import { type Presets, presets } from "./presets.ts";
 import { Recipe } from "./recipe.ts";
 import { SeedBox } from "./seed.ts";
 import { copy } from "./share.ts";
-import { Announcer, alternative, caption, sentence, showFailure, showNotices } from "./status.ts";
+import { ShareDialog } from "./share-dialog.ts";
+import { Announcer, showFailure, showNotices } from "./status.ts";
 import { loadTools } from "./tools.ts";
 import { Transport } from "./transport.ts";
-import { rangeOf } from "./values.ts";
+import { count, rangeOf } from "./values.ts";
 import { type Core, load } from "./wasm.ts";
+import { alternative, caption, sentence } from "./words.ts";
 
 const prefersStill = window.matchMedia("(prefers-reduced-motion: reduce)");
 
@@ -47,7 +50,7 @@ class Page {
     this.#presets = presets(engine.presets(), table, (values) => this.#set(values, "watch"));
     this.#seedBox = new SeedBox(parts.seedForm, parts.seed, (seed) => this.#set([["seed", seed]], "watch"));
     describeSeed(table);
-    this.#plate = Plate.open(core, parts, this.#recipe.link, {
+    this.#plate = new Plate(core, parts, this.#recipe.link, {
       changed: (state, phase, summary) => this.#follow(state, phase, summary),
       failed: (error) => this.#fail(error),
     });
@@ -65,8 +68,8 @@ class Page {
   start(): void {
     parts.facade.hidden = true;
     this.#transport.enable();
-    for (const button of [parts.dice, parts.download, parts.copy, parts.reset, parts.drawing.draw])
-      button.disabled = false;
+    const { dice, download, copy, reset, sharing, drawing } = parts;
+    for (const button of [dice, download, sharing.open, copy, reset, drawing.draw]) button.disabled = false;
     this.#showRecipe();
     this.#plate.start(this.#how("watch"));
   }
@@ -84,7 +87,8 @@ class Page {
   #listen(): void {
     parts.dice.addEventListener("click", () => this.#throwDice());
     parts.reset.addEventListener("click", () => this.#open(`seed=${encodeURIComponent(this.#recipe.seed)}`));
-    new Downloads(parts, this.core, this.#recipe, (error) => this.#fail(error));
+    const downloads = new Downloads(parts, this.core, this.#recipe, (error) => this.#fail(error));
+    new ShareDialog(parts.sharing, this.#recipe, (say) => void downloads.save("png", say));
     parts.copy.addEventListener("click", () => void this.#copyLink());
     parts.drawing.draw.addEventListener("click", () => this.#showDrawing());
     listenForPictures(parts.drawing, (file) => void this.#trace(file));
@@ -201,7 +205,7 @@ class Page {
     caption(state, phase, summary).forEach((line, i) => {
       setText(parts.caption.children[i], line);
     });
-    parts.canvas.setAttribute("aria-label", alternative(this.#recipe.seed, phase, summary));
+    parts.canvas.setAttribute("aria-label", alternative(this.#recipe.seed, phase, summary, count));
     if (state === "finished") this.#announcer.say(`Finished: ${sentence(summary)}`);
     else this.#announcer.hush();
   }

@@ -20,6 +20,13 @@ export const parts = {
   copy: find("#copy", HTMLButtonElement),
   reset: find("#reset", HTMLButtonElement),
   shared: find("#shared", HTMLElement),
+  sharing: {
+    dialog: find("#sharing", HTMLDialogElement),
+    open: find("#share", HTMLButtonElement),
+    close: find("#sharing-close", HTMLButtonElement),
+    forms: find("#sharing-forms", HTMLElement),
+    told: find("#sharing-told", HTMLElement),
+  },
   seedHelp: find("#seed-help", HTMLElement),
   transport: {
     play: find("#play", HTMLButtonElement),

@@ -69,7 +69,8 @@ export class Transport {
   /** Space plays and pauses, unless it already means something where the focus is. */
   #onKey(event: KeyboardEvent): void {
     if (event.key !== " " || event.defaultPrevented || event.altKey || event.ctrlKey || event.metaKey) return;
-    if (event.target instanceof Element && event.target.closest("button, a, input, select, textarea, summary")) return;
+    if (event.target instanceof Element && event.target.closest("button, a, input, select, textarea, summary, dialog"))
+      return;
     event.preventDefault();
     this.events.toggle();
   }

@@ -1,20 +1,6 @@
-import { readFileSync } from "node:fs";
-import { createRequire } from "node:module";
-import { expect, type Page, test } from "@playwright/test";
-import type { AxeResults } from "axe-core";
+import { expect, test } from "@playwright/test";
+import { violations } from "./axe.ts";
 import { finished, openFinished, openUnfolded, unfold } from "./riverpage.ts";
-
-const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
-
-/** By evaluation, not by a script tag: the page's own policy stays in force. */
-async function violations(page: Page): Promise<string[]> {
-  await page.evaluate(axe);
-  const results = await page.evaluate(() => {
-    const { axe } = globalThis as unknown as { axe: { run(): Promise<AxeResults> } };
-    return axe.run();
-  });
-  return results.violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html).join("; ")}`);
-}
 
 for (const colorScheme of ["light", "dark"] as const) {
   for (const width of [1440, 820, 390]) {
@@ -27,6 +13,9 @@ for (const colorScheme of ["light", "dark"] as const) {
       await unfold(page);
       await page.getByRole("button", { name: "Download" }).click();
       await expect(page.getByRole("menu")).toBeVisible();
+      expect(await violations(page)).toEqual([]);
+      await page.getByRole("button", { name: "Share" }).click();
+      await expect(page.getByRole("dialog")).toBeVisible();
       expect(await violations(page)).toEqual([]);
     });
   }

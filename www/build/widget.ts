@@ -1,0 +1,33 @@
+/** The element's own files in the site, under the names that other pages load them by: `widget/river-seed.js` and what it needs. */
+
+import { readdirSync, readFileSync } from "node:fs";
+import { join } from "node:path";
+import type { Plugin } from "vite";
+
+const BUILT = "dist-widget";
+const FOLDER = "widget";
+
+export function widgetFiles(): Plugin {
+  return {
+    name: "widget-files",
+    // The dev server has no built files, and needs none.
+    configureServer: ({ middlewares }) => {
+      middlewares.use((request, _response, next) => {
+        if (request.url?.startsWith(`/${FOLDER}/river-seed.js`)) request.url = "/src/widget/river-seed.ts";
+        next();
+      });
+    },
+    generateBundle() {
+      for (const file of filesOf(BUILT))
+        this.emitFile({ type: "asset", fileName: `${FOLDER}/${file}`, source: readFileSync(join(BUILT, file)) });
+    },
+  };
+}
+
+function filesOf(folder: string): string[] {
+  try {
+    return readdirSync(folder);
+  } catch {
+    throw new Error(`there is no ${folder}: build the element first (npm run build:widget)`);
+  }
+}

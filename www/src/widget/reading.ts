@@ -1,0 +1,50 @@
+/** Reads what a widget's author asks for. */
+
+import { linkText } from "../link.ts";
+import type { Engine } from "../wasm.ts";
+import type { Reading, Wish } from "./orders.ts";
+
+/**
+ * A widget shares its page with text that somebody reads. Within these bounds no step of a river, above all the one that makes
+ * rivers of a tree, holds up the page for longer than a blink, even where its policy refuses workers. They hold in workers too:
+ * the same tag is the same river everywhere. Whoever wants more makes a picture of it.
+ */
+export const CAPS: ReadonlyMap<string, { bound: number; isLeast: boolean }> = new Map([
+  ["attractors", { bound: 20_000, isLeast: false }],
+  ["sensitivity", { bound: 16, isLeast: true }],
+]);
+
+/** What of a recipe's values a widget does not go as far with, how far it does, and that in words. */
+export function beyondCaps(values: ReadonlyMap<string, string>): { key: string; bound: number; message: string }[] {
+  return [...CAPS].flatMap(([key, { bound, isLeast }]) => {
+    const value = Number(values.get(key));
+    if (isLeast ? value >= bound : value <= bound) return [];
+    const beyond = isLeast ? "less" : "more";
+    return [{ key, bound, message: `${key}: ${value} is ${beyond} than a widget grows: ${bound} is used` }];
+  });
+}
+
+/** The style for dark pages, if the core has it. */
+const DARK = "dark";
+
+export function read(engine: Engine, { text, isDark }: Wish): Reading {
+  const asked = engine.readLink(text);
+  const values = new Map(asked.values);
+  const notices = [...asked.notices];
+  for (const { key, bound, message } of beyondCaps(values)) {
+    values.set(key, String(bound));
+    notices.push({ key, message });
+  }
+  if (isDark && !new URLSearchParams(text).has("style") && hasDark(engine)) values.set("style", DARK);
+  return {
+    link: engine.readLink(linkText(values)).link,
+    seed: values.get("seed") ?? "",
+    aspect: Number(values.get("aspect")),
+    notices,
+  };
+}
+
+function hasDark(engine: Engine): boolean {
+  const style = engine.parameters().find(({ key }) => key === "style");
+  return style?.choices?.some(({ value }) => value === DARK) ?? false;
+}

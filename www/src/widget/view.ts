@@ -1,0 +1,105 @@
+/** What is to be seen of a widget: what its author put there until there is a river, the canvas, the button, and what is said. */
+
+import { backingSize, type Size } from "../canvas.ts";
+import { el, setText } from "../dom.ts";
+import { sharedSheet } from "./sheet.ts";
+
+/** What the button does next. */
+export type Does = "pause" | "play" | "replay";
+
+export class View {
+  readonly #own = new CSSStyleSheet();
+  readonly #note = el("p", { part: "note", hidden: true });
+  readonly #slot = el("slot", {}, this.#note);
+  readonly #button = el("button", { type: "button", part: "button", hidden: true });
+  readonly #status = el("span", { part: "status", role: "status" });
+  #canvas: HTMLCanvasElement | undefined;
+  /** Not seen before there is something on it. */
+  #next: HTMLCanvasElement | undefined;
+  #label = "";
+
+  constructor(
+    private readonly root: ShadowRoot,
+    pressed: () => void,
+  ) {
+    root.adoptedStyleSheets = [sharedSheet(), this.#own];
+    root.append(this.#slot, this.#button, this.#status);
+    this.#button.addEventListener("click", pressed);
+  }
+
+  /** Gives the element its shape, which its author's own style sheet may overrule. What is left after a failure may be taller. */
+  shape(aspect: number, hasFailed: boolean): void {
+    this.#own.replaceSync(`:host { aspect-ratio: ${aspect}; ${hasFailed ? "min-block-size: auto" : ""} }`);
+  }
+
+  /** A canvas for another river, unseen as yet. */
+  prepare(): HTMLCanvasElement {
+    this.#next?.remove();
+    this.#next = el("canvas", { part: "canvas", class: "waits" });
+    this.#slot.after(this.#next);
+    this.name(this.#label);
+    return this.#next;
+  }
+
+  /** Shows the canvas that was prepared. */
+  reveal(): void {
+    if (!this.#next) return;
+    this.#canvas?.remove();
+    this.#canvas = this.#next;
+    this.#next = undefined;
+    this.#canvas.classList.remove("waits");
+    // A worker's word can be here before its picture: what was there stays under it for as long.
+    requestAnimationFrame(() =>
+      requestAnimationFrame(() => {
+        this.#slot.hidden = this.#canvas !== undefined;
+      }),
+    );
+  }
+
+  /** Takes the canvas away: what the author put in its place is there again. */
+  clear(): void {
+    this.#canvas?.remove();
+    this.#next?.remove();
+    this.#canvas = this.#next = undefined;
+    this.#slot.hidden = false;
+    this.note("");
+    this.button(undefined, "", {});
+  }
+
+  /** Says why there is nothing, where the author put nothing in the picture's place. */
+  note(text: string): void {
+    setText(this.#note, text);
+    this.#note.hidden = text === "";
+  }
+
+  /** How many pixels the picture has here; none while the element is not laid out. Of another shape, the map covers the box. */
+  get size(): Size {
+    return backingSize((this.#next ?? this.#canvas ?? this.root.host).getBoundingClientRect(), window.devicePixelRatio);
+  }
+
+  /** Names the picture; an empty name makes it an ornament. */
+  name(label: string): void {
+    this.#label = label;
+    for (const canvas of [this.#canvas, this.#next]) {
+      canvas?.setAttribute("role", "img");
+      canvas?.setAttribute("aria-label", label);
+      canvas?.setAttribute("aria-hidden", String(label === ""));
+    }
+  }
+
+  /** Shows the button, or none. */
+  button(does: Does | undefined, label: string, { isQuiet = false, isDark = false }): void {
+    this.#button.hidden = does === undefined;
+    if (does === undefined) return;
+    this.#button.dataset["does"] = does;
+    this.#button.setAttribute("aria-label", label);
+    this.#button.title = label;
+    this.#button.classList.toggle("quiet", isQuiet);
+    this.#button.classList.toggle("dark", isDark);
+  }
+
+  /** Says something politely; what has been said is not said again. */
+  say(text: string): void {
+    setText(this.#status, text);
+  }
+}
