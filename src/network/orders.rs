@@ -1,12 +1,12 @@
 //! Strahler's orders and Shreve's magnitudes of rivers.
 
 use super::{NONE, Network, River};
+use crate::order;
 
 /// Counts all rivers' orders and magnitudes. Those of the tree stand until rivers join others than they did.
 pub(super) fn count(network: &mut Network) {
     let rivers = &mut network.rivers;
-    let mut arms: Vec<(u32, u32)> = (0..).zip(&*rivers).map(|(number, river)| (river.joins, number)).collect();
-    arms.sort_unstable();
+    let arms = order::ascending(rivers.iter().map(|river| river.joins));
     let mut awaited = vec![0u32; rivers.len()];
     for river in rivers.iter() {
         if let Some(awaited) = awaited.get_mut(river.parent as usize) {
@@ -16,9 +16,9 @@ pub(super) fn count(network: &mut Network) {
     let mut ready: Vec<u32> = (0..rivers.len() as u32).filter(|&river| awaited[river as usize] == 0).collect();
     while let Some(number) = ready.pop() {
         let river = rivers[number as usize];
-        let first = arms.partition_point(|&(joins, _)| joins < river.start);
-        let own = arms[first..].iter().take_while(|&&(joins, _)| joins < river.end);
-        let (order, magnitude) = fed_by(own.map(|&(joins, arm)| (joins, rivers[arm as usize])));
+        let first = arms.partition_point(|&arm| rivers[arm].joins < river.start);
+        let own = arms[first..].iter().map(|&arm| &rivers[arm]).take_while(|arm| arm.joins < river.end);
+        let (order, magnitude) = fed_by(own);
         rivers[number as usize] = River { order, magnitude, ..river };
         if let Some(awaited) = awaited.get_mut(river.parent as usize) {
             *awaited -= 1;
@@ -31,13 +31,13 @@ pub(super) fn count(network: &mut Network) {
 
 /// Order and magnitude of a river below arms that join it at some vertices, from its source down. Where the highest order
 /// is that of several, the river itself among them, it rises by one.
-fn fed_by(arms: impl Iterator<Item = (u32, River)>) -> (u8, u32) {
+fn fed_by<'a>(arms: impl Iterator<Item = &'a River>) -> (u8, u32) {
     let (mut order, mut magnitude) = (1, 1);
     // At the vertex that was looked at last: the highest order that came to it, and how many times.
     let (mut vertex, mut highest, mut times) = (NONE, 0, 0);
-    for (joins, arm) in arms {
-        if joins != vertex {
-            (vertex, highest, times) = (joins, order, 1);
+    for arm in arms {
+        if arm.joins != vertex {
+            (vertex, highest, times) = (arm.joins, order, 1);
         }
         if arm.order > highest {
             (highest, times) = (arm.order, 0);
