@@ -79,6 +79,7 @@ check: wasm ## format, lints, types and documentation: not one warning
 	RUSTDOCFLAGS="-D warnings" $(run) cargo doc --quiet --no-deps --all-features
 	RUSTDOCFLAGS="-D warnings" $(wasm) cargo doc --quiet --no-deps --lib $(wasm32)
 	RUSTDOCFLAGS="-D warnings" $(wasm) cargo doc --quiet --no-deps --lib $(wasm32) --features tools
+	scripts/crate.sh pack
 	$(npm) types
 	$(npm) lint
 
