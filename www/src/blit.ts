@@ -13,7 +13,7 @@ export class Blitter {
   #image: ImageData | undefined;
 
   constructor(
-    private readonly context: CanvasRenderingContext2D,
+    private readonly context: Pick<CanvasRenderingContext2D, "putImageData">,
     private readonly memory: WebAssembly.Memory,
   ) {}
 

@@ -1,4 +1,4 @@
-/** How many pixels a canvas has. */
+/** How many pixels a canvas has, and when that changes. */
 
 export interface Size {
   width: number;
@@ -27,4 +27,16 @@ export function backingSize({ x, y, width, height }: Box, devicePixelRatio: numb
   const pixels = (from: number, length: number) =>
     Math.max(1, Math.round((from + length) * scale) - Math.round(from * scale));
   return { width: pixels(x, width), height: pixels(y, height) };
+}
+
+/** While a window is dragged wider the old picture is stretched; it is drawn anew when the hand rests this long. */
+export const RESIZE_PAUSE_MS = 120;
+
+/** Follows a place's size, in the screen's pixels if the browser can: they change alone between two screens. */
+export function observeSize(observer: ResizeObserver, element: Element): void {
+  try {
+    observer.observe(element, { box: "device-pixel-content-box" });
+  } catch {
+    observer.observe(element);
+  }
 }

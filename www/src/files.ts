@@ -3,7 +3,7 @@
 import type { River } from "../pkg/riverseed.js";
 import { Blitter } from "./blit.ts";
 import type { Size } from "./canvas.ts";
-import { el } from "./dom.ts";
+import { type Canvas, contextOf } from "./picture.ts";
 import { loadTools, type Tools } from "./tools.ts";
 import type { Core } from "./wasm.ts";
 
@@ -13,8 +13,8 @@ const LONG_SIDE_PX = 3000;
 const SLICE_MS = 12;
 
 const FORMATS = {
-  png: (core: Core, link: string) => finished(core.engine.River, link, (river) => png(core.memory, river)),
-  svg: (_core: Core, link: string) => written(link, (river) => new Blob([river.svg()], { type: "image/svg+xml" })),
+  png: (core: Core, link: string) => pngOf(core, link, LONG_SIDE_PX),
+  svg: (_core: Core, link: string) => svgOf(link),
   geojson: (_core: Core, link: string) => written(link, (river) => text(river.geojson(), "application/geo+json")),
   json: (_core: Core, link: string) => written(link, (river) => text(river.network(), "application/json")),
 };
@@ -31,9 +31,23 @@ export function fileOf(core: Core, link: string, format: Format): Promise<Blob> 
   return FORMATS[format](core, link);
 }
 
+/** A picture of a link's finished river, so many pixels on its long side. */
+export function pngOf(core: Core, link: string, longSide: number): Promise<Blob> {
+  return finished(core.engine.River, link, (river) => png(core.memory, river, longSide));
+}
+
+/** The shapes of a link's finished rivers. */
+export function svgOf(link: string, toolsUrl?: string): Promise<Blob> {
+  return written(link, (river) => new Blob([river.svg()], { type: "image/svg+xml" }), toolsUrl);
+}
+
 /** What is written and not painted takes the tools. */
-async function written(link: string, write: (river: InstanceType<Tools["River"]>) => Blob): Promise<Blob> {
-  const { River } = await loadTools();
+async function written(
+  link: string,
+  write: (river: InstanceType<Tools["River"]>) => Blob,
+  toolsUrl?: string,
+): Promise<Blob> {
+  const { River } = await loadTools(toolsUrl);
   return finished(River, link, write);
 }
 
@@ -73,20 +87,29 @@ function text(value: object, type: string): Blob {
 }
 
 /** Drawn for the file rather than enlarged from the screen. */
-function png(memory: WebAssembly.Memory, river: River): Promise<Blob> {
-  const { width, height } = sizeFor(river.aspect);
+function png(memory: WebAssembly.Memory, river: River, longSide: number): Promise<Blob> {
+  const { width, height } = sizeFor(river.aspect, longSide);
   river.resize(width, height);
   river.paint();
-  const canvas = el("canvas", { width, height });
-  const context = canvas.getContext("2d", { alpha: false });
-  if (!context) throw new Error("this browser gives no 2D canvas");
-  new Blitter(context, memory).blit(river);
+  const canvas = bareCanvas(width, height);
+  new Blitter(contextOf(canvas), memory).blit(river);
+  return encoded(canvas);
+}
+
+/** A canvas of no page, where there is such a thing: a worker has no other. */
+function bareCanvas(width: number, height: number): Canvas {
+  if ("OffscreenCanvas" in globalThis) return new OffscreenCanvas(width, height);
+  return Object.assign(document.createElement("canvas"), { width, height });
+}
+
+function encoded(canvas: Canvas): Promise<Blob> {
+  if ("convertToBlob" in canvas) return canvas.convertToBlob({ type: "image/png" });
   return new Promise((done, failed) => {
     canvas.toBlob((blob) => (blob ? done(blob) : failed(new Error("the browser made no picture"))), "image/png");
   });
 }
 
-function sizeFor(aspect: number): Size {
-  const shrink = LONG_SIDE_PX / Math.max(aspect, 1);
-  return { width: Math.round(aspect * shrink), height: Math.round(shrink) };
+function sizeFor(aspect: number, longSide: number): Size {
+  const shrink = longSide / Math.max(aspect, 1);
+  return { width: Math.max(1, Math.round(aspect * shrink)), height: Math.max(1, Math.round(shrink)) };
 }

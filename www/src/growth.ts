@@ -58,6 +58,7 @@ export class Growth {
   #owed = 0;
   #shownAt = 0;
   #redraw = false;
+  #isResting = false;
   /** While settling: whether the tree is worth a picture before it becomes rivers, and whether any grown one was shown. */
   #showsTree = false;
   #isShown = false;
@@ -119,19 +120,35 @@ export class Growth {
     this.#wake();
   }
 
-  /** No more frames; for good, or until the tab is seen again. */
+  /** No more steps until it is seen again. A picture that is due is still painted. */
   rest(): void {
+    this.#isResting = true;
+    this.#last = undefined;
+    if (!this.#redraw) this.halt();
+  }
+
+  wake(): void {
+    this.#isResting = false;
+    this.#goOn();
+  }
+
+  /** No more frames, unless something is asked for again. */
+  halt(): void {
     if (this.#handle !== undefined) this.frames.cancel(this.#handle);
     this.#handle = undefined;
     this.#last = undefined;
   }
 
-  wake(): void {
-    if (this.#redraw || this.#runs) this.#wake();
+  #goOn(): void {
+    if (this.#redraw || this.#isStepping) this.#wake();
   }
 
   get #runs(): boolean {
     return this.#state === "growing" || this.#state === "settling";
+  }
+
+  get #isStepping(): boolean {
+    return this.#runs && !this.#isResting;
   }
 
   #enter(state: State): void {
@@ -158,7 +175,7 @@ export class Growth {
     try {
       this.#step(now);
     } catch (error) {
-      this.rest();
+      this.halt();
       this.audience.failed(error);
     }
   }
@@ -166,11 +183,11 @@ export class Growth {
   #step(now: number): void {
     const began = this.frames.now();
     const before = this.river.phase;
-    if (this.#runs && before !== "finished" && !this.#paintsNext) this.#proceed(now, before);
+    if (this.#isStepping && before !== "finished" && !this.#paintsNext) this.#proceed(now, before);
     const shows = this.#paintsNext || this.#isWorthShowing(now, before);
     this.#paintsNext = shows && !this.#paintsNext && this.frames.now() - began > LONG_STEPS_MS;
     if (shows && !this.#paintsNext) this.#show(now);
-    this.wake();
+    this.#goOn();
   }
 
   /** Whether there is a picture to be painted. Of a river that settles, seldom. */

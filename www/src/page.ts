@@ -11,18 +11,20 @@ import { Folds } from "./folds.ts";
 import type { State } from "./growth.ts";
 import { AddressBar, addressOf, linkOf, replaceAddress } from "./link.ts";
 import { parts } from "./parts.ts";
+import type { How } from "./picture.ts";
 import { listenForPictures } from "./picture-entry.ts";
 import { nearestAspect, pixelsOf } from "./picture-file.ts";
-import { type How, Plate } from "./plate.ts";
+import { Plate } from "./plate.ts";
 import { type Presets, presets } from "./presets.ts";
 import { Recipe } from "./recipe.ts";
 import { SeedBox } from "./seed.ts";
 import { copy } from "./share.ts";
-import { Announcer, alternative, caption, sentence, showFailure, showNotices } from "./status.ts";
+import { Announcer, showFailure, showNotices } from "./status.ts";
 import { loadTools } from "./tools.ts";
 import { Transport } from "./transport.ts";
 import { rangeOf } from "./values.ts";
 import { type Core, load } from "./wasm.ts";
+import { alternative, caption, sentence } from "./words.ts";
 
 const prefersStill = window.matchMedia("(prefers-reduced-motion: reduce)");
 
@@ -47,7 +49,7 @@ class Page {
     this.#presets = presets(engine.presets(), table, (values) => this.#set(values, "watch"));
     this.#seedBox = new SeedBox(parts.seedForm, parts.seed, (seed) => this.#set([["seed", seed]], "watch"));
     describeSeed(table);
-    this.#plate = Plate.open(core, parts, this.#recipe.link, {
+    this.#plate = new Plate(core, parts, this.#recipe.link, {
       changed: (state, phase, summary) => this.#follow(state, phase, summary),
       failed: (error) => this.#fail(error),
     });

@@ -6,8 +6,9 @@ import { once, start } from "./wasm-module.ts";
 
 export type Tools = typeof import("../pkg-tools/riverseed_tools.js");
 
-export const loadTools: () => Promise<Tools> = once(() =>
-  start(wasmUrl, async (compiled) => {
+/** From where it lies beside the script, unless its first caller knows better. */
+export const loadTools: (url?: string) => Promise<Tools> = once((url = wasmUrl) =>
+  start(url, async (compiled) => {
     const tools = await import("../pkg-tools/riverseed_tools.js");
     await tools.default({ module_or_path: compiled });
     return tools;

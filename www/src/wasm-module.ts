@@ -13,10 +13,12 @@ function isSupported(): boolean {
 }
 
 /** One download and one memory, however often it is asked for. A failed load can be tried again. */
-export function once<T>(load: () => Promise<T>): () => Promise<T> {
+export function once<Given extends unknown[], T>(
+  load: (...given: Given) => Promise<T>,
+): (...given: Given) => Promise<T> {
   let loading: Promise<T> | undefined;
-  return () => {
-    loading ??= load().catch((error: unknown) => {
+  return (...given) => {
+    loading ??= load(...given).catch((error: unknown) => {
       loading = undefined;
       throw error;
     });

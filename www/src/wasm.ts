@@ -11,8 +11,9 @@ export interface Core {
   readonly memory: WebAssembly.Memory;
 }
 
-export const load: () => Promise<Core> = once(() =>
-  start(wasmUrl, async (compiled) => {
+/** From where it lies beside the script, unless its first caller knows better. */
+export const load: (url?: string) => Promise<Core> = once((url = wasmUrl) =>
+  start(url, async (compiled) => {
     const { memory } = await init({ module_or_path: compiled });
     return { engine, memory };
   }),

@@ -2,8 +2,8 @@ import { expect, test } from "vitest";
 import { backingSize } from "../../src/canvas.ts";
 import { linesOf } from "../../src/digest-lines.ts";
 import { fileName } from "../../src/share.ts";
-import { alternative, caption, sentence } from "../../src/status.ts";
 import { speedName } from "../../src/transport.ts";
+import { alternative, caption, sentence } from "../../src/words.ts";
 
 const summary = {
   ticks: 400,
