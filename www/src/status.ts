@@ -1,7 +1,8 @@
 /** How the page says things: the announcement, notes and failures. */
 
+import { advice } from "./advice.ts";
 import { el } from "./dom.ts";
-import { advice, type PageError } from "./errors.ts";
+import type { PageError } from "./errors.ts";
 
 /** Dragging a slider finishes many rivers; only the one that is left standing is announced. */
 const ANNOUNCE_AFTER_MS = 1000;

@@ -1,0 +1,107 @@
+/**
+ * The element's attributes and the properties that mirror them. The parameters' keys are known here before the engine is,
+ * since a browser asks an element's class what to observe; a unit test holds the list to the core's table.
+ */
+
+import { linkText } from "../link.ts";
+
+/** Parameters whose values are numbers, and those whose values are text. */
+// biome-ignore format: a list of words
+export const NUMBERS = [
+  "edition", "aspect", "sea", "rough", "mouths", "apart", "sensitivity", "attractors", "reach", "kill", "step", "momentum",
+  "curl", "stretch", "trim", "simplify", "width", "vary", "meander-rounds", "meander-strength", "meander-mix", "gentle",
+  "great", "flat", "neck", "buffer", "taper",
+] as const;
+export const TEXTS = ["seed", "land", "outline", "sides", "growth", "scatter", "meander", "style"] as const;
+
+/** Keys that mean something else in HTML carry a prefix as attributes. */
+const PREFIXED: ReadonlySet<string> = new Set(["style", "width"]);
+
+/** How the element behaves, which is no part of the recipe. */
+const BEHAVIOUR = ["recipe", "animate", "loading", "theme", "alt", "wasm-url"] as const;
+
+/** The shapes a river may have, and the one it has if nothing is said: the box has it before the engine is there. */
+export const ASPECT = { min: 0.25, max: 4, default: 1.5 };
+
+export function attributeOf(key: string): string {
+  return PREFIXED.has(key) ? `river-${key}` : key;
+}
+
+export const OBSERVED = [...[...NUMBERS, ...TEXTS].map(attributeOf), ...BEHAVIOUR, "controls", "aria-label", "lang"];
+
+/** What an element asks for, as link text for the core to read: its recipe, with its attributes in place of what that says. */
+export function linkOf(element: Element): string {
+  const link = new URLSearchParams(element.getAttribute("recipe")?.replace(/^[?#]/, ""));
+  for (const key of [...NUMBERS, ...TEXTS]) {
+    const text = element.getAttribute(attributeOf(key));
+    if (text !== null) link.set(key, text);
+  }
+  return linkText(link);
+}
+
+/** The shape that a link asks for, until the core has read it. */
+export function aspectOf(link: string): number {
+  const text = new URLSearchParams(link).get("aspect")?.trim();
+  const aspect = text ? Number(text) : Number.NaN;
+  return Number.isFinite(aspect) ? Math.min(ASPECT.max, Math.max(ASPECT.min, aspect)) : ASPECT.default;
+}
+
+/** Gives a class the properties: text and numbers (null without the attribute), and one that is there or not. */
+export function reflect(prototype: HTMLElement): void {
+  for (const name of NUMBERS.map(attributeOf)) define(prototype, name, numberIn);
+  for (const name of [...TEXTS.map(attributeOf), ...BEHAVIOUR]) define(prototype, name, textIn);
+  define(prototype, "controls", (element, name) => element.hasAttribute(name));
+}
+
+/** Properties that a script set before the class was known: they would hide the class's own. */
+export function upgrade(element: HTMLElement): void {
+  for (const name of OBSERVED.map(camelCase)) {
+    if (!Object.hasOwn(element, name)) continue;
+    const value = Reflect.get(element, name);
+    Reflect.deleteProperty(element, name);
+    Reflect.set(element, name, value);
+  }
+}
+
+type Reader = (element: HTMLElement, name: string) => unknown;
+
+function define(prototype: HTMLElement, attribute: string, read: Reader): void {
+  const name = camelCase(attribute);
+  // `animate` is also a method of every element, which scripts must go on finding: only what is set is ours.
+  const inherited = Reflect.get(prototype, name);
+  Object.defineProperty(prototype, name, {
+    configurable: true,
+    enumerable: true,
+    get(this: HTMLElement) {
+      return typeof inherited === "function" ? inherited : read(this, attribute);
+    },
+    set(this: HTMLElement, value: unknown) {
+      if (value === null || value === undefined || value === false) this.removeAttribute(attribute);
+      else this.setAttribute(attribute, value === true ? "" : String(value));
+    },
+  });
+}
+
+function textIn(element: HTMLElement, name: string): string | null {
+  return element.getAttribute(name);
+}
+
+function numberIn(element: HTMLElement, name: string): number | null {
+  const text = element.getAttribute(name);
+  return text === null ? null : Number(text);
+}
+
+function camelCase(attribute: string): string {
+  return attribute.replace(/-(\w)/g, (_, letter: string) => letter.toUpperCase());
+}
+
+type CamelCase<Name> = Name extends `${infer First}-${infer Rest}` ? `${First}${Capitalize<CamelCase<Rest>>}` : Name;
+type Property<Key extends string> = CamelCase<Key extends "style" | "width" ? `river-${Key}` : Key> & string;
+
+/**
+ * The properties, by type. Null without the attribute. `animate` can be set as well, but is read as the method that every
+ * element has.
+ */
+export type Properties = { [Key in (typeof NUMBERS)[number] as Property<Key>]: number | null } & {
+  [Key in Exclude<(typeof TEXTS | typeof BEHAVIOUR)[number], "animate"> as Property<Key>]: string | null;
+} & { controls: boolean };

@@ -1,0 +1,101 @@
+/** One widget's river on its canvas, wherever that is drawn. */
+
+import type { Size } from "../canvas.ts";
+import { isRecoverable, named } from "../errors.ts";
+import type { Frames } from "../growth.ts";
+import { Picture } from "../picture.ts";
+import type { Core } from "../wasm.ts";
+import type { News, Order, Reading, Wish } from "./orders.ts";
+import { read } from "./reading.ts";
+
+type Opening = Extract<Order, { do: "open" }>;
+
+export class Easel {
+  #size: Size;
+  #picture: Picture | undefined;
+  #reading: Reading | undefined;
+  /** What came before the river was planted. */
+  #early: Order[] = [];
+  #isOver = false;
+
+  constructor(
+    private readonly core: Core,
+    private readonly frames: Frames,
+    private readonly opening: Opening,
+    private readonly tell: (news: News) => void,
+  ) {
+    this.#size = opening.size;
+    // In its turn: planting twenty rivers at once would hold up the page.
+    frames.request(() => this.#attempt(() => this.#open()));
+  }
+
+  take(order: Order): void {
+    const picture = this.#picture;
+    if (order.do === "close") this.#close();
+    else if (picture) this.#attempt(() => this.#follow(order, picture));
+    else this.#early.push(order);
+  }
+
+  #open(): void {
+    if (this.#isOver) return;
+    const { canvas, wish, how } = this.opening;
+    const { link } = this.#read(wish);
+    const picture = new Picture(this.core, canvas, link, this.frames, {
+      sizeFor: () => this.#size,
+      changed: (state, phase, summary) => {
+        if (this.#reading)
+          this.tell({ id: this.opening.id, is: "shown", reading: this.#reading, state, phase, summary });
+      },
+      failed: (thrown) => this.#fail(thrown),
+    });
+    this.#picture = picture;
+    picture.start(how);
+    for (const order of this.#early) this.#follow(order, picture);
+    this.#early = [];
+  }
+
+  #follow(order: Order, picture: Picture): void {
+    switch (order.do) {
+      case "show":
+        this.#size = order.size;
+        picture.show(this.#read(order.wish).link, order.how);
+        break;
+      case "resize":
+        this.#size = order.size;
+        picture.resize();
+        break;
+      case "play":
+      case "pause":
+      case "replay":
+      case "finish":
+      case "rest":
+      case "wake":
+        picture[order.do]();
+    }
+  }
+
+  #read(wish: Wish): Reading {
+    this.#reading = read(this.core.engine, wish);
+    return this.#reading;
+  }
+
+  #attempt(work: () => void): void {
+    try {
+      work();
+    } catch (thrown) {
+      this.#fail(thrown);
+    }
+  }
+
+  #fail(thrown: unknown): void {
+    const error = named(thrown);
+    // After a trap nothing more is asked of the river, not even to go.
+    if (!isRecoverable(error)) this.#picture?.close();
+    this.tell({ id: this.opening.id, is: "failed", code: error.code, message: error.message });
+  }
+
+  #close(): void {
+    this.#isOver = true;
+    this.#picture?.free();
+  }
+}

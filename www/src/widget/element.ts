@@ -1,0 +1,384 @@
+/**
+ * `<river-seed>`: a river in a page that is about something else. This is the class; `define.ts` gives it its name. Importing
+ * it does nothing, on a server as well.
+ */
+
+import { RESIZE_PAUSE_MS } from "../canvas.ts";
+import { isRecoverable, named, PageError } from "../errors.ts";
+import type { State } from "../growth.ts";
+import type { How } from "../picture.ts";
+import { ASPECT, aspectOf, linkOf, OBSERVED, type Properties, reflect, upgrade } from "./attributes.ts";
+import type { RiverSeedEventMap } from "./events.ts";
+import { watch } from "./nearness.ts";
+import type { FileOrder, News, Reading, Standing, Wish } from "./orders.ts";
+import { countIn, ENGLISH, type Strings, type Told } from "./strings.ts";
+import { type Does, View } from "./view.ts";
+import { type Member, workshop } from "./workshop.ts";
+
+/** What stands in for the browser's class where there is none. */
+const Base = globalThis.HTMLElement ?? (class {} as typeof HTMLElement);
+
+const STILL = "(prefers-reduced-motion: reduce)";
+const DARK = "(prefers-color-scheme: dark)";
+
+/** What the button does in each state. */
+const DOES: Record<State, Does> = { growing: "pause", settling: "pause", paused: "play", finished: "replay" };
+
+/** What can be done about a failure; fetched then, and if that fails too, its name has to do. */
+async function adviceOn(error: PageError): Promise<{ title: string; text: string }> {
+  try {
+    return (await import("../advice.ts")).advice(error);
+  } catch {
+    return { title: error.code, text: "" };
+  }
+}
+
+export interface BlobOptions {
+  /** Pixels on the picture's long side; as many as are shown if left out. */
+  longSide?: number;
+}
+
+// The interface of the same name, below, has the properties that `reflect` adds.
+// biome-ignore lint/suspicious/noUnsafeDeclarationMerging: every one of them is there
+export class RiverSeed extends Base {
+  static readonly observedAttributes: readonly string[] = OBSERVED;
+
+  #strings: Strings = ENGLISH;
+  /** Its number in the workshop, while it has a river there. */
+  #id: number | undefined;
+  /** From coming into a document to leaving it. */
+  #life: AbortController | undefined;
+  #isNear = false;
+  /** Attributes have changed in this turn. */
+  #isChanging = false;
+  /** It does not begin again by itself. */
+  #hasBegun = false;
+  #hasFailed = false;
+  #isShown = false;
+  /** What was asked before there was a river. */
+  #asked: "play" | "pause" | undefined;
+  #resizing: ReturnType<typeof setTimeout> | undefined;
+  #aspect = ASPECT.default;
+  #wish: Wish | undefined;
+  #reading: Reading | undefined;
+  #standing: Standing | undefined;
+  readonly #view = new View(this.attachShadow({ mode: "open" }), () => this.#press());
+  readonly #member: Member = { hear: (news) => this.#hear(news), moved: () => this.#move() };
+
+  connectedCallback(): void {
+    // Somebody moved it.
+    if (this.#life) return;
+    upgrade(this);
+    this.#life = new AbortController();
+    this.#listen(this.#life.signal);
+    this.#follow();
+  }
+
+  disconnectedCallback(): void {
+    // A move takes it out and puts it in again in one turn.
+    queueMicrotask(() => {
+      if (!this.isConnected) this.#leave();
+    });
+  }
+
+  attributeChangedCallback(_name: string, before: string | null, now: string | null): void {
+    if (before !== now) this.#followSoon();
+  }
+
+  /** Its strings; those that are set replace the English ones. */
+  get i18n(): Partial<Strings> {
+    return this.#strings;
+  }
+
+  set i18n(strings: Partial<Strings>) {
+    this.#strings = { ...ENGLISH, ...strings };
+    this.#followSoon();
+  }
+
+  /** Goes on; a finished river grows again. One that waits to be seen begins. */
+  play(): void {
+    this.#ask("play");
+  }
+
+  pause(): void {
+    this.#ask("pause");
+  }
+
+  /** From the mouths again; after a failure, a new try. */
+  restart(): void {
+    if (this.#id === undefined) {
+      if (this.#hasFailed) this.#hasBegun = this.#hasFailed = false;
+      this.play();
+    } else workshop.send(this.#id, { do: "replay" });
+  }
+
+  /** A PNG of the finished river. */
+  toBlob({ longSide }: BlobOptions = {}): Promise<Blob> {
+    const { width, height } = this.#view.sizeFor(this.#aspect);
+    return this.#file({ format: "png", longSide: longSide ?? Math.max(width, height, 1), toolsUrl: undefined });
+  }
+
+  /** The finished rivers as the text of an SVG. */
+  async toSVG(): Promise<string> {
+    const toolsUrl = this.#wasmUrl && new URL("riverseed_tools_bg.wasm", this.#wasmUrl).href;
+    return (await this.#file({ format: "svg", longSide: 0, toolsUrl })).text();
+  }
+
+  #ask(what: "play" | "pause"): void {
+    if (this.#id === undefined) {
+      this.#asked = what;
+      this.#beginIfDue();
+    } else workshop.send(this.#id, { do: what });
+  }
+
+  // ---- what it is asked for
+
+  get #wasmUrl(): string | undefined {
+    const url = this.getAttribute("wasm-url");
+    return url ? new URL(url, document.baseURI).href : undefined;
+  }
+
+  get #isStill(): boolean {
+    return this.getAttribute("animate") === "none" || matchMedia(STILL).matches;
+  }
+
+  /** Of the author's choice, or as the page says that it is, or as the reader likes pages. */
+  get #isDark(): boolean {
+    const theme = this.getAttribute("theme");
+    if (theme === "light" || theme === "dark") return theme === "dark";
+    const schemes = getComputedStyle(this).colorScheme.split(" ");
+    if (schemes.includes("dark") !== schemes.includes("light")) return schemes.includes("dark");
+    return matchMedia(DARK).matches;
+  }
+
+  /** A river that has been seen to its end is not grown before the reader's eyes again. */
+  get #how(): How {
+    return this.#isStill || (this.#standing?.state === "finished" && !this.#isShown) ? "still" : "watch";
+  }
+
+  #file(order: FileOrder): Promise<Blob> {
+    return workshop.file({ text: linkOf(this), isDark: this.#isDark }, this.#wasmUrl, order);
+  }
+
+  // ---- its life
+
+  #listen(signal: AbortSignal): void {
+    const on = (target: EventTarget, type: string, listener: () => void): void =>
+      target.addEventListener(type, listener, { signal });
+    on(document, "visibilitychange", () => this.#rest());
+    on(matchMedia(DARK), "change", () => this.#followSoon());
+    on(matchMedia(STILL), "change", () => this.#finishIfStill());
+    const near = (isNear: boolean): void => {
+      this.#isNear = isNear;
+      this.#rest();
+      this.#beginIfDue();
+    };
+    watch(this, { near, resized: () => this.#resized(signal) }, signal);
+  }
+
+  /** What several attributes change in one turn, changes once. */
+  #followSoon(): void {
+    if (this.#isChanging || !this.#life) return;
+    this.#isChanging = true;
+    queueMicrotask(() => {
+      this.#isChanging = false;
+      if (this.#life) this.#follow();
+    });
+  }
+
+  /** Brings everything in line with the attributes. */
+  #follow(): void {
+    const before = this.#wish;
+    const wish = { text: linkOf(this), isDark: this.#isDark };
+    const isNew = wish.text !== before?.text || wish.isDark !== before.isDark;
+    this.#wish = wish;
+    if (isNew) this.#shape(aspectOf(wish.text));
+    this.#describe();
+    if (isNew && this.#id !== undefined) {
+      workshop.send(this.#id, { do: "show", wish, how: this.#how, size: this.#view.sizeFor(this.#aspect) });
+    }
+    // What failed with one recipe may do with another.
+    if (isNew && this.#hasFailed) this.#hasBegun = false;
+    this.#beginIfDue();
+  }
+
+  #shape(aspect: number): void {
+    this.#aspect = aspect;
+    this.#view.shape(aspect, this.#hasFailed);
+  }
+
+  #beginIfDue(): void {
+    const isDue = this.#isNear || this.#asked === "play" || this.getAttribute("loading") === "eager";
+    if (!isDue || this.#hasBegun || !this.#life || this.#view.sizeFor(this.#aspect).width === 0) return;
+    this.#hasBegun = true;
+    void this.#enter(this.#life.signal);
+  }
+
+  async #enter(signal: AbortSignal): Promise<void> {
+    try {
+      const id = await workshop.enter(this.#member, this.#wasmUrl);
+      if (signal.aborted) workshop.leave(id);
+      else this.#open(id);
+    } catch (thrown) {
+      if (!signal.aborted) this.#fail(named(thrown));
+    }
+  }
+
+  #open(id: number): void {
+    const canvas = this.#view.prepare();
+    const size = this.#view.sizeFor(this.#aspect);
+    const how = this.#asked === "play" ? "watch" : this.#how;
+    const wish = this.#wish ?? { text: linkOf(this), isDark: this.#isDark };
+    workshop.send(id, { do: "open", canvas, wish, how, size });
+    if (this.#asked === "pause") workshop.send(id, { do: "pause" });
+    this.#id = id;
+    this.#asked = undefined;
+    this.#rest();
+  }
+
+  /** The engine stopped in another river and there is a new one: here it goes on with the same river, as far as it was. */
+  #move(): void {
+    this.#id = undefined;
+    if (this.#life) void this.#enter(this.#life.signal);
+  }
+
+  #leave(): void {
+    this.#life?.abort();
+    this.#life = undefined;
+    this.#isNear = false;
+    this.#close();
+  }
+
+  /** Gives up the river and its canvas. */
+  #close(): void {
+    if (this.#id !== undefined) workshop.leave(this.#id);
+    this.#id = undefined;
+    this.#hasBegun = this.#hasFailed;
+    this.#isShown = false;
+    this.#view.clear();
+  }
+
+  /** Off the screen and in a hidden tab nothing grows. */
+  #rest(): void {
+    if (this.#id === undefined) return;
+    workshop.send(this.#id, { do: this.#isNear && !document.hidden ? "wake" : "rest" });
+  }
+
+  #finishIfStill(): void {
+    if (this.#id !== undefined && this.#isStill && this.#standing?.state === "growing") {
+      workshop.send(this.#id, { do: "finish" });
+    }
+  }
+
+  #resized(signal: AbortSignal): void {
+    this.#beginIfDue();
+    clearTimeout(this.#resizing);
+    this.#resizing = setTimeout(() => {
+      if (this.#id === undefined || signal.aborted) return;
+      workshop.send(this.#id, { do: "resize", size: this.#view.sizeFor(this.#aspect) });
+    }, RESIZE_PAUSE_MS);
+  }
+
+  // ---- what it hears
+
+  #hear(news: News): void {
+    if (news.is === "failed") this.#fail(new PageError(news.code, news.message));
+    if (news.is === "shown") this.#show(news.reading, news);
+  }
+
+  #show(reading: Reading, { state, phase, summary }: Standing): void {
+    const before = this.#standing?.state;
+    this.#standing = { state, phase, summary };
+    this.#reading = reading;
+    if (reading.aspect !== this.#aspect) this.#shape(reading.aspect);
+    // Of a river that is not to be seen growing nothing is seen before it is finished.
+    if (state !== "settling" || phase === "finished") this.#reveal(reading);
+    this.#describe();
+    if (state !== "finished") this.#emit("progress", { phase, summary });
+    else if (before !== "finished") {
+      if (this.getAttribute("alt") !== "") this.#view.say(this.#strings.finished(this.#told(reading, this.#standing)));
+      this.#emit("complete", { link: reading.link, summary });
+    }
+  }
+
+  #reveal({ link, notices }: Reading): void {
+    this.#view.reveal();
+    if (this.#isShown) return;
+    this.#isShown = true;
+    if (notices.length > 0) console.warn(`river-seed: ${notices.map(({ message }) => message).join("; ")}`);
+    this.#emit("ready", { link, notices });
+  }
+
+  #fail(error: PageError): void {
+    if (!isRecoverable(error) || !this.#isShown) {
+      this.#hasFailed = true;
+      this.#standing = undefined;
+      this.#close();
+      this.#shape(this.#aspect);
+    }
+    void this.#report(error);
+  }
+
+  /** Says it once: to whoever listens, otherwise on the console; and in the picture's place, if nothing else is there. */
+  async #report(error: PageError): Promise<void> {
+    const { code, message } = error;
+    const { title, text } = await adviceOn(error);
+    if (this.#hasFailed) this.#view.note(this.#strings.failed(title));
+    const isFree = this.#emit("error", { code, message, advice: text });
+    if (isFree) console.warn(`river-seed: ${code}: ${message}. ${text}`);
+  }
+
+  // ---- what it says
+
+  /** The picture's name and the button. */
+  #describe(): void {
+    const standing = this.#standing;
+    const reading = this.#reading;
+    if (!standing || !reading) return;
+    const name = this.getAttribute("aria-label") ?? this.getAttribute("alt");
+    this.#view.name(name ?? this.#strings.alternative(this.#told(reading, standing)));
+    const isAsked = this.hasAttribute("controls");
+    const isMoving = standing.state === "growing" || standing.state === "paused";
+    const does =
+      this.#isShown && (isAsked || isMoving || this.getAttribute("animate") !== "none")
+        ? DOES[standing.state]
+        : undefined;
+    const isQuiet = !isAsked && !isMoving;
+    this.#view.button(does, does ? this.#strings[does] : "", { isQuiet, isDark: this.#isDark });
+  }
+
+  #told({ seed }: Reading, standing: Standing): Told {
+    return { ...standing, seed, count: countIn(this) };
+  }
+
+  #press(): void {
+    const does = this.#standing && DOES[this.#standing.state];
+    if (does === "replay") this.restart();
+    else if (does) this[does]();
+  }
+
+  #emit<Type extends keyof RiverSeedEventMap>(type: Type, detail: RiverSeedEventMap[Type]["detail"]): boolean {
+    return this.dispatchEvent(new CustomEvent(type, { detail, cancelable: type === "error" }));
+  }
+}
+
+reflect(RiverSeed.prototype);
+
+export interface RiverSeed extends Properties {
+  addEventListener<Type extends keyof RiverSeedEventMap>(
+    type: Type,
+    listener: (this: RiverSeed, event: RiverSeedEventMap[Type]) => void,
+    options?: boolean | AddEventListenerOptions,
+  ): void;
+  addEventListener(
+    type: string,
+    listener: EventListenerOrEventListenerObject,
+    options?: boolean | AddEventListenerOptions,
+  ): void;
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    "river-seed": RiverSeed;
+  }
+}

@@ -1,0 +1,58 @@
+/**
+ * What widgets and the studio say to each other: plain data, since the studio may be in a worker. Orders go there, news comes
+ * back; every widget has a number.
+ */
+
+import type { Notice, Phase, Summary } from "../../pkg/riverseed.js";
+import type { Size } from "../canvas.ts";
+import type { Code } from "../errors.ts";
+import type { State } from "../growth.ts";
+import type { Canvas, How } from "../picture.ts";
+
+/** What a widget wants to show. */
+export interface Wish {
+  /** Link text as its author gave it: anything. */
+  text: string;
+  /** Whether it stands on a dark page: then rivers are light, unless a style is chosen. */
+  isDark: boolean;
+}
+
+/** A wish as the core understood it. */
+export interface Reading {
+  /** The canonical link: what is drawn. */
+  link: string;
+  seed: string;
+  aspect: number;
+  /** What had to be mended. */
+  notices: readonly Notice[];
+}
+
+/** What is made of a river besides a picture on the page. */
+export interface FileOrder {
+  format: "png" | "svg";
+  /** Pixels on the long side of a PNG. */
+  longSide: number;
+  /** Where the tools' wasm module is, if not beside the script. */
+  toolsUrl: string | undefined;
+}
+
+export type Order = { id: number } & (
+  | { do: "open"; canvas: Canvas; wish: Wish; how: How; size: Size }
+  | { do: "show"; wish: Wish; how: How; size: Size }
+  | { do: "resize"; size: Size }
+  | { do: "play" | "pause" | "replay" | "finish" | "rest" | "wake" | "close" }
+  | ({ do: "file"; wish: Wish } & FileOrder)
+);
+
+/** How a river that is shown stands. */
+export interface Standing {
+  state: State;
+  phase: Phase;
+  summary: Summary;
+}
+
+export type News = { id: number } & (
+  | ({ is: "shown"; reading: Reading } & Standing)
+  | { is: "failed"; code: Code; message: string }
+  | { is: "file"; blob: Blob }
+);

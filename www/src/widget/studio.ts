@@ -1,0 +1,38 @@
+/** Where the rivers of all widgets are grown and drawn, each on its canvas: in a worker, or on the page itself. */
+
+import { named } from "../errors.ts";
+import { pngOf, svgOf } from "../files.ts";
+import { displayFrames, Turns } from "../frames.ts";
+import type { Core } from "../wasm.ts";
+import { Easel } from "./easel.ts";
+import type { FileOrder, News, Order, Wish } from "./orders.ts";
+import { read } from "./reading.ts";
+
+export class Studio {
+  readonly #easels = new Map<number, Easel>();
+  readonly #turns = new Turns(displayFrames);
+
+  constructor(
+    private readonly core: Core,
+    private readonly tell: (news: News) => void,
+  ) {}
+
+  take(order: Order): void {
+    const { id } = order;
+    if (order.do === "file") void this.#file(id, order.wish, order);
+    else if (order.do === "open") this.#easels.set(id, new Easel(this.core, this.#turns, order, this.tell));
+    else this.#easels.get(id)?.take(order);
+    if (order.do === "close") this.#easels.delete(id);
+  }
+
+  async #file(id: number, wish: Wish, { format, longSide, toolsUrl }: FileOrder): Promise<void> {
+    try {
+      const { link } = read(this.core.engine, wish);
+      const blob = await (format === "svg" ? svgOf(link, toolsUrl) : pngOf(this.core, link, longSide));
+      this.tell({ id, is: "file", blob });
+    } catch (thrown) {
+      const { code, message } = named(thrown);
+      this.tell({ id, is: "failed", code, message });
+    }
+  }
+}

@@ -1,0 +1,118 @@
+/** One studio for all widgets of a page: opened with the first of them, replaced when its engine stops, left with the last. */
+
+import { PageError } from "../errors.ts";
+import type { FileOrder, News, Order, Wish } from "./orders.ts";
+import { openRoom, type Room } from "./rooms.ts";
+
+/** A widget, as the workshop knows it. */
+export interface Member {
+  hear(news: News): void;
+  /** The studio had to be replaced: everything has to be handed over again. */
+  moved(): void;
+}
+
+/** An empty studio is kept so long: pages that show one thing after another take widgets away and bring others. */
+export const EMPTY_MS = 5000;
+
+type Asked<Every> = Every extends unknown ? Omit<Every, "id"> : never;
+
+class Workshop {
+  readonly #members = new Map<number, Member>();
+  #room: Promise<Room> | undefined;
+  #last = 0;
+  #leaving: ReturnType<typeof setTimeout> | undefined;
+
+  /** Takes a widget in, once there is a studio; its number. The address counts for the first. */
+  async enter(member: Member, wasmUrl: string | undefined): Promise<number> {
+    const id = ++this.#last;
+    this.#members.set(id, member);
+    clearTimeout(this.#leaving);
+    try {
+      await this.#opened(wasmUrl);
+      return id;
+    } catch (error) {
+      this.#members.delete(id);
+      throw error;
+    }
+  }
+
+  send(id: number, order: Asked<Order>): void {
+    void this.#room?.then((room) => room.take({ ...order, id }));
+  }
+
+  /** Makes a file of a finished river, which need not be shown anywhere. */
+  file(wish: Wish, wasmUrl: string | undefined, order: FileOrder): Promise<Blob> {
+    return new Promise((done, failed) => {
+      const ask = (): void =>
+        void this.enter(member, wasmUrl).then((id) => this.send(id, { do: "file", wish, ...order }), failed);
+      const member: Member = {
+        hear: (news) => {
+          this.leave(news.id);
+          if (news.is === "file") done(news.blob);
+          if (news.is === "failed") failed(new PageError(news.code, news.message));
+        },
+        moved: ask,
+      };
+      ask();
+    });
+  }
+
+  leave(id: number): void {
+    if (!this.#members.delete(id)) return;
+    this.send(id, { do: "close" });
+    if (this.#members.size === 0) this.#leaving = setTimeout(() => this.#close(), EMPTY_MS);
+  }
+
+  #opened(wasmUrl: string | undefined): Promise<Room> {
+    if (this.#room) return this.#room;
+    const room = openRoom(
+      {
+        tell: (news) => this.#tell(news),
+        collapsed: (message) => this.#collapse(message),
+      },
+      wasmUrl,
+    );
+    this.#room = room;
+    // A failed load can be tried again.
+    room.catch(() => {
+      if (this.#room === room) this.#room = undefined;
+    });
+    return room;
+  }
+
+  #tell(news: News): void {
+    const member = this.#members.get(news.id);
+    const isEnd = news.is === "failed" && news.code === "panic";
+    if (isEnd) this.#members.delete(news.id);
+    member?.hear(news);
+    if (isEnd) void this.#replace();
+  }
+
+  /**
+   * After a trap nobody knows in what state the engine is, so the others get a new one. On the page itself there is only the
+   * one that its script holds: there they go on in it, since a trap touches no memory but its own river's.
+   */
+  async #replace(): Promise<void> {
+    const room = await this.#room;
+    if (!room?.isReplaceable) return;
+    this.#close();
+    const members = [...this.#members.values()];
+    this.#members.clear();
+    for (const member of members) member.moved();
+  }
+
+  /** Nobody knows whose fault it was: asked to go on, all might do the same again. */
+  #collapse(message: string): void {
+    this.#close();
+    const members = [...this.#members];
+    this.#members.clear();
+    for (const [id, member] of members) member.hear({ id, is: "failed", code: "panic", message });
+  }
+
+  #close(): void {
+    void this.#room?.then((room) => room.close());
+    this.#room = undefined;
+  }
+}
+
+export const workshop = new Workshop();
