@@ -32,6 +32,10 @@ demo: wasm ## build everything and serve the page here; its address is printed
 site: wasm ## build the page into www/dist, to be served from any folder of any server
 	@$(npm) build
 
+.PHONY: widget
+widget: wasm ## build <river-seed> into www/dist-widget, and weigh it
+	@$(npm) build:widget
+
 .PHONY: wasm
 wasm: ## build the wasm packages into www/pkg and www/pkg-tools, and weigh them
 	@$(setup) rust wasm node
@@ -42,8 +46,7 @@ package: tarball ## pack what is published into target/package: the npm package,
 	scripts/crate.sh publish
 
 .PHONY: tarball
-tarball: wasm
-	@$(npm) build:widget
+tarball: widget
 	@$(npm) package
 
 # ---- prove it
@@ -69,7 +72,7 @@ test-page: wasm ## the TypeScript, without a browser
 
 # On a free port, since a page served by another checkout must not be what is tested.
 .PHONY: test-browser
-test-browser: site ## the page in Chromium, end to end
+test-browser: site widget ## the page and the widget in Chromium, end to end
 	@$(setup) browser
 	@PORT=$$(node -e '$(free_port)') $(npm) e2e
 
@@ -102,7 +105,7 @@ check: wasm ## format, lints, types and documentation: not one warning
 # ---- measure and tend it
 
 .PHONY: bench
-bench: site ## the figures that the README quotes: natively, as wasm in Node, and in the page
+bench: site widget ## the figures that the README quotes: natively, as wasm in Node, and in the page
 	@$(setup) browser
 	@$(run) node scripts/wasm.mjs figures
 	@$(run) node benches/run.mjs

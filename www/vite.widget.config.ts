@@ -1,4 +1,7 @@
+import { rmSync } from "node:fs";
 import { defineConfig, type EnvironmentOptions, type Plugin } from "vite";
+
+const FOLDER = "dist-widget";
 
 /**
  * Three builds into one folder, from the same sources: one file for a script tag, one for the worker, and modules that a
@@ -38,7 +41,7 @@ function environment(name: string, entries: readonly string[]): EnvironmentOptio
   return {
     consumer: "client",
     build: {
-      outDir: "dist-widget",
+      outDir: FOLDER,
       emptyOutDir: false,
       rolldownOptions: {
         input: Object.fromEntries(entries.map((entry) => [entry, `src/widget/${entry}.ts`])),
@@ -61,6 +64,7 @@ export default defineConfig({
   environments: Object.fromEntries(Object.entries(BUILDS).map(([name, entries]) => [name, environment(name, entries)])),
   builder: {
     buildApp: async (builder) => {
+      rmSync(FOLDER, { recursive: true, force: true });
       for (const name of Object.keys(BUILDS)) {
         const environment = builder.environments[name];
         if (environment) await builder.build(environment);

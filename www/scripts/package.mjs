@@ -11,6 +11,7 @@ import { createHash } from "node:crypto";
 import { cpSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
+import { gzipSync } from "node:zlib";
 import { parse } from "smol-toml";
 import * as engine from "../pkg/riverseed.js";
 import { elementOf, manifest, markupTypes } from "./manifest.mjs";
@@ -34,6 +35,7 @@ writeJson("custom-elements.json", manifest(own, table));
 writeJson("integrity.json", integrity());
 writeJson("package.json", description());
 papers();
+weigh();
 pack();
 
 function readJson(file) {
@@ -70,14 +72,19 @@ function nameScripts(file) {
   writeFileSync(file, readFileSync(file, "utf8").replace(/((?:from |import\()"\.[^"]*)\.ts"/g, '$1.js"'));
 }
 
+/** What a page may load. */
+function served() {
+  const isServed = (name) => /\.(js|wasm)$/.test(name);
+  return readdirSync(STAGE).filter(isServed).sort();
+}
+
 /** For `integrity="…"` and for anybody who wants to know that a copy is whole. */
 function integrity() {
-  const served = readdirSync(STAGE).filter((name) => /\.(js|wasm)$/.test(name));
   const hash = (name) =>
     createHash("sha384")
       .update(readFileSync(join(STAGE, name)))
       .digest("base64");
-  return Object.fromEntries(served.sort().map((name) => [name, `sha384-${hash(name)}`]));
+  return Object.fromEntries(served().map((name) => [name, `sha384-${hash(name)}`]));
 }
 
 function description() {
@@ -89,6 +96,14 @@ function description() {
 function papers() {
   writeFileSync(join(STAGE, "README.md"), fill(readFileSync("package/README.md", "utf8"), elementOf(own, table)));
   for (const name of ["CHANGELOG.md", "LICENSE-APACHE", "LICENSE-MIT"]) cpSync(`../${name}`, join(STAGE, name));
+}
+
+/** Says what each file weighs on its way to a reader. */
+function weigh() {
+  for (const name of served()) {
+    const bytes = gzipSync(readFileSync(join(STAGE, name)), { level: 9 }).length;
+    console.log(`${name.padEnd(28)} ${String(bytes).padStart(7)} bytes of gzip`);
+  }
 }
 
 function pack() {

@@ -22,7 +22,7 @@ import { copy } from "./share.ts";
 import { Announcer, showFailure, showNotices } from "./status.ts";
 import { loadTools } from "./tools.ts";
 import { Transport } from "./transport.ts";
-import { rangeOf } from "./values.ts";
+import { count, rangeOf } from "./values.ts";
 import { type Core, load } from "./wasm.ts";
 import { alternative, caption, sentence } from "./words.ts";
 
@@ -203,7 +203,7 @@ class Page {
     caption(state, phase, summary).forEach((line, i) => {
       setText(parts.caption.children[i], line);
     });
-    parts.canvas.setAttribute("aria-label", alternative(this.#recipe.seed, phase, summary));
+    parts.canvas.setAttribute("aria-label", alternative(this.#recipe.seed, phase, summary, count));
     if (state === "finished") this.#announcer.say(`Finished: ${sentence(summary)}`);
     else this.#announcer.hush();
   }

@@ -78,11 +78,13 @@ export function sidesText(chosen: ReadonlySet<string>, parameter: Parameter): st
   return order.filter((side) => chosen.has(side)).join("");
 }
 
-const COUNT = new Intl.NumberFormat("en");
+let format: Intl.NumberFormat | undefined;
 
 /** A number for people: 12,000. */
 export function count(value: number): string {
-  return COUNT.format(value);
+  // Made when it is first needed: that takes the browser longer than all else that a widget does at its start.
+  format ??= new Intl.NumberFormat("en");
+  return format.format(value);
 }
 
 /** A value as spoken by a screen reader: `0.6 rad`, `12,000`. */

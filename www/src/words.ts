@@ -7,16 +7,16 @@ import { count } from "./values.ts";
 /** How numbers are written. */
 export type Count = (value: number) => string;
 
-function counted(value: number, one: string, many: string, written: Count = count): string {
+function counted(value: number, one: string, many: string, written: Count): string {
   return `${written(value)} ${value === 1 ? one : many}`;
 }
 
-function oxbowsOf(summary: Summary, written?: Count): string {
+function oxbowsOf(summary: Summary, written: Count): string {
   return counted(summary.oxbows, "oxbow lake", "oxbow lakes", written);
 }
 
 /** The network's size in words. */
-export function sizeOf(summary: Summary, written: Count = count): string {
+export function sizeOf(summary: Summary, written: Count): string {
   const rivers = counted(summary.mouths, "river", "rivers", written);
   const sources = counted(summary.sources, "source", "sources", written);
   const oxbows = summary.oxbows === 0 ? "" : `, ${oxbowsOf(summary, written)}`;
@@ -25,23 +25,23 @@ export function sizeOf(summary: Summary, written: Count = count): string {
 
 /** What the search left: how many nodes grew, how many attractors nothing reached, and why it ended early, if it did. */
 export function remainderOf(summary: Summary): string {
-  const nodes = counted(summary.nodes, "node", "nodes");
+  const nodes = counted(summary.nodes, "node", "nodes", count);
   // A Brownian tree has no attractors.
   const unreached =
     summary.attractors === 0
       ? ""
-      : `; ${count(summary.unreached)} of ${counted(summary.attractors, "attractor", "attractors")} unreached`;
+      : `; ${count(summary.unreached)} of ${counted(summary.attractors, "attractor", "attractors", count)} unreached`;
   const stopped = summary.stopped ? ` ${summary.stopped}` : "";
   return `${nodes}${unreached}.${stopped}`;
 }
 
 /** The sentence of the finished state. */
 export function sentence(summary: Summary): string {
-  return `${sizeOf(summary)}. ${remainderOf(summary)}`;
+  return `${sizeOf(summary, count)}. ${remainderOf(summary)}`;
 }
 
 /** The text alternative of the picture; it has a size once it is finished. */
-export function alternative(seed: string, phase: Phase, summary: Summary, written?: Count): string {
+export function alternative(seed: string, phase: Phase, summary: Summary, written: Count): string {
   const size = phase === "finished" ? sizeOf(summary, written) : `still ${doing(phase)}`;
   return `River network grown from the seed “${seed}”: ${size}.`;
 }
@@ -53,7 +53,7 @@ function doing(phase: Phase): string {
 
 /** The two lines under the picture, in every state two, so that nothing jumps when growth ends. */
 export function caption(state: State, phase: Phase, summary: Summary): [string, string] {
-  if (state === "finished") return [sizeOf(summary), remainderOf(summary)];
+  if (state === "finished") return [sizeOf(summary, count), remainderOf(summary)];
   return [state === "paused" ? `Paused while ${doing(phase)}` : headed(doing(phase)), progressOf(phase, summary)];
 }
 
@@ -62,7 +62,7 @@ function headed(word: string): string {
 }
 
 function progressOf(phase: Phase, summary: Summary): string {
-  if (phase !== "meandering") return `${counted(summary.nodes, "node", "nodes")} so far`;
-  const oxbows = summary.oxbows === 0 ? "" : `, ${oxbowsOf(summary)}`;
-  return `${counted(summary.rounds, "round", "rounds")} so far${oxbows}`;
+  if (phase !== "meandering") return `${counted(summary.nodes, "node", "nodes", count)} so far`;
+  const oxbows = summary.oxbows === 0 ? "" : `, ${oxbowsOf(summary, count)}`;
+  return `${counted(summary.rounds, "round", "rounds", count)} so far${oxbows}`;
 }

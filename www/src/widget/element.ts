@@ -24,15 +24,6 @@ const DARK = "(prefers-color-scheme: dark)";
 /** What the button does in each state. */
 const DOES: Record<State, Does> = { growing: "pause", settling: "pause", paused: "play", finished: "replay" };
 
-/** What can be done about a failure; fetched then, and if that fails too, its name has to do. */
-async function adviceOn(error: PageError): Promise<{ title: string; text: string }> {
-  try {
-    return (await import("../advice.ts")).advice(error);
-  } catch {
-    return { title: error.code, text: "" };
-  }
-}
-
 export interface BlobOptions {
   /** Pixels on the picture's long side; as many as are shown if left out. */
   longSide?: number;
@@ -114,14 +105,13 @@ export class RiverSeed extends Base {
 
   /** A PNG of the finished river. */
   toBlob({ longSide }: BlobOptions = {}): Promise<Blob> {
-    const { width, height } = this.#view.sizeFor(this.#aspect);
-    return this.#file({ format: "png", longSide: longSide ?? Math.max(width, height, 1), toolsUrl: undefined });
+    const { width, height } = this.#view.size;
+    return this.#file({ format: "png", longSide: longSide ?? Math.max(width, height, 1) });
   }
 
   /** The finished rivers as the text of an SVG. */
   async toSVG(): Promise<string> {
-    const toolsUrl = this.#wasmUrl && new URL("riverseed_tools_bg.wasm", this.#wasmUrl).href;
-    return (await this.#file({ format: "svg", longSide: 0, toolsUrl })).text();
+    return (await this.#file({ format: "svg", longSide: 0 })).text();
   }
 
   #ask(what: "play" | "pause"): void {
@@ -151,13 +141,17 @@ export class RiverSeed extends Base {
     return matchMedia(DARK).matches;
   }
 
+  get #wishNow(): Wish {
+    return { text: linkOf(this), isDark: this.#isDark };
+  }
+
   /** A river that has been seen to its end is not grown before the reader's eyes again. */
   get #how(): How {
     return this.#isStill || (this.#standing?.state === "finished" && !this.#isShown) ? "still" : "watch";
   }
 
-  #file(order: FileOrder): Promise<Blob> {
-    return workshop.file({ text: linkOf(this), isDark: this.#isDark }, this.#wasmUrl, order);
+  #file(order: Omit<FileOrder, "wasmUrl">): Promise<Blob> {
+    return workshop.file(this.#wishNow, { ...order, wasmUrl: this.#wasmUrl });
   }
 
   // ---- its life
@@ -189,13 +183,13 @@ export class RiverSeed extends Base {
   /** Brings everything in line with the attributes. */
   #follow(): void {
     const before = this.#wish;
-    const wish = { text: linkOf(this), isDark: this.#isDark };
+    const wish = this.#wishNow;
     const isNew = wish.text !== before?.text || wish.isDark !== before.isDark;
     this.#wish = wish;
     if (isNew) this.#shape(aspectOf(wish.text));
     this.#describe();
     if (isNew && this.#id !== undefined) {
-      workshop.send(this.#id, { do: "show", wish, how: this.#how, size: this.#view.sizeFor(this.#aspect) });
+      workshop.send(this.#id, { do: "show", wish, how: this.#how, size: this.#view.size });
     }
     // What failed with one recipe may do with another.
     if (isNew && this.#hasFailed) this.#hasBegun = false;
@@ -209,7 +203,7 @@ export class RiverSeed extends Base {
 
   #beginIfDue(): void {
     const isDue = this.#isNear || this.#asked === "play" || this.getAttribute("loading") === "eager";
-    if (!isDue || this.#hasBegun || !this.#life || this.#view.sizeFor(this.#aspect).width === 0) return;
+    if (!isDue || this.#hasBegun || !this.#life || this.#view.size.width === 0) return;
     this.#hasBegun = true;
     void this.#enter(this.#life.signal);
   }
@@ -226,10 +220,9 @@ export class RiverSeed extends Base {
 
   #open(id: number): void {
     const canvas = this.#view.prepare();
-    const size = this.#view.sizeFor(this.#aspect);
+    const size = this.#view.size;
     const how = this.#asked === "play" ? "watch" : this.#how;
-    const wish = this.#wish ?? { text: linkOf(this), isDark: this.#isDark };
-    workshop.send(id, { do: "open", canvas, wish, how, size });
+    workshop.send(id, { do: "open", canvas, wish: this.#wishNow, how, size });
     if (this.#asked === "pause") workshop.send(id, { do: "pause" });
     this.#id = id;
     this.#asked = undefined;
@@ -245,7 +238,7 @@ export class RiverSeed extends Base {
   #leave(): void {
     this.#life?.abort();
     this.#life = undefined;
-    this.#isNear = false;
+    this.#isNear = this.#hasFailed = false;
     this.#close();
   }
 
@@ -275,7 +268,7 @@ export class RiverSeed extends Base {
     clearTimeout(this.#resizing);
     this.#resizing = setTimeout(() => {
       if (this.#id === undefined || signal.aborted) return;
-      workshop.send(this.#id, { do: "resize", size: this.#view.sizeFor(this.#aspect) });
+      workshop.send(this.#id, { do: "resize", size: this.#view.size });
     }, RESIZE_PAUSE_MS);
   }
 
@@ -315,17 +308,20 @@ export class RiverSeed extends Base {
       this.#standing = undefined;
       this.#close();
       this.#shape(this.#aspect);
+      this.#view.note(this.#strings.failed);
     }
     void this.#report(error);
   }
 
-  /** Says it once: to whoever listens, otherwise on the console; and in the picture's place, if nothing else is there. */
+  /** Says it once: to whoever listens and says so, otherwise on the console. */
   async #report(error: PageError): Promise<void> {
     const { code, message } = error;
-    const { title, text } = await adviceOn(error);
-    if (this.#hasFailed) this.#view.note(this.#strings.failed(title));
-    const isFree = this.#emit("error", { code, message, advice: text });
-    if (isFree) console.warn(`river-seed: ${code}: ${message}. ${text}`);
+    // Fetched when it is needed; if it does not arrive either, the name has to do.
+    const advice = await import("./here.ts").then(
+      ({ advice }) => advice(error).text,
+      () => "",
+    );
+    if (this.#emit("error", { code, message, advice })) console.warn(`river-seed: ${code}: ${message}. ${advice}`);
   }
 
   // ---- what it says

@@ -1,9 +1,17 @@
-/** The studio on the page itself, in slices: where workers are refused. */
+/**
+ * What most pages never need: the studio on the page itself, in slices, where workers are refused; and what to do when there is
+ * none at all.
+ */
 
 import { load } from "../wasm.ts";
 import type { News } from "./orders.ts";
+import type { Room } from "./rooms.ts";
 import { Studio } from "./studio.ts";
 
-export async function openHere(tell: (news: News) => void, wasmUrl: string | undefined): Promise<Studio> {
-  return new Studio(await load(wasmUrl), tell);
+export { advice } from "../advice.ts";
+
+export async function openHere(tell: (news: News) => void, wasmUrl: string | undefined): Promise<Room> {
+  const studio = new Studio(await load(wasmUrl), tell);
+  // The engine is the one that the page's script holds: it stays.
+  return { isReplaceable: false, take: (order) => studio.take(order), close: () => {} };
 }

@@ -32,8 +32,8 @@ export interface FileOrder {
   format: "png" | "svg";
   /** Pixels on the long side of a PNG. */
   longSide: number;
-  /** Where the tools' wasm module is, if not beside the script. */
-  toolsUrl: string | undefined;
+  /** Where the engine is, if not beside the script; the tools lie beside it. */
+  wasmUrl: string | undefined;
 }
 
 export type Order = { id: number } & (

@@ -5,10 +5,14 @@ import type { Engine } from "../wasm.ts";
 import type { Reading, Wish } from "./orders.ts";
 
 /**
- * A widget shares its page with text that somebody reads. Up to here no step of a river takes longer than a blink, even on a
- * page whose policy refuses workers; whoever wants more makes a picture of it.
+ * A widget shares its page with text that somebody reads. Within these bounds no step of a river, above all the one that makes
+ * rivers of a tree, holds up the page for longer than a blink, even where its policy refuses workers. They hold in workers too:
+ * the same tag is the same river everywhere. Whoever wants more makes a picture of it.
  */
-export const CAPS: ReadonlyMap<string, number> = new Map([["attractors", 20_000]]);
+export const CAPS: ReadonlyMap<string, { bound: number; isLeast: boolean }> = new Map([
+  ["attractors", { bound: 20_000, isLeast: false }],
+  ["sensitivity", { bound: 16, isLeast: true }],
+]);
 
 /** The style for dark pages, if the core has it. */
 const DARK = "dark";
@@ -17,11 +21,12 @@ export function read(engine: Engine, { text, isDark }: Wish): Reading {
   const asked = engine.readLink(text);
   const values = new Map(asked.values);
   const notices = [...asked.notices];
-  for (const [key, most] of CAPS) {
-    const value = values.get(key);
-    if (value === undefined || Number(value) <= most) continue;
-    values.set(key, String(most));
-    notices.push({ key, message: `${key}: ${value} is more than a widget grows: ${most} is used` });
+  for (const [key, { bound, isLeast }] of CAPS) {
+    const value = Number(values.get(key));
+    if (isLeast ? value >= bound : value <= bound) continue;
+    values.set(key, String(bound));
+    const beyond = isLeast ? "less" : "more";
+    notices.push({ key, message: `${key}: ${value} is ${beyond} than a widget grows: ${bound} is used` });
   }
   if (isDark && !new URLSearchParams(text).has("style") && hasDark(engine)) values.set("style", DARK);
   return {

@@ -25,13 +25,12 @@ export async function openRoom(listener: Listener, wasmUrl: string | undefined):
 
 async function openHere({ tell }: Listener, wasmUrl: string | undefined): Promise<Room> {
   const { openHere } = await import("./here.ts");
-  const studio = await openHere(tell, wasmUrl);
-  return { isReplaceable: false, take: (order) => studio.take(order), close: () => {} };
+  return openHere(tell, wasmUrl);
 }
 
 /** Nothing if there is none to be had: whatever the reason, the page itself is tried next and says what is wrong. */
 async function openWorker(listener: Listener, wasmUrl: string | undefined): Promise<Room | undefined> {
-  if (!("OffscreenCanvas" in globalThis && "transferControlToOffscreen" in HTMLCanvasElement.prototype)) return;
+  if (!("transferControlToOffscreen" in HTMLCanvasElement.prototype)) return;
   let worker: Worker | undefined;
   try {
     worker = begin();
@@ -76,12 +75,10 @@ function roomOf(worker: Worker, listener: Listener): Room {
   return {
     isReplaceable: true,
     take(order) {
-      if (order.do !== "open") worker.postMessage(order);
-      else {
-        const canvas =
-          "transferControlToOffscreen" in order.canvas ? order.canvas.transferControlToOffscreen() : order.canvas;
+      if (order.do === "open") {
+        const canvas = (order.canvas as HTMLCanvasElement).transferControlToOffscreen();
         worker.postMessage({ ...order, canvas }, [canvas]);
-      }
+      } else worker.postMessage(order);
     },
     close: () => worker.terminate(),
   };

@@ -20,7 +20,7 @@ export interface Strings {
   /** Said once when the river is finished. */
   finished: (told: Told) => string;
   /** What stands in the place of a picture that failed and has no fallback. */
-  failed: (title: string) => string;
+  failed: string;
 }
 
 export const ENGLISH: Strings = {
@@ -29,17 +29,18 @@ export const ENGLISH: Strings = {
   replay: "Grow the rivers again",
   alternative: ({ seed, phase, summary, count }) => alternative(seed, phase, summary, count),
   finished: ({ summary, count }) => `Finished: ${sizeOf(summary, count)}.`,
-  failed: (title) => `${title}.`,
+  failed: "This river cannot be shown.",
 };
 
 /** Writes numbers as people do where an element's text is read. */
 export function countIn(element: Element): Count {
   const language = element.closest("[lang]")?.getAttribute("lang") || undefined;
-  try {
-    const format = new Intl.NumberFormat(language);
-    return (value) => format.format(value);
-  } catch {
-    // Not a language that anybody knows.
-    return String;
-  }
+  return (value) => {
+    try {
+      return value.toLocaleString(language);
+    } catch {
+      // Not a language that anybody knows.
+      return String(value);
+    }
+  };
 }

@@ -8,6 +8,9 @@ import { Easel } from "./easel.ts";
 import type { FileOrder, News, Order, Wish } from "./orders.ts";
 import { read } from "./reading.ts";
 
+/** The tools' wasm module, as the package has it. */
+const TOOLS = "riverseed_tools_bg.wasm";
+
 export class Studio {
   readonly #easels = new Map<number, Easel>();
   readonly #turns = new Turns(displayFrames);
@@ -25,10 +28,12 @@ export class Studio {
     if (order.do === "close") this.#easels.delete(id);
   }
 
-  async #file(id: number, wish: Wish, { format, longSide, toolsUrl }: FileOrder): Promise<void> {
+  async #file(id: number, wish: Wish, { format, longSide, wasmUrl }: FileOrder): Promise<void> {
     try {
       const { link } = read(this.core.engine, wish);
-      const blob = await (format === "svg" ? svgOf(link, toolsUrl) : pngOf(this.core, link, longSide));
+      const blob = await (format === "svg"
+        ? svgOf(link, wasmUrl && new URL(TOOLS, wasmUrl).href)
+        : pngOf(this.core, link, longSide));
       this.tell({ id, is: "file", blob });
     } catch (thrown) {
       const { code, message } = named(thrown);

@@ -1,6 +1,6 @@
 /** What is to be seen of a widget: what its author put there until there is a river, the canvas, the button, and what is said. */
 
-import { type Box, backingSize, type Size } from "../canvas.ts";
+import { backingSize, type Size } from "../canvas.ts";
 import { el, setText } from "../dom.ts";
 import { sharedSheet } from "./sheet.ts";
 
@@ -16,7 +16,7 @@ export class View {
   #canvas: HTMLCanvasElement | undefined;
   /** Not seen before there is something on it. */
   #next: HTMLCanvasElement | undefined;
-  #label: string | undefined;
+  #label = "";
 
   constructor(
     private readonly root: ShadowRoot,
@@ -72,26 +72,18 @@ export class View {
     this.#note.hidden = text === "";
   }
 
-  /** How many pixels a river of this shape has here; none while the element is not laid out. */
-  sizeFor(aspect: number): Size {
-    const canvas = this.#next ?? this.#canvas;
-    const box = (canvas ?? this.root.host).getBoundingClientRect();
-    const place = fitted(box, aspect);
-    canvas?.classList.toggle("loose", place !== box);
-    return backingSize(place, window.devicePixelRatio);
+  /** How many pixels the picture has here; none while the element is not laid out. Of another shape, the map covers the box. */
+  get size(): Size {
+    return backingSize((this.#next ?? this.#canvas ?? this.root.host).getBoundingClientRect(), window.devicePixelRatio);
   }
 
   /** Names the picture; an empty name makes it an ornament. */
-  name(label: string | undefined): void {
+  name(label: string): void {
     this.#label = label;
     for (const canvas of [this.#canvas, this.#next]) {
-      if (!canvas || label === undefined) continue;
-      const [attributes, others] =
-        label === ""
-          ? [{ "aria-hidden": "true" }, ["role", "aria-label"]]
-          : [{ role: "img", "aria-label": label }, ["aria-hidden"]];
-      for (const [name, value] of Object.entries(attributes)) canvas.setAttribute(name, value);
-      for (const name of others) canvas.removeAttribute(name);
+      canvas?.setAttribute("role", "img");
+      canvas?.setAttribute("aria-label", label);
+      canvas?.setAttribute("aria-hidden", String(label === ""));
     }
   }
 
@@ -110,12 +102,4 @@ export class View {
   say(text: string): void {
     setText(this.#status, text);
   }
-}
-
-/** The largest place of a shape in the middle of a box; the box itself if that is its shape but for a part of a pixel. */
-export function fitted(box: Box, aspect: number): Box {
-  const width = Math.min(box.width, box.height * aspect);
-  const height = Math.min(box.height, box.width / aspect);
-  if (box.width - width < 1 && box.height - height < 1) return box;
-  return { x: box.x + (box.width - width) / 2, y: box.y + (box.height - height) / 2, width, height };
 }

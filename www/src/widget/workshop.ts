@@ -24,16 +24,13 @@ class Workshop {
 
   /** Takes a widget in, once there is a studio; its number. The address counts for the first. */
   async enter(member: Member, wasmUrl: string | undefined): Promise<number> {
-    const id = ++this.#last;
-    this.#members.set(id, member);
     clearTimeout(this.#leaving);
-    try {
-      await this.#opened(wasmUrl);
-      return id;
-    } catch (error) {
-      this.#members.delete(id);
-      throw error;
-    }
+    const room = this.#opened(wasmUrl);
+    await room;
+    // It may have been replaced by now.
+    if (room !== this.#room) return this.enter(member, wasmUrl);
+    this.#members.set(++this.#last, member);
+    return this.#last;
   }
 
   send(id: number, order: Asked<Order>): void {
@@ -41,10 +38,10 @@ class Workshop {
   }
 
   /** Makes a file of a finished river, which need not be shown anywhere. */
-  file(wish: Wish, wasmUrl: string | undefined, order: FileOrder): Promise<Blob> {
+  file(wish: Wish, order: FileOrder): Promise<Blob> {
     return new Promise((done, failed) => {
       const ask = (): void =>
-        void this.enter(member, wasmUrl).then((id) => this.send(id, { do: "file", wish, ...order }), failed);
+        void this.enter(member, order.wasmUrl).then((id) => this.send(id, { do: "file", wish, ...order }), failed);
       const member: Member = {
         hear: (news) => {
           this.leave(news.id);
@@ -66,10 +63,7 @@ class Workshop {
   #opened(wasmUrl: string | undefined): Promise<Room> {
     if (this.#room) return this.#room;
     const room = openRoom(
-      {
-        tell: (news) => this.#tell(news),
-        collapsed: (message) => this.#collapse(message),
-      },
+      { tell: (news) => this.#tell(news), collapsed: (message) => this.#collapse(message) },
       wasmUrl,
     );
     this.#room = room;
@@ -93,8 +87,8 @@ class Workshop {
    * one that its script holds: there they go on in it, since a trap touches no memory but its own river's.
    */
   async #replace(): Promise<void> {
-    const room = await this.#room;
-    if (!room?.isReplaceable) return;
+    const room = this.#room;
+    if (!(await room)?.isReplaceable || room !== this.#room) return;
     this.#close();
     const members = [...this.#members.values()];
     this.#members.clear();
@@ -103,10 +97,7 @@ class Workshop {
 
   /** Nobody knows whose fault it was: asked to go on, all might do the same again. */
   #collapse(message: string): void {
-    this.#close();
-    const members = [...this.#members];
-    this.#members.clear();
-    for (const [id, member] of members) member.hear({ id, is: "failed", code: "panic", message });
+    for (const id of [...this.#members.keys()]) this.#tell({ id, is: "failed", code: "panic", message });
   }
 
   #close(): void {

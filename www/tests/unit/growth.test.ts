@@ -225,6 +225,21 @@ test("at rest nothing is drawn; waking goes on", () => {
   expect(stage.ticks).toBeGreaterThan(ticks);
 });
 
+test("at rest what is due to be drawn is drawn, and nothing grows", () => {
+  const stage = new Stage();
+  stage.growth.watch();
+  stage.growth.rest();
+  stage.frames(5);
+  expect(stage.drawn).toEqual([0]);
+  stage.growth.redraw();
+  stage.frames(5);
+  expect(stage.drawn).toEqual([0, 0]);
+  expect(stage.waiting).toBe(0);
+  stage.growth.wake();
+  stage.frames(30);
+  expect(stage.ticks).toBeGreaterThan(0);
+});
+
 test("a failure is told once and stops the loop", () => {
   const stage = new Stage();
   stage.advance = () => {

@@ -3,6 +3,7 @@ import { backingSize } from "../../src/canvas.ts";
 import { linesOf } from "../../src/digest-lines.ts";
 import { fileName } from "../../src/share.ts";
 import { speedName } from "../../src/transport.ts";
+import { count } from "../../src/values.ts";
 import { alternative, caption, sentence } from "../../src/words.ts";
 
 const summary = {
@@ -40,16 +41,16 @@ test("an early end says why", () => {
 });
 
 test("the picture's alternative names the seed, whatever it holds", () => {
-  expect(alternative("<b>kauri</b>", "finished", summary)).toBe(
+  expect(alternative("<b>kauri</b>", "finished", summary, count)).toBe(
     "River network grown from the seed “<b>kauri</b>”: 1 river, 210 sources, Strahler order 5.",
   );
 });
 
 test("a picture that grows or meanders says so", () => {
   const start = "River network grown from the seed “kauri”: still";
-  expect(alternative("kauri", "growing", summary)).toBe(`${start} growing.`);
-  expect(alternative("kauri", "shaping", summary)).toBe(`${start} growing.`);
-  expect(alternative("kauri", "meandering", summary)).toBe(`${start} meandering.`);
+  expect(alternative("kauri", "growing", summary, count)).toBe(`${start} growing.`);
+  expect(alternative("kauri", "shaping", summary, count)).toBe(`${start} growing.`);
+  expect(alternative("kauri", "meandering", summary, count)).toBe(`${start} meandering.`);
 });
 
 test("the caption has two lines in every state", () => {

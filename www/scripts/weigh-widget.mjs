@@ -1,0 +1,40 @@
+#!/usr/bin/env node
+// Prints what the built widget weighs on its way to a reader, in bytes of gzip, beside what it may. Too much is a failure.
+
+import { readFileSync } from "node:fs";
+import { gzipSync } from "node:zlib";
+
+const FOLDER = new URL("../dist-widget/", import.meta.url);
+
+/** What a page fetches for a first river: with a worker, and without. */
+const EMBED = ["river-seed.js", "worker.js", "riverseed_bg.wasm"];
+const EMBED_HERE = ["river-seed.js", "tag-here.js", "riverseed_bg.wasm"];
+
+const LIMITS = [
+  ["element and loader", ["river-seed.js"], 6_000],
+  ["glue", withImports("core.js"), 5_000],
+  ["whole embed", EMBED, 135_000],
+  ["whole embed, without a worker", EMBED_HERE, 135_000],
+];
+
+for (const [what, files, limit] of LIMITS) {
+  const bytes = files.map((file) => gzipSync(read(file), { level: 9 }).length).reduce((sum, one) => sum + one);
+  const isTooMuch = bytes > limit;
+  console.log(`${what}: ${bytes} of ${limit} (${files.join(", ")})${isTooMuch ? " — TOO LARGE" : ""}`);
+  if (isTooMuch) process.exitCode = 1;
+}
+
+function read(file) {
+  return readFileSync(new URL(file, FOLDER));
+}
+
+/** A script with all that it fetches before it runs. */
+function withImports(file, seen = new Set()) {
+  seen.add(file);
+  for (const [, other] of read(file)
+    .toString()
+    .matchAll(/(?:\bfrom|\bimport) ?["'`]\.\/([^"'`]+)["'`]/g)) {
+    if (!seen.has(other)) withImports(other, seen);
+  }
+  return [...seen];
+}

@@ -1,0 +1,141 @@
+import type { Page } from "@playwright/test";
+import { engine } from "../../core.ts";
+import { complaints } from "../riverpage.ts";
+import { expect, type Host, test } from "./hosts.ts";
+import { canonical, expectPicture, type Heard, heard, listen, post } from "./post.ts";
+
+type RiverSeed = HTMLElementTagNameMap["river-seed"];
+
+test.beforeEach(({ page }) => page.emulateMedia({ reducedMotion: "reduce" }));
+
+async function open(page: Page, blog: Host, body: string): Promise<() => Promise<Heard[]>> {
+  const events = await listen(page);
+  blog.answer("/", { body: post(body) });
+  await page.goto(blog.origin);
+  return events;
+}
+
+async function change(page: Page, work: (river: RiverSeed) => void): Promise<void> {
+  await page.locator("river-seed").evaluate(work);
+}
+
+test("attributes are the table's keys, two of them with a prefix", async ({ page, blog }) => {
+  const events = await open(
+    page,
+    blog,
+    '<river-seed seed="rimu" attractors="300" meander-rounds="5" river-style="map" river-width="20" land="island"></river-seed>',
+  );
+  const link = canonical("seed=rimu&attractors=300&meander-rounds=5&style=map&width=20&land=island");
+  expect((await heard(events, "complete")).detail["link"]).toBe(link);
+  await expectPicture(page, link);
+});
+
+test("attributes win over what the recipe says", async ({ page, blog }) => {
+  const recipe = "?preset=curl&seed=kauri&attractors=300&curl=0.2";
+  const events = await open(
+    page,
+    blog,
+    `<river-seed recipe="${recipe.replaceAll("&", "&amp;")}" seed="a&amp;b"></river-seed>`,
+  );
+  const link = canonical("preset=curl&seed=a%26b&attractors=300&curl=0.2");
+  expect((await heard(events, "ready")).detail).toEqual({ link, notices: [] });
+});
+
+test("properties set before the class is known count, and are attributes afterwards", async ({ page, blog }) => {
+  const events = await listen(page);
+  blog.answer("/", { body: post("<river-seed></river-seed>").replace(/<script type="module".*?<\/script>/, "") });
+  await page.goto(blog.origin);
+  await change(page, (river) => {
+    Object.assign(river, { seed: "totara", attractors: 300, riverStyle: "map", meanderRounds: 3, controls: true });
+  });
+  await page.addScriptTag({ type: "module", url: "/widget/river-seed.js" });
+  const link = canonical("seed=totara&attractors=300&style=map&meander-rounds=3");
+  expect((await heard(events, "complete")).detail["link"]).toBe(link);
+  const reflected = { seed: "totara", attractors: "300", "river-style": "map", "meander-rounds": "3", controls: "" };
+  for (const [name, value] of Object.entries(reflected)) {
+    await expect(page.locator("river-seed")).toHaveAttribute(name, value);
+  }
+});
+
+test("properties mirror attributes", async ({ page, blog }) => {
+  const events = await open(page, blog, '<river-seed attractors="300"></river-seed>');
+  await heard(events, "complete");
+  const seen = await page.locator("river-seed").evaluate((river: RiverSeed) => {
+    const before = [river.seed, river.attractors, river.controls, river.alt];
+    Object.assign(river, { seed: "miro", attractors: null, controls: false, alt: "", animate: "none" });
+    const names = river.getAttributeNames().map((name) => [name, river.getAttribute(name)]);
+    return { before, names, canAnimate: typeof river.animate };
+  });
+  expect(seen.before).toEqual([null, 300, false, null]);
+  expect(Object.fromEntries(seen.names)).toEqual({ seed: "miro", alt: "", animate: "none" });
+  expect(seen.canAnimate).toBe("function");
+});
+
+test("what changes in one turn changes once, and what is the same changes nothing", async ({ page, blog }) => {
+  const events = await open(page, blog, '<river-seed seed="a" attractors="300"></river-seed>');
+  await heard(events, "complete");
+  await change(page, (river) => {
+    river.seed = "b";
+    river.setAttribute("curl", "0.4");
+    river.seed = "c";
+  });
+  const link = canonical("seed=c&attractors=300&curl=0.4");
+  expect((await heard(events, "complete", 2)).detail["link"]).toBe(link);
+  await change(page, (river) => {
+    river.seed = "d";
+    river.seed = "c";
+  });
+  await change(page, (river) => river.setAttribute("attractors", "301"));
+  await heard(events, "complete", 3);
+  const links = (await events()).filter(({ type }) => type === "complete").map(({ detail }) => detail["link"]);
+  expect(links).toEqual([canonical("seed=a&attractors=300"), link, canonical("seed=c&attractors=301&curl=0.4")]);
+});
+
+test("ready comes once, before complete; progress in between", async ({ page, blog }) => {
+  await page.emulateMedia({ reducedMotion: "no-preference" });
+  const events = await open(page, blog, '<river-seed attractors="300"></river-seed>');
+  await heard(events, "complete");
+  const types = (await events()).map(({ type }) => type);
+  expect(types.filter((type) => type !== "progress")).toEqual(["ready", "complete"]);
+  const progress = (await events()).filter(({ type }) => type === "progress");
+  expect(progress.map(({ detail }) => detail["phase"])).toContain("growing");
+});
+
+const JUNK = `<river-seed seed="${"x".repeat(500)}" attractors="many" aspect="-3" reach="1e99" river-style="<b>" outline="!!!"
+  recipe="%%%&=&seed&frogs=7&amp;curl=NaN" theme="pink" loading="never" animate="sideways" lang="no language"></river-seed>`;
+
+test("junk is mended, and said", async ({ page, blog }) => {
+  const said = complaints(page);
+  const events = await open(page, blog, JUNK);
+  const { detail } = await heard(events, "ready");
+  const keys = (detail["notices"] as { key: string }[]).map(({ key }) => key);
+  for (const key of ["seed", "attractors", "aspect", "reach", "style", "frogs", "curl"]) expect(keys).toContain(key);
+  await heard(events, "complete");
+  expect(said).toEqual([expect.stringMatching(/^river-seed: .*many/s)]);
+});
+
+test("a widget grows no more than a page bears, and says so", async ({ page, blog }) => {
+  const events = await open(page, blog, '<river-seed attractors="1000000" animate="none"></river-seed>');
+  const { detail } = await heard(events, "ready");
+  expect(detail).toMatchObject({ link: canonical("attractors=20000"), notices: [{ key: "attractors" }] });
+});
+
+const HAS_DARK = engine.parameters().some(({ choices }) => choices?.some(({ value }) => value === "dark"));
+
+for (const [what, scheme, attributes, isDark] of [
+  ["a dark scheme", "dark", "", true],
+  ["a light scheme", "light", "", false],
+  ["the dark theme on a light page", "light", 'theme="dark"', true],
+  ["the light theme on a dark page", "dark", 'theme="light"', false],
+  ["a page that says it is light", "dark", 'style="color-scheme: light"', false],
+  ["a style of the author's choice", "dark", 'river-style="map"', false],
+  ["a style in the recipe", "dark", 'recipe="style=map"', false],
+] as const) {
+  test(`light rivers on dark paper with ${what}: ${isDark}`, async ({ page, blog }) => {
+    await page.emulateMedia({ colorScheme: scheme });
+    const events = await open(page, blog, `<river-seed attractors="300" ${attributes}></river-seed>`);
+    const style = attributes.includes("map") ? "&style=map" : isDark && HAS_DARK ? "&style=dark" : "";
+    expect((await heard(events, "complete")).detail["link"]).toBe(canonical(`attractors=300${style}`));
+    await expectPicture(page, canonical(`attractors=300${style}`));
+  });
+}

@@ -1,0 +1,80 @@
+import { createHash } from "node:crypto";
+import type { Page } from "@playwright/test";
+import { pictureOf } from "../../core.ts";
+import { expect, type Host, test } from "./hosts.ts";
+import { canonical, heard, listen, post } from "./post.ts";
+
+type RiverSeed = HTMLElementTagNameMap["river-seed"];
+
+/** What a PNG shows. */
+async function png(page: Page, longSide: number): Promise<{ width: number; height: number; sha256: string }> {
+  const shown = await page.locator("river-seed").evaluate(async (river: RiverSeed, longSide) => {
+    const blob = await river.toBlob({ longSide });
+    const bitmap = await createImageBitmap(blob);
+    const { width, height } = bitmap;
+    const context = new OffscreenCanvas(width, height).getContext("2d", { willReadFrequently: true });
+    context?.drawImage(bitmap, 0, 0);
+    return { type: blob.type, width, height, bytes: [...(context?.getImageData(0, 0, width, height).data ?? [])] };
+  }, longSide);
+  expect(shown.type).toBe("image/png");
+  const { width, height } = shown;
+  return { width, height, sha256: createHash("sha256").update(Buffer.from(shown.bytes)).digest("hex") };
+}
+
+async function open(page: Page, blog: Host, place: string): Promise<void> {
+  if (place === "the page") blog.headers = { "content-security-policy": "worker-src 'none'" };
+  const events = await listen(page);
+  blog.answer("/", { body: post('<river-seed seed="rimu" attractors="300" meander-rounds="60"></river-seed>') });
+  await page.goto(blog.origin);
+  await heard(events, "ready");
+}
+
+for (const place of ["a worker", "the page"]) {
+  const link = canonical("seed=rimu&attractors=300&meander-rounds=60");
+
+  test(`a PNG is of the finished river, at a size of choice: ${place}`, async ({ page, blog }) => {
+    await open(page, blog, place);
+    expect(await png(page, 240)).toEqual({ width: 240, height: 160, sha256: pictureOf(link, 240, 160).sha256 });
+    const [width, shown] = await page.locator("river-seed").evaluate(async (river: RiverSeed) => {
+      const { width } = await createImageBitmap(await river.toBlob());
+      return [width, river.shadowRoot?.querySelector("canvas")?.width];
+    });
+    expect(width).toBe(shown);
+  });
+
+  test(`an SVG is of the finished river, by tools that are fetched for it: ${place}`, async ({ page, blog }) => {
+    await open(page, blog, place);
+    expect(blog.asked).not.toContain("/widget/riverseed_tools_bg.wasm");
+    const svg = await page.locator("river-seed").evaluate((river: RiverSeed) => river.toSVG());
+    expect(svg).toMatch(/^<svg|^<\?xml/);
+    expect(svg).toContain('id="river-');
+    expect(svg).toContain(link.replaceAll("&", "&amp;"));
+    expect(blog.asked).toContain("/widget/riverseed_tools_bg.wasm");
+  });
+}
+
+test("tools that do not arrive are an error with a name, and the picture stays", async ({ page, blog }) => {
+  blog.answer("/widget/riverseed_tools_bg.wasm", { status: 404 });
+  await open(page, blog, "a worker");
+  const code = await page
+    .locator("river-seed")
+    .evaluate((river: RiverSeed) => river.toSVG().catch((error: { code: string }) => error.code));
+  expect(code).toBe("no-tools");
+  await expect(page.locator("river-seed canvas")).toBeVisible();
+});
+
+test("a size that no picture can have is an error with a name", async ({ page, blog }) => {
+  await open(page, blog, "a worker");
+  for (const [longSide, code] of [
+    [100_000, "too-large"],
+    [Number.NaN, "bad-params"],
+  ] as const) {
+    const said = await page
+      .locator("river-seed")
+      .evaluate(
+        (river: RiverSeed, longSide) => river.toBlob({ longSide }).catch((error: { code: string }) => error.code),
+        longSide,
+      );
+    expect(said).toBe(code);
+  }
+});

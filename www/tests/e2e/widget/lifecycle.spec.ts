@@ -1,0 +1,158 @@
+import type { Page } from "@playwright/test";
+import { expect, type Host, test } from "./hosts.ts";
+import {
+  type Count,
+  canonical,
+  expectPicture,
+  frames,
+  type Heard,
+  heard,
+  listen,
+  PROBED_WORKER,
+  post,
+  probe,
+} from "./post.ts";
+
+async function open(page: Page, blog: Host, body: string): Promise<() => Promise<Heard[]>> {
+  const events = await listen(page);
+  blog.answer("/widget/worker.js", { headers: { "content-type": "text/javascript" }, body: PROBED_WORKER });
+  blog.answer("/", { body: post(body) });
+  await page.goto(blog.origin);
+  return events;
+}
+
+const BELOW = '<p style="height: 5000px">A long text.</p>';
+/** So many rounds that no test sees the end of them. */
+const LONG = '<river-seed seed="rimu" meander-rounds="400"></river-seed>';
+
+/** Whether the engine makes steps while frames pass. */
+async function isGrowing(page: Page): Promise<boolean> {
+  const before: Count = await probe(page);
+  await frames(page);
+  return (await probe(page)).steps > before.steps;
+}
+
+test("nothing is fetched for a river far below, until the reader comes near", async ({ page, blog }) => {
+  const events = await open(page, blog, `${BELOW}${LONG}`);
+  await page.waitForFunction(() => customElements.get("river-seed"));
+  await frames(page);
+  expect(blog.asked).not.toContain("/widget/worker.js");
+  await page.locator("river-seed").scrollIntoViewIfNeeded();
+  await heard(events, "ready");
+});
+
+test("an eager river is there at once, and grows when it is seen", async ({ page, blog }) => {
+  const events = await open(page, blog, `${BELOW}${LONG.replace("<river-seed", '<river-seed loading="eager"')}`);
+  await heard(events, "ready");
+  expect(await isGrowing(page)).toBe(false);
+  await page.locator("river-seed").scrollIntoViewIfNeeded();
+  await expect.poll(() => isGrowing(page)).toBe(true);
+});
+
+test("off the screen it stands still, back on it goes on", async ({ page, blog }) => {
+  const events = await open(page, blog, `${LONG}${BELOW}`);
+  await heard(events, "progress");
+  await expect.poll(() => isGrowing(page)).toBe(true);
+  await page.evaluate(() => scrollTo(0, 4000));
+  await expect.poll(() => isGrowing(page)).toBe(false);
+  expect((await probe(page)).frames).toBe(0);
+  await page.evaluate(() => scrollTo(0, 0));
+  await expect.poll(() => isGrowing(page)).toBe(true);
+});
+
+test("in a hidden tab it stands still", async ({ page, blog }) => {
+  const events = await open(page, blog, LONG);
+  await heard(events, "progress");
+  const hide = (isHidden: boolean): Promise<void> =>
+    page.evaluate((isHidden) => {
+      Object.defineProperty(document, "hidden", { value: isHidden, configurable: true });
+      document.dispatchEvent(new Event("visibilitychange"));
+    }, isHidden);
+  await hide(true);
+  await expect.poll(() => isGrowing(page)).toBe(false);
+  await hide(false);
+  await expect.poll(() => isGrowing(page)).toBe(true);
+});
+
+test("a move in the document is no end and no beginning", async ({ page, blog }) => {
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  const events = await open(
+    page,
+    blog,
+    '<river-seed seed="rimu" attractors="300"></river-seed><div id="elsewhere"></div>',
+  );
+  await heard(events, "complete");
+  await page.evaluate(() => {
+    const river = document.querySelector("river-seed");
+    if (river) document.querySelector("#elsewhere")?.append(river);
+  });
+  await frames(page);
+  await expectPicture(page, canonical("seed=rimu&attractors=300"), "#elsewhere river-seed");
+  expect(await probe(page)).toMatchObject({ rivers: 1 });
+  // It still listens.
+  await page.locator("river-seed").evaluate((river) => river.setAttribute("seed", "miro"));
+  await expectPicture(page, canonical("seed=miro&attractors=300"));
+  expect((await events()).filter(({ type }) => type === "ready")).toHaveLength(1);
+});
+
+test("ten rounds of coming and going leave nothing behind", async ({ page, blog }) => {
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  const events = await open(page, blog, "");
+  const bytes: number[] = [];
+  for (let round = 1; round <= 10; round++) {
+    await page.evaluate((round) => {
+      const river = document.createElement("river-seed");
+      Object.assign(river, { seed: `seed${round % 2}`, attractors: 1000, loading: "eager" });
+      document.querySelector("main")?.append(river);
+    }, round);
+    await heard(events, "complete", round);
+    await page.evaluate(() => document.querySelector("river-seed")?.remove());
+    await expect.poll(async () => (await probe(page)).rivers).toBe(0);
+    expect((await probe(page)).frames).toBe(0);
+    bytes.push((await probe(page)).bytes);
+  }
+  expect(bytes.slice(2)).toEqual(Array(8).fill(bytes[1]));
+});
+
+test("one that is taken away while it loads leaves nothing behind", async ({ page, blog }) => {
+  const events = await open(page, blog, '<river-seed id="kept" attractors="300"></river-seed>');
+  await page.evaluate(() => {
+    for (let i = 0; i < 5; i++) {
+      const river = Object.assign(document.createElement("river-seed"), { loading: "eager", attractors: 300 });
+      document.querySelector("main")?.append(river);
+      setTimeout(() => river.remove(), i * 5);
+    }
+  });
+  await heard(events, "ready");
+  await expect.poll(async () => (await probe(page)).rivers).toBe(1);
+});
+
+test("the last one gone, the worker goes too; the next brings a new one", async ({ page, blog }) => {
+  await page.clock.install();
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  const events = await open(page, blog, '<river-seed attractors="300" loading="eager"></river-seed>');
+  await page.clock.runFor(1000);
+  await heard(events, "complete");
+  const river = await page.locator("river-seed").evaluateHandle((river) => {
+    river.remove();
+    return river;
+  });
+  await expect.poll(() => page.workers().length).toBe(1);
+  await page.clock.runFor(6000);
+  await expect.poll(() => page.workers().length).toBe(0);
+  await river.evaluate((river) => document.querySelector("main")?.append(river));
+  await page.clock.runFor(1000);
+  await heard(events, "complete", 2);
+  expect(page.workers()).toHaveLength(1);
+});
+
+test("another size is the same river", async ({ page, blog }) => {
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  const events = await open(page, blog, '<river-seed seed="rimu" attractors="300"></river-seed>');
+  await heard(events, "complete");
+  const widthOf = (): Promise<number> => page.locator("canvas").evaluate((canvas: HTMLCanvasElement) => canvas.width);
+  const before = await widthOf();
+  await page.setViewportSize({ width: 500, height: 700 });
+  await expect.poll(widthOf).not.toBe(before);
+  await expectPicture(page, canonical("seed=rimu&attractors=300"));
+});

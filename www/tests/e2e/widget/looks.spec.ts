@@ -1,0 +1,131 @@
+import type { Page } from "@playwright/test";
+import { expect, type Host, test } from "./hosts.ts";
+import { canonical, expectPicture, frames, type Heard, heard, listen, post } from "./post.ts";
+
+async function open(page: Page, blog: Host, body: string): Promise<() => Promise<Heard[]>> {
+  const events = await listen(page);
+  blog.answer("/", { body: post(body) });
+  await page.goto(blog.origin);
+  return events;
+}
+
+/** How far the page has moved by itself, as browsers count it. */
+async function shifts(page: Page): Promise<() => Promise<number>> {
+  await page.addInitScript(() => {
+    const score = { sum: 0 };
+    Object.assign(globalThis, { shifts_: score });
+    new PerformanceObserver((list) => {
+      for (const entry of list.getEntries()) score.sum += (entry as unknown as { value: number }).value;
+    }).observe({ type: "layout-shift", buffered: true });
+  });
+  return () => page.evaluate(() => (globalThis as unknown as { shifts_: { sum: number } }).shifts_.sum);
+}
+
+const FALLBACK =
+  '<a href="#river">The river</a><p style="height: 700px">A picture of the river, taller than its place.</p>';
+
+for (const [attributes, aspect] of [
+  ["", 1.5],
+  ['aspect="2.5"', 2.5],
+  ['recipe="aspect=0.8"', 0.8],
+  ['aspect="77"', 4],
+] as const) {
+  test(`nothing moves when the river comes: ${attributes || "the default"}`, async ({ page, blog }) => {
+    const moved = await shifts(page);
+    // What the README recommends for the time before the script has come.
+    const style = `<style>river-seed:not(:defined) { display: block; aspect-ratio: ${aspect}; min-height: 0; overflow: hidden }</style>`;
+    const body = `${style}<river-seed attractors="300" animate="none" ${attributes}>${FALLBACK}</river-seed>`;
+    const events = await open(page, blog, body);
+    await heard(events, "complete");
+    await frames(page, 5);
+    const { width, height } = (await page.locator("river-seed").boundingBox()) ?? { width: 0, height: 1 };
+    expect(width / height).toBeCloseTo(aspect, 1);
+    await expect(page.getByRole("link", { name: "The river" })).toBeHidden();
+    expect(await moved()).toBe(0);
+  });
+}
+
+test("what stands in the river's place is seen until there is one", async ({ page, blog }) => {
+  let answer = (): void => {};
+  const held = new Promise<void>((done) => {
+    answer = done;
+  });
+  const events = await listen(page);
+  await page.context().route("**/riverseed_bg.wasm", async (route) => {
+    await held;
+    await route.continue();
+  });
+  blog.headers = { "content-security-policy": "worker-src 'none'" };
+  blog.answer("/", { body: post(`<river-seed attractors="300">${FALLBACK}</river-seed>`) });
+  await page.goto(blog.origin);
+  const fallback = page.getByRole("link", { name: "The river" });
+  await page.waitForFunction(() => customElements.get("river-seed"));
+  await frames(page);
+  await expect(fallback).toBeVisible();
+  answer();
+  await heard(events, "ready");
+  await expect(fallback).toBeHidden();
+});
+
+test("who prefers less motion sees the finished river, at once, and can still play it", async ({ page, blog }) => {
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  const events = await open(page, blog, '<river-seed attractors="300" controls></river-seed>');
+  await heard(events, "complete");
+  const phases = (await events()).filter(({ type }) => type === "ready" || type === "complete").map(({ type }) => type);
+  expect(phases).toEqual(["ready", "complete"]);
+  const before = (await events()).length;
+  await page.getByRole("button", { name: "Grow the rivers again" }).click();
+  await expect(page.getByRole("button", { name: "Pause the rivers" })).toBeVisible();
+  await heard(events, "complete", 2);
+  expect((await events()).slice(before).map(({ type }) => type)).toContain("progress");
+});
+
+test("the preference is followed while it grows", async ({ page, blog }) => {
+  const events = await open(page, blog, '<river-seed attractors="400" controls></river-seed>');
+  await heard(events, "progress");
+  await page.getByRole("button", { name: "Pause the rivers" }).waitFor();
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  await heard(events, "complete");
+  await expectPicture(page, canonical("attractors=400"));
+});
+
+test("play, pause and restart do what they say, before there is a river as well", async ({ page, blog }) => {
+  type RiverSeed = HTMLElementTagNameMap["river-seed"];
+  const events = await open(page, blog, '<p style="height: 5000px"></p><river-seed attractors="300"></river-seed>');
+  const river = page.locator("river-seed");
+  await page.waitForFunction(() => customElements.get("river-seed"));
+  await river.evaluate((river: RiverSeed) => river.pause());
+  await river.scrollIntoViewIfNeeded();
+  await heard(events, "ready");
+  await expect(page.getByRole("button", { name: "Let the rivers grow" })).toBeVisible();
+  await river.evaluate((river: RiverSeed) => river.play());
+  await heard(events, "complete");
+  await river.evaluate((river: RiverSeed) => river.restart());
+  await heard(events, "complete", 2);
+});
+
+test("a box of another shape is covered by the map", async ({ page, blog }) => {
+  const events = await open(
+    page,
+    blog,
+    '<river-seed attractors="300" animate="none" style="height: 120px"></river-seed>',
+  );
+  await heard(events, "complete");
+  await expectPicture(page, canonical("attractors=300"));
+  const { height } = (await page.locator("river-seed canvas").boundingBox()) ?? { height: 0 };
+  expect(height).toBe(120);
+});
+
+test("an author's style sheet has the last word", async ({ page, blog }) => {
+  const style = `<style>river-seed { border-radius: 9px; --river-seed-button-background: rgb(1, 2, 3) }
+    river-seed::part(button) { width: 60px } [hidden] { color: red }</style>`;
+  const events = await open(page, blog, `${style}<river-seed attractors="300" controls></river-seed>`);
+  await heard(events, "ready");
+  await expect(page.getByRole("button")).toHaveCSS("background-color", "rgb(1, 2, 3)");
+  await expect(page.getByRole("button")).toHaveCSS("width", "60px");
+  await expect(page.locator("river-seed")).toHaveCSS("border-radius", "9px");
+  await page.locator("river-seed").evaluate((river: HTMLElement) => {
+    river.hidden = true;
+  });
+  await expect(page.locator("river-seed")).toBeHidden();
+});

@@ -1,0 +1,56 @@
+import { expect, test } from "vitest";
+import { CAPS, read } from "../../../src/widget/reading.ts";
+import { engine } from "../../core.ts";
+
+const wish = (text: string, isDark = false): Parameters<typeof read>[1] => ({ text, isDark });
+
+test("a link is read as the core reads it", () => {
+  expect(read(engine, wish("curl=0.6&seed=r%C4%81t%C4%81&aspect=2"))).toEqual({
+    link: engine.readLink("curl=0.6&seed=rātā&aspect=2").link,
+    seed: "rātā",
+    aspect: 2,
+    notices: [],
+  });
+});
+
+for (const [key, { bound, isLeast }] of CAPS) {
+  test(`${key} has a bound, and going over it is said`, () => {
+    const over = isLeast ? bound - 1 : bound + 1;
+    const { link, notices } = read(engine, wish(`${key}=${over}`));
+    expect(link).toBe(engine.readLink(`${key}=${bound}`).link);
+    expect(notices).toEqual([{ key, message: expect.stringContaining(`${over}`) }]);
+    expect(read(engine, wish(`${key}=${bound}`)).notices).toEqual([]);
+  });
+
+  test(`the default ${key} is within it`, () => {
+    expect(read(engine, wish("")).notices).toEqual([]);
+  });
+}
+
+test("whatever the text, there is a reading", () => {
+  for (const text of ["%", "&&&", "seed", "x".repeat(10_000), "seed=\u0000", "attractors=1e99"]) {
+    const { link } = read(engine, wish(text));
+    expect(engine.readLink(link).notices).toEqual([]);
+  }
+});
+
+const style = (link: string): string | null => new URLSearchParams(link).get("style");
+
+/** An engine that has the dark style, or has not. */
+function engineWith(isDark: boolean): typeof engine {
+  const parameters = (): ReturnType<typeof engine.parameters> =>
+    engine.parameters().map((row) => {
+      const others = row.choices?.filter(({ value }) => value !== "dark") ?? [];
+      const choices = isDark ? [...others, { value: "dark", label: "" }] : others;
+      return row.key === "style" ? { ...row, choices } : row;
+    });
+  // It reads what it has: this one spells the link as it is given.
+  return { ...engine, parameters, readLink: (text) => ({ ...engine.readLink(text), link: text }) };
+}
+
+test("on a dark page it is the dark style, if the core has it and nobody chose another", () => {
+  expect(style(read(engineWith(true), wish("seed=a", true)).link)).toBe("dark");
+  expect(style(read(engineWith(true), wish("seed=a", false)).link)).not.toBe("dark");
+  expect(style(read(engineWith(true), wish("style=ink", true)).link)).toBe("ink");
+  expect(style(read(engineWith(false), wish("seed=a", true)).link)).not.toBe("dark");
+});
