@@ -58,6 +58,7 @@ test: test-rust test-wasm test-page test-browser test-firefox test-package ## ev
 test-rust: ## the core, natively
 	@$(setup) rust
 	$(run) cargo test
+	scripts/crate.sh verify
 
 .PHONY: test-wasm
 test-wasm: ## the core as wasm, in headless Chromium: the same pictures to the bit

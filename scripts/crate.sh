@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # The crate as it would be published: packed without a warning, and small.
 #
-#   scripts/crate.sh pack       only packed: quick, and asks no registry for anything
-#   scripts/crate.sh publish    everything but the upload: the packed crate is also compiled, by itself
+#   scripts/crate.sh pack       only packed
+#   scripts/crate.sh verify     also compiled by itself, as its users have it
+#   scripts/crate.sh publish    everything but the upload: the registry is asked as well
 #
 # It ends up in target/package. Uncommitted changes are packed too; `cargo publish` without --dry-run refuses them.
 set -euo pipefail
@@ -13,8 +14,9 @@ limit_kb=300 # of a download, today 210
 
 case ${1-} in
   pack) command=(cargo package --offline --no-verify) ;;
+  verify) command=(cargo package --offline) ;;
   publish) command=(cargo publish --dry-run) ;;
-  *) sed -n '2,7s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
+  *) sed -n '2,8s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
 esac
 
 mkdir -p target
