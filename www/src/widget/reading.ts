@@ -9,10 +9,19 @@ import type { Reading, Wish } from "./orders.ts";
  * rivers of a tree, holds up the page for longer than a blink, even where its policy refuses workers. They hold in workers too:
  * the same tag is the same river everywhere. Whoever wants more makes a picture of it.
  */
-export const CAPS: ReadonlyMap<string, { bound: number; isLeast: boolean }> = new Map([
-  ["attractors", { bound: 20_000, isLeast: false }],
-  ["sensitivity", { bound: 16, isLeast: true }],
-]);
+export const CAPS: readonly Cap[] = [
+  { growth: "colonize", key: "attractors", bound: 12_000, isLeast: false },
+  { growth: "brownian", key: "sensitivity", bound: 20, isLeast: true },
+];
+
+interface Cap {
+  /** What it holds for. */
+  growth: string;
+  key: string;
+  bound: number;
+  /** Whether it is the least value or the greatest. */
+  isLeast: boolean;
+}
 
 /** The style for dark pages, if the core has it. */
 const DARK = "dark";
@@ -21,9 +30,9 @@ export function read(engine: Engine, { text, isDark }: Wish): Reading {
   const asked = engine.readLink(text);
   const values = new Map(asked.values);
   const notices = [...asked.notices];
-  for (const [key, { bound, isLeast }] of CAPS) {
+  for (const { growth, key, bound, isLeast } of CAPS) {
     const value = Number(values.get(key));
-    if (isLeast ? value >= bound : value <= bound) continue;
+    if (values.get("growth") !== growth || (isLeast ? value >= bound : value <= bound)) continue;
     values.set(key, String(bound));
     const beyond = isLeast ? "less" : "more";
     notices.push({ key, message: `${key}: ${value} is ${beyond} than a widget grows: ${bound} is used` });
