@@ -41,15 +41,24 @@ wasm: ## build the wasm packages into www/pkg and www/pkg-tools, and weigh them
 	@$(setup) rust wasm node
 	@$(run) node scripts/wasm.mjs
 
+.PHONY: package
+package: tarball ## pack what is published into target/package: the npm package, and the crate, by a dry run
+	scripts/crate.sh publish
+
+.PHONY: tarball
+tarball: widget
+	@$(npm) package
+
 # ---- prove it
 
 .PHONY: test
-test: test-rust test-wasm test-page test-browser test-firefox ## every test there is
+test: test-rust test-wasm test-page test-browser test-firefox test-package ## every test there is
 
 .PHONY: test-rust
 test-rust: ## the core, natively
 	@$(setup) rust
 	$(run) cargo test
+	scripts/crate.sh verify
 
 .PHONY: test-wasm
 test-wasm: ## the core as wasm, in headless Chromium: the same pictures to the bit
@@ -73,6 +82,13 @@ test-firefox: site ## the page in a second engine
 	@$(setup) firefox
 	$(npm) firefox
 
+.PHONY: test-package
+test-package: tarball ## the npm package, as its users have it: in Node, with frameworks, in two browsers
+	@$(setup) browser firefox
+	@$(npm) package:unpack
+	$(npm) package:test
+	@PORT=$$(node -e '$(free_port)') $(npm) package:e2e
+
 .PHONY: check
 check: wasm ## format, lints, types and documentation: not one warning
 	@$(setup) lint
@@ -83,6 +99,7 @@ check: wasm ## format, lints, types and documentation: not one warning
 	RUSTDOCFLAGS="-D warnings" $(run) cargo doc --quiet --no-deps --all-features
 	RUSTDOCFLAGS="-D warnings" $(wasm) cargo doc --quiet --no-deps --lib $(wasm32)
 	RUSTDOCFLAGS="-D warnings" $(wasm) cargo doc --quiet --no-deps --lib $(wasm32) --features tools
+	scripts/crate.sh pack
 	$(npm) types
 	$(npm) lint
 
@@ -104,4 +121,4 @@ goldens: ## draw the golden pictures and digests anew; then look at them and say
 
 .PHONY: clean
 clean: ## remove what was built here; tools in ~/.cache/riverseed and www/node_modules stay
-	rm -rf target www/pkg www/pkg-tools www/dist www/dist-widget www/test-results www/playwright-report
+	rm -rf target www/pkg www/pkg-tools www/dist www/dist-widget www/tests/consumers/node_modules www/test-results www/playwright-report

@@ -29,6 +29,7 @@ const GROUPS = {
   "Rivers of a default map, and their rounds of meandering": rivers,
   "Bends of the great rivers of 20 maps; in nature wavelength 11 widths, radius 2 to 3": bends,
   "The page at 1024², while 100,000 attractors grow, then while the rivers of 6,000 meander": page,
+  "A widget in a post, grown in a worker, then on the page itself": widget,
   "The wasm file of the page": size,
 };
 
@@ -209,6 +210,21 @@ function page() {
     row(`${phase}: gap between frames, 95th percentile`, p95, "ms", atMost(17.5, 17));
     row(`${phase}: longest callback`, longest, "ms", atMost(33, 12));
     guide(`${phase}: ${frames} frames take`, seconds, "s");
+  }
+}
+
+function widget() {
+  if (!existsSync("www/dist-widget/river-seed.js")) {
+    console.log("  The widget is not built: make widget");
+    return;
+  }
+  const npm = ["--silent", "--prefix", "www", "run", "bench:widget"];
+  const printed = execFileSync("npm", npm, { encoding: "utf8", stdio: ["ignore", "pipe", "inherit"] });
+  for (const [place, recipes] of Object.entries(JSON.parse(printed.trim().split("\n").at(-1)))) {
+    for (const [recipe, { frame, longest }] of Object.entries(recipes)) {
+      row(`${place}, ${recipe}: longest task on the page`, longest, "ms", atMost(recipe === "default" ? 50 : 100, 50));
+      row(`${place}, ${recipe}: first picture after the wasm has arrived`, frame, "ms", atMost(100));
+    }
   }
 }
 

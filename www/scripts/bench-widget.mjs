@@ -1,8 +1,8 @@
 #!/usr/bin/env node
-// What a widget costs the page it stands in, as JSON on one line. In ms:
-//   {"worker" | "page": {"default" | "largest": {"frame": from the engine's last byte to the first picture,
-//                                                "longest": the longest task on the page's main thread}}}
-// worker: as it is; page: where workers are refused; default, largest: recipes, the second at a widget's caps.
+// What a widget costs the post it stands in, as JSON on one line, in ms:
+//   {"worker" | "page": {recipe: {"frame": from the engine's last byte to the first picture,
+//                                 "longest": the longest task on the page's main thread, in processor time}}}
+// worker: as it is; page: in a browser without workers that draw.
 //
 // The widget must have been built (npm run build:widget). CHROME names the browser, REPEAT how many rivers (default 3, the
 // median of each figure is printed).
@@ -12,10 +12,11 @@ import { createServer } from "node:http";
 import { extname } from "node:path";
 import { chromium } from "@playwright/test";
 
+/** The finest have more than a widget grows, and so what it grows at most; and what makes most work of that. */
 const RECIPES = {
   default: 'seed="kauri"',
-  largest: 'seed="kauri" attractors="1000000"',
-  ...JSON.parse(process.env.RECIPES ?? "{}"),
+  finest: 'seed="kauri" attractors="1000000" kill="0.5" step="0.2" trim="0" simplify="0"',
+  "finest Brownian tree": 'seed="kauri" growth="brownian" sensitivity="8" trim="0" simplify="0"',
 };
 const TYPES = { ".js": "text/javascript", ".wasm": "application/wasm" };
 const repeat = Number(process.env.REPEAT ?? 3);

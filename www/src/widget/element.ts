@@ -360,10 +360,16 @@ export class RiverSeed extends Base {
 
 reflect(RiverSeed.prototype);
 
+export type * from "./events.ts";
+export type { Strings } from "./strings.ts";
+
+/** What every element tells, and what this one tells in its own way. */
+type Events = Omit<HTMLElementEventMap, keyof RiverSeedEventMap> & RiverSeedEventMap;
+
 export interface RiverSeed extends Properties {
-  addEventListener<Type extends keyof RiverSeedEventMap>(
+  addEventListener<Type extends keyof Events>(
     type: Type,
-    listener: (this: RiverSeed, event: RiverSeedEventMap[Type]) => void,
+    listener: (this: RiverSeed, event: Events[Type]) => void,
     options?: boolean | AddEventListenerOptions,
   ): void;
   addEventListener(

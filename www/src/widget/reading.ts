@@ -9,22 +9,31 @@ import type { Reading, Wish } from "./orders.ts";
  * rivers of a tree, holds up the page for longer than a blink, even where its policy refuses workers. They hold in workers too:
  * the same tag is the same river everywhere. Whoever wants more makes a picture of it.
  */
-export const CAPS: ReadonlyMap<string, { bound: number; isLeast: boolean }> = new Map([
-  ["attractors", { bound: 20_000, isLeast: false }],
-  ["sensitivity", { bound: 16, isLeast: true }],
-]);
+export const CAPS: readonly Cap[] = [
+  { growth: "colonize", key: "attractors", bound: 12_000, isLeast: false },
+  { growth: "brownian", key: "sensitivity", bound: 20, isLeast: true },
+];
+
+interface Cap {
+  /** What it holds for. */
+  growth: string;
+  key: string;
+  bound: number;
+  /** Whether it is the least value or the greatest. */
+  isLeast: boolean;
+}
 
 /** What of a recipe's values a widget does not go as far with, how far it does, and that in words. */
 export function beyondCaps(values: ReadonlyMap<string, string>): { key: string; bound: number; message: string }[] {
-  return [...CAPS].flatMap(([key, { bound, isLeast }]) => {
+  return CAPS.flatMap(({ growth, key, bound, isLeast }) => {
     const value = Number(values.get(key));
-    if (isLeast ? value >= bound : value <= bound) return [];
+    if (values.get("growth") !== growth || (isLeast ? value >= bound : value <= bound)) return [];
     const beyond = isLeast ? "less" : "more";
     return [{ key, bound, message: `${key}: ${value} is ${beyond} than a widget grows: ${bound} is used` }];
   });
 }
 
-/** The style for dark pages, if the core has it. */
+/** The style for dark pages. */
 const DARK = "dark";
 
 export function read(engine: Engine, { text, isDark }: Wish): Reading {
@@ -35,16 +44,11 @@ export function read(engine: Engine, { text, isDark }: Wish): Reading {
     values.set(key, String(bound));
     notices.push({ key, message });
   }
-  if (isDark && !new URLSearchParams(text).has("style") && hasDark(engine)) values.set("style", DARK);
+  if (isDark && !new URLSearchParams(text).has("style")) values.set("style", DARK);
   return {
     link: engine.readLink(linkText(values)).link,
     seed: values.get("seed") ?? "",
     aspect: Number(values.get("aspect")),
     notices,
   };
-}
-
-function hasDark(engine: Engine): boolean {
-  const style = engine.parameters().find(({ key }) => key === "style");
-  return style?.choices?.some(({ value }) => value === DARK) ?? false;
 }

@@ -40,16 +40,7 @@ test("what an element asks for is its recipe, with its attributes in place of wh
   expect(linkOf(element({ recipe: "#seed=x" }))).toBe("seed=x");
 });
 
-for (const text of [
-  "aspect=2.5",
-  "aspect=-3",
-  "aspect=99",
-  "aspect=wide",
-  "aspect=",
-  "aspect=%202",
-  "aspect=1e0",
-  "",
-]) {
+for (const text of ["aspect=2.5", "aspect=-3", "aspect=99", "aspect=wide", "aspect=", "aspect=%202", ""]) {
   test(`the box has the shape that the core reads: ?${text}`, () => {
     const values = new Map(engine.readLink(text).values);
     expect(aspectOf(text)).toBe(Number(values.get("aspect")));

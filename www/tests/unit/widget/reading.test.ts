@@ -13,19 +13,25 @@ test("a link is read as the core reads it", () => {
   });
 });
 
-for (const [key, { bound, isLeast }] of CAPS) {
+for (const { growth, key, bound, isLeast } of CAPS) {
   test(`${key} has a bound, and going over it is said`, () => {
     const over = isLeast ? bound - 1 : bound + 1;
-    const { link, notices } = read(engine, wish(`${key}=${over}`));
-    expect(link).toBe(engine.readLink(`${key}=${bound}`).link);
+    const { link, notices } = read(engine, wish(`growth=${growth}&${key}=${over}`));
+    expect(link).toBe(engine.readLink(`growth=${growth}&${key}=${bound}`).link);
     expect(notices).toEqual([{ key, message: expect.stringContaining(`${over}`) }]);
-    expect(read(engine, wish(`${key}=${bound}`)).notices).toEqual([]);
+    expect(read(engine, wish(`growth=${growth}&${key}=${bound}`)).notices).toEqual([]);
   });
 
-  test(`the default ${key} is within it`, () => {
-    expect(read(engine, wish("")).notices).toEqual([]);
+  test(`where ${key} does nothing it has no bound`, () => {
+    const other = growth === "brownian" ? "colonize" : "brownian";
+    const link = `growth=${other}&sensitivity=${other === "brownian" ? 32 : 8}&attractors=${other === "brownian" ? 90_000 : 300}`;
+    expect(read(engine, wish(link))).toMatchObject({ link: engine.readLink(link).link, notices: [] });
   });
 }
+
+test("the default is within all bounds", () => {
+  expect(read(engine, wish(""))).toMatchObject({ link: engine.readLink("").link, notices: [] });
+});
 
 test("whatever the text, there is a reading", () => {
   for (const text of ["%", "&&&", "seed", "x".repeat(10_000), "seed=\u0000", "attractors=1e99"]) {

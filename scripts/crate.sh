@@ -1,0 +1,34 @@
+#!/usr/bin/env bash
+# The crate as it would be published: packed without a warning, and small.
+#
+#   scripts/crate.sh pack       only packed
+#   scripts/crate.sh verify     also compiled by itself, as its users have it
+#   scripts/crate.sh publish    everything but the upload: the registry is asked as well
+#
+# It ends up in target/package. Uncommitted changes are packed too; `cargo publish` without --dry-run refuses them.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+source scripts/env.sh
+
+limit_kb=300 # of a download, today 210
+
+case ${1-} in
+  pack) command=(cargo package --offline --no-verify) ;;
+  verify) command=(cargo package --offline) ;;
+  publish) command=(cargo publish --dry-run) ;;
+  *) sed -n '2,8s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
+esac
+
+mkdir -p target
+said=target/crate.log
+"${command[@]}" --allow-dirty 2>"$said" || { cat "$said" >&2; exit 1; }
+if grep '^warning' "$said" | grep -v 'aborting upload due to dry run'; then
+  cat "$said" >&2
+  exit 1
+fi
+
+version=$(sed -n 's/^version = "\(.*\)"/\1/p' Cargo.toml | head -n 1)
+crate=${CARGO_TARGET_DIR:-target}/package/riverseed-$version.crate
+bytes=$(wc -c <"$crate")
+echo "$crate: $bytes bytes of $((limit_kb * 1000)), $(tar tzf "$crate" | wc -l) files"
+((bytes <= limit_kb * 1000)) || { echo "The crate is TOO LARGE: see 'include' in Cargo.toml." >&2; exit 1; }

@@ -1,0 +1,87 @@
+// What tools read about <river-seed>: the custom-elements manifest, and the types of its markup. The parameter table says
+// which parameters there are; package/element.json says what the element has besides.
+
+/** Two parameters are called like something that every HTML element has. */
+const ATTRIBUTES = { style: "river-style", width: "river-width" };
+
+const attributeOf = (key) => ATTRIBUTES[key] ?? key;
+const propertyOf = (attribute) => attribute.replace(/-(.)/g, (_, letter) => letter.toUpperCase());
+
+/** All attributes of the element: the table's rows, then its own. */
+export function attributes(own, table) {
+  const ofTable = table.map((row) => ({
+    name: attributeOf(row.key),
+    type: { text: typeOf(row) },
+    default: JSON.stringify(isNumber(row) ? Number(row.default) : row.default),
+    description: isNumber(row) ? `${row.help} ${row.min} to ${row.max}${row.unit ? ` ${row.unit}` : ""}.` : row.help,
+  }));
+  return [...ofTable, ...own.attributes].map((one) => ({
+    ...one,
+    fieldName: one.fieldName === undefined ? propertyOf(one.name) : one.fieldName,
+  }));
+}
+
+const isNumber = ({ kind }) => kind === "number" || kind === "integer";
+
+function typeOf(row) {
+  if (isNumber(row)) return "number";
+  return row.choices && row.kind === "choice"
+    ? row.choices.map(({ value }) => JSON.stringify(value)).join(" | ")
+    : "string";
+}
+
+/** The element, as the manifest declares a class. */
+export function elementOf(own, table) {
+  const all = attributes(own, table);
+  const fields = all.filter(({ fieldName }) => fieldName !== null).map(fieldOf);
+  return {
+    kind: "class",
+    customElement: true,
+    tagName: "river-seed",
+    name: "RiverSeed",
+    superclass: { name: "HTMLElement" },
+    ...own,
+    attributes: all.map(({ fieldName, ...rest }) => (fieldName === null ? rest : { ...rest, fieldName })),
+    members: [...fields, ...own.members],
+  };
+}
+
+function fieldOf({ name, fieldName, ...rest }) {
+  return { kind: "field", name: fieldName, ...rest, attribute: name, reflects: true };
+}
+
+/** https://github.com/webcomponents/custom-elements-manifest */
+export function manifest(own, table) {
+  const reference = { name: "RiverSeed", module: "element.js" };
+  return {
+    schemaVersion: "2.1.0",
+    readme: "README.md",
+    modules: [
+      {
+        kind: "javascript-module",
+        path: "element.js",
+        declarations: [elementOf(own, table)],
+        exports: [{ kind: "js", name: "RiverSeed", declaration: reference }],
+      },
+      {
+        kind: "javascript-module",
+        path: "define.js",
+        exports: [{ kind: "custom-element-definition", name: "river-seed", declaration: reference }],
+      },
+    ],
+  };
+}
+
+/** The attributes as frameworks' JSX and templates spell them, for TypeScript. */
+export function markupTypes(own, table) {
+  const lines = attributes(own, table).flatMap((one) => [
+    comment(one),
+    // In markup a number may be written as text, and a boolean as what HTML makes of it.
+    `  ${JSON.stringify(one.name)}?: ${one.type.text}${one.type.text === "number" ? " | string" : ""} | undefined;`,
+  ]);
+  return `export interface RiverSeedMarkup {\n${lines.join("\n")}\n}\n`;
+}
+
+function comment({ description, default: value }) {
+  return `  /** ${description}${value === undefined ? "" : ` Default: ${value}.`} */`;
+}

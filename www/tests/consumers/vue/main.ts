@@ -1,0 +1,5 @@
+import "riverseed/define";
+import { createApp } from "vue";
+import BlogPost from "./BlogPost.vue";
+
+createApp(BlogPost).mount("main");

@@ -1,0 +1,52 @@
+/** On a server there is no browser: importing the package does nothing there, and markup is rendered as text. */
+
+import { spawnSync } from "node:child_process";
+import { createElement } from "react";
+import { renderToString } from "react-dom/server";
+import { expect, test } from "vitest";
+import { createSSRApp, h } from "vue";
+import { renderToString as renderVue } from "vue/server-renderer";
+import { pictureOf } from "../core.ts";
+import { CONSUMERS } from "./installed.ts";
+
+/** A program in Node, in a process of its own: nothing of the test runner's is there. */
+function runs(program: string): string {
+  const words = ["--input-type=module", "--eval", program];
+  const { stdout, stderr } = spawnSync(process.execPath, words, { cwd: CONSUMERS, encoding: "utf8" });
+  return stdout + stderr;
+}
+
+for (const entry of ["riverseed", "riverseed/define", "riverseed/river-seed.js", "riverseed/core"]) {
+  test(`${entry} can be imported, and leaves the server as it was`, () => {
+    const program = `
+      const before = Object.getOwnPropertyNames(globalThis).join();
+      await import("${entry}");
+      console.log(before === Object.getOwnPropertyNames(globalThis).join());`;
+    expect(runs(program)).toBe("true\n");
+  });
+}
+
+test("the engine grows rivers on a server that hands it the wasm", () => {
+  const program = `
+    import { readFileSync } from "node:fs";
+    import { createRequire } from "node:module";
+    import { load } from "riverseed/core";
+    const wasm = createRequire(import.meta.url).resolve("riverseed/riverseed_bg.wasm");
+    const { engine } = await load("data:application/wasm;base64," + readFileSync(wasm, "base64"));
+    const river = new engine.River("seed=kauri", 60, 40);
+    while (!river.advance(1000));
+    console.log(river.summary().sources);`;
+  expect(runs(program)).toBe(`${pictureOf("seed=kauri", 60, 40).summary.sources}\n`);
+});
+
+test("React renders it as text, beside an import of it", () => {
+  const program = 'import "riverseed/define"; console.log("imported")';
+  expect(runs(program)).toBe("imported\n");
+  const post = createElement("river-seed", { seed: "kauri", "river-width": 20 });
+  expect(renderToString(post)).toBe('<river-seed seed="kauri" river-width="20"></river-seed>');
+});
+
+test("Vue renders it as text", async () => {
+  const post = createSSRApp({ render: () => h("river-seed", { seed: "kauri", "river-width": 20 }) });
+  expect(await renderVue(post)).toBe('<river-seed seed="kauri" river-width="20"></river-seed>');
+});
