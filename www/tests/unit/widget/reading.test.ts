@@ -42,21 +42,8 @@ test("whatever the text, there is a reading", () => {
 
 const style = (link: string): string | null => new URLSearchParams(link).get("style");
 
-/** An engine that has the dark style, or has not. */
-function engineWith(isDark: boolean): typeof engine {
-  const parameters = (): ReturnType<typeof engine.parameters> =>
-    engine.parameters().map((row) => {
-      const others = row.choices?.filter(({ value }) => value !== "dark") ?? [];
-      const choices = isDark ? [...others, { value: "dark", label: "" }] : others;
-      return row.key === "style" ? { ...row, choices } : row;
-    });
-  // It reads what it has: this one spells the link as it is given.
-  return { ...engine, parameters, readLink: (text) => ({ ...engine.readLink(text), link: text }) };
-}
-
-test("on a dark page it is the dark style, if the core has it and nobody chose another", () => {
-  expect(style(read(engineWith(true), wish("seed=a", true)).link)).toBe("dark");
-  expect(style(read(engineWith(true), wish("seed=a", false)).link)).not.toBe("dark");
-  expect(style(read(engineWith(true), wish("style=ink", true)).link)).toBe("ink");
-  expect(style(read(engineWith(false), wish("seed=a", true)).link)).not.toBe("dark");
+test("on a dark page it is the dark style, unless another is chosen", () => {
+  expect(style(read(engine, wish("seed=a", true)).link)).toBe("dark");
+  expect(style(read(engine, wish("seed=a")).link)).toBeNull();
+  expect(style(read(engine, wish("style=map", true)).link)).toBe("map");
 });
