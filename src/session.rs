@@ -58,9 +58,19 @@ struct Shaped {
 enum Shaping {
     Courses(Network),
     Ranked(Courses),
+    Smooth(Courses, Network),
     Rivers(Courses, Box<Meander>),
     /// The memory was not to be had: it stays a tree.
     Starved,
+}
+
+impl Shaping {
+    /// Goes back to the courses that were smoothed: they are to be simplified otherwise.
+    fn unsmooth(&mut self) {
+        if let Self::Smooth(courses, _) = self {
+            *self = Self::Ranked(std::mem::take(courses));
+        }
+    }
 }
 
 /// What the next step of a session does.
@@ -68,7 +78,7 @@ enum Shaping {
 pub enum Phase {
     /// A tick of growth.
     Growing,
-    /// Rivers are made of the tree, in three steps.
+    /// Rivers are made of the tree, in a few steps.
     Shaping,
     /// A round of meandering.
     Meandering,
@@ -150,8 +160,10 @@ impl Session {
             Some(Stage::Shape) => {
                 self.recipe = recipe;
                 let parameters = network::Parameters::of(&self.recipe, &self.growth);
-                if let Some(Shaped { rivers: Shaping::Rivers(courses, meander), .. }) = &mut self.shaped {
-                    **meander = Meander::new(courses, parameters);
+                match self.shaped.as_mut().map(|shaped| &mut shaped.rivers) {
+                    Some(Shaping::Rivers(courses, meander)) => **meander = Meander::new(courses, parameters),
+                    Some(rivers @ Shaping::Smooth(..)) => rivers.unsmooth(),
+                    _ => {}
                 }
                 self.painter.start_over();
             }
@@ -241,7 +253,11 @@ impl Session {
                 Shaping::Ranked(Courses::ranked(network, self.growth.parameters().land.as_deref()))
             }
             Shaping::Ranked(courses) => {
-                let meander = Box::new(Meander::new(&courses, self.network_parameters()));
+                let network = network::smooth_courses(&courses, &self.network_parameters());
+                Shaping::Smooth(courses, network)
+            }
+            Shaping::Smooth(courses, network) => {
+                let meander = Box::new(Meander::along(network, self.network_parameters()));
                 Shaping::Rivers(courses, meander)
             }
             Shaping::Rivers(courses, mut meander) => {
@@ -262,7 +278,7 @@ impl Session {
         match self.shaped.as_ref().map(|shaped| &shaped.rivers) {
             Some(Shaping::Rivers(_, meander)) if !meander.is_finished() => Phase::Meandering,
             Some(Shaping::Rivers(..) | Shaping::Starved) => Phase::Finished,
-            Some(Shaping::Courses(_) | Shaping::Ranked(_)) => Phase::Shaping,
+            Some(Shaping::Courses(_) | Shaping::Ranked(_) | Shaping::Smooth(..)) => Phase::Shaping,
             None if self.growth.ending().is_some() => Phase::Shaping,
             None => Phase::Growing,
         }

@@ -6,7 +6,7 @@ mod common;
 use common::random_link;
 use proptest::prelude::*;
 use riverseed::recipe::{Key, Recipe, link};
-use riverseed::session::Session;
+use riverseed::session::{Phase, Session};
 
 /// The picture after painting every so many ticks.
 fn painted(recipe: &Recipe, ticks: u32) -> Vec<u8> {
@@ -42,6 +42,25 @@ proptest! {
         while session.advance(7) {}
         session.paint();
         prop_assert!(session.pixmap().data() == painted(&recipe, u32::MAX), "{link}");
+    }
+
+    #[test]
+    fn changing_what_shapes_rivers_while_they_are_shaped_gives_the_same_picture(
+        link in random_link(300), simplify in 0u32..95, width in 1u32..40, steps in 0u32..7,
+    ) {
+        let recipe = link::read(&link).unwrap();
+        let mut other = recipe.clone();
+        other.set(Key::Simplify, &simplify.to_string()).unwrap();
+        other.set(Key::Width, &width.to_string()).unwrap();
+        let mut session = Session::new(recipe, 120, 90).unwrap();
+        while session.phase() == Phase::Growing {
+            session.advance(1);
+        }
+        session.advance(steps);
+        session.change(other.clone()).unwrap();
+        while session.advance(u32::MAX) {}
+        session.paint();
+        prop_assert!(session.pixmap().data() == painted(&other, u32::MAX), "{link}");
     }
 
     #[test]

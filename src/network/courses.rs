@@ -10,7 +10,7 @@ use crate::land::Land;
 use crate::tree::{Hydrology, NO_PARENT, Tree};
 
 /// The courses of a tree as it grew, and the order in which their vertices go when they are simplified.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Courses {
     /// A vertex a node; no widths yet.
     pub network: Network,

@@ -43,9 +43,11 @@ pub struct Meander {
 impl Meander {
     /// Round 0: courses simplified, smooth and as wide as they will be.
     pub fn new(courses: &Courses, parameters: Parameters) -> Self {
-        let coarse = simplified(&courses.network, &courses.ranking, parameters.simplify);
-        let (mut network, origin) = divide(&coarse, &parameters);
-        smooth(&mut network, &coarse, &origin, &parameters);
+        Self::along(smooth_courses(courses, &parameters), parameters)
+    }
+
+    /// The same from courses that are smooth already.
+    pub fn along(mut network: Network, parameters: Parameters) -> Self {
         thin_out(&mut network, &parameters);
         widen(&mut network, &parameters);
         sway::give(&mut network, &parameters);
@@ -232,6 +234,14 @@ impl Meander {
             }
         }
     }
+}
+
+/// Courses simplified and smooth, without widths: the first half of the work for round 0.
+pub fn smooth_courses(courses: &Courses, parameters: &Parameters) -> Network {
+    let coarse = simplified(&courses.network, &courses.ranking, parameters.simplify);
+    let (mut network, origin) = divide(&coarse, parameters);
+    smooth(&mut network, &coarse, &origin, parameters);
+    network
 }
 
 /// Takes out vertices that lie closer than they need, as those of a Brownian tree do, of which hardly any have been
