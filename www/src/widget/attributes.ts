@@ -55,7 +55,7 @@ export function reflect(prototype: HTMLElement): void {
 
 /** Properties that a script set before the class was known: they would hide the class's own. */
 export function upgrade(element: HTMLElement): void {
-  for (const name of OBSERVED.map(camelCase)) {
+  for (const name of [...OBSERVED.map(camelCase), "i18n"]) {
     if (!Object.hasOwn(element, name)) continue;
     const value = Reflect.get(element, name);
     Reflect.deleteProperty(element, name);

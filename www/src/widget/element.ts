@@ -99,6 +99,7 @@ export class RiverSeed extends Base {
   restart(): void {
     if (this.#id === undefined) {
       if (this.#hasFailed) this.#hasBegun = this.#hasFailed = false;
+      this.#shape(this.#aspect);
       this.play();
     } else workshop.send(this.#id, { do: "replay" });
   }
@@ -186,13 +187,13 @@ export class RiverSeed extends Base {
     const wish = this.#wishNow;
     const isNew = wish.text !== before?.text || wish.isDark !== before.isDark;
     this.#wish = wish;
+    // What failed with one recipe may do with another.
+    if (isNew && this.#hasFailed) this.#hasBegun = this.#hasFailed = false;
     if (isNew) this.#shape(aspectOf(wish.text));
     this.#describe();
     if (isNew && this.#id !== undefined) {
       workshop.send(this.#id, { do: "show", wish, how: this.#how, size: this.#view.size });
     }
-    // What failed with one recipe may do with another.
-    if (isNew && this.#hasFailed) this.#hasBegun = false;
     this.#beginIfDue();
   }
 

@@ -11,7 +11,7 @@ import type { Reading, Wish } from "./orders.ts";
  */
 export const CAPS: readonly Cap[] = [
   { growth: "colonize", key: "attractors", bound: 12_000, isLeast: false },
-  { growth: "brownian", key: "sensitivity", bound: 20, isLeast: true },
+  { growth: "brownian", key: "sensitivity", bound: 32, isLeast: true },
 ];
 
 interface Cap {

@@ -47,10 +47,12 @@ test("properties set before the class is known count, and are attributes afterwa
   await page.goto(blog.origin);
   await change(page, (river) => {
     Object.assign(river, { seed: "totara", attractors: 300, riverStyle: "map", meanderRounds: 3, controls: true });
+    river.i18n = { replay: "Once more" };
   });
   await page.addScriptTag({ type: "module", url: "/widget/river-seed.js" });
   const link = canonical("seed=totara&attractors=300&style=map&meander-rounds=3");
   expect((await heard(events, "complete")).detail["link"]).toBe(link);
+  await expect(page.getByRole("button", { name: "Once more" })).toBeVisible();
   const reflected = { seed: "totara", attractors: "300", "river-style": "map", "meander-rounds": "3", controls: "" };
   for (const [name, value] of Object.entries(reflected)) {
     await expect(page.locator("river-seed")).toHaveAttribute(name, value);

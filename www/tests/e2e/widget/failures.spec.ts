@@ -1,6 +1,6 @@
 import type { Page } from "@playwright/test";
 import { expect, type Host, test } from "./hosts.ts";
-import { canonical, expectPicture, type Heard, heard, listen, PROBED_WORKER, post, trap } from "./post.ts";
+import { canonical, expectPicture, type Heard, heard, listen, PROBE, PROBED_WORKER, post, trap } from "./post.ts";
 
 const FALLBACK = '<img alt="A river" src="data:image/gif;base64,R0lGODlhAQABAAAAACw="><a href="#river">The river</a>';
 const WIDGET = `<river-seed seed="rimu" attractors="300" animate="none">${FALLBACK}</river-seed>`;
@@ -102,20 +102,38 @@ const TWO = ["one", "two"]
   .map((id) => `<river-seed id="${id}" seed="${id}" attractors="300" style="width: 300px">${FALLBACK}</river-seed>`)
   .join("");
 
+/** The engine stops in the first of the two, which has its fallback back. */
+async function stopInOne(page: Page, events: () => Promise<Heard[]>): Promise<void> {
+  await trap(page);
+  await page.evaluate(() => document.querySelector<HTMLElementTagNameMap["river-seed"]>("#one")?.restart());
+  expect(await heard(events, "error")).toMatchObject({ id: "one", detail: { code: "panic" } });
+  await expect(page.locator("#one a")).toBeVisible();
+}
+
+test("without a worker the others go on in the same engine", async ({ page, blog }) => {
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  await page.addInitScript(PROBE);
+  blog.headers = { "content-security-policy": "worker-src 'none'" };
+  const events = await open(page, blog, TWO);
+  await heard(events, "complete", 2);
+  await stopInOne(page, events);
+  await page.locator("#two").evaluate((two) => two.setAttribute("seed", "three"));
+  await expectPicture(page, canonical("seed=three&attractors=300"), "#two");
+  expect((await events()).filter(({ type }) => type === "error")).toHaveLength(1);
+});
+
 test("an engine that stops in one river is replaced for the others", async ({ page, blog }) => {
   await page.emulateMedia({ reducedMotion: "reduce" });
   blog.answer("/widget/worker.js", { headers: { "content-type": "text/javascript" }, body: PROBED_WORKER });
   const events = await open(page, blog, TWO);
   await heard(events, "complete", 2);
-  await trap(page);
-  await page.evaluate(() => document.querySelector<HTMLElementTagNameMap["river-seed"]>("#one")?.restart());
-  expect(await heard(events, "error")).toMatchObject({ id: "one", detail: { code: "panic" } });
-  await expect(page.locator("#one a")).toBeVisible();
+  const [before] = page.workers();
+  await stopInOne(page, events);
+  await expect.poll(() => page.workers().length === 1 && page.workers()[0] !== before).toBe(true);
   await expectPicture(page, canonical("seed=two&attractors=300"), "#two");
   // The other goes on in the new engine: it can still change.
   await page.locator("#two").evaluate((two) => two.setAttribute("seed", "three"));
   await expectPicture(page, canonical("seed=three&attractors=300"), "#two");
-  expect(page.workers()).toHaveLength(1);
   // And so can the one that failed, when it is asked for something else.
   await page.locator("#one").evaluate((one) => one.setAttribute("seed", "four"));
   await expectPicture(page, canonical("seed=four&attractors=300"), "#one");

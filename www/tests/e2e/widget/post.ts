@@ -87,7 +87,7 @@ export function canonical(link: string): string {
 }
 
 /** Counts, in a page or in a worker, what the engine holds and does; and traps when a river is replayed, once asked to. */
-const PROBE = `{
+export const PROBE = `{
   const count = { rivers: 0, steps: 0, frames: 0, bytes: 0 };
   let memory, traps = false;
   const instantiate = WebAssembly.instantiate;
