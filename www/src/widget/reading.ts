@@ -10,8 +10,8 @@ import type { Reading, Wish } from "./orders.ts";
  * the same tag is the same river everywhere. Whoever wants more makes a picture of it.
  */
 export const CAPS: readonly Cap[] = [
-  { growth: "colonize", key: "attractors", bound: 12_000, isLeast: false },
-  { growth: "brownian", key: "sensitivity", bound: 32, isLeast: true },
+  { growth: "colonize", key: "attractors", bound: 20_000, isLeast: false },
+  { growth: "brownian", key: "sensitivity", bound: 16, isLeast: true },
 ];
 
 interface Cap {

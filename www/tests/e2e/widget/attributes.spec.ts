@@ -119,7 +119,7 @@ test("junk is mended, and said", async ({ page, blog }) => {
 test("a widget grows no more than a page bears, and says so", async ({ page, blog }) => {
   const events = await open(page, blog, '<river-seed attractors="1000000" animate="none"></river-seed>');
   const { detail } = await heard(events, "ready");
-  expect(detail).toMatchObject({ link: canonical("attractors=12000"), notices: [{ key: "attractors" }] });
+  expect(detail).toMatchObject({ link: canonical("attractors=20000"), notices: [{ key: "attractors" }] });
 });
 
 const HAS_DARK = engine.parameters().some(({ choices }) => choices?.some(({ value }) => value === "dark"));
