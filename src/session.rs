@@ -58,7 +58,8 @@ struct Shaped {
 enum Shaping {
     Courses(Network),
     Ranked(Courses),
-    Smooth(Courses, Network),
+    /// Smooth courses, and how often they may be thinned out.
+    Smooth(Courses, Network, u32),
     Rivers(Courses, Box<Meander>),
     /// The memory was not to be had: it stays a tree.
     Starved,
@@ -67,7 +68,7 @@ enum Shaping {
 impl Shaping {
     /// Goes back to the courses that were smoothed: they are to be simplified otherwise.
     fn unsmooth(&mut self) {
-        if let Self::Smooth(courses, _) = self {
+        if let Self::Smooth(courses, ..) = self {
             *self = Self::Ranked(std::mem::take(courses));
         }
     }
@@ -254,9 +255,12 @@ impl Session {
             }
             Shaping::Ranked(courses) => {
                 let network = network::smooth_courses(&courses, &self.network_parameters());
-                Shaping::Smooth(courses, network)
+                Shaping::Smooth(courses, network, network::THINNINGS)
             }
-            Shaping::Smooth(courses, network) => {
+            Shaping::Smooth(courses, mut network, times) => {
+                if times > 0 && network::thin_out(&mut network, &self.network_parameters()) {
+                    return Shaping::Smooth(courses, network, times - 1);
+                }
                 let meander = Box::new(Meander::along(network, self.network_parameters()));
                 Shaping::Rivers(courses, meander)
             }

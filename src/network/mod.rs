@@ -32,7 +32,7 @@ pub use crate::plane::{gap, meet};
 pub use courses::Courses;
 pub use curvature::curvature;
 pub use guard::{Guard, Near};
-pub use meander::{Meander, smooth_courses};
+pub use meander::{Meander, THINNINGS, smooth_courses, thin_out};
 pub use middle::Place;
 pub use parameters::{Model, Parameters};
 

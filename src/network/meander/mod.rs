@@ -43,12 +43,13 @@ pub struct Meander {
 impl Meander {
     /// Round 0: courses simplified, smooth and as wide as they will be.
     pub fn new(courses: &Courses, parameters: Parameters) -> Self {
-        Self::along(smooth_courses(courses, &parameters), parameters)
+        let mut network = smooth_courses(courses, &parameters);
+        let _ = (0..THINNINGS).all(|_| thin_out(&mut network, &parameters));
+        Self::along(network, parameters)
     }
 
-    /// The same from courses that are smooth already.
+    /// The same from courses that are smooth and thinned out already.
     pub fn along(mut network: Network, parameters: Parameters) -> Self {
-        thin_out(&mut network, &parameters);
         widen(&mut network, &parameters);
         sway::give(&mut network, &parameters);
         Self::of(network, parameters)
@@ -236,7 +237,7 @@ impl Meander {
     }
 }
 
-/// Courses simplified and smooth, without widths: the first half of the work for round 0.
+/// Courses simplified and smooth, without widths: the first part of the work for round 0.
 pub fn smooth_courses(courses: &Courses, parameters: &Parameters) -> Network {
     let coarse = simplified(&courses.network, &courses.ranking, parameters.simplify);
     let (mut network, origin) = divide(&coarse, parameters);
@@ -244,28 +245,27 @@ pub fn smooth_courses(courses: &Courses, parameters: &Parameters) -> Network {
     network
 }
 
+/// How often courses are thinned out at most.
+pub const THINNINGS: u32 = 4;
+
 /// Takes out vertices that lie closer than they need, as those of a Brownian tree do, of which hardly any have been
-/// simplified away: half of them at a time.
-fn thin_out(network: &mut Network, parameters: &Parameters) {
-    const TIMES: u32 = 4;
-    let mut guard = Guard::new(&parameters.domain, parameters.spacing);
-    for _ in 0..TIMES {
-        let downstream = network.downstream();
-        let is_close = |(vertex, &below): (&Vertex, &u32)| {
-            let next = network.vertices.get(below as usize);
-            next.is_some_and(|next| {
-                vertex.at.distance_squared(next.at) < 0.25 * parameters.spacing * parameters.spacing
-            })
-        };
-        let close = network.vertices.iter().zip(&downstream).filter(|pair| is_close(*pair)).count();
-        if close * 8 < downstream.len() {
-            return;
-        }
-        let reach = vec![parameters.spacing; downstream.len()];
-        let clearance = guard.survey(network, &downstream, &reach, reach.clone(), &mut |_| {});
-        let everywhere = vec![1.0; downstream.len()];
-        respace::respace(network, &clearance, &everywhere, parameters);
+/// simplified away: half of them at a time. Returns whether there were enough of them to look again.
+pub fn thin_out(network: &mut Network, parameters: &Parameters) -> bool {
+    let downstream = network.downstream();
+    let is_close = |(vertex, &below): (&Vertex, &u32)| {
+        let next = network.vertices.get(below as usize);
+        next.is_some_and(|next| vertex.at.distance_squared(next.at) < 0.25 * parameters.spacing * parameters.spacing)
+    };
+    let close = network.vertices.iter().zip(&downstream).filter(|pair| is_close(*pair)).count();
+    if close * 8 < downstream.len() {
+        return false;
     }
+    let reach = vec![parameters.spacing; downstream.len()];
+    let mut guard = Guard::new(&parameters.domain, parameters.spacing);
+    let clearance = guard.survey(network, &downstream, &reach, reach.clone(), &mut |_| {});
+    let everywhere = vec![1.0; downstream.len()];
+    respace::respace(network, &clearance, &everywhere, parameters);
+    true
 }
 
 /// The river of each vertex.

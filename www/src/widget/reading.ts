@@ -5,7 +5,7 @@ import type { Engine } from "../wasm.ts";
 import type { Reading, Wish } from "./orders.ts";
 
 /**
- * A widget shares its page with text that somebody reads. Within these bounds no step of a river, above all the one that makes
+ * A widget shares its page with text that somebody reads. Within these bounds no step of a river, above all of those that make
  * rivers of a tree, holds up the page for longer than a blink, even where its policy refuses workers. They hold in workers too:
  * the same tag is the same river everywhere. Whoever wants more makes a picture of it.
  */
