@@ -3,13 +3,14 @@
 //!
 //! The method is that of Visvalingam and Whyatt, with rules of its own for a network: sources, mouths and junctions stay; a
 //! vertex goes only while its triangle with its neighbours holds no other vertex, so that the line cannot come to lie across
-//! another; and only if the line that is left stays on land.
+//! another, nor so near it that rounding could carry it across; and only if the line that is left stays on land.
 
 use glam::Vec2;
 
+use super::smooth::LEAST_CLEARANCE;
 use super::{NONE, Network};
 use crate::land::Land;
-use crate::plane::is_in_triangle;
+use crate::plane::{height, is_in_triangle};
 use crate::simplify::Lines;
 
 /// The vertices that can go, in the order in which they do.
@@ -26,7 +27,8 @@ pub(super) fn rank(network: &Network, land: Option<&Land>) -> Vec<u32> {
                     && cells.all_around(a, b, c, |other| {
                         lines.is_gone(other)
                             || triangle.contains(&other)
-                            || !is_in_triangle(points[other as usize], a, b, c)
+                            || !(is_in_triangle(points[other as usize], a, b, c)
+                                || height(points[other as usize], a, c) < LEAST_CLEARANCE)
                     })
             })
         },
@@ -112,9 +114,9 @@ impl Cells {
         (((x - from) / self.side) as usize).min(end - 1)
     }
 
-    /// Whether something holds for all points in the cells around a triangle.
+    /// Whether something holds for all points in the cells around a triangle, and what is as near as can be.
     fn all_around(&self, a: Vec2, b: Vec2, c: Vec2, mut holds: impl FnMut(u32) -> bool) -> bool {
-        let (least, most) = (a.min(b).min(c), a.max(b).max(c));
+        let (least, most) = (a.min(b).min(c) - LEAST_CLEARANCE, a.max(b).max(c) + LEAST_CLEARANCE);
         let left = self.place(least.x, self.corner.x, self.columns);
         let right = self.place(most.x, self.corner.x, self.columns);
         (self.place(least.y, self.corner.y, self.rows)..=self.place(most.y, self.corner.y, self.rows)).all(|row| {

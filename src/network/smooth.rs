@@ -48,7 +48,7 @@ pub(super) fn smooth(network: &mut Network, coarse: &Network, origin: &[(u32, f3
 }
 
 /// Lines come no nearer than this, in units: far above what is lost to rounding, far below what can be seen.
-const LEAST_CLEARANCE: f32 = 0.02;
+pub(super) const LEAST_CLEARANCE: f32 = 0.02;
 
 /// The clearance that moving may use up.
 pub(super) fn room(clearance: f32) -> f32 {

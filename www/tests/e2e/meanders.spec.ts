@@ -2,7 +2,8 @@ import { expect, type Page, test } from "@playwright/test";
 import { pictureOf } from "../core.ts";
 import { finished, openFinished, recordPhases, shown, unfold } from "./riverpage.ts";
 
-const LINK = "seed=kauri&attractors=600&meander-rounds=90";
+/** Meanders for ten seconds and more: however busy the machine, there is time to press a button meanwhile. */
+const LINK = "seed=kauri&attractors=600&meander-rounds=400";
 
 async function paused(page: Page, phase: string): Promise<string> {
   await expect(page.locator("#frame")).toHaveAttribute("data-phase", phase);
