@@ -21,8 +21,9 @@ const ADVICE: Record<Code, Advice> = {
   "wasm-fetch": {
     title: "The river engine did not arrive",
     text:
-      "Its file could not be downloaded whole. Check the connection and load the page again. If this is your own copy " +
-      "of the site, the .wasm file must lie beside the scripts in “assets”, and the page must come from a web server.",
+      "Its file could not be downloaded whole. Check the connection and load the page again. Whoever runs this site: the " +
+      ".wasm file must lie beside the scripts, on a web server, and for pages of another origin that server must send " +
+      "Access-Control-Allow-Origin.",
     reload: true,
   },
   "wasm-mime": {

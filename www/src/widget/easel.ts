@@ -13,7 +13,9 @@ type Opening = Extract<Order, { do: "open" }>;
 export class Easel {
   #size: Size;
   #picture: Picture | undefined;
+  /** Of the river on the canvas, and of one that waits to take its place. */
   #reading: Reading | undefined;
+  #next: Reading | undefined;
   /** What came before the river was planted. */
   #early: Order[] = [];
   #isOver = false;
@@ -43,6 +45,7 @@ export class Easel {
     const picture = new Picture(this.core, canvas, link, this.frames, {
       sizeFor: () => this.#size,
       changed: (state, phase, summary) => {
+        if (this.#next?.link === this.#picture?.link) this.#reading = this.#next;
         if (this.#reading)
           this.tell({ id: this.opening.id, is: "shown", reading: this.#reading, state, phase, summary });
       },
@@ -75,8 +78,8 @@ export class Easel {
   }
 
   #read(wish: Wish): Reading {
-    this.#reading = read(this.core.engine, wish);
-    return this.#reading;
+    this.#next = read(this.core.engine, wish);
+    return this.#next;
   }
 
   #attempt(work: () => void): void {

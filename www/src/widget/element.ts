@@ -47,7 +47,7 @@ export class RiverSeed extends Base {
   #hasFailed = false;
   #isShown = false;
   /** What was asked before there was a river. */
-  #asked: "play" | "pause" | undefined;
+  #asked: "play" | "pause" | "still" | undefined;
   #resizing: ReturnType<typeof setTimeout> | undefined;
   #aspect = ASPECT.default;
   #wish: Wish | undefined;
@@ -105,9 +105,9 @@ export class RiverSeed extends Base {
   }
 
   /** A PNG of the finished river. */
-  toBlob({ longSide }: BlobOptions = {}): Promise<Blob> {
+  async toBlob({ longSide }: BlobOptions = {}): Promise<Blob> {
     const { width, height } = this.#view.size;
-    return this.#file({ format: "png", longSide: longSide ?? Math.max(width, height, 1) });
+    return this.#file({ format: "png", longSide: Number(longSide ?? Math.max(width, height, 1)) });
   }
 
   /** The finished rivers as the text of an SVG. */
@@ -191,9 +191,12 @@ export class RiverSeed extends Base {
     if (isNew && this.#hasFailed) this.#hasBegun = this.#hasFailed = false;
     if (isNew) this.#shape(aspectOf(wish.text));
     this.#describe();
+    // What stood there before is of another river.
+    if (isNew && this.#id === undefined) this.#standing = undefined;
     if (isNew && this.#id !== undefined) {
       workshop.send(this.#id, { do: "show", wish, how: this.#how, size: this.#view.size });
     }
+    this.#finishIfStill();
     this.#beginIfDue();
   }
 
@@ -222,7 +225,7 @@ export class RiverSeed extends Base {
   #open(id: number): void {
     const canvas = this.#view.prepare();
     const size = this.#view.size;
-    const how = this.#asked === "play" ? "watch" : this.#how;
+    const how = this.#asked === "play" ? "watch" : this.#asked === "still" ? "still" : this.#how;
     workshop.send(id, { do: "open", canvas, wish: this.#wishNow, how, size });
     if (this.#asked === "pause") workshop.send(id, { do: "pause" });
     this.#id = id;
@@ -233,6 +236,8 @@ export class RiverSeed extends Base {
   /** The engine stopped in another river and there is a new one: here it goes on with the same river, as far as it was. */
   #move(): void {
     this.#id = undefined;
+    const state = this.#standing?.state;
+    this.#asked = state === "finished" ? "still" : state === "paused" ? "pause" : undefined;
     if (this.#life) void this.#enter(this.#life.signal);
   }
 
@@ -377,6 +382,16 @@ export interface RiverSeed extends Properties {
     type: string,
     listener: EventListenerOrEventListenerObject,
     options?: boolean | AddEventListenerOptions,
+  ): void;
+  removeEventListener<Type extends keyof Events>(
+    type: Type,
+    listener: (this: RiverSeed, event: Events[Type]) => void,
+    options?: boolean | EventListenerOptions,
+  ): void;
+  removeEventListener(
+    type: string,
+    listener: EventListenerOrEventListenerObject,
+    options?: boolean | EventListenerOptions,
   ): void;
 }
 

@@ -37,6 +37,8 @@ const svg: Promise<string> = made.toSVG();
 made.addEventListener("ready", ({ detail }) => detail.link.toUpperCase());
 made.addEventListener("complete", ({ detail, currentTarget }) => [detail.summary.sources.toFixed(), currentTarget]);
 made.addEventListener("error", ({ detail }) => detail.code.toUpperCase());
+const listener = ({ detail }: CustomEvent<{ link: string }>): string => detail.link;
+made.removeEventListener("ready", listener);
 made.addEventListener("click", ({ clientX }) => clientX);
 // @ts-expect-error: no such detail.
 made.addEventListener("complete", ({ detail }) => detail.colour);

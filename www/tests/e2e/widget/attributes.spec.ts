@@ -1,5 +1,5 @@
 import type { Page } from "@playwright/test";
-import { engine } from "../../core.ts";
+import { pictureOf } from "../../core.ts";
 import { complaints } from "../riverpage.ts";
 import { expect, type Host, test } from "./hosts.ts";
 import { canonical, expectPicture, type Heard, heard, listen, post } from "./post.ts";
@@ -116,13 +116,29 @@ test("junk is mended, and said", async ({ page, blog }) => {
   expect(said).toEqual([expect.stringMatching(/^river-seed: .*many/s)]);
 });
 
+test("what is told of a river is told of that river, though another waits for its turn", async ({ page, blog }) => {
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  const events = await open(page, blog, '<river-seed seed="one" attractors="9000"></river-seed>');
+  await page.evaluate(async () => {
+    const river = document.querySelector("river-seed");
+    for (const seed of ["two", "three", "four", "five", "six"]) {
+      river?.setAttribute("seed", seed);
+      await new Promise((done) => setTimeout(done, 30));
+    }
+  });
+  await expectPicture(page, canonical("seed=six&attractors=9000"));
+  for (const { type, detail } of await events()) {
+    if (type !== "complete") continue;
+    const { link, summary } = detail as { link: string; summary: object };
+    expect(summary).toEqual(pictureOf(link, 16, 16).summary);
+  }
+});
+
 test("a widget grows no more than a page bears, and says so", async ({ page, blog }) => {
   const events = await open(page, blog, '<river-seed attractors="1000000" animate="none"></river-seed>');
   const { detail } = await heard(events, "ready");
   expect(detail).toMatchObject({ link: canonical("attractors=20000"), notices: [{ key: "attractors" }] });
 });
-
-const HAS_DARK = engine.parameters().some(({ choices }) => choices?.some(({ value }) => value === "dark"));
 
 for (const [what, scheme, attributes, isDark] of [
   ["a dark scheme", "dark", "", true],
@@ -136,7 +152,7 @@ for (const [what, scheme, attributes, isDark] of [
   test(`light rivers on dark paper with ${what}: ${isDark}`, async ({ page, blog }) => {
     await page.emulateMedia({ colorScheme: scheme });
     const events = await open(page, blog, `<river-seed attractors="300" ${attributes}></river-seed>`);
-    const style = attributes.includes("map") ? "&style=map" : isDark && HAS_DARK ? "&style=dark" : "";
+    const style = attributes.includes("map") ? "&style=map" : isDark ? "&style=dark" : "";
     expect((await heard(events, "complete")).detail["link"]).toBe(canonical(`attractors=300${style}`));
     await expectPicture(page, canonical(`attractors=300${style}`));
   });

@@ -122,6 +122,24 @@ test("without a worker the others go on in the same engine", async ({ page, blog
   expect((await events()).filter(({ type }) => type === "error")).toHaveLength(1);
 });
 
+test("a finished river does not grow again in the engine that replaces one", async ({ page, blog }) => {
+  blog.answer("/widget/worker.js", { headers: { "content-type": "text/javascript" }, body: PROBED_WORKER });
+  const events = await open(page, blog, TWO);
+  await heard(events, "complete", 2);
+  // While a river grows before one's eyes, its button is not a quiet one.
+  const button = page.locator("#two").getByRole("button");
+  await expect(button).toHaveClass(/quiet/);
+  await button.evaluate((element) => {
+    const note = (): void => {
+      if (!element.classList.contains("quiet")) document.body.dataset["grew"] = "again";
+    };
+    new MutationObserver(note).observe(element, { attributeFilter: ["class"] });
+  });
+  await stopInOne(page, events);
+  await heard(events, "complete", 3);
+  expect(await page.locator("body").getAttribute("data-grew")).toBeNull();
+});
+
 test("an engine that stops in one river is replaced for the others", async ({ page, blog }) => {
   await page.emulateMedia({ reducedMotion: "reduce" });
   blog.answer("/widget/worker.js", { headers: { "content-type": "text/javascript" }, body: PROBED_WORKER });
