@@ -47,8 +47,15 @@ river.addEventListener("error", ({ detail }) => {
   measure();
 });
 
+/** The river's theme, and that of what may stand over it. */
+function dress(theme: string): void {
+  river.setAttribute("theme", theme);
+  root.dataset["theme"] = theme;
+}
+
 shape(recipe);
-host.onTheme((theme) => river.setAttribute("theme", theme));
+dress(river.getAttribute("theme") ?? "auto");
+host.onTheme(dress);
 new ResizeObserver(measure).observe(root);
 new ResizeObserver(measure).observe(river);
 document.body.append(el("main", {}, river));

@@ -97,6 +97,13 @@ test("the host script hands over the theme, at first and when it changes", async
   await expect(river(page)).toHaveAttribute("theme", "dark");
   await page.locator("iframe").evaluate((frame) => frame.setAttribute("data-theme", "light"));
   await expect(river(page)).toHaveAttribute("theme", "light");
+  // The frame has the page's scheme, whatever its reader likes: with another one its ground would not be transparent.
+  const scheme = () =>
+    page
+      .frameLocator("iframe")
+      .locator("html")
+      .evaluate((root) => getComputedStyle(root).colorScheme);
+  expect(await scheme()).toBe("light");
 });
 
 test("only the page around is heard, and only what it may say", async ({ page, blog, baseURL }) => {
