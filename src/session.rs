@@ -96,9 +96,9 @@ pub struct Summary {
     pub nodes: u32,
     /// River mouths.
     pub mouths: u32,
-    /// Sources of the trimmed tree; 0 until it is grown.
+    /// Sources of the rivers; 0 until there are any.
     pub sources: u32,
-    /// The highest stream order (Strahler) of the trimmed tree; 0 until it is grown.
+    /// The highest stream order (Strahler) of the rivers; 0 until there are any.
     pub order: u8,
     /// Attractors scattered: none for a Brownian tree.
     pub attractors: u32,

@@ -1,10 +1,8 @@
-import { readFileSync } from "node:fs";
-import { createRequire } from "node:module";
 import { deflateSync } from "node:zlib";
 import { expect, type Page, test } from "@playwright/test";
-import type { AxeResults } from "axe-core";
 import { engine } from "../core.ts";
 import { tools } from "../tools.ts";
+import { violations } from "./axe.ts";
 import {
   address,
   expectAddress,
@@ -307,20 +305,13 @@ function tooLarge(): Buffer {
   return picture;
 }
 
-const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
-
 for (const width of [1440, 390]) {
   test(`axe finds nothing while drawing, ${width} wide, and nothing scrolls sideways`, async ({ page }) => {
     await page.setViewportSize({ width, height: 900 });
     await openTool(page);
     await draw(page, BLOB);
     await expectAddress(page, "land", "drawn");
-    await page.evaluate(axe);
-    const results = await page.evaluate(() => {
-      const { axe } = globalThis as unknown as { axe: { run(): Promise<AxeResults> } };
-      return axe.run();
-    });
-    expect(results.violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html).join("; ")}`)).toEqual([]);
+    expect(await violations(page)).toEqual([]);
     expect(await page.evaluate(() => document.documentElement.scrollWidth - innerWidth)).toBeLessThanOrEqual(0);
     for (const button of await page.locator("#tools button").all()) {
       await expect(button).toBeInViewport({ ratio: 1 });
