@@ -7,7 +7,8 @@
 use glam::Vec2;
 use wide::f32x4;
 
-use super::{GrowError, Parameters, Pull, scatter};
+use super::pull::{Pull, Pulls};
+use super::{GrowError, Parameters, scatter};
 use crate::land::Land;
 
 /// The owner of an attractor that no river has come near.
@@ -37,13 +38,13 @@ impl Block {
         Self { x: f32x4::ZERO, y: f32x4::ZERO, near: f32x4::splat(USED_UP), owner: [NO_NODE; 4] }
     }
 
-    /// Notes the new distance of those lanes that a place sees, and returns them.
-    #[inline(never)]
-    fn come_nearer(&mut self, squared: f32x4, lanes: u32, land: &Land, place: Vec2) -> u32 {
-        let (x, y, squared) = (self.x.to_array(), self.y.to_array(), squared.to_array());
+    /// Notes the distance from a place to those of some lanes that it sees, and returns which.
+    fn come_nearer(&mut self, lanes: u32, land: &Land, place: Vec2) -> u32 {
+        let (x, y) = (self.x.to_array(), self.y.to_array());
         let is_seen = |lane: &usize| lanes >> lane & 1 != 0 && land.sees(place, Vec2::new(x[*lane], y[*lane]));
         (0..4).filter(is_seen).fold(0, |seen, lane| {
-            self.near.as_mut_array()[lane] = squared[lane];
+            let (dx, dy) = (x[lane] - place.x, y[lane] - place.y);
+            self.near.as_mut_array()[lane] = dx * dx + dy * dy;
             seen | 1 << lane
         })
     }
@@ -57,29 +58,42 @@ impl Block {
     }
 }
 
-/// The attractors of a block that a new node is nearest to.
-#[derive(Clone, Copy, Debug)]
+/// The attractors of a block that a new node is nearer to than their owners.
+#[derive(Clone, Copy, Debug, Default)]
 struct Hit {
     block: u32,
     /// Bit by bit.
     lanes: u32,
 }
 
-/// An attractor that a new node has come nearest to.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Capture {
-    pub attractor: u32,
-    pub at: Vec2,
-    pub previous_owner: u32,
-    pub squared_distance: f32,
+/// A list of hits with room for one of every block: taking a note calls nothing, which would cost the innermost loop its
+/// registers.
+#[derive(Clone, Debug, Default)]
+struct Hits {
+    room: Vec<Hit>,
+    count: usize,
+}
+
+impl Hits {
+    #[inline]
+    fn note(&mut self, hit: Hit) {
+        if let Some(place) = self.room.get_mut(self.count) {
+            *place = hit;
+            self.count += 1;
+        }
+    }
 }
 
 /// All attractors in a grid.
 #[derive(Clone, Debug)]
 pub(super) struct Attractors {
     blocks: Vec<Block>,
-    /// Room for what a new node finds.
-    hits: Vec<Hit>,
+    /// How the attractors of each block pull on their owners.
+    pulls: Vec<Pulls>,
+    /// Attractors that a node has come near enough to use up, until they are; some are named more than once.
+    doomed: Vec<u32>,
+    /// What the last new node found.
+    hits: Hits,
     /// Each cell's first block, row by row, and the end of the last; and as many more ends as are asked for past it.
     first_block: Vec<u32>,
     /// No attractor of a cell has its nearest node farther than this (squared), with an allowance for rounding.
@@ -88,6 +102,7 @@ pub(super) struct Attractors {
     rows: i32,
     cell: f32,
     reach: f32,
+    squared_kill: f32,
     count: u32,
     cells_a_reach: i32,
 }
@@ -101,13 +116,16 @@ impl Attractors {
         let (columns, rows) = (count(parameters.domain.size.x), count(parameters.domain.size.y));
         let mut this = Self {
             blocks: Vec::new(),
-            hits: Vec::new(),
+            pulls: Vec::new(),
+            doomed: Vec::new(),
+            hits: Hits::default(),
             first_block: vec![0; (columns * rows) as usize + 5],
             farthest: vec![parameters.reach * parameters.reach * OVER_ROUNDING; (columns * rows) as usize + 4],
             columns,
             rows,
             cell,
             reach: parameters.reach,
+            squared_kill: parameters.kill * parameters.kill,
             count: places.len() as u32,
             cells_a_reach: cells_a_reach(parameters),
         };
@@ -129,8 +147,13 @@ impl Attractors {
             *first = blocks;
             blocks += filled.div_ceil(4);
         }
-        self.blocks.try_reserve_exact(blocks as usize)?;
-        self.blocks.resize(blocks as usize, Block::empty());
+        let blocks = blocks as usize;
+        self.blocks.try_reserve_exact(blocks)?;
+        self.blocks.resize(blocks, Block::empty());
+        self.pulls.try_reserve_exact(blocks)?;
+        self.pulls.resize(blocks, Pulls::default());
+        self.hits.room.try_reserve_exact(blocks)?;
+        self.hits.room.resize(blocks, Hit::default());
         let unreached = self.reach * self.reach;
         for &at in places {
             let cell = self.cell_of(at);
@@ -149,36 +172,36 @@ impl Attractors {
         (index(at.y, self.rows) * self.columns + index(at.x, self.columns)) as usize
     }
 
-    /// Gives a new node all attractors that it is nearest to, tells of each, and returns their pull. Where two nodes are
-    /// equally near, the earlier keeps the attractor. Land that is `hiding` some is asked which.
-    pub fn capture(&mut self, node: u32, at: Vec2, hiding: Option<&Land>, tell: impl FnMut(Capture)) -> Pull {
-        self.hits.clear();
-        self.find_nearer(at, hiding);
-        self.hand_over(node, at, tell)
+    /// Gives a new node all attractors that it is nearest to, says which pull whom no longer, and returns how they pull it.
+    /// Where two nodes are equally near, the earlier keeps the attractor. Land that is `hiding` some is asked which.
+    pub fn capture(&mut self, node: u32, at: Vec2, hiding: Option<&Land>, release: impl FnMut(u32, Pull)) -> Pull {
+        self.find_nearer(at, hiding.is_none());
+        self.hand_over(node, at, hiding, release)
     }
 
-    /// Looks for attractors that a place is nearer to than their nearest node, and notes the new distance. Four cells of a
-    /// row are asked at once; those past the end of the row are too far away, or asked in vain.
-    fn find_nearer(&mut self, at: Vec2, hiding: Option<&Land>) {
+    /// Looks for attractors that a place is nearer to than their nearest node. If it sees all of them, the new distance is
+    /// noted at once. Four cells of a row are asked at once; those past the end of the row are too far away, or asked
+    /// in vain.
+    fn find_nearer(&mut self, at: Vec2, all_seen: bool) {
         let (columns, rows) = (self.cells_within(at.x, self.columns), self.cells_within(at.y, self.rows));
         let half = f32x4::splat(self.cell * 0.5);
         // Counted on, since V8 is slow to make floats of whole numbers.
         let west = f32x4::new([0.5, 1.5, 2.5, 3.5]) * self.cell + f32x4::splat(columns.start as f32 * self.cell - at.x);
         let mut dy = f32x4::splat((rows.start as f32 + 0.5) * self.cell - at.y);
+        self.hits.count = 0;
         for row in rows {
             let squared_y = squared_gap(dy, half);
             let mut dx = west;
             let (start, end) = (row * self.columns + columns.start, row * self.columns + columns.end);
             for first in (start as usize..end as usize).step_by(4) {
-                let farthest = &mut self.farthest[first..first + 4];
-                let bound = f32x4::new([farthest[0], farthest[1], farthest[2], farthest[3]]);
-                let mut lanes = (squared_gap(dx, half) + squared_y).simd_lt(bound).to_bitmask();
+                let Some(farthest) = self.farthest[first..].first_chunk_mut::<4>() else { break };
+                let Some(first_block) = self.first_block[first..].first_chunk::<5>() else { break };
+                let mut lanes = (squared_gap(dx, half) + squared_y).simd_lt(f32x4::new(*farthest)).to_bitmask();
                 while lanes != 0 {
-                    let lane = (lanes.trailing_zeros() % 4) as usize;
-                    lanes &= lanes - 1;
-                    let (from, to) = (self.first_block[first + lane], self.first_block[first + lane + 1]);
+                    let lane = next(&mut lanes);
+                    let (from, to) = (first_block[lane], first_block[lane + 1]);
                     let blocks = &mut self.blocks[from as usize..to as usize];
-                    farthest[lane] = find_nearer_in(blocks, from, at, hiding, &mut self.hits) * OVER_ROUNDING;
+                    farthest[lane] = find_nearer_in(blocks, from, at, all_seen, &mut self.hits) * OVER_ROUNDING;
                 }
                 dx += f32x4::splat(4.0 * self.cell);
             }
@@ -194,37 +217,39 @@ impl Attractors {
 
     /// Gives a node what it was found to be nearest to.
     #[inline]
-    fn hand_over(&mut self, node: u32, at: Vec2, mut tell: impl FnMut(Capture)) -> Pull {
-        let mut gained = Pull::default();
-        for &Hit { block: index, mut lanes } in &self.hits {
-            let block = &mut self.blocks[index as usize];
-            let (x, y, near) = (block.x.as_array(), block.y.as_array(), block.near.as_array());
+    fn hand_over(&mut self, node: u32, at: Vec2, hiding: Option<&Land>, mut release: impl FnMut(u32, Pull)) -> Pull {
+        let mut gained = Pulls::default();
+        for &Hit { block: index, mut lanes } in &self.hits.room[..self.hits.count] {
+            let (block, pulls) = (&mut self.blocks[index as usize], &mut self.pulls[index as usize]);
+            if let Some(land) = hiding {
+                lanes = block.come_nearer(lanes, land, at);
+            }
+            let before = *pulls;
+            gained.add(pulls.take_over(lanes, Pulls::toward(at, block.x, block.y)));
+            let mut doomed = block.near.simd_lt(f32x4::splat(self.squared_kill)).to_bitmask() & lanes;
+            while doomed != 0 {
+                self.doomed.push(index * 4 + next(&mut doomed) as u32);
+            }
             while lanes != 0 {
-                let lane = (lanes.trailing_zeros() % 4) as usize;
-                lanes &= lanes - 1;
-                let attractor = Vec2::new(x[lane], y[lane]);
-                gained.add(Pull::toward(at, attractor));
-                tell(Capture {
-                    attractor: index * 4 + lane as u32,
-                    at: attractor,
-                    previous_owner: std::mem::replace(&mut block.owner[lane], node),
-                    squared_distance: near[lane],
-                });
+                let lane = next(&mut lanes);
+                let previous_owner = std::mem::replace(&mut block.owner[lane], node);
+                if previous_owner != NO_NODE {
+                    release(previous_owner, before.lane(lane));
+                }
             }
         }
-        gained
+        gained.sum()
     }
 
-    /// Uses an attractor up. Tells where it lies and whose it was; `None` if it was used up before.
-    #[inline]
-    pub fn use_up(&mut self, attractor: u32) -> Option<(Vec2, u32)> {
-        let (block, lane) = (&mut self.blocks[(attractor / 4) as usize], (attractor % 4) as usize);
-        let near = &mut block.near.as_mut_array()[lane];
-        if *near == USED_UP {
-            return None;
+    /// Uses up what nodes have come near enough to. Says whose each was, and how it pulled.
+    pub fn use_up(&mut self, mut release: impl FnMut(u32, Pull)) {
+        for attractor in self.doomed.drain(..) {
+            let (index, lane) = ((attractor / 4) as usize, (attractor % 4) as usize);
+            let block = &mut self.blocks[index];
+            if std::mem::replace(&mut block.near.as_mut_array()[lane], USED_UP) != USED_UP {
+                release(block.owner[lane], self.pulls[index].lane(lane));
+            }
         }
-        *near = USED_UP;
-        Some((Vec2::new(block.x.to_array()[lane], block.y.to_array()[lane]), block.owner[lane]))
     }
 
     /// Whether any attractor lies within reach of a point, whoever owns it.
@@ -271,7 +296,7 @@ impl Attractors {
 /// Looks through a cell's blocks, the first of them being number `first`. Returns how far its attractors are from their
 /// nearest nodes at most, squared.
 #[inline]
-fn find_nearer_in(blocks: &mut [Block], first: u32, at: Vec2, hiding: Option<&Land>, hits: &mut Vec<Hit>) -> f32 {
+fn find_nearer_in(blocks: &mut [Block], first: u32, at: Vec2, all_seen: bool, hits: &mut Hits) -> f32 {
     let (x, y) = (f32x4::splat(at.x), f32x4::splat(at.y));
     let mut farthest = f32x4::splat(USED_UP);
     for (index, block) in (first..).zip(blocks) {
@@ -279,17 +304,22 @@ fn find_nearer_in(blocks: &mut [Block], first: u32, at: Vec2, hiding: Option<&La
         let squared = dx * dx + dy * dy;
         let lanes = squared.simd_lt(block.near).to_bitmask();
         if lanes != 0 {
-            match hiding {
-                None => {
-                    block.near = squared.fast_min(block.near);
-                    hits.push(Hit { block: index, lanes });
-                }
-                Some(land) => hits.push(Hit { block: index, lanes: block.come_nearer(squared, lanes, land, at) }),
+            hits.note(Hit { block: index, lanes });
+            if all_seen {
+                block.near = squared.fast_min(block.near);
             }
         }
         farthest = farthest.fast_max(block.near);
     }
     largest(farthest)
+}
+
+/// Takes the lowest lane out of some.
+#[inline]
+fn next(lanes: &mut u32) -> usize {
+    let lane = lanes.trailing_zeros() % 4;
+    *lanes &= *lanes - 1;
+    lane as usize
 }
 
 /// How many cells go into the reach: so that a cell is near three spacings wide. Nine attractors a cell are enough to

@@ -39,8 +39,6 @@ pub struct Colonize {
     changed: Changed,
     /// Room for one tick's work, kept between ticks.
     trying: Vec<u32>,
-    /// Attractors that a river has come near enough to use up, not yet used up.
-    doomed: Vec<u32>,
     /// Rivers that no attractor has reached yet.
     pilots: Vec<Pilot>,
     mouths: u32,
@@ -90,7 +88,6 @@ impl Colonize {
             shoots: Shoots::default(),
             changed: Changed::default(),
             trying: Vec::new(),
-            doomed: Vec::new(),
             pilots: Vec::new(),
             node_limit: MOST_NODES_PER_ATTRACTOR * parameters.attractors as usize + MOST_NODES_BESIDES,
             ending: None,
@@ -216,18 +213,12 @@ impl Colonize {
     /// Step 2 of the paper, for new nodes only: attractors that are now nearer to one of them change hands.
     fn capture_from(&mut self, first: usize) {
         self.changed.grow(self.tree.len());
-        let squared_kill = self.parameters.kill * self.parameters.kill;
-        let Self { parameters, attractors, tree, shoots, changed, doomed, .. } = self;
+        let Self { parameters, attractors, tree, shoots, changed, .. } = self;
         for node in first..tree.len() {
             let at = tree.at[node];
-            let gained = attractors.capture(node as u32, at, parameters.hidden_from(at), |capture| {
-                if let Some(pull) = shoots.pull.get_mut(capture.previous_owner as usize) {
-                    pull.subtract(Pull::toward(tree.at[capture.previous_owner as usize], capture.at));
-                    changed.insert(capture.previous_owner);
-                }
-                if capture.squared_distance < squared_kill {
-                    doomed.push(capture.attractor);
-                }
+            let gained = attractors.capture(node as u32, at, parameters.hidden_from(at), |owner, pull| {
+                shoots.pull[owner as usize].subtract(pull);
+                changed.insert(owner);
             });
             shoots.pull[node].add(gained);
             changed.insert(node as u32);
@@ -236,15 +227,13 @@ impl Colonize {
 
     /// Step 5 of the paper: attractors that a river has come near to are used up, and drain into it.
     fn use_up(&mut self) {
-        for attractor in self.doomed.drain(..) {
-            if let Some((at, owner)) = self.attractors.use_up(attractor) {
-                let node = owner as usize;
-                self.shoots.pull[node].subtract(Pull::toward(self.tree.at[node], at));
-                self.tree.drained[node] += 1;
-                self.unreached -= 1;
-                self.changed.insert(owner);
-            }
-        }
+        let Self { attractors, tree, shoots, changed, unreached, .. } = self;
+        attractors.use_up(|owner, pull| {
+            shoots.pull[owner as usize].subtract(pull);
+            tree.drained[owner as usize] += 1;
+            *unreached -= 1;
+            changed.insert(owner);
+        });
     }
 
     /// Rivers that nothing reaches run straight inland until something does, or the land ends.

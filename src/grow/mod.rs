@@ -46,7 +46,7 @@ pub enum GrowError {
 }
 
 /// What growth takes at the usual step and kill distance, as measured.
-const BYTES_AN_ATTRACTOR: usize = 130;
+const BYTES_AN_ATTRACTOR: usize = 140;
 
 impl GrowError {
     /// The error for parameters that ask for too much.

@@ -5,6 +5,7 @@
 //! twin and every processor agree to the bit.
 
 use glam::Vec2;
+use wide::{f32x4, i32x4};
 
 /// A sum of unit vectors. One unit is 2¹⁸: fine enough for an error of a hundred-thousandth of a radian, and
 /// 8,191 attractors can pull one way before the sum would wrap. At the longest reach a node has about 450.
@@ -19,13 +20,9 @@ const UNIT: f32 = 262_144.0;
 /// No two places but equal ones are so near.
 const TINY: f32 = 1e-20;
 
-/// Rounds to the nearest whole number, below 2²² either way: added to 1.5 · 2²³ it is what the lowest bits say. A
+/// What rounds a number below 2²² either way when it is added, 1.5 · 2²³: the whole number is what the lowest bits say. A
 /// conversion by `as` costs wasm many times as much.
-#[inline]
-fn whole(number: f32) -> i32 {
-    const ALL_FRACTION: f32 = 12_582_912.0;
-    (number + ALL_FRACTION).to_bits().wrapping_sub(ALL_FRACTION.to_bits()) as i32
-}
+const ALL_FRACTION: f32 = 12_582_912.0;
 
 /// A sum smaller than this is what rounding leaves of pulls that balance.
 const NOISE: u32 = 64;
@@ -37,6 +34,7 @@ impl Pull {
         let gap = attractor - node;
         let squared = gap.x * gap.x + gap.y * gap.y;
         let scale = UNIT / (if squared > TINY { squared } else { TINY }).sqrt();
+        let whole = |number: f32| (number + ALL_FRACTION).to_bits().wrapping_sub(ALL_FRACTION.to_bits()) as i32;
         Self { x: whole(gap.x * scale), y: whole(gap.y * scale) }
     }
 
@@ -65,9 +63,81 @@ impl Pull {
     }
 }
 
+/// The pulls of four attractors, reckoned side by side.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Pulls {
+    x: i32x4,
+    y: i32x4,
+}
+
+impl Pulls {
+    /// The pulls of four attractors on a node, each as [`Pull::toward`] has it.
+    #[inline]
+    pub fn toward(node: Vec2, x: f32x4, y: f32x4) -> Self {
+        let (x, y) = (x - f32x4::splat(node.x), y - f32x4::splat(node.y));
+        let scale = f32x4::splat(UNIT) / (x * x + y * y).fast_max(f32x4::splat(TINY)).sqrt();
+        let bits = |numbers: f32x4| i32x4::from_ne_bytes(numbers.to_ne_bytes());
+        let whole = |numbers: f32x4| bits(numbers + f32x4::splat(ALL_FRACTION)) - bits(f32x4::splat(ALL_FRACTION));
+        Self { x: whole(x * scale), y: whole(y * scale) }
+    }
+
+    /// Takes some lanes over from others, and returns them; the lanes that were not taken are zero there.
+    #[inline]
+    pub fn take_over(&mut self, lanes: u32, others: Self) -> Self {
+        let each = i32x4::new([1, 2, 4, 8]);
+        let taken = (i32x4::splat(lanes as i32) & each).simd_eq(each);
+        let gained = Self { x: others.x & taken, y: others.y & taken };
+        *self = Self { x: gained.x | (self.x & !taken), y: gained.y | (self.y & !taken) };
+        gained
+    }
+
+    /// Adds lane to lane.
+    #[inline]
+    pub fn add(&mut self, other: Self) {
+        self.x += other.x;
+        self.y += other.y;
+    }
+
+    /// The pull of one attractor.
+    #[inline]
+    pub fn lane(&self, lane: usize) -> Pull {
+        Pull { x: self.x.as_array()[lane], y: self.y.as_array()[lane] }
+    }
+
+    /// All four together.
+    #[inline]
+    pub fn sum(self) -> Pull {
+        let sum = |lanes: i32x4| lanes.to_array().into_iter().fold(0, i32::wrapping_add);
+        Pull { x: sum(self.x), y: sum(self.y) }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn four_at_once_pull_as_each_does() {
+        let node = Vec2::new(0.3, 0.7);
+        let x = [9.1, 0.3, -500.25, 0.300_01];
+        let y = [-3.0, 0.7, 812.5, 0.7];
+        let mut pulls = Pulls::toward(node, f32x4::new(x), f32x4::new(y));
+        let mut sum = Pull::default();
+        for lane in 0..4 {
+            let alone = Pull::toward(node, Vec2::new(x[lane], y[lane]));
+            assert_eq!(pulls.lane(lane), alone, "lane {lane}");
+            sum.add(alone);
+        }
+        assert_eq!(pulls.sum(), sum);
+
+        let (before, others) = (pulls, Pulls::toward(Vec2::ONE, f32x4::new(x), f32x4::new(y)));
+        let gained = pulls.take_over(0b0101, others);
+        for lane in 0..4 {
+            let taken = lane % 2 == 0;
+            assert_eq!(pulls.lane(lane), if taken { others.lane(lane) } else { before.lane(lane) });
+            assert_eq!(gained.lane(lane), if taken { others.lane(lane) } else { Pull::default() });
+        }
+    }
 
     #[test]
     fn what_is_added_is_taken_away_exactly() {
