@@ -18,6 +18,7 @@ import { brotliCompressSync, gzipSync } from "node:zlib";
 process.chdir(join(dirname(fileURLToPath(import.meta.url)), ".."));
 const { parse } = createRequire(join(process.cwd(), "www/package.json"))("smol-toml");
 const settings = parse(readFileSync("wasm-pack.toml", "utf8"));
+const optimiser = parse(readFileSync("Cargo.toml", "utf8")).package.metadata["wasm-pack"].profile.release["wasm-opt"];
 
 if (process.argv[2] === "figures") {
   buildFigures();
@@ -101,5 +102,5 @@ function buildFigures() {
   const crate = ["--example", "figures_wasm", "--no-default-features"];
   run("cargo", "build", "--quiet", "--release", "--target", "wasm32-unknown-unknown", "--target-dir", folder, ...crate);
   run("wasm-bindgen", "--target", "nodejs", "--out-dir", folder, built);
-  run("wasm-opt", "-O3", out, "-o", out);
+  run("wasm-opt", ...optimiser, out, "-o", out);
 }

@@ -66,24 +66,6 @@ struct Hit {
     lanes: u32,
 }
 
-/// A list of hits with room for one of every block: taking a note calls nothing, which would cost the innermost loop its
-/// registers.
-#[derive(Clone, Debug, Default)]
-struct Hits {
-    room: Vec<Hit>,
-    count: usize,
-}
-
-impl Hits {
-    #[inline]
-    fn note(&mut self, hit: Hit) {
-        if let Some(place) = self.room.get_mut(self.count) {
-            *place = hit;
-            self.count += 1;
-        }
-    }
-}
-
 /// All attractors in a grid.
 #[derive(Clone, Debug)]
 pub(super) struct Attractors {
@@ -92,8 +74,9 @@ pub(super) struct Attractors {
     pulls: Vec<Pulls>,
     /// Attractors that a node has come near enough to use up, until they are; some are named more than once.
     doomed: Vec<u32>,
-    /// What the last new node found.
-    hits: Hits,
+    /// What a new node finds: room for a hit in every block. A list that could grow would call for memory in the innermost
+    /// loop, and cost it its registers.
+    hits: Vec<Hit>,
     /// Each cell's first block, row by row, and the end of the last; and as many more ends as are asked for past it.
     first_block: Vec<u32>,
     /// No attractor of a cell has its nearest node farther than this (squared), with an allowance for rounding.
@@ -118,7 +101,7 @@ impl Attractors {
             blocks: Vec::new(),
             pulls: Vec::new(),
             doomed: Vec::new(),
-            hits: Hits::default(),
+            hits: Vec::new(),
             first_block: vec![0; (columns * rows) as usize + 5],
             farthest: vec![parameters.reach * parameters.reach * OVER_ROUNDING; (columns * rows) as usize + 4],
             columns,
@@ -152,8 +135,8 @@ impl Attractors {
         self.blocks.resize(blocks, Block::empty());
         self.pulls.try_reserve_exact(blocks)?;
         self.pulls.resize(blocks, Pulls::default());
-        self.hits.room.try_reserve_exact(blocks)?;
-        self.hits.room.resize(blocks, Hit::default());
+        self.hits.try_reserve_exact(blocks)?;
+        self.hits.resize(blocks, Hit::default());
         let unreached = self.reach * self.reach;
         for &at in places {
             let cell = self.cell_of(at);
@@ -175,38 +158,43 @@ impl Attractors {
     /// Gives a new node all attractors that it is nearest to, says which pull whom no longer, and returns how they pull it.
     /// Where two nodes are equally near, the earlier keeps the attractor. Land that is `hiding` some is asked which.
     pub fn capture(&mut self, node: u32, at: Vec2, hiding: Option<&Land>, release: impl FnMut(u32, Pull)) -> Pull {
-        self.find_nearer(at, hiding.is_none());
-        self.hand_over(node, at, hiding, release)
+        let hits = self.find_nearer(at, hiding.is_none());
+        self.hand_over(hits, node, at, hiding, release)
     }
 
-    /// Looks for attractors that a place is nearer to than their nearest node. If it sees all of them, the new distance is
-    /// noted at once. Four cells of a row are asked at once; those past the end of the row are too far away, or asked
-    /// in vain.
-    fn find_nearer(&mut self, at: Vec2, all_seen: bool) {
+    /// Looks for attractors that a place is nearer to than their nearest node. Returns how many blocks have some: the first
+    /// of `hits` say which. If the place sees all of them, the new distance is noted at once. Four cells of a row are asked
+    /// together; those past the end of the row are too far away, or asked in vain.
+    fn find_nearer(&mut self, at: Vec2, all_seen: bool) -> usize {
         let (columns, rows) = (self.cells_within(at.x, self.columns), self.cells_within(at.y, self.rows));
         let half = f32x4::splat(self.cell * 0.5);
         // Counted on, since V8 is slow to make floats of whole numbers.
         let west = f32x4::new([0.5, 1.5, 2.5, 3.5]) * self.cell + f32x4::splat(columns.start as f32 * self.cell - at.x);
         let mut dy = f32x4::splat((rows.start as f32 + 0.5) * self.cell - at.y);
-        self.hits.count = 0;
+        // Read once, since the compiler cannot tell that blocks are not part of `self`.
+        let Self { columns: row_length, cell, .. } = *self;
+        let (blocks, hits) = (&mut self.blocks[..], &mut self.hits[..]);
+        let (first_block, farthest) = (&self.first_block[..], &mut self.farthest[..]);
+        let mut found = 0;
         for row in rows {
             let squared_y = squared_gap(dy, half);
             let mut dx = west;
-            let (start, end) = (row * self.columns + columns.start, row * self.columns + columns.end);
+            let (start, end) = (row * row_length + columns.start, row * row_length + columns.end);
             for first in (start as usize..end as usize).step_by(4) {
-                let Some(farthest) = self.farthest[first..].first_chunk_mut::<4>() else { break };
-                let Some(first_block) = self.first_block[first..].first_chunk::<5>() else { break };
+                let Some(farthest) = farthest[first..].first_chunk_mut::<4>() else { break };
+                let Some(first_block) = first_block[first..].first_chunk::<5>() else { break };
                 let mut lanes = (squared_gap(dx, half) + squared_y).simd_lt(f32x4::new(*farthest)).to_bitmask();
                 while lanes != 0 {
                     let lane = next(&mut lanes);
                     let (from, to) = (first_block[lane], first_block[lane + 1]);
-                    let blocks = &mut self.blocks[from as usize..to as usize];
-                    farthest[lane] = find_nearer_in(blocks, from, at, all_seen, &mut self.hits) * OVER_ROUNDING;
+                    let blocks = &mut blocks[from as usize..to as usize];
+                    farthest[lane] = find_nearer_in(blocks, from, at, all_seen, hits, &mut found) * OVER_ROUNDING;
                 }
-                dx += f32x4::splat(4.0 * self.cell);
+                dx += f32x4::splat(4.0 * cell);
             }
-            dy += f32x4::splat(self.cell);
+            dy += f32x4::splat(cell);
         }
+        found
     }
 
     /// The range of columns (or rows) that the reach around a coordinate may touch.
@@ -217,9 +205,16 @@ impl Attractors {
 
     /// Gives a node what it was found to be nearest to.
     #[inline]
-    fn hand_over(&mut self, node: u32, at: Vec2, hiding: Option<&Land>, mut release: impl FnMut(u32, Pull)) -> Pull {
+    fn hand_over(
+        &mut self,
+        hits: usize,
+        node: u32,
+        at: Vec2,
+        hiding: Option<&Land>,
+        mut release: impl FnMut(u32, Pull),
+    ) -> Pull {
         let mut gained = Pulls::default();
-        for &Hit { block: index, mut lanes } in &self.hits.room[..self.hits.count] {
+        for &Hit { block: index, mut lanes } in &self.hits[..hits] {
             let (block, pulls) = (&mut self.blocks[index as usize], &mut self.pulls[index as usize]);
             if let Some(land) = hiding {
                 lanes = block.come_nearer(lanes, land, at);
@@ -296,7 +291,14 @@ impl Attractors {
 /// Looks through a cell's blocks, the first of them being number `first`. Returns how far its attractors are from their
 /// nearest nodes at most, squared.
 #[inline]
-fn find_nearer_in(blocks: &mut [Block], first: u32, at: Vec2, all_seen: bool, hits: &mut Hits) -> f32 {
+fn find_nearer_in(
+    blocks: &mut [Block],
+    first: u32,
+    at: Vec2,
+    all_seen: bool,
+    hits: &mut [Hit],
+    found: &mut usize,
+) -> f32 {
     let (x, y) = (f32x4::splat(at.x), f32x4::splat(at.y));
     let mut farthest = f32x4::splat(USED_UP);
     for (index, block) in (first..).zip(blocks) {
@@ -304,7 +306,8 @@ fn find_nearer_in(blocks: &mut [Block], first: u32, at: Vec2, all_seen: bool, hi
         let squared = dx * dx + dy * dy;
         let lanes = squared.simd_lt(block.near).to_bitmask();
         if lanes != 0 {
-            hits.note(Hit { block: index, lanes });
+            hits[*found] = Hit { block: index, lanes };
+            *found += 1;
             if all_seen {
                 block.near = squared.fast_min(block.near);
             }
