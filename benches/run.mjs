@@ -105,7 +105,7 @@ async function scaling() {
 }
 
 async function onLand() {
-  const kinds = ["rectangle", "continent", "island", "valley"];
+  const kinds = ["rectangle", "continent", "island", "archipelago", "valley", "basin", "drawn"];
   for (const side of [native, wasm]) {
     const nodes = {};
     for (const kind of kinds) nodes[kind] = (await side.run(`grow-on ${kind} 100000`)).result;

@@ -120,7 +120,8 @@ fn shaping(kind: &str) -> Option<Repetition> {
 
 /// Growth on a land that is there already; the number of nodes.
 fn growth_on(kind: &str, attractors: &str) -> Option<Repetition> {
-    let parameters = Parameters::of(&recipe(&format!("{BARE}&land={kind}&attractors={attractors}"))?);
+    let land = if kind == "drawn" { DRAWN.to_owned() } else { format!("land={kind}") };
+    let parameters = Parameters::of(&recipe(&format!("{BARE}&{land}&attractors={attractors}"))?);
     Some(Box::new(move || grown(&parameters).map_or(0, |growth| growth.tree().len() as u32)))
 }
 
