@@ -15,10 +15,12 @@ use riverseed::domain::Domain;
 use riverseed::export;
 use riverseed::import;
 use riverseed::land::LandKind;
-use riverseed::land::trace::trace;
+use riverseed::land::trace::{Traced, trace};
 use riverseed::paint::{LONGEST_SIDE, View};
 use riverseed::recipe::table::TABLE;
-use riverseed::recipe::{Key, Kind, LONGEST_OUTLINE, Parameter, Recipe, RecipeError, Value, json, link};
+use riverseed::recipe::{
+    GridPoint, Key, Kind, LONGEST_OUTLINE, LineKind, Parameter, Recipe, RecipeError, Value, json, link,
+};
 use riverseed::session::{Session, SessionError};
 use thiserror::Error;
 
@@ -124,7 +126,8 @@ fn command() -> Command {
                         .long("link")
                         .action(ArgAction::SetTrue)
                         .help("Print a whole link, with the picture's aspect"),
-                ),
+                )
+                .arg(Arg::new("seed").long("seed").value_name("TEXT").requires("link").help("The seed of that link")),
         )
         .subcommand(Command::new("table").about("Prints the parameter table as Markdown"))
 }
@@ -313,16 +316,34 @@ fn outline(matches: &ArgMatches) -> Result<(), Failure> {
     let picture = |reason: String| Failure::Picture { path: path.clone(), reason };
     let file = File::open(path).map_err(Failure::file(path))?;
     let image = import::png::read(BufReader::new(file)).map_err(|error| picture(error.to_string()))?;
-    let outline = trace(image.width, image.height, &image.rgba).map_err(|error| picture(error.to_string()))?;
-    let mut text = outline.to_string();
+    let traced = trace(image.width, image.height, &image.rgba).map_err(|error| picture(error.to_string()))?;
+    say_what_is_kept(&traced);
+    let mut text = traced.outline.to_string();
     if matches.get_flag("link") {
-        let aspect = format!("{:.2}", (image.width as f32 / image.height as f32).clamp(0.25, 4.0));
-        let pairs = [("land", "drawn"), ("aspect", &aspect), ("outline", &text)];
-        let pairs = pairs.map(|(key, value)| (key.to_owned(), value.to_owned()));
+        let aspect = format!("{:.2}", traced.aspect);
+        let seed = matches.get_one::<String>("seed").map(|seed| ("seed", seed.as_str()));
+        let pairs = [("land", "drawn"), ("aspect", &aspect), ("outline", &text)].into_iter().chain(seed);
+        let pairs: Vec<_> = pairs.map(|(key, value)| (key.to_owned(), value.to_owned())).collect();
         text = link::write(&link::apply(Recipe::default(), &pairs)?);
     }
     writeln!(io::stdout(), "{text}")?;
     Ok(())
+}
+
+/// Tells how much of a picture its outline has room for.
+fn say_what_is_kept(traced: &Traced) {
+    let of = |kept: &[Vec<GridPoint>], all: usize, kind: LineKind| match all {
+        1 => format!("{} of 1 {kind}", kept.len()),
+        _ => format!("{} of {all} {kind}s", kept.len()),
+    };
+    let (coasts, ridges) = (traced.outline.coasts(), traced.outline.ridges());
+    let points = coasts.iter().chain(ridges).map(Vec::len).sum::<usize>();
+    let coasts = of(coasts, traced.coasts, LineKind::Coast);
+    let ridges = of(ridges, traced.ridges, LineKind::Ridge);
+    eprintln!("riverseed: kept {coasts} and {ridges}, {points} points");
+    if traced.is_longer {
+        eprintln!("riverseed: the picture is longer than a map can be: what is at its long sides goes on beyond them");
+    }
 }
 
 fn print_table() -> Result<(), Failure> {

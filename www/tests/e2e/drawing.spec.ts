@@ -230,7 +230,7 @@ test("what is too small for a land is said, and stays to be drawn on", async ({ 
 });
 
 test("a drawn land of a link is there to be drawn on", async ({ page }) => {
-  const outline = tools.traceImage(
+  const { outline } = tools.traceImage(
     new Uint8Array(64 * 64 * 4).map((_, i) => ((i >> 2) % 64 < 30 ? 255 : 0)),
     64,
     64,
