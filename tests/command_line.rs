@@ -196,6 +196,30 @@ fn picture_of_a_land_becomes_an_outline_that_renders() {
 }
 
 #[test]
+fn tracing_says_what_it_kept_and_a_link_takes_a_seed() {
+    let path = picture("kept.png", 0, 255);
+    let output = riverseed(&["outline", path.to_str().unwrap(), "--link", "--seed", "rimu"]);
+    assert!(String::from_utf8_lossy(&output.stderr).contains("kept 1 of 1 coast and 0 of 0 ridges, "));
+    assert!(String::from_utf8_lossy(&output.stdout).starts_with("seed=rimu&"));
+    assert_eq!(refusal(&["outline", path.to_str().unwrap(), "--seed", "rimu"]).0, 2);
+}
+
+#[test]
+fn what_is_given_and_does_nothing_is_said() {
+    let file = scratch("idle-recipe.json");
+    fs::write(&file, r#"{"sea": 0.5, "aspect": 2}"#).unwrap();
+    let out = scratch("idle.json");
+    let arguments = ["growth=brownian&mouths=9&sensitivity=64", "--recipe", file.to_str().unwrap(), "--kill", "1"];
+    let output = riverseed(&[&["render", "-o", out.to_str().unwrap()], &arguments[..]].concat());
+    assert!(output.status.success());
+    let said = String::from_utf8_lossy(&output.stderr);
+    for name in ["mouths", "sea", "kill"] {
+        assert!(said.contains(&format!("'{name}' does nothing here: ")), "{said}");
+    }
+    assert_eq!(said.lines().count(), 3, "{said}");
+}
+
+#[test]
 fn pictures_that_show_no_land_are_refused_by_name() {
     for (ground, square, reason) in [(0, 0, "all water"), (255, 255, "all land")] {
         let path = picture(reason, ground, square);

@@ -172,7 +172,8 @@ impl Form {
 
 fn render(matches: &ArgMatches) -> Result<(), Failure> {
     let Some(output) = matches.get_one::<PathBuf>("output") else { return Ok(()) };
-    let recipe = recipe(matches)?;
+    let (recipe, given) = recipe(matches)?;
+    say_what_is_idle(&recipe, &given);
     let size = matches.get_one("size").copied().unwrap_or(LONGEST_SIDE);
     let wants_attractors = matches
         .get_occurrences::<String>("attractors")
@@ -231,8 +232,17 @@ fn write_file(path: &Path, write: impl FnOnce(&mut dyn Write) -> Result<(), Fail
     written
 }
 
-/// Reads link, file and options in the order in which they were given.
-fn recipe(matches: &ArgMatches) -> Result<Recipe, Failure> {
+/// Tells of what was given and does nothing.
+fn say_what_is_idle(recipe: &Recipe, given: &[String]) {
+    for name in given {
+        if let Some(reason) = Key::from_name(name).and_then(|key| recipe.idle_reason(key)) {
+            eprintln!("riverseed: '{name}' does nothing here: {reason}");
+        }
+    }
+}
+
+/// Reads link, file and options in the order in which they were given. Returns the names that were given, too.
+fn recipe(matches: &ArgMatches) -> Result<(Recipe, Vec<String>), Failure> {
     let mut parts: Vec<(usize, Vec<(String, String)>)> = Vec::new();
     let mut part = |id: &str, pairs: Vec<(String, String)>| {
         parts.extend(matches.index_of(id).map(|index| (index, pairs)));
@@ -254,8 +264,14 @@ fn recipe(matches: &ArgMatches) -> Result<Recipe, Failure> {
     }
     // A preset is read first, wherever it stands.
     parts.sort_by_key(|(index, pairs)| (pairs.iter().all(|(name, _)| name != link::PRESET), *index));
-    let recipe = parts.into_iter().try_fold(Recipe::default(), |recipe, (_, pairs)| link::apply(recipe, &pairs))?;
-    Ok(recipe)
+    let mut given: Vec<String> = Vec::new();
+    let mut recipe = Recipe::default();
+    for (_, pairs) in parts {
+        recipe = link::apply(recipe, &pairs)?;
+        let names = pairs.into_iter().map(|(name, _)| name);
+        given.extend(names.filter(|name| !given.contains(name)).collect::<Vec<_>>());
+    }
+    Ok((recipe, given))
 }
 
 /// Reads a recipe's file, but not without end.

@@ -174,9 +174,9 @@ class Page {
   }
 
   #showRecipe(): void {
-    const { link, values, seed } = this.#recipe;
+    const { link, values, idle, seed } = this.#recipe;
     this.#address.show(link);
-    this.#controls.show(values);
+    this.#controls.show(values, idle);
     this.#presets.show(values);
     this.#seedBox.show(seed);
     this.#drawing.show(values.get("outline") ?? "");
