@@ -1,42 +1,70 @@
 //! Which parameters do nothing in a recipe, and why: the one place where that is decided.
 
-use super::Recipe;
 use super::parameter::Key;
+use super::{Decimal, Recipe, Value};
 
 /// Keys that do nothing while all of some facts hold.
 struct Rule {
-    keys: &'static [Key],
+    /// A bit each, by number: smaller than lists.
+    keys: u64,
     /// One of these facts holds, and one of those.
     when: [u32; 2],
     reason: &'static str,
 }
 
-// Facts of a recipe, a bit each. The choices of a parameter come one after the other, in the table's order.
+/// Facts of a recipe, a bit each: that a choice is the one of that number, or a number is 0.
+const FACTS: [(Key, u32); 15] = [
+    (Key::Land, 0),
+    (Key::Land, 1),
+    (Key::Land, 3),
+    (Key::Land, 5),
+    (Key::Land, DRAWN_LAND),
+    (Key::Growth, 0),
+    (Key::Growth, 1),
+    (Key::Meander, 1),
+    (Key::Meander, 2),
+    (Key::Style, 1),
+    (Key::Curl, 0),
+    (Key::MeanderRounds, 0),
+    (Key::MeanderStrength, 0),
+    (Key::Great, 0),
+    (Key::Gentle, 0),
+];
+const DRAWN_LAND: u32 = 6;
 const RECTANGLE: u32 = 1;
 const ISLAND: u32 = 1 << 1;
-const ARCHIPELAGO: u32 = 1 << 3;
-const BASIN: u32 = 1 << 5;
-const DRAWN: u32 = 1 << 6;
-const GROWTH: usize = 8;
-const COLONIZE: u32 = 1 << GROWTH;
-const BROWNIAN: u32 = 2 << GROWTH;
-const MEANDER: usize = 10;
-const FLOW: u32 = 2 << MEANDER;
-const STRAIGHT: u32 = 4 << MEANDER;
-const STYLE: usize = 14;
-const SKELETON: u32 = 2 << STYLE;
-const ZERO: usize = 20;
-/// Parameters of which it matters whether they are 0.
-const ZEROS: [Key; 5] = [Key::Curl, Key::MeanderRounds, Key::MeanderStrength, Key::Great, Key::Gentle];
-const NO_CURL: u32 = 1 << ZERO;
-const NO_ROUNDS: u32 = 2 << ZERO;
-const NO_STRENGTH: u32 = 4 << ZERO;
-const NO_GREAT: u32 = 8 << ZERO;
-const NO_GENTLE: u32 = 16 << ZERO;
+const ARCHIPELAGO: u32 = 1 << 2;
+const BASIN: u32 = 1 << 3;
+const DRAWN: u32 = 1 << 4;
+const COLONIZE: u32 = 1 << 5;
+const BROWNIAN: u32 = 1 << 6;
+const FLOW: u32 = 1 << 7;
+const STRAIGHT: u32 = 1 << 8;
+const SKELETON: u32 = 1 << 9;
+const NO_CURL: u32 = 1 << 10;
+const NO_ROUNDS: u32 = 1 << 11;
+const NO_STRENGTH: u32 = 1 << 12;
+const NO_GREAT: u32 = 1 << 13;
+const NO_GENTLE: u32 = 1 << 14;
+/// Known by the lack of another.
+const UNDRAWN: u32 = 1 << 15;
 const ALWAYS: u32 = !0;
 
-/// All that meandering goes by, but its model.
-const MEANDERS: &[Key] = &[
+/// All that space colonization goes by.
+const COLONIZING: &[Key] = &[
+    Key::Mouths,
+    Key::Apart,
+    Key::Attractors,
+    Key::Scatter,
+    Key::Reach,
+    Key::Kill,
+    Key::Step,
+    Key::Momentum,
+    Key::Curl,
+    Key::Stretch,
+];
+/// All that meandering goes by, but its model. Without rounds, rounds do something.
+const MEANDERING: &[Key] = &[
     Key::MeanderRounds,
     Key::MeanderStrength,
     Key::MeanderMix,
@@ -47,60 +75,66 @@ const MEANDERS: &[Key] = &[
     Key::Buffer,
     Key::Taper,
 ];
+/// What is nothing to rivers none of which meanders.
+const BENDING: &[Key] = &[Key::MeanderStrength, Key::MeanderMix, Key::Neck, Key::Buffer, Key::Taper];
 
-const fn rule(keys: &'static [Key], when: u32, and: u32, reason: &'static str) -> Rule {
-    Rule { keys, when: [when, and], reason }
+const fn rule(keys: &[Key], when: u32, and: u32, reason: &'static str) -> Rule {
+    Rule { keys: bits(keys), when: [when, and], reason }
 }
 
+const fn bits(keys: &[Key]) -> u64 {
+    match keys {
+        [first, rest @ ..] => 1 << *first as u64 | bits(rest),
+        [] => 0,
+    }
+}
+
+const STILL: &str = "Rivers do not meander here.";
+
 /// Of several rules for a key the first that holds gives the reason.
-static RULES: [Rule; 17] = [
+static RULES: [Rule; 15] = [
     rule(&[Key::Sea, Key::Rough, Key::Apart], RECTANGLE, ALWAYS, "The whole rectangle is land: it has no coast."),
     rule(&[Key::Sea, Key::Sides], DRAWN, ALWAYS, "The drawing says where the sea is."),
     rule(&[Key::Sides], ISLAND | ARCHIPELAGO, ALWAYS, "This land has the sea all round."),
     rule(&[Key::Sides], BASIN, ALWAYS, "Rivers run to the lake in the middle."),
-    rule(&[Key::Mouths, Key::Apart], BROWNIAN, ALWAYS, "A Brownian tree finds its own mouths."),
+    rule(&[Key::Outline], UNDRAWN, ALWAYS, "The land is not drawn."),
+    rule(COLONIZING, BROWNIAN, ALWAYS, "Only space colonization has it."),
     rule(&[Key::Sensitivity], COLONIZE, ALWAYS, "Only a Brownian tree has it."),
-    rule(
-        &[Key::Attractors, Key::Scatter, Key::Reach, Key::Kill, Key::Step],
-        BROWNIAN,
-        ALWAYS,
-        "A Brownian tree has no attractors.",
-    ),
-    rule(&[Key::Momentum, Key::Curl, Key::Stretch], BROWNIAN, ALWAYS, "A Brownian tree bends as its particles wander."),
     rule(&[Key::Stretch], NO_CURL, ALWAYS, "Only rivers with curl have stretches."),
-    rule(MEANDERS, STRAIGHT, ALWAYS, "Rivers do not meander here."),
-    rule(MEANDERS.split_at(1).1, NO_ROUNDS, ALWAYS, "Without a round no river meanders."),
+    rule(MEANDERING, STRAIGHT, ALWAYS, STILL),
+    rule(MEANDERING.split_at(1).1, NO_ROUNDS, ALWAYS, STILL),
+    rule(BENDING, NO_GREAT, NO_GENTLE, STILL),
+    rule(&[Key::MeanderMix], NO_STRENGTH, ALWAYS, STILL),
     rule(&[Key::MeanderMix], FLOW, ALWAYS, "Only bends that grow outward have it."),
-    rule(&[Key::MeanderMix], NO_STRENGTH, ALWAYS, "Bends without strength do not move."),
-    rule(&[Key::Flat], NO_GREAT, ALWAYS, "No great rivers, none that is flat."),
-    rule(
-        &[Key::MeanderStrength, Key::MeanderMix, Key::Neck, Key::Buffer, Key::Taper],
-        NO_GREAT,
-        NO_GENTLE,
-        "No river meanders, great or gently.",
-    ),
+    rule(&[Key::Flat], NO_GREAT, ALWAYS, "There are no great rivers."),
     // Bends grow in proportion to widths: of rivers that meander the skeleton shows widths, too.
     rule(&[Key::Width, Key::Vary], SKELETON, STRAIGHT | NO_ROUNDS, "The skeleton is one pixel wide everywhere."),
-    rule(&[Key::Outline], !DRAWN & 0xff, ALWAYS, "The land is not drawn."),
 ];
 
 impl Recipe {
     /// Why a parameter does nothing in this recipe, in a sentence; `None` if it does something.
     pub fn idle_reason(&self, key: Key) -> Option<&'static str> {
-        let facts = self.facts();
-        let holds = |rule: &&Rule| rule.keys.contains(&key) && rule.when.iter().all(|any| facts & any != 0);
-        RULES.iter().find(holds).map(|rule| rule.reason)
+        let facts = FACTS.iter().rev().fold(0, |facts, fact| facts << 1 | u32::from(self.holds(fact)));
+        let facts = if facts & DRAWN == 0 { facts | UNDRAWN } else { facts };
+        let applies = |rule: &&Rule| rule.keys >> key as u64 & 1 == 1 && rule.when.iter().all(|any| facts & any != 0);
+        RULES.iter().find(applies).map(|rule| rule.reason)
     }
 
-    /// What the rules go by.
-    fn facts(&self) -> u32 {
-        // A drawn land of which nothing is drawn is the whole rectangle.
-        let land = 1 << self.choice(Key::Land);
-        let land = if land == DRAWN && self.outline().is_none() { RECTANGLE } else { land };
-        let choices = [(Key::Growth, GROWTH), (Key::Meander, MEANDER), (Key::Style, STYLE)];
-        let zeros = ZEROS.iter().enumerate().filter(|(_, key)| self.number(**key) == 0.0);
-        choices.iter().fold(land, |facts, (key, at)| facts | 1 << (at + self.choice(*key)))
-            | zeros.fold(0, |facts, (i, _)| facts | 1 << (ZERO + i))
+    // In line it would be there once a fact.
+    #[inline(never)]
+    fn holds(&self, &(key, number): &(Key, u32)) -> bool {
+        match self.value(key) {
+            // A drawn land of which nothing is drawn is the whole rectangle.
+            Value::Choice(_) if key == Key::Land && self.is_undrawn() => number == 0,
+            Value::Choice(index) => *index as u32 == number,
+            Value::Integer(integer) => *integer == number,
+            Value::Number(decimal) => *decimal == Decimal::whole(number),
+            _ => false,
+        }
+    }
+
+    fn is_undrawn(&self) -> bool {
+        self.choice(Key::Land) as u32 == DRAWN_LAND && self.outline().is_none()
     }
 }
 
@@ -120,13 +154,13 @@ mod tests {
             ("land=drawn", Key::Sea, "The whole rectangle"),
             ("land=drawn&outline=.MzMzzMMzzMzM", Key::Sea, "The drawing"),
             ("growth=colonize", Key::Sensitivity, "Only a Brownian tree"),
-            ("growth=brownian", Key::Mouths, "A Brownian tree finds"),
+            ("growth=brownian", Key::Mouths, "Only space colonization"),
             ("meander=flow", Key::MeanderMix, "Only bends that grow outward"),
             ("meander=none", Key::MeanderRounds, "Rivers do not meander"),
-            ("meander-rounds=0", Key::Taper, "Without a round"),
-            ("meander-strength=0", Key::MeanderMix, "Bends without strength"),
-            ("great=0", Key::Flat, "No great rivers"),
-            ("great=0&gentle=0", Key::Taper, "No river meanders"),
+            ("meander-rounds=0", Key::Taper, "Rivers do not meander"),
+            ("meander-strength=0", Key::MeanderMix, "Rivers do not meander"),
+            ("great=0", Key::Flat, "There are no great rivers"),
+            ("great=0&gentle=0", Key::Taper, "Rivers do not meander"),
             ("curl=0", Key::Stretch, "Only rivers with curl"),
             ("style=skeleton&meander=none", Key::Width, "The skeleton"),
             ("land=island&outline=.MzMzzMMzzMzM", Key::Outline, "The land is not drawn"),
