@@ -260,6 +260,15 @@ test("a picture is traced: its coast, its ridge and its shape are the map's, and
   await expectPictureOfAddress(page);
 });
 
+test("what a picture has too much of is said, and a long one is not squeezed", async ({ page }) => {
+  // Four rows of twenty islands on a sea five times as long as wide.
+  const islands = png(500, 100, (x, y) => (x % 25 < 15 && y % 25 < 15 ? [255, 255, 255] : [0, 0, 0]));
+  await openFinished(page, SMALL);
+  await choose(page, islands);
+  await expectAddress(page, "aspect", "4");
+  await expect(page.locator("#told")).toContainText(/Kept of the picture: \d+ of 80 coasts, \d+ points\..* goes on beyond/);
+});
+
 test("a picture can be dropped onto the map, and pasted", async ({ page }) => {
   for (const type of ["drop", "paste"]) {
     await openFinished(page, SMALL);
