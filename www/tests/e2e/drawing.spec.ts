@@ -266,7 +266,9 @@ test("what a picture has too much of is said, and a long one is not squeezed", a
   await openFinished(page, SMALL);
   await choose(page, islands);
   await expectAddress(page, "aspect", "4");
-  await expect(page.locator("#told")).toContainText(/Kept of the picture: \d+ of 80 coasts, \d+ points\..* goes on beyond/);
+  await expect(page.locator("#told")).toContainText(
+    /Kept of the picture: \d+ of 80 coasts, \d+ points\..* goes on beyond/,
+  );
 });
 
 test("a picture can be dropped onto the map, and pasted", async ({ page }) => {
