@@ -168,15 +168,19 @@ fn what_is_wrong_is_named_and_nothing_is_written() {
     assert!(!fs::exists(out).unwrap());
 }
 
-/// Writes a picture of one colour with a square of another in it.
-fn picture(name: &str, ground: u8, square: u8) -> PathBuf {
+/// Writes a picture of greys, 120 x 80 pixels.
+fn greys(name: &str, grey: impl Fn(usize, usize) -> u8) -> PathBuf {
     let path = scratch(name);
-    let pixel = |i: usize| if (30..90).contains(&(i % 120)) && (20..60).contains(&(i / 120)) { square } else { ground };
-    let grey: Vec<u8> = (0..120 * 80).map(pixel).collect();
+    let greys: Vec<u8> = (0..120 * 80).map(|i| grey(i % 120, i / 120)).collect();
     let mut encoder = png::Encoder::new(fs::File::create(&path).unwrap(), 120, 80);
     encoder.set_color(png::ColorType::Grayscale);
-    encoder.write_header().unwrap().write_image_data(&grey).unwrap();
+    encoder.write_header().unwrap().write_image_data(&greys).unwrap();
     path
+}
+
+/// Writes a picture of one colour with a square of another in it.
+fn picture(name: &str, ground: u8, square: u8) -> PathBuf {
+    greys(name, |x, y| if (30..90).contains(&x) && (20..60).contains(&y) { square } else { ground })
 }
 
 #[test]
@@ -193,6 +197,62 @@ fn picture_of_a_land_becomes_an_outline_that_renders() {
     let xs = network["nodes"]["x"].as_array().unwrap();
     let width = network["domain"]["width"].as_f64().unwrap();
     assert!(xs.iter().all(|x| (0.23..0.77).contains(&(x.as_f64().unwrap() / width))), "rivers leave the land");
+}
+
+#[test]
+fn an_area_of_the_third_colour_stays_without_rivers() {
+    let from_middle = |x: usize, y: usize| (x.abs_diff(60), y.abs_diff(40));
+    let path = greys("area.png", |x, y| match from_middle(x, y) {
+        (0..15, 0..10) => 128,
+        (0..45, 0..35) => 255,
+        _ => 0,
+    });
+    let output = riverseed(&["outline", path.to_str().unwrap(), "--link"]);
+    let link = String::from_utf8(output.stdout).unwrap();
+    for growth in ["colonize", "brownian"] {
+        let network = network("area.json", &[link.trim(), "--growth", growth, "--attractors", "1000"]);
+        let share = |axis: &str, length: &str| -> Vec<f64> {
+            let length = network["domain"][length].as_f64().unwrap();
+            network["nodes"][axis]
+                .as_array()
+                .unwrap()
+                .iter()
+                .map(|at| (at.as_f64().unwrap() / length - 0.5).abs())
+                .collect()
+        };
+        let places: Vec<(f64, f64)> = share("x", "width").into_iter().zip(share("y", "height")).collect();
+        assert!(places.len() > 200, "{growth}: {}", places.len());
+        assert!(places.iter().all(|&(x, y)| x > 0.11 || y > 0.11), "{growth}: rivers run over the area");
+        assert!(places.iter().any(|&(x, y)| x < 0.2 && y < 0.2), "{growth}: no river comes near the area");
+        if growth == "colonize" {
+            let unreached = network["growth"]["unreached"].as_u64().unwrap();
+            assert!(unreached < 20, "{unreached} attractors lie within");
+        }
+    }
+}
+
+#[test]
+fn tracing_says_what_it_kept_and_a_link_takes_a_seed() {
+    let path = picture("kept.png", 0, 255);
+    let output = riverseed(&["outline", path.to_str().unwrap(), "--link", "--seed", "rimu"]);
+    assert!(String::from_utf8_lossy(&output.stderr).contains("kept 1 of 1 coast and 0 of 0 ridges, "));
+    assert!(String::from_utf8_lossy(&output.stdout).starts_with("seed=rimu&"));
+    assert_eq!(refusal(&["outline", path.to_str().unwrap(), "--seed", "rimu"]).0, 2);
+}
+
+#[test]
+fn what_is_given_and_does_nothing_is_said() {
+    let file = scratch("idle-recipe.json");
+    fs::write(&file, r#"{"sea": 0.5, "aspect": 2}"#).unwrap();
+    let out = scratch("idle.json");
+    let arguments = ["growth=brownian&mouths=9&sensitivity=64", "--recipe", file.to_str().unwrap(), "--kill", "1"];
+    let output = riverseed(&[&["render", "-o", out.to_str().unwrap()], &arguments[..]].concat());
+    assert!(output.status.success());
+    let said = String::from_utf8_lossy(&output.stderr);
+    for name in ["mouths", "sea", "kill"] {
+        assert!(said.contains(&format!("'{name}' does nothing here: ")), "{said}");
+    }
+    assert_eq!(said.lines().count(), 3, "{said}");
 }
 
 #[test]

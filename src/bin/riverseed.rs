@@ -15,10 +15,12 @@ use riverseed::domain::Domain;
 use riverseed::export;
 use riverseed::import;
 use riverseed::land::LandKind;
-use riverseed::land::trace::trace;
+use riverseed::land::trace::{Traced, trace};
 use riverseed::paint::{LONGEST_SIDE, View};
 use riverseed::recipe::table::TABLE;
-use riverseed::recipe::{Key, Kind, LONGEST_OUTLINE, Parameter, Recipe, RecipeError, Value, json, link};
+use riverseed::recipe::{
+    GridPoint, Key, Kind, LONGEST_OUTLINE, LineKind, Parameter, Recipe, RecipeError, Value, json, link,
+};
 use riverseed::session::{Session, SessionError};
 use thiserror::Error;
 
@@ -124,7 +126,8 @@ fn command() -> Command {
                         .long("link")
                         .action(ArgAction::SetTrue)
                         .help("Print a whole link, with the picture's aspect"),
-                ),
+                )
+                .arg(Arg::new("seed").long("seed").value_name("TEXT").requires("link").help("The seed of that link")),
         )
         .subcommand(Command::new("table").about("Prints the parameter table as Markdown"))
 }
@@ -169,7 +172,8 @@ impl Form {
 
 fn render(matches: &ArgMatches) -> Result<(), Failure> {
     let Some(output) = matches.get_one::<PathBuf>("output") else { return Ok(()) };
-    let recipe = recipe(matches)?;
+    let (recipe, given) = recipe(matches)?;
+    say_what_is_idle(&recipe, &given);
     let size = matches.get_one("size").copied().unwrap_or(LONGEST_SIDE);
     let wants_attractors = matches
         .get_occurrences::<String>("attractors")
@@ -228,8 +232,17 @@ fn write_file(path: &Path, write: impl FnOnce(&mut dyn Write) -> Result<(), Fail
     written
 }
 
-/// Reads link, file and options in the order in which they were given.
-fn recipe(matches: &ArgMatches) -> Result<Recipe, Failure> {
+/// Tells of what was given and does nothing.
+fn say_what_is_idle(recipe: &Recipe, given: &[String]) {
+    for name in given {
+        if let Some(reason) = Key::from_name(name).and_then(|key| recipe.idle_reason(key)) {
+            eprintln!("riverseed: '{name}' does nothing here: {reason}");
+        }
+    }
+}
+
+/// Reads link, file and options in the order in which they were given. Returns the names that were given, too.
+fn recipe(matches: &ArgMatches) -> Result<(Recipe, Vec<String>), Failure> {
     let mut parts: Vec<(usize, Vec<(String, String)>)> = Vec::new();
     let mut part = |id: &str, pairs: Vec<(String, String)>| {
         parts.extend(matches.index_of(id).map(|index| (index, pairs)));
@@ -251,8 +264,14 @@ fn recipe(matches: &ArgMatches) -> Result<Recipe, Failure> {
     }
     // A preset is read first, wherever it stands.
     parts.sort_by_key(|(index, pairs)| (pairs.iter().all(|(name, _)| name != link::PRESET), *index));
-    let recipe = parts.into_iter().try_fold(Recipe::default(), |recipe, (_, pairs)| link::apply(recipe, &pairs))?;
-    Ok(recipe)
+    let mut given: Vec<String> = Vec::new();
+    let mut recipe = Recipe::default();
+    for (_, pairs) in parts {
+        recipe = link::apply(recipe, &pairs)?;
+        let names = pairs.into_iter().map(|(name, _)| name);
+        given.extend(names.filter(|name| !given.contains(name)).collect::<Vec<_>>());
+    }
+    Ok((recipe, given))
 }
 
 /// Reads a recipe's file, but not without end.
@@ -313,16 +332,34 @@ fn outline(matches: &ArgMatches) -> Result<(), Failure> {
     let picture = |reason: String| Failure::Picture { path: path.clone(), reason };
     let file = File::open(path).map_err(Failure::file(path))?;
     let image = import::png::read(BufReader::new(file)).map_err(|error| picture(error.to_string()))?;
-    let outline = trace(image.width, image.height, &image.rgba).map_err(|error| picture(error.to_string()))?;
-    let mut text = outline.to_string();
+    let traced = trace(image.width, image.height, &image.rgba).map_err(|error| picture(error.to_string()))?;
+    say_what_is_kept(&traced);
+    let mut text = traced.outline.to_string();
     if matches.get_flag("link") {
-        let aspect = format!("{:.2}", (image.width as f32 / image.height as f32).clamp(0.25, 4.0));
-        let pairs = [("land", "drawn"), ("aspect", &aspect), ("outline", &text)];
-        let pairs = pairs.map(|(key, value)| (key.to_owned(), value.to_owned()));
+        let aspect = format!("{:.2}", traced.aspect);
+        let seed = matches.get_one::<String>("seed").map(|seed| ("seed", seed.as_str()));
+        let pairs = [("land", "drawn"), ("aspect", &aspect), ("outline", &text)].into_iter().chain(seed);
+        let pairs: Vec<_> = pairs.map(|(key, value)| (key.to_owned(), value.to_owned())).collect();
         text = link::write(&link::apply(Recipe::default(), &pairs)?);
     }
     writeln!(io::stdout(), "{text}")?;
     Ok(())
+}
+
+/// Tells how much of a picture its outline has room for.
+fn say_what_is_kept(traced: &Traced) {
+    let of = |kept: &[Vec<GridPoint>], all: usize, kind: LineKind| match all {
+        1 => format!("{} of 1 {kind}", kept.len()),
+        _ => format!("{} of {all} {kind}s", kept.len()),
+    };
+    let (coasts, ridges) = (traced.outline.coasts(), traced.outline.ridges());
+    let points = coasts.iter().chain(ridges).map(Vec::len).sum::<usize>();
+    let coasts = of(coasts, traced.coasts, LineKind::Coast);
+    let ridges = of(ridges, traced.ridges, LineKind::Ridge);
+    eprintln!("riverseed: kept {coasts} and {ridges}, {points} points");
+    if traced.is_longer {
+        eprintln!("riverseed: the picture is longer than a map can be: what is at its long sides goes on beyond them");
+    }
 }
 
 fn print_table() -> Result<(), Failure> {

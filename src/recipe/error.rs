@@ -22,7 +22,7 @@ pub enum RecipeError {
         key: String,
     },
     /// A number was wanted.
-    #[error("{key}: '{value}' is not a number")]
+    #[error("{key}: '{value}' is not a number in plain digits")]
     NotANumber {
         /// The parameter.
         key: &'static str,

@@ -7,6 +7,7 @@
 //! The parameters themselves stand in one table, [`table::TABLE`].
 
 mod error;
+mod idle;
 #[cfg(feature = "json")]
 pub mod json;
 pub mod link;

@@ -102,9 +102,7 @@ pub enum OutlineError {
     #[error("character 1 is not the dot that begins a coast")]
     NoBeginning,
     /// A character that spells nothing.
-    #[error(
-        "character {at} is none of A to Z, a to z, 0 to 9, - and _, which spell points, nor a dot, which begins a line"
-    )]
+    #[error("character {at} is none of A to Z, a to z, 0 to 9, - and _, which spell points")]
     BadCharacter {
         /// Which, the first being 1.
         at: usize,
@@ -178,6 +176,9 @@ impl Outline {
         let line = text.strip_prefix(b".").ok_or(OutlineError::NoBeginning)?;
         let (kind, line) = line.strip_prefix(b".").map_or((LineKind::Coast, line), |line| (LineKind::Ridge, line));
         let (digits, rest) = line.split_at(line.iter().position(|&c| c == b'.').unwrap_or(line.len()));
+        if digits.is_empty() && !rest.is_empty() {
+            return Err(OutlineError::BadCharacter { at: at + kind.length_of(0) });
+        }
         if digits.len() % POINT != 0 {
             return Err(OutlineError::BrokenPoint { kind, at });
         }
@@ -264,7 +265,9 @@ mod tests {
         assert_eq!(error(short), "the ridge that begins at character 14 has too few points: 1, at least 2 are wanted");
         assert_eq!(error("..AAAABBBB"), "there are ridges but no coast");
         assert!(error(&".A".repeat(600)).contains("1200 characters, at most 1000"));
-        assert!(error(".AAAABBBBCCCC...AAAA").contains("at character 14 has too few points: 0"));
+        assert!(error(".AAAABBBBCCCC...AAAA").starts_with("character 16 is none of A to Z"));
+        assert!(error("........").starts_with("character 3 is none of A to Z"));
+        assert!(error(".AAAABBBBCCCC..").contains("at character 14 has too few points: 0"));
         assert_eq!(Outline::parse(""), Ok(Outline::default()));
     }
 }

@@ -60,6 +60,8 @@ export interface Reading {
   readonly link: string;
   /** Every parameter's value as link text. */
   readonly values: readonly (readonly [key: string, value: string])[];
+  /** The keys that do nothing in this recipe, and why. */
+  readonly idle: readonly (readonly [key: string, reason: string])[];
   readonly notices: readonly Notice[];
 }
 /** Lines of a drawn land, each as x and y in turn, in fractions of the map's width and height. */
@@ -122,10 +124,12 @@ pub fn presets() -> Array {
 pub fn read_link(text: &str) -> Object {
     let (recipe, notices) = link::read_leniently(text);
     let value = |parameter: &Parameter| pair(parameter.name, &parameter.text_of(recipe.value(parameter.key)));
+    let idle = |row: &Parameter| recipe.idle_reason(row.key).map(|reason| pair(row.name, reason));
     let notice = |Notice { key, message }| object(&[("key", String::into(key)), ("message", String::into(message))]);
     object(&[
         ("link", link::write(&recipe).into()),
         ("values", TABLE.iter().map(value).collect::<Array>().into()),
+        ("idle", TABLE.iter().filter_map(idle).collect::<Array>().into()),
         ("notices", notices.into_iter().map(notice).collect::<Array>().into()),
     ])
 }

@@ -6,12 +6,12 @@ import { el } from "./dom.ts";
 import type { Change } from "./field.ts";
 import type { Folds } from "./folds.ts";
 import { type Group, group } from "./group.ts";
-import { idleReason } from "./idle.ts";
 import { rangeOf } from "./values.ts";
 
 export interface Controls {
   readonly element: HTMLElement;
-  show(values: ReadonlyMap<string, string>): void;
+  /** Shows values, and why some of them do nothing. */
+  show(values: ReadonlyMap<string, string>, idle: ReadonlyMap<string, string>): void;
 }
 
 /** A parameter with one possible value (the edition) has nothing to set; the seed has a box of its own, an outline is drawn. */
@@ -29,10 +29,10 @@ export function controls(table: readonly Parameter[], change: Change, folds: Fol
   }
   return {
     element: el("div", { class: "groups" }, ...groups.map(({ element }) => element)),
-    show(values) {
+    show(values, idle) {
       for (const [key, one] of made) {
         const text = values.get(key);
-        if (text !== undefined) one.show(text, idleReason(key, values));
+        if (text !== undefined) one.show(text, idle.get(key));
       }
       for (const one of groups) one.show(values);
     },

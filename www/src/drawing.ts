@@ -1,6 +1,7 @@
 /** The drawing tool: a coast drawn over the picture becomes the land, and the rivers follow the pen. */
 
 import type { Lines } from "../pkg/riverseed.js";
+import type { Traced } from "../pkg-tools/riverseed_tools.js";
 import { setText } from "./dom.ts";
 import { named } from "./errors.ts";
 import { showLines } from "./overlay.ts";
@@ -36,6 +37,8 @@ const HINTS: Record<LineKind, string> = {
   coast: "Draw a coast: it closes when you lift the pen. Within land it makes a lake.",
   ridge: "Draw a ridge across the land: no river will cross it.",
 };
+
+const LONGER = " It is longer than a map can be: what is at its long sides goes on beyond them.";
 
 export class Drawing {
   readonly #sketch = new Sketch();
@@ -91,12 +94,12 @@ export class Drawing {
   }
 
   /** Takes a traced outline in the place of the drawing, and shows what tracing kept. */
-  take(outline: string): void {
-    const lines = this.core.outlineLines(outline);
+  take(traced: Traced): void {
+    const lines = this.core.outlineLines(traced.outline);
     this.open();
     this.#sketch.replace(lines);
-    this.#become(outline, lines);
-    this.#say(`Kept of the picture: ${tally(lines)}.`);
+    this.#become(traced.outline, lines);
+    this.#say(`Kept of the picture: ${tally(lines, traced)}.${traced.isLonger ? LONGER : ""}`);
   }
 
   #switch(isOpen: boolean): void {
@@ -194,7 +197,7 @@ export class Drawing {
     try {
       const outline = this.core.outlineOf(pointsOf(lines, "coast"), pointsOf(lines, "ridge"));
       this.#become(outline, this.core.outlineLines(outline));
-      if (!isLive) this.#say(`${tally(this.#kept)}.`);
+      if (!isLive) this.#say(`${tally(this.#kept, this.#sketch.counts)}.`);
     } catch (thrown) {
       const error = named(thrown);
       if (error.code !== "no-land") throw thrown;

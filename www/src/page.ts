@@ -13,7 +13,7 @@ import { AddressBar, addressOf, linkOf, replaceAddress } from "./link.ts";
 import { parts } from "./parts.ts";
 import type { How } from "./picture.ts";
 import { listenForPictures } from "./picture-entry.ts";
-import { nearestAspect, pixelsOf } from "./picture-file.ts";
+import { pixelsOf } from "./picture-file.ts";
 import { Plate } from "./plate.ts";
 import { type Presets, presets } from "./presets.ts";
 import { Recipe } from "./recipe.ts";
@@ -23,7 +23,7 @@ import { ShareDialog } from "./share-dialog.ts";
 import { Announcer, showFailure, showNotices } from "./status.ts";
 import { loadTools } from "./tools.ts";
 import { Transport } from "./transport.ts";
-import { count, rangeOf } from "./values.ts";
+import { count } from "./values.ts";
 import { type Core, load } from "./wasm.ts";
 import { alternative, caption, sentence } from "./words.ts";
 
@@ -102,19 +102,14 @@ class Page {
     try {
       const tools = await loadTools();
       const { rgba, width, height } = await pixelsOf(file, tools.longestTracedSide());
-      this.#drawing.take(tools.traceImage(rgba, width, height));
-      this.#set([["aspect", this.#aspectOf({ width, height })]], "settle");
+      const traced = tools.traceImage(rgba, width, height);
+      this.#drawing.take(traced);
+      this.#set([["aspect", traced.aspect.toFixed(2)]], "settle");
     } catch (thrown) {
       const error = named(thrown);
       if (isRecoverable(error)) this.#note(error.message);
       else this.#fail(error);
     }
-  }
-
-  #aspectOf(picture: { width: number; height: number }): string {
-    const row = this.core.engine.parameters().find(({ key }) => key === "aspect");
-    const range = row && rangeOf(row);
-    return range ? nearestAspect(picture, range) : (this.#recipe.values.get("aspect") ?? "");
   }
 
   /** A land that was drawn before is there again when the tool is opened. */
@@ -179,9 +174,9 @@ class Page {
   }
 
   #showRecipe(): void {
-    const { link, values, seed } = this.#recipe;
+    const { link, values, idle, seed } = this.#recipe;
     this.#address.show(link);
-    this.#controls.show(values);
+    this.#controls.show(values, idle);
     this.#presets.show(values);
     this.#seedBox.show(seed);
     this.#drawing.show(values.get("outline") ?? "");

@@ -1,8 +1,6 @@
 /** Pictures that people bring: from a file to pixels, never more of them than the core takes. */
 
 import { PageError } from "./errors.ts";
-import type { Range } from "./values.ts";
-import { numberText } from "./values.ts";
 
 /** A larger file is no picture of a coast. */
 const LARGEST_FILE = 64 * 1024 * 1024;
@@ -62,9 +60,4 @@ export function pngSize(head: Uint8Array): { width: number; height: number } | u
   if (head.length < 24 || signature.some((byte, i) => head[i] !== byte)) return undefined;
   const view = new DataView(head.buffer, head.byteOffset);
   return { width: view.getUint32(16), height: view.getUint32(20) };
-}
-
-/** A picture's aspect as the recipe can have it. */
-export function nearestAspect({ width, height }: { width: number; height: number }, range: Range): string {
-  return numberText(Math.min(range.max, Math.max(range.min, width / height)), range.step);
 }

@@ -6,6 +6,7 @@ import { linkText } from "./link.ts";
 export class Recipe {
   #link = "";
   #values = new Map<string, string>();
+  #idle = new Map<string, string>();
   #notices = new Map<string, string>();
 
   constructor(private readonly read: (text: string) => Reading) {}
@@ -17,6 +18,11 @@ export class Recipe {
 
   get values(): ReadonlyMap<string, string> {
     return this.#values;
+  }
+
+  /** Why keys do nothing, by key. */
+  get idle(): ReadonlyMap<string, string> {
+    return this.#idle;
   }
 
   /** What had to be clamped or left out, by the key it is about. */
@@ -48,9 +54,10 @@ export class Recipe {
     this.#notices.clear();
   }
 
-  #take({ link, values, notices }: Reading): void {
+  #take({ link, values, idle, notices }: Reading): void {
     this.#link = link;
     this.#values = new Map(values);
+    this.#idle = new Map(idle);
     for (const { key, message } of notices) {
       const before = this.#notices.get(key);
       this.#notices.set(key, before ? `${before}; ${message}` : message);

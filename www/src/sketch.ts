@@ -23,6 +23,11 @@ export class Sketch {
     return this.#live ? [...this.#lines, this.#live] : this.#lines;
   }
 
+  get counts(): Counts {
+    const ridges = this.lines.filter(({ kind }) => kind === "ridge").length;
+    return { coasts: this.lines.length - ridges, ridges };
+  }
+
   /** Whether the pen is down. */
   get isLive(): boolean {
     return this.#live !== undefined;
@@ -102,10 +107,18 @@ function inside(x: number): number {
   return Math.min(1, Math.max(0, x));
 }
 
-/** What is kept of the lines, in words. */
-export function tally({ coasts, ridges }: Lines): string {
+/** How many lines there are. */
+export interface Counts {
+  readonly coasts: number;
+  readonly ridges: number;
+}
+
+/** What is kept of so many lines, in words. */
+export function tally({ coasts, ridges }: Lines, all: Counts): string {
   const counted = (count: number, one: string) => `${count} ${one}${count === 1 ? "" : "s"}`;
+  const share = (kept: number, of: number, one: string) => (kept < of ? `${kept} of ` : "") + counted(of, one);
   const points = [...coasts, ...ridges].reduce((sum, line) => sum + line.length / 2, 0);
-  const kept = [counted(coasts.length, "coast"), ...(ridges.length > 0 ? [counted(ridges.length, "ridge")] : [])];
+  const kept = [share(coasts.length, all.coasts, "coast")];
+  if (all.ridges > 0) kept.push(share(ridges.length, all.ridges, "ridge"));
   return `${kept.join(" and ")}, ${counted(points, "point")}`;
 }

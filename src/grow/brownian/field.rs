@@ -39,8 +39,14 @@ impl Field {
         Self { size, ..field }
     }
 
+    /// What ridges cut off from the sea is no land here: particles born there would count, and none can make a river.
     fn of_land(land: &Land) -> Self {
-        Self::new(land.columns(), land.rows(), SIDE, |column, row| land.cell(column, row))
+        let mut this = Self::new(land.columns(), land.rows(), SIDE, |column, row| land.cell(column, row));
+        for run in land.regions().iter().filter(|region| region.shores.is_empty()).flat_map(|region| &region.runs) {
+            let first = run.row as usize * this.columns as usize;
+            this.cells[first + run.start as usize..first + run.end as usize].fill(Cell::Illegal);
+        }
+        this
     }
 
     /// A rectangle of land with a line of water along some of its sides.
@@ -157,5 +163,28 @@ impl Place {
     pub fn squared_distance(self, other: Self) -> i32 {
         let (x, y) = (self.column - other.column, self.row - other.row);
         x * x + y * y
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::recipe::link;
+
+    #[test]
+    fn what_ridges_enclose_is_no_land_for_particles() {
+        // A square of six tenths of a side, in it a ridge around two tenths.
+        let outline = ".MzMzzMMzzMzMMzzM..ZmZmmZZmmZmZZmmZZmZm";
+        let parameters =
+            Parameters::of(&link::read(&format!("land=drawn&rough=0&aspect=1&outline={outline}")).unwrap());
+        let land = parameters.land.as_deref().unwrap();
+        let field = Field::of(&parameters);
+        let [within, without] = [500, 300].map(|column| Place { column, row: 500 });
+        assert_eq!(land.cell(within.column, within.row), Cell::Available);
+        assert_eq!(field.cell(within), Some(Cell::Illegal));
+        assert_eq!(field.cell(without), Some(Cell::Available));
+        let watered: u32 = parameters.watered().map(|region| region.cells).sum();
+        assert_eq!(field.available(), watered);
+        assert!((watered as f32 / 320_000.0 - 1.0).abs() < 0.02, "{watered}");
     }
 }

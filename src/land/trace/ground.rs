@@ -12,7 +12,9 @@ pub(super) struct Ground {
     /// Not 0 where there is a ridge.
     pub ridges: Vec<u8>,
     /// The pixels of the picture to a block, each way; the last blocks may have fewer.
-    block: f32,
+    pub block: f32,
+    /// The share of the picture's pixels that are more land than water.
+    pub light: f32,
     width: f32,
     height: f32,
 }
@@ -37,6 +39,7 @@ impl Ground {
             land: softened(&sums.iter().map(Sum::share).collect::<Vec<_>>(), columns),
             ridges: sums.iter().map(is_ridge).collect(),
             block: block as f32,
+            light: sums.iter().map(|sum| sum.light).sum::<u32>() as f32 / (width * height) as f32,
             width: width as f32,
             height: height as f32,
         }
@@ -45,7 +48,26 @@ impl Ground {
     /// Blocks without a picture, row by row.
     pub fn of_blocks(columns: usize, land: Vec<f32>) -> Self {
         let rows = land.len() / columns;
-        Self { columns, rows, land, ridges: Vec::new(), block: 1.0, width: columns as f32, height: rows as f32 }
+        Self {
+            columns,
+            rows,
+            land,
+            ridges: Vec::new(),
+            block: 1.0,
+            light: 1.0,
+            width: columns as f32,
+            height: rows as f32,
+        }
+    }
+
+    /// The same blocks with other land, of which there is 0 or 1 in each.
+    pub fn with_land(&self, land: &[f32]) -> Self {
+        Self { land: softened(land, self.columns), ridges: Vec::new(), ..*self }
+    }
+
+    /// The picture's width over its height.
+    pub fn aspect(&self) -> f32 {
+        self.width / self.height
     }
 
     /// The middle of a column of blocks, as a fraction of the picture's width. The columns next to the picture on either
@@ -73,19 +95,20 @@ fn middle(i: i32, count: i32, block: f32, length: f32) -> f32 {
 struct Sum {
     land: f32,
     pixels: u32,
+    light: u32,
     ridges: u32,
 }
 
 impl Sum {
     fn add(&mut self, kind: Kind) {
         self.pixels += 1;
-        match kind {
-            Kind::Ground(land) => self.land += land,
-            Kind::Ridge => {
-                self.ridges += 1;
-                self.land += 1.0;
-            }
-        }
+        let land = match kind {
+            Kind::Ground(land) => land,
+            Kind::Ridge => 1.0,
+        };
+        self.ridges += u32::from(matches!(kind, Kind::Ridge));
+        self.light += u32::from(land > 0.5);
+        self.land += land;
     }
 
     fn share(&self) -> f32 {

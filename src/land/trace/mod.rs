@@ -1,12 +1,16 @@
 //! Tracing a picture of a land: black is water, white is land, and a third colour is a ridge.
 
+mod areas;
 mod contour;
+mod frame;
 mod ground;
 mod ridges;
 
 use thiserror::Error;
 
+use self::frame::Frame;
 use self::ground::Ground;
+use super::field::LEAST_DRAWN;
 use super::strokes::DrawError;
 use crate::recipe::Outline;
 
@@ -50,42 +54,84 @@ pub enum TraceError {
     /// Nothing but transparency.
     #[error("the picture is empty: all of it is transparent")]
     Empty,
-    /// No land worth the name.
+    /// No land.
     #[error("the picture is all water: land is white, water black")]
     AllWater,
-    /// No water worth the name.
+    /// No water.
     #[error("the picture is all land: land is white, water black")]
     AllLand,
+    /// Both colours, but one of them in lines that are lost between the other's.
+    #[error("the {what} is too thin to trace: draw it {pixels} pixels wide or wider, or choose a smaller picture")]
+    TooThin {
+        /// Which, `land` or `water`.
+        what: &'static str,
+        /// How wide would do, in pixels.
+        pixels: u32,
+    },
     /// Nothing but specks.
     #[error("nothing of the picture is large enough to keep: {0}")]
     Nothing(DrawError),
 }
+
+/// What tracing made of a picture.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Traced {
+    /// As much of the picture as there is room for.
+    pub outline: Outline,
+    /// How many coasts the picture shows, specks left out; the outline may have fewer.
+    pub coasts: usize,
+    /// How many ridges.
+    pub ridges: usize,
+    /// The aspect of the map that the outline is for: the picture's, as far as a recipe can have it.
+    pub aspect: f32,
+    /// Whether the picture is longer than that: then it lies in the middle of the map, and what is at its long sides goes
+    /// on beyond.
+    pub is_longer: bool,
+}
+
+/// What a picture of two colours has less of than this, in shares of its pixels, is dust.
+const DUST: f32 = 1e-4;
 
 /// Traces a picture, given as RGBA bytes row by row, not premultiplied.
 ///
 /// What is dark or transparent is water, what is light is land; shades between them count by how light they are, so that
 /// soft edges are traced between pixels. Ridges are strong colours (channels that differ by 96 or more), and greys of
 /// 96 to 160 unless they are the soft edge between something darker and something lighter. Ridges become lines along
-/// their middles. Specks are left out, and the rest is simplified until it fits an outline's text.
+/// their middles or, where they are wider than a line would be, around them: no river grows within. Specks are left out,
+/// and the rest is simplified until it fits an outline's text.
 ///
 /// # Errors
 /// If the picture's size is out of range, or it shows no coast.
-pub fn trace(width: u32, height: u32, rgba: &[u8]) -> Result<Outline, TraceError> {
+pub fn trace(width: u32, height: u32, rgba: &[u8]) -> Result<Traced, TraceError> {
     check_size(width, height, rgba.len())?;
     if rgba.chunks_exact(4).all(|pixel| pixel[3] == 0) {
         return Err(TraceError::Empty);
     }
     let ground = Ground::of(width as usize, height as usize, rgba);
-    let share = ground.land.iter().sum::<f32>() / ground.land.len() as f32;
-    let coasts = contour::rings(&ground);
+    let (mut coasts, mut ridges) = (contour::rings(&ground), ridges::lines(&ground));
+    let too_thin = |what| TraceError::TooThin { what, pixels: 2 * ground.block as u32 };
     // A ring all of whose points lie on the border is that border.
     if !coasts.iter().flatten().any(|point| point.min_element() > 0.0 && point.max_element() < 1.0) {
-        return Err(if share > 0.5 { TraceError::AllLand } else { TraceError::AllWater });
+        return Err(match ground.light {
+            light if light < DUST => TraceError::AllWater,
+            light if light > 1.0 - DUST => TraceError::AllLand,
+            light => too_thin(if light < 0.5 { "land" } else { "water" }),
+        });
     }
-    Outline::of_strokes(coasts, ridges::lines(&ground)).map_err(|error| match error {
-        DrawError::NoWater => TraceError::AllLand,
-        DrawError::TooSmall | DrawError::NoCoast if share < 0.01 => TraceError::AllWater,
+    let frame = Frame::of(&ground);
+    coasts.iter_mut().chain(&mut ridges).flatten().for_each(|point| *point = frame.place(*point));
+    let (all_coasts, all_ridges) = (coasts.len(), ridges.len());
+    let outline = Outline::of_strokes(coasts, ridges).map_err(|error| match error {
+        DrawError::NoWater => too_thin("water"),
+        DrawError::TooSmall if ground.light > 2.0 * LEAST_DRAWN => too_thin("land"),
         error => TraceError::Nothing(error),
+    })?;
+    Ok(Traced {
+        outline,
+        coasts: all_coasts,
+        ridges: all_ridges,
+        aspect: frame.aspect,
+        is_longer: frame.aspect != ground.aspect(),
     })
 }
 
@@ -149,7 +195,7 @@ mod tests {
         for (width, height) in [(60, 60), (300, 200), (900, 700), (2000, 1500)] {
             let radius = height as f32 * 0.35;
             let rgba = disc(width, height, Vec2::new(width as f32, height as f32) / 2.0, radius);
-            let outline = trace(width, height, &rgba).unwrap();
+            let outline = trace(width, height, &rgba).unwrap().outline;
             let points: Vec<Vec2> = outline.coasts()[0].iter().map(|point| point.fraction()).collect();
             let area: f32 = points.iter().zip(points.iter().cycle().skip(1)).map(|(a, b)| a.perp_dot(*b) / 2.0).sum();
             let expected = std::f32::consts::PI * radius * radius / (width * height) as f32;
@@ -161,7 +207,7 @@ mod tests {
     #[test]
     fn land_that_runs_off_the_picture_does_so_in_the_outline() {
         let rgba = picture(200, 100, |at| if at.y < 50.0 + 20.0 * libm::sinf(at.x / 15.0) { WHITE } else { BLACK });
-        let outline = trace(200, 100, &rgba).unwrap();
+        let outline = trace(200, 100, &rgba).unwrap().outline;
         for at in [Vec2::new(1e-4, 1e-4), Vec2::new(0.9999, 1e-4), Vec2::new(0.5, 1e-4), Vec2::new(1e-4, 0.3)] {
             assert!(is_land(&outline, at), "{at}");
         }
@@ -177,7 +223,7 @@ mod tests {
             _ if at.distance(Vec2::splat(10.0)) < 1.5 => WHITE,
             _ => BLACK,
         });
-        let outline = trace(300, 300, &rgba).unwrap();
+        let outline = trace(300, 300, &rgba).unwrap().outline;
         assert_eq!(outline.coasts().len(), 3);
         assert!(agreement(300, 300, &rgba, &outline) > 0.98);
     }
@@ -190,7 +236,7 @@ mod tests {
                 d if d < 120.0 => WHITE,
                 _ => BLACK,
             });
-            let outline = trace(300, 300, &rgba).unwrap();
+            let outline = trace(300, 300, &rgba).unwrap().outline;
             assert_eq!((outline.coasts().len(), outline.ridges().len()), (1, 1), "{third:?}");
             let ends: Vec<Vec2> = outline.ridges()[0].iter().map(|point| point.fraction()).collect();
             assert!(ends.iter().all(|end| (end.y - 0.5).abs() < 0.01), "{ends:?}");
@@ -205,7 +251,7 @@ mod tests {
             let light = ((at.x - 149.0) / 3.0).clamp(0.0, 1.0) * 255.0;
             [light as u8, light as u8, light as u8, 255]
         });
-        assert_eq!(trace(300, 300, &rgba).unwrap().ridges().len(), 0);
+        assert_eq!(trace(300, 300, &rgba).unwrap().ridges, 0);
     }
 
     #[test]
@@ -219,7 +265,101 @@ mod tests {
         assert_eq!(trace(0, 0, &[]), Err(TraceError::TooSmall { width: 0, height: 0 }));
         assert_eq!(trace(20, 20, &[0; 7]), Err(TraceError::Bytes { bytes: 7, width: 20, height: 20 }));
         let speck = disc(400, 400, Vec2::splat(200.0), 9.0);
-        assert_eq!(trace(400, 400, &speck), Err(TraceError::AllWater));
+        assert_eq!(trace(400, 400, &speck), Err(TraceError::Nothing(DrawError::TooSmall)));
+    }
+
+    #[test]
+    fn what_is_too_thin_is_called_so_and_as_wide_as_asked_for_it_is_traced() {
+        for (size, ground, line, name) in
+            [(300, BLACK, WHITE, "land"), (1400, BLACK, WHITE, "land"), (1400, WHITE, BLACK, "water")]
+        {
+            // At several places among the blocks.
+            let lines = |width: f32| {
+                let is_line = |at: Vec2| ((at.x + at.y) % (size as f32 / 4.7) - 50.0).abs() < width / 2.0;
+                picture(size, size, |at| if is_line(at) { line } else { ground })
+            };
+            let Err(TraceError::TooThin { what, pixels }) = trace(size, size, &lines(1.0)) else {
+                panic!("{size}: {name} of one pixel is traced");
+            };
+            assert_eq!(what, name);
+            let traced = trace(size, size, &lines(pixels as f32 * 1.5));
+            assert!(traced.as_ref().is_ok_and(|traced| traced.coasts >= 5), "{size}: {pixels}: {traced:?}");
+        }
+    }
+
+    #[test]
+    fn a_wide_area_of_the_third_colour_is_traced_around() {
+        for (width, height) in [(90, 60), (800, 600), (1500, 1400)] {
+            let size = Vec2::new(width as f32, height as f32);
+            let rgba = picture(width, height, |at| {
+                let from_middle = ((at - size / 2.0) / size).abs();
+                match from_middle {
+                    d if d.x < 0.2 && d.y < 0.12 => RED,
+                    d if d.length() < 0.4 => WHITE,
+                    _ => BLACK,
+                }
+            });
+            let traced = trace(width, height, &rgba).unwrap();
+            assert_eq!((traced.coasts, traced.ridges), (1, 1), "{width} x {height}");
+            let ring: Vec<Vec2> = traced.outline.ridges()[0].iter().map(|point| point.fraction()).collect();
+            assert_eq!(ring.first(), ring.last());
+            let area: f32 = ring.windows(2).map(|pair| pair[0].perp_dot(pair[1]) / 2.0).sum();
+            assert!((area.abs() / (0.4 * 0.24) - 1.0).abs() < 0.05, "{width} x {height}: {area}");
+        }
+    }
+
+    #[test]
+    fn an_area_may_have_a_hole_and_lines_of_its_colour_apart_from_it_stay_lines() {
+        let rgba = picture(400, 400, |at| match at.distance(Vec2::new(150.0, 200.0)) {
+            d if (40.0..75.0).contains(&d) => RED,
+            _ if (at.x - 290.0).abs() < 3.0 && (at.y - 200.0).abs() < 80.0 => RED,
+            _ if at.distance(Vec2::splat(200.0)) < 180.0 => WHITE,
+            _ => BLACK,
+        });
+        let traced = trace(400, 400, &rgba).unwrap();
+        let is_closed = |line: &&Vec<crate::recipe::GridPoint>| line.first() == line.last();
+        let (closed, open): (Vec<_>, Vec<_>) = traced.outline.ridges().iter().partition(is_closed);
+        assert_eq!((traced.ridges, closed.len(), open.len()), (3, 2, 1));
+        assert!(open[0].iter().all(|point| (point.fraction().x - 0.725).abs() < 0.01), "{open:?}");
+    }
+
+    #[test]
+    fn what_is_found_is_counted_and_what_is_kept_may_be_less() {
+        let at = |i: usize| Vec2::new((i % 10) as f32, (i / 10) as f32) * 60.0 + 30.0;
+        let rgba = picture(600, 600, |here| {
+            if (0..100).any(|i| here.distance(at(i)) < 15.0 + i as f32 / 10.0) { WHITE } else { BLACK }
+        });
+        let traced = trace(600, 600, &rgba).unwrap();
+        assert_eq!((traced.coasts, traced.ridges), (100, 0));
+        assert!((30..80).contains(&traced.outline.coasts().len()), "{}", traced.outline.coasts().len());
+    }
+
+    #[test]
+    fn a_picture_longer_than_any_map_is_not_squeezed_and_what_leaves_it_goes_on() {
+        for is_tall in [false, true] {
+            let (width, height) = if is_tall { (100, 800) } else { (800, 100) };
+            let turned = |at: Vec2| if is_tall { Vec2::new(at.y, at.x) } else { at };
+            // A disc, and land that runs off both long sides.
+            let rgba = picture(width, height, |at| match turned(at) {
+                at if at.distance(Vec2::new(200.0, 50.0)) < 40.0 => WHITE,
+                at if (at.x - 600.0).abs() < 100.0 => WHITE,
+                _ => BLACK,
+            });
+            let traced = trace(width, height, &rgba).unwrap();
+            assert_eq!((traced.aspect, traced.coasts), (if is_tall { 0.25 } else { 4.0 }, 2));
+            assert!(traced.is_longer);
+            let spans = traced.outline.coasts().iter().map(|ring| {
+                let points: Vec<Vec2> = ring.iter().map(|point| turned(point.fraction())).collect();
+                let [low, high] = [Vec2::min, Vec2::max].map(|end| points.iter().copied().reduce(end).unwrap());
+                high - low
+            });
+            let mut spans: Vec<Vec2> = spans.collect();
+            spans.sort_by(|a, b| a.x.total_cmp(&b.x));
+            // The map is 4 to 1, so that the disc is four times as high as wide in its fractions.
+            assert!((spans[0].y / spans[0].x - 4.0).abs() < 0.1, "{spans:?}");
+            assert!((spans[0].x - 0.1).abs() < 0.005, "{spans:?}");
+            assert!((spans[1].x - 0.25).abs() < 0.01 && spans[1].y == 1.0, "{spans:?}");
+        }
     }
 
     proptest! {
@@ -237,7 +377,7 @@ mod tests {
                 let is_in = |&(x, y, r): &(f32, f32, f32)| at.distance(Vec2::new(x, y) * size) < r * span;
                 if blobs.iter().any(is_in) { WHITE } else { BLACK }
             });
-            let outline = trace(width, height, &rgba).unwrap();
+            let outline = trace(width, height, &rgba).unwrap().outline;
             let agreement = agreement(width, height, &rgba, &outline);
             prop_assert!(agreement >= 0.98, "{}", agreement);
         }
@@ -252,7 +392,7 @@ mod tests {
             let count = (width * height) as usize;
             let rgba: Vec<u8> =
                 choices[..count].iter().flat_map(|&choice| palette[usize::from(choice) % palette.len()]).collect();
-            if let Ok(outline) = trace(width, height, &rgba) {
+            if let Ok(Traced { outline, .. }) = trace(width, height, &rgba) {
                 prop_assert!(outline.to_string().len() <= crate::recipe::LONGEST_OUTLINE);
                 prop_assert_eq!(Outline::parse(&outline.to_string()), Ok(outline));
             }

@@ -2,20 +2,21 @@
 
 use glam::Vec2;
 
+use super::areas;
 use super::ground::Ground;
 use crate::thin::thin;
 
 /// Lines of fewer blocks are specks, or hairs that thinning left.
 const FEWEST: usize = 6;
 
-/// The ridges, in fractions of width and height.
+/// The ridges, in fractions of width and height: lines along the middle of what is narrow, and around what is not.
 pub(super) fn lines(ground: &Ground) -> Vec<Vec<Vec2>> {
     let mut mask: Vec<u8> = ground.ridges.iter().map(|&ridge| if ridge == 0 { 0 } else { 255 }).collect();
+    let mut lines = areas::take_out(ground, &mut mask);
     thin(&mut mask, ground.columns);
     let mut walker = Walker { ground, is_left: mask.iter().map(|&pixel| pixel != 0).collect(), mask };
     let starts: Vec<usize> = (0..walker.mask.len()).filter(|&i| walker.mask[i] != 0).collect();
     let (ends, others): (Vec<usize>, Vec<usize>) = starts.into_iter().partition(|&i| walker.beside(i).count() == 1);
-    let mut lines = Vec::new();
     // From loose ends first, so that a line is walked whole; rings and what lies between forks come after.
     for start in ends.into_iter().chain(others) {
         let line = walker.walk(start);

@@ -1,6 +1,5 @@
 import { expect, type Locator, type Page, test } from "@playwright/test";
 import { isAdjustable } from "../../src/controls.ts";
-import { idleReason } from "../../src/idle.ts";
 import { engine } from "../core.ts";
 import {
   address,
@@ -20,7 +19,7 @@ const SMALL = "seed=kauri&attractors=300&edition=1";
 const adjustable = engine.parameters().filter(isAdjustable);
 
 function reasonIn(link: string, key: string): string | undefined {
-  return idleReason(key, new Map(engine.readLink(link).values));
+  return new Map(engine.readLink(link).idle).get(key);
 }
 
 /** Recipes in one of which every control has something to do. */

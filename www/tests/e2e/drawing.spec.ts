@@ -230,7 +230,7 @@ test("what is too small for a land is said, and stays to be drawn on", async ({ 
 });
 
 test("a drawn land of a link is there to be drawn on", async ({ page }) => {
-  const outline = tools.traceImage(
+  const { outline } = tools.traceImage(
     new Uint8Array(64 * 64 * 4).map((_, i) => ((i >> 2) % 64 < 30 ? 255 : 0)),
     64,
     64,
@@ -258,6 +258,17 @@ test("a picture is traced: its coast, its ridge and its shape are the map's, and
   await expect(page.locator("#told")).toContainText("Kept of the picture: 1 coast and 1 ridge, ");
   await expect(page.locator("#sketch path")).toHaveCount(2);
   await expectPictureOfAddress(page);
+});
+
+test("what a picture has too much of is said, and a long one is not squeezed", async ({ page }) => {
+  // Four rows of twenty islands on a sea five times as long as wide.
+  const islands = png(500, 100, (x, y) => (x % 25 < 15 && y % 25 < 15 ? [255, 255, 255] : [0, 0, 0]));
+  await openFinished(page, SMALL);
+  await choose(page, islands);
+  await expectAddress(page, "aspect", "4");
+  await expect(page.locator("#told")).toContainText(
+    /Kept of the picture: \d+ of 80 coasts, \d+ points\..* goes on beyond/,
+  );
 });
 
 test("a picture can be dropped onto the map, and pasted", async ({ page }) => {

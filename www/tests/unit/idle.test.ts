@@ -1,6 +1,5 @@
 import { expect, test } from "vitest";
 import { isAdjustable } from "../../src/controls.ts";
-import { idleReason } from "../../src/idle.ts";
 import { engine, parameter, pictureOf } from "../core.ts";
 
 /** What decides whether others do something; coarse and soon done, since every value of every key is drawn. */
@@ -55,8 +54,9 @@ function merged(link: string, over: string): string {
   return query.toString();
 }
 
-function valuesOf(link: string): Map<string, string> {
-  return new Map(engine.readLink(link).values);
+/** The keys that are said to do nothing, and why. */
+function idleIn(link: string): ReadonlyMap<string, string> {
+  return new Map(engine.readLink(link).idle);
 }
 
 const pictures = new Map<string, string>();
@@ -70,8 +70,8 @@ function drawn(link: string): string {
 
 for (const link of recipes) {
   test(`what is idle changes nothing: ${link.slice(0, 100)}`, () => {
-    const idle = keys.filter((key) => idleReason(key, valuesOf(link)) !== undefined);
-    for (const key of idle) {
+    const idle = idleIn(link);
+    for (const key of keys.filter((key) => idle.has(key))) {
       for (const text of textsOf(key))
         expect(drawn(merged(link, `${key}=${text}`)), `${key}=${text}`).toBe(drawn(link));
     }
@@ -80,7 +80,8 @@ for (const link of recipes) {
 
 for (const link of recipes) {
   test(`what is not idle changes something: ${link.slice(0, 100)}`, () => {
-    const active = keys.filter((key) => idleReason(key, valuesOf(link)) === undefined);
+    const idle = idleIn(link);
+    const active = keys.filter((key) => !idle.has(key));
     const isSame = (key: string) => textsOf(key).every((text) => drawn(merged(link, `${key}=${text}`)) === drawn(link));
     expect(active.filter((key) => !maySame(link).includes(key) && isSame(key))).toEqual([]);
   }, 60_000);
@@ -96,7 +97,7 @@ for (const key of BY_CHANCE) {
 test("every key that can be idle is so in some recipe, and does something in another", () => {
   for (const key of keys) {
     expect(
-      recipes.some((link) => idleReason(key, valuesOf(link)) === undefined),
+      recipes.some((link) => !idleIn(link).has(key)),
       key,
     ).toBe(true);
   }
@@ -115,7 +116,7 @@ test("every key that can be idle is so in some recipe, and does something in ano
     "neck",
   ]) {
     expect(
-      recipes.some((link) => idleReason(key, valuesOf(link)) !== undefined),
+      recipes.some((link) => idleIn(link).has(key)),
       key,
     ).toBe(true);
   }

@@ -1,7 +1,5 @@
 import { expect, test } from "vitest";
-import { nearestAspect, pixelsOf, pngSize } from "../../src/picture-file.ts";
-import { rangeOf } from "../../src/values.ts";
-import { parameter } from "../core.ts";
+import { pixelsOf, pngSize } from "../../src/picture-file.ts";
 
 function head(width: number, height: number): Uint8Array<ArrayBuffer> {
   const bytes = new Uint8Array(24);
@@ -19,13 +17,4 @@ test("the size of a PNG is read from its head, and of nothing else", () => {
 
 test("a picture that is too large is refused before it is unpacked", async () => {
   await expect(pixelsOf(new Blob([head(4097, 5)]), 4096)).rejects.toThrow("4097 × 5 pixels, at most 4096 × 4096");
-});
-
-test("a picture's aspect is brought into the range of the recipe", () => {
-  const range = rangeOf(parameter("aspect"));
-  if (!range) throw new Error("aspect has no range");
-  expect(nearestAspect({ width: 300, height: 200 }, range)).toBe("1.5");
-  expect(nearestAspect({ width: 640, height: 481 }, range)).toBe("1.33");
-  expect(nearestAspect({ width: 9000, height: 10 }, range)).toBe(String(range.max));
-  expect(nearestAspect({ width: 10, height: 9000 }, range)).toBe(String(range.min));
 });

@@ -66,7 +66,8 @@ test("the core keeps what is drawn and gives it back", () => {
   draw(sketch, "ridge", [0.3, 0.3], [0.6, 0.6]);
   const outline = engine.outlineOf(pointsOf(sketch.lines, "coast"), pointsOf(sketch.lines, "ridge"));
   const lines = engine.outlineLines(outline);
-  expect(tally(lines)).toBe("1 coast and 1 ridge, 6 points");
+  expect(tally(lines, { coasts: 1, ridges: 1 })).toBe("1 coast and 1 ridge, 6 points");
+  expect(tally(lines, { coasts: 4, ridges: 2 })).toBe("1 of 4 coasts and 1 of 2 ridges, 6 points");
   lines.coasts[0]?.forEach((x, i) => {
     expect(x).toBeCloseTo(SQUARE.flat()[i] ?? Number.NaN, 3);
   });

@@ -1,0 +1,190 @@
+//! Which parameters do nothing in a recipe, and why: the one place where that is decided.
+
+use super::parameter::Key;
+use super::{Decimal, Recipe, Value};
+
+/// Keys that do nothing while all of some facts hold.
+struct Rule {
+    /// A bit each, by number: smaller than lists.
+    keys: u64,
+    /// One of these facts holds, and one of those.
+    when: [u32; 2],
+    reason: &'static str,
+}
+
+/// Facts of a recipe, a bit each: that a choice is the one of that number, or a number is 0.
+const FACTS: [(Key, u32); 15] = [
+    (Key::Land, 0),
+    (Key::Land, 1),
+    (Key::Land, 3),
+    (Key::Land, 5),
+    (Key::Land, DRAWN_LAND),
+    (Key::Growth, 0),
+    (Key::Growth, 1),
+    (Key::Meander, 1),
+    (Key::Meander, 2),
+    (Key::Style, 1),
+    (Key::Curl, 0),
+    (Key::MeanderRounds, 0),
+    (Key::MeanderStrength, 0),
+    (Key::Great, 0),
+    (Key::Gentle, 0),
+];
+const DRAWN_LAND: u32 = 6;
+const RECTANGLE: u32 = 1;
+const ISLAND: u32 = 1 << 1;
+const ARCHIPELAGO: u32 = 1 << 2;
+const BASIN: u32 = 1 << 3;
+const DRAWN: u32 = 1 << 4;
+const COLONIZE: u32 = 1 << 5;
+const BROWNIAN: u32 = 1 << 6;
+const FLOW: u32 = 1 << 7;
+const STRAIGHT: u32 = 1 << 8;
+const SKELETON: u32 = 1 << 9;
+const NO_CURL: u32 = 1 << 10;
+const NO_ROUNDS: u32 = 1 << 11;
+const NO_STRENGTH: u32 = 1 << 12;
+const NO_GREAT: u32 = 1 << 13;
+const NO_GENTLE: u32 = 1 << 14;
+/// Known by the lack of another.
+const UNDRAWN: u32 = 1 << 15;
+const ALWAYS: u32 = !0;
+
+/// All that space colonization goes by.
+const COLONIZING: &[Key] = &[
+    Key::Mouths,
+    Key::Apart,
+    Key::Attractors,
+    Key::Scatter,
+    Key::Reach,
+    Key::Kill,
+    Key::Step,
+    Key::Momentum,
+    Key::Curl,
+    Key::Stretch,
+];
+/// All that meandering goes by, but its model. Without rounds, rounds do something.
+const MEANDERING: &[Key] = &[
+    Key::MeanderRounds,
+    Key::MeanderStrength,
+    Key::MeanderMix,
+    Key::Gentle,
+    Key::Great,
+    Key::Flat,
+    Key::Neck,
+    Key::Buffer,
+    Key::Taper,
+];
+/// What is nothing to rivers none of which meanders.
+const BENDING: &[Key] = &[Key::MeanderStrength, Key::MeanderMix, Key::Neck, Key::Buffer, Key::Taper];
+
+const fn rule(keys: &[Key], when: u32, and: u32, reason: &'static str) -> Rule {
+    Rule { keys: bits(keys), when: [when, and], reason }
+}
+
+const fn bits(keys: &[Key]) -> u64 {
+    match keys {
+        [first, rest @ ..] => 1 << *first as u64 | bits(rest),
+        [] => 0,
+    }
+}
+
+const STILL: &str = "Rivers do not meander here.";
+
+/// Of several rules for a key the first that holds gives the reason.
+static RULES: [Rule; 15] = [
+    rule(&[Key::Sea, Key::Rough, Key::Apart], RECTANGLE, ALWAYS, "The whole rectangle is land: it has no coast."),
+    rule(&[Key::Sea, Key::Sides], DRAWN, ALWAYS, "The drawing says where the sea is."),
+    rule(&[Key::Sides], ISLAND | ARCHIPELAGO, ALWAYS, "This land has the sea all round."),
+    rule(&[Key::Sides], BASIN, ALWAYS, "Rivers run to the lake in the middle."),
+    rule(&[Key::Outline], UNDRAWN, ALWAYS, "The land is not drawn."),
+    rule(COLONIZING, BROWNIAN, ALWAYS, "Only space colonization has it."),
+    rule(&[Key::Sensitivity], COLONIZE, ALWAYS, "Only a Brownian tree has it."),
+    rule(&[Key::Stretch], NO_CURL, ALWAYS, "Only rivers with curl have stretches."),
+    rule(MEANDERING, STRAIGHT, ALWAYS, STILL),
+    rule(MEANDERING.split_at(1).1, NO_ROUNDS, ALWAYS, STILL),
+    rule(BENDING, NO_GREAT, NO_GENTLE, STILL),
+    rule(&[Key::MeanderMix], NO_STRENGTH, ALWAYS, STILL),
+    rule(&[Key::MeanderMix], FLOW, ALWAYS, "Only bends that grow outward have it."),
+    rule(&[Key::Flat], NO_GREAT, ALWAYS, "There are no great rivers."),
+    // Bends grow in proportion to widths: of rivers that meander the skeleton shows widths, too.
+    rule(&[Key::Width, Key::Vary], SKELETON, STRAIGHT | NO_ROUNDS, "The skeleton is one pixel wide everywhere."),
+];
+
+impl Recipe {
+    /// Why a parameter does nothing in this recipe, in a sentence; `None` if it does something.
+    pub fn idle_reason(&self, key: Key) -> Option<&'static str> {
+        let facts = FACTS.iter().rev().fold(0, |facts, fact| facts << 1 | u32::from(self.holds(fact)));
+        let facts = if facts & DRAWN == 0 { facts | UNDRAWN } else { facts };
+        let applies = |rule: &&Rule| rule.keys >> key as u64 & 1 == 1 && rule.when.iter().all(|any| facts & any != 0);
+        RULES.iter().find(applies).map(|rule| rule.reason)
+    }
+
+    // In line it would be there once a fact.
+    #[inline(never)]
+    fn holds(&self, &(key, number): &(Key, u32)) -> bool {
+        match self.value(key) {
+            // A drawn land of which nothing is drawn is the whole rectangle.
+            Value::Choice(_) if key == Key::Land && self.is_undrawn() => number == 0,
+            Value::Choice(index) => *index as u32 == number,
+            Value::Integer(integer) => *integer == number,
+            Value::Number(decimal) => *decimal == Decimal::whole(number),
+            _ => false,
+        }
+    }
+
+    fn is_undrawn(&self) -> bool {
+        self.choice(Key::Land) as u32 == DRAWN_LAND && self.outline().is_none()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::recipe::link;
+
+    fn reason(link: &str, key: Key) -> Option<&'static str> {
+        link::read(link).unwrap().idle_reason(key)
+    }
+
+    #[test]
+    fn rules_go_by_the_choices_that_they_name() {
+        for (link, key, expected) in [
+            ("land=rectangle", Key::Sea, "The whole rectangle"),
+            ("land=drawn", Key::Sea, "The whole rectangle"),
+            ("land=drawn&outline=.MzMzzMMzzMzM", Key::Sea, "The drawing"),
+            ("growth=colonize", Key::Sensitivity, "Only a Brownian tree"),
+            ("growth=brownian", Key::Mouths, "Only space colonization"),
+            ("meander=flow", Key::MeanderMix, "Only bends that grow outward"),
+            ("meander=none", Key::MeanderRounds, "Rivers do not meander"),
+            ("meander-rounds=0", Key::Taper, "Rivers do not meander"),
+            ("meander-strength=0", Key::MeanderMix, "Rivers do not meander"),
+            ("great=0", Key::Flat, "There are no great rivers"),
+            ("great=0&gentle=0", Key::Taper, "Rivers do not meander"),
+            ("curl=0", Key::Stretch, "Only rivers with curl"),
+            ("style=skeleton&meander=none", Key::Width, "The skeleton"),
+            ("land=island&outline=.MzMzzMMzzMzM", Key::Outline, "The land is not drawn"),
+        ] {
+            assert!(
+                reason(link, key).is_some_and(|reason| reason.starts_with(expected)),
+                "{link}: {:?}",
+                reason(link, key)
+            );
+        }
+    }
+
+    #[test]
+    fn what_does_something_has_no_reason_not_to() {
+        for (link, key) in [
+            ("land=valley", Key::Sides),
+            ("land=continent", Key::Sides),
+            ("land=drawn&outline=.MzMzzMMzzMzM", Key::Outline),
+            ("meander-rounds=0", Key::MeanderRounds),
+            ("great=0", Key::Taper),
+            ("style=skeleton", Key::Width),
+            ("curl=0.5", Key::Stretch),
+        ] {
+            assert_eq!(reason(link, key), None, "{link}");
+        }
+    }
+}
