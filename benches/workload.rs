@@ -13,7 +13,7 @@ use riverseed::grow::{Brownian, Colonize, Field, Growth, Parameters};
 use riverseed::land::Land;
 use riverseed::network::{self, Courses, Meander, NONE, Network, River, Vertex};
 use riverseed::paint::{Coverage, Pen, View, Widths};
-use riverseed::prune;
+use riverseed::prune::{self, Trim};
 use riverseed::random::Seed;
 use riverseed::recipe::preset::PRESETS;
 use riverseed::recipe::{Key, Recipe, Sides, link};
@@ -181,7 +181,7 @@ fn literal_brownian(side: &str, sensitivity: &str) -> Option<Repetition> {
 fn shaping_of_rivers() -> Option<Repetition> {
     let recipe = recipe("")?;
     let growth = all_grown(&recipe)?;
-    let trim = recipe.integer(Key::Trim);
+    let trim = Trim::of(&recipe);
     Some(Box::new(move || {
         let pruned = prune::trim(growth.tree(), &Hydrology::of(growth.tree()), trim);
         let courses = Courses::of(&pruned.tree, true, None);
@@ -203,7 +203,7 @@ fn half_meandered(maps: u32) -> Option<Meander> {
     let mut recipe = recipe("meander-rounds=400")?;
     recipe.set(Key::Attractors, ATTRACTORS).ok()?;
     let growth = all_grown(&recipe)?;
-    let pruned = prune::trim(growth.tree(), &Hydrology::of(growth.tree()), recipe.integer(Key::Trim));
+    let pruned = prune::trim(growth.tree(), &Hydrology::of(growth.tree()), Trim::of(&recipe));
     let courses = Courses::of(&pruned.tree, true, None);
     let mut meander = Meander::new(&courses, network::Parameters::of(&recipe, &growth));
     (0..20).for_each(|_| {

@@ -19,7 +19,7 @@
 //! let mut growth = Colonize::new(Parameters::of(&recipe))?;
 //! while growth.tick() {}
 //! let hydrology = Hydrology::of(growth.tree());
-//! let rivers = prune::trim(growth.tree(), &hydrology, 6);
+//! let rivers = prune::trim(growth.tree(), &hydrology, prune::Trim::of(&recipe));
 //! assert_eq!(rivers.hydrology.discharge[0], hydrology.discharge[0]);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```

@@ -4,24 +4,50 @@
 //! literally, the paper would take only the first node of a side branch and leave the rest hanging in the air.
 //! The second inequality spares the deepest arm of every fork, so basins that meet do not draw apart, every node
 //! that stays keeps its depth, and every source of the trimmed tree was a source before.
+//!
+//! A Brownian tree has a mouth wherever its particles met the coast, most of them a brook's, so the sea counts as one more fork:
+//! basins go whose longest river is short, but not the deepest of all. Where mouths were asked for, each of them stays.
 
+use crate::recipe::{Key, Recipe};
 use crate::tree::{Hydrology, Tree};
+
+/// What is short enough to go.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Trim {
+    /// The paper's t, in nodes: a side branch that is less deep goes.
+    pub nodes: u32,
+    /// Whether basins are side branches of the sea.
+    pub with_basins: bool,
+}
+
+impl Trim {
+    /// The trimming of a recipe.
+    pub fn of(recipe: &Recipe) -> Self {
+        let nodes = recipe.integer(Key::Trim);
+        if recipe.choice(Key::Growth) == 1 {
+            // A node of space colonization is a step, 4.9 units by default; of a Brownian tree, 1.1 units on average.
+            Self { nodes: nodes * 9 / 2, with_basins: true }
+        } else {
+            Self { nodes, with_basins: false }
+        }
+    }
+}
 
 /// A trimmed tree and what is left of the hydrology.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pruned {
     /// The nodes that stay, in their old order.
     pub tree: Tree,
-    /// Depth and discharge as before (what fell on a trimmed branch still reaches the sea); order and magnitude of
+    /// Depth and discharge as before (what fell on a trimmed branch still comes down the river it joined); order and magnitude of
     /// the rivers that are left.
     pub hydrology: Hydrology,
     /// Each node's place in the untrimmed tree.
     pub origin: Vec<u32>,
 }
 
-/// Trims a tree. `threshold` is the paper's t, in nodes; 0 leaves it as it is.
-pub fn trim(tree: &Tree, hydrology: &Hydrology, threshold: u32) -> Pruned {
-    let stays = stays(tree, &hydrology.depth, threshold);
+/// Trims a tree; a threshold of 0 leaves it as it is.
+pub fn trim(tree: &Tree, hydrology: &Hydrology, trim: Trim) -> Pruned {
+    let stays = stays(tree, &hydrology.depth, trim);
     let origin: Vec<u32> = (0u32..).zip(&stays).filter(|(_, stays)| **stays).map(|(node, _)| node).collect();
     let discharge: Vec<u32> = select(&hydrology.discharge, &origin);
     let tree = compact(tree, &stays, &origin, &discharge);
@@ -30,14 +56,14 @@ pub fn trim(tree: &Tree, hydrology: &Hydrology, threshold: u32) -> Pruned {
 }
 
 /// Whether each node stays. A parent stands before its children, so one pass lets a removal take all upstream of it.
-pub fn stays(tree: &Tree, depth: &[u32], threshold: u32) -> Vec<bool> {
+pub fn stays(tree: &Tree, depth: &[u32], trim: Trim) -> Vec<bool> {
+    let sea = if trim.with_basins { depth.iter().max().map_or(0, |deepest| deepest + 1) } else { 0 };
     let mut stays = vec![true; tree.len()];
     for node in 0..tree.len() {
-        if let Some(parent) = tree.parent_of(node) {
-            let is_short = depth[node] < threshold;
-            let is_side_branch = depth[node] + 1 < depth[parent];
-            stays[node] = stays[parent] && !(is_short && is_side_branch);
-        }
+        let (parent_stays, below) = tree.parent_of(node).map_or((true, sea), |parent| (stays[parent], depth[parent]));
+        let is_short = depth[node] < trim.nodes;
+        let is_side_branch = depth[node] + 1 < below;
+        stays[node] = parent_stays && !(is_short && is_side_branch);
     }
     stays
 }

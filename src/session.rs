@@ -4,9 +4,9 @@ use thiserror::Error;
 
 use crate::grow::{Ending, GrowError, Growth, Parameters, Procedure};
 use crate::memory;
-use crate::network::{self, Courses, Meander, Network};
+use crate::network::{self, Courses, Meander, NONE, Network};
 use crate::paint::{PaintError, Painter, Progress, Rect, Rivers, Style};
-use crate::prune::{self, Pruned};
+use crate::prune::{self, Pruned, Trim};
 use crate::recipe::{Key, Recipe, Stage};
 use crate::tree::{Hydrology, Tree};
 
@@ -94,7 +94,7 @@ pub struct Summary {
     pub ticks: u32,
     /// Nodes: of the trimmed tree once it is grown.
     pub nodes: u32,
-    /// River mouths.
+    /// River mouths: those that trimming has left, once there are rivers.
     pub mouths: u32,
     /// Sources of the rivers; 0 until there are any.
     pub sources: u32,
@@ -316,7 +316,7 @@ impl Session {
         self.painter.paint(&Progress {
             tree: self.growth.tree(),
             finished: self.growth.ending().is_some(),
-            trim: recipe.integer(Key::Trim),
+            trim: Trim::of(recipe),
             everything: self.growth.everything(),
             full_width: recipe.number(Key::Width),
             land,
@@ -342,7 +342,7 @@ impl Session {
     /// The trimmed tree with its hydrology, as things stand.
     pub fn pruned(&self) -> Pruned {
         let tree = self.growth.tree();
-        prune::trim(tree, &Hydrology::of(tree), self.recipe.integer(Key::Trim))
+        prune::trim(tree, &Hydrology::of(tree), Trim::of(&self.recipe))
     }
 
     /// The picture in numbers. While growth goes on this costs nothing, and does not know order and sources yet.
@@ -365,6 +365,7 @@ impl Session {
                 let rivers = &meander.network().rivers;
                 Summary {
                     nodes: *nodes,
+                    mouths: rivers.iter().filter(|river| river.joins == NONE).count() as u32,
                     sources: rivers.len() as u32,
                     order: rivers.iter().map(|river| river.order).max().unwrap_or(0),
                     rounds: meander.rounds(),

@@ -10,13 +10,13 @@ use proptest::prelude::*;
 use riverseed::grow::{Growth, Parameters, Procedure};
 use riverseed::network::{self, Courses, Guard, Meander, NONE, Network, hydrology, meet};
 use riverseed::prune;
-use riverseed::recipe::{Key, Recipe, link};
+use riverseed::recipe::{Recipe, link};
 use riverseed::tree::Hydrology;
 
 fn shaped(recipe: &Recipe) -> Meander {
     let mut growth = Growth::new(Parameters::of(recipe)).unwrap();
     while growth.tick() {}
-    let pruned = prune::trim(growth.tree(), &Hydrology::of(growth.tree()), recipe.integer(Key::Trim));
+    let pruned = prune::trim(growth.tree(), &Hydrology::of(growth.tree()), prune::Trim::of(recipe));
     let may_cross = growth.parameters().procedure == Procedure::Colonize;
     let courses = Courses::of(&pruned.tree, may_cross, growth.parameters().land.as_deref());
     check_rivers(&courses.network);

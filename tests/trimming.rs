@@ -5,8 +5,8 @@ mod common;
 
 use common::random_link;
 use proptest::prelude::*;
-use riverseed::grow::{Colonize, Parameters};
-use riverseed::prune::trim;
+use riverseed::grow::{Colonize, Growth, Parameters};
+use riverseed::prune::{Trim, trim};
 use riverseed::recipe::link;
 use riverseed::tree::{Hydrology, Tree};
 
@@ -14,6 +14,10 @@ fn grown(link: &str) -> Tree {
     let mut growth = Colonize::new(Parameters::of(&link::read(link).unwrap())).unwrap();
     while growth.tick() {}
     growth.tree().clone()
+}
+
+fn nodes(nodes: u32) -> Trim {
+    Trim { nodes, with_basins: false }
 }
 
 /// Depth by its recursive definition, from the children down.
@@ -45,7 +49,7 @@ proptest! {
         let tree = grown(&link);
         let children = children(&tree);
         let depth: Vec<u32> = (0..tree.len()).map(|node| depth_by_definition(&children, node)).collect();
-        let pruned = trim(&tree, &Hydrology::of(&tree), t);
+        let pruned = trim(&tree, &Hydrology::of(&tree), nodes(t));
         let stays = |node: usize| pruned.origin.binary_search(&(node as u32)).is_ok();
         for node in 0..tree.len() {
             let expected = match tree.parent_of(node) {
@@ -60,7 +64,7 @@ proptest! {
     fn regular_endings_stay_and_no_river_ends_anew(link in random_link(600), t in 0u32..40) {
         let tree = grown(&link);
         let hydrology = Hydrology::of(&tree);
-        let pruned = trim(&tree, &hydrology, t);
+        let pruned = trim(&tree, &hydrology, nodes(t));
         for (node, &origin) in pruned.origin.iter().enumerate() {
             let origin = origin as usize;
             prop_assert_eq!(pruned.tree.at[node], tree.at[origin]);
@@ -77,7 +81,7 @@ proptest! {
         let tree = grown(&link);
         let hydrology = Hydrology::of(&tree);
         let all_drained: u32 = tree.drained.iter().sum();
-        let pruned = trim(&tree, &hydrology, t);
+        let pruned = trim(&tree, &hydrology, nodes(t));
         for (tree, hydrology) in [(&tree, &hydrology), (&pruned.tree, &pruned.hydrology)] {
             let Hydrology { magnitude, order, discharge, depth } = hydrology;
             prop_assert!(order.iter().zip(magnitude).all(|(&order, &magnitude)| magnitude >= 1 << (order - 1)));
@@ -94,9 +98,51 @@ proptest! {
 fn trimming_takes_most_short_branches() {
     let tree = grown("seed=kauri&kill=0.7");
     let sources = |t| {
-        let pruned = trim(&tree, &Hydrology::of(&tree), t);
+        let pruned = trim(&tree, &Hydrology::of(&tree), nodes(t));
         pruned.hydrology.depth.iter().filter(|&&depth| depth == 0).count()
     };
     let counts = [0, 2, 4, 8, 20].map(sources);
     assert!(counts.is_sorted_by(|a, b| a > b), "{counts:?}");
+}
+
+fn brownian(link: &str) -> (Tree, Trim) {
+    let recipe = link::read(&format!("growth=brownian&land=island&sensitivity=20&{link}")).unwrap();
+    let mut growth = Growth::new(Parameters::of(&recipe)).unwrap();
+    while growth.tick() {}
+    (growth.tree().clone(), Trim::of(&recipe))
+}
+
+#[test]
+fn of_a_brownian_tree_short_basins_go_but_not_the_longest() {
+    for t in [0, 1, 4, 20, 60] {
+        let (tree, threshold) = brownian(&format!("trim={t}"));
+        let hydrology = Hydrology::of(&tree);
+        let pruned = trim(&tree, &hydrology, threshold);
+        let mouths = |tree: &Tree| -> Vec<usize> { (0..tree.len()).filter(|&i| tree.parent_of(i).is_none()).collect() };
+        let longest = mouths(&tree).into_iter().map(|mouth| hydrology.depth[mouth]).max().unwrap();
+        let expected: Vec<u32> = mouths(&tree)
+            .into_iter()
+            .filter(|&mouth| hydrology.depth[mouth] >= threshold.nodes.min(longest))
+            .map(|mouth| mouth as u32)
+            .collect();
+        let left: Vec<u32> = mouths(&pruned.tree).into_iter().map(|mouth| pruned.origin[mouth]).collect();
+        assert_eq!(left, expected, "trim={t}");
+        assert!(!left.is_empty());
+        // What stays is as deep as it was: rivers end where they did.
+        let depth = pruned.origin.iter().map(|&node| hydrology.depth[node as usize]);
+        assert!(depth.eq(pruned.hydrology.depth.iter().copied()));
+        assert_eq!(Hydrology::of(&pruned.tree), pruned.hydrology);
+    }
+}
+
+#[test]
+fn one_trim_is_one_length_whatever_rivers_grew_by() {
+    let length_of_a_node = |tree: &Tree| {
+        let lengths = (0..tree.len()).filter_map(|node| Some(tree.at[node].distance(tree.at[tree.parent_of(node)?])));
+        lengths.sum::<f32>() / (tree.len() - tree.mouths()) as f32
+    };
+    let (tree, threshold) = brownian("trim=40");
+    let brownian = threshold.nodes as f32 * length_of_a_node(&tree);
+    let colonized = 40.0 * length_of_a_node(&grown("seed=kauri"));
+    assert!((0.9..1.1).contains(&(brownian / colonized)), "{brownian} {colonized}");
 }

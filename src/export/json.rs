@@ -6,7 +6,7 @@ use super::value::{Members, Value};
 use super::{ExportError, rivers};
 use crate::grow::{Ending, Procedure, scatter};
 use crate::network::{NONE, Network, Vertex};
-use crate::prune::Pruned;
+use crate::prune::{Pruned, Trim};
 use crate::recipe::table::TABLE;
 use crate::recipe::{self, Key, Recipe};
 use crate::session::Session;
@@ -79,7 +79,7 @@ fn resolved<'a>(session: &Session) -> Members<'a> {
         .single("curl", grown.curl)
         .whole("stretch", grown.stretch)
         .single("sensitivity", grown.sensitivity)
-        .whole("trim", session.recipe().integer(Key::Trim))
+        .whole("trim", Trim::of(session.recipe()).nodes)
         .single("width", shaped.full_width)
         .whole("everything", shaped.everything)
         .single("vertex-spacing", shaped.spacing)

@@ -18,7 +18,7 @@ use crate::domain::Domain;
 use crate::land::Land;
 use crate::memory;
 use crate::network::Network;
-use crate::prune;
+use crate::prune::{self, Trim};
 use crate::tree::Tree;
 
 /// A tree to be painted, as far as it has grown.
@@ -28,8 +28,8 @@ pub struct Progress<'a> {
     pub tree: &'a Tree,
     /// Whether it will not grow any more.
     pub finished: bool,
-    /// The threshold of trimming, in nodes.
-    pub trim: u32,
+    /// How it will be trimmed.
+    pub trim: Trim,
     /// The discharge that would be everything a river can drain.
     pub everything: u32,
     /// The width, in domain units, of a river that drains everything.
@@ -122,7 +122,7 @@ impl Painter {
             self.flow.measure(tree, &pen);
             self.draw_changes(progress, &pen);
         } else {
-            let near_tip = self.flow.follow(tree, &pen, progress.trim);
+            let near_tip = self.flow.follow(tree, &pen, progress.trim.nodes);
             let radii = &self.flow.radii;
             near_tip.iter().for_each(|&child| pen.draw(&mut self.coverage, tree, radii, child as usize));
         }
@@ -160,8 +160,11 @@ impl Painter {
     fn draw_changes(&mut self, progress: &Progress<'_>, pen: &Pen) {
         let Progress { tree, finished, trim, .. } = *progress;
         let depth = &self.flow.depth;
-        let stays =
-            if finished { prune::stays(tree, depth, trim) } else { depth.iter().map(|&depth| depth >= trim).collect() };
+        let stays = if finished {
+            prune::stays(tree, depth, trim)
+        } else {
+            depth.iter().map(|&depth| depth >= trim.nodes).collect()
+        };
         self.drawn.resize(tree.len(), 0);
         let radii = &self.flow.radii;
         for child in (0..tree.len()).filter(|&child| stays[child]) {

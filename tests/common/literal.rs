@@ -36,12 +36,13 @@ pub fn grow(field: &Field, seed: Seed, sensitivity: f32) -> Vec<Node> {
     let last = sensitivity.clamp(4.0, step.max(4.0));
     step = step.max(last);
     loop {
-        let impact = literal.pass(step);
-        if impact < 0.05 {
-            if step <= last {
-                return literal.nodes;
-            }
-            step = (step / 2.0).floor().max(last);
+        while literal.pass(step, false) >= 0.05 {}
+        if step <= last {
+            return literal.nodes;
+        }
+        step = (step / 2.0).floor().max(last);
+        if literal.cells.contains(&Cell::Illegal) {
+            while literal.pass(step, true) > 0.0 {}
         }
     }
 }
@@ -56,7 +57,8 @@ struct Literal {
 }
 
 impl Literal {
-    fn pass(&mut self, step: f32) -> f32 {
+    /// A pass of a step, or of the passes before its others that are for what coarser steps have left. Returns its impact.
+    fn pass(&mut self, step: f32, is_for_rest: bool) -> f32 {
         let mut particles = Vec::new();
         for i in 0..(self.rows as f32 / step).ceil() as i32 {
             for j in 0..(self.columns as f32 / step).ceil() as i32 {
@@ -75,10 +77,22 @@ impl Literal {
         for particle in particles {
             if self.cell(particle) == Some(Cell::Available) {
                 on_land += 1;
-                drawn += u32::from(self.release(particle, step));
+                let is_born = !is_for_rest || self.is_left(particle, step);
+                drawn += u32::from(is_born && self.release(particle, step));
             }
         }
         drawn as f32 / on_land.max(1) as f32
+    }
+
+    /// Whether the nearest water is from one to four steps away.
+    fn is_left(&self, (x, y): At, step: f32) -> bool {
+        let squared = |i: usize| {
+            let (column, row) = (i as i32 % self.columns, i as i32 / self.columns);
+            (column - x) * (column - x) + (row - y) * (row - y)
+        };
+        let water = (0..self.cells.len()).filter(|&i| self.cells[i] == Cell::Unavailable);
+        let near = (step * step / 4.0).ceil() as i32;
+        water.map(squared).min().is_some_and(|nearest| (4 * near..=64 * near).contains(&nearest))
     }
 
     fn release(&mut self, born: At, step: f32) -> bool {
@@ -144,8 +158,9 @@ impl Literal {
         let (dx, dy) = (to.0 - from.0, to.1 - from.1);
         let length = dx.abs().max(dy.abs()).max(1);
         let (mut before, mut drawn) = (target, 0);
+        let most = (reach_of_longest((dx, dy)) + self.chance.below(256) as i32) / 256;
         // Past the particle by less than half a cell.
-        while drawn < 5 && (drawn == 0 || (drawn + 1) * 256 < length + 128) {
+        while drawn < most && (drawn == 0 || (drawn + 1) * 256 < length + 128) {
             let part = (drawn + 1) * 256;
             let exact = (from.0 + dx * part / length, from.1 + dy * part / length);
             let cell = (exact.0 >> 8, exact.1 >> 8);
@@ -184,6 +199,15 @@ impl Literal {
             (_, None) => false,
         })
     }
+}
+
+/// How far a line of five cells' length goes along the axis on which it is longer, in 256ths of a cell.
+fn reach_of_longest((dx, dy): At) -> i32 {
+    let squared = |a: i32| i128::from(a) * i128::from(a);
+    let longest = 5 * 256;
+    let along = dx.abs().max(dy.abs());
+    let is_within = |reach: &i32| squared(*reach) * (squared(dx) + squared(dy)) <= squared(longest) * squared(along);
+    (0..=longest).rev().find(is_within).unwrap_or(0)
 }
 
 /// The order of equals: favours no direction.

@@ -2,8 +2,12 @@
 //!
 //! A pass has a step. The field is laid out in squares of the step's side; in each a particle is born at a random place, and
 //! particles wander in random order, in moves of up to a tenth of a step, until water is nearer than half a step. Then
-//! a river grows from the nearest water toward the particle, by five cells at most. Particles born near water, or off land,
+//! a river grows from the nearest water toward the particle, by five cells' length at most. Particles born near water, or off land,
 //! are discarded at once, and so are those that leave the field or come near a ridge.
+//!
+//! Ridges shut coarse steps out of the land behind them, and there it would stay empty: so few of all particles of a fine step
+//! are born where rivers come in that its passes would end. Where there are ridges, then, a step first has passes for what
+//! the coarser ones left: only particles born farther from water than a step are let go, as long as any of them makes a river.
 //!
 //! The first step is the shorter side of the field. When fewer than one in twenty of the particles that were born on land
 //! has made a river, the step is halved (the document counts particles born at sea too, but then density would depend on
@@ -68,6 +72,8 @@ pub enum Order {
 #[derive(Clone, Debug)]
 struct Pass {
     step: Step,
+    /// Whether only land is seen to that coarser steps have left.
+    is_for_rest: bool,
     particles: Vec<Place>,
     /// How many particles have been taken, how many of them were born on land, and how many have made a river.
     taken: usize,
@@ -94,7 +100,7 @@ impl Brownian {
         let cells = field.cells().len();
         let everything = (field.available() as f32 * DENSITY / sensitivity) as u32;
         let mut chance = seed.stream(Purpose::Particles);
-        let pass = Pass::new(&field, first.max(sensitivity), order, &mut chance);
+        let pass = Pass::new(&field, first.max(sensitivity), false, order, &mut chance);
         let strands = Strands::new(Water::new(field)).map_err(|_| GrowError::no_room_for(cells))?;
         Ok(Self { strands, pass, sensitivity, everything, chance, order, ending: None })
     }
@@ -134,14 +140,22 @@ impl Brownian {
         if water.is_clear(born, &pass.step)
             && let Some((particle, target)) = water.wander(born, &pass.step, chance)
         {
-            pass.fruitful += usize::from(strands.draw(target, particle));
+            pass.fruitful += usize::from(strands.draw(target, particle, chance));
         }
     }
 
     /// Goes over to the next pass; if there is none, growth is over.
     fn begin_pass(&mut self) {
-        match next_step(self.pass.step.size, self.pass.impact(), self.sensitivity) {
-            Some(step) => self.pass = Pass::new(&self.strands.water.field, step, self.order, &mut self.chance),
+        let step = self.pass.step.size;
+        let next = if self.pass.is_for_rest {
+            Some((step, self.pass.fruitful > 0))
+        } else {
+            next_step(step, self.pass.impact(), self.sensitivity)
+                .map(|next| (next, next < step && self.strands.water.has_ridges()))
+        };
+        let field = &self.strands.water.field;
+        match next {
+            Some((step, is_for_rest)) => self.pass = Pass::new(field, step, is_for_rest, self.order, &mut self.chance),
             None => self.ending = Some(Ending::Complete),
         }
     }
@@ -177,12 +191,12 @@ fn next_step(step: f32, impact: f32, sensitivity: f32) -> Option<f32> {
 }
 
 impl Pass {
-    fn new(field: &Field, size: f32, order: Order, chance: &mut Stream) -> Self {
+    fn new(field: &Field, size: f32, is_for_rest: bool, order: Order, chance: &mut Stream) -> Self {
         let mut particles = spawn(field, size, chance);
         if order == Order::Shuffled {
             shuffle(&mut particles, chance);
         }
-        Self { step: Step::of(size), particles, taken: 0, on_land: 0, fruitful: 0 }
+        Self { step: Step::of(size, is_for_rest), is_for_rest, particles, taken: 0, on_land: 0, fruitful: 0 }
     }
 
     /// Which share of the particles that were born on land has made a river.

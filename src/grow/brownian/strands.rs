@@ -13,10 +13,12 @@ use glam::{IVec2, Vec2};
 use super::field::Place;
 use super::water::Water;
 use crate::land::Cell;
+use crate::random::Stream;
 use crate::tree::{NO_PARENT, Tree};
 
-/// The most cells of a strand that one particle makes. Longer ones would be seen as straight lines.
-const MOST_CELLS: i32 = 5;
+/// The longest strand that one particle makes, in cells. Longer ones would be seen as straight lines. It is a length, not a
+/// number of cells: five cells of a diagonal are seven long, and there would be more river that way.
+const LONGEST: i32 = 5;
 
 /// Positions are whole 256ths of a cell, so that lines are the same everywhere.
 const PARTS: i32 = 256;
@@ -56,7 +58,7 @@ impl Strands {
 
     /// Asks for the memory of so many more particles' strands.
     pub fn reserve(&mut self, particles: usize) -> Result<(), TryReserveError> {
-        let nodes = particles * (MOST_CELLS as usize + 1);
+        let nodes = particles * (LONGEST as usize + 1);
         self.tree.at.try_reserve(nodes)?;
         self.tree.parent.try_reserve(nodes)?;
         self.tree.drained.try_reserve(nodes)?;
@@ -64,13 +66,13 @@ impl Strands {
     }
 
     /// Draws from a cell of water toward a particle. Returns whether there was room for a cell at least.
-    pub fn draw(&mut self, target: u32, particle: Place) -> bool {
+    pub fn draw(&mut self, target: u32, particle: Place, chance: &mut Stream) -> bool {
         let place = self.water.field.place(target);
         let node = Some(self.node_of[target as usize]).filter(|&node| node != NO_NODE);
         let start = node.map_or(middle(place), |node| self.exact[node as usize]);
         let mut tip = Tip { place, node };
         let mut is_drawn = false;
-        for exact in line(start, middle(particle)) {
+        for exact in line(start, middle(particle), chance) {
             let next = Place { column: exact.x.div_euclid(PARTS), row: exact.y.div_euclid(PARTS) };
             if !self.has_room(next, tip) {
                 break;
@@ -131,11 +133,21 @@ fn middle(place: Place) -> IVec2 {
 }
 
 /// Points on a straight line, a cell apart along the axis on which it is longer, from after its start until its end's
-/// cell: each lies in another cell, which touches the one before.
-fn line(from: IVec2, to: IVec2) -> impl Iterator<Item = IVec2> {
+/// cell, or as far as strands reach: each lies in another cell, which touches the one before.
+fn line(from: IVec2, to: IVec2, chance: &mut Stream) -> impl Iterator<Item = IVec2> {
     let way = to - from;
+    let most = most_cells(way, chance);
     let length = way.abs().max_element().max(1);
     // Up to half a cell past the end, but not to the border of its cell.
-    let cells = ((length - PARTS / 2 + PARTS - 1) / PARTS).clamp(1, MOST_CELLS);
+    let cells = ((length - PARTS / 2 + PARTS - 1) / PARTS).min(most).max(1);
     (1..=cells).map(move |i| from + way * (i * PARTS) / length)
+}
+
+/// The most cells of a strand toward a particle. Cells lie farther apart the more they follow a diagonal; what is over after a
+/// whole number of them is a further one so often that strands are as long in every direction, on average.
+fn most_cells(way: IVec2, chance: &mut Stream) -> i32 {
+    let squared = |length: i32| i64::from(length) * i64::from(length);
+    let longest = squared(LONGEST * PARTS * way.abs().max_element()) / (squared(way.x) + squared(way.y)).max(1);
+    // At most the square of 1280, so that its root is exact.
+    ((longest as f32).sqrt() as i32 + chance.below(PARTS as u32) as i32) / PARTS
 }

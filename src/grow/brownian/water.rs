@@ -1,27 +1,34 @@
 //! What a particle sees: land, the water it may meet and the ridges it must keep away from.
 
+use std::ops::RangeInclusive;
+
 use super::field::{Field, Place};
 use super::pyramid::Pyramid;
 use crate::land::Cell;
 use crate::random::Stream;
 
 /// What a step means for particles, in cells: published with the document as radius S/2 and moves of S/10 + 1.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Step {
     /// The side of the squares that have a particle each.
     pub size: f32,
     /// What is nearer than half a step is met. Squared distances are whole: those below this.
     near: i32,
+    /// Between which squared distances from water particles are born.
+    births: RangeInclusive<i32>,
     /// The most that a particle moves along an axis, and the number of ways to do so.
     stride: i32,
     ways: u32,
 }
 
 impl Step {
-    /// A step of so many cells.
-    pub fn of(size: f32) -> Self {
+    /// A step of so many cells. For the rest of coarser steps, particles are born from one to four steps away from water: from
+    /// farther away, few would get there.
+    pub fn of(size: f32, is_for_rest: bool) -> Self {
         let stride = (size / 10.0) as i32 + 1;
-        Self { size, near: (size * size / 4.0).ceil() as i32, stride, ways: 2 * stride as u32 + 1 }
+        let near = (size * size / 4.0).ceil() as i32;
+        let births = if is_for_rest { 4 * near..=64 * near } else { near..=i32::MAX };
+        Self { size, near, births, stride, ways: 2 * stride as u32 + 1 }
     }
 
     /// Moves a particle: the two halves of 32 random bits, one for each axis.
@@ -88,9 +95,15 @@ impl Water {
         self.field.cell(at) == Some(Cell::Available)
     }
 
-    /// Whether neither water nor a ridge is near a place on land.
+    /// Whether there are ridges at all.
+    pub fn has_ridges(&self) -> bool {
+        self.ridges.is_some()
+    }
+
+    /// Whether a particle may be born at a place on land: neither water nor a ridge is near.
     pub fn is_clear(&self, at: Place, step: &Step) -> bool {
-        self.shore.nearest(at, step.near).is_none()
+        let to_water = self.shore.nearest(at, i32::MAX).map_or(i32::MAX, |(_, squared)| squared);
+        step.births.contains(&to_water)
             && self.ridges.as_ref().is_none_or(|ridges| ridges.nearest(at, step.near).is_none())
     }
 
