@@ -49,12 +49,17 @@ impl Block {
         })
     }
 
-    /// Owner, squared distance and place of the attractors that have an owner and are not used up.
-    fn owned(&self) -> impl Iterator<Item = (u32, f32, Vec2)> {
+    /// Owner, squared distance and place of the attractors that are not used up.
+    fn left(&self) -> impl Iterator<Item = (u32, f32, Vec2)> {
         let (x, y, near) = (self.x.to_array(), self.y.to_array(), self.near.to_array());
         let owner = self.owner;
-        let lanes = (0..4).filter(move |&lane| near[lane] != USED_UP && owner[lane] != NO_NODE);
+        let lanes = (0..4).filter(move |&lane| near[lane] != USED_UP);
         lanes.map(move |lane| (owner[lane], near[lane], Vec2::new(x[lane], y[lane])))
+    }
+
+    /// The same of those that have an owner.
+    fn owned(&self) -> impl Iterator<Item = (u32, f32, Vec2)> {
+        self.left().filter(|(owner, ..)| *owner != NO_NODE)
     }
 }
 
@@ -252,21 +257,21 @@ impl Attractors {
         }
     }
 
-    /// Whether any attractor lies within reach of a point, whoever owns it.
-    pub fn any_within_reach(&self, at: Vec2) -> bool {
+    /// The attractors within reach of a point that are not used up, and who owns each.
+    pub fn within_reach(&self, at: Vec2) -> impl Iterator<Item = (u32, Vec2)> {
         let squared_reach = self.reach * self.reach;
-        self.cells_within(at.y, self.rows).any(|row| {
-            self.cells_within(at.x, self.columns).any(|column| {
-                let cell = (row * self.columns + column) as usize;
-                let (first, end) = (self.first_block[cell] as usize, self.first_block[cell + 1] as usize);
-                self.blocks[first..end].iter().any(|block| {
-                    (0..4).filter(|&lane| block.near.to_array()[lane] != USED_UP).any(|lane| {
-                        let gap = Vec2::new(block.x.to_array()[lane], block.y.to_array()[lane]) - at;
-                        gap.x * gap.x + gap.y * gap.y < squared_reach
-                    })
-                })
+        let columns = self.cells_within(at.x, self.columns);
+        let blocks = self.cells_within(at.y, self.rows).flat_map(move |row| {
+            let (first, end) = (row * self.columns + columns.start, row * self.columns + columns.end);
+            &self.blocks[self.first_block[first as usize] as usize..self.first_block[end as usize] as usize]
+        });
+        blocks
+            .flat_map(Block::left)
+            .filter(move |(_, _, place)| {
+                let gap = *place - at;
+                gap.x * gap.x + gap.y * gap.y < squared_reach
             })
-        })
+            .map(|(owner, _, place)| (owner, place))
     }
 
     /// The owners and places of all attractors that have one and are not used up, in no order to rely on.

@@ -26,6 +26,11 @@ pub fn mouths(parameters: &Parameters) -> Vec<Mouth> {
     regions.flat_map(|(region, &count)| on_coast(land, &region.shores, count, parameters.apart, &mut chance)).collect()
 }
 
+/// The places where rivers may reach the sea; none on a plain rectangle, whose sides are all coast or none.
+pub fn shores(parameters: &Parameters) -> impl Iterator<Item = &Shore> {
+    parameters.watered().flat_map(|region| &region.shores)
+}
+
 /// Places mouths on a coast, each at the best of some random places: remote from those before it, so that they keep apart
 /// (Mitchell 1991), and in a bay rather than on a cape, as where rivers meet the sea. As many as asked for, unless they
 /// would come too near to each other.
