@@ -91,6 +91,44 @@ fn no_preset_and_no_default_runs_dry() {
     }
 }
 
+const KINDS: [&str; 6] = ["rectangle", "island", "continent", "archipelago", "valley", "basin"];
+
+#[test]
+fn no_kind_of_land_is_left_dry() {
+    for (kind, seed) in KINDS.iter().flat_map(|kind| (0..40).map(move |seed| (kind, seed))) {
+        let growth = grown(&format!("land={kind}&seed={seed}&attractors=1500"));
+        let (unreached, all) = (growth.unreached(), growth.attractors());
+        assert!(unreached * 20 <= all, "{kind}, seed {seed}: {unreached} of {all} are unreached");
+    }
+}
+
+#[test]
+fn every_island_of_some_size_has_rivers() {
+    for seed in 0..10 {
+        let parameters = Parameters::of(&link::read(&format!("land=archipelago&seed={seed}&mouths=1")).unwrap());
+        let land = parameters.land.clone().unwrap();
+        let mouths = riverseed::grow::mouths(&parameters);
+        let all: u32 = land.regions().iter().map(|region| region.cells).sum();
+        for region in land.regions().iter().filter(|region| region.cells * 100 >= all) {
+            assert!(mouths.iter().any(|mouth| land.is_in(region, mouth.at)), "seed {seed}: {} cells", region.cells);
+        }
+    }
+}
+
+#[test]
+fn mouths_lie_on_the_chosen_shores() {
+    for (kind, seed) in ["island", "basin"].iter().flat_map(|kind| (0..5).map(move |seed| (kind, seed))) {
+        for (shores, way) in [("n", Vec2::NEG_Y), ("e", Vec2::X), ("s", Vec2::Y), ("w", Vec2::NEG_X)] {
+            let link = format!("land={kind}&seed={seed}&shores={shores}&mouths=5&attractors=1000&rough=0.2");
+            let growth = grown(&link);
+            let (tree, centre) = (growth.tree(), growth.parameters().domain.size / 2.0);
+            for mouth in (0..tree.len()).filter(|&node| tree.parent_of(node).is_none()) {
+                assert!((tree.at[mouth] - centre).dot(way) > 0.0, "{link}: {}", tree.at[mouth]);
+            }
+        }
+    }
+}
+
 #[test]
 fn one_attractor_more_leaves_the_others_where_they_are() {
     let places = |n: u32| scatter(&Parameters::of(&link::read(&format!("attractors={n}")).unwrap()));

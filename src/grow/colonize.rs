@@ -269,14 +269,14 @@ impl Colonize {
     fn driest_shore(&self) -> Option<Shore> {
         let nodes = self.tree.parent.iter().zip(&self.tree.at);
         let roots: Vec<Vec2> = nodes.filter(|(parent, _)| **parent == NO_PARENT).map(|(_, at)| *at).collect();
-        let is_apart = |shore: &&Shore| roots.iter().all(|root| root.distance(shore.at) > self.parameters.apart);
+        let is_apart = |shore: &Shore| roots.iter().all(|root| root.distance(shore.at) > self.parameters.apart);
         let lost = |shore: &Shore| {
             let is_lost = |&(owner, place): &(u32, Vec2)| owner == NO_NODE && self.parameters.sees(shore.at, place);
             self.attractors.within_reach(shore.at).filter(is_lost).count()
         };
-        let counted = shores(&self.parameters).filter(is_apart).map(|shore| (lost(shore), shore));
+        let counted = shores(&self.parameters).filter(is_apart).map(|shore| (lost(&shore), shore));
         let (_, driest) = counted.filter(|(lost, _)| *lost > 0).reduce(|a, b| if b.0 > a.0 { b } else { a })?;
-        Some(*driest)
+        Some(driest)
     }
 
     /// Whether most attractors are left.

@@ -27,14 +27,16 @@ pub struct Parameters {
     pub domain: Domain,
     /// The land; `None` if all of the domain is.
     pub land: Option<Arc<Land>>,
-    /// How many rivers reach the sea at most.
+    /// How many rivers reach the sea; on land with several regions at least.
     pub mouths: u32,
     /// How many of them in each region of the land, largest first. Regions without one stay dry.
     pub basins: Vec<u32>,
     /// How far apart mouths are at least.
     pub apart: f32,
-    /// On which sides.
+    /// Which sides of a plain rectangle have the sea.
     pub sides: Sides,
+    /// Where on a coast they lie, as seen from its middle.
+    pub shores: Sides,
     /// How rivers grow.
     pub procedure: Procedure,
     /// The step of a Brownian tree's last passes, in units.
@@ -89,6 +91,7 @@ impl Parameters {
             mouths,
             apart: recipe.number(Key::Apart),
             sides: recipe.sides(Key::Sides),
+            shores: recipe.sides(Key::Shores),
             procedure: if recipe.choice(Key::Growth) == 1 { Procedure::Brownian } else { Procedure::Colonize },
             sensitivity: recipe.number(Key::Sensitivity),
             attractors,
