@@ -71,6 +71,14 @@ fn a_river_that_runs_through_the_land_unreached_stops_no_other() {
 }
 
 #[test]
+fn a_reach_across_a_narrow_land_loses_no_attractor() {
+    for seed in ["rc", "a", "b", "c"] {
+        let link = format!("seed={seed}&land=valley&sea=0.1&rough=0&aspect=0.25&sides=ne&mouths=1&attractors=100");
+        assert_equals_twin(&format!("{link}&reach=11.585&kill=0.5&step=0.2"));
+    }
+}
+
+#[test]
 fn growth_stops_before_its_limit_of_nodes() {
     let growth = Colonize::new(Parameters::of(&link::read("attractors=1000").unwrap())).unwrap();
     let mut growth = growth.with_node_limit(300);

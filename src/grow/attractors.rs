@@ -71,7 +71,7 @@ struct Hit {
     lanes: u32,
 }
 
-/// A list of hits with room for one of every block: taking a note calls nothing, which would cost the innermost loop its
+/// A list of hits with room for two of every block, which may be asked again past the end of the row above: taking a note calls nothing, which would cost the innermost loop its
 /// registers.
 #[derive(Clone, Debug, Default)]
 struct Hits {
@@ -157,8 +157,8 @@ impl Attractors {
         self.blocks.resize(blocks, Block::empty());
         self.pulls.try_reserve_exact(blocks)?;
         self.pulls.resize(blocks, Pulls::default());
-        self.hits.room.try_reserve_exact(blocks)?;
-        self.hits.room.resize(blocks, Hit::default());
+        self.hits.room.try_reserve_exact(blocks * 2)?;
+        self.hits.room.resize(blocks * 2, Hit::default());
         let unreached = self.reach * self.reach;
         for &at in places {
             let cell = self.cell_of(at);
