@@ -113,10 +113,10 @@ pub struct Summary {
 }
 
 impl Summary {
-    /// Whether growth died out with over half of the attractors left, or no river has grown at all: reach is then too small
-    /// for kill, step far too long, or the land too thin, or shut off from the sea.
+    /// Whether growth ended with over a tenth of the attractors left, or no river has grown at all: step is then too long for
+    /// kill, reach too small, mouths too far apart, or the land shut off from the sea.
     pub fn is_stalled(&self) -> bool {
-        self.ending == Some(Ending::Complete) && (self.nodes == 0 || self.unreached > self.attractors / 2)
+        self.ending == Some(Ending::Complete) && (self.nodes == 0 || self.unreached > self.attractors / 10)
     }
 }
 

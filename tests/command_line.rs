@@ -282,6 +282,14 @@ fn drawn_land_without_an_outline_is_the_rectangle_and_says_so() {
 }
 
 #[test]
+fn land_that_rivers_do_not_reach_is_told_with_what_helps() {
+    let out = scratch("unreached.svg");
+    let advice = |link: &str| refusal(&["render", link, "-o", out.to_str().unwrap()]).1;
+    assert!(advice("attractors=300&kill=0.5&step=1.2").contains("'step'"));
+    assert_eq!(advice("attractors=300"), "");
+}
+
+#[test]
 fn readme_s_table_is_the_one_the_program_prints() {
     let printed = String::from_utf8(riverseed(&["table"]).stdout).unwrap();
     let readme = fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/README.md")).unwrap();

@@ -71,6 +71,14 @@ fn a_river_that_runs_through_the_land_unreached_stops_no_other() {
 }
 
 #[test]
+fn a_reach_across_a_narrow_land_loses_no_attractor() {
+    for seed in ["rc", "a", "b", "c"] {
+        let link = format!("seed={seed}&land=valley&sea=0.1&rough=0&aspect=0.25&sides=ne&mouths=1&attractors=100");
+        assert_equals_twin(&format!("{link}&reach=11.585&kill=0.5&step=0.2"));
+    }
+}
+
+#[test]
 fn growth_stops_before_its_limit_of_nodes() {
     let growth = Colonize::new(Parameters::of(&link::read("attractors=1000").unwrap())).unwrap();
     let mut growth = growth.with_node_limit(300);
@@ -87,6 +95,44 @@ fn no_preset_and_no_default_runs_dry() {
         for (seed, mouths) in (0..150).flat_map(|seed| [(seed, 1), (seed, 3)]) {
             let link = format!("{preset}&seed=w{seed}&mouths={mouths}&attractors=3000");
             assert!(grown(&link).unreached() < 300, "{link} leaves {} of 3000 unreached", grown(&link).unreached());
+        }
+    }
+}
+
+const KINDS: [&str; 6] = ["rectangle", "island", "continent", "archipelago", "valley", "basin"];
+
+#[test]
+fn no_kind_of_land_is_left_dry() {
+    for (kind, seed) in KINDS.iter().flat_map(|kind| (0..40).map(move |seed| (kind, seed))) {
+        let growth = grown(&format!("land={kind}&seed={seed}&attractors=1500"));
+        let (unreached, all) = (growth.unreached(), growth.attractors());
+        assert!(unreached * 20 <= all, "{kind}, seed {seed}: {unreached} of {all} are unreached");
+    }
+}
+
+#[test]
+fn every_island_of_some_size_has_rivers() {
+    for seed in 0..10 {
+        let parameters = Parameters::of(&link::read(&format!("land=archipelago&seed={seed}&mouths=1")).unwrap());
+        let land = parameters.land.clone().unwrap();
+        let mouths = riverseed::grow::mouths(&parameters);
+        let all: u32 = land.regions().iter().map(|region| region.cells).sum();
+        for region in land.regions().iter().filter(|region| region.cells * 100 >= all) {
+            assert!(mouths.iter().any(|mouth| land.is_in(region, mouth.at)), "seed {seed}: {} cells", region.cells);
+        }
+    }
+}
+
+#[test]
+fn mouths_lie_on_the_chosen_shores() {
+    for (kind, seed) in ["island", "basin"].iter().flat_map(|kind| (0..5).map(move |seed| (kind, seed))) {
+        for (shores, way) in [("n", Vec2::NEG_Y), ("e", Vec2::X), ("s", Vec2::Y), ("w", Vec2::NEG_X)] {
+            let link = format!("land={kind}&seed={seed}&shores={shores}&mouths=5&attractors=1000&rough=0.2");
+            let growth = grown(&link);
+            let (tree, centre) = (growth.tree(), growth.parameters().domain.size / 2.0);
+            for mouth in (0..tree.len()).filter(|&node| tree.parent_of(node).is_none()) {
+                assert!((tree.at[mouth] - centre).dot(way) > 0.0, "{link}: {}", tree.at[mouth]);
+            }
         }
     }
 }
@@ -125,7 +171,8 @@ fn check_tree(tree: &Tree, parameters: &Parameters) -> Result<(), TestCaseError>
             prop_assert!((length - parameters.step).abs() < 1e-3 * parameters.step, "{length}");
         }
     }
-    prop_assert!((1..=parameters.mouths as usize).contains(&tree.mouths()));
+    let most = if parameters.land.is_some() { usize::MAX } else { parameters.mouths as usize };
+    prop_assert!((1..=most).contains(&tree.mouths()));
     prop_assert_eq!(tree.ticks().count(), tree.len());
     Ok(())
 }

@@ -8,6 +8,7 @@ use common::{pairs, random_link};
 use glam::Vec2;
 use proptest::prelude::*;
 use riverseed::grow::{Growth, Parameters, Procedure};
+use riverseed::land::Land;
 use riverseed::network::{self, Courses, Guard, Meander, NONE, Network, hydrology, meet};
 use riverseed::prune;
 use riverseed::recipe::{Recipe, link};
@@ -155,6 +156,42 @@ proptest! {
         let clearance = guard.survey(network, &downstream, &reach, meander.caps(), &mut |pair| near.push(pair));
         near.sort_by_key(|pair| (pair.first, pair.second));
         prop_assert_eq!((clearance, near), pairs::survey(network, &reach, meander.caps()));
+    }
+}
+
+/// No segment crosses a ridge, or runs farther into the sea than its own line is wide: cells along the coast reach over it.
+fn check_land(network: &Network, land: &Land, when: &str) {
+    const OVER_THE_COAST: f32 = 4.0;
+    let ridges: Vec<&[Vec2]> = land.ridges().iter().flat_map(|ridge| ridge.windows(2)).collect();
+    for (vertex, below) in network.vertices.iter().zip(network.downstream()).filter(|(_, below)| *below != NONE) {
+        let (from, to) = (vertex.at, network.vertices[below as usize].at);
+        let crosses = ridges.iter().any(|ridge| meet((from, to), (ridge[0], ridge[1])));
+        assert!(!crosses, "{when}: {from} to {to} crosses a ridge");
+        let inland = (0..=8).map(|part| land.relief().height(from.lerp(to, part as f32 / 8.0)));
+        let least = inland.fold(f32::INFINITY, f32::min);
+        assert!(least > -OVER_THE_COAST, "{when}: {from} to {to} runs in the sea, {least} from the coast");
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(100))]
+
+    #[test]
+    fn rivers_keep_to_their_land(link in random_link(400), every in 3u32..40) {
+        // Plain rectangles have neither.
+        let link = link.replace("land=rectangle", "land=valley");
+        let recipe = link::read(&link).unwrap();
+        let Some(land) = Land::of(&recipe) else { return Ok(()) };
+        let mut meander = shaped(&recipe);
+        loop {
+            let rounds = meander.rounds();
+            if rounds.is_multiple_of(every) || meander.is_finished() {
+                check_land(meander.network(), &land, &format!("{link}, round {rounds}"));
+            }
+            if !meander.round() && meander.is_finished() && meander.rounds() == rounds {
+                break;
+            }
+        }
     }
 }
 

@@ -301,8 +301,8 @@ fn grow(recipe: Recipe, size: u32, progress: &ProgressBar) -> Result<Session, Fa
         if session.summary().nodes == 0 {
             eprintln!("riverseed: no river grew: no land lies open to the sea");
         } else {
-            let advice = "a longer reach, a shorter kill distance, a shorter step, less curl or land less cut up helps";
-            eprintln!("riverseed: growth died out, {unreached} of {attractors} attractors unreached; {advice}");
+            let advice = "a shorter 'step', a longer 'kill' or 'reach', or less 'apart' helps";
+            eprintln!("riverseed: rivers leave {unreached} of {attractors} attractors unreached; {advice}");
         }
     }
     Ok(session)

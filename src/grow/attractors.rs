@@ -49,12 +49,17 @@ impl Block {
         })
     }
 
-    /// Owner, squared distance and place of the attractors that have an owner and are not used up.
-    fn owned(&self) -> impl Iterator<Item = (u32, f32, Vec2)> {
+    /// Owner, squared distance and place of the attractors that are not used up.
+    fn left(&self) -> impl Iterator<Item = (u32, f32, Vec2)> {
         let (x, y, near) = (self.x.to_array(), self.y.to_array(), self.near.to_array());
         let owner = self.owner;
-        let lanes = (0..4).filter(move |&lane| near[lane] != USED_UP && owner[lane] != NO_NODE);
+        let lanes = (0..4).filter(move |&lane| near[lane] != USED_UP);
         lanes.map(move |lane| (owner[lane], near[lane], Vec2::new(x[lane], y[lane])))
+    }
+
+    /// The same of those that have an owner.
+    fn owned(&self) -> impl Iterator<Item = (u32, f32, Vec2)> {
+        self.left().filter(|(owner, ..)| *owner != NO_NODE)
     }
 }
 
@@ -74,8 +79,8 @@ pub(super) struct Attractors {
     pulls: Vec<Pulls>,
     /// Attractors that a node has come near enough to use up, until they are; some are named more than once.
     doomed: Vec<u32>,
-    /// What a new node finds: room for a hit in every block. A list that could grow would call for memory in the innermost
-    /// loop, and cost it its registers.
+    /// What a new node finds: room for two hits in every block, since it may be asked past the end of the row above, too. A
+    /// list that could grow would call for memory in the innermost loop, and cost it its registers.
     hits: Vec<Hit>,
     /// Each cell's first block, row by row, and the end of the last; and as many more ends as are asked for past it.
     first_block: Vec<u32>,
@@ -135,8 +140,8 @@ impl Attractors {
         self.blocks.resize(blocks, Block::empty());
         self.pulls.try_reserve_exact(blocks)?;
         self.pulls.resize(blocks, Pulls::default());
-        self.hits.try_reserve_exact(blocks)?;
-        self.hits.resize(blocks, Hit::default());
+        self.hits.try_reserve_exact(2 * blocks)?;
+        self.hits.resize(2 * blocks, Hit::default());
         let unreached = self.reach * self.reach;
         for &at in places {
             let cell = self.cell_of(at);
@@ -247,21 +252,21 @@ impl Attractors {
         }
     }
 
-    /// Whether any attractor lies within reach of a point, whoever owns it.
-    pub fn any_within_reach(&self, at: Vec2) -> bool {
+    /// The attractors within reach of a point that are not used up, and who owns each.
+    pub fn within_reach(&self, at: Vec2) -> impl Iterator<Item = (u32, Vec2)> {
         let squared_reach = self.reach * self.reach;
-        self.cells_within(at.y, self.rows).any(|row| {
-            self.cells_within(at.x, self.columns).any(|column| {
-                let cell = (row * self.columns + column) as usize;
-                let (first, end) = (self.first_block[cell] as usize, self.first_block[cell + 1] as usize);
-                self.blocks[first..end].iter().any(|block| {
-                    (0..4).filter(|&lane| block.near.to_array()[lane] != USED_UP).any(|lane| {
-                        let gap = Vec2::new(block.x.to_array()[lane], block.y.to_array()[lane]) - at;
-                        gap.x * gap.x + gap.y * gap.y < squared_reach
-                    })
-                })
+        let columns = self.cells_within(at.x, self.columns);
+        let blocks = self.cells_within(at.y, self.rows).flat_map(move |row| {
+            let (first, end) = (row * self.columns + columns.start, row * self.columns + columns.end);
+            &self.blocks[self.first_block[first as usize] as usize..self.first_block[end as usize] as usize]
+        });
+        blocks
+            .flat_map(Block::left)
+            .filter(move |(_, _, place)| {
+                let gap = *place - at;
+                gap.x * gap.x + gap.y * gap.y < squared_reach
             })
-        })
+            .map(|(owner, _, place)| (owner, place))
     }
 
     /// The owners and places of all attractors that have one and are not used up, in no order to rely on.

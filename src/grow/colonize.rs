@@ -4,7 +4,8 @@
 //! that ends it: a node tries to grow only when its set of attractors has changed since it last tried. Sets of old
 //! nodes only shrink, so every node falls silent. Once all are, those that still have attractors reach out for the
 //! nearest of them; when not even that makes a node, growth is over, and attractors that stay unreached are counted.
-//! (Unless most are: then a gap among the first attractors has cut the river off, and its last node runs straight on.)
+//! (Unless land is left over that no river sees, beyond a neck too narrow for a step: then it gets a mouth of its own. Or
+//! unless most are: then a gap among the first attractors has cut the river off, and its last node runs straight on.)
 
 use std::collections::TryReserveError;
 
@@ -13,7 +14,8 @@ use glam::Vec2;
 use super::attractors::{Attractors, NO_NODE};
 use super::changed::Changed;
 use super::heading::{heading, is_twin};
-use super::{BYTES_AN_ATTRACTOR, GrowError, Mouth, Parameters, Pull, mouths};
+use super::{BYTES_AN_ATTRACTOR, GrowError, Mouth, Parameters, Pull, mouths, shores};
+use crate::land::Shore;
 use crate::memory;
 use crate::tree::{NO_PARENT, Tree};
 
@@ -98,7 +100,6 @@ impl Colonize {
         this.tree.tick_starts.push(0);
         for mouth in mouths(&this.parameters) {
             this.plant(mouth);
-            this.mouths += 1;
         }
         this.capture_from(0);
         Ok(this)
@@ -112,6 +113,7 @@ impl Colonize {
             pilot.tip = self.extend(pilot).unwrap_or(pilot.tip);
         }
         self.pilots.push(pilot);
+        self.mouths += 1;
     }
 
     /// Grows by one tick, everywhere at once. Returns whether anything grew; if not, growth is over.
@@ -125,6 +127,9 @@ impl Colonize {
         self.grow();
         if self.tree.len() == born_from && self.ending.is_none() {
             self.reach_out();
+        }
+        if self.tree.len() == born_from && self.ending.is_none() {
+            self.water_the_rest();
         }
         if self.tree.len() == born_from && self.is_dry() {
             self.run_on();
@@ -239,12 +244,39 @@ impl Colonize {
     /// Rivers that nothing reaches run straight inland until something does, or the land ends.
     fn extend_pilots(&mut self) {
         for pilot in std::mem::take(&mut self.pilots) {
-            if !self.attractors.any_within_reach(self.tree.at[pilot.tip as usize])
+            if self.attractors.within_reach(self.tree.at[pilot.tip as usize]).next().is_none()
                 && let Some(tip) = self.extend(pilot)
             {
                 self.pilots.push(Pilot { tip, ..pilot });
             }
         }
+    }
+
+    /// When all has fallen silent and land is left over that no river sees: a mouth more, where it sees the most of it. It takes what
+    /// it sees, so there is an end to them.
+    fn water_the_rest(&mut self) {
+        /// One in so many attractors out of sight is a patch that shows.
+        const PATCH: u32 = 50;
+        let lost = self.unreached - self.attractors.remaining().count() as u32;
+        if lost > self.attractors.count() / PATCH
+            && let Some(Shore { at, inland }) = self.driest_shore()
+        {
+            self.plant(Mouth { at, inland });
+        }
+    }
+
+    /// The place on a coast from which the most attractors are in reach that no node has; the first of equals.
+    fn driest_shore(&self) -> Option<Shore> {
+        let nodes = self.tree.parent.iter().zip(&self.tree.at);
+        let roots: Vec<Vec2> = nodes.filter(|(parent, _)| **parent == NO_PARENT).map(|(_, at)| *at).collect();
+        let is_apart = |shore: &Shore| roots.iter().all(|root| root.distance(shore.at) > self.parameters.apart);
+        let lost = |shore: &Shore| {
+            let is_lost = |&(owner, place): &(u32, Vec2)| owner == NO_NODE && self.parameters.sees(shore.at, place);
+            self.attractors.within_reach(shore.at).filter(is_lost).count()
+        };
+        let counted = shores(&self.parameters).filter(is_apart).map(|shore| (lost(&shore), shore));
+        let (_, driest) = counted.filter(|(lost, _)| *lost > 0).reduce(|a, b| if b.0 > a.0 { b } else { a })?;
+        Some(driest)
     }
 
     /// Whether most attractors are left.

@@ -18,7 +18,7 @@ mod scatter;
 pub use brownian::{Brownian, Field, Order};
 pub use colonize::{Colonize, Ending, stem_nodes};
 pub use growth::Growth;
-pub use mouths::{Mouth, mouths};
+pub use mouths::{Mouth, mouths, shores};
 pub use parameters::{Parameters, Procedure};
 pub use pull::Pull;
 pub use scatter::scatter;

@@ -3,8 +3,9 @@
 use glam::Vec2;
 
 use super::Parameters;
-use crate::land::{Land, Shore};
+use crate::land::{Land, Region, Shore};
 use crate::random::{Purpose, Stream};
+use crate::recipe::Sides;
 
 /// The root of a river tree.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,7 +24,32 @@ pub fn mouths(parameters: &Parameters) -> Vec<Mouth> {
     let Some(land) = &parameters.land else { return on_sides(parameters) };
     let mut chance = parameters.seed.stream(Purpose::Mouths);
     let regions = land.regions().iter().zip(&parameters.basins);
-    regions.flat_map(|(region, &count)| on_coast(land, &region.shores, count, parameters.apart, &mut chance)).collect()
+    let chosen = |region| chosen_shores(region, parameters.shores);
+    regions.flat_map(|(region, &count)| on_coast(land, &chosen(region), count, parameters.apart, &mut chance)).collect()
+}
+
+/// The places where rivers may reach the sea; none on a plain rectangle, which has a border and no coast.
+pub fn shores(parameters: &Parameters) -> impl Iterator<Item = Shore> {
+    parameters.watered().flat_map(|region| chosen_shores(region, parameters.shores))
+}
+
+/// The shores of a region that lie on some sides as seen from the middle of its coast: so the north shore of an island looks north,
+/// that of a lake south. All of them if none lies there, since no land is left dry.
+fn chosen_shores(region: &Region, sides: Sides) -> Vec<Shore> {
+    let middle = region.shores.iter().map(|shore| shore.at).sum::<Vec2>() / region.shores.len() as f32;
+    let is_chosen = |shore: &&Shore| {
+        let Vec2 { x, y } = shore.at - middle;
+        let side = if x.abs() > y.abs() {
+            if x > 0.0 { 'e' } else { 'w' }
+        } else if y > 0.0 {
+            's'
+        } else {
+            'n'
+        };
+        sides.contains(side)
+    };
+    let chosen: Vec<Shore> = region.shores.iter().filter(is_chosen).copied().collect();
+    if chosen.is_empty() { region.shores.clone() } else { chosen }
 }
 
 /// Places mouths on a coast, each at the best of some random places: remote from those before it, so that they keep apart

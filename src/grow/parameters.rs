@@ -27,14 +27,16 @@ pub struct Parameters {
     pub domain: Domain,
     /// The land; `None` if all of the domain is.
     pub land: Option<Arc<Land>>,
-    /// How many rivers reach the sea at most.
+    /// How many rivers reach the sea; on land with several regions at least.
     pub mouths: u32,
     /// How many of them in each region of the land, largest first. Regions without one stay dry.
     pub basins: Vec<u32>,
     /// How far apart mouths are at least.
     pub apart: f32,
-    /// On which sides.
+    /// Which sides of a plain rectangle have the sea.
     pub sides: Sides,
+    /// Where on a coast they lie, as seen from its middle.
+    pub shores: Sides,
     /// How rivers grow.
     pub procedure: Procedure,
     /// The step of a Brownian tree's last passes, in units.
@@ -89,6 +91,7 @@ impl Parameters {
             mouths,
             apart: recipe.number(Key::Apart),
             sides: recipe.sides(Key::Sides),
+            shores: recipe.sides(Key::Shores),
             procedure: if recipe.choice(Key::Growth) == 1 { Procedure::Brownian } else { Procedure::Colonize },
             sensitivity: recipe.number(Key::Sensitivity),
             attractors,
@@ -147,20 +150,22 @@ fn watered<'a>(land: Option<&'a Land>, basins: &'a [u32]) -> impl Iterator<Item 
 
 /// Shares mouths out among regions by their size, as parliaments share out seats (Webster and Sainte-Laguë): a second
 /// mouth only goes where there is thrice the land of a region without one. But first each region with a fair share of
-/// the land has one, as far as there are mouths. Only regions with a coast have any.
+/// the land has one, even if there are then more than asked for: no island lies bare beside full ones. Only regions with a
+/// coast have any.
 fn share_out(regions: &[Region], mouths: u32) -> Vec<u32> {
     /// One in so many cells of land is a fair share.
-    const FAIR: u32 = 40;
+    const FAIR: u32 = 100;
     let land: u32 = regions.iter().map(|region| region.cells).sum();
     let mut shares = vec![0; regions.len()];
-    for _ in 0..mouths {
-        let land_each = |&(i, region): &(usize, &Region)| {
+    for shared in 0.. {
+        let claim = |&(i, region): &(usize, &Region)| {
             let comes_first = shares[i] == 0 && region.cells >= land / FAIR;
             (comes_first, region.cells / (2 * shares[i] + 1))
         };
         let coastal = regions.iter().enumerate().filter(|(_, region)| !region.shores.is_empty());
-        if let Some((i, _)) = coastal.reduce(|a, b| if land_each(&b) > land_each(&a) { b } else { a }) {
-            shares[i] += 1;
+        match coastal.reduce(|a, b| if claim(&b) > claim(&a) { b } else { a }) {
+            Some(next) if shared < mouths || claim(&next).0 => shares[next.0] += 1,
+            _ => break,
         }
     }
     shares

@@ -196,13 +196,41 @@ mod tests {
     }
 
     #[test]
-    fn islands_are_not_cut_by_the_frame() {
-        for kind in ["island", "archipelago"] {
-            for seed in 0..8 {
-                let land = land(&format!("land={kind}&seed={seed}&rough=1"));
-                let rim = (0..land.columns()).flat_map(|c| [(c, 0), (c, land.rows() - 1)]);
-                assert!(rim.into_iter().all(|(c, r)| land.cell(c, r) == Cell::Unavailable), "{kind}, seed {seed}");
+    fn frame_cuts_neither_islands_nor_lakes() {
+        let kinds = [("island", Cell::Unavailable), ("archipelago", Cell::Unavailable), ("basin", Cell::Available)];
+        for ((kind, around), seed) in kinds.into_iter().flat_map(|kind| (0..12).map(move |seed| (kind, seed))) {
+            for sea in [0.3, 0.5, 0.7] {
+                let land = land(&format!("land={kind}&seed={seed}&rough=1&sea={sea}"));
+                let across = (0..land.columns()).flat_map(|c| [(c, 0), (c, land.rows() - 1)]);
+                let mut rim = across.chain((0..land.rows()).flat_map(|r| [(0, r), (land.columns() - 1, r)]));
+                assert!(rim.all(|(c, r)| land.cell(c, r) == around), "{kind}, seed {seed}, sea {sea}");
             }
+        }
+    }
+
+    #[test]
+    fn smooth_islands_and_lakes_are_round() {
+        // An ellipse that takes half of the domain.
+        let across = (2.0 / std::f32::consts::PI).sqrt();
+        for kind in ["island", "basin"] {
+            let land = land(&format!("land={kind}&rough=0&sea=0.5"));
+            let size = Domain::with_aspect(1.5).size;
+            for angle in (0..60).map(|i| i as f32 / 60.0 * std::f32::consts::TAU) {
+                let at = (Vec2::new(libm::cosf(angle), libm::sinf(angle)) * across + 1.0) * size / 2.0;
+                assert!(land.relief().height(at).abs() < 8.0, "{kind}: {} at {at}", land.relief().height(at));
+            }
+        }
+    }
+
+    #[test]
+    fn ridges_of_a_valley_differ_by_seed_and_are_never_ruled() {
+        let ridges = |seed: u32| land(&format!("land=valley&rough=0&seed={seed}")).ridges().to_vec();
+        let starts: Vec<f32> = (0..8).map(|seed| ridges(seed)[0][0].x).collect();
+        assert!(starts.windows(2).all(|pair| (pair[0] - pair[1]).abs() > 1.0), "{starts:?}");
+        for ridge in (0..8).flat_map(ridges) {
+            let (from, to) = (ridge[0], ridge[64]);
+            let off = |at: &Vec2| (to - from).normalize().perp_dot(*at - from).abs();
+            assert!(ridge.iter().map(off).fold(0.0, f32::max) > 3.0, "straight from {from} to {to}");
         }
     }
 

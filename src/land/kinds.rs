@@ -1,7 +1,7 @@
 //! The shapes that land comes in, each bent by seeded noise.
 
 use fastnoise_lite::{CellularReturnType, FastNoiseLite, FractalType, NoiseType};
-use glam::Vec2;
+use glam::{Vec2, Vec2Swizzles};
 
 use super::Relief;
 use crate::domain::Domain;
@@ -56,20 +56,21 @@ impl Shape {
         let (coarse, fine, islands) = (self.noise(0, 1.6, 3), self.noise(1, 5.0, 5), self.cellular());
         // Straits between islands are narrow: much would close them.
         let strength = if self.kind == LandKind::Archipelago { 0.28 } else { 0.45 };
-        let bend = |point: Vec2| {
+        let height = |point: Vec2| {
             let Vec2 { x, y } = point;
-            (coarse.get_noise_2d(x, y) + 0.35 * fine.get_noise_2d(x, y)) * self.rough * self.span() * strength
+            let bend = (coarse.get_noise_2d(x, y) + 0.35 * fine.get_noise_2d(x, y)) * self.rough;
+            self.plain(point, bend, &coarse, &islands) + bend * self.span() * strength
         };
-        Some(Relief::with_sea(&self.domain, self.sea, |point| self.plain(point, &coarse, &islands) + bend(point)))
+        Some(Relief::with_sea(&self.domain, self.sea, height))
     }
 
-    /// The height of the unbent shape, in units.
-    fn plain(&self, point: Vec2, noise: &FastNoiseLite, islands: &FastNoiseLite) -> f32 {
+    /// The height of the shape without its bends, in units; where it comes near the border, it bends all the same.
+    fn plain(&self, point: Vec2, bend: f32, noise: &FastNoiseLite, islands: &FastNoiseLite) -> f32 {
         let from_centre = ((point - self.domain.size / 2.0) / (self.domain.size / self.span())).length();
         match self.kind {
             LandKind::Rectangle | LandKind::Drawn => self.span(),
-            LandKind::Island => -from_centre - self.moat(point),
-            LandKind::Basin => from_centre + self.moat(point),
+            LandKind::Island => -from_centre - self.moat(point, -bend),
+            LandKind::Basin => from_centre + self.moat(point, bend),
             LandKind::Continent | LandKind::Valley => self.coast_distance(point),
             LandKind::Archipelago => {
                 // The gap between the distances to the nearest and the next of some scattered centres: 0 midway, so that
@@ -77,35 +78,27 @@ impl Shape {
                 let aside = noise.get_noise_2d(point.y + 3000.0, point.x) * self.span() * 0.35 * self.rough;
                 let island = islands.get_noise_2d(point.x + aside, point.y - aside);
                 let size = noise.get_noise_2d(point.x * 1.7 + 5000.0, point.y * 1.7);
-                (island * 1.9 + size * 0.45) * self.span() - self.moat(point) * 2.0
+                (island * 1.9 + size * 0.45) * self.span() - self.moat(point, 0.0)
             }
         }
     }
 
-    /// The ridges of the shape, as polylines: of a valley two, from the coast straight inland, bent a little.
+    /// The ridges of the shape, as polylines: of a valley two, from the coast inland, bent a little even on smooth land.
     pub fn ridges(&self) -> Vec<Vec<Vec2>> {
         if self.kind != LandKind::Valley {
             return Vec::new();
         }
-        let wobble = self.noise(2, 2.0, 3);
-        let across = self.domain.size;
-        [0.27, 0.73]
-            .map(|share| {
-                (0..=64)
-                    .map(|i| {
-                        let along = i as f32 / 64.0;
-                        let point = if self.sides.contains('s') || self.sides.contains('n') {
-                            Vec2::new(share, along) * across
-                        } else {
-                            Vec2::new(along, share) * across
-                        };
-                        let aside = wobble.get_noise_2d(point.x, point.y) * self.rough * self.span() * 0.2;
-                        let axis = if self.sides.contains('s') || self.sides.contains('n') { Vec2::X } else { Vec2::Y };
-                        point + axis * aside
-                    })
-                    .collect()
-            })
-            .into()
+        let (wobble, place) = (self.noise(2, 2.0, 3), self.seed.key(Purpose::Land));
+        let inland = if self.sides.contains('s') || self.sides.contains('n') { Vec2::Y } else { Vec2::X };
+        let (aside, across) = (inland.yx(), self.domain.size);
+        // Anywhere in a fifth of the way across.
+        let ridge = |(number, first): (u32, f32)| {
+            let start = aside * (first + 0.2 * place.unit([4, number, 0]));
+            let point = |i| (start + inland * (i as f32 / 64.0)) * across;
+            let sway = |at: Vec2| wobble.get_noise_2d(at.x, at.y) * (0.2 + 0.6 * self.rough) * self.span() * 0.2;
+            (0..=64).map(|i| point(i) + aside * sway(point(i))).collect()
+        };
+        [(0, 0.17), (1, 0.63)].map(ridge).into()
     }
 
     /// The distance to the nearest side that has the sea.
@@ -118,14 +111,22 @@ impl Shape {
     }
 
     /// A drop toward the border of the domain, so that land surrounded by sea is not cut by it, nor a lake by land. Its contours are
-    /// rectangles with round corners, the rounder the farther inside, so that no coast is straight for it.
-    fn moat(&self, point: Vec2) -> f32 {
-        const INSIDE: f32 = 0.3;
-        let out = point / self.domain.size * 2.0 - 1.0;
+    /// rectangles with round corners, the rounder the farther inside, and stray with the coast (`bend`, up to about 1 either way)
+    /// as far as there is room: so no coast is straight for it.
+    fn moat(&self, point: Vec2, bend: f32) -> f32 {
+        /// Of what lies between the coast and the border, so much is strayed over; and of the way out no more than a fifth.
+        const STRAY: f32 = 0.4;
+        const ROOM: f32 = 0.2;
+        let within = if self.kind == LandKind::Basin { self.sea } else { 1.0 - self.sea };
+        let room = (1.0 - within.sqrt()).min(ROOM);
+        // Straits between islands are what is rough of them.
+        let (inside, steep, stray) =
+            if self.kind == LandKind::Archipelago { (0.3, 6.6, 0.0) } else { (0.45, 8.0, STRAY * room) };
+        let out = (point / self.domain.size * 2.0 - 1.0) * (1.0 + bend * stray);
         let out = out * out;
         let fourth_power = out.x * out.x + out.y * out.y;
-        let outside = (fourth_power - INSIDE).max(0.0);
-        outside * outside * self.span() * 2.2
+        let outside = (fourth_power - inside).max(0.0);
+        outside * outside * self.span() * steep
     }
 
     /// The shorter side of the domain, which sets the scale of all shapes.

@@ -54,6 +54,7 @@ const ALWAYS: u32 = !0;
 const COLONIZING: &[Key] = &[
     Key::Mouths,
     Key::Apart,
+    Key::Shores,
     Key::Attractors,
     Key::Scatter,
     Key::Reach,
@@ -93,7 +94,12 @@ const STILL: &str = "Rivers do not meander here.";
 
 /// Of several rules for a key the first that holds gives the reason.
 static RULES: [Rule; 15] = [
-    rule(&[Key::Sea, Key::Rough, Key::Apart], RECTANGLE, ALWAYS, "The whole rectangle is land: it has no coast."),
+    rule(
+        &[Key::Sea, Key::Rough, Key::Apart, Key::Shores],
+        RECTANGLE,
+        ALWAYS,
+        "The whole rectangle is land: it has no coast.",
+    ),
     rule(&[Key::Sea, Key::Sides], DRAWN, ALWAYS, "The drawing says where the sea is."),
     rule(&[Key::Sides], ISLAND | ARCHIPELAGO, ALWAYS, "This land has the sea all round."),
     rule(&[Key::Sides], BASIN, ALWAYS, "Rivers run to the lake in the middle."),
@@ -152,6 +158,8 @@ mod tests {
         for (link, key, expected) in [
             ("land=rectangle", Key::Sea, "The whole rectangle"),
             ("land=drawn", Key::Sea, "The whole rectangle"),
+            ("land=rectangle", Key::Shores, "The whole rectangle"),
+            ("land=island", Key::Sides, "This land"),
             ("land=drawn&outline=.MzMzzMMzzMzM", Key::Sea, "The drawing"),
             ("growth=colonize", Key::Sensitivity, "Only a Brownian tree"),
             ("growth=brownian", Key::Mouths, "Only space colonization"),
@@ -177,6 +185,7 @@ mod tests {
     fn what_does_something_has_no_reason_not_to() {
         for (link, key) in [
             ("land=valley", Key::Sides),
+            ("land=island", Key::Shores),
             ("land=continent", Key::Sides),
             ("land=drawn&outline=.MzMzzMMzzMzM", Key::Outline),
             ("meander-rounds=0", Key::MeanderRounds),

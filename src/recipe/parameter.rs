@@ -47,6 +47,7 @@ pub enum Key {
     Mouths,
     Apart,
     Sides,
+    Shores,
     Growth,
     Sensitivity,
     Attractors,

@@ -105,6 +105,8 @@ pub struct Sides(u8);
 impl Sides {
     /// The lower side alone.
     pub const SOUTH: Self = Self(0b0100);
+    /// All four.
+    pub const ALL: Self = Self(0b1111);
     const INITIALS: &str = "nesw";
 
     /// Reads initials in any order. `None` if there are none, one stands twice, or one is not a side's.

@@ -289,7 +289,7 @@ impl River {
 }
 
 const DIED_OUT: &str =
-    "Growth died out early: a longer reach, a shorter kill distance, a shorter step or less curl helps.";
+    "Rivers do not reach all land: a shorter step, a longer kill distance or reach, or mouths less far apart helps.";
 
 fn read_strictly(text: &str) -> Result<Recipe, JsValue> {
     link::read(text).map_err(|error| coded("bad-params", &error.to_string()))

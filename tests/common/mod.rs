@@ -20,7 +20,8 @@ pub fn random_link(most_attractors: u32) -> impl Strategy<Value = String> {
     let land = (prop_oneof![Just("rectangle"), lands], 0.1f64..=0.8, 0.0f64..=1.0, random_outline());
     let ground = (0.25f64..=4.0, prop_oneof![1u32..=5, 1u32..=64], 1u32..16, 100..=most_attractors, any::<bool>());
     let procedure = prop_oneof![4 => Just("colonize"), 1 => Just("brownian")];
-    let growth = (2.1f64..=12.0, 0.5f64..=1.4, 0.2f64..=1.2, procedure, 40u32..=64, prop_oneof![Just(0), 0..=400]);
+    let mouths = (prop_oneof![Just(0), 0..=400], prop_oneof![Just(15u32), 1u32..16]);
+    let growth = (2.1f64..=12.0, 0.5f64..=1.4, 0.2f64..=1.2, procedure, 40u32..=64, mouths);
     let zero_or = |most: f64| prop_oneof![Just(0.0), 0.0..=most];
     let bends = (zero_or(0.9), zero_or(2.0), 1u32..=64);
     let finish = (prop_oneof![Just(0u32), 0u32..=60], 1.0f64..=40.0, 0usize..4);
@@ -34,14 +35,16 @@ pub fn random_link(most_attractors: u32) -> impl Strategy<Value = String> {
     ("[a-z]{1,8}", land, ground, growth, bends, finish, rivers).prop_map(|(seed, land, ground, growth, bends, finish, rivers)| {
         let (land, sea, rough, outline) = land;
         let (aspect, mouths, sides, attractors, grid) = ground;
-        let (reach, kill, step, procedure, sensitivity, apart) = growth;
+        let (reach, kill, step, procedure, sensitivity, (apart, shores)) = growth;
         let (momentum, curl, stretch) = bends;
         let (trim, width, style) = finish;
-        let sides: String = "nesw".chars().enumerate().filter(|(i, _)| sides >> i & 1 == 1).map(|(_, c)| c).collect();
+        let initials =
+            |set: u32| "nesw".chars().enumerate().filter(|(i, _)| set >> i & 1 == 1).map(|(_, c)| c).collect::<String>();
+        let (sides, shores) = (initials(sides), initials(shores));
         let scatter = if grid { "grid" } else { "random" };
         let style = ["ink", "skeleton", "map", "dark"][style];
         format!(
-            "seed={seed}&growth={procedure}&sensitivity={sensitivity}&apart={apart}&land={land}&outline={outline}&sea={sea:.3}&rough={rough:.3}&aspect={aspect:.3}&mouths={mouths}&sides={sides}&attractors={attractors}&scatter={scatter}\
+            "seed={seed}&growth={procedure}&sensitivity={sensitivity}&apart={apart}&shores={shores}&land={land}&outline={outline}&sea={sea:.3}&rough={rough:.3}&aspect={aspect:.3}&mouths={mouths}&sides={sides}&attractors={attractors}&scatter={scatter}\
              &reach={reach:.3}&kill={kill:.3}&step={step:.3}&momentum={momentum:.3}&curl={curl:.3}&stretch={stretch}\
              &trim={trim}&width={width:.2}&style={style}{rivers}"
         )

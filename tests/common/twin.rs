@@ -3,7 +3,7 @@
 //! crate are where things lie at the start, the fixed-point sum of pulls and the hash that random angles come from.
 
 use glam::Vec2;
-use riverseed::grow::{Parameters, Pull, mouths, scatter, stem_nodes};
+use riverseed::grow::{Mouth, Parameters, Pull, mouths, scatter, shores, stem_nodes};
 use riverseed::random::Purpose;
 use riverseed::tree::NO_PARENT;
 
@@ -30,6 +30,12 @@ pub fn grow(parameters: &Parameters) -> Vec<Black> {
         born.extend(grow_all(parameters, &blue, &mut black, &assigned, tick));
         if born.is_empty() {
             born = reach_out(parameters, &blue, &black, &assigned, tick);
+        }
+        if born.is_empty()
+            && let Some(mouth) = mouth_for_the_rest(parameters, &blue, &black)
+        {
+            born = stem(parameters, mouth, black.len() as u32, tick);
+            pilots.push((black.len() + born.len() - 1, mouth.inland));
         }
         if born.is_empty() && blue.iter().flatten().count() > blue.len() / 2 {
             born.extend(run_on(parameters, &black, tick));
@@ -197,17 +203,45 @@ fn remove(parameters: &Parameters, blue: &mut [Option<Vec2>], black: &mut [Black
 fn start_nodes(parameters: &Parameters) -> (Vec<Black>, Vec<(usize, Vec2)>) {
     let (mut black, mut ends) = (Vec::new(), Vec::new());
     for mouth in mouths(parameters) {
-        black.push(node(mouth.at, NO_PARENT, 0, 0));
-        for i in 1..=stem_nodes(parameters) {
-            let from = black[black.len() - 1].at;
-            let at = from + mouth.inland * parameters.step;
-            if parameters.allows(from, at) {
-                black.push(node(at, black.len() as u32 - 1, 0, i));
-            }
-        }
+        black.extend(stem(parameters, mouth, black.len() as u32, 0));
         ends.push((black.len() - 1, mouth.inland));
     }
     (black, ends)
+}
+
+/// A mouth and its stem, whose nodes are numbered from the first on.
+fn stem(parameters: &Parameters, mouth: Mouth, first: u32, tick: u32) -> Vec<Black> {
+    let mut stem = vec![node(mouth.at, NO_PARENT, tick, 0)];
+    for i in 1..=stem_nodes(parameters) {
+        let from = stem[stem.len() - 1].at;
+        let at = from + mouth.inland * parameters.step;
+        if parameters.allows(from, at) {
+            stem.push(node(at, first + stem.len() as u32 - 1, tick, i));
+        }
+    }
+    stem
+}
+
+/// When more than a fiftieth of the blue nodes is in reach of no black node: a mouth at the place on the coast that has the most
+/// of them in reach; the first of equals.
+fn mouth_for_the_rest(parameters: &Parameters, blue: &[Option<Vec2>], black: &[Black]) -> Option<Mouth> {
+    let is_lost = |blue: &Vec2| closest(parameters, *blue, black, parameters.reach).is_none();
+    let lost: Vec<Vec2> = blue.iter().flatten().copied().filter(is_lost).collect();
+    if lost.len() <= blue.len() / 50 {
+        return None;
+    }
+    let mut best = (0, None);
+    for shore in shores(parameters) {
+        let mut mouths = black.iter().filter(|node| node.parent == NO_PARENT);
+        let reach = parameters.reach * parameters.reach;
+        let is_in_reach =
+            |blue: &&Vec2| squared_distance(**blue, shore.at) < reach && parameters.sees(shore.at, **blue);
+        let seen = lost.iter().filter(is_in_reach).count();
+        if seen > best.0 && mouths.all(|mouth| mouth.at.distance(shore.at) > parameters.apart) {
+            best = (seen, Some(Mouth { at: shore.at, inland: shore.inland }));
+        }
+    }
+    best.1
 }
 
 /// A river that no blue node reaches runs straight inland until one does, or the land ends.

@@ -12,7 +12,7 @@ export const NUMBERS = [
   "curl", "stretch", "trim", "simplify", "width", "vary", "meander-rounds", "meander-strength", "meander-mix", "gentle",
   "great", "flat", "neck", "buffer", "taper",
 ] as const;
-export const TEXTS = ["seed", "land", "outline", "sides", "growth", "scatter", "meander", "style"] as const;
+export const TEXTS = ["seed", "land", "outline", "sides", "shores", "growth", "scatter", "meander", "style"] as const;
 
 /** Keys that mean something else in HTML carry a prefix as attributes. */
 const PREFIXED: ReadonlySet<string> = new Set(["style", "width"]);
