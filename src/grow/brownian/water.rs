@@ -1,21 +1,19 @@
 //! What a particle sees: land, the water it may meet and the ridges it must keep away from.
 
-use std::ops::RangeInclusive;
-
 use super::field::{Field, Place};
 use super::pyramid::Pyramid;
 use crate::land::Cell;
 use crate::random::Stream;
 
 /// What a step means for particles, in cells: published with the document as radius S/2 and moves of S/10 + 1.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub(super) struct Step {
     /// The side of the squares that have a particle each.
     pub size: f32,
     /// What is nearer than half a step is met. Squared distances are whole: those below this.
     near: i32,
-    /// Between which squared distances from water particles are born.
-    births: RangeInclusive<i32>,
+    /// How far particles are born from water, in squared distances: at least, and less than.
+    births: (i32, i32),
     /// The most that a particle moves along an axis, and the number of ways to do so.
     stride: i32,
     ways: u32,
@@ -27,7 +25,7 @@ impl Step {
     pub fn of(size: f32, is_for_rest: bool) -> Self {
         let stride = (size / 10.0) as i32 + 1;
         let near = (size * size / 4.0).ceil() as i32;
-        let births = if is_for_rest { 4 * near..=64 * near } else { near..=i32::MAX };
+        let births = if is_for_rest { (4 * near, 64 * near + 1) } else { (near, i32::MAX) };
         Self { size, near, births, stride, ways: 2 * stride as u32 + 1 }
     }
 
@@ -102,9 +100,13 @@ impl Water {
 
     /// Whether a particle may be born at a place on land: neither water nor a ridge is near.
     pub fn is_clear(&self, at: Place, step: &Step) -> bool {
-        let to_water = self.shore.nearest(at, i32::MAX).map_or(i32::MAX, |(_, squared)| squared);
-        step.births.contains(&to_water)
-            && self.ridges.as_ref().is_none_or(|ridges| ridges.nearest(at, step.near).is_none())
+        let (least, most) = step.births;
+        // Whether there is water at all within so much is soon known.
+        let is_born = match most {
+            i32::MAX => self.shore.nearest(at, least).is_none(),
+            most => self.shore.nearest(at, most).is_some_and(|(_, squared)| squared >= least),
+        };
+        is_born && self.ridges.as_ref().is_none_or(|ridges| ridges.nearest(at, step.near).is_none())
     }
 
     /// Lets a particle wander until it meets water: where it is then, and the cell of water nearest to it. `None` if it
