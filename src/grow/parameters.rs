@@ -5,7 +5,7 @@ use std::sync::Arc;
 use glam::Vec2;
 
 use crate::domain::{AREA, Domain};
-use crate::land::{Land, Region, SIDE};
+use crate::land::{Land, LandKind, Region, SIDE};
 use crate::random::Seed;
 use crate::recipe::{Key, Recipe, Sides};
 
@@ -27,7 +27,7 @@ pub struct Parameters {
     pub domain: Domain,
     /// The land; `None` if all of the domain is.
     pub land: Option<Arc<Land>>,
-    /// How many rivers reach the sea; on land with several regions at least.
+    /// How many rivers reach the sea; on land with several regions, and around a lake, there are more.
     pub mouths: u32,
     /// How many of them in each region of the land, largest first. Regions without one stay dry.
     pub basins: Vec<u32>,
@@ -65,6 +65,10 @@ pub struct Parameters {
 /// land has a coast. So the memory of growth depends on the number asked for alone.
 const LEAST_AREA: f32 = AREA / 20.0;
 
+/// Rivers come to a lake from all round it, so it has so many for one that is asked for: with as few as an island they would run
+/// along its shore instead.
+const MOUTHS_OF_A_LAKE: u32 = 3;
+
 impl Parameters {
     /// Resolves a recipe.
     pub fn of(recipe: &Recipe) -> Self {
@@ -75,7 +79,9 @@ impl Parameters {
     pub fn on_land(recipe: &Recipe, land: Option<Arc<Land>>) -> Self {
         let attractors = recipe.integer(Key::Attractors);
         let mouths = recipe.integer(Key::Mouths);
-        let basins = land.as_ref().map(|land| share_out(land.regions(), mouths)).unwrap_or_default();
+        let is_lake = recipe.choice(Key::Land) == LandKind::Basin as usize;
+        let asked = if is_lake { MOUTHS_OF_A_LAKE * mouths } else { mouths };
+        let basins = land.as_ref().map(|land| share_out(land.regions(), asked)).unwrap_or_default();
         let area = match &land {
             None => AREA,
             Some(land) => watered(Some(land), &basins).map(|region| region.cells as f32 * SIDE * SIDE).sum(),

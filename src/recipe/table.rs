@@ -105,7 +105,7 @@ pub static TABLE: [Parameter; COUNT] = {
             key: Key::Mouths,
             name: "mouths",
             label: "River mouths",
-            help: "How many rivers reach the sea, more if islands or land shut off need their own; their basins meet without gaps.",
+            help: "How many rivers reach the sea; a lake has thrice as many, and each island of some size one. Their basins meet without gaps.",
             unit: "",
             group: "Land",
             stage: Grow,
