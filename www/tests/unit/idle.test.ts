@@ -3,7 +3,7 @@ import { isAdjustable } from "../../src/controls.ts";
 import { engine, parameter, pictureOf } from "../core.ts";
 
 /** What decides whether others do something; coarse and soon done, since every value of every key is drawn. */
-const COARSE = "attractors=100&sensitivity=64&mouths=24&meander-rounds=10";
+const COARSE = "attractors=100&sensitivity=64&mouths=9&meander-rounds=10";
 const OUTLINE = engine.outlineOf([Float32Array.of(0.2, 0.2, 0.8, 0.25, 0.75, 0.8, 0.2, 0.7)], []);
 const lands = parameter("land").choices?.map(({ value }) => `land=${value}`) ?? [];
 const growths = parameter("growth").choices?.map(({ value }) => `growth=${value}`) ?? [];
