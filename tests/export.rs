@@ -142,9 +142,31 @@ fn nothing_is_written_while_the_tree_grows() {
     assert_eq!(to_json::network(&session, false).err(), Some(ExportError::Unfinished));
 }
 
+const SIDE: u32 = 1000;
+
+/// The SVG as a picture, a pixel a unit.
+fn drawn(session: &Session) -> tiny_skia::Pixmap {
+    let tree = usvg::Tree::from_str(&svg::svg(session).unwrap(), &usvg::Options::default()).unwrap();
+    let mut pixmap = tiny_skia::Pixmap::new(SIDE, SIDE).unwrap();
+    resvg::render(&tree, tiny_skia::Transform::identity(), &mut pixmap.as_mut());
+    pixmap
+}
+
+#[test]
+fn rivers_of_an_svg_end_at_the_coast() {
+    let link = "aspect=1&land=archipelago&rough=1&attractors=600&width=";
+    let [narrow, wide] = ["2", "40"].map(|width| finished(&format!("{link}{width}"), SIDE, SIDE));
+    let (narrow_map, wide_map) = (drawn(&narrow), drawn(&wide));
+    let land = narrow.growth().parameters().land.as_deref().unwrap();
+    for (i, (narrow, wide)) in narrow_map.pixels().iter().zip(wide_map.pixels()).enumerate() {
+        let height =
+            land.relief().height(glam::Vec2::new((i as u32 % SIDE) as f32 + 0.5, (i as u32 / SIDE) as f32 + 0.5));
+        assert!(height > -3.5 || narrow == wide, "pixel {i}, {height} inland: {narrow:?}, {wide:?}");
+    }
+}
+
 #[test]
 fn svg_looks_like_the_picture() {
-    const SIDE: u32 = 1000;
     for link in [
         "seed=kauri&aspect=1&attractors=2000",
         "seed=rimu&aspect=1&attractors=2000&land=island&style=map&mouths=9&meander-rounds=200&width=30",
@@ -152,9 +174,7 @@ fn svg_looks_like_the_picture() {
     ] {
         let mut session = finished(link, SIDE, SIDE);
         session.paint();
-        let tree = usvg::Tree::from_str(&svg::svg(&session).unwrap(), &usvg::Options::default()).unwrap();
-        let mut pixmap = tiny_skia::Pixmap::new(SIDE, SIDE).unwrap();
-        resvg::render(&tree, tiny_skia::Transform::identity(), &mut pixmap.as_mut());
+        let pixmap = drawn(&session);
         let differ = |(a, b): (&[u8], &[u8])| a.iter().zip(b).any(|(a, b)| a.abs_diff(*b) > 60);
         let pixels = pixmap.data().chunks_exact(4).zip(session.pixmap().data().chunks_exact(4));
         let differing = pixels.filter(|&pair| differ(pair)).count();

@@ -84,3 +84,29 @@ proptest! {
         }
     }
 }
+
+/// The finished picture of a land and its rivers, a pixel a unit.
+fn map(link: &str) -> (Session, Vec<[u8; 4]>) {
+    let mut session = Session::new(link::read(link).unwrap(), 1000, 1000).unwrap();
+    while session.advance(u32::MAX) {}
+    session.paint();
+    let pixels = session.pixmap().data().as_chunks().0.to_vec();
+    (session, pixels)
+}
+
+#[test]
+fn rivers_end_at_the_coast_and_the_sea_is_the_same_whatever_runs_into_it() {
+    for style in ["map", "ink", "skeleton"] {
+        let link = format!("aspect=1&land=archipelago&rough=1&attractors=600&style={style}");
+        let ((session, narrow), (_, wide)) = (map(&format!("{link}&width=2")), map(&format!("{link}&width=40")));
+        let land = session.growth().parameters().land.as_deref().unwrap();
+        let mut inland = 0;
+        for (i, (narrow, wide)) in narrow.iter().zip(&wide).enumerate() {
+            let height = land.relief().height(glam::Vec2::new((i % 1000) as f32 + 0.5, (i / 1000) as f32 + 0.5));
+            assert!(height > -3.0 || narrow == wide, "{style}: pixel {i}, {height} inland: {narrow:?}, {wide:?}");
+            assert!(narrow[3] == 255 && wide[3] == 255, "{style}: pixel {i} is not opaque");
+            inland += u32::from(narrow != wide);
+        }
+        assert!(inland > 2000 || style == "skeleton", "{style}: {inland} pixels differ");
+    }
+}

@@ -64,7 +64,7 @@ impl Land {
     }
 
     /// Land above the sea, cut by ridges.
-    pub(super) fn new(domain: &Domain, relief: Relief, ridges: Vec<Vec<Vec2>>) -> Self {
+    pub(crate) fn new(domain: &Domain, relief: Relief, ridges: Vec<Vec<Vec2>>) -> Self {
         let mut grid = Grid::above_water(domain, &relief);
         let raised = grid.raise(&ridges);
         let mut regions = regions_of(&grid.runs);

@@ -6,7 +6,8 @@
 //! A drawn land comes from an [`Outline`](crate::recipe::Outline), which hand-drawn lines
 //! ([`of_strokes`](crate::recipe::Outline::of_strokes)) or a picture (`trace`, of the feature `tools`) are turned into.
 //!
-//! Growth asks the field, painting asks the relief: so the coast is smooth at any size, and rivers end at it.
+//! Growth asks the field, painting what is shown of the relief ([`Shown`]): so the coast is smooth at any size, and rivers
+//! end at it.
 
 #[cfg(feature = "tools")]
 mod contours;
@@ -17,6 +18,7 @@ mod obstacles;
 mod outline;
 mod regions;
 mod relief;
+mod shown;
 mod strokes;
 #[cfg(feature = "tools")]
 pub mod trace;
@@ -27,5 +29,6 @@ pub use grid::{Cell, SIDE};
 pub use kinds::LandKind;
 pub use regions::{Cells, Region, Run, Shore};
 pub use relief::Relief;
-pub(crate) use relief::{Across, Column};
+pub use shown::Shown;
+pub(crate) use shown::{Across, Parabola};
 pub use strokes::DrawError;

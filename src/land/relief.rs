@@ -1,7 +1,8 @@
 //! The relief: how far inland every point of the domain lies.
 //!
-//! It is known at the corners of a coarse lattice and bilinear between, so that a coast is smooth at any size of
-//! picture. All that is needed to make one is a coast, as line pieces, and which side of it is land.
+//! It is known at the corners of a coarse lattice and bilinear between: near enough for growth, which asks cells. Pictures
+//! show it without facets (`shown.rs`). All that is needed to make one is a coast, as line pieces, and which side of it is
+//! land.
 
 use glam::Vec2;
 
@@ -44,6 +45,17 @@ impl Relief {
         let (columns, rows) = Self::corners(domain);
         let heights = is_land.iter().map(|&is_land| if is_land { 1.0 } else { -1.0 }).collect();
         Self { heights, columns, rows }.measured(coast)
+    }
+
+    /// All land but for a strait of a width, between two points.
+    #[cfg(test)]
+    pub(crate) fn of_strait(domain: &Domain, from: Vec2, to: Vec2, width: f32) -> Self {
+        let across = (to - from).perp().normalize();
+        let (columns, rows) = Self::corners(domain);
+        let is_land = |i| ((corner(i, columns) - from).dot(across)).abs() > width / 2.0;
+        let is_land: Vec<bool> = (0..columns * rows).map(is_land).collect();
+        let coast = [0.5, -0.5].map(|side| [from + across * (width * side), to + across * (width * side)]);
+        Self::of_coast(domain, &coast, &is_land)
     }
 
     /// How many columns and rows of corners a lattice has: one more each than would cover the domain.
@@ -124,16 +136,13 @@ impl Relief {
     }
 
     /// How many columns and rows of corners there are.
-    #[cfg(feature = "tools")]
     pub(super) fn size(&self) -> (usize, usize) {
         (self.columns, self.rows)
     }
 
-    /// The height at a corner of the lattice.
-    #[cfg(feature = "tools")]
-    #[inline]
-    pub(super) fn corner(&self, column: usize, row: usize) -> f32 {
-        self.heights[row.min(self.rows - 1) * self.columns + column.min(self.columns - 1)]
+    /// The heights of the corners, row by row.
+    pub(super) fn heights(&self) -> &[f32] {
+        &self.heights
     }
 
     /// The heights between a row of corners and the next, from the first column on.
@@ -145,23 +154,14 @@ impl Relief {
     }
 
     /// How far inland a point lies, in units; negative at sea. Points outside the domain have the value of its border.
-    #[inline(always)] // asked for every corner of every cell
+    #[inline]
     pub fn height(&self, point: Vec2) -> f32 {
-        self.across(point.y).height(self.column(point.x))
-    }
-
-    /// The heights of all points of one y.
-    #[inline]
-    pub(crate) fn across(&self, y: f32) -> Across<'_> {
-        let (row, share) = lattice(y, self.rows);
-        let corners = |row: usize| &self.heights[row * self.columns..][..self.columns];
-        Across { row, north: corners(row), south: corners(row + 1), share }
-    }
-
-    /// Where an x lies.
-    #[inline]
-    pub(crate) fn column(&self, x: f32) -> Column {
-        lattice(x, self.columns)
+        let ((column, x), (row, y)) = (lattice(point.x, self.columns), lattice(point.y, self.rows));
+        let along = |row: usize| {
+            let corners = &self.heights[row * self.columns + column..][..2];
+            corners[0] * (1.0 - x) + corners[1] * x
+        };
+        along(row) * (1.0 - y) + along(row + 1) * y
     }
 
     /// The way inland, and how much farther inland a step that way leads.
@@ -170,34 +170,6 @@ impl Relief {
         let step = Self::SPACING;
         let rise = |axis: Vec2| self.height(point + axis * step) - self.height(point - axis * step);
         Vec2::new(rise(Vec2::X), rise(Vec2::Y)) / (2.0 * step)
-    }
-}
-
-/// A column of the lattice, and how far a place lies on the way to the next.
-pub(crate) type Column = (usize, f32);
-
-/// The relief of one y.
-pub(crate) struct Across<'a> {
-    /// The row of corners to the north.
-    pub row: usize,
-    north: &'a [f32],
-    south: &'a [f32],
-    /// How far it lies on the way to the row to the south.
-    share: f32,
-}
-
-impl Across<'_> {
-    /// The height at an x.
-    #[inline]
-    pub fn height(&self, (column, x): Column) -> f32 {
-        let along = |corners: &[f32]| corners[column] * (1.0 - x) + corners[column + 1] * x;
-        along(self.north) * (1.0 - self.share) + along(self.south) * self.share
-    }
-
-    /// The heights of all corners around two columns and what lies between.
-    pub fn corners(&self, west: Column, east: Column) -> impl Iterator<Item = f32> + Clone {
-        let around = west.0..=east.0 + 1;
-        self.north[around.clone()].iter().chain(&self.south[around]).copied()
     }
 }
 

@@ -4,31 +4,34 @@
 use glam::Vec2;
 
 use super::coverage::{Coverage, Rect};
-use super::palette::{Colour, Palette, mix};
+use super::palette::{Palette, mix};
+use super::ridges::ridges;
 use super::view::View;
-use crate::land::{Across, Column, Land, Relief};
+use crate::land::{Across, Land, Parabola, Relief, Shown};
 
 /// Widths of lines, in units.
 pub(crate) const RING_WIDTH: f32 = 1.1;
 pub(crate) const COAST_WIDTH: f32 = 1.8;
-pub(crate) const RIDGE_WIDTH: f32 = 3.0;
-const RIDGE_PIECE: f32 = 6.0;
 
-/// Paints the ground of a picture, row by row, opaque.
+/// Rivers end so far out at sea, in units: they interrupt the line of the coast, and no more.
+pub(crate) const RIVERS_END: f32 = COAST_WIDTH * 0.5;
+
+/// Paints the ground of a picture, row by row. In place of opacity there is how far rivers show on it.
 pub(super) fn ground(view: &View, land: &Land, palette: &Palette) -> Vec<[u8; 4]> {
-    let (relief, shades) = (land.relief(), Shades::new(view.scale, palette));
-    let (stretches, mut spans, mut spanned) = (stretches(view, relief), Vec::new(), None);
+    let (shown, shades) = (Shown::of(land.relief()), Shades::new(view.scale, palette));
+    let (stretches, mut spans, mut spanned) = (stretches(view, &shown), Vec::new(), None);
     let mut pixels = Vec::with_capacity(view.width as usize * view.height as usize);
     for y in 0..view.height {
-        let across = relief.across(view.point(Vec2::splat(y as f32 + 0.5)).y);
+        let across = shown.across(view.point(Vec2::splat(y as f32 + 0.5)).y);
         // Some rows lie between the same corners.
         if spanned.replace(across.row) != Some(across.row) {
-            spans = shades.spans(&stretches, &across);
+            spans = shades.spans(&stretches, &shown, across.row);
         }
         for span in &spans {
             match span {
                 Span::Even(colour, count) => pixels.resize(pixels.len() + count, *colour),
-                Span::Uneven(stretch) => shades.paint(stretch, &across, &mut pixels),
+                Span::Uneven(stretch, false) => shades.tint(stretch, &across, &mut pixels),
+                Span::Uneven(stretch, true) => shades.draw_lines(stretch, &across, &mut pixels),
             }
         }
     }
@@ -36,29 +39,25 @@ pub(super) fn ground(view: &View, land: &Land, palette: &Palette) -> Vec<[u8; 4]
     pixels
 }
 
-/// Pixels of a row between two columns of the relief's lattice: the height along them is linear.
+/// Pixels of a row around a column of the relief's corners: the height along them is a parabola.
 #[derive(Clone, Copy)]
 struct Stretch {
     count: usize,
-    /// From the first pixel to the last.
-    steps: f32,
-    /// Where the middles of the first and the last lie.
-    first: Column,
-    last: Column,
+    column: usize,
+    /// How far beyond the column the middle of the first pixel lies, in intervals.
+    first: f32,
 }
 
 /// The stretches that make a row.
-fn stretches(view: &View, relief: &Relief) -> Vec<Stretch> {
-    let place = |x: usize| view.point(Vec2::splat(x as f32 + 0.5)).x;
+fn stretches(view: &View, shown: &Shown) -> Vec<Stretch> {
     let (width, mut start) = (view.width as usize, 0);
     let mut stretches = Vec::new();
     while start < width {
-        let from = place(start);
-        // The pixels whose middles lie before the lattice's next column, and before the picture's end.
-        let border = ((from / Relief::SPACING).floor() + 1.0) * Relief::SPACING;
-        let count = (((border - from) * view.scale).ceil().max(1.0) as usize).min(width - start);
-        let last = relief.column(place(start + count - 1));
-        stretches.push(Stretch { count, steps: (count - 1).max(1) as f32, first: relief.column(from), last });
+        let (column, first) = shown.column(view.point(Vec2::splat(start as f32 + 0.5)).x);
+        // The pixels whose middles are nearest to this column, before the picture's end.
+        let rest = (0.5 - first) * Relief::SPACING * view.scale;
+        let count = (rest.ceil().max(1.0) as usize).min(width - start);
+        stretches.push(Stretch { count, column, first });
         start += count;
     }
     stretches
@@ -68,13 +67,18 @@ fn stretches(view: &View, relief: &Relief) -> Vec<Stretch> {
 enum Span {
     /// So many of one colour: most of a picture is far from any coast.
     Even([u8; 4], usize),
-    /// A stretch whose colours have to be looked up.
-    Uneven(Stretch),
+    /// A stretch whose colours have to be looked up, and whether a line comes near.
+    Uneven(Stretch, bool),
 }
 
 /// The colours along the coast by their distance from it, looked up.
 struct Shades {
     colours: Vec<[u8; 4]>,
+    rings: &'static [(f32, f32)],
+    /// How far from its middle a line can be seen, in units.
+    margin: f32,
+    /// How far the next pixel is, in intervals of the relief.
+    step: f32,
     /// The distances of the first and past the last, in units.
     first: f32,
     end: f32,
@@ -90,67 +94,101 @@ impl Shades {
         let last = palette.fade.max(past);
         let per_unit = PER_PIXEL * scale;
         let count = ((last - first) * per_unit) as usize + 1;
-        let colour = |i: usize| opaque(shore(scale, palette, first + (i as f32 + 0.5) / per_unit));
-        let end = first + count as f32 / per_unit;
-        Self { colours: (0..count).map(colour).collect(), first, end, per_unit }
+        let colour = |i: usize| shore(scale, palette, first + (i as f32 + 0.5) / per_unit);
+        let (colours, end) = ((0..count).map(colour).collect(), first + count as f32 / per_unit);
+        let step = 1.0 / (Relief::SPACING * scale);
+        Self { colours, rings: palette.rings, margin: COAST_WIDTH * 0.5 + 0.75 / scale, step, first, end, per_unit }
     }
 
-    /// The spans of all rows that lie between two rows of corners.
-    fn spans(&self, stretches: &[Stretch], across: &Across<'_>) -> Vec<Span> {
+    /// The spans of all rows that one row of corners is nearest to.
+    fn spans(&self, stretches: &[Stretch], shown: &Shown, row: usize) -> Vec<Span> {
         let mut spans = Vec::new();
         for stretch in stretches {
-            match (self.even(across.corners(stretch.first, stretch.last)), spans.last_mut()) {
+            // What lies between is nowhere lower or higher than these.
+            let around = shown.around(row, stretch.column);
+            let (least, most) = around.fold((f32::MAX, f32::MIN), |(least, most), at| (least.min(at), most.max(at)));
+            match (self.even(least, most), spans.last_mut()) {
                 (Some(colour), Some(Span::Even(same, count))) if colour == *same => *count += stretch.count,
                 (Some(colour), _) => spans.push(Span::Even(colour, stretch.count)),
-                (None, _) => spans.push(Span::Uneven(*stretch)),
+                (None, _) => spans.push(Span::Uneven(*stretch, self.line_near(least, most).is_some())),
             }
         }
         spans
     }
 
-    /// Adds the pixels of a stretch.
-    fn paint(&self, stretch: &Stretch, across: &Across<'_>, pixels: &mut Vec<[u8; 4]>) {
-        let (left, right) = (across.height(stretch.first), across.height(stretch.last));
-        if let Some(colour) = self.even([left, right].into_iter()) {
-            return pixels.resize(pixels.len() + stretch.count, colour);
-        }
-        let step = (right - left) / stretch.steps;
-        let mut height = left;
+    /// Adds the pixels of a stretch that no line comes near.
+    fn tint(&self, stretch: &Stretch, across: &Across<'_>, pixels: &mut Vec<[u8; 4]>) {
+        let heights = Parabola::of(across.around(stretch.column));
+        let [mut height, mut rise, bend] = heights.steps(stretch.first, self.step);
         pixels.extend((0..stretch.count).map(|_| {
             let colour = self.at(height);
-            height += step;
+            height += rise;
+            rise += bend;
             colour
         }));
     }
 
+    /// Adds the pixels of any other stretch.
+    fn draw_lines(&self, stretch: &Stretch, across: &Across<'_>, pixels: &mut Vec<[u8; 4]>) {
+        let (heights, south) = (Parabola::of(across.around(stretch.column)), across.rise(stretch.column));
+        pixels.extend((0..stretch.count).map(|i| {
+            let t = stretch.first + i as f32 * self.step;
+            let height = heights.at(t);
+            let apart = |line: f32| line + self.apart(height - line, Vec2::new(heights.rise(t), south.at(t)));
+            self.at(self.line_near(height, height).map_or(height, apart))
+        }));
+    }
+
+    /// The height of a line, coast or ring, that something between two heights is near.
+    fn line_near(&self, least: f32, most: f32) -> Option<f32> {
+        let rings = self.rings.iter().map(|ring| -ring.0);
+        std::iter::once(0.0).chain(rings).find(|line| least - self.margin < *line && *line < most + self.margin)
+    }
+
+    /// How far a line lies where it is so much higher: farther than that where the relief is flatter than a distance should be, as
+    /// between two coasts. Lines would grow fat there.
+    fn apart(&self, higher: f32, rise: Vec2) -> f32 {
+        (higher * Relief::SPACING / rise.length().max(0.01)).clamp(-self.margin, self.margin)
+    }
+
     fn at(&self, height: f32) -> [u8; 4] {
         // What is less than 0 becomes 0.
-        let index = ((height - self.first) * self.per_unit) as usize;
+        let index = ((height - self.first) * self.per_unit) as u32 as usize;
         self.colours[index.min(self.colours.len() - 1)]
     }
 
-    /// The one colour between some heights, if there is only one.
-    fn even(&self, mut heights: impl Iterator<Item = f32> + Clone) -> Option<[u8; 4]> {
-        if heights.clone().all(|height| height >= self.end) {
+    /// The one colour between two heights, if there is only one.
+    fn even(&self, least: f32, most: f32) -> Option<[u8; 4]> {
+        if least >= self.end {
             return self.colours.last().copied();
         }
-        if heights.all(|height| height <= self.first) { self.colours.first().copied() } else { None }
+        if most <= self.first { self.colours.first().copied() } else { None }
     }
 }
 
-/// The colour at a distance from the coast, in units, land being positive.
-fn shore(scale: f32, palette: &Palette, distance: f32) -> Colour {
-    let far = if palette.fade > 0.0 { (distance.abs() / palette.fade).min(1.0) } else { 1.0 };
+/// The colour at a distance from the coast, in units, land being positive; and how far rivers show there.
+fn shore(scale: f32, palette: &Palette, distance: f32) -> [u8; 4] {
+    let far = if palette.fade > 0.0 { faded(distance.abs() / palette.fade) } else { 1.0 };
     let (water, land) = (mix(palette.shallows, palette.deep, far), mix(palette.lowland, palette.inland, far));
-    let mut colour = mix(water, land, (distance * scale + 0.5).clamp(0.0, 1.0));
+    let inside = |distance: f32| (distance * scale + 0.5).clamp(0.0, 1.0);
+    let mut colour = mix(water, land, inside(distance));
     for (at, strength) in palette.rings {
         colour = mix(colour, palette.coast, line(scale, distance + at, RING_WIDTH) * strength);
     }
-    mix(colour, palette.coast, line(scale, distance, COAST_WIDTH))
+    let [r, g, b] = mix(colour, palette.coast, line(scale, distance, COAST_WIDTH));
+    [r, g, b, (inside(distance + RIVERS_END) * 255.0 + 0.5) as u8]
 }
 
-fn opaque([r, g, b]: Colour) -> [u8; 4] {
-    [r, g, b, 255]
+/// How much of the farther colour there is, so much of the way to where there is nothing else: it comes to that without an edge.
+fn faded(way: f32) -> f32 {
+    let rest = 1.0 - way.min(1.0);
+    1.0 - rest * rest
+}
+
+/// Where there is so much of the farther colour: the reverse of `faded`.
+#[cfg(feature = "tools")]
+pub(crate) fn way_to(share: f32) -> f32 {
+    1.0 - (1.0 - share).sqrt()
 }
 
 /// How much a line of a width (both in units) covers a pixel at a distance from it.
@@ -161,35 +199,54 @@ fn line(scale: f32, distance: f32, width: f32) -> f32 {
 
 /// Paints the ridges over the ground.
 fn lay_ridges(view: &View, land: &Land, palette: &Palette, pixels: &mut [[u8; 4]]) {
-    let Some(mut ridges) = ridges(view, land) else { return };
-    for Rect { left, top, right, bottom } in ridges.take_touched() {
+    let strokes = ridges(land);
+    if strokes.is_empty() {
+        return;
+    }
+    let Some(mut coverage) = Coverage::new(view.width, view.height) else { return };
+    for [(a, half_a), (b, half_b)] in strokes {
+        coverage.capsule(view.pixel(a), half_a * view.scale, view.pixel(b), half_b * view.scale);
+    }
+    for Rect { left, top, right, bottom } in coverage.take_touched() {
         for row in top..bottom {
             let first = row as usize * view.width as usize;
             let columns = first + left as usize..first + right as usize;
-            let covered = &ridges.mask().data()[columns.clone()];
+            let covered = &coverage.mask().data()[columns.clone()];
             for (pixel, &covered) in pixels[columns].iter_mut().zip(covered).filter(|(_, covered)| **covered > 0) {
-                let [r, g, b, _] = *pixel;
-                *pixel = opaque(mix([r, g, b], palette.ridge, f32::from(covered) / 255.0));
+                let [r, g, b, open] = *pixel;
+                let [r, g, b] = mix([r, g, b], palette.ridge, f32::from(covered) / 255.0);
+                *pixel = [r, g, b, open];
             }
         }
     }
 }
 
-fn ridges(view: &View, land: &Land) -> Option<Coverage> {
-    if land.ridges().is_empty() {
-        return None;
-    }
-    let mut coverage = Coverage::new(view.width, view.height)?;
-    let radius = RIDGE_WIDTH * view.scale * 0.5;
-    for pair in land.ridges().iter().flat_map(|ridge| ridge.windows(2)) {
-        // A ridge may run out to sea and back: there it is not shown.
-        let pieces = (pair[0].distance(pair[1]) / RIDGE_PIECE).ceil().max(1.0);
-        for piece in 0..pieces as u32 {
-            let at = |end: u32| pair[0].lerp(pair[1], (piece + end) as f32 / pieces);
-            if land.relief().height((at(0) + at(1)) * 0.5) > 0.0 {
-                coverage.capsule(view.pixel(at(0)), radius, view.pixel(at(1)), radius);
-            }
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::domain::Domain;
+    use crate::paint::palette::SKELETON;
+
+    #[test]
+    fn coasts_are_as_wide_along_a_strait_as_anywhere() {
+        let domain = Domain::with_aspect(1.0);
+        let view = View::new(&domain, 1000, 1000).unwrap();
+        // Two coasts from one side of the domain to the other, slanting over the lattice.
+        let (from, to) = (Vec2::new(-50.0, 300.0), Vec2::new(1050.0, 620.0));
+        let across = (to - from).perp().normalize();
+        for width in [6.5, 9.0, 60.0] {
+            let relief = Relief::of_strait(&domain, from, to, width);
+            let pixels = ground(&view, &Land::new(&domain, relief, Vec::new()), &SKELETON);
+            let strait = (0..1000).flat_map(|y| (300..700).map(move |x| (x, y)));
+            let coast =
+                strait.map(|(x, y)| f32::from(pixels[y * 1000 + x][0]) / f32::from(SKELETON.coast[0])).sum::<f32>();
+            let length = 2.0 * 400.0 / across.y.abs();
+            // A line of a picture is half a pixel wider than asked for.
+            assert!(
+                (coast / length - COAST_WIDTH - 0.5).abs() < 0.1,
+                "{} wide, in a strait of {width}",
+                coast / length
+            );
         }
     }
-    Some(coverage)
 }

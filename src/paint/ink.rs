@@ -6,7 +6,7 @@
 use tiny_skia::Pixmap;
 
 use super::coverage::{Coverage, Rect};
-use super::palette::{Palette, over};
+use super::palette::{Palette, opaque, over};
 
 /// Colours rectangles of the picture: rivers on a ground, or on plain land.
 pub(super) fn compose(
@@ -37,7 +37,9 @@ fn on_plain_land(pixels: &mut [u8], coverage: &[u8], ramp: &[[u8; 4]; 256]) {
 /// Most of a map has no river: the ground is copied, and many pixels at a time are left at that.
 fn on_ground(pixels: &mut [u8], coverage: &[u8], palette: &Palette, ground: &[[u8; 4]]) {
     const MANY: usize = 16;
-    pixels.copy_from_slice(ground.as_flattened());
+    for (pixel, ground) in pixels.as_chunks_mut::<4>().0.iter_mut().zip(ground) {
+        *pixel = opaque(*ground);
+    }
     let (many, rest) = coverage.as_chunks::<MANY>();
     let mut lay = |first: usize, coverage: &[u8]| {
         let pixels = pixels[first * 4..].chunks_exact_mut(4);
@@ -51,9 +53,9 @@ fn on_ground(pixels: &mut [u8], coverage: &[u8], palette: &Palette, ground: &[[u
     lay(many.len() * MANY, rest);
 }
 
-/// River of some coverage over a colour.
+/// River of some coverage over a ground, as far as it shows there.
 #[inline]
 fn river_over(ground: [u8; 4], palette: &Palette, coverage: u8) -> [u8; 4] {
-    let [red, green, blue, _] = ground;
-    if coverage == 0 { ground } else { over([red, green, blue], palette.river, u32::from(coverage)) }
+    let [red, green, blue, open] = ground;
+    over([red, green, blue], palette.river, (u32::from(coverage) * u32::from(open) + 127) / 255)
 }

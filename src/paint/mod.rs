@@ -12,6 +12,7 @@ pub(crate) mod ground;
 mod ink;
 mod painter;
 pub(crate) mod palette;
+pub(crate) mod ridges;
 mod rivers;
 mod skeleton;
 mod strokes;

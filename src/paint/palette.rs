@@ -12,7 +12,7 @@ pub(crate) struct Palette {
     /// Water at the coast, and far from it.
     pub shallows: Colour,
     pub deep: Colour,
-    /// How far from the coast land and water have their farther colour, in units.
+    /// How far from the coast land and water have nothing but their farther colour, in units.
     pub fade: f32,
     pub coast: Colour,
     /// Distances from the coast of the rings that old engravers drew, in units, outermost last, with their strength.
@@ -40,7 +40,7 @@ pub(super) static MAP: Palette = Palette {
     lowland: [0xdc, 0xe6, 0xc8],
     inland: [0xf1, 0xea, 0xd3],
     deep: [0xa9, 0xcc, 0xdf],
-    fade: 140.0,
+    fade: 160.0,
     ..even([0xe8, 0xe9, 0xcf], [0xcb, 0xe2, 0xec], [0x5f, 0x93, 0xb0], [0xb0, 0x97, 0x74], [0x2f, 0x74, 0xa8])
 };
 
@@ -69,6 +69,13 @@ const fn even(land: Colour, water: Colour, coast: Colour, ridge: Colour, river: 
         river,
         plain: land,
     }
+}
+
+/// The colour of a ground without what is said in place of its opacity.
+#[inline]
+pub(super) fn opaque(ground: [u8; 4]) -> [u8; 4] {
+    const OPAQUE: u32 = u32::from_le_bytes([0, 0, 0, 255]);
+    (u32::from_le_bytes(ground) | OPAQUE).to_le_bytes()
 }
 
 /// A colour, covered by another in so many 255ths; opaque.

@@ -7,6 +7,7 @@
 use tiny_skia::Pixmap;
 
 use super::coverage::{Coverage, Rect};
+use super::palette::opaque;
 use crate::thin::{IS_SET, thin};
 
 /// The width that rivers are drawn with before they are thinned: enough that no line has a gap.
@@ -32,6 +33,8 @@ pub(super) fn compose_thinned(pixmap: &mut Pixmap, coverage: &Coverage, ground: 
 fn show(pixels: &mut [u8], mask: &[u8], ground: Option<&[[u8; 4]]>) {
     for (i, (pixel, &mask)) in pixels.chunks_exact_mut(4).zip(mask).enumerate() {
         let beneath = ground.map_or([0, 0, 0, 255], |ground| ground[i]);
-        pixel.copy_from_slice(if mask >= IS_SET { &[255; 4] } else { &beneath });
+        // At sea there is no river.
+        let is_river = mask >= IS_SET && beneath[3] >= IS_SET;
+        pixel.copy_from_slice(&if is_river { [255; 4] } else { opaque(beneath) });
     }
 }

@@ -4,9 +4,10 @@ use glam::Vec2;
 
 use super::path::Path;
 use super::text::Text;
-use crate::land::Land;
-use crate::paint::ground::{COAST_WIDTH, RIDGE_WIDTH, RING_WIDTH};
+use crate::land::{Land, Shown};
+use crate::paint::ground::{COAST_WIDTH, RING_WIDTH, RIVERS_END, way_to};
 use crate::paint::palette::{Colour, Palette, mix};
+use crate::paint::ridges;
 
 /// In how many steps land and sea change colour.
 const SHADES: u32 = 16;
@@ -18,22 +19,24 @@ pub(super) fn ground(out: &mut Text, size: Vec2, land: Option<&Land>, palette: &
         sheet(out, size, palette.plain);
         return;
     };
+    let shown = &Shown::of(land.relief());
+    out.text("<clipPath id=\"shore\"><path d=\"").text(&level(shown, -RIVERS_END, 1)).text("\"/></clipPath>\n");
     out.text("<g id=\"sea\">\n<rect");
     sheet(out, size, palette.deep);
     let steps = if palette.fade > 0.0 { SHADES } else { 0 };
     let share = |step: u32| step as f32 / SHADES as f32;
     for step in (1..=steps).rev() {
         let colour = mix(palette.shallows, palette.deep, share(step));
-        area(out, land, -palette.fade * share(step), colour);
+        area(out, shown, -palette.fade * way_to(share(step)), colour);
     }
     for &(distance, strength) in palette.rings {
         out.text("<path stroke-opacity=\"").units(strength).text("\" fill=\"none\"");
-        line(out, palette.coast, RING_WIDTH, &level(land, -distance, 1));
+        line(out, palette.coast, RING_WIDTH, &level(shown, -distance, 1));
     }
     out.text("</g>\n<g id=\"land\">\n<path id=\"coast\" fill=\"").colour(palette.lowland).text("\"");
-    line(out, palette.coast, COAST_WIDTH, &level(land, 0.0, 1));
+    line(out, palette.coast, COAST_WIDTH, &level(shown, 0.0, 1));
     for step in 1..=steps {
-        area(out, land, palette.fade * share(step), mix(palette.lowland, palette.inland, share(step)));
+        area(out, shown, palette.fade * way_to(share(step)), mix(palette.lowland, palette.inland, share(step)));
     }
     ridges(out, land, palette);
     out.text("</g>\n");
@@ -45,7 +48,7 @@ fn sheet(out: &mut Text, size: Vec2, colour: Colour) {
 }
 
 /// All that lies higher than a level, in one colour. Every second point is enough for that.
-fn area(out: &mut Text, land: &Land, height: f32, colour: Colour) {
+fn area(out: &mut Text, land: &Shown, height: f32, colour: Colour) {
     out.text("<path fill=\"").colour(colour).text("\" d=\"").text(&level(land, height, 2)).text("\"/>\n");
 }
 
@@ -55,25 +58,24 @@ fn line(out: &mut Text, colour: Colour, width: f32, data: &str) {
     out.text("\" stroke-linecap=\"round\" stroke-linejoin=\"round\" d=\"").text(data).text("\"/>\n");
 }
 
-/// Ridges, where they do not run out to sea.
+/// Ridges, stroke by stroke.
 fn ridges(out: &mut Text, land: &Land, palette: &Palette) {
-    if land.ridges().is_empty() {
-        return;
-    }
     let mut path = Path::default();
-    for ridge in land.ridges() {
-        path.line(ridge);
+    for [(from, half_from), (to, half_to)] in ridges::ridges(land) {
+        let aside = (to - from).normalize_or_zero().perp();
+        path.line(&[from - aside * half_from, to - aside * half_to, to + aside * half_to, from + aside * half_from]);
+        path.close();
     }
-    out.text("<clipPath id=\"ashore\"><use href=\"#coast\"/></clipPath>\n");
-    out.text("<path id=\"ridges\" clip-path=\"url(#ashore)\" fill=\"none\"");
-    line(out, palette.ridge, RIDGE_WIDTH, path.data());
+    if !path.data().is_empty() {
+        out.text("<path id=\"ridges\" fill=\"").colour(palette.ridge).text("\" d=\"").text(path.data()).text("\"/>\n");
+    }
 }
 
 /// The rings around all that lies higher than a level.
 #[inline(never)]
-fn level(land: &Land, level: f32, every: usize) -> String {
+fn level(land: &Shown, level: f32, every: usize) -> String {
     let mut path = Path::default();
-    for ring in land.relief().rings_above(level) {
+    for ring in land.rings_above(level) {
         let points: Vec<Vec2> = ring.into_iter().step_by(every).collect();
         path.ring(&points);
     }

@@ -35,7 +35,9 @@ pub fn svg(session: &Session) -> Result<String, ExportError> {
     out.text("</metadata>\n<clipPath id=\"map\"><path d=\"M0 0H").units(size.x).text("V").units(size.y);
     out.text("H0z\"/></clipPath>\n<g clip-path=\"url(#map)\">\n");
     ground::ground(&mut out, size, grown.land.as_deref(), palette);
-    out.text("<g id=\"rivers\" fill=\"").colour(palette.river).text("\">\n");
+    // The shore is where rivers end; in a land without a sea nothing is clipped.
+    let clip = if grown.land.is_some() { "\" clip-path=\"url(#shore)" } else { "" };
+    out.text("<g id=\"rivers").text(clip).text("\" fill=\"").colour(palette.river).text("\">\n");
     draw_rivers(&mut out, network, width(style));
     if style != Style::Skeleton {
         out.text("</g>\n<g id=\"oxbows\" fill=\"").colour(palette.river).text("\">\n");

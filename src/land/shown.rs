@@ -1,0 +1,217 @@
+//! The relief as pictures show it: without facets, and calmer the farther it lies from any coast.
+//!
+//! The heights of the corners are the control points of a surface of parabolas (a biquadratic B-spline). Such a surface
+//! smooths what it is given, so heights are sharpened before, near a coast: there it must stay where rivers end. Far from
+//! any coast they are blurred, for a distance has a crease wherever two coasts are equally near.
+
+use super::Relief;
+
+/// Control points of the heights, in units: positive on land, negative at sea.
+#[derive(Clone, Debug)]
+pub struct Shown {
+    heights: Vec<f32>,
+    columns: usize,
+    rows: usize,
+}
+
+impl Shown {
+    /// What a picture shows of a relief.
+    pub fn of(relief: &Relief) -> Self {
+        let (columns, rows) = relief.size();
+        let mut this = Self { heights: relief.heights().to_vec(), columns, rows };
+        [1, 2, 4].into_iter().for_each(|stride| this.soften(stride));
+        this
+    }
+
+    /// Takes each corner toward the mean of those so many to the west and the east, and to the north and the south: half of
+    /// the way where the coast is far for that stride, none of it where it is near. Next to it, away from that mean.
+    fn soften(&mut self, stride: usize) {
+        /// Undoes, but for a little, what the surface smooths.
+        const SHARPEN: f32 = -0.25;
+        let least = if stride == 1 { SHARPEN } else { 0.0 };
+        let per_far = 1.0 / (4.0 * Relief::SPACING * stride as f32);
+        let (columns, rows) = ((1, self.columns), (self.columns, self.rows));
+        for ((step, length), (aside, lines)) in [(columns, rows), (rows, columns)] {
+            let before = self.heights.clone();
+            for line in 0..lines {
+                for place in 0..length {
+                    let (i, reach) = (line * aside + place * step, stride.min(place).min(length - 1 - place) * step);
+                    let (height, mean) = (before[i], (before[i - reach] + before[i + reach]) * 0.5);
+                    self.heights[i] += (mean - height) * (height.abs() * per_far + SHARPEN).clamp(least, 0.5);
+                }
+            }
+        }
+    }
+
+    /// How many columns and rows of control points there are.
+    #[cfg(feature = "tools")]
+    pub(super) fn size(&self) -> (usize, usize) {
+        (self.columns, self.rows)
+    }
+
+    /// A control point.
+    #[cfg(feature = "tools")]
+    pub(super) fn control(&self, column: usize, row: usize) -> f32 {
+        self.heights[row * self.columns + column]
+    }
+
+    /// The control points of a row around a row and a column, from the last but one on.
+    pub(crate) fn around(&self, row: usize, column: usize) -> impl Iterator<Item = f32> + Clone {
+        let columns = beside(column, self.columns);
+        beside(row, self.rows)
+            .into_iter()
+            .flat_map(move |row| columns.map(|column| self.heights[row * self.columns + column]))
+    }
+
+    /// The relief of one y.
+    pub(crate) fn across(&self, y: f32) -> Across<'_> {
+        let (row, t) = nearest(y, self.rows);
+        let rows = beside(row, self.rows).map(|row| &self.heights[row * self.columns..][..self.columns]);
+        let controls = rows[0].iter().zip(rows[1]).zip(rows[2]);
+        let heights = controls.map(|((&north, &here), &south)| Parabola::of([north, here, south]).at(t)).collect();
+        Across { row, t, rows, heights }
+    }
+
+    /// Where an x lies: the nearest column, and how far beyond it, in intervals, from -0.5 to 0.5.
+    pub(crate) fn column(&self, x: f32) -> (usize, f32) {
+        nearest(x, self.columns)
+    }
+}
+
+/// The relief of one y.
+pub(crate) struct Across<'a> {
+    /// The nearest row of corners, and how far beyond it this lies, in intervals.
+    pub row: usize,
+    t: f32,
+    rows: [&'a [f32]; 3],
+    /// The control points of the heights.
+    heights: Vec<f32>,
+}
+
+impl Across<'_> {
+    /// The control points of the heights, in units, that lie half an interval to the west and to the east of a column.
+    pub fn around(&self, column: usize) -> [f32; 3] {
+        beside(column, self.heights.len()).map(|column| self.heights[column])
+    }
+
+    /// How much higher it is an interval to the south, there.
+    pub fn rise(&self, column: usize) -> Parabola {
+        let rise = |column: usize| Parabola::of(self.rows.map(|row| row[column])).rise(self.t);
+        Parabola::of(beside(column, self.heights.len()).map(rise))
+    }
+}
+
+/// A piece of a B-spline around the middle one of three control points.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Parabola([f32; 3]);
+
+impl Parabola {
+    #[inline]
+    pub fn of([before, here, after]: [f32; 3]) -> Self {
+        let mean = (before + after) * 0.5;
+        Self([here + (mean - here) * 0.25, (after - before) * 0.5, mean - here])
+    }
+
+    /// Its value so many intervals beyond the middle.
+    #[inline]
+    pub fn at(self, t: f32) -> f32 {
+        self.0[0] + t * (self.0[1] + t * self.0[2])
+    }
+
+    /// Its value at a place, how much more it is a step farther, and how much that grows by the step.
+    #[inline]
+    pub fn steps(self, t: f32, step: f32) -> [f32; 3] {
+        let bend = self.0[2] * step * step;
+        [self.at(t), self.rise(t) * step + bend, bend * 2.0]
+    }
+
+    /// How fast it rises there, by the interval.
+    #[inline]
+    pub fn rise(self, t: f32) -> f32 {
+        self.0[1] + 2.0 * t * self.0[2]
+    }
+}
+
+/// The corner nearest to a coordinate, and how far beyond it that lies, in intervals.
+fn nearest(x: f32, corners: usize) -> (usize, f32) {
+    let x = x / Relief::SPACING;
+    // What is less than 0 becomes 0.
+    let index = ((x + 0.5) as usize).min(corners - 1);
+    (index, (x - index as f32).clamp(-0.5, 0.5))
+}
+
+/// A corner between the one before and the one after; the border stands in for what lies beyond.
+fn beside(i: usize, corners: usize) -> [usize; 3] {
+    [i.saturating_sub(1), i, (i + 1).min(corners - 1)]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::land::Land;
+    use crate::recipe::link;
+    use glam::Vec2;
+
+    fn lands() -> impl Iterator<Item = Land> {
+        let links = ["island", "continent", "archipelago", "valley", "basin"]
+            .into_iter()
+            .flat_map(|kind| [0.0, 0.5, 1.0].map(|rough| format!("land={kind}&rough={rough}&seed=k{rough}")));
+        links.map(|link| Land::of(&link::read(&link).unwrap()).unwrap())
+    }
+
+    /// The height of a point and its rise to the east and the south, by the unit.
+    fn at(shown: &Shown, point: Vec2) -> (f32, Vec2) {
+        let ((column, x), across) = (shown.column(point.x), shown.across(point.y));
+        let heights = Parabola::of(across.around(column));
+        (heights.at(x), Vec2::new(heights.rise(x), across.rise(column).at(x)) / Relief::SPACING)
+    }
+
+    #[test]
+    fn coast_is_shown_where_growth_sees_it() {
+        for land in lands() {
+            let shown = Shown::of(land.relief());
+            let (mut near, mut off) = (0, 0);
+            for (column, row) in (0..land.columns()).flat_map(|c| (0..land.rows()).map(move |r| (c, r))) {
+                let point = Vec2::new(column as f32 + 0.5, row as f32 + 0.5);
+                let height = land.relief().height(point);
+                if height.abs() < 8.0 {
+                    let is_off = (height > 0.0) != (at(&shown, point).0 > 0.0);
+                    assert!(!is_off || height.abs() < 1.5, "{point}: {height} is shown as {}", at(&shown, point).0);
+                    (near, off) = (near + 1, off + u32::from(is_off));
+                }
+            }
+            // Of a band of 16 units, less than half a unit on average.
+            assert!(off * 40 < near, "{off} of {near}");
+        }
+    }
+
+    #[test]
+    fn surface_has_neither_steps_nor_facets() {
+        for land in lands() {
+            let shown = Shown::of(land.relief());
+            for i in 0..4000 {
+                // Across a border between two pieces, where they meet at a slant.
+                let border = Vec2::new((i % 97) as f32 + 0.5, (i % 61) as f32 + 0.5) * Relief::SPACING;
+                let ((one, rise), (other, rise_there)) = (at(&shown, border - 0.01), at(&shown, border + 0.01));
+                assert!((one - other).abs() < 0.1, "{border}: {one}, {other}");
+                assert!(rise.distance(rise_there) < 0.02, "{border}: {rise}, {rise_there}");
+            }
+        }
+    }
+
+    #[test]
+    fn far_from_coasts_creases_are_gone() {
+        let sharpest = |land: &Land, height: &dyn Fn(Vec2) -> f32| {
+            let inside = (4..90).flat_map(|column| (4..90).map(move |row| Vec2::new(column as f32, row as f32)));
+            let far = inside.map(|at| at * Relief::SPACING).filter(|at| land.relief().height(*at).abs() > 60.0);
+            let bend = |at: Vec2| height(at - Vec2::X * 8.0) - 2.0 * height(at) + height(at + Vec2::X * 8.0);
+            far.map(|at| bend(at).abs()).fold(0.0, f32::max)
+        };
+        for land in lands() {
+            let shown = Shown::of(land.relief());
+            let before = sharpest(&land, &|point| land.relief().height(point));
+            let after = sharpest(&land, &|point| at(&shown, point).0);
+            assert!(after < 0.4 * before.max(5.0), "{after} of {before}");
+        }
+    }
+}

@@ -1,0 +1,129 @@
+//! Ridges as engravers drew them: a crest that sinks where it comes to the coast or to an end, and short strokes down either
+//! side.
+
+use glam::Vec2;
+
+use crate::land::{Cell, Land};
+
+/// The end of a stroke: where it lies, and half its width, in units.
+pub(crate) type End = (Vec2, f32);
+
+/// How far the points of a crest are apart, in units.
+const PIECE: f32 = 4.0;
+/// Half the width of a crest, and of a stroke where it begins, in units.
+const CREST: f32 = 0.9;
+const STROKE: f32 = 0.6;
+/// How far from its end, or from the coast, a ridge is as high as it gets, in units.
+const RISE: f32 = 40.0;
+
+/// The strokes that all ridges of a land are drawn with.
+pub(crate) fn ridges(land: &Land) -> Vec<[End; 2]> {
+    let mut strokes = Vec::new();
+    for ridge in land.ridges().iter().filter(|ridge| ridge.len() > 1) {
+        let crest = crest(ridge);
+        let heights = heights(land, &crest);
+        for (i, pair) in crest.windows(2).enumerate().filter(|(i, _)| heights[*i] > 0.0) {
+            strokes.push([(pair[0], CREST * heights[i]), (pair[1], CREST * heights[i + 1])]);
+            strokes.extend(down_both_sides(i, pair[0], pair[1] - pair[0], heights[i]));
+        }
+    }
+    strokes
+}
+
+/// A ridge's line, evenly divided and rounded.
+fn crest(ridge: &[Vec2]) -> Vec<Vec2> {
+    const ROUNDS: u32 = 5;
+    let (mut crest, mut ahead) = (Vec::new(), 0.0);
+    for pair in ridge.windows(2) {
+        let length = pair[0].distance(pair[1]);
+        while ahead < length {
+            crest.push(pair[0].lerp(pair[1], ahead / length));
+            ahead += PIECE;
+        }
+        ahead -= length;
+    }
+    crest.extend(ridge.last());
+    for _ in 0..ROUNDS {
+        let before = crest.clone();
+        for (at, around) in crest.iter_mut().skip(1).zip(before.windows(3)) {
+            *at = (around[0] + around[1] * 2.0 + around[2]) * 0.25;
+        }
+    }
+    crest
+}
+
+/// How high a ridge is at each point of its crest, from 0 to 1: it goes from peak to peak.
+fn heights(land: &Land, crest: &[Vec2]) -> Vec<f32> {
+    /// How many peaks there are to a point, and how low it is between them.
+    const PEAKS: f32 = 0.05;
+    const SADDLE: f32 = 0.45;
+    let last = crest.len() - 1;
+    // One that runs out of the picture, or round, has no end there.
+    let goes_on = |end: usize, before: usize| {
+        crest[0] == crest[last] || land.at(crest[end] * 2.0 - crest[before]) == Cell::Unavailable
+    };
+    let ends = [goes_on(0, last.min(2)), goes_on(last, last.saturating_sub(2))];
+    let height = |(i, at): (usize, &Vec2)| {
+        let from_end = |goes_on: bool, points: usize| if goes_on { RISE } else { points as f32 * PIECE };
+        let least = from_end(ends[0], i).min(from_end(ends[1], last - i)).min(land.relief().height(*at));
+        let way = (i as f32 * PEAKS).fract();
+        (least / RISE).clamp(0.0, 1.0).sqrt() * (SADDLE + (1.0 - SADDLE) * 4.0 * way * (1.0 - way))
+    };
+    crest.iter().enumerate().map(height).collect()
+}
+
+/// The two strokes down from a point of a crest, which runs along from there.
+fn down_both_sides(i: usize, at: Vec2, along: Vec2, height: f32) -> [[End; 2]; 2] {
+    /// Multiples of the golden ratio lie on a circle evenly and in no order: as good as chance, and never twice alike.
+    const GOLDEN: f32 = 0.618_034;
+    [along.perp(), -along.perp()].map(|down| {
+        let uneven = ((2 * i + usize::from(down.x > 0.0)) as f32 * GOLDEN).fract();
+        let to = at + (down * (1.2 + 2.4 * uneven) + along * (uneven - 0.5)) * height;
+        [(at, STROKE * height), (to, 0.0)]
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::recipe::link;
+
+    fn land(link: &str) -> Land {
+        Land::of(&link::read(link).unwrap()).unwrap()
+    }
+
+    /// How far a point lies from a line.
+    fn off(line: &[Vec2], at: Vec2) -> f32 {
+        let from_piece = |pair: &[Vec2]| {
+            let along = pair[1] - pair[0];
+            let t = ((at - pair[0]).dot(along) / along.length_squared()).clamp(0.0, 1.0);
+            at.distance(pair[0] + along * t)
+        };
+        line.windows(2).map(from_piece).fold(f32::MAX, f32::min)
+    }
+
+    #[test]
+    fn ridges_stay_ashore_and_where_no_river_crosses() {
+        for seed in 0..6 {
+            let land = land(&format!("land=valley&seed={seed}"));
+            let strokes = ridges(&land);
+            let near = |at: Vec2| land.ridges().iter().map(|ridge| off(ridge, at)).fold(f32::MAX, f32::min);
+            for [(from, half_from), (to, half_to)] in &strokes {
+                assert!(near(*from) < 2.0, "{from} is off its ridge");
+                // Thin at the coast, and none beyond.
+                let shore = land.relief().height(*from).min(land.relief().height(*to));
+                assert!(shore > 0.0 || half_from.max(*half_to) < 0.25, "{half_from} wide at {from}, {shore} inland");
+            }
+            let wide = |stroke: &&[End; 2]| stroke[0].1 > 0.8 * CREST;
+            assert!(strokes.iter().filter(wide).count() > 20);
+        }
+    }
+
+    #[test]
+    fn a_ridge_sinks_to_its_ends_but_not_at_the_frame() {
+        let land = land("land=valley&rough=0");
+        let first = |from: f32| heights(&land, &crest(&[Vec2::new(from, 100.0), Vec2::new(400.0, 100.0)]))[0];
+        assert!(first(200.0) < 0.01, "{}", first(200.0));
+        assert!(first(0.0) > 0.4, "{}", first(0.0));
+    }
+}
