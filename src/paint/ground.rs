@@ -146,9 +146,9 @@ impl Shades {
     }
 
     /// How far a line lies where it is so much higher: farther than that where the relief is flatter than a distance should be, as
-    /// between two coasts. Lines would grow fat there.
+    /// between two coasts. Lines would grow fat there. (`clamp` could panic, and would bring all that prints floats into the page.)
     fn apart(&self, higher: f32, rise: Vec2) -> f32 {
-        (higher * Relief::SPACING / rise.length().max(0.01)).clamp(-self.margin, self.margin)
+        (higher * Relief::SPACING / rise.length().max(0.01)).max(-self.margin).min(self.margin)
     }
 
     fn at(&self, height: f32) -> [u8; 4] {
