@@ -58,20 +58,20 @@ fn with_curl(parameters: &Parameters, direction: Vec2, node: Vec2, nodes_from_mo
     direction.rotate(Vec2::new(cosine, if clockwise { sine } else { -sine }))
 }
 
-/// Of an angle of at most half a turn, by their power series, to a ten-millionth. What takes any angle carries a table of π's digits,
+/// Of an angle of at most two radians, by their power series, as near as numbers are. What takes any angle carries a table of π's digits,
 /// a hundredth of the page's module.
 fn sine_and_cosine(angle: f32) -> (f32, f32) {
     /// One over the factorials of 1, 3, 5 … and of 0, 2, 4 …, with signs that alternate.
-    const SINE: [f64; 10] = series(1);
-    const COSINE: [f64; 10] = series(0);
+    const SINE: [f64; 12] = series(1);
+    const COSINE: [f64; 12] = series(0);
     let (angle, squared) = (f64::from(angle), f64::from(angle) * f64::from(angle));
-    let sum = |series: &[f64; 10]| series.iter().rev().fold(0.0, |sum, factor| sum * squared + factor);
+    let sum = |series: &[f64; 12]| series.iter().rev().fold(0.0, |sum, factor| sum * squared + factor);
     ((angle * sum(&SINE)) as f32, sum(&COSINE) as f32)
 }
 
-const fn series(first: u32) -> [f64; 10] {
-    let (mut factors, mut i, mut factor) = ([0.0; 10], 0, 1.0);
-    while i < 10 {
+const fn series(first: u32) -> [f64; 12] {
+    let (mut factors, mut i, mut factor) = ([0.0; 12], 0, 1.0);
+    while i < 12 {
         factors[i] = factor;
         let next = first + 2 * i as u32;
         factor /= -(((next + 1) * (next + 2)) as f64);

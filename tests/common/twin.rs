@@ -184,7 +184,8 @@ fn curled(parameters: &Parameters, u: Vec2, node: &Black, tick: u32) -> Vec2 {
     let key = parameters.seed.key(Purpose::Curl);
     let angle = parameters.curl * key.unit([node.at.x.to_bits(), node.at.y.to_bits(), tick]);
     let to_the_right = node.from_mouth % (2 * parameters.stretch) < parameters.stretch;
-    let (sine, cosine) = (libm::sinf(angle), libm::cosf(angle));
+    // By doubles, which are rounded once.
+    let (sine, cosine) = (libm::sin(f64::from(angle)) as f32, libm::cos(f64::from(angle)) as f32);
     let sine = if to_the_right { sine } else { -sine };
     Vec2::new(u.x * cosine - u.y * sine, u.y * cosine + u.x * sine)
 }
