@@ -124,6 +124,21 @@ fn every_island_of_some_size_has_rivers() {
 }
 
 #[test]
+fn a_lake_has_thrice_the_mouths_and_from_every_side() {
+    for seed in 0..8 {
+        let parameters = Parameters::of(&link::read(&format!("land=basin&seed={seed}&mouths=4&rough=0.2")).unwrap());
+        let mouths = riverseed::grow::mouths(&parameters);
+        assert!(mouths.len() >= 12, "seed {seed}: {}", mouths.len());
+        let centre = parameters.domain.size / 2.0;
+        for way in [Vec2::X, Vec2::NEG_X, Vec2::Y, Vec2::NEG_Y] {
+            // A third of the way out at least, so that it is a side and not the middle.
+            let is_there = |at: Vec2| ((at - centre) / parameters.domain.size).dot(way) > 1.0 / 6.0;
+            assert!(mouths.iter().any(|mouth| is_there(mouth.at)), "seed {seed}: none toward {way}");
+        }
+    }
+}
+
+#[test]
 fn mouths_lie_on_the_chosen_shores() {
     for (kind, seed) in ["island", "basin"].iter().flat_map(|kind| (0..5).map(move |seed| (kind, seed))) {
         for (shores, way) in [("n", Vec2::NEG_Y), ("e", Vec2::X), ("s", Vec2::Y), ("w", Vec2::NEG_X)] {
