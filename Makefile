@@ -60,7 +60,7 @@ test: test-scripts test-rust test-wasm test-page test-browser test-firefox test-
 .PHONY: test-scripts
 test-scripts: ## what set-up and builds decide, with stand-ins for apt, rustup, npm and the like
 	@$(setup) node
-	$(run) bats tests/scripts
+	$(run) www/node_modules/bats/bin/bats tests/scripts
 
 .PHONY: test-rust
 test-rust: ## the core, natively

@@ -22,7 +22,7 @@ compiles_to_wasm() {
   is_rust_new || return
   local folder failure=0
   folder=$(mktemp -d) || return
-  echo 'fn main() {}' | rustc --target wasm32-unknown-unknown -o "$folder/empty.wasm" - || failure=1
+  rustc --target wasm32-unknown-unknown -o "$folder/empty.wasm" - <<<'fn main() {}' || failure=1
   rm -rf "$folder"
   return $failure
 }
