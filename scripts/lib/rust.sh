@@ -37,7 +37,9 @@ use_wasm_rust() {
 }
 
 use_if_wasm() {
-  (PATH=$1:$PATH && compiles_to_wasm 2>/dev/null) && PATH=$1:$PATH
+  local before=$PATH
+  PATH=$1:$PATH
+  compiles_to_wasm 2>/dev/null || { PATH=$before; return 1; }
 }
 
 # The folder of our own toolchain, made from Debian's Rust. It carries the package's version, because an update of the

@@ -1,5 +1,6 @@
 # scripts/wasm.mjs: when the wasm packages are built anew, with which flags, and what they may weigh.
 
+bats_require_minimum_version 1.5.0
 load machine
 setup() {
   new_machine
@@ -131,5 +132,5 @@ built() {
   steps() { make -C "$project" --dry-run --no-print-directory "$@"; }
   steps check | grep -q "wasm.mjs weigh"
   steps check | grep -q "run weigh"
-  ! steps demo wasm test | grep -E "wasm.mjs weigh|run weigh"
+  run ! grep -E "wasm.mjs weigh|run weigh" <(steps demo wasm test)
 }
