@@ -184,6 +184,15 @@ mends() {
   said "On Ubuntu"
 }
 
+@test "lists are refreshed once in a run, however many packages are missed" {
+  offer_debian_rust 1.85.0 1.96.0
+  rm "$machine/lists/lld-22" "$machine/archive/lld-22"
+  set_up wasm
+  failed
+  said "lld-22 not at all"
+  called 1 "apt-get update"
+}
+
 @test "a standard library that does not compile leaves no toolchain, and the next run tries again" {
   offer_debian_rust
   touch "$machine/std-fails"
