@@ -10,9 +10,6 @@ wasm := scripts/env.sh --wasm
 npm := $(run) npm --silent --prefix www run
 wasm32 := --target wasm32-unknown-unknown --no-default-features
 
-# The scripts; what they source is read with them.
-SCRIPTS := scripts/*.sh scripts/lib/*.sh scripts/parts/*.sh .ci/run
-
 # The files in tests/ that also run as wasm, in a browser.
 WASM_TESTS := digest
 # Those that compare with committed files.
@@ -60,7 +57,7 @@ test: test-scripts test-rust test-wasm test-page test-browser test-firefox test-
 .PHONY: test-scripts
 test-scripts: ## what set-up and builds decide, with stand-ins for apt, rustup, npm and the like
 	@$(setup) node
-	$(run) bats tests/scripts
+	$(run) www/node_modules/bats/bin/bats tests/scripts
 
 .PHONY: test-rust
 test-rust: ## the core, natively
@@ -102,7 +99,7 @@ check: widget ## format, lints, types, documentation and weights: not one warnin
 	@$(setup) lint
 	@$(run) node scripts/wasm.mjs weigh
 	@$(npm) weigh
-	$(run) shellcheck $(SCRIPTS)
+	$(run) shellcheck --external-sources scripts/*.sh .ci/run tests/scripts/*.bats tests/scripts/stand-ins/*
 	$(run) cargo fmt --check
 	$(run) cargo clippy --quiet --all-targets --all-features -- -D warnings
 	$(wasm) cargo clippy --quiet --lib --examples $(wasm32) -- -D warnings

@@ -15,7 +15,12 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 source scripts/env.sh
-for file in scripts/lib/{apt,lock}.sh scripts/parts/*.sh; do source "$file"; done
+source scripts/lib/lock.sh
+source scripts/lib/apt.sh
+source scripts/parts/rust.sh
+source scripts/parts/wasm.sh
+source scripts/parts/node.sh
+source scripts/parts/browsers.sh
 
 say() { printf '\033[1msetup:\033[0m %s\n' "$*"; }
 die() {

@@ -21,14 +21,19 @@ get_wasm_rust() {
   local wanted
   wanted=$(wanted_rust)
   apt_get "a Rust that can compile to wasm32, 1 minute" \
-    "rustc-web>=$wanted" "cargo-web>=$wanted" "rust-web-src>=$wanted" rust-web-clippy && is_rust_new "$system/bin/rustc" ||
+    "rustc-web>=$wanted" "cargo-web>=$wanted" "rust-web-src>=$wanted" rust-web-clippy || true
+  is_debian_rust_there ||
     die "The wasm32 target cannot be had here." \
       "  With rustup:  rustup target add wasm32-unknown-unknown (Rust $wanted or newer; https://rustup.rs)" \
       "  On Debian:    its security updates, which hold the package rustc-web, must be among apt's sources" \
       "  On Ubuntu:    its archive has no such package, take rustup"
   make_debian_rust
-  is_whole "$(debian_rust)" && (PATH=$(debian_rust)/bin:$PATH && compiles_to_wasm) ||
-    die "The Rust made in $(debian_rust) does not compile to wasm32: see its words above."
+  (use_wasm_rust) || die "The Rust made in $(debian_rust) does not compile to wasm32. Remove that folder and try again."
+}
+
+# Whether what is installed will do, whatever apt said: it may be out of reach, with all that is needed here already.
+is_debian_rust_there() {
+  debian_rust >/dev/null && is_rust_new "$system/bin/rustc" && [[ -x $system/bin/cargo && -e $system/lib/rustlib/src/rust ]]
 }
 
 # Debian has no ready wasm32 standard library for this Rust, but its sources: they are compiled once, into a toolchain
