@@ -40,6 +40,13 @@ const ADVICE: Record<Code, Advice> = {
       "'wasm-unsafe-eval' to its script-src.",
     reload: false,
   },
+  "wasm-timeout": {
+    title: "The river engine did not answer",
+    text:
+      "Nothing more of it came for too long, so it was given up. Check the connection and load the page again. Whoever runs " +
+      "this site: see whether the server sends the scripts and the .wasm file whole.",
+    reload: true,
+  },
   "no-tools": {
     title: "A part of Riverseed did not arrive",
     text: "What makes files and traces pictures could not be downloaded. Check the connection and try again.",
