@@ -1,4 +1,5 @@
 import { defineConfig, type Plugin } from "vite";
+import { preloadEngine } from "./build/preload.ts";
 import { wholeAddresses } from "./build/social.ts";
 import { widgetFiles } from "./build/widget.ts";
 import { targets } from "./scripts/browsers.mjs";
