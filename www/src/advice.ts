@@ -14,7 +14,7 @@ const ADVICE: Record<Code, Advice> = {
   "wasm-unsupported": {
     title: "This browser cannot grow rivers",
     text:
-      "Riverseed needs WebAssembly with SIMD: Chrome 91, Edge 91, Firefox 89, Safari 16.4 or newer. " +
+      "Riverseed needs WebAssembly with SIMD. It runs in Chrome and Edge 120, Firefox 121, Safari 17.2 and newer. " +
       "Update the browser, or allow WebAssembly if a privacy setting turned it off.",
     reload: true,
   },

@@ -1,7 +1,7 @@
 /** The page: puts the parts together. The recipe says what is shown; everything else follows it. */
 
 import "./style.css";
-import type { Phase, Summary } from "../pkg/riverseed.js";
+import type { Phase, Preset, Summary } from "../pkg/riverseed.js";
 import { type Controls, controls } from "./controls.ts";
 import { setText } from "./dom.ts";
 import { Downloads } from "./downloads.ts";
@@ -15,12 +15,12 @@ import type { How } from "./picture.ts";
 import { listenForPictures } from "./picture-entry.ts";
 import { pixelsOf } from "./picture-file.ts";
 import { Plate } from "./plate.ts";
-import { type Presets, presets } from "./presets.ts";
+import { besides, type Presets, presets, type Values } from "./presets.ts";
 import { Recipe } from "./recipe.ts";
 import { SeedBox } from "./seed.ts";
 import { copy } from "./share.ts";
 import { ShareDialog } from "./share-dialog.ts";
-import { Announcer, showFailure, showNotices } from "./status.ts";
+import { Announcer, showFailure, showNotices, undoable } from "./status.ts";
 import { loadTools } from "./tools.ts";
 import { Transport } from "./transport.ts";
 import { count } from "./values.ts";
@@ -39,6 +39,8 @@ class Page {
   readonly #drawing: Drawing;
   readonly #address = new AddressBar(replaceAddress);
   readonly #announcer = new Announcer(parts.announcement);
+  /** What the last presets changed unasked, and the recipe from before them. */
+  #aside: { message: string; link: string; values: ReadonlyMap<string, string> } | undefined;
 
   constructor(private readonly core: Core) {
     const { engine } = core;
@@ -47,7 +49,7 @@ class Page {
     this.#recipe.open(linkOf(location));
     const folds = new Folds(() => localStorage);
     this.#controls = controls(table, (key, text) => this.#choose(key, text), folds);
-    this.#presets = presets(engine.presets(), table, (values) => this.#set(values, "watch"));
+    this.#presets = presets(engine.presets(), table, (...pressed) => this.#press(...pressed));
     this.#seedBox = new SeedBox(parts.seedForm, parts.seed, (seed) => this.#set([["seed", seed]], "watch"));
     describeSeed(table);
     this.#plate = new Plate(core, parts, this.#recipe.link, {
@@ -124,6 +126,22 @@ class Page {
     if (key === "land" && text === "drawn" && this.#recipe.values.get("outline") === "") this.#drawing.open();
   }
 
+  /** A preset is pressed. What it changes besides is said, with the way back to before it, or to before the first of several. */
+  #press(preset: Preset, values: Values): void {
+    const { engine } = this.core;
+    const before = this.#aside ?? { link: this.#recipe.link, values: this.#recipe.values };
+    const message = besides(preset, engine.presets(), engine.parameters(), before.values);
+    this.#set(values, "watch");
+    this.#aside = message === undefined ? undefined : { ...before, message };
+    this.#showNotices();
+  }
+
+  /** Back to the recipe from before the presets. */
+  #undoPresets(link: string): void {
+    this.#open(link);
+    this.#presets.focus();
+  }
+
   #throwDice(): void {
     this.#attempt(() => {
       const seed = this.core.engine.freshSeed();
@@ -135,6 +153,7 @@ class Page {
   /** Changes some values of what is shown. */
   #set(values: Iterable<readonly [key: string, value: string]>, how: How): void {
     this.#attempt(() => {
+      this.#aside = undefined;
       this.#recipe.set(values);
       this.#show(how);
     });
@@ -143,6 +162,7 @@ class Page {
   /** Shows another link in place of everything. */
   #open(link: string): void {
     this.#attempt(() => {
+      this.#aside = undefined;
       this.#recipe.open(link);
       this.#seedBox.replace(this.#recipe.seed);
       this.#show("watch");
@@ -186,8 +206,11 @@ class Page {
   }
 
   #showNotices(): void {
-    showNotices(parts.notices, [...this.#recipe.notices.values()], () => {
+    const { message, link } = this.#aside ?? { message: undefined, link: "" };
+    const aside = message === undefined ? [] : [undoable(message, "Undo", () => this.#undoPresets(link))];
+    showNotices(parts.notices, [...this.#recipe.notices.values(), ...aside], () => {
       this.#recipe.dismissNotices();
+      this.#aside = undefined;
       this.#showNotices();
     });
   }

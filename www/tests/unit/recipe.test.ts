@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import { isAdjustable } from "../../src/controls.ts";
-import { isShown, presetValues } from "../../src/presets.ts";
+import { besides, isShown, presetValues } from "../../src/presets.ts";
 import { Recipe } from "../../src/recipe.ts";
 import { engine } from "../core.ts";
 
@@ -48,6 +48,25 @@ test("each preset is shown by its own values and by no other preset's", () => {
     expect(shown.map(({ name }) => name)).toEqual([preset.name]);
     expect(recipe.seed).toBe("rimu");
     expect(recipe.values.get("attractors")).toBe("900");
+  }
+});
+
+test("what a preset changes besides its own is told, in words", () => {
+  const changes = (link: string, name: string): string | undefined => {
+    const preset = presets.find((one) => one.name === name);
+    if (!preset) throw new Error(`no preset ${name}`);
+    return besides(preset, presets, table, new Map(engine.readLink(link).values));
+  };
+  const said = changes("land=island&curl=1.5&trim=40&simplify=12&meander=flow&growth=brownian", "trimmed-curl");
+  expect(said).toMatch(/^“Trimmed curl” also changed .*\.$/);
+  expect(said).toContain("Simplify from 12 % to 0 %");
+  expect(said).toContain("Meanders from “bends skew and travel” to “none”");
+  expect(said).toContain("Growth from “");
+  // What presets are there for, and what no preset touches.
+  expect(said).not.toMatch(/Curl from|Trim from|Seed/);
+  for (const { name } of presets) {
+    expect(changes(`preset=${name}`, name)).toBeUndefined();
+    expect(changes(`preset=original&land=island`, name)?.includes("Meanders") ?? false).toBe(false);
   }
 });
 
