@@ -17,6 +17,7 @@ import { pixelsOf } from "./picture-file.ts";
 import { Plate } from "./plate.ts";
 import { besides, type Presets, presets, type Values } from "./presets.ts";
 import { Recipe } from "./recipe.ts";
+import { DARK_PAGES } from "./scheme.ts";
 import { SeedBox } from "./seed.ts";
 import { copy } from "./share.ts";
 import { ShareDialog } from "./share-dialog.ts";
@@ -28,6 +29,7 @@ import { type Core, load } from "./wasm.ts";
 import { alternative, caption, sentence } from "./words.ts";
 
 const prefersStill = window.matchMedia("(prefers-reduced-motion: reduce)");
+const prefersDark = window.matchMedia(DARK_PAGES);
 
 class Page {
   readonly #recipe: Recipe;
@@ -45,14 +47,17 @@ class Page {
   constructor(private readonly core: Core) {
     const { engine } = core;
     const table = engine.parameters();
-    this.#recipe = new Recipe((text) => engine.readLink(text));
+    this.#recipe = new Recipe(
+      (text) => engine.readLink(text),
+      () => prefersDark.matches,
+    );
     this.#recipe.open(linkOf(location));
     const folds = new Folds(() => localStorage);
     this.#controls = controls(table, (key, text) => this.#choose(key, text), folds);
     this.#presets = presets(engine.presets(), table, (...pressed) => this.#press(...pressed));
     this.#seedBox = new SeedBox(parts.seedForm, parts.seed, (seed) => this.#set([["seed", seed]], "watch"));
     describeSeed(table);
-    this.#plate = new Plate(core, parts, this.#recipe.link, {
+    this.#plate = new Plate(core, parts, this.#recipe.shown, {
       changed: (state, phase, summary) => this.#follow(state, phase, summary),
       failed: (error) => this.#fail(error),
     });
@@ -96,6 +101,7 @@ class Page {
     listenForPictures(parts.drawing, (file) => void this.#trace(file));
     // Not hashchange as well: it follows the popstate of another fragment, whose link would be opened twice.
     window.addEventListener("popstate", () => this.#followAddress());
+    prefersDark.addEventListener("change", () => this.#attempt(() => this.#show("settle")));
     window.addEventListener("pagehide", () => this.#address.flush());
   }
 
@@ -186,7 +192,7 @@ class Page {
 
   #show(how: How): void {
     this.#showRecipe();
-    this.#plate.show(this.#recipe.link, this.#how(how));
+    this.#plate.show(this.#recipe.shown, this.#how(how));
   }
 
   #how(how: How): How {
@@ -232,7 +238,7 @@ class Page {
     const error = named(thrown);
     if (isRecoverable(error)) {
       // The core kept the river it had, so the page goes back to that one's values.
-      this.#recipe.open(this.#plate.link);
+      this.#recipe.restore(this.#plate.link);
       this.#showRecipe();
       this.#note(error.message);
     } else {

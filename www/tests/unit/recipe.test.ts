@@ -92,3 +92,36 @@ test("fresh seeds are words that a link reads back", () => {
     expect(seed).toMatch(/^[\p{L}\p{N} '’-]{2,64}$/u);
   }
 });
+
+test("on a dark page a recipe without a style is shown in the dark one, and its link stays canonical", () => {
+  const recipe = new Recipe(engine.readLink, () => true);
+  recipe.open("seed=rimu");
+  expect(recipe.link).toBe("seed=rimu&edition=1");
+  expect(recipe.shown).toBe("seed=rimu&edition=1&style=dark");
+  expect(recipe.values.get("style")).toBe("dark");
+  recipe.set([["trim", "9"]]);
+  expect(recipe.link).toBe("seed=rimu&edition=1&trim=9");
+  recipe.restore(recipe.shown);
+  expect(recipe.link).toBe("seed=rimu&edition=1&trim=9");
+});
+
+test("on a dark page a style that was chosen is shown, and told by the link, which is read back to the same", () => {
+  const recipe = new Recipe(engine.readLink, () => true);
+  for (const style of ["ink", "map", "dark"]) {
+    recipe.open("seed=rimu");
+    recipe.set([["style", style]]);
+    expect(recipe.values.get("style")).toBe(style);
+    expect(recipe.link).toBe(`seed=rimu&edition=1&style=${style}`);
+    recipe.open(recipe.link);
+    expect(recipe.values.get("style")).toBe(style);
+    recipe.restore(recipe.shown);
+    expect(recipe.values.get("style")).toBe(style);
+  }
+});
+
+test("on a light page nothing is shown but what the recipe says", () => {
+  const recipe = fresh();
+  recipe.open("seed=rimu");
+  recipe.set([["style", "ink"]]);
+  expect([recipe.link, recipe.shown]).toEqual(["seed=rimu&edition=1", "seed=rimu&edition=1"]);
+});

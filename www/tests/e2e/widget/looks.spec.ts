@@ -27,7 +27,7 @@ const FALLBACK =
   '<a href="#river">The river</a><p style="height: 700px">A picture of the river, taller than its place.</p>';
 
 for (const [attributes, aspect] of [
-  ["", 1.5],
+  ["", 1.6],
   ['aspect="2.5"', 2.5],
   ['recipe="aspect=0.8"', 0.8],
   ['aspect="77"', 4],
