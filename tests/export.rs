@@ -16,7 +16,7 @@ use riverseed::session::Session;
 
 fn finished(link: &str, width: u32, height: u32) -> Session {
     let mut session = Session::new(link::read(link).unwrap(), width, height).unwrap();
-    while session.advance(64) {}
+    while session.advance(64).unwrap() {}
     session
 }
 
