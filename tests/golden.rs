@@ -68,7 +68,7 @@ const PICTURES: &[(&str, &str)] = &[
 fn picture(recipe: Recipe, width: u32) -> Pixmap {
     let height = View::height_for(&Domain::with_aspect(recipe.number(Key::Aspect)), width);
     let mut session = Session::new(recipe, width, height).unwrap();
-    while session.advance(u32::MAX) {}
+    while session.advance(u32::MAX).unwrap() {}
     assert!(!session.summary().is_stalled(), "{:?} grows next to nothing", session.recipe());
     session.paint();
     session.pixmap().clone()
