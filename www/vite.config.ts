@@ -1,32 +1,9 @@
-import { defineConfig, type Plugin } from "vite";
+import { defineConfig } from "vite";
+import { contentSecurityPolicy } from "./build/policy.ts";
 import { preloadEngine } from "./build/preload.ts";
 import { wholeAddresses } from "./build/social.ts";
 import { widgetFiles } from "./build/widget.ts";
 import { targets } from "./scripts/browsers.mjs";
-
-/**
- * What the built page allows itself. Not in the dev server, which injects styles and talks over a socket.
- * `'wasm-unsafe-eval'` is what browsers call permission to compile WebAssembly; it allows no script evaluation.
- */
-const POLICY = [
-  "default-src 'none'",
-  "script-src 'self' 'wasm-unsafe-eval'",
-  "style-src 'self'",
-  "img-src 'self' data: blob:",
-  "connect-src 'self'",
-  "base-uri 'none'",
-  "form-action 'none'",
-].join("; ");
-
-function contentSecurityPolicy(): Plugin {
-  return {
-    name: "content-security-policy",
-    apply: "build",
-    transformIndexHtml: () => [
-      { tag: "meta", attrs: { "http-equiv": "Content-Security-Policy", content: POLICY }, injectTo: "head-prepend" },
-    ],
-  };
-}
 
 export default defineConfig({
   // Relative addresses: the built folder works on any static host, in any subfolder.

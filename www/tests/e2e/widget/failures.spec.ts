@@ -102,7 +102,7 @@ test("a browser without SIMD downloads no engine", async ({ page, blog }) => {
     WebAssembly.validate = () => false;
     Reflect.deleteProperty(HTMLCanvasElement.prototype, "transferControlToOffscreen");
   });
-  await expectFailure(page, await open(page, blog), "wasm-unsupported", /Safari 16\.4/);
+  await expectFailure(page, await open(page, blog), "wasm-unsupported", /Safari 17\.2/);
   expect(blog.asked).not.toContain(ENGINE);
 });
 
