@@ -1,7 +1,7 @@
 /** The page: puts the parts together. The recipe says what is shown; everything else follows it. */
 
 import "./style.css";
-import type { Phase, Preset, Summary } from "../pkg/riverseed.js";
+import type { Parameter, Phase, Preset, Summary } from "../pkg/riverseed.js";
 import { type Controls, controls } from "./controls.ts";
 import { setText } from "./dom.ts";
 import { Downloads } from "./downloads.ts";
@@ -17,7 +17,7 @@ import { pixelsOf } from "./picture-file.ts";
 import { Plate } from "./plate.ts";
 import { besides, type Presets, presets, type Values } from "./presets.ts";
 import { Recipe } from "./recipe.ts";
-import { DARK_PAGES } from "./scheme.ts";
+import { DARK_PAGES, DARK_STYLE } from "./scheme.ts";
 import { SeedBox } from "./seed.ts";
 import { copy } from "./share.ts";
 import { ShareDialog } from "./share-dialog.ts";
@@ -46,7 +46,7 @@ class Page {
 
   constructor(private readonly core: Core) {
     const { engine } = core;
-    const table = engine.parameters();
+    const table = engine.parameters().map(asHere);
     this.#recipe = new Recipe(
       (text) => engine.readLink(text),
       () => prefersDark.matches,
@@ -256,6 +256,11 @@ class Page {
     const address = addressOf(this.#recipe.link, location.href);
     parts.shared.textContent = (await copy(address)) ? "Link copied." : `Copy this link: ${address}`;
   }
+}
+
+/** A row of the table, for this page: what counts as unchanged on a dark one is its own style. */
+function asHere(row: Parameter): Parameter {
+  return row.key === "style" && prefersDark.matches ? { ...row, default: DARK_STYLE } : row;
 }
 
 /** The values of a drawn land. */

@@ -27,6 +27,7 @@ test("a style that is chosen on a dark page stays, in the address too", async ({
   await openUnfolded(page, LINK);
   const style = page.locator('[data-key="style"] select');
   await expect(style).toHaveValue("dark");
+  await expect(page.locator('details:has([data-key="style"])')).not.toContainText("changed");
   await style.selectOption("ink");
   await expectAddress(page, "style", "ink");
   await page.reload();
