@@ -413,3 +413,6 @@ fn style(recipe: &Recipe) -> Style {
         _ => Style::Ink,
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -11,6 +11,7 @@ const CODES = [
   "no-tools",
   "bad-params",
   "too-large",
+  "no-memory",
   "no-land",
   "bad-image",
   "panic",
