@@ -87,6 +87,11 @@ test-firefox: site ## the page in a second engine
 	@$(setup) firefox
 	$(npm) firefox
 
+.PHONY: test-arch
+test-arch: ## the same rivers and pixels on 64-bit ARM, in an emulator; not part of `make test`
+	@$(setup) rust
+	scripts/arch.sh
+
 .PHONY: test-package
 test-package: tarball ## the npm package, as its users have it: in Node, with frameworks, in two browsers
 	@$(setup) browser firefox

@@ -423,3 +423,6 @@ fn style(recipe: &Recipe) -> Style {
         _ => Style::Ink,
     }
 }
+
+#[cfg(test)]
+mod tests;

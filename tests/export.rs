@@ -84,7 +84,8 @@ fn check_geojson(session: &Session) {
 /// counterclockwise and its holes clockwise (RFC 7946).
 fn check_lakes(session: &Session, lakes: &[geojson::Feature]) {
     let oxbows = session.network().unwrap().oxbows.iter().enumerate();
-    let seen: Vec<u64> = oxbows.filter(|(_, oxbow)| oxbow.middle().len() > 2).map(|(number, _)| number as u64).collect();
+    let seen: Vec<u64> =
+        oxbows.filter(|(_, oxbow)| oxbow.middle().len() > 2).map(|(number, _)| number as u64).collect();
     let number = |lake: &geojson::Feature| lake.property("number").and_then(serde_json::Value::as_u64).unwrap();
     assert_eq!(lakes.iter().map(number).collect::<Vec<_>>(), seen, "lakes are lost");
     for lake in lakes {

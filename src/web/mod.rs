@@ -197,9 +197,10 @@ impl River {
     }
 
     /// Goes on by so many steps at most: ticks of growth, then a few that make rivers of the tree, then rounds of
-    /// meandering. Returns whether there is nothing more to do. Throws an Error with a `code` if the memory is not to be had.
+    /// meandering. Returns whether there is nothing more to do. Throws an Error with the code `no-memory` if that is not
+    /// to be had: what is there then is no picture of the recipe.
     pub fn advance(&mut self, steps: u32) -> Result<bool, JsValue> {
-        self.session.advance(steps).map(|more| !more).map_err(|error| session_error(&error))
+        self.session.advance(steps).map(|more| !more).map_err(|error| coded("no-memory", &error.to_string()))
     }
 
     /// What the next step does.

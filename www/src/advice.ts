@@ -62,6 +62,11 @@ const ADVICE: Record<Code, Advice> = {
     text: "It asks for more memory than the page may take. Use fewer attractors, or a smaller window.",
     reload: false,
   },
+  "no-memory": {
+    title: "The memory ran out before the rivers were done",
+    text: "The browser gave the page no more of it. Use fewer attractors, or close other pages and load this one again.",
+    reload: true,
+  },
   "no-land": {
     title: "This is no land",
     text: "A land needs a coast with water on one side. Draw a larger one, or choose another picture.",

@@ -12,6 +12,7 @@ const CODES = [
   "no-tools",
   "bad-params",
   "too-large",
+  "no-memory",
   "no-land",
   "bad-image",
   "panic",

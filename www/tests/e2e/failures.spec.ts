@@ -162,22 +162,26 @@ for (const what of ["wasm", "js"]) {
   });
 }
 
-/** Makes a function of the engine trap, as a panic does, once `globalThis.trap` is set. */
-async function trapOn(page: Page, name: string): Promise<void> {
-  await page.addInitScript((trapped) => {
-    const instantiate = WebAssembly.instantiate;
-    const trapping = async (...given: Parameters<typeof instantiate>) => {
-      const instance = (await Reflect.apply(instantiate, WebAssembly, given)) as unknown as WebAssembly.Instance;
-      const exports: Record<string, unknown> = { ...instance.exports };
-      const original = exports[trapped] as (...args: unknown[]) => unknown;
-      exports[trapped] = (...args: unknown[]) => {
-        if ("trap" in globalThis) throw new WebAssembly.RuntimeError("unreachable");
-        return original(...args);
+/** Makes a function of the engine fail once `globalThis.trap` is set: trap, as a panic does, or throw an error with a code. */
+async function trapOn(page: Page, name: string, code?: string): Promise<void> {
+  await page.addInitScript(
+    ([trapped = "", code]) => {
+      const instantiate = WebAssembly.instantiate;
+      const trapping = async (...given: Parameters<typeof instantiate>) => {
+        const instance = (await Reflect.apply(instantiate, WebAssembly, given)) as unknown as WebAssembly.Instance;
+        const exports: Record<string, unknown> = { ...instance.exports };
+        const original = exports[trapped] as (...args: unknown[]) => unknown;
+        exports[trapped] = (...args: unknown[]) => {
+          if ("trap" in globalThis && code) throw Object.assign(new Error("no room"), { code });
+          if ("trap" in globalThis) throw new WebAssembly.RuntimeError("unreachable");
+          return original(...args);
+        };
+        return Object.create(WebAssembly.Instance.prototype, { exports: { value: exports } });
       };
-      return Object.create(WebAssembly.Instance.prototype, { exports: { value: exports } });
-    };
-    WebAssembly.instantiate = trapping as unknown as typeof instantiate;
-  }, name);
+      WebAssembly.instantiate = trapping as unknown as typeof instantiate;
+    },
+    [name, code] as const,
+  );
 }
 
 test("a panic while growing stops the river and says so, once", async ({ page }) => {
@@ -193,6 +197,16 @@ test("a panic while growing stops the river and says so, once", async ({ page })
   expect(warnings).toHaveLength(1);
   await page.getByRole("link", { name: "Start from a fresh river" }).click();
   await finished(page);
+});
+
+test("memory that runs out before the rivers are there is said, and no tree stands in their place", async ({
+  page,
+}) => {
+  await trapOn(page, "river_advance", "no-memory");
+  await page.goto("./");
+  await expect(page.locator("#caption")).toContainText("Growing");
+  await page.evaluate(() => Object.assign(globalThis, { trap: true }));
+  await expectFailure(page, "no-memory", /fewer attractors/);
 });
 
 test("a panic on a slider's change leaves advice, not a frozen page", async ({ page }) => {
