@@ -288,6 +288,16 @@ impl Session {
         }
     }
 
+    /// How far what the next step goes on with has come, from 0 to 1: growth by what is drained, meandering by its rounds.
+    /// 0 while rivers are made of the tree, and when all is finished.
+    pub fn progress(&self) -> f32 {
+        match (self.phase(), self.meander()) {
+            (Phase::Growing, _) => self.growth.progress(),
+            (Phase::Meandering, Some(meander)) => meander.rounds() as f32 / meander.parameters().rounds.max(1) as f32,
+            _ => 0.0,
+        }
+    }
+
     /// The rivers; `None` while there are none yet, or if there is no memory for them.
     pub fn network(&self) -> Option<&Network> {
         self.meander().map(Meander::network)

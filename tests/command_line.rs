@@ -192,7 +192,7 @@ fn picture_of_a_land_becomes_an_outline_that_renders() {
         String::from_utf8(output.stdout).unwrap().trim().to_owned()
     };
     let (outline, link) = (traced(&[]), traced(&["--link"]));
-    assert_eq!(link, format!("seed=kauri&edition=1&land=drawn&outline={outline}"));
+    assert_eq!(link, format!("seed=kauri&edition=1&aspect=1.5&land=drawn&outline={outline}"));
     let network = network("traced.json", &[&link, "--rough", "0", "--attractors", "300"]);
     let xs = network["nodes"]["x"].as_array().unwrap();
     let width = network["domain"]["width"].as_f64().unwrap();
@@ -243,7 +243,7 @@ fn tracing_says_what_it_kept_and_a_link_takes_a_seed() {
 #[test]
 fn what_is_given_and_does_nothing_is_said() {
     let file = scratch("idle-recipe.json");
-    fs::write(&file, r#"{"sea": 0.5, "aspect": 2}"#).unwrap();
+    fs::write(&file, r#"{"land": "rectangle", "sea": 0.5, "aspect": 2}"#).unwrap();
     let out = scratch("idle.json");
     let arguments = ["growth=brownian&mouths=9&sensitivity=64", "--recipe", file.to_str().unwrap(), "--kill", "1"];
     let output = riverseed(&[&["render", "-o", out.to_str().unwrap()], &arguments[..]].concat());

@@ -1,6 +1,8 @@
 import { defineConfig, type Plugin } from "vite";
+import { preloadEngine } from "./build/preload.ts";
 import { wholeAddresses } from "./build/social.ts";
 import { widgetFiles } from "./build/widget.ts";
+import { targets } from "./scripts/browsers.mjs";
 
 /**
  * What the built page allows itself. Not in the dev server, which injects styles and talks over a socket.
@@ -29,13 +31,18 @@ function contentSecurityPolicy(): Plugin {
 export default defineConfig({
   // Relative addresses: the built folder works on any static host, in any subfolder.
   base: "./",
-  plugins: [contentSecurityPolicy(), wholeAddresses(process.env["RIVERSEED_SITE"]), widgetFiles()],
+  plugins: [
+    contentSecurityPolicy(),
+    preloadEngine("index.html"),
+    wholeAddresses(process.env["RIVERSEED_SITE"]),
+    widgetFiles(),
+  ],
   // The digest page imports tests/digest.txt, one folder up.
   server: { fs: { allow: [".."] } },
   build: {
     // The wasm stays a file of its own, so that it streams and is cached.
     assetsInlineLimit: 0,
-    target: "es2022",
+    target: targets(),
     rolldownOptions: { input: ["index.html", "digest.html", "embed.html", "examples/blog.html"] },
   },
 });

@@ -14,10 +14,10 @@ struct Rule {
 
 /// Facts of a recipe, a bit each: that a choice is the one of that number, or a number is 0.
 const FACTS: [(Key, u32); 15] = [
+    (Key::Land, PLAIN_RECTANGLE),
     (Key::Land, 0),
-    (Key::Land, 1),
-    (Key::Land, 3),
-    (Key::Land, 5),
+    (Key::Land, 2),
+    (Key::Land, 4),
     (Key::Land, DRAWN_LAND),
     (Key::Growth, 0),
     (Key::Growth, 1),
@@ -30,6 +30,7 @@ const FACTS: [(Key, u32); 15] = [
     (Key::Great, 0),
     (Key::Gentle, 0),
 ];
+const PLAIN_RECTANGLE: u32 = 5;
 const DRAWN_LAND: u32 = 6;
 const RECTANGLE: u32 = 1;
 const ISLAND: u32 = 1 << 1;
@@ -131,7 +132,7 @@ impl Recipe {
     fn holds(&self, &(key, number): &(Key, u32)) -> bool {
         match self.value(key) {
             // A drawn land of which nothing is drawn is the whole rectangle.
-            Value::Choice(_) if key == Key::Land && self.is_undrawn() => number == 0,
+            Value::Choice(_) if key == Key::Land && self.is_undrawn() => number == PLAIN_RECTANGLE,
             Value::Choice(index) => *index as u32 == number,
             Value::Integer(integer) => *integer == number,
             Value::Number(decimal) => *decimal == Decimal::whole(number),

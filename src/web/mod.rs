@@ -256,10 +256,16 @@ impl River {
         size.x / size.y
     }
 
-    /// How many ticks growth takes to cross the domain's height, or about so.
-    #[wasm_bindgen(getter, js_name = ticksPerHeight)]
-    pub fn ticks_per_height(&self) -> f32 {
-        self.session.growth().ticks_per_height()
+    /// How far the phase has come, from 0 to 1: growth by what is drained, meandering by its rounds.
+    #[wasm_bindgen(getter)]
+    pub fn progress(&self) -> f32 {
+        self.session.progress()
+    }
+
+    /// How many rounds the rivers will have meandered.
+    #[wasm_bindgen(getter)]
+    pub fn rounds(&self) -> u32 {
+        self.session.recipe().integer(Key::MeanderRounds)
     }
 
     /// The picture in numbers.

@@ -14,7 +14,7 @@ const ADVICE: Record<Code, Advice> = {
   "wasm-unsupported": {
     title: "This browser cannot grow rivers",
     text:
-      "Riverseed needs WebAssembly with SIMD: Chrome 91, Edge 91, Firefox 89, Safari 16.4 or newer. " +
+      "Riverseed needs WebAssembly with SIMD. It runs in Chrome and Edge 120, Firefox 121, Safari 17.2 and newer. " +
       "Update the browser, or allow WebAssembly if a privacy setting turned it off.",
     reload: true,
   },
@@ -39,6 +39,13 @@ const ADVICE: Record<Code, Advice> = {
       "The Content-Security-Policy stopped the river engine. Whoever runs this site should add " +
       "'wasm-unsafe-eval' to its script-src.",
     reload: false,
+  },
+  "wasm-timeout": {
+    title: "The river engine did not answer",
+    text:
+      "Nothing more of it came for too long, so it was given up. Check the connection and load the page again. Whoever runs " +
+      "this site: see whether the server sends the scripts and the .wasm file whole.",
+    reload: true,
   },
   "no-tools": {
     title: "A part of Riverseed did not arrive",

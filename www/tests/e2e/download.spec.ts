@@ -27,7 +27,7 @@ test("the picture is saved as a large PNG under the seed's name", async ({ page 
 for (const style of ["ink", "dark", "map", "skeleton"]) {
   test(`an SVG is a picture that a browser shows: ${style}`, async ({ page }) => {
     const said = complaints(page);
-    await openFinished(page, `${LINK}&land=island&style=${style}`);
+    await openFinished(page, `${LINK}&aspect=1.5&land=island&style=${style}`);
     const { name, bytes } = await download(page, "SVG");
     expect(name).toBe("riverseed-puriri.svg");
     const seen = await page.evaluate(async (source) => {

@@ -51,6 +51,57 @@ test("the right bytes under the wrong type still grow", async ({ page }) => {
   await finished(page);
 });
 
+/** Lets the page's faked clock run, second by second, until something is seen. */
+async function runUntil(page: Page, isSeen: () => Promise<boolean>): Promise<void> {
+  await expect
+    .poll(async () => {
+      await page.clock.runFor(1000);
+      return isSeen();
+    })
+    .toBe(true);
+}
+
+test("an engine that never comes is given up by name, and a new load finds it", async ({ page }) => {
+  await page.clock.install();
+  await page.route("**/*.wasm", () => {});
+  await page.goto("./?attractors=300");
+  await expect(page.getByText("Preparing the rivers")).toBeVisible();
+  await runUntil(page, () => page.getByRole("alert").isVisible());
+  await expectFailure(page, "wasm-timeout", /Check the connection/);
+  await page.unroute("**/*.wasm");
+  await page.getByRole("button", { name: "Load again" }).click();
+  await finished(page);
+});
+
+for (const what of ["wasm", "js"]) {
+  test(`tools that never come are given up by name (${what}), and the picture stays`, async ({ page }) => {
+    await page.clock.install();
+    await page.route(`**/riverseed_tools*.${what}`, () => {});
+    await page.goto("./?attractors=300");
+    await finished(page);
+    const choose = async (format: string): Promise<void> => {
+      await page.getByRole("button", { name: "Download" }).click();
+      await page.getByRole("menuitem", { name: new RegExp(`^${format} `) }).click();
+    };
+    const told = page.locator("#shared");
+    await choose("SVG");
+    await expect(told).toContainText("Making");
+    await runUntil(page, async () => !(await told.textContent())?.startsWith("Making"));
+    await expect(told).toContainText("did not arrive (wasm-timeout: nothing came from");
+    await expect(page.locator("#failure")).toBeHidden();
+    await choose("PNG");
+    await expect(told).toContainText(".png is in your downloads");
+  });
+}
+
+test("the page of digests gives up as well", async ({ page }) => {
+  await page.clock.install();
+  await page.route("**/*.wasm", () => {});
+  await page.goto("./digest.html");
+  await runUntil(page, async () => (await page.locator("body").getAttribute("data-failed")) === "no-tools");
+  await expect(page.locator("#verdict")).toContainText("wasm-timeout");
+});
+
 test("a browser without WebAssembly, which then downloads nothing", async ({ page }) => {
   let downloads = 0;
   await page.route("**/*.wasm", (route) => {

@@ -1,6 +1,6 @@
 import { expect, type Page, test } from "@playwright/test";
 import { pictureOf } from "../core.ts";
-import { complaints, finished, openFinished, recordStates, shown } from "./riverpage.ts";
+import { complaints, finished, openFinished, recordStates, shown, slowly } from "./riverpage.ts";
 
 async function nodes(page: Page): Promise<number> {
   const text = (await page.locator("#caption").textContent()) ?? "";
@@ -36,6 +36,7 @@ test("the animated river ends as the one that is drawn at once", async ({ page }
 });
 
 test("pause holds the river, play goes on to the same end", async ({ page }) => {
+  const hurry = await slowly(page, "growing");
   await page.goto("./?seed=matai&attractors=800");
   await page.getByRole("button", { name: "Pause" }).click();
   await expect(page.locator("#frame")).toHaveAttribute("data-state", "paused");
@@ -44,6 +45,7 @@ test("pause holds the river, play goes on to the same end", async ({ page }) => 
   await page.evaluate(() => new Promise((done) => setTimeout(done, 300)));
   expect(await nodes(page)).toBe(held);
   expect((await shown(page)).sha256).toBe(before.sha256);
+  await hurry();
   await page.getByRole("button", { name: "Play", exact: true }).click();
   await finished(page);
   const { width, height, sha256 } = await shown(page);
@@ -84,6 +86,7 @@ test("another window size shows the same river, drawn for that size", async ({ p
 });
 
 test("a hidden tab does not draw, and goes on when it is seen", async ({ page }) => {
+  const hurry = await slowly(page, "growing");
   await page.goto("./?seed=miro&attractors=2000");
   await page.getByRole("button", { name: "Pause" }).click();
   const hide = (hidden: boolean) =>
@@ -96,6 +99,7 @@ test("a hidden tab does not draw, and goes on when it is seen", async ({ page })
   const { sha256 } = await shown(page);
   await page.evaluate(() => new Promise((done) => setTimeout(done, 300)));
   expect((await shown(page)).sha256).toBe(sha256);
+  await hurry();
   await hide(false);
   await finished(page);
 });

@@ -1,8 +1,7 @@
 import { expect, type Page, test } from "@playwright/test";
 import { pictureOf } from "../core.ts";
-import { finished, openFinished, recordPhases, shown, unfold } from "./riverpage.ts";
+import { finished, openFinished, recordPhases, shown, slowly, unfold } from "./riverpage.ts";
 
-/** Meanders for ten seconds and more: however busy the machine, there is time to press a button meanwhile. */
 const LINK = "seed=kauri&attractors=600&meander-rounds=400";
 
 async function paused(page: Page, phase: string): Promise<string> {
@@ -16,6 +15,7 @@ test("rivers that have grown meander before one's eyes, and come to the end that
   page,
 }) => {
   const phases = await recordPhases(page);
+  const hurry = await slowly(page, "meandering");
   await page.goto(`./?${LINK}`);
   const first = await paused(page, "meandering");
   await expect(page.locator("#caption")).toContainText(/Paused while meandering ?\d+ rounds? so far/);
@@ -23,6 +23,7 @@ test("rivers that have grown meander before one's eyes, and come to the end that
   await expect.poll(async () => (await shown(page)).sha256).not.toBe(first);
   const second = await paused(page, "meandering");
   expect(second).not.toBe(first);
+  await hurry();
   await page.getByRole("button", { name: "Play", exact: true }).click();
   await finished(page);
   const { width, height, sha256 } = await shown(page);
@@ -43,8 +44,10 @@ test("replay grows and meanders again", async ({ page }) => {
 });
 
 test("a change of meanders while rivers grow does not disturb them, and counts in the end", async ({ page }) => {
+  const hurry = await slowly(page, "growing");
   await page.goto("./?seed=kauri&attractors=3000");
   await paused(page, "growing");
+  await hurry();
   await unfold(page);
   await page.getByLabel("Strength, exact value").fill("0.9");
   await page.getByLabel("Strength, exact value").press("Enter");
@@ -57,8 +60,10 @@ test("a change of meanders while rivers grow does not disturb them, and counts i
 });
 
 test("a change of meanders while rivers meander shows what comes of it", async ({ page }) => {
+  const hurry = await slowly(page, "meandering");
   await page.goto(`./?${LINK}`);
   await paused(page, "meandering");
+  await hurry();
   await unfold(page);
   await page.getByLabel("Strength, exact value").fill("0.9");
   await page.getByLabel("Strength, exact value").press("Enter");

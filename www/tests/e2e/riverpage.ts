@@ -89,6 +89,27 @@ async function record(page: Page, what: "state" | "phase"): Promise<() => Promis
   return () => page.evaluate((what) => (globalThis as unknown as Record<string, string[]>)[`${what}s`] ?? [], what);
 }
 
+/**
+ * Makes a phase take twenty times as long to watch: however busy the machine, there is time to press a button meanwhile. Call
+ * before `goto`; what it returns ends it.
+ */
+export async function slowly(page: Page, phase: "growing" | "meandering"): Promise<() => Promise<void>> {
+  await page.addInitScript((phase) => {
+    const request = requestAnimationFrame.bind(globalThis);
+    const clock = { slowness: 20, last: 0, shown: 0 };
+    Object.assign(globalThis, { clock });
+    const follow = (now: number): number => {
+      const isIt = document.querySelector<HTMLElement>("#frame")?.dataset["phase"] === phase;
+      clock.shown += (now - clock.last) / (isIt ? clock.slowness : 1);
+      clock.last = now;
+      return clock.shown;
+    };
+    globalThis.requestAnimationFrame = (callback) => request((now) => callback(follow(now)));
+  }, phase);
+  return () =>
+    page.evaluate(() => void Object.assign((globalThis as unknown as { clock: object }).clock, { slowness: 1 }));
+}
+
 /** Collects what the page complains about. */
 export function complaints(page: Page): string[] {
   const said: string[] = [];

@@ -8,6 +8,7 @@ const CODES: Code[] = [
   "wasm-fetch",
   "wasm-mime",
   "wasm-csp",
+  "wasm-timeout",
   "no-tools",
   "bad-params",
   "too-large",
