@@ -13,11 +13,11 @@ apt_get() {
   offers "${@:2}" || { refresh_lists && offers "${@:2}"; } || { tell_offers "${@:2}"; return 1; }
   say "installing ${*:2} ($1)"
   # What apt offers may be gone from the archive, when its lists are old.
-  install "${@:2}" || { refresh_lists && install "${@:2}"; } || { tail -n 3 $apt_log >&2; return 1; }
+  apt_install "${@:2}" || { refresh_lists && apt_install "${@:2}"; } || { tail -n 3 $apt_log >&2; return 1; }
 }
 
 # Never by removing what somebody else installed.
-install() {
+apt_install() {
   mkdir -p target
   as_root env DEBIAN_FRONTEND=noninteractive apt-get install -qq --no-install-recommends --no-remove \
     -o DPkg::Lock::Timeout=600 -o Dpkg::Use-Pty=0 "${@%%>=*}" >$apt_log 2>&1

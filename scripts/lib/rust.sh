@@ -2,7 +2,7 @@
 # library.
 # shellcheck shell=bash
 
-# Where Debian's packages put things.
+# Where Debian's packages put things; tests have a place of their own.
 system=${RIVERSEED_SYSTEM:-/usr}
 
 wanted_rust() { value_of rust-version "$RIVERSEED_ROOT/Cargo.toml"; }

@@ -129,7 +129,7 @@ built() {
 }
 
 @test "make check stops at weights, make demo, make wasm and make test do not" {
-  steps() { make -C "$project" --dry-run --no-print-directory "$@"; }
+  steps() { env -u MAKEFLAGS -u MAKELEVEL make -C "$project" --dry-run --no-print-directory "$@"; }
   steps check | grep -q "wasm.mjs weigh"
   steps check | grep -q "run weigh"
   run ! grep -E "wasm.mjs weigh|run weigh" <(steps demo wasm test)

@@ -47,6 +47,26 @@ mends() {
   said "rustc 1.96.0"
 }
 
+@test "a Rust that is too old is not used, though it compiles to wasm32" {
+  put_rustup 1.85.0
+  put_wasm 1.85.0 "$toolchain"
+  wasm_rust rustc --version
+  failed
+  said "run scripts/setup.sh wasm"
+}
+
+@test "a package that was removed and left its settings is not installed" {
+  version() { run on_machine bash -c 'source "$0/scripts/lib/versions.sh" && package_version rustc-web' "$checkout"; }
+  mkdir "$machine/removed"
+  echo 1.96.0 >"$machine/removed/rustc-web"
+  version
+  succeeded
+  [[ $output == "" ]]
+  echo 1.96.0 >"$machine/installed/rustc-web"
+  version
+  [[ $output == 1.96.0 ]]
+}
+
 @test "an old Debian Rust beside a new rustup is renewed before a toolchain is made of it" {
   put_rustup 1.95.0
   before=$machine/home/.cargo/bin
