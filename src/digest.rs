@@ -15,7 +15,7 @@ const WIDTH: u32 = 160;
 /// If the memory is not to be had.
 pub fn digest(recipe: &Recipe) -> Result<String, SessionError> {
     let mut session = Session::new(recipe.clone(), WIDTH, WIDTH)?;
-    while session.advance(u32::MAX) {}
+    while session.advance(u32::MAX)? {}
     session.paint();
     let mut hash = Fnv1a::new();
     let Pruned { tree, hydrology, origin } = session.pruned();

@@ -383,7 +383,7 @@ fn slices_of_any_length_grow_the_same_tree() {
     let recipe = link::read(&plain("growth=brownian&land=island&sensitivity=16")).unwrap();
     let grown = |ticks: u32| {
         let mut session = Session::new(recipe.clone(), 200, 200).unwrap();
-        while session.advance(ticks) {
+        while session.advance(ticks).unwrap() {
             session.paint();
         }
         session.paint();

@@ -117,7 +117,7 @@ fn numbers_are_written_in_full() {
     let tree = {
         use riverseed::{recipe::link, session::Session};
         let mut session = Session::new(link::read("attractors=150").unwrap(), 1, 1).unwrap();
-        while session.advance(9) {}
+        while session.advance(9).unwrap() {}
         session.pruned().tree
     };
     for (x, at) in network["nodes"]["x"].as_array().unwrap().iter().zip(tree.at) {

@@ -3,9 +3,12 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 #![cfg(feature = "cli")]
 
+mod common;
+
 use std::collections::BTreeSet;
 use std::sync::LazyLock;
 
+use common::plain::plain;
 use glam::{DVec2, Vec2};
 use riverseed::export::{geojson as to_geojson, json as to_json, svg as to_svg};
 use riverseed::grow::{Ending, scatter};
@@ -26,8 +29,8 @@ const LINKS: [&str; 6] = [
 ];
 
 fn finished(link: &str) -> Session {
-    let mut session = Session::new(link::read(link).unwrap(), 1, 1).unwrap();
-    while session.advance(64) {}
+    let mut session = Session::new(link::read(&plain(link)).unwrap(), 1, 1).unwrap();
+    while session.advance(64).unwrap() {}
     session
 }
 
@@ -189,12 +192,11 @@ fn geojson_has_the_recipe_and_a_feature_for_each_river_and_lake() {
         let kinds = |feature: &Value| {
             assert_eq!(feature["type"], "Feature");
             let properties = &feature["properties"];
-            let geometry = feature["geometry"]["type"].as_str().unwrap().to_owned();
-            (properties["kind"].as_str().unwrap().to_owned(), geometry, properties["id"].as_u64().unwrap())
+            (properties["kind"].as_str().unwrap().to_owned(), properties["number"].as_u64().unwrap())
         };
-        let rivers = (0..network.rivers.len() as u64).map(|id| ("river".into(), "LineString".into(), id));
-        let lakes = lakes(network).into_iter().map(|(id, _)| ("oxbow".into(), "Polygon".into(), id.into()));
-        let expected: Vec<(String, String, u64)> = rivers.chain(lakes).collect();
+        let rivers = (0..network.rivers.len() as u64).map(|number| ("river".to_owned(), number));
+        let lakes = lakes(network).into_iter().map(|(number, _)| ("oxbow".to_owned(), number.into()));
+        let expected: Vec<(String, u64)> = rivers.chain(lakes).collect();
         assert_eq!(list(&file["features"]).iter().map(kinds).collect::<Vec<_>>(), expected, "every river, every lake");
         let ids: BTreeSet<String> = list(&file["features"]).iter().map(|feature| feature["id"].to_string()).collect();
         assert_eq!(ids.len(), expected.len(), "each feature has an id of its own");
@@ -243,7 +245,8 @@ fn geojson_s_rivers_have_the_properties_that_they_are_said_to_have() {
         let (orders, magnitudes) = (orders(network), magnitudes(network));
         for (id, (river, feature)) in network.rivers.iter().zip(list(&file["features"])).enumerate() {
             let properties = &feature["properties"];
-            let expected = ["kind", "id", "parent", "mouth", "order", "magnitude", "discharge", "length", "sinuosity"];
+            let expected =
+                ["kind", "number", "parent", "mouth", "order", "magnitude", "discharge", "length", "sinuosity"];
             assert_eq!(names(properties), expected);
             assert_eq!(properties["parent"].as_u64(), some(river.parent));
             assert_eq!(properties["mouth"], mouth(network, id as u32));
@@ -274,13 +277,21 @@ fn geojson_s_lakes_are_closed_wound_and_where_the_loops_were() {
         let features = &list(&file["features"])[network.rivers.len()..];
         for ((id, oxbow), feature) in lakes(network).into_iter().zip(features) {
             let properties = &feature["properties"];
-            assert_eq!(names(properties), ["kind", "id", "river", "born"]);
+            assert_eq!(names(properties), ["kind", "number", "river", "born"]);
             assert_eq!((&properties["river"], &properties["born"]), (&oxbow.river.into(), &oxbow.born.into()));
-            let rings = list(&feature["geometry"]["coordinates"]);
-            assert_eq!(rings.len(), 1);
-            let ring: Vec<DVec2> = list(&rings[0]).iter().map(position).collect();
-            assert!(ring.len() >= 4 && ring.first() == ring.last(), "lake {id} is not closed");
-            assert!(turned(&ring) > 0.0, "lake {id} is wound clockwise");
+            let coordinates = &feature["geometry"]["coordinates"];
+            let polygons = match feature["geometry"]["type"].as_str() {
+                Some("Polygon") => std::slice::from_ref(coordinates),
+                Some("MultiPolygon") => list(coordinates),
+                other => panic!("a lake that is a {other:?}"),
+            };
+            for (i, ring) in polygons.iter().flat_map(|polygon| list(polygon).iter().enumerate()) {
+                let ring: Vec<DVec2> = list(ring).iter().map(position).collect();
+                assert!(ring.len() >= 4 && ring.first() == ring.last(), "lake {id} is not closed");
+                // RFC 7946: outer rings counterclockwise, islands clockwise.
+                assert!((turned(&ring) > 0.0) == (i == 0), "lake {id} is wound the wrong way");
+            }
+            let ring: Vec<DVec2> = polygons.iter().flat_map(|polygon| list(&polygon[0])).map(position).collect();
             let lake = oxbow.lake();
             let width = f64::from(lake.iter().map(|(vertex, _)| vertex.width()).fold(0.0, f32::max)) / 100.0;
             let middle: Vec<DVec2> = lake.iter().map(|(vertex, _)| degrees(session, vertex.at)).collect();

@@ -5,8 +5,11 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 #![cfg(feature = "cli")]
 
+mod common;
+
 use std::fs;
 
+use common::plain::plain;
 use jsonschema::Validator;
 use riverseed::export::json as to_json;
 use riverseed::recipe::{Key, Kind, Parameter, link, table::TABLE};
@@ -21,8 +24,8 @@ fn schema() -> Value {
 }
 
 fn written(link: &str, with_attractors: bool) -> Value {
-    let mut session = Session::new(link::read(link).unwrap(), 1, 1).unwrap();
-    while session.advance(64) {}
+    let mut session = Session::new(link::read(&plain(link)).unwrap(), 1, 1).unwrap();
+    while session.advance(64).unwrap() {}
     let mut text = Vec::new();
     to_json::write(&mut text, &session, with_attractors).unwrap();
     serde_json::from_slice(&text).unwrap()
@@ -127,7 +130,10 @@ fn the_schema_s_recipe_is_the_table_of_parameters() {
         fs::write(SCHEMA, serde_json::to_string_pretty(&schema).unwrap() + "\n").unwrap();
         panic!("the schema is written anew: run without RIVERSEED_REFRESH");
     }
-    assert!(schema["$defs"]["recipe"] == recipe_schema(), "write it anew: RIVERSEED_REFRESH=1 cargo test --test schema");
+    assert!(
+        schema["$defs"]["recipe"] == recipe_schema(),
+        "write it anew: RIVERSEED_REFRESH=1 cargo test --test schema"
+    );
     assert_eq!(schema["$defs"]["recipe"]["properties"].as_object().unwrap().len(), Key::Style as usize + 1);
 }
 

@@ -293,7 +293,7 @@ fn grow(recipe: Recipe, size: u32, progress: &ProgressBar) -> Result<Session, Fa
     }
     progress.set_length(u64::from(session.growth().everything()));
     progress.set_message("growing");
-    while session.advance(16) {
+    while session.advance(16)? {
         progress.set_position(u64::from(session.growth().drained()));
     }
     if session.summary().is_stalled() {

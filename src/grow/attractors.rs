@@ -10,6 +10,7 @@ use wide::f32x4;
 use super::pull::{Pull, Pulls};
 use super::{GrowError, Parameters, scatter};
 use crate::land::Land;
+use crate::memory::{self, Refused};
 
 /// The owner of an attractor that no river has come near.
 pub(super) const NO_NODE: u32 = u32::MAX;
@@ -127,7 +128,7 @@ impl Attractors {
     }
 
     /// A counting sort by cell, each cell rounded up to whole blocks.
-    fn fill(&mut self, places: &[Vec2]) -> Result<(), std::collections::TryReserveError> {
+    fn fill(&mut self, places: &[Vec2]) -> Result<(), Refused> {
         let mut filled = vec![0u32; self.first_block.len()];
         places.iter().for_each(|&at| filled[self.cell_of(at)] += 1);
         let mut blocks = 0;
@@ -136,12 +137,9 @@ impl Attractors {
             blocks += filled.div_ceil(4);
         }
         let blocks = blocks as usize;
-        self.blocks.try_reserve_exact(blocks)?;
-        self.blocks.resize(blocks, Block::empty());
-        self.pulls.try_reserve_exact(blocks)?;
-        self.pulls.resize(blocks, Pulls::default());
-        self.hits.try_reserve_exact(2 * blocks)?;
-        self.hits.resize(2 * blocks, Hit::default());
+        memory::lengthen(&mut self.blocks, blocks, Block::empty())?;
+        memory::lengthen(&mut self.pulls, blocks, Pulls::default())?;
+        memory::lengthen(&mut self.hits, 2 * blocks, Hit::default())?;
         let unreached = self.reach * self.reach;
         for &at in places {
             let cell = self.cell_of(at);

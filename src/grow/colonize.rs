@@ -7,8 +7,6 @@
 //! (Unless land is left over that no river sees, beyond a neck too narrow for a step: then it gets a mouth of its own. Or
 //! unless most are: then a gap among the first attractors has cut the river off, and its last node runs straight on.)
 
-use std::collections::TryReserveError;
-
 use glam::Vec2;
 
 use super::attractors::{Attractors, NO_NODE};
@@ -16,7 +14,7 @@ use super::changed::Changed;
 use super::heading::{heading, is_twin};
 use super::{BYTES_AN_ATTRACTOR, GrowError, Mouth, Parameters, Pull, mouths, shores};
 use crate::land::Shore;
-use crate::memory;
+use crate::memory::{self, Refused};
 use crate::tree::{NO_PARENT, Tree};
 
 /// How growth came to its end.
@@ -350,14 +348,14 @@ impl Colonize {
     }
 
     /// Asks for the memory of so many more nodes.
-    fn reserve(&mut self, nodes: usize) -> Result<(), TryReserveError> {
-        self.tree.at.try_reserve(nodes)?;
-        self.tree.parent.try_reserve(nodes)?;
-        self.tree.drained.try_reserve(nodes)?;
-        self.shoots.pull.try_reserve(nodes)?;
-        self.shoots.from_mouth.try_reserve(nodes)?;
-        self.shoots.youngest.try_reserve(nodes)?;
-        self.shoots.elder.try_reserve(nodes)
+    fn reserve(&mut self, nodes: usize) -> Result<(), Refused> {
+        memory::reserve(&mut self.tree.at, nodes)?;
+        memory::reserve(&mut self.tree.parent, nodes)?;
+        memory::reserve(&mut self.tree.drained, nodes)?;
+        memory::reserve(&mut self.shoots.pull, nodes)?;
+        memory::reserve(&mut self.shoots.from_mouth, nodes)?;
+        memory::reserve(&mut self.shoots.youngest, nodes)?;
+        memory::reserve(&mut self.shoots.elder, nodes)
     }
 
     /// About how many nodes a tree has, rather too many: by trials over reach 2.4 to 10, kill 0.5 to 2 and step 0.2 to 1

@@ -33,7 +33,8 @@ impl Growth {
         Ok(Self { parameters, grower })
     }
 
-    /// Grows by one tick. Returns whether there is more to grow.
+    /// Grows by one tick. Returns whether there is more to grow: if not, [`Growth::failure`] tells of a tree that is not
+    /// whole.
     pub fn tick(&mut self) -> bool {
         match &mut self.grower {
             Grower::Colonize(growth) => growth.tick(),
@@ -60,6 +61,14 @@ impl Growth {
             Grower::Colonize(growth) => growth.ending(),
             Grower::Brownian(growth) => growth.ending(),
         }
+    }
+
+    /// Why growth stopped before its end: the memory for more nodes was not to be had.
+    pub fn failure(&self) -> Option<GrowError> {
+        (self.ending() == Some(Ending::OutOfMemory)).then(|| match &self.grower {
+            Grower::Colonize(_) => GrowError::out_of_memory(&self.parameters),
+            Grower::Brownian(growth) => growth.out_of_memory(),
+        })
     }
 
     /// How many river mouths there are; when a Brownian tree grows, so far.

@@ -196,10 +196,10 @@ impl River {
         self.session.restart().map_err(|error| session_error(&error))
     }
 
-    /// Goes on by so many steps at most: ticks of growth, then one that makes rivers of the tree, then rounds of
-    /// meandering. Returns whether there is nothing more to do.
-    pub fn advance(&mut self, steps: u32) -> bool {
-        !self.session.advance(steps)
+    /// Goes on by so many steps at most: ticks of growth, then a few that make rivers of the tree, then rounds of
+    /// meandering. Returns whether there is nothing more to do. Throws an Error with a `code` if the memory is not to be had.
+    pub fn advance(&mut self, steps: u32) -> Result<bool, JsValue> {
+        self.session.advance(steps).map(|more| !more).map_err(|error| session_error(&error))
     }
 
     /// What the next step does.
@@ -268,7 +268,6 @@ impl River {
         let summary = self.session.summary();
         let stopped = match summary.ending {
             Some(Ending::NodeLimit) => Some("The tree grew to its limit of nodes and was stopped."),
-            Some(Ending::OutOfMemory) => Some("The browser gave no more memory: fewer attractors need less."),
             _ if summary.is_stalled() => Some(DIED_OUT),
             _ => None,
         };
@@ -298,7 +297,7 @@ fn read_strictly(text: &str) -> Result<Recipe, JsValue> {
 fn session_error(error: &SessionError) -> JsValue {
     let code = match error {
         SessionError::Paint(PaintError::Size { width: 0, .. } | PaintError::Size { height: 0, .. }) => "bad-params",
-        SessionError::Grow(_) | SessionError::Paint(_) => "too-large",
+        SessionError::Grow(_) | SessionError::Paint(_) | SessionError::NoRivers { .. } => "too-large",
     };
     coded(code, &error.to_string())
 }

@@ -160,6 +160,11 @@ impl Brownian {
         }
     }
 
+    /// The error for a tree that the memory was not to be had for.
+    pub(super) fn out_of_memory(&self) -> GrowError {
+        GrowError::no_room_for(self.strands.water.field.cells().len())
+    }
+
     /// The tree so far. A node is a cell of river, or a cell of sea that a river ends in.
     pub fn tree(&self) -> &Tree {
         &self.strands.tree

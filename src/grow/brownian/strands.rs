@@ -6,13 +6,12 @@
 //! it begins; where rounding to cells would break it, the line ends. It follows that rivers never cut off land: all water
 //! around a new cell hangs together around it, so the land there does too.
 
-use std::collections::TryReserveError;
-
 use glam::{IVec2, Vec2};
 
 use super::field::Place;
 use super::water::Water;
 use crate::land::Cell;
+use crate::memory::{self, Refused};
 use crate::random::Stream;
 use crate::tree::{NO_PARENT, Tree};
 
@@ -48,21 +47,20 @@ struct Tip {
 
 impl Strands {
     /// No strands yet.
-    pub fn new(water: Water) -> Result<Self, TryReserveError> {
+    pub fn new(water: Water) -> Result<Self, Refused> {
         let mut node_of = Vec::new();
-        node_of.try_reserve_exact(water.field.cells().len())?;
-        node_of.resize(water.field.cells().len(), NO_NODE);
+        memory::lengthen(&mut node_of, water.field.cells().len(), NO_NODE)?;
         let tree = Tree { tick_starts: vec![0], ..Tree::default() };
         Ok(Self { water, tree, mouths: 0, node_of, exact: Vec::new() })
     }
 
     /// Asks for the memory of so many more particles' strands.
-    pub fn reserve(&mut self, particles: usize) -> Result<(), TryReserveError> {
+    pub fn reserve(&mut self, particles: usize) -> Result<(), Refused> {
         let nodes = particles * (LONGEST as usize + 1);
-        self.tree.at.try_reserve(nodes)?;
-        self.tree.parent.try_reserve(nodes)?;
-        self.tree.drained.try_reserve(nodes)?;
-        self.exact.try_reserve(nodes)
+        memory::reserve(&mut self.tree.at, nodes)?;
+        memory::reserve(&mut self.tree.parent, nodes)?;
+        memory::reserve(&mut self.tree.drained, nodes)?;
+        memory::reserve(&mut self.exact, nodes)
     }
 
     /// Draws from a cell of water toward a particle. Returns whether there was room for a cell at least.
