@@ -13,7 +13,7 @@ wasm32 := --target wasm32-unknown-unknown --no-default-features
 # The files in tests/ that also run as wasm, in a browser.
 WASM_TESTS := digest
 # Those that compare with committed files.
-GOLDEN_TESTS := digest golden
+GOLDEN_TESTS := digest golden schema
 
 free_port := require("net").createServer().listen(0, "127.0.0.1", function () { console.log(this.address().port); this.close() })
 

@@ -321,4 +321,38 @@ mod tests {
         let nearest = near.fold(f32::INFINITY, f32::min);
         assert!(nearest > 0.3, "{nearest}");
     }
+
+    #[test]
+    fn gentle_rivers_take_turns_and_move_thrice_as_far() {
+        let line = straight((20.0, 500.0), (80.0, 500.0), 60);
+        let mut network = river(&line, 4.0);
+        for arm in 0..5 {
+            network = network.with_arm(&straight((20.0, 400.0), (40.0, 490.0), 60), 20 + arm, 20);
+        }
+        let gentle = |river: usize| river > 0;
+        for (number, river) in network.rivers.clone().iter().enumerate() {
+            let sway = if gentle(number) { 0.3 } else { 1.0 };
+            network.vertices[river.own()].iter_mut().for_each(|vertex| vertex.sway = sway);
+        }
+        let mut meander = Meander::of(network, parameters());
+        let mut moves = Vec::new();
+        for round in 0..3 {
+            meander.round = round;
+            let pace = meander.pace();
+            let rivers = &meander.network().rivers;
+            moves.push(rivers.iter().map(|river| pace[river.end as usize - 1]).collect::<Vec<f32>>());
+        }
+        for river in 0..6 {
+            let paces = [0, 1, 2].map(|round: usize| moves[round][river]);
+            let resting = paces.iter().filter(|pace| **pace == 0.0).count();
+            if gentle(river) {
+                assert_eq!(resting, 2, "river {river} moves in one round of three: {paces:?}");
+                assert!((paces.iter().sum::<f32>() - 3.0 * 0.3).abs() < 1e-6, "thrice as far: {paces:?}");
+            } else {
+                assert_eq!(paces, [1.0; 3], "a great river moves in each round");
+            }
+        }
+        let at_work = [0, 1, 2].map(|round: usize| moves[round].iter().filter(|pace| **pace > 0.0).count());
+        assert!(at_work.iter().all(|rivers| (2..=3).contains(rivers)), "gentle rivers share the rounds: {at_work:?}");
+    }
 }
