@@ -6,6 +6,7 @@ import {
   expectAddress,
   expectPictureOfAddress,
   finished,
+  fixChance,
   openFinished,
   openUnfolded,
   recordPhases,
@@ -232,6 +233,7 @@ for (const preset of engine.presets()) {
 }
 
 test("the dice give a new seed that can be read", async ({ page }) => {
+  await fixChance(page);
   await openUnfolded(page, SMALL);
   const field = page.getByLabel("Seed", { exact: true });
   const seen = new Set(["kauri"]);

@@ -1,10 +1,20 @@
 import { expect, type Page, test } from "@playwright/test";
 import { pictureOf } from "../core.ts";
-import { complaints, finished, openFinished, recordStates, shown } from "./riverpage.ts";
+import { complaints, finished, openFinished, recordStates, shown, stopClock } from "./riverpage.ts";
 
 async function nodes(page: Page): Promise<number> {
   const text = (await page.locator("#caption").textContent()) ?? "";
   return Number(/([\d,]+) nodes?/.exec(text)?.[1]?.replaceAll(",", "") ?? Number.NaN);
+}
+
+/** Opens a link and lets its river grow for a second, with time to grow on: the page's clock then stands still. */
+async function growSome(page: Page, link: string): Promise<void> {
+  await stopClock(page);
+  await page.goto(`./?${link}`);
+  await expect(page.locator("#frame")).toHaveAttribute("data-state", "growing");
+  const start = await shown(page);
+  await page.clock.runFor(1000);
+  expect((await shown(page)).sha256).not.toBe(start.sha256);
 }
 
 test("a visitor sees a river grow, and then its counts", async ({ page }) => {
@@ -36,15 +46,17 @@ test("the animated river ends as the one that is drawn at once", async ({ page }
 });
 
 test("pause holds the river, play goes on to the same end", async ({ page }) => {
-  await page.goto("./?seed=matai&attractors=800");
+  await growSome(page, "seed=matai&attractors=800");
   await page.getByRole("button", { name: "Pause" }).click();
+  await page.clock.runFor(100);
   await expect(page.locator("#frame")).toHaveAttribute("data-state", "paused");
   const held = await nodes(page);
   const before = await shown(page);
-  await page.evaluate(() => new Promise((done) => setTimeout(done, 300)));
+  await page.clock.runFor(2000);
   expect(await nodes(page)).toBe(held);
   expect((await shown(page)).sha256).toBe(before.sha256);
   await page.getByRole("button", { name: "Play", exact: true }).click();
+  await page.clock.resume();
   await finished(page);
   const { width, height, sha256 } = await shown(page);
   expect(sha256).toBe(pictureOf("seed=matai&attractors=800", width, height).sha256);
@@ -84,18 +96,19 @@ test("another window size shows the same river, drawn for that size", async ({ p
 });
 
 test("a hidden tab does not draw, and goes on when it is seen", async ({ page }) => {
-  await page.goto("./?seed=miro&attractors=2000");
-  await page.getByRole("button", { name: "Pause" }).click();
+  await growSome(page, "seed=miro&attractors=2000");
   const hide = (hidden: boolean) =>
     page.evaluate((value) => {
       Object.defineProperty(document, "hidden", { configurable: true, value });
       document.dispatchEvent(new Event("visibilitychange"));
     }, hidden);
-  await page.getByRole("button", { name: "Play", exact: true }).click();
   await hide(true);
   const { sha256 } = await shown(page);
-  await page.evaluate(() => new Promise((done) => setTimeout(done, 300)));
+  await page.clock.runFor(2000);
   expect((await shown(page)).sha256).toBe(sha256);
   await hide(false);
+  await page.clock.runFor(500);
+  expect((await shown(page)).sha256).not.toBe(sha256);
+  await page.clock.resume();
   await finished(page);
 });

@@ -1,8 +1,9 @@
 import { expect, test } from "@playwright/test";
-import { finished, recordStates } from "./riverpage.ts";
+import { finished, fixChance, recordStates } from "./riverpage.ts";
 
 test("who prefers less motion sees finished rivers only, and can still play one", async ({ page }) => {
   const states = await recordStates(page);
+  await fixChance(page);
   await page.emulateMedia({ reducedMotion: "reduce" });
   await page.goto("./?attractors=500");
   await finished(page);

@@ -4,6 +4,30 @@ import { createHash } from "node:crypto";
 import { expect, type Page } from "@playwright/test";
 import { pictureOf } from "../core.ts";
 
+/**
+ * Stops the page's clock: frames and timers come when a test asks for them, by `page.clock.runFor`. Call before `goto`.
+ */
+export async function stopClock(page: Page): Promise<void> {
+  await page.clock.install({ time: 0 });
+  await page.clock.pauseAt(60_000);
+}
+
+/** In place of the system's chance, for seeds that are the same in every run. Call before `goto`. */
+export async function fixChance(page: Page): Promise<void> {
+  await page.addInitScript(() => {
+    let state = 1;
+    crypto.getRandomValues = <T extends ArrayBufferView>(array: T): T => {
+      const bytes = new Uint8Array(array.buffer, array.byteOffset, array.byteLength);
+      // The usual linear congruential generator; its upper bits are the better ones.
+      for (const i of bytes.keys()) {
+        state = (Math.imul(state, 1_664_525) + 1_013_904_223) >>> 0;
+        bytes[i] = state >>> 24;
+      }
+      return array;
+    };
+  });
+}
+
 /** Opens a link and waits for its finished river, without animation. */
 export async function openFinished(page: Page, link = ""): Promise<void> {
   await page.emulateMedia({ reducedMotion: "reduce" });
