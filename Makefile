@@ -10,6 +10,9 @@ wasm := scripts/env.sh --wasm
 npm := $(run) npm --silent --prefix www run
 wasm32 := --target wasm32-unknown-unknown --no-default-features
 
+# The scripts; what they source is read with them.
+SCRIPTS := scripts/*.sh scripts/lib/*.sh scripts/parts/*.sh .ci/run
+
 # The files in tests/ that also run as wasm, in a browser.
 WASM_TESTS := digest
 # Those that compare with committed files.
@@ -39,7 +42,7 @@ widget: wasm ## build <river-seed> into www/dist-widget, and weigh it
 .PHONY: wasm
 wasm: ## build the wasm packages into www/pkg and www/pkg-tools, and weigh them
 	@$(setup) rust wasm node
-	@$(run) node scripts/wasm.mjs
+	@$(run) scripts/lib/lock.sh target/wasm.lock "another build of the wasm packages" node scripts/wasm.mjs
 
 .PHONY: package
 package: tarball ## pack what is published into target/package: the npm package, and the crate, by a dry run
@@ -52,7 +55,12 @@ tarball: widget
 # ---- prove it
 
 .PHONY: test
-test: test-rust test-wasm test-page test-browser test-firefox test-package ## every test there is
+test: test-scripts test-rust test-wasm test-page test-browser test-firefox test-package ## every test there is
+
+.PHONY: test-scripts
+test-scripts: ## what set-up and builds decide, with stand-ins for apt, rustup, npm and the like
+	@$(setup) node
+	$(run) bats tests/scripts
 
 .PHONY: test-rust
 test-rust: ## the core, natively
@@ -90,8 +98,11 @@ test-package: tarball ## the npm package, as its users have it: in Node, with fr
 	@PORT=$$(node -e '$(free_port)') $(npm) package:e2e
 
 .PHONY: check
-check: wasm ## format, lints, types and documentation: not one warning
+check: widget ## format, lints, types, documentation and weights: not one warning
 	@$(setup) lint
+	@$(run) node scripts/wasm.mjs weigh
+	@$(npm) weigh
+	$(run) shellcheck $(SCRIPTS)
 	$(run) cargo fmt --check
 	$(run) cargo clippy --quiet --all-targets --all-features -- -D warnings
 	$(wasm) cargo clippy --quiet --lib --examples $(wasm32) -- -D warnings

@@ -28,6 +28,8 @@ mod bends;
 mod literal;
 #[path = "../tests/common/pairs.rs"]
 mod pairs;
+#[path = "../tests/common/plain.rs"]
+mod plain;
 #[path = "../tests/common/twin.rs"]
 mod twin;
 
@@ -83,14 +85,15 @@ fn repetition(task: &str) -> Option<Repetition> {
     }
 }
 
-/// A land drawn by hand, with a lake and a ridge, at the page's defaults otherwise.
+/// A land drawn by hand, with a lake and a ridge, as the plain rectangle otherwise.
 const DRAWN: &str = "land=drawn&outline=.3CgA5Tmy30twyhyhrhz8lJzMgAyja2zMUez8NeyhILtwGsmyI9gAMza2P7WuR8R8UeMDZNGsf_EfmyGsrhMDuDR8wEWuzMa2.jMZmoUa4mZgA.AAzMHr2ZJm__AA__..TMgAcznr";
 
 /// The work all figures agree on: one mouth in a square, kill and step half a spacing, everything that has grown stays.
 const BARE: &str = "aspect=1&mouths=1&reach=3&kill=0.5&step=0.5&trim=0";
 
+/// What a link leaves out is as on the plain rectangle, so that no figure changes with a default.
 fn recipe(link: &str) -> Option<Recipe> {
-    link::read(link).ok()
+    link::read(&plain::plain(link)).ok()
 }
 
 fn parameters(attractors: &str, reach: &str) -> Option<Parameters> {
@@ -177,7 +180,7 @@ fn literal_brownian(side: &str, sensitivity: &str) -> Option<Repetition> {
 
 // ---- the network
 
-/// A default map's tree to its rivers, all rounds of meandering made; the number of vertices.
+/// A plain map's tree to its rivers, all rounds of meandering made; the number of vertices.
 fn shaping_of_rivers() -> Option<Repetition> {
     let recipe = recipe("")?;
     let growth = all_grown(&recipe)?;
@@ -280,7 +283,7 @@ fn bends_of(model: &str, measure: &str, percent: usize) -> Option<Repetition> {
     Some(Box::new(move || (value * 100.0) as u32))
 }
 
-/// A parameter of the network or of its painting changes, on a default map that is there already: until the finished picture.
+/// A parameter of the network or of its painting changes, on a plain map that is there already: until the finished picture.
 fn late(one: &str, other: &str) -> Option<Repetition> {
     let recipes = [recipe(one)?, recipe(other)?];
     let mut session = Session::new(recipes[0].clone(), SIDE, SIDE).ok()?;

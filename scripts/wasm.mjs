@@ -1,16 +1,16 @@
 #!/usr/bin/env node
-// Builds the wasm packages that wasm-pack.toml describes, and weighs each against its budget.
+// Builds the wasm packages that wasm-pack.toml describes, and weighs each against its limits.
 //
-//   node scripts/wasm.mjs           the packages of the page and the widget
+//   node scripts/wasm.mjs           the packages of the page and the widget; too much weight is only said
+//   node scripts/wasm.mjs weigh     weighs what is built; too much weight is a failure
 //   node scripts/wasm.mjs figures   target/figures-wasm, the module that `make bench` times
 //
-// scripts/setup.sh wasm node must have run.
+// scripts/setup.sh wasm node must have run. Two at a time would build into one file name: see scripts/lib/lock.sh.
 
 import { execFileSync } from "node:child_process";
 import { createHash } from "node:crypto";
 import { existsSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
-import { homedir } from "node:os";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { brotliCompressSync, gzipSync } from "node:zlib";
@@ -19,15 +19,17 @@ process.chdir(join(dirname(fileURLToPath(import.meta.url)), ".."));
 const { parse } = createRequire(join(process.cwd(), "www/package.json"))("smol-toml");
 const settings = parse(readFileSync("wasm-pack.toml", "utf8"));
 const optimiser = parse(readFileSync("Cargo.toml", "utf8")).package.metadata["wasm-pack"].profile.release["wasm-opt"];
+const packages = Object.values(settings.packages).map((one) => ({ ...settings.build, ...one }));
 
-if (process.argv[2] === "figures") {
-  buildFigures();
-} else {
-  const now = fingerprint();
-  for (const one of Object.values(settings.packages)) {
-    buildPackage({ ...settings.build, ...one }, now);
-    weigh(`${one["out-dir"]}/${one["out-name"]}_bg.wasm`, one.budget, one.aim);
-  }
+switch (process.argv[2]) {
+  case "figures":
+    buildFigures();
+    break;
+  case "weigh":
+    if (packages.map(weigh).includes(false)) process.exitCode = 1;
+    break;
+  default:
+    buildPackages();
 }
 
 /** Runs a command with the Rust that knows wasm32; its failure is ours. */
@@ -39,59 +41,108 @@ function run(...command) {
   }
 }
 
-function buildPackage({ target, "out-dir": dir, "out-name": name, profile, cargo, features }, now) {
-  // cargo would see by itself that nothing changed, but the optimiser would still take its ten seconds.
-  const stamp = `${dir}/.inputs`;
-  if (existsSync(stamp) && readFileSync(stamp, "utf8") === now) return;
+/** What a command prints, in the same environment. */
+function ask(...command) {
+  try {
+    const stdio = ["ignore", "pipe", "inherit"];
+    return execFileSync("scripts/env.sh", ["--wasm", ...command], { stdio, encoding: "utf8", maxBuffer: 2 ** 28 });
+  } catch {
+    process.exit(1);
+  }
+}
 
+function buildPackages() {
+  const inputs = digestOf([...sources(), "Cargo.toml", "Cargo.lock", ".cargo/config.toml", "wasm-pack.toml"]);
+  const tools = ask("sh", "-c", "rustc -vV && wasm-bindgen --version && wasm-opt --version");
+  const made = { inputs, script: digestOf(["scripts/wasm.mjs"]), tools };
+  for (const one of packages) {
+    if (!isFresh(one, made)) buildPackage(one, made);
+    weigh(one);
+  }
+}
+
+/** Whether a package is what would be built: of these inputs, by these tools, and as it was then. */
+function isFresh({ "out-dir": dir }, made) {
+  const stamp = stampOf(dir);
+  return existsSync(stamp) && readFileSync(stamp, "utf8") === JSON.stringify({ ...made, outputs: outputs(dir) });
+}
+
+function buildPackage({ target, "out-dir": dir, "out-name": name, profile, cargo, features }, made) {
+  // cargo would see by itself that nothing changed, but the optimiser would still take its ten seconds.
   console.log(`Building the wasm package ${dir} (2 minutes the first time, then half a minute)`);
-  rmSync(stamp, { force: true });
+  rmSync(dir, { recursive: true, force: true });
   // Builds with other features have the same file name, and cargo would take one for another. What we depend on stays.
-  hideFolders();
   run("cargo", "clean", "--quiet", "--package", "riverseed", `--${profile}`, "--target", "wasm32-unknown-unknown");
   // no-install: wasm-pack would fetch tools, ours are there and have the right versions.
   run(
     ...["wasm-pack", "--quiet", "build", "--mode", "no-install", `--${profile}`, "--target", target],
     ...["--out-dir", dir, "--out-name", name, "--", ...cargo, "--features", features.join(",")],
+    ...["--config", hidingFolders()],
   );
-  writeFileSync(stamp, now);
+  writeFileSync(stampOf(dir), JSON.stringify({ ...made, outputs: outputs(dir) }));
 }
 
-/** Messages of panics name the files of dependencies: not by the folders of this machine, so that all machines build the same bytes. */
-function hideFolders() {
-  run("cargo", "fetch", "--quiet", "--locked");
-  const sources = join(process.env.CARGO_HOME ?? join(homedir(), ".cargo"), "registry/src");
-  const remaps = readdirSync(sources).map((registry) => `--remap-path-prefix=${join(sources, registry)}=crates`);
-  // Added to the flags of .cargo/config.toml.
-  process.env.CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUSTFLAGS = remaps.join(" ");
+function stampOf(dir) {
+  return join(dir, ".made-of");
 }
 
-/** A digest of every file that can change a package. */
-function fingerprint() {
-  const files = readdirSync("src", { recursive: true })
-    .map((file) => join("src", file))
-    .filter((file) => !file.startsWith(join("src", "bin")) && statSync(file).isFile())
-    .sort();
-  const others = ["Cargo.toml", "Cargo.lock", ".cargo/config.toml", "wasm-pack.toml"];
-  others.push("www/package-lock.json", "scripts/wasm.mjs");
+/**
+ * Messages of panics name the files of dependencies: not by the folders of this machine, so that all machines build the same
+ * bytes. A setting of cargo's, added to the flags of .cargo/config.toml: in RUSTFLAGS no folder could have a space.
+ */
+function hidingFolders() {
+  const known = ["--locked", "--format-version", "1", "--filter-platform", "wasm32-unknown-unknown"];
+  const crates = JSON.parse(ask("cargo", "metadata", ...known)).packages.filter((one) => one.source !== null);
+  // Where they are depends on the registry, which may be replaced, or be a folder of the checkout.
+  const folders = new Set(crates.map((one) => dirname(dirname(one.manifest_path))));
+  const remaps = [...folders].sort().map((folder) => `--remap-path-prefix=${folder}=crates`);
+  return `target.wasm32-unknown-unknown.rustflags=${JSON.stringify(remaps)}`;
+}
+
+/** All that is compiled. */
+function sources() {
+  return filesIn("src").filter((file) => !file.startsWith(join("src", "bin")));
+}
+
+function outputs(dir) {
+  return existsSync(dir) ? digestOf(filesIn(dir).filter((file) => file !== stampOf(dir))) : "none";
+}
+
+function filesIn(dir) {
+  const files = readdirSync(dir, { recursive: true }).map((file) => join(dir, file));
+  return files.filter((file) => statSync(file).isFile()).sort();
+}
+
+function digestOf(files) {
   const digest = createHash("sha256");
-  for (const file of [...files, ...others]) digest.update(`${file}\n`).update(readFileSync(file));
+  for (const file of files) {
+    const bytes = readFileSync(file);
+    digest.update(`${file} ${bytes.length}\n`).update(bytes);
+  }
   return digest.digest("hex");
 }
 
-/** Prints what a file weighs, bare and packed, beside what it may; too much is a failure. */
-function weigh(file, budget, aim) {
+/** Prints what a package's module weighs, bare and packed, beside what it may. False if that is too much. */
+function weigh({ "out-dir": dir, "out-name": name, budget, aim }) {
+  const file = `${dir}/${name}_bg.wasm`;
   const bytes = readFileSync(file);
   const packed = { gzip: gzipSync(bytes, { level: 9 }).length, brotli: brotliCompressSync(bytes).length };
-  const words = [`${bytes.length} bytes`];
-  let isTooLarge = false;
-  for (const [form, limit] of Object.entries(budget)) {
+  const words = Object.entries(budget).map(([form, limit]) => {
     const hoped = form in aim ? `, aim ${aim[form]}` : "";
-    words.push(`${form} ${packed[form]} of ${limit}${hoped}`);
-    isTooLarge ||= packed[form] > limit;
-  }
-  console.log(`${file}: ${words.join("; ")}${isTooLarge ? " — TOO LARGE" : ""}`);
-  if (isTooLarge) process.exitCode = 1;
+    return `${form} ${packed[form]} of ${limit}${hoped}`;
+  });
+  const isLight = Object.entries(budget).every(([form, limit]) => packed[form] <= limit);
+  console.log(`${file}: ${[`${bytes.length} bytes`, ...words].join("; ")}`);
+  if (!isLight) console.log(tooLarge());
+  return isLight;
+}
+
+/** Other tools make other bytes: whoever has them is told whose the limits are. */
+function tooLarge() {
+  const { rustc, "wasm-opt": optimiser } = settings["weighed-with"];
+  const [ours] = ask("rustc", "--version").split("\n");
+  const [theirs] = ask("wasm-opt", "--version").split("\n");
+  return `  TOO LARGE for \`make check\`. The limits hold for rustc ${rustc} and wasm-opt ${optimiser}; here are ${ours} and ${theirs}.`;
 }
 
 function buildFigures() {

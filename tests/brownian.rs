@@ -3,6 +3,7 @@
 
 mod common;
 
+use common::plain::plain;
 use common::property::large;
 use common::{literal, random_link};
 use glam::{Vec2, Vec3};
@@ -189,7 +190,8 @@ proptest! {
 #[test]
 fn every_kind_of_land_grows_the_literal_tree() {
     for (land, aspect) in [("island", 1.0), ("valley", 2.0), ("archipelago", 0.5), ("rectangle", 1.5)] {
-        let recipe = link::read(&format!("growth=brownian&land={land}&aspect={aspect}&sides=nw&seed={land}")).unwrap();
+        let recipe =
+            link::read(&plain(&format!("growth=brownian&land={land}&aspect={aspect}&sides=nw&seed={land}"))).unwrap();
         let parameters = Parameters::of(&recipe);
         let whole = Field::of(&parameters);
         // Every eighth cell, so that a literal search ends today.
@@ -204,7 +206,7 @@ fn every_kind_of_land_grows_the_literal_tree() {
 #[test]
 fn recipes_grow_on_all_their_land() {
     for land in ["rectangle", "island", "continent", "archipelago", "valley", "basin"] {
-        let recipe = link::read(&format!("growth=brownian&land={land}&sensitivity=24")).unwrap();
+        let recipe = link::read(&plain(&format!("growth=brownian&land={land}&sensitivity=24"))).unwrap();
         let mut growth = Growth::new(Parameters::of(&recipe)).unwrap();
         while growth.tick() {}
         let field = Field::of(growth.parameters());
@@ -379,7 +381,7 @@ fn the_test_of_directions_sees_the_bias_of_particles_in_rows() {
 
 #[test]
 fn slices_of_any_length_grow_the_same_tree() {
-    let recipe = link::read("growth=brownian&land=island&sensitivity=16").unwrap();
+    let recipe = link::read(&plain("growth=brownian&land=island&sensitivity=16")).unwrap();
     let grown = |ticks: u32| {
         let mut session = Session::new(recipe.clone(), 200, 200).unwrap();
         while session.advance(ticks) {

@@ -6,6 +6,7 @@ mod common;
 
 use std::collections::BTreeSet;
 
+use common::plain::plain;
 use common::property::cases;
 use common::random_link;
 use geojson::{FeatureCollection, GeometryValue};
@@ -16,7 +17,7 @@ use riverseed::recipe::link;
 use riverseed::session::Session;
 
 fn finished(link: &str, width: u32, height: u32) -> Session {
-    let mut session = Session::new(link::read(link).unwrap(), width, height).unwrap();
+    let mut session = Session::new(link::read(&plain(link)).unwrap(), width, height).unwrap();
     while session.advance(64) {}
     session
 }

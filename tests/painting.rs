@@ -3,6 +3,7 @@
 
 mod common;
 
+use common::plain::plain;
 use common::property::cases;
 use common::random_link;
 use proptest::prelude::*;
@@ -100,7 +101,7 @@ fn changing_the_procedure_of_growth_alone_gives_its_picture() {
 
 /// The finished picture of a land and its rivers, a pixel a unit.
 fn map(link: &str) -> (Session, Vec<[u8; 4]>) {
-    let mut session = Session::new(link::read(link).unwrap(), 1000, 1000).unwrap();
+    let mut session = Session::new(link::read(&plain(link)).unwrap(), 1000, 1000).unwrap();
     while session.advance(u32::MAX) {}
     session.paint();
     let pixels = session.pixmap().data().as_chunks().0.to_vec();

@@ -3,6 +3,7 @@
 
 mod common;
 
+use common::plain::plain;
 use common::property::cases;
 use common::random_link;
 use proptest::prelude::*;
@@ -12,7 +13,7 @@ use riverseed::recipe::link;
 use riverseed::tree::{Hydrology, Tree};
 
 fn grown(link: &str) -> Tree {
-    let mut growth = Colonize::new(Parameters::of(&link::read(link).unwrap())).unwrap();
+    let mut growth = Colonize::new(Parameters::of(&link::read(&plain(link)).unwrap())).unwrap();
     while growth.tick() {}
     growth.tree().clone()
 }
@@ -107,7 +108,7 @@ fn trimming_takes_most_short_branches() {
 }
 
 fn brownian(link: &str) -> (Tree, Trim) {
-    let recipe = link::read(&format!("growth=brownian&land=island&sensitivity=20&{link}")).unwrap();
+    let recipe = link::read(&plain(&format!("growth=brownian&land=island&sensitivity=20&{link}"))).unwrap();
     let mut growth = Growth::new(Parameters::of(&recipe)).unwrap();
     while growth.tick() {}
     (growth.tree().clone(), Trim::of(&recipe))

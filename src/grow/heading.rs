@@ -103,7 +103,7 @@ mod tests {
 
     #[test]
     fn plain_growth_follows_the_pull() {
-        assert!((turn(&parameters(""), 0.5, 3) - 0.5).abs() < 1e-5);
+        assert!((turn(&parameters("curl=0"), 0.5, 3) - 0.5).abs() < 1e-5);
     }
 
     #[test]
@@ -121,7 +121,7 @@ mod tests {
         for (k, degrees) in [(0.2f32, 20.0f32), (0.4, 30.0), (0.5, 10.0)] {
             let theta = degrees.to_radians();
             let expected = libm::atan2f(libm::sinf(theta), libm::cosf(theta) - k);
-            let found = turn(&parameters(&format!("momentum={k}")), theta, 3);
+            let found = turn(&parameters(&format!("curl=0&momentum={k}")), theta, 3);
             assert!((found - expected).abs() < 1e-5, "k {k}, {degrees}°: {found} is not {expected}");
         }
     }

@@ -135,7 +135,7 @@ mod tests {
     #[test]
     fn mouths_lie_on_the_chosen_sides_and_look_inland() {
         for sides in ["n", "e", "s", "w", "ns", "nesw"] {
-            let recipe = link::read(&format!("mouths=9&sides={sides}")).unwrap();
+            let recipe = link::read(&format!("land=rectangle&mouths=9&sides={sides}")).unwrap();
             let parameters = Parameters::of(&recipe);
             let size = parameters.domain.size;
             for mouth in mouths(&parameters) {

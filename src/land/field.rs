@@ -178,14 +178,14 @@ mod tests {
     use crate::recipe::link;
 
     fn land(text: &str) -> Land {
-        Land::of(&link::read(text).unwrap()).unwrap()
+        Land::of(&link::read(&format!("aspect=1.5&{text}")).unwrap()).unwrap()
     }
 
     #[test]
     fn sea_has_the_share_asked_for() {
         for kind in ["island", "continent", "archipelago", "valley", "basin"] {
             for sea in [0.1f32, 0.4, 0.8] {
-                let land = land(&format!("land={kind}&sea={sea}"));
+                let land = land(&format!("land={kind}&sea={sea}&rough=0.5"));
                 let with_ponds = Grid::above_water(&Domain::with_aspect(1.5), &land.relief).cells;
                 let water = with_ponds.iter().filter(|&&cell| cell == Cell::Unavailable).count();
                 let share = water as f32 / land.grid.cells.len() as f32;
@@ -224,7 +224,7 @@ mod tests {
 
     #[test]
     fn ridges_of_a_valley_differ_by_seed_and_are_never_ruled() {
-        let ridges = |seed: u32| land(&format!("land=valley&rough=0&seed={seed}")).ridges().to_vec();
+        let ridges = |seed: u32| land(&format!("land=valley&sea=0.5&rough=0&seed={seed}")).ridges().to_vec();
         let starts: Vec<f32> = (0..8).map(|seed| ridges(seed)[0][0].x).collect();
         assert!(starts.windows(2).all(|pair| (pair[0] - pair[1]).abs() > 1.0), "{starts:?}");
         for ridge in (0..8).flat_map(ridges) {

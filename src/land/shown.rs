@@ -153,9 +153,9 @@ mod tests {
     use glam::Vec2;
 
     fn lands() -> impl Iterator<Item = Land> {
-        let links = ["island", "continent", "archipelago", "valley", "basin"]
-            .into_iter()
-            .flat_map(|kind| [0.0, 0.5, 1.0].map(|rough| format!("land={kind}&rough={rough}&seed=k{rough}")));
+        let links = ["island", "continent", "archipelago", "valley", "basin"].into_iter().flat_map(|kind| {
+            [0.0, 0.5, 1.0].map(|rough| format!("aspect=1.5&land={kind}&sea=0.5&rough={rough}&seed=k{rough}"))
+        });
         links.map(|link| Land::of(&link::read(&link).unwrap()).unwrap())
     }
 

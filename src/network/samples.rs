@@ -6,9 +6,11 @@ use super::{NONE, Network, Parameters, River, Vertex};
 use crate::grow::{self, Growth};
 use crate::recipe::link;
 
-/// The default parameters, vertices a unit apart.
+/// The parameters of a plain rectangle, vertices a unit apart.
 pub(super) fn parameters() -> Parameters {
-    let recipe = link::read("attractors=100&vary=0").unwrap();
+    let recipe =
+        link::read("land=rectangle&mouths=3&attractors=100&curl=0&trim=4&width=14&vary=0&meander-rounds=24&great=1")
+            .unwrap();
     let growth = Growth::new(grow::Parameters::of(&recipe)).unwrap();
     Parameters { spacing: 1.0, hairline: 0.1, buffer: 0.5, ..Parameters::of(&recipe, &growth) }
 }

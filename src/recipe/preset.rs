@@ -16,8 +16,26 @@ pub struct Preset {
     pub values: &'static [(Key, &'static str)],
 }
 
-/// The paper's patterns are trees as they have grown.
-const AS_GROWN: [(Key, &str); 2] = [(Key::Simplify, "0"), (Key::Meander, "none")];
+/// A pattern of the paper: momentum, curl, its stretch, and trim. It names all that a tree's pattern rests on, so that no default
+/// of the table shows through, and nothing of what it grows on: land, its mouths, how many attractors, looks.
+const fn pattern(momentum: Text, curl: Text, stretch: Text, trim: Text) -> [(Key, Text); 11] {
+    [
+        (Key::Growth, "colonize"),
+        (Key::Scatter, "random"),
+        (Key::Reach, "2.3"),
+        (Key::Kill, "1.1"),
+        (Key::Step, "0.38"),
+        (Key::Momentum, momentum),
+        (Key::Curl, curl),
+        (Key::Stretch, stretch),
+        (Key::Trim, trim),
+        // Trees are shown as they have grown.
+        (Key::Simplify, "0"),
+        (Key::Meander, "none"),
+    ]
+}
+
+type Text = &'static str;
 
 /// The six variants of the paper (section 4.4): the plain procedure, momentum and curl, each as grown and trimmed.
 pub static PRESETS: &[Preset] = &[
@@ -25,37 +43,37 @@ pub static PRESETS: &[Preset] = &[
         name: "original",
         label: "Original",
         help: "Space colonization as it is, with all its short side branches.",
-        values: &[(Key::Trim, "0"), AS_GROWN[0], AS_GROWN[1]],
+        values: &pattern("0", "0", "8", "0"),
     },
     Preset {
         name: "momentum",
         label: "Momentum",
         help: "Every turn exaggerated: more curves, and here and there a zigzag.",
-        values: &[(Key::Momentum, "0.45"), (Key::Trim, "0"), AS_GROWN[0], AS_GROWN[1]],
+        values: &pattern("0.45", "0", "8", "0"),
     },
     Preset {
         name: "curl",
         label: "Curl",
         help: "Stretches turned left and right at random: winding, complex, busy at its ends.",
-        values: &[(Key::Curl, "0.9"), (Key::Stretch, "7"), (Key::Trim, "0"), AS_GROWN[0], AS_GROWN[1]],
+        values: &pattern("0", "0.9", "7", "0"),
     },
     Preset {
         name: "trimmed-original",
         label: "Trimmed original",
         help: "The plain procedure without its short side branches.",
-        values: &[(Key::Trim, "6"), AS_GROWN[0], AS_GROWN[1]],
+        values: &pattern("0", "0", "8", "6"),
     },
     Preset {
         name: "trimmed-momentum",
         label: "Trimmed momentum",
         help: "Exaggerated turns without short side branches.",
-        values: &[(Key::Momentum, "0.45"), (Key::Trim, "6"), AS_GROWN[0], AS_GROWN[1]],
+        values: &pattern("0.45", "0", "8", "6"),
     },
     Preset {
         name: "trimmed-curl",
         label: "Trimmed curl",
         help: "Winding rivers without short side branches: what people took for real ones.",
-        values: &[(Key::Curl, "0.9"), (Key::Stretch, "7"), (Key::Trim, "6"), AS_GROWN[0], AS_GROWN[1]],
+        values: &pattern("0", "0.9", "7", "6"),
     },
 ];
 

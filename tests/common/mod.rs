@@ -3,6 +3,7 @@
 
 pub mod literal;
 pub mod pairs;
+pub mod plain;
 pub mod property;
 pub mod twin;
 

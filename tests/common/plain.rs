@@ -1,0 +1,19 @@
+//! Links written out, so that what a test proves, and what a golden picture shows, rests on no default of the table.
+
+use riverseed::recipe::preset;
+
+/// Three rivers that leave a plain rectangle: what keys stand for that a test's link leaves out.
+const PLAIN: &str = "aspect=1.5&land=rectangle&sea=0.5&rough=0.5&mouths=3&attractors=6000&curl=0&stretch=8&trim=4&width=14\
+                     &meander-rounds=24&gentle=0.3&great=1&flat=0.25&style=ink";
+
+/// A link with all of [`PLAIN`] that neither it nor its preset names.
+pub fn plain(link: &str) -> String {
+    let named = |key: &str| link.split('&').any(|pair| pair.split('=').next() == Some(key)) || preset_names(link, key);
+    let rest = PLAIN.split('&').filter(|pair| !pair.split('=').next().is_some_and(named));
+    [link].into_iter().filter(|link| !link.is_empty()).chain(rest).collect::<Vec<_>>().join("&")
+}
+
+fn preset_names(link: &str, key: &str) -> bool {
+    let preset = link.split('&').find_map(|pair| pair.strip_prefix("preset=")).and_then(preset::find);
+    preset.is_some_and(|preset| preset.values.iter().any(|(named, _)| named.parameter().name == key))
+}
