@@ -9,9 +9,11 @@ import {
   fixChance,
   openFinished,
   openUnfolded,
+  ownClock,
   recordPhases,
   recordStates,
   shown,
+  stopClock,
 } from "./riverpage.ts";
 
 /** Few attractors: these tests are about controls. */
@@ -303,7 +305,9 @@ test("everything can be reached and used by keyboard alone", async ({ page }) =>
 });
 
 test("Space plays and pauses from the page, and stays a space in the seed", async ({ page }) => {
-  await openFinished(page, "seed=kauri&attractors=4000");
+  await ownClock(page);
+  await openFinished(page, "seed=kauri&attractors=300");
+  await stopClock(page);
   await page.keyboard.press("Space");
   await expect(page.locator("#frame")).toHaveAttribute("data-state", "growing");
   await page.keyboard.press("Space");

@@ -1,6 +1,16 @@
 import { expect, type Page, test } from "@playwright/test";
 import { pictureOf } from "../core.ts";
-import { complaints, finished, openFinished, recordStates, shown, stopClock } from "./riverpage.ts";
+import {
+  complaints,
+  finished,
+  openFinished,
+  openStopped,
+  ownClock,
+  recordStates,
+  runUntil,
+  shown,
+  stopClock,
+} from "./riverpage.ts";
 
 async function nodes(page: Page): Promise<number> {
   const text = (await page.locator("#caption").textContent()) ?? "";
@@ -9,9 +19,7 @@ async function nodes(page: Page): Promise<number> {
 
 /** Opens a link and lets its river grow for a second, with time to grow on: the page's clock then stands still. */
 async function growSome(page: Page, link: string): Promise<void> {
-  await stopClock(page);
-  await page.goto(`./?${link}`);
-  await expect(page.locator("#frame")).toHaveAttribute("data-state", "growing");
+  await openStopped(page, link);
   const start = await shown(page);
   await page.clock.runFor(1000);
   expect((await shown(page)).sha256).not.toBe(start.sha256);
@@ -20,9 +28,12 @@ async function growSome(page: Page, link: string): Promise<void> {
 test("a visitor sees a river grow, and then its counts", async ({ page }) => {
   const said = complaints(page);
   const states = await recordStates(page);
-  await page.goto("./");
+  await openStopped(page);
+  await page.clock.runFor(100);
   await expect(page.locator("#caption")).toContainText("Growing");
+  await runUntil(page, "meandering");
   await expect(page.locator("#caption")).toContainText("Meandering");
+  await page.clock.resume();
   await finished(page);
   expect(await states()).toEqual(["growing", "finished"]);
   const { summary } = pictureOf("", 16, 16);
@@ -31,8 +42,9 @@ test("a visitor sees a river grow, and then its counts", async ({ page }) => {
 });
 
 test("the finished river is announced once, and is the picture's alternative", async ({ page }) => {
-  await page.goto("./?seed=rimu&attractors=300");
+  await openStopped(page, "seed=rimu&attractors=300");
   await expect(page.locator("canvas")).toHaveAttribute("aria-label", /still growing/);
+  await page.clock.resume();
   await finished(page);
   await expect(page.locator("#announcement")).toContainText(/^Finished: \d+ rivers?, /);
   await expect(page.locator("canvas")).toHaveAttribute("aria-label", /^River network grown from the seed “rimu”: \d/);
@@ -64,12 +76,15 @@ test("pause holds the river, play goes on to the same end", async ({ page }) => 
 
 test("restart and replay grow the same river again", async ({ page }) => {
   const states = await recordStates(page);
+  await ownClock(page);
   await openFinished(page, "seed=rata&attractors=300");
   const first = await shown(page);
   await page.getByRole("button", { name: "Restart" }).click();
   await finished(page);
+  await stopClock(page);
   await page.getByRole("button", { name: "Replay" }).click();
   await expect(page.getByRole("button", { name: "Pause" })).toBeVisible();
+  await page.clock.resume();
   await finished(page);
   expect(await shown(page)).toEqual(first);
   expect(await states()).toEqual(["settling", "finished", "growing", "finished", "growing", "finished"]);

@@ -1,7 +1,18 @@
 import { expect, type Page, test } from "@playwright/test";
 import { WRITE_EVERY_MS } from "../../src/link.ts";
 import { engine, pictureOf } from "../core.ts";
-import { address, expectAddress, finished, fixChance, openFinished, openUnfolded, shown } from "./riverpage.ts";
+import {
+  address,
+  expectAddress,
+  finished,
+  fixChance,
+  openFinished,
+  openUnfolded,
+  ownClock,
+  STOPPED_AT_MS,
+  shown,
+  stopClock,
+} from "./riverpage.ts";
 
 for (const link of [
   "seed=kauri",
@@ -30,9 +41,9 @@ test("the address is replaced, never pushed, and at a bounded rate", async ({ pa
       replace(...given);
     };
   });
-  await page.clock.install({ time: 0 });
+  await ownClock(page);
   await openUnfolded(page, "seed=kauri&attractors=200");
-  await page.clock.pauseAt(3_600_000);
+  await stopClock(page);
   const before = await page.evaluate(() => history.length);
   await page.getByRole("slider", { name: "Curl" }).focus();
   for (let i = 0; i < 40; i++) {
@@ -43,10 +54,9 @@ test("the address is replaced, never pushed, and at a bounded rate", async ({ pa
   await expectAddress(page, "curl", "0.4");
   expect(await page.evaluate(() => history.length)).toBe(before);
   const writes = await page.evaluate(() => (globalThis as unknown as { writes: number[] }).writes);
-  // One for every ten steps, and the last; the first two are the page's own, when it opens.
   const pauses = writes.slice(1).map((time, i) => time - (writes[i] ?? 0));
   expect(Math.min(...pauses)).toBeGreaterThanOrEqual(WRITE_EVERY_MS);
-  expect(writes.filter((time) => time >= 3_600_000).length).toBeGreaterThan(3);
+  expect(writes.filter((time) => time >= STOPPED_AT_MS).length).toBeGreaterThan(3);
 });
 
 test("loading the address bar's link again shows the same picture", async ({ page }) => {

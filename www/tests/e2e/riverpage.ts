@@ -4,12 +4,30 @@ import { createHash } from "node:crypto";
 import { expect, type Page } from "@playwright/test";
 import { pictureOf } from "../core.ts";
 
-/**
- * Stops the page's clock: frames and timers come when a test asks for them, by `page.clock.runFor`. Call before `goto`.
- */
-export async function stopClock(page: Page): Promise<void> {
+/** Gives the page a clock that can be stopped. Call before `goto`. */
+export async function ownClock(page: Page): Promise<void> {
   await page.clock.install({ time: 0 });
-  await page.clock.pauseAt(60_000);
+}
+
+/** Stops the page's own clock: from now on frames and timers come when a test asks for them, by `page.clock.runFor`. */
+export async function stopClock(page: Page): Promise<void> {
+  await page.clock.pauseAt(STOPPED_AT_MS);
+}
+
+/** Later than any page is open while its clock runs. */
+export const STOPPED_AT_MS = 3_600_000;
+
+/** Opens a link, whose river stands at its start: the page's clock is stopped. */
+export async function openStopped(page: Page, link = ""): Promise<void> {
+  await ownClock(page);
+  await stopClock(page);
+  await page.goto(link === "" ? "./" : `./?${link}`);
+  await expect(page.locator("#frame")).toHaveAttribute("data-state", "growing");
+}
+
+/** Lets the stopped clock run until the river is in a phase. */
+export async function runUntil(page: Page, phase: string): Promise<void> {
+  while ((await page.locator("#frame").getAttribute("data-phase")) !== phase) await page.clock.runFor(100);
 }
 
 /** In place of the system's chance, for seeds that are the same in every run. Call before `goto`. */
