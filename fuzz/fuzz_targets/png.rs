@@ -5,7 +5,7 @@ use std::io::Cursor;
 
 use libfuzzer_sys::fuzz_target;
 use riverseed::import::png;
-use riverseed_fuzz::{check_message, check_trace};
+use riverseed_fuzz::check_trace;
 
 /// The most pixels of a picture that is traced as well: larger ones take longer and show nothing else.
 const MOST: usize = 64 * 64;
