@@ -116,6 +116,22 @@ check: widget ## format, lints, types, documentation and weights: not one warnin
 	$(npm) types
 	$(npm) lint
 
+# ---- look for faults that the tests do not know
+
+.PHONY: explore
+explore: ## try all properties on fresh seeds, MINUTES=10 long
+	@$(setup) rust
+	@MINUTES=$(or $(MINUTES),10) scripts/explore.sh $(PROPERTIES)
+
+.PHONY: fuzz
+fuzz: ## give foreign input to all that reads it, SECONDS=60 a target
+	@$(setup) fuzz || { echo "Fuzzing is left out: see above."; exit 0; }; scripts/fuzz.sh $(or $(SECONDS),60) $(TARGETS)
+
+.PHONY: mutants
+mutants: ## break files, session and recipes in small ways, and list what no fast test sees; FILES=src/session.rs only there
+	@$(setup) mutants
+	PROPTEST_CASES=10 $(run) cargo mutants --colors never $(FILES:%=--file %)
+
 # ---- measure and tend it
 
 .PHONY: bench

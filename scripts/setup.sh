@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Gets what is missing and mends what is broken; leaves alone what serves. A second run takes a few seconds.
 #
-#   scripts/setup.sh [rust] [lint] [wasm] [node] [browser] [firefox]      no names: all of them
+#   scripts/setup.sh [rust] [lint] [wasm] [node] [browser] [firefox]      no names: all of these
+#   scripts/setup.sh [fuzz] [mutants]
 #
 #   rust      a compiler as new as Cargo.toml asks, and a linker
 #   lint      rustfmt and clippy, and shellcheck
@@ -9,6 +10,8 @@
 #   node      Node.js, and the packages of www/package-lock.json
 #   browser   Chromium and its driver
 #   firefox   Firefox, the second engine
+#   fuzz      cargo-fuzz, and a C++ compiler
+#   mutants   cargo-mutants
 #
 # System packages are asked of apt, where there is one; all else goes into ~/.cache/riverseed and www/node_modules.
 # RIVERSEED_WASM=debian takes the wasm32 target from Debian's packages and never asks rustup for one.
@@ -32,7 +35,7 @@ main() {
   (($#)) || set -- rust lint wasm node browser firefox
   local part
   for part; do
-    declare -F "setup_$part" >/dev/null || die "no part is called '$part': rust, lint, wasm, node, browser, firefox"
+    declare -F "setup_$part" >/dev/null || die "no part is called '$part': rust, lint, wasm, node, browser, firefox, fuzz, mutants"
     "setup_$part"
   done
 }

@@ -41,6 +41,9 @@ pub mod network;
 mod order;
 pub mod paint;
 mod plane;
+#[cfg(test)]
+#[path = "../tests/common/property.rs"]
+mod property;
 pub mod prune;
 pub mod random;
 pub mod recipe;

@@ -42,9 +42,12 @@ pub(crate) fn key(value: f32) -> u32 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::property::cases;
     use proptest::prelude::*;
 
     proptest! {
+        #![proptest_config(cases(256))]
+
         #[test]
         fn numbers_come_in_the_order_of_total_cmp(values in proptest::collection::vec(proptest::num::f32::ANY, 0..50)) {
             let mut expected = values.clone();

@@ -110,6 +110,7 @@ pub(crate) fn smooth_step(x: f32) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::property::cases;
     use proptest::prelude::*;
 
     fn point() -> impl Strategy<Value = Vec2> {
@@ -136,6 +137,8 @@ mod tests {
     }
 
     proptest! {
+        #![proptest_config(cases(256))]
+
         #[test]
         fn gap_is_that_of_the_nearest_of_many_points(a in point(), b in point(), c in point(), d in point()) {
             let along = |a: Vec2, b: Vec2| (0..=200).map(move |i| a.lerp(b, i as f32 / 200.0));

@@ -91,6 +91,7 @@ impl<'a> Lines<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::property::cases;
     use proptest::prelude::*;
 
     fn kept(points: &[Vec2], is_closed: bool, least: f32) -> Vec<Vec2> {
@@ -117,6 +118,8 @@ mod tests {
     }
 
     proptest! {
+        #![proptest_config(cases(256))]
+
         #[test]
         fn fewest_points_and_ends_never_go(xs in proptest::collection::vec((0f32..1.0, 0f32..1.0), 3..60)) {
             let points: Vec<Vec2> = xs.into_iter().map(Vec2::from).collect();

@@ -4,6 +4,7 @@
 mod common;
 
 use common::plain::plain;
+use common::property::large;
 use common::{literal, random_link};
 use glam::{Vec2, Vec3};
 use proptest::prelude::*;
@@ -154,7 +155,7 @@ fn assert_equals_literal(field: &Field, seed: &str, sensitivity: f32) {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(300))]
+    #![proptest_config(large(300))]
 
     #[test]
     fn any_field_grows_the_literal_tree(field in random_field(), seed in "[a-z]{1,8}", sensitivity in 3f32..40.0) {
@@ -163,7 +164,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(1000))]
+    #![proptest_config(large(1000))]
 
     #[test]
     fn strands_never_touch_and_no_land_is_cut_off(field in random_field(), seed in "[a-z]{1,8}", sensitivity in 3f32..20.0) {
@@ -172,7 +173,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(250))]
+    #![proptest_config(large(250))]
 
     #[test]
     fn any_recipe_grows_a_tree_that_keeps_every_promise(link in random_link(100), sensitivity in prop_oneof![1 => 8u32..16, 4 => 16u32..=64]) {

@@ -7,6 +7,7 @@ mod common;
 use std::collections::BTreeSet;
 
 use common::plain::plain;
+use common::property::cases;
 use common::random_link;
 use geo::{LineString, MultiPolygon, Polygon, Validation, Winding};
 use geojson::feature::Id;
@@ -128,15 +129,19 @@ fn check_json(session: &Session) {
     assert_eq!(network["oxbows"].as_array().unwrap().len(), session.network().unwrap().oxbows.len());
 }
 
+fn check_files(link: &str) {
+    let session = finished(link, 1, 1);
+    check_svg(&session);
+    check_geojson(&session);
+    check_json(&session);
+}
+
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(40))]
+    #![proptest_config(cases(40))]
 
     #[test]
     fn any_network_can_be_read(link in random_link(700)) {
-        let session = finished(&link, 1, 1);
-        check_svg(&session);
-        check_geojson(&session);
-        check_json(&session);
+        check_files(&link);
     }
 }
 
@@ -151,6 +156,14 @@ fn lakes_are_valid_polygons_and_none_is_lost() {
         assert!(session.network().unwrap().oxbows.len() > 200, "{link}");
         check_geojson(&session);
     }
+}
+
+/// Its files could not be read once.
+#[test]
+fn network_of_few_attractors_in_a_tower_can_be_read() {
+    check_files(
+        "seed=a&growth=colonize&sensitivity=40&apart=0&land=rectangle&outline=&sea=0.100&rough=0.000&aspect=0.250&mouths=1&sides=n&attractors=100&scatter=random&reach=2.100&kill=0.500&step=0.200&momentum=0.000&curl=0.000&stretch=1&trim=0&width=1.00&style=ink&simplify=0&vary=0.000&meander=bend&meander-rounds=0&meander-strength=0.000&meander-mix=0.000&gentle=0.000&great=0&flat=0.000&neck=1.00&buffer=0.00&taper=1.00",
+    );
 }
 
 #[test]

@@ -4,6 +4,7 @@
 mod common;
 
 use common::plain::plain;
+use common::property::large;
 use common::{random_link, twin};
 use glam::Vec2;
 use proptest::prelude::*;
@@ -204,8 +205,19 @@ fn check_tree(tree: &Tree, parameters: &Parameters) -> Result<(), TestCaseError>
     Ok(())
 }
 
+/// It ends, its tree is one, and every attractor is drained or said to be unreached.
+fn check_growth(link: &str) -> Result<(), TestCaseError> {
+    let growth = grown(link);
+    prop_assert_eq!(growth.ending(), Some(Ending::Complete), "{}", link);
+    check_tree(growth.tree(), growth.parameters())?;
+    let drained: u32 = growth.tree().drained.iter().sum();
+    let all = scatter(growth.parameters()).len() as u32;
+    prop_assert!((all - growth.unreached()..=all).contains(&drained));
+    Ok(())
+}
+
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(200))]
+    #![proptest_config(large(200))]
 
     #[test]
     fn any_recipe_equals_the_brute_force_twin(link in random_link(300)) {
@@ -214,16 +226,27 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(2000))]
+    #![proptest_config(large(2000))]
 
     #[test]
     fn any_recipe_grows_a_tree_and_ends(link in random_link(2000)) {
-        let growth = grown(&link);
-        prop_assert_eq!(growth.ending(), Some(Ending::Complete), "{}", link);
-        check_tree(growth.tree(), growth.parameters())?;
-        let drained: u32 = growth.tree().drained.iter().sum();
-        let all = riverseed::grow::scatter(growth.parameters()).len() as u32;
-        prop_assert!((all - growth.unreached()..=all).contains(&drained));
+        check_growth(&link)?;
+    }
+}
+
+/// Each of these once broke a promise.
+const FOUND_BY_CHANCE: [&str; 4] = [
+    "seed=a&land=island&sea=0.100&rough=0.000&aspect=0.250&mouths=1&sides=n&attractors=100&scatter=grid&reach=2.100&kill=0.500&step=0.200&momentum=0.000&curl=0.000&stretch=1&trim=0&width=1.00&style=ink",
+    "seed=h&land=island&sea=0.100&rough=0.000&aspect=0.250&mouths=1&sides=n&attractors=100&scatter=grid&reach=2.100&kill=1.4&step=1.021&momentum=0.000&curl=0.000&stretch=1&trim=0&width=1.00&style=ink",
+    "seed=sxpmpaa&land=continent&sea=0.211&rough=0.678&aspect=2.350&mouths=2&sides=n&attractors=100&scatter=random&reach=2.100&kill=0.500&step=0.200&momentum=0.000&curl=0.000&stretch=1&trim=0&width=1.00&style=ink",
+    "seed=unbisoy&growth=colonize&sensitivity=40&apart=277&shores=sw&land=continent&outline=&sea=0.674&rough=0.124&aspect=1.991&mouths=3&sides=esw&attractors=133&scatter=random&reach=6.194&kill=0.500&step=0.745&momentum=0.729&curl=0.239&stretch=6&trim=0&width=1.00&style=ink&simplify=0&vary=0.000&meander=bend&meander-rounds=0&meander-strength=0.000&meander-mix=0.000&gentle=0.000&great=0&flat=0.000&neck=1.00&buffer=0.00&taper=1.00",
+];
+
+#[test]
+fn recipes_that_once_failed_grow_as_promised() {
+    for link in FOUND_BY_CHANCE {
+        assert_equals_twin(link);
+        check_growth(link).unwrap();
     }
 }
 

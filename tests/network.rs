@@ -4,6 +4,7 @@
 
 mod common;
 
+use common::property::{cases, large};
 use common::{pairs, random_link};
 use glam::Vec2;
 use proptest::prelude::*;
@@ -137,7 +138,7 @@ fn check_widths(network: &Network) {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(40))]
+    #![proptest_config(cases(40))]
 
     #[test]
     fn guard_sees_what_all_pairs_say(link in random_link(300), rounds in 0u32..30) {
@@ -174,7 +175,7 @@ fn check_land(network: &Network, land: &Land, when: &str) {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(100))]
+    #![proptest_config(large(100))]
 
     #[test]
     fn rivers_keep_to_their_land(link in random_link(400), every in 3u32..40) {
@@ -195,35 +196,78 @@ proptest! {
     }
 }
 
+/// Looks at a network in its first rounds, in every so manieth, and in its last.
+fn check_network(link: &str, every: u32) {
+    let mut meander = shaped(&link::read(link).unwrap());
+    let size = meander.parameters().domain.size;
+    loop {
+        let network = meander.network();
+        let rounds = meander.rounds();
+        if rounds <= 2 || rounds.is_multiple_of(every) || meander.is_finished() {
+            check_no_crossing(network, &format!("{link}, round {rounds}"));
+            check_rivers(network);
+            check_orders(network);
+            check_vertices(network, size);
+            check_widths(network);
+        }
+        if !meander.round() && meander.is_finished() && meander.rounds() == rounds {
+            break;
+        }
+    }
+    check_elevations(meander.network(), meander.parameters().everything);
+}
+
+/// Every river falls, down to the sea.
+fn check_elevations(network: &Network, everything: u32) {
+    let elevations = hydrology::elevations(network, everything);
+    for (i, &below) in network.downstream().iter().enumerate() {
+        match elevations.get(below as usize) {
+            Some(below) => assert!(elevations[i] > *below),
+            None => assert_eq!(elevations[i], 0.0),
+        }
+    }
+}
+
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(1000))]
+    #![proptest_config(large(1000))]
 
     #[test]
     fn every_network_holds_its_promises(link in random_link(400), every in prop_oneof![1 => Just(1), 9 => 4u32..60]) {
-        let recipe = link::read(&link).unwrap();
-        let mut meander = shaped(&recipe);
-        let size = meander.parameters().domain.size;
-        loop {
-            let network = meander.network();
-            let rounds = meander.rounds();
-            if rounds <= 2 || rounds.is_multiple_of(every) || meander.is_finished() {
-                check_no_crossing(network, &format!("{link}, round {rounds}"));
-                check_rivers(network);
-                check_orders(network);
-                check_vertices(network, size);
-                check_widths(network);
-            }
-            if !meander.round() && meander.is_finished() && meander.rounds() == rounds {
-                break;
-            }
-        }
-        let network = meander.network();
-        let elevations = hydrology::elevations(network, meander.parameters().everything);
-        for (i, &below) in network.downstream().iter().enumerate() {
-            match elevations.get(below as usize) {
-                Some(below) => prop_assert!(elevations[i] > *below),
-                None => prop_assert_eq!(elevations[i], 0.0),
-            }
-        }
+        check_network(&link, every);
+    }
+}
+
+/// Each of these once broke a promise; with the rounds to look at.
+const FOUND_BY_CHANCE: [(&str, u32); 6] = [
+    (
+        "seed=a&growth=brownian&sensitivity=40&apart=0&land=rectangle&outline=&sea=0.100&rough=0.000&aspect=0.250&mouths=1&sides=e&attractors=100&scatter=random&reach=2.100&kill=0.500&step=0.200&momentum=0.000&curl=0.000&stretch=1&trim=0&width=1.00&style=ink&simplify=0&vary=0.000&meander=bend&meander-rounds=1&meander-strength=0.000&meander-mix=0.000&gentle=0.000&great=1&flat=0.942&neck=3.12&buffer=0.00&taper=1.00",
+        1,
+    ),
+    (
+        "seed=a&growth=colonize&sensitivity=40&apart=0&land=rectangle&outline=&sea=0.100&rough=0.000&aspect=0.250&mouths=1&sides=n&attractors=100&scatter=random&reach=2.100&kill=0.500&step=0.200&momentum=0.000&curl=0.000&stretch=1&trim=0&width=1.00&style=ink&simplify=16&vary=0.000&meander=bend&meander-rounds=131&meander-strength=0.748&meander-mix=0.996&gentle=0.000&great=1&flat=0.714&neck=1.00&buffer=5.86&taper=10.87",
+        1,
+    ),
+    (
+        "seed=fgycr&growth=colonize&sensitivity=40&apart=0&land=island&outline=&sea=0.513&rough=0.052&aspect=1.729&mouths=21&sides=n&attractors=200&scatter=grid&reach=11.217&kill=0.500&step=0.483&momentum=0.731&curl=0.000&stretch=1&trim=0&width=1.00&style=ink&simplify=36&vary=0.000&meander=flow&meander-rounds=39&meander-strength=0.736&meander-mix=0.000&gentle=0.984&great=0&flat=0.000&neck=2.06&buffer=5.03&taper=8.48",
+        1,
+    ),
+    (
+        "seed=ngmweo&growth=brownian&sensitivity=44&apart=0&land=island&outline=&sea=0.226&rough=0.878&aspect=2.909&mouths=1&sides=n&attractors=100&scatter=random&reach=2.100&kill=0.500&step=0.200&momentum=0.000&curl=0.000&stretch=1&trim=0&width=1.00&style=ink&simplify=0&vary=0.379&meander=bend&meander-rounds=3&meander-strength=0.000&meander-mix=0.000&gentle=0.861&great=0&flat=0.000&neck=3.26&buffer=0.00&taper=1.00",
+        1,
+    ),
+    (
+        "seed=gslj&growth=colonize&sensitivity=40&apart=0&land=basin&outline=&sea=0.100&rough=0.694&aspect=1.287&mouths=1&sides=n&attractors=340&scatter=random&reach=11.924&kill=0.522&step=1.179&momentum=0.000&curl=0.000&stretch=1&trim=0&width=1.00&style=ink&simplify=0&vary=0.000&meander=bend&meander-rounds=0&meander-strength=0.000&meander-mix=0.000&gentle=0.000&great=0&flat=0.000&neck=1.00&buffer=0.00&taper=1.00",
+        4,
+    ),
+    (
+        "seed=xxvwf&growth=colonize&sensitivity=40&apart=147&land=archipelago&outline=&sea=0.594&rough=0.425&aspect=3.775&mouths=49&sides=n&attractors=243&scatter=random&reach=2.100&kill=0.500&step=0.852&momentum=0.000&curl=0.000&stretch=1&trim=0&width=1.00&style=ink&simplify=39&vary=0.000&meander=bend&meander-rounds=0&meander-strength=0.000&meander-mix=0.000&gentle=0.000&great=0&flat=0.000&neck=1.00&buffer=0.00&taper=1.00",
+        1,
+    ),
+];
+
+#[test]
+fn networks_that_once_failed_hold_their_promises() {
+    for (link, every) in FOUND_BY_CHANCE {
+        check_network(link, every);
     }
 }

@@ -4,6 +4,7 @@
 mod common;
 
 use common::plain::plain;
+use common::property::cases;
 use common::random_link;
 use proptest::prelude::*;
 use riverseed::recipe::{Key, Recipe, link};
@@ -19,8 +20,29 @@ fn painted(recipe: &Recipe, ticks: u32) -> Vec<u8> {
     session.pixmap().data().to_vec()
 }
 
+/// A change from one recipe to the other, by way of the other procedure of growth, and while the first still grows.
+fn check_change(link: &str, other: &str) {
+    let recipe = |link: &str| {
+        let mut recipe = link::read(link).unwrap();
+        recipe.set(Key::Growth, "brownian").unwrap();
+        recipe
+    };
+    for (from, to) in [(link::read(link).unwrap(), recipe(other)), (recipe(link), link::read(other).unwrap())] {
+        // With the same domain, the picture's memory may be kept.
+        let mut to = to;
+        to.set(Key::Aspect, &from.number(Key::Aspect).to_string()).unwrap();
+        let mut session = Session::new(from, 120, 90).unwrap();
+        session.advance(40).unwrap();
+        session.paint();
+        session.change(to.clone()).unwrap();
+        while session.advance(u32::MAX).unwrap() {}
+        session.paint();
+        assert!(session.pixmap().data() == painted(&to, u32::MAX), "{link} to {other}");
+    }
+}
+
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(60))]
+    #![proptest_config(cases(60))]
 
     #[test]
     fn painted_bit_by_bit_equals_painted_at_once(link in random_link(800), ticks in 1u32..30) {
@@ -66,24 +88,15 @@ proptest! {
 
     #[test]
     fn changing_to_another_recipe_gives_its_picture(link in random_link(400), other in random_link(400)) {
-        let recipe = |link: &str| {
-            let mut recipe = link::read(link).unwrap();
-            recipe.set(Key::Growth, "brownian").unwrap();
-            recipe
-        };
-        for (from, to) in [(link::read(&link).unwrap(), recipe(&other)), (recipe(&link), link::read(&other).unwrap())] {
-            // With the same domain, the picture's memory may be kept.
-            let mut to = to;
-            to.set(Key::Aspect, &from.number(Key::Aspect).to_string()).unwrap();
-            let mut session = Session::new(from, 120, 90).unwrap();
-            session.advance(40).unwrap();
-            session.paint();
-            session.change(to.clone()).unwrap();
-            while session.advance(u32::MAX).unwrap() {}
-            session.paint();
-            prop_assert!(session.pixmap().data() == painted(&to, u32::MAX), "{link} to {other}");
-        }
+        check_change(&link, &other);
     }
+}
+
+/// Its picture was another once.
+#[test]
+fn changing_the_procedure_of_growth_alone_gives_its_picture() {
+    let link = "seed=a&growth=colonize&sensitivity=40&apart=0&land=rectangle&outline=&sea=0.100&rough=0.000&aspect=0.250&mouths=1&sides=n&attractors=100&scatter=random&reach=2.100&kill=0.500&step=0.200&momentum=0.000&curl=0.000&stretch=1&trim=0&width=1.00&style=ink";
+    check_change(link, link);
 }
 
 /// The finished picture of a land and its rivers, a pixel a unit.

@@ -3,6 +3,7 @@
 
 mod common;
 
+use common::property::{cases, large};
 use common::random_link;
 use proptest::prelude::*;
 use riverseed::recipe::{Recipe, RecipeError, json, link, preset, table::TABLE};
@@ -52,20 +53,25 @@ fn as_json(recipe: &Recipe) -> String {
     serde_json::to_string(&riverseed::export::json::recipe(recipe)).unwrap()
 }
 
+/// Leniently, text becomes a recipe in range; strictly, the same one, or it is refused and something was said of it.
+fn check_link(text: &str) {
+    let (recipe, notices) = link::read_leniently(text);
+    assert_in_range(&recipe);
+    match link::read(text) {
+        Ok(strict) => {
+            assert_eq!(strict, recipe);
+            assert!(notices.is_empty(), "{:?}", notices);
+        }
+        Err(_) => assert!(!notices.is_empty(), "refused strictly, but nothing is said of {:?}", text),
+    }
+}
+
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(100_000))]
+    #![proptest_config(large(100_000))]
 
     #[test]
     fn any_text_is_read_leniently_into_a_recipe_in_range(text in mangled_link()) {
-        let (recipe, notices) = link::read_leniently(&text);
-        assert_in_range(&recipe);
-        match link::read(&text) {
-            Ok(strict) => {
-                prop_assert_eq!(strict, recipe);
-                prop_assert!(notices.is_empty(), "{:?}", notices);
-            }
-            Err(_) => prop_assert!(!notices.is_empty(), "refused strictly, but nothing is said of {:?}", text),
-        }
+        check_link(&text);
     }
 }
 
@@ -116,7 +122,7 @@ fn mangled_json() -> impl Strategy<Value = String> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(20_000))]
+    #![proptest_config(large(20_000))]
 
     #[test]
     fn any_json_is_refused_by_name_or_read_into_range(text in mangled_json()) {
@@ -131,7 +137,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(5_000))]
+    #![proptest_config(cases(5_000))]
 
     #[test]
     fn any_bytes_are_read(text in ".{0,300}") {
@@ -150,6 +156,11 @@ proptest! {
         prop_assert_eq!(link::read_leniently(&written), (recipe.clone(), vec![]));
         prop_assert_eq!(json::read(&as_json(&recipe)), Ok(recipe));
     }
+}
+
+#[test]
+fn a_preset_named_twice_is_refused_or_said() {
+    check_link("preset=original&preset=ink");
 }
 
 #[test]

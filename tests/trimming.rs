@@ -4,6 +4,7 @@
 mod common;
 
 use common::plain::plain;
+use common::property::cases;
 use common::random_link;
 use proptest::prelude::*;
 use riverseed::grow::{Colonize, Growth, Parameters};
@@ -43,7 +44,7 @@ fn children(tree: &Tree) -> Vec<Vec<usize>> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(150))]
+    #![proptest_config(cases(150))]
 
     #[test]
     fn a_node_goes_by_both_inequalities_or_with_its_parent(link in random_link(600), t in 0u32..40) {

@@ -152,6 +152,7 @@ fn hear(row: &mut [u8], other: Option<&[u8]>) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::property::cases;
     use proptest::prelude::*;
 
     const COLUMNS: usize = 90;
@@ -163,6 +164,8 @@ mod tests {
     }
 
     proptest! {
+        #![proptest_config(cases(256))]
+
         #[test]
         fn there_is_no_obstacle_where_there_is_room(
             cells in proptest::collection::vec((0..COLUMNS, 0..ROWS), 0..4),

@@ -170,6 +170,7 @@ mod tests {
     use super::*;
     use crate::land::LandKind;
     use crate::land::{Cell, Land};
+    use crate::property::cases;
     use crate::random::Seed;
     use crate::recipe::{Key, Recipe, Sides, link};
     use proptest::prelude::*;
@@ -262,6 +263,8 @@ mod tests {
     }
 
     proptest! {
+        #![proptest_config(cases(256))]
+
         #[test]
         fn relief_is_positive_just_within_an_odd_number_of_coasts(
             ring in proptest::collection::vec((0.01f32..0.99, 0.01f32..0.99), 3..12),

@@ -180,6 +180,7 @@ impl Joined {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::property::cases;
     use proptest::prelude::*;
 
     /// Regions by flood fill, cell by cell.
@@ -207,6 +208,8 @@ mod tests {
     }
 
     proptest! {
+        #![proptest_config(cases(256))]
+
         #[test]
         fn regions_are_what_a_flood_reaches(land in proptest::collection::vec(0u8..5, 1..400), columns in 1usize..25) {
             let cells: Vec<Cell> = land.iter().map(|&c| if c < 3 { Cell::Available } else { Cell::Unavailable }).collect();

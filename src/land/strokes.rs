@@ -142,6 +142,7 @@ fn land_on_row(coasts: &[Vec<GridPoint>], y: f32) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::property::cases;
     use proptest::prelude::*;
 
     fn circle(centre: Vec2, radius: f32, points: u32) -> Vec<Vec2> {
@@ -186,6 +187,8 @@ mod tests {
     }
 
     proptest! {
+        #![proptest_config(cases(256))]
+
         #[test]
         fn any_lines_fit_or_are_refused(
             coasts in proptest::collection::vec(proptest::collection::vec((-200i16..1200, -200i16..1200), 0..400), 0..5),

@@ -45,9 +45,12 @@ pub(super) fn floor(x: f32) -> i32 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::property::cases;
     use proptest::prelude::*;
 
     proptest! {
+        #![proptest_config(cases(256))]
+
         #[test]
         fn goes_from_end_to_end_by_neighbours(
             ax in 0f32..100.0, ay in 0f32..100.0, bx in 0f32..100.0, by in 0f32..100.0,

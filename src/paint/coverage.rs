@@ -228,6 +228,7 @@ impl Stroke {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::property::cases;
     use proptest::prelude::*;
 
     fn point() -> impl Strategy<Value = Vec2> {
@@ -259,6 +260,8 @@ mod tests {
     }
 
     proptest! {
+        #![proptest_config(cases(256))]
+
         #[test]
         fn order_does_not_matter(a in point(), b in point(), c in point(), r in 0.0f32..6.0, s in 0.0f32..6.0) {
             let (first, second) = ((a, r, b, s), (b, s, c, r));

@@ -225,6 +225,7 @@ impl fmt::Display for Outline {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::property::cases;
     use proptest::prelude::*;
 
     fn lines(fewest: usize, most: usize) -> impl Strategy<Value = Vec<Vec<GridPoint>>> {
@@ -233,6 +234,8 @@ mod tests {
     }
 
     proptest! {
+        #![proptest_config(cases(256))]
+
         #[test]
         fn every_outline_reads_back_and_needs_no_escaping(coasts in lines(3, 4), ridges in lines(2, 3)) {
             let outline = Outline::new(coasts, ridges).unwrap();

@@ -4,14 +4,22 @@
 pub mod literal;
 pub mod pairs;
 pub mod plain;
+pub mod property;
 pub mod twin;
 
 use proptest::prelude::*;
+use riverseed::recipe::EDITION;
 
 /// Outlines of any lines, mostly crossing themselves and each other; some of nothing.
 fn random_outline() -> impl Strategy<Value = String> {
     let lines = "([.]([A-Za-z0-9_-]{4}){3,9}){1,3}([.]{2}([A-Za-z0-9_-]{4}){2,9}){0,2}";
     prop_oneof![Just(String::new()), lines]
+}
+
+/// Any text that a seed may be, escaped; mostly a short word, which is easier to read in a failure.
+fn random_seed() -> impl Strategy<Value = String> {
+    let seed = prop_oneof![9 => "[a-z]{1,8}", 1 => "[^\\p{C}\u{fffd}]{0,64}"];
+    seed.prop_map(|seed| form_urlencoded::byte_serialize(seed.as_bytes()).collect())
 }
 
 /// Links over the whole of every range, with at most so many attractors.
@@ -22,7 +30,9 @@ pub fn random_link(most_attractors: u32) -> impl Strategy<Value = String> {
     let ground = (0.25f64..=4.0, prop_oneof![1u32..=5, 1u32..=64], 1u32..16, 100..=most_attractors, any::<bool>());
     let procedure = prop_oneof![4 => Just("colonize"), 1 => Just("brownian")];
     let mouths = (prop_oneof![Just(0), 0..=400], prop_oneof![Just(15u32), 1u32..16]);
-    let growth = (2.1f64..=12.0, 0.5f64..=1.4, 0.2f64..=1.2, procedure, 40u32..=64, mouths);
+    // A sensitivity of 8 takes some fifty times as long as one of 40.
+    let sensitivity = prop_oneof![39 => 40u32..=64, 1 => 8u32..40];
+    let growth = (2.1f64..=12.0, 0.5f64..=1.4, 0.2f64..=1.2, procedure, sensitivity, mouths);
     let zero_or = |most: f64| prop_oneof![Just(0.0), 0.0..=most];
     let bends = (zero_or(0.9), zero_or(2.0), 1u32..=64);
     let finish = (prop_oneof![Just(0u32), 0u32..=60], 1.0f64..=40.0, 0usize..4);
@@ -33,7 +43,10 @@ pub fn random_link(most_attractors: u32) -> impl Strategy<Value = String> {
     let how = (0.0f64..=1.0, 0.0f64..=1.0, 0.0f64..=1.0, 0u32..=16, 0.0f64..=1.0);
     let guards = (1.0f64..=4.0, 0.0f64..=1.0, 1.0f64..=20.0);
     let rivers = (0u32..=95, 0.0f64..=0.5, meanders, how, guards).prop_map(rivers_link);
-    ("[a-z]{1,8}", land, ground, growth, bends, finish, rivers).prop_map(|(seed, land, ground, growth, bends, finish, rivers)| {
+    let edition = prop_oneof![Just(String::new()), Just(format!("&edition={EDITION}"))];
+    let start = (random_seed(), edition);
+    (start, land, ground, growth, bends, finish, rivers).prop_map(|(start, land, ground, growth, bends, finish, rivers)| {
+        let (seed, edition) = start;
         let (land, sea, rough, outline) = land;
         let (aspect, mouths, sides, attractors, grid) = ground;
         let (reach, kill, step, procedure, sensitivity, (apart, shores)) = growth;
@@ -45,7 +58,7 @@ pub fn random_link(most_attractors: u32) -> impl Strategy<Value = String> {
         let scatter = if grid { "grid" } else { "random" };
         let style = ["ink", "skeleton", "map", "dark"][style];
         format!(
-            "seed={seed}&growth={procedure}&sensitivity={sensitivity}&apart={apart}&shores={shores}&land={land}&outline={outline}&sea={sea:.3}&rough={rough:.3}&aspect={aspect:.3}&mouths={mouths}&sides={sides}&attractors={attractors}&scatter={scatter}\
+            "seed={seed}{edition}&growth={procedure}&sensitivity={sensitivity}&apart={apart}&shores={shores}&land={land}&outline={outline}&sea={sea:.3}&rough={rough:.3}&aspect={aspect:.3}&mouths={mouths}&sides={sides}&attractors={attractors}&scatter={scatter}\
              &reach={reach:.3}&kill={kill:.3}&step={step:.3}&momentum={momentum:.3}&curl={curl:.3}&stretch={stretch}\
              &trim={trim}&width={width:.2}&style={style}{rivers}"
         )

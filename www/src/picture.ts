@@ -19,6 +19,8 @@ export type How = "watch" | "settle" | "still";
 export interface PictureEvents {
   /** The canvas is about to hold a river of this shape: how many pixels should it have? None if it is not shown. */
   sizeFor(aspect: number): Size;
+  /** The river of the link that was shown last has taken the place of the one before. */
+  replaced?(): void;
   /** Something of the picture changed: the state, or in it the river. */
   changed(state: State, phase: Phase, summary: Summary): void;
   failed(error: unknown): void;
@@ -148,6 +150,7 @@ export class Picture {
     this.#wanted = undefined;
     const stage = this.#river.change(wanted.link);
     this.#link = wanted.link;
+    this.events.replaced?.();
     if (stage === "none") return;
     this.#fit();
     if (stage === "land" || stage === "grow") this.#grow(wanted.how);

@@ -7,7 +7,7 @@ import * as engine from "../pkg/riverseed.js";
 const wasm = new URL("../pkg/riverseed_bg.wasm", import.meta.url);
 const { memory } = engine.initSync({ module: readFileSync(wasm) });
 
-export { engine };
+export { engine, memory };
 
 export interface Picture {
   /** Of the RGBA bytes. */

@@ -170,9 +170,12 @@ fn squared_gap(at: Place, bits: i32, column: i32, row: i32) -> Found {
 mod tests {
     use super::*;
     use crate::land::Cell;
+    use crate::property::cases;
     use proptest::prelude::*;
 
     proptest! {
+        #![proptest_config(cases(256))]
+
         #[test]
         fn nearest_is_that_of_a_literal_search(
             columns in 1i32..150, rows in 1i32..150, few in 0usize..40, limit in 1i32..20_000,

@@ -154,6 +154,7 @@ fn check_size(width: u32, height: u32, bytes: usize) -> Result<(), TraceError> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::property::cases;
     use glam::Vec2;
     use proptest::prelude::*;
 
@@ -363,7 +364,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig::with_cases(32))]
+        #![proptest_config(cases(32))]
 
         #[test]
         fn traced_land_is_the_pictures_land(

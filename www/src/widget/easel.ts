@@ -41,11 +41,13 @@ export class Easel {
   #open(): void {
     if (this.#isOver) return;
     const { canvas, wish, how } = this.opening;
-    const { link } = this.#read(wish);
-    const picture = new Picture(this.core, canvas, link, this.frames, {
+    this.#reading = this.#read(wish);
+    const picture = new Picture(this.core, canvas, this.#reading.link, this.frames, {
       sizeFor: () => this.#size,
+      replaced: () => {
+        this.#reading = this.#next;
+      },
       changed: (state, phase, summary) => {
-        if (this.#next?.link === this.#picture?.link) this.#reading = this.#next;
         if (this.#reading)
           this.tell({ id: this.opening.id, is: "shown", reading: this.#reading, state, phase, summary });
       },

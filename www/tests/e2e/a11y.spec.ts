@@ -1,6 +1,6 @@
 import { expect, test } from "@playwright/test";
 import { violations } from "./axe.ts";
-import { finished, openFinished, openUnfolded, unfold } from "./riverpage.ts";
+import { finished, openFinished, openStopped, openUnfolded, unfold } from "./riverpage.ts";
 
 for (const colorScheme of ["light", "dark"] as const) {
   for (const width of [1440, 820, 390]) {
@@ -37,8 +37,9 @@ test("axe finds nothing in forced colours, and the sliders are the system's", as
 });
 
 test("the picture is one image with a name, and growth can be paused", async ({ page }) => {
-  await page.goto("./?seed=rimu&attractors=300");
+  await openStopped(page, "seed=rimu&attractors=300");
   await expect(page.getByRole("button", { name: "Pause" })).toBeVisible();
+  await page.clock.resume();
   await finished(page);
   await expect(page.getByRole("img", { name: /seed “rimu”/ })).toBeVisible();
 });

@@ -6,11 +6,14 @@ import {
   expectAddress,
   expectPictureOfAddress,
   finished,
+  fixChance,
   openFinished,
   openUnfolded,
+  ownClock,
   recordPhases,
   recordStates,
   shown,
+  stopClock,
 } from "./riverpage.ts";
 
 /** Few attractors: these tests are about controls. */
@@ -230,6 +233,7 @@ for (const preset of engine.presets()) {
 }
 
 test("the dice give a new seed that can be read", async ({ page }) => {
+  await fixChance(page);
   await openUnfolded(page, SMALL);
   const field = page.getByLabel("Seed", { exact: true });
   const seen = new Set(["kauri"]);
@@ -299,7 +303,9 @@ test("everything can be reached and used by keyboard alone", async ({ page }) =>
 });
 
 test("Space plays and pauses from the page, and stays a space in the seed", async ({ page }) => {
-  await openFinished(page, "seed=kauri&attractors=4000");
+  await ownClock(page);
+  await openFinished(page, "seed=kauri&attractors=300");
+  await stopClock(page);
   await page.keyboard.press("Space");
   await expect(page.locator("#frame")).toHaveAttribute("data-state", "growing");
   await page.keyboard.press("Space");

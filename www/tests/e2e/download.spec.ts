@@ -1,7 +1,7 @@
 import { expect, type Page, test } from "@playwright/test";
 import { pictureOf } from "../core.ts";
 import { tools } from "../tools.ts";
-import { complaints, openFinished } from "./riverpage.ts";
+import { complaints, openFinished, ownClock, stopClock } from "./riverpage.ts";
 
 const LINK = "seed=puriri&attractors=300";
 /** The same on a plain rectangle, whose rivers run south, for long enough to leave lakes. */
@@ -115,10 +115,14 @@ test("JSON holds the whole network", async ({ page }) => {
 });
 
 test("a file can be had before the picture is finished, and is of the finished rivers", async ({ page }) => {
+  await ownClock(page);
   await openFinished(page, LINK);
   const { bytes } = await download(page, "GeoJSON");
+  await stopClock(page);
   await page.getByRole("button", { name: "Restart" }).click();
   await page.getByRole("button", { name: "Pause" }).click();
+  await page.clock.resume();
+  await expect(page.locator("#frame")).toHaveAttribute("data-state", "paused");
   expect((await download(page, "GeoJSON")).bytes.equals(bytes)).toBe(true);
 });
 

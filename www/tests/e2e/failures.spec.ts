@@ -1,5 +1,5 @@
 import { expect, type Page, test } from "@playwright/test";
-import { finished, unfold } from "./riverpage.ts";
+import { finished, openStopped, unfold } from "./riverpage.ts";
 
 async function expectFailure(page: Page, code: string, advice: RegExp): Promise<void> {
   const failure = page.getByRole("alert");
@@ -190,9 +190,11 @@ test("a panic while growing stops the river and says so, once", async ({ page })
     if (message.type() === "warning") warnings.push(message.text());
   });
   await trapOn(page, "river_advance");
-  await page.goto("./");
+  await openStopped(page);
+  await page.clock.runFor(100);
   await expect(page.locator("#caption")).toContainText("Growing");
   await page.evaluate(() => Object.assign(globalThis, { trap: true }));
+  await page.clock.resume();
   await expectFailure(page, "panic", /report the link/);
   expect(warnings).toHaveLength(1);
   await page.getByRole("link", { name: "Start from a fresh river" }).click();

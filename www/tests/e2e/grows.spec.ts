@@ -1,18 +1,39 @@
 import { expect, type Page, test } from "@playwright/test";
 import { pictureOf } from "../core.ts";
-import { complaints, finished, openFinished, recordStates, shown, slowly } from "./riverpage.ts";
+import {
+  complaints,
+  finished,
+  openFinished,
+  openStopped,
+  ownClock,
+  recordStates,
+  runUntil,
+  shown,
+  stopClock,
+} from "./riverpage.ts";
 
 async function nodes(page: Page): Promise<number> {
   const text = (await page.locator("#caption").textContent()) ?? "";
   return Number(/([\d,]+) nodes?/.exec(text)?.[1]?.replaceAll(",", "") ?? Number.NaN);
 }
 
+/** Opens a link and lets its river grow for a second, with time to grow on: the page's clock then stands still. */
+async function growSome(page: Page, link: string): Promise<void> {
+  await openStopped(page, link);
+  const start = await shown(page);
+  await page.clock.runFor(1000);
+  expect((await shown(page)).sha256).not.toBe(start.sha256);
+}
+
 test("a visitor sees a river grow, and then its counts", async ({ page }) => {
   const said = complaints(page);
   const states = await recordStates(page);
-  await page.goto("./");
+  await openStopped(page);
+  await page.clock.runFor(100);
   await expect(page.locator("#caption")).toContainText("Growing");
+  await runUntil(page, "meandering");
   await expect(page.locator("#caption")).toContainText("Meandering");
+  await page.clock.resume();
   await finished(page);
   expect(await states()).toEqual(["growing", "finished"]);
   const { summary } = pictureOf("", 16, 16);
@@ -21,8 +42,9 @@ test("a visitor sees a river grow, and then its counts", async ({ page }) => {
 });
 
 test("the finished river is announced once, and is the picture's alternative", async ({ page }) => {
-  await page.goto("./?seed=rimu&attractors=300");
+  await openStopped(page, "seed=rimu&attractors=300");
   await expect(page.locator("canvas")).toHaveAttribute("aria-label", /still growing/);
+  await page.clock.resume();
   await finished(page);
   await expect(page.locator("#announcement")).toContainText(/^Finished: \d+ rivers?, /);
   await expect(page.locator("canvas")).toHaveAttribute("aria-label", /^River network grown from the seed “rimu”: \d/);
@@ -36,17 +58,17 @@ test("the animated river ends as the one that is drawn at once", async ({ page }
 });
 
 test("pause holds the river, play goes on to the same end", async ({ page }) => {
-  const hurry = await slowly(page, "growing");
-  await page.goto("./?seed=matai&attractors=800");
+  await growSome(page, "seed=matai&attractors=800");
   await page.getByRole("button", { name: "Pause" }).click();
+  await page.clock.runFor(100);
   await expect(page.locator("#frame")).toHaveAttribute("data-state", "paused");
   const held = await nodes(page);
   const before = await shown(page);
-  await page.evaluate(() => new Promise((done) => setTimeout(done, 300)));
+  await page.clock.runFor(2000);
   expect(await nodes(page)).toBe(held);
   expect((await shown(page)).sha256).toBe(before.sha256);
-  await hurry();
   await page.getByRole("button", { name: "Play", exact: true }).click();
+  await page.clock.resume();
   await finished(page);
   const { width, height, sha256 } = await shown(page);
   expect(sha256).toBe(pictureOf("seed=matai&attractors=800", width, height).sha256);
@@ -54,12 +76,15 @@ test("pause holds the river, play goes on to the same end", async ({ page }) => 
 
 test("restart and replay grow the same river again", async ({ page }) => {
   const states = await recordStates(page);
+  await ownClock(page);
   await openFinished(page, "seed=rata&attractors=300");
   const first = await shown(page);
   await page.getByRole("button", { name: "Restart" }).click();
   await finished(page);
+  await stopClock(page);
   await page.getByRole("button", { name: "Replay" }).click();
   await expect(page.getByRole("button", { name: "Pause" })).toBeVisible();
+  await page.clock.resume();
   await finished(page);
   expect(await shown(page)).toEqual(first);
   expect(await states()).toEqual(["settling", "finished", "growing", "finished", "growing", "finished"]);
@@ -86,20 +111,19 @@ test("another window size shows the same river, drawn for that size", async ({ p
 });
 
 test("a hidden tab does not draw, and goes on when it is seen", async ({ page }) => {
-  const hurry = await slowly(page, "growing");
-  await page.goto("./?seed=miro&attractors=2000");
-  await page.getByRole("button", { name: "Pause" }).click();
+  await growSome(page, "seed=miro&attractors=2000");
   const hide = (hidden: boolean) =>
     page.evaluate((value) => {
       Object.defineProperty(document, "hidden", { configurable: true, value });
       document.dispatchEvent(new Event("visibilitychange"));
     }, hidden);
-  await page.getByRole("button", { name: "Play", exact: true }).click();
   await hide(true);
   const { sha256 } = await shown(page);
-  await page.evaluate(() => new Promise((done) => setTimeout(done, 300)));
+  await page.clock.runFor(2000);
   expect((await shown(page)).sha256).toBe(sha256);
-  await hurry();
   await hide(false);
+  await page.clock.runFor(500);
+  expect((await shown(page)).sha256).not.toBe(sha256);
+  await page.clock.resume();
   await finished(page);
 });

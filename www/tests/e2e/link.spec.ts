@@ -1,7 +1,18 @@
 import { expect, type Page, test } from "@playwright/test";
 import { WRITE_EVERY_MS } from "../../src/link.ts";
 import { engine, pictureOf } from "../core.ts";
-import { address, expectAddress, finished, openFinished, openUnfolded, shown } from "./riverpage.ts";
+import {
+  address,
+  expectAddress,
+  finished,
+  fixChance,
+  openFinished,
+  openUnfolded,
+  ownClock,
+  STOPPED_AT_MS,
+  shown,
+  stopClock,
+} from "./riverpage.ts";
 
 for (const link of [
   "seed=kauri",
@@ -30,20 +41,26 @@ test("the address is replaced, never pushed, and at a bounded rate", async ({ pa
       replace(...given);
     };
   });
+  await ownClock(page);
   await openUnfolded(page, "seed=kauri&attractors=200");
+  await stopClock(page);
   const before = await page.evaluate(() => history.length);
   await page.getByRole("slider", { name: "Curl" }).focus();
-  for (let i = 0; i < 40; i++) await page.keyboard.press("ArrowRight");
+  for (let i = 0; i < 40; i++) {
+    await page.keyboard.press("ArrowRight");
+    await page.clock.runFor(WRITE_EVERY_MS / 10);
+  }
+  await page.clock.runFor(WRITE_EVERY_MS);
   await expectAddress(page, "curl", "0.4");
   expect(await page.evaluate(() => history.length)).toBe(before);
   const writes = await page.evaluate(() => (globalThis as unknown as { writes: number[] }).writes);
-  for (const [i, time] of writes.entries()) {
-    // Timers may fire a rounded millisecond early.
-    if (i > 0) expect(time - (writes[i - 1] ?? 0)).toBeGreaterThanOrEqual(WRITE_EVERY_MS - 2);
-  }
+  const pauses = writes.slice(1).map((time, i) => time - (writes[i] ?? 0));
+  expect(Math.min(...pauses)).toBeGreaterThanOrEqual(WRITE_EVERY_MS);
+  expect(writes.filter((time) => time >= STOPPED_AT_MS).length).toBeGreaterThan(3);
 });
 
 test("loading the address bar's link again shows the same picture", async ({ page }) => {
+  await fixChance(page);
   await openFinished(page, "attractors=300");
   await page.getByRole("button", { name: "A new seed by chance" }).click();
   await page.getByRole("button", { name: "Trimmed curl" }).click();

@@ -1,12 +1,24 @@
 import { expect, type Page, test } from "@playwright/test";
 import { pictureOf } from "../core.ts";
-import { finished, openFinished, recordPhases, shown, slowly, unfold } from "./riverpage.ts";
+import {
+  finished,
+  openFinished,
+  openStopped,
+  ownClock,
+  recordPhases,
+  runUntil,
+  shown,
+  stopClock,
+  unfold,
+} from "./riverpage.ts";
 
 const LINK = "seed=kauri&attractors=600&meander-rounds=400";
 
+/** Pauses as soon as the river is in a phase; the picture that is then shown. The page's clock is stopped. */
 async function paused(page: Page, phase: string): Promise<string> {
-  await expect(page.locator("#frame")).toHaveAttribute("data-phase", phase);
+  await runUntil(page, phase);
   await page.getByRole("button", { name: "Pause" }).click();
+  await page.clock.runFor(100);
   await expect(page.locator("#frame")).toHaveAttribute("data-state", "paused");
   return (await shown(page)).sha256;
 }
@@ -15,16 +27,15 @@ test("rivers that have grown meander before one's eyes, and come to the end that
   page,
 }) => {
   const phases = await recordPhases(page);
-  const hurry = await slowly(page, "meandering");
-  await page.goto(`./?${LINK}`);
+  await openStopped(page, LINK);
   const first = await paused(page, "meandering");
   await expect(page.locator("#caption")).toContainText(/Paused while meandering ?\d+ rounds? so far/);
   await page.getByRole("button", { name: "Play", exact: true }).click();
-  await expect.poll(async () => (await shown(page)).sha256).not.toBe(first);
+  await page.clock.runFor(1000);
   const second = await paused(page, "meandering");
   expect(second).not.toBe(first);
-  await hurry();
   await page.getByRole("button", { name: "Play", exact: true }).click();
+  await page.clock.resume();
   await finished(page);
   const { width, height, sha256 } = await shown(page);
   expect(sha256).toBe(pictureOf(LINK, width, height).sha256);
@@ -34,39 +45,41 @@ test("rivers that have grown meander before one's eyes, and come to the end that
 
 test("replay grows and meanders again", async ({ page }) => {
   const phases = await recordPhases(page);
+  await ownClock(page);
   await openFinished(page, LINK);
+  await stopClock(page);
   const began = (await phases()).length;
   await page.getByRole("button", { name: "Replay" }).click();
   await expect(page.locator("#frame")).toHaveAttribute("data-state", "growing");
+  await page.clock.resume();
   await finished(page);
   const again = (await phases()).slice(began).filter((phase) => phase !== "shaping");
   expect(again).toEqual(["growing", "meandering", "finished"]);
 });
 
 test("a change of meanders while rivers grow does not disturb them, and counts in the end", async ({ page }) => {
-  const hurry = await slowly(page, "growing");
-  await page.goto("./?seed=kauri&attractors=3000");
+  await openStopped(page, "seed=kauri&attractors=3000");
   await paused(page, "growing");
-  await hurry();
   await unfold(page);
   await page.getByLabel("Strength, exact value").fill("0.9");
   await page.getByLabel("Strength, exact value").press("Enter");
+  await page.clock.runFor(1000);
   await expect(page.locator("#frame")).toHaveAttribute("data-state", "paused");
   await expect(page.locator("#frame")).toHaveAttribute("data-phase", "growing");
   await page.getByRole("button", { name: "Play", exact: true }).click();
+  await page.clock.resume();
   await finished(page);
   const { width, height, sha256 } = await shown(page);
   expect(sha256).toBe(pictureOf("seed=kauri&attractors=3000&meander-strength=0.9", width, height).sha256);
 });
 
 test("a change of meanders while rivers meander shows what comes of it", async ({ page }) => {
-  const hurry = await slowly(page, "meandering");
-  await page.goto(`./?${LINK}`);
+  await openStopped(page, LINK);
   await paused(page, "meandering");
-  await hurry();
   await unfold(page);
   await page.getByLabel("Strength, exact value").fill("0.9");
   await page.getByLabel("Strength, exact value").press("Enter");
+  await page.clock.resume();
   await finished(page);
   const { width, height, sha256 } = await shown(page);
   expect(sha256).toBe(pictureOf(`${LINK}&meander-strength=0.9`, width, height).sha256);

@@ -4,6 +4,48 @@ import { createHash } from "node:crypto";
 import { expect, type Page } from "@playwright/test";
 import { pictureOf } from "../core.ts";
 
+/** Gives the page a clock that can be stopped. Call before `goto`. */
+export async function ownClock(page: Page): Promise<void> {
+  await page.clock.install({ time: 0 });
+}
+
+/** Stops the page's own clock: from now on frames and timers come when a test asks for them, by `page.clock.runFor`. */
+export async function stopClock(page: Page): Promise<void> {
+  await page.clock.pauseAt(STOPPED_AT_MS);
+}
+
+/** Later than any page is open while its clock runs. */
+export const STOPPED_AT_MS = 3_600_000;
+
+/** Opens a link, whose river stands at its start: the page's clock is stopped. */
+export async function openStopped(page: Page, link = ""): Promise<void> {
+  await ownClock(page);
+  await stopClock(page);
+  await page.goto(link === "" ? "./" : `./?${link}`);
+  await expect(page.locator("#frame")).toHaveAttribute("data-state", "growing");
+}
+
+/** Lets the stopped clock run until the river is in a phase. */
+export async function runUntil(page: Page, phase: string): Promise<void> {
+  while ((await page.locator("#frame").getAttribute("data-phase")) !== phase) await page.clock.runFor(100);
+}
+
+/** In place of the system's chance, for seeds that are the same in every run. Call before `goto`. */
+export async function fixChance(page: Page): Promise<void> {
+  await page.addInitScript(() => {
+    let state = 1;
+    crypto.getRandomValues = <T extends ArrayBufferView>(array: T): T => {
+      const bytes = new Uint8Array(array.buffer, array.byteOffset, array.byteLength);
+      // The usual linear congruential generator; its upper bits are the better ones.
+      for (const i of bytes.keys()) {
+        state = (Math.imul(state, 1_664_525) + 1_013_904_223) >>> 0;
+        bytes[i] = state >>> 24;
+      }
+      return array;
+    };
+  });
+}
+
 /** Opens a link and waits for its finished river, without animation. */
 export async function openFinished(page: Page, link = ""): Promise<void> {
   await page.emulateMedia({ reducedMotion: "reduce" });
@@ -87,27 +129,6 @@ async function record(page: Page, what: "state" | "phase"): Promise<() => Promis
     new MutationObserver(note).observe(document, { subtree: true, attributeFilter: [`data-${what}`] });
   }, what);
   return () => page.evaluate((what) => (globalThis as unknown as Record<string, string[]>)[`${what}s`] ?? [], what);
-}
-
-/**
- * Makes a phase take twenty times as long to watch: however busy the machine, there is time to press a button meanwhile. Call
- * before `goto`; what it returns ends it.
- */
-export async function slowly(page: Page, phase: "growing" | "meandering"): Promise<() => Promise<void>> {
-  await page.addInitScript((phase) => {
-    const request = requestAnimationFrame.bind(globalThis);
-    const clock = { slowness: 20, last: 0, shown: 0 };
-    Object.assign(globalThis, { clock });
-    const follow = (now: number): number => {
-      const isIt = document.querySelector<HTMLElement>("#frame")?.dataset["phase"] === phase;
-      clock.shown += (now - clock.last) / (isIt ? clock.slowness : 1);
-      clock.last = now;
-      return clock.shown;
-    };
-    globalThis.requestAnimationFrame = (callback) => request((now) => callback(follow(now)));
-  }, phase);
-  return () =>
-    page.evaluate(() => void Object.assign((globalThis as unknown as { clock: object }).clock, { slowness: 1 }));
 }
 
 /** Collects what the page complains about. */

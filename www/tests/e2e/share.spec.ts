@@ -1,7 +1,7 @@
 import { expect, type Page, test } from "@playwright/test";
 import { elementSnippet, iframeSnippet } from "../../src/snippets.ts";
 import { engine } from "../core.ts";
-import { address, openFinished } from "./riverpage.ts";
+import { address, fixChance, openFinished } from "./riverpage.ts";
 
 const LINK = "seed=kowhai&attractors=300&style=map&width=20";
 
@@ -110,6 +110,7 @@ test("it is said beforehand where a widget shows other rivers", async ({ page })
 });
 
 test("what is shared follows the rivers", async ({ page }) => {
+  await fixChance(page);
   await openShare(page);
   await page.keyboard.press("Escape");
   await page.getByRole("button", { name: "A new seed by chance" }).click();

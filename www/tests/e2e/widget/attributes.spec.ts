@@ -2,7 +2,7 @@ import type { Page } from "@playwright/test";
 import { pictureOf } from "../../core.ts";
 import { complaints } from "../riverpage.ts";
 import { expect, type Host, test } from "./hosts.ts";
-import { canonical, expectPicture, type Heard, heard, listen, post } from "./post.ts";
+import { canonical, expectPicture, frames, type Heard, heard, listen, post } from "./post.ts";
 
 type RiverSeed = HTMLElementTagNameMap["river-seed"];
 
@@ -119,13 +119,10 @@ test("junk is mended, and said", async ({ page, blog }) => {
 test("what is told of a river is told of that river, though another waits for its turn", async ({ page, blog }) => {
   await page.emulateMedia({ reducedMotion: "reduce" });
   const events = await open(page, blog, '<river-seed seed="one" attractors="9000"></river-seed>');
-  await page.evaluate(async () => {
-    const river = document.querySelector("river-seed");
-    for (const seed of ["two", "three", "four", "five", "six"]) {
-      river?.setAttribute("seed", seed);
-      await new Promise((done) => setTimeout(done, 30));
-    }
-  });
+  for (const seed of ["two", "three", "four", "five", "six"]) {
+    await page.locator("river-seed").evaluate((river, seed) => river.setAttribute("seed", seed), seed);
+    await frames(page, 2);
+  }
   await expectPicture(page, canonical("seed=six&attractors=9000"));
   for (const { type, detail } of await events()) {
     if (type !== "complete") continue;

@@ -116,11 +116,14 @@ test("ten rounds of coming and going leave nothing behind", async ({ page, blog 
 
 test("one that is taken away while it loads leaves nothing behind", async ({ page, blog }) => {
   const events = await open(page, blog, '<river-seed id="kept" attractors="300"></river-seed>');
-  await page.evaluate(() => {
-    for (let i = 0; i < 5; i++) {
-      const river = Object.assign(document.createElement("river-seed"), { loading: "eager", attractors: 300 });
-      document.querySelector("main")?.append(river);
-      setTimeout(() => river.remove(), i * 5);
+  await page.evaluate(async () => {
+    const rivers = Array.from({ length: 5 }, () =>
+      Object.assign(document.createElement("river-seed"), { loading: "eager", attractors: 300 }),
+    );
+    document.querySelector("main")?.append(...rivers);
+    for (const river of rivers) {
+      river.remove();
+      await new Promise(requestAnimationFrame);
     }
   });
   await heard(events, "ready");

@@ -1,0 +1,25 @@
+//! Any outline text is refused with a reason or is its outline's one spelling; and the land of any outline has a coast
+//! that can be measured everywhere.
+#![no_main]
+
+use libfuzzer_sys::fuzz_target;
+use riverseed::land::Land;
+use riverseed::recipe::{Key, Outline, Recipe};
+use riverseed_fuzz::{check_message, check_recipe};
+
+fuzz_target!(|text: &str| {
+    let outline = match Outline::parse(text) {
+        Ok(outline) => outline,
+        Err(error) => return check_message(&error.to_string()),
+    };
+    assert_eq!(outline.to_string(), text);
+    let mut recipe = Recipe::default();
+    recipe.set(Key::Land, "drawn").expect("it is one of the lands");
+    recipe.set(Key::Outline, text).expect("it was parsed already");
+    check_recipe(&recipe);
+    let Some(land) = Land::of(&recipe) else { return assert!(outline.is_empty()) };
+    for (x, y) in (0..=10).flat_map(|x| (0..=10).map(move |y| (x, y))) {
+        let height = land.relief().height((x as f32 * 120.0, y as f32 * 80.0).into());
+        assert!(height.is_finite(), "{height} at {x}, {y}");
+    }
+});

@@ -1,0 +1,34 @@
+#!/usr/bin/env bash
+# Gives foreign input to whatever reads it, for some seconds a target, and looks for what it promises never to do.
+#
+#   scripts/fuzz.sh SECONDS [TARGET…]      no names: all in fuzz/fuzz_targets
+#
+# With a nightly Rust memory is watched too (AddressSanitizer), without, panics and broken promises are found all the same. What is
+# found lies in fuzz/artifacts, and a line that tries it again is printed; one find or more: exit code 1. New input that
+# went new ways is kept in fuzz/corpus, and the next run goes on from there.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+source scripts/env.sh
+
+seconds=${1-}
+[[ $seconds =~ ^[1-9][0-9]*$ ]] || { echo "SECONDS is '$seconds': a whole number from 1 on is needed" >&2; exit 2; }
+shift
+(($#)) || set -- $(basename -s .rs -a fuzz/fuzz_targets/*.rs)
+
+if is_rust_new "$(rustup which --toolchain nightly rustc 2>/dev/null)"; then
+  fuzz=(rustup run nightly cargo-fuzz)
+  sanitizer=address
+else
+  export RUSTC_BOOTSTRAP=1 # for the flags that count which ways are taken
+  fuzz=(cargo-fuzz)
+  sanitizer=none
+fi
+
+finds=0
+for target; do
+  mkdir -p "fuzz/corpus/$target"
+  "${fuzz[@]}" run --sanitizer "$sanitizer" "$target" "fuzz/corpus/$target" "fuzz/seeds/$target" -- \
+    -max_total_time="$seconds" -timeout=60 -rss_limit_mb=4096 -verbosity=0 -print_final_stats=1 || ((finds += 1))
+done
+echo "$# targets, of which $finds broke"
+((finds == 0))
