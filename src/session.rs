@@ -215,7 +215,8 @@ impl Session {
     }
 
     /// Goes on by so many steps at most: ticks of growth, then a few that make rivers of the tree, then rounds of meandering.
-    /// Returns whether there is more to do.
+    /// Returns whether there is more to do. No recipe is known of which a step takes more than 8
+    /// million elementary steps, as [`crate::work`] counts them, and 250 for each attractor or cell of a Brownian tree.
     pub fn advance(&mut self, steps: u32) -> bool {
         (0..steps).all(|_| self.step())
     }
@@ -238,7 +239,7 @@ impl Session {
         const BYTES_A_NODE: usize = 200;
         let Pruned { tree, .. } = self.pruned();
         let rivers = if memory::is_to_be_had(tree.len() * BYTES_A_NODE) {
-            // The strands of a Brownian tree never touch, so they do not cross.
+            // The rivers of a Brownian tree never touch, so they do not cross.
             let may_cross = self.growth.parameters().procedure == Procedure::Colonize;
             Shaping::Courses(Courses::unranked(&tree, may_cross))
         } else {
