@@ -221,7 +221,8 @@ impl Session {
     }
 
     /// Goes on by so many steps at most: ticks of growth, then a few that make rivers of the tree, then rounds of meandering.
-    /// Returns whether there is more to do.
+    /// Returns whether there is more to do. No recipe is known of which a step takes more than 8 million elementary steps, as
+    /// [`crate::work`] counts them, and 250 for each attractor or cell of a Brownian tree.
     ///
     /// # Errors
     /// If the memory for the rest of the tree, or for its rivers, is not to be had. What is there then is no picture of the
@@ -260,7 +261,7 @@ impl Session {
         ask_for_rivers(self.tree().len(), BYTES_A_NODE_TO_TRIM)?;
         let Pruned { tree, .. } = self.pruned();
         ask_for_rivers(tree.len(), BYTES_A_NODE)?;
-        // The strands of a Brownian tree never touch, so they do not cross.
+        // The rivers of a Brownian tree never touch, so they do not cross.
         let may_cross = self.growth.parameters().procedure == Procedure::Colonize;
         let rivers = Shaping::Courses(Courses::unranked(&tree, may_cross));
         Ok(Shaped { nodes: tree.len() as u32, rivers })

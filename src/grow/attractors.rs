@@ -11,6 +11,7 @@ use super::pull::{Pull, Pulls};
 use super::{GrowError, Parameters, scatter};
 use crate::land::Land;
 use crate::memory::{self, Refused};
+use crate::work;
 
 /// The owner of an attractor that no river has come near.
 pub(super) const NO_NODE: u32 = u32::MAX;
@@ -170,6 +171,7 @@ impl Attractors {
     /// together; those past the end of the row are too far away, or asked in vain.
     fn find_nearer(&mut self, at: Vec2, all_seen: bool) -> usize {
         let (columns, rows) = (self.cells_within(at.x, self.columns), self.cells_within(at.y, self.rows));
+        work::count(columns.len() * rows.len());
         let half = f32x4::splat(self.cell * 0.5);
         // Counted on, since V8 is slow to make floats of whole numbers.
         let west = f32x4::new([0.5, 1.5, 2.5, 3.5]) * self.cell + f32x4::splat(columns.start as f32 * self.cell - at.x);
@@ -253,8 +255,9 @@ impl Attractors {
     /// The attractors within reach of a point that are not used up, and who owns each.
     pub fn within_reach(&self, at: Vec2) -> impl Iterator<Item = (u32, Vec2)> {
         let squared_reach = self.reach * self.reach;
-        let columns = self.cells_within(at.x, self.columns);
-        let blocks = self.cells_within(at.y, self.rows).flat_map(move |row| {
+        let (columns, rows) = (self.cells_within(at.x, self.columns), self.cells_within(at.y, self.rows));
+        work::count(columns.len() * rows.len());
+        let blocks = rows.flat_map(move |row| {
             let (first, end) = (row * self.columns + columns.start, row * self.columns + columns.end);
             &self.blocks[self.first_block[first as usize] as usize..self.first_block[end as usize] as usize]
         });
@@ -269,11 +272,13 @@ impl Attractors {
 
     /// The owners and places of all attractors that have one and are not used up, in no order to rely on.
     pub fn remaining(&self) -> impl Iterator<Item = (u32, Vec2)> + '_ {
+        work::count(self.blocks.len());
         self.blocks.iter().flat_map(Block::owned).map(|(owner, _, at)| (owner, at))
     }
 
     /// Each owner's nearest attractor, owners ascending; of equally near ones the western, then the northern.
     pub fn nearest_by_owner(&self) -> Vec<(u32, Vec2)> {
+        work::count(self.blocks.len());
         let mut nearest: Vec<Option<(f32, Vec2)>> = Vec::new();
         for (owner, near, at) in self.blocks.iter().flat_map(Block::owned) {
             if nearest.len() <= owner as usize {

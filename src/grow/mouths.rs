@@ -6,6 +6,7 @@ use super::Parameters;
 use crate::land::{Land, Region, Shore};
 use crate::random::{Purpose, Stream};
 use crate::recipe::Sides;
+use crate::work;
 
 /// The root of a river tree.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -61,6 +62,7 @@ fn on_coast(land: &Land, coast: &[Shore], count: u32, apart: f32, chance: &mut S
     const REMOTE: f32 = 400.0;
     let mut mouths: Vec<Mouth> = Vec::new();
     for _ in 0..count {
+        work::count(CANDIDATES * (mouths.len() + 1));
         let remoteness =
             |shore: &Shore| mouths.iter().map(|mouth| mouth.at.distance(shore.at)).fold(f32::INFINITY, f32::min);
         let candidates = (0..CANDIDATES).filter_map(|_| coast.get((chance.unit() * coast.len() as f32) as usize));

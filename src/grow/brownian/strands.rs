@@ -1,9 +1,9 @@
 //! Strands of river: the line from the water toward a particle, cell by cell, and the tree that the cells make.
 //!
-//! No two strands ever touch. To be exact, of any two river cells that touch by a side or a corner, one is the other's
-//! parent or grandparent, or both have the same parent; and of the sea a strand touches nothing but its mouth and what
-//! touches that. Attachment to the nearest water sees to this nearly always, as nothing lies nearer to the line than where
-//! it begins; where rounding to cells would break it, the line ends. It follows that rivers never cut off land: all water
+//! No two strands ever touch, and no two mouths. To be exact, of any two cells of rivers, mouths included, that touch by a side
+//! or a corner, one is the other's parent or grandparent, or both have the same parent; and of the sea a strand touches nothing
+//! but its mouth and what touches that. Attachment to the nearest water sees to this nearly always, as nothing lies nearer to the line than where
+//! it begins; where rounding to cells would break it, the line ends; and beside a river no other one reaches the sea. It follows that rivers never cut off land: all water
 //! around a new cell hangs together around it, so the land there does too.
 
 use glam::{IVec2, Vec2};
@@ -67,6 +67,9 @@ impl Strands {
     pub fn draw(&mut self, target: u32, particle: Place, chance: &mut Stream) -> bool {
         let place = self.water.field.place(target);
         let node = Some(self.node_of[target as usize]).filter(|&node| node != NO_NODE);
+        if node.is_none() && self.is_beside_river(place) {
+            return false;
+        }
         let start = node.map_or(middle(place), |node| self.exact[node as usize]);
         let mut tip = Tip { place, node };
         let mut is_drawn = false;
@@ -79,6 +82,12 @@ impl Strands {
             is_drawn = true;
         }
         is_drawn
+    }
+
+    /// Whether a river lies beside a cell, or its mouth.
+    fn is_beside_river(&self, at: Place) -> bool {
+        let field = &self.water.field;
+        at.around().into_iter().any(|at| field.holds(at) && self.node_of[field.index(at)] != NO_NODE)
     }
 
     /// Whether a cell is land and touches no water but its family's.

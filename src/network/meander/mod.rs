@@ -163,13 +163,19 @@ impl Meander {
         let necks = cutoff::necks(&self.network, near, &self.parameters);
         let cuts: Vec<_> = necks
             .into_iter()
-            .filter(|cut| self.guard.is_free(&self.network, downstream, (cut.above, cut.below)))
+            .filter(|cut| self.is_on_land(cut) && self.guard.is_free(&self.network, downstream, (cut.above, cut.below)))
             .collect();
         if cuts.is_empty() {
             return false;
         }
         cutoff::cut(&mut self.network, &cuts, self.round);
         true
+    }
+
+    /// Whether a river that breaks through a neck stays on land: a loop may run round a bay, or round the end of a ridge.
+    fn is_on_land(&self, cut: &cutoff::Cut) -> bool {
+        let [above, below] = [cut.above, cut.below].map(|i| self.network.vertices[i as usize].at);
+        self.parameters.land.as_ref().is_none_or(|land| land.allows(above, below))
     }
 
     /// Lets no vertex move any more that has come too near another river, or so near its own that the neck should have

@@ -34,7 +34,7 @@ for (const colorScheme of ["light", "dark"] as const) {
         if (!frame || !caption) throw new Error("nothing to print");
         expect(frame.x).toBeGreaterThanOrEqual(0);
         expect(frame.x + frame.width).toBeLessThanOrEqual(width);
-        expect(frame.width / frame.height).toBeCloseTo(1.5, 1);
+        expect(frame.width / frame.height).toBeCloseTo(1.6, 1);
         expect(caption.y).toBeGreaterThanOrEqual(frame.y + frame.height);
         expect(caption.y + caption.height, state).toBeLessThanOrEqual(height);
       }
