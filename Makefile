@@ -16,7 +16,7 @@ SCRIPTS := scripts/*.sh scripts/lib/*.sh scripts/parts/*.sh .ci/run
 # The files in tests/ that also run as wasm, in a browser.
 WASM_TESTS := digest
 # Those that compare with committed files.
-GOLDEN_TESTS := digest golden
+GOLDEN_TESTS := digest golden schema
 
 free_port := require("net").createServer().listen(0, "127.0.0.1", function () { console.log(this.address().port); this.close() })
 
