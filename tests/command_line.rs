@@ -320,7 +320,7 @@ fn recipe_that_is_drawn_otherwise_is_named() {
     assert!(said.starts_with(&format!("{wrong}: ")) && said.ends_with(", not 0123456789abcdef\n"), "{said}");
     assert_eq!(said.lines().count(), 1);
     let verdict = String::from_utf8(output.stderr).unwrap();
-    assert_eq!(verdict, "riverseed: 1 of 2 recipes give other rivers or pixels here\n");
+    assert_eq!(verdict, "riverseed: 1 of 2 recipes give other rivers, pixels or files here\n");
 }
 
 #[test]

@@ -8,12 +8,20 @@
 #![cfg(feature = "cli")]
 
 use std::fs;
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use riverseed::recipe::{Kind, LONGEST_OUTLINE, Parameter, table::TABLE};
 use serde_json::{Map, Value, json};
 
 const SCHEMA: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/src/export/network.schema.json");
 const README: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/README.md");
+
+/// Who holds this reads or writes the files alone: a refresh writes what the other test reads.
+static FILES: Mutex<()> = Mutex::new(());
+
+fn files() -> MutexGuard<'static, ()> {
+    FILES.lock().unwrap_or_else(PoisonError::into_inner)
+}
 
 fn schema() -> Value {
     serde_json::from_str(&fs::read_to_string(SCHEMA).unwrap()).unwrap()
@@ -50,6 +58,7 @@ fn recipe_schema() -> Value {
 
 #[test]
 fn the_schema_s_recipe_is_the_table_of_parameters() {
+    let _files = files();
     let mut schema = schema();
     if std::env::var_os("RIVERSEED_REFRESH").is_some() {
         schema["$defs"]["recipe"] = recipe_schema();
@@ -80,6 +89,7 @@ fn the_readme_s_table_of_members_is_the_schema_s() {
     if !std::path::Path::new(README).exists() {
         return;
     }
+    let _files = files();
     let schema = schema();
     let members = schema["properties"].as_object().unwrap();
     let table: String = members.iter().map(|(name, member)| format!("| `{name}` | {} |\n", told(member))).collect();

@@ -14,6 +14,7 @@ use std::process::ExitCode;
 use clap::parser::ValueSource;
 use clap::{Arg, ArgAction, ArgMatches, Command, crate_version, value_parser};
 use indicatif::{ProgressBar, ProgressStyle};
+use riverseed::digest::DigestError;
 use riverseed::domain::Domain;
 use riverseed::export;
 use riverseed::import;
@@ -53,6 +54,8 @@ enum Failure {
     Recipe(#[from] RecipeError),
     #[error(transparent)]
     Session(#[from] SessionError),
+    #[error(transparent)]
+    Digest(#[from] DigestError),
     #[error("{}: the ending of the output is none of .png, .svg, .geojson, .json", path.display())]
     Ending { path: PathBuf },
     #[error("{option} does not go with {ending}")]
@@ -61,7 +64,7 @@ enum Failure {
     File { path: PathBuf, error: io::Error },
     #[error("{}: {reason}", path.display())]
     Picture { path: PathBuf, reason: String },
-    #[error("{differing} of {all} recipes give other rivers or pixels here")]
+    #[error("{differing} of {all} recipes give other rivers, pixels or files here")]
     Differs { differing: usize, all: usize },
     #[error(transparent)]
     Output(#[from] io::Error),
@@ -71,9 +74,12 @@ impl Failure {
     fn exit_code(&self) -> ExitCode {
         match self {
             Self::Recipe(_) | Self::Ending { .. } | Self::Mismatch { .. } => ExitCode::from(2),
-            Self::Session(_) | Self::File { .. } | Self::Picture { .. } | Self::Differs { .. } | Self::Output(_) => {
-                ExitCode::FAILURE
-            }
+            Self::Session(_)
+            | Self::Digest(_)
+            | Self::File { .. }
+            | Self::Picture { .. }
+            | Self::Differs { .. }
+            | Self::Output(_) => ExitCode::FAILURE,
         }
     }
 

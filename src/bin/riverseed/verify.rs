@@ -37,7 +37,7 @@ pub fn verify(path: Option<&Path>) -> Result<(), Failure> {
     }
     writeln!(
         io::stdout(),
-        "the same bits: {all} of {all} recipes give the rivers and pixels that they give everywhere"
+        "the same bits: {all} of {all} recipes give the rivers, pixels and files that they give everywhere"
     )?;
     Ok(())
 }
