@@ -46,8 +46,7 @@ const MOST_ACTS: usize = 12;
 const MOST_STEPS: u32 = 100_000;
 
 fuzz_target!(|play: Play| {
-    let mut recipe = Recipe::default();
-    recipe.set(Key::Attractors, "200").expect("it is in range");
+    let mut recipe = small();
     for choice in play.recipe.iter().take(MOST_ACTS) {
         choose(&mut recipe, choice);
     }
@@ -65,6 +64,14 @@ fuzz_target!(|play: Play| {
     assert!(session.pixmap().data() == fresh.pixmap().data(), "another picture");
     check_files(&session);
 });
+
+/// Defaults, where they do not take long.
+fn small() -> Recipe {
+    let mut recipe = Recipe::default();
+    recipe.set(Key::Attractors, "200").expect("it is in range");
+    recipe.set(Key::Sensitivity, "50").expect("it is in range");
+    recipe
+}
 
 fn choose(recipe: &mut Recipe, Choice { parameter, value }: &Choice) {
     let parameter = &TABLE[usize::from(*parameter) % TABLE.len()];

@@ -46,7 +46,7 @@ pub struct Colonize {
     /// Where rivers reach the sea.
     mouths: Vec<Vec2>,
     /// For a mouth more, once one has been searched for.
-    search: Option<Search>,
+    search: Option<Box<Search>>,
     unreached: u32,
     node_limit: usize,
     ending: Option<Ending>,
@@ -288,11 +288,11 @@ impl Colonize {
             let is_lost = |&(owner, place): &(u32, Vec2)| owner == NO_NODE && parameters.sees(shore, place);
             attractors.within_reach(shore).filter(is_lost).count() as u32
         };
-        search.get_or_insert_with(|| Search::among(shores(parameters))).go_on(seen_from)
+        search.get_or_insert_with(|| Box::new(Search::among(shores(parameters)))).go_on(seen_from)
     }
 
     fn is_searching(&self) -> bool {
-        self.search.as_ref().is_some_and(Search::is_under_way)
+        self.search.as_ref().is_some_and(|search| search.is_under_way())
     }
 
     /// Whether most attractors are left.

@@ -11,10 +11,12 @@ teardown() {
   [[ ! -e $machine/helper ]] || kill "$(cat "$machine/helper")"
 }
 
-# until_said FILE TEXT PID: waits until a command has said something, or has ended.
-until_said() {
-  until grep -q "$2" "$1"; do
-    kill -0 "$3" 2>/dev/null || return 1
+# eventually PID CONDITION…: waits until a condition holds. Fails if the process that is to bring it about has ended, or
+# takes minutes, which is for ever.
+eventually() {
+  local tries=2000
+  until "${@:2}"; do
+    kill -0 "$1" && ((--tries)) || return 1
     sleep 0.05
   done
 }
@@ -26,7 +28,7 @@ until_said() {
   flock 8
   on_machine "$checkout/scripts/setup.sh" rust >"$machine/said" 2>&1 8>&- &
   local second=$!
-  until_said "$machine/said" "another set-up is at work" $second
+  eventually $second grep -q "another set-up is at work" "$machine/said"
   exec 8>&-
   wait $second
 }
@@ -62,13 +64,10 @@ until_said() {
   touch "$machine/hold"
   on_machine make -C "$checkout" wasm >"$machine/first" 2>&1 &
   local first=$!
-  until [[ -e $machine/building ]]; do
-    kill -0 $first || return 1
-    sleep 0.05
-  done
+  eventually $first test -e "$machine/building"
   on_machine make -C "$checkout" wasm >"$machine/second" 2>&1 &
   local second=$!
-  until_said "$machine/second" "another build of the wasm packages is at work" $second
+  eventually $second grep -q "another build of the wasm packages is at work" "$machine/second"
   touch "$machine/release"
   wait $first
   wait $second

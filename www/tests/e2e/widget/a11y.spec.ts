@@ -5,6 +5,8 @@ import type { AxeResults } from "axe-core";
 import { expect, type Host, test } from "./hosts.ts";
 import { type Heard, heard, listen, post } from "./post.ts";
 
+type RiverSeed = HTMLElementTagNameMap["river-seed"];
+
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 
 async function violations(page: Page): Promise<string[]> {
@@ -59,11 +61,16 @@ test("axe finds nothing in a failure, and in forced colours", async ({ page, blo
 });
 
 test("the picture is an image with a name that is true of it", async ({ page, blog }) => {
+  // So that it is not finished before it was looked at.
+  await page.addInitScript(() => {
+    document.addEventListener("ready", ({ target }) => (target as RiverSeed).pause(), true);
+  });
   const events = await open(page, blog, `<river-seed ${SMALL} lang="de"></river-seed>`);
   await heard(events, "ready");
   await expect(
     page.getByRole("img", { name: "River network grown from the seed “rimu”: still growing." }),
   ).toBeVisible();
+  await page.locator("river-seed").evaluate((river: RiverSeed) => river.play());
   const { detail } = await heard(events, "complete");
   const { mouths, sources } = detail["summary"] as { mouths: number; sources: number };
   const name = `River network grown from the seed “rimu”: ${mouths} rivers, ${sources} sources`;
