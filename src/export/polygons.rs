@@ -21,8 +21,8 @@ pub(super) fn polygons(line: &[GridPoint]) -> Vec<Vec<Ring>> {
         min_output_area: 0,
         ogc: true,
     };
-    let contour: Vec<IntPoint<i32>> = line.iter().map(|&[x, y]| IntPoint::new(x, y)).collect();
-    let closed = |ring: Vec<IntPoint<i32>>| ring.iter().chain(ring.first()).map(|at| [at.x, at.y]).collect();
+    let contour: Vec<IntPoint> = line.iter().map(|&[x, y]| IntPoint::new(x, y)).collect();
+    let closed = |ring: Vec<IntPoint>| ring.iter().chain(ring.first()).map(|at| [at.x, at.y]).collect();
     contour
         .simplify(FillRule::NonZero, options)
         .into_iter()
@@ -34,30 +34,44 @@ pub(super) fn polygons(line: &[GridPoint]) -> Vec<Vec<Ring>> {
 mod tests {
     use super::*;
 
+    /// The polygons, each ring begun at its least point.
+    fn ordered(line: &[GridPoint]) -> Vec<Vec<Ring>> {
+        let turned = |ring: &Ring| {
+            let mut ring = ring[1..].to_vec();
+            let least = (0..ring.len()).min_by_key(|&i| ring[i]).unwrap_or(0);
+            ring.rotate_left(least);
+            ring
+        };
+        polygons(line).iter().map(|rings| rings.iter().map(turned).collect()).collect()
+    }
+
+    const SQUARE: [GridPoint; 4] = [[0, 0], [9, 0], [9, 9], [0, 9]];
+
     #[test]
     fn clockwise_line_becomes_a_counterclockwise_ring() {
-        let square = [[0, 0], [0, 9], [9, 9], [9, 0]];
-        assert_eq!(polygons(&square), [[vec![[0, 0], [9, 0], [9, 9], [0, 9], [0, 0]]]]);
+        assert_eq!(ordered(&[[0, 0], [0, 9], [9, 9], [9, 0]]), [[SQUARE]]);
+        let closed = &polygons(&SQUARE)[0][0];
+        assert!(closed.len() == 5 && closed.first() == closed.last());
     }
 
     #[test]
     fn side_that_folds_back_is_left_out() {
-        let flag = [[0, 0], [9, 0], [20, 0], [9, 0], [9, 9], [0, 9]];
-        assert_eq!(polygons(&flag), [[vec![[0, 0], [9, 0], [9, 9], [0, 9], [0, 0]]]]);
+        assert_eq!(ordered(&[[0, 0], [9, 0], [20, 0], [9, 0], [9, 9], [0, 9]]), [[SQUARE]]);
         assert_eq!(polygons(&[[0, 0], [9, 0], [20, 0], [9, 0]]), Vec::<Vec<Ring>>::new());
+        assert_eq!(polygons(&[]), Vec::<Vec<Ring>>::new());
     }
 
     #[test]
     fn line_that_crosses_itself_becomes_two_polygons() {
-        let eight = [[0, 0], [8, 8], [8, 0], [0, 8]];
-        let rings: Vec<Vec<Ring>> = polygons(&eight);
-        assert!(rings.len() == 2 && rings.iter().all(|rings| rings.len() == 1 && rings[0].len() == 4), "{rings:?}");
+        let eight = ordered(&[[0, 0], [8, 8], [8, 0], [0, 8]]);
+        assert_eq!(eight.iter().flatten().count(), 2, "{eight:?}");
+        assert!(eight.contains(&vec![vec![[0, 0], [4, 4], [0, 8]]]), "{eight:?}");
+        assert!(eight.contains(&vec![vec![[4, 4], [8, 0], [8, 8]]]), "{eight:?}");
     }
 
     #[test]
     fn line_that_comes_back_to_its_beginning_has_a_hole() {
-        let round = [[0, 0], [9, 0], [9, 9], [0, 9], [0, 0], [0, 9], [3, 6], [3, 3], [6, 3], [6, 6], [3, 6], [0, 9]];
-        let rings = polygons(&round);
-        assert!(rings.len() == 1 && rings[0].len() == 2, "{rings:?}");
+        let round = [[0, 9], [0, 0], [9, 0], [9, 9], [0, 9], [3, 6], [6, 6], [6, 3], [3, 3], [3, 6]];
+        assert_eq!(ordered(&round), [[SQUARE.to_vec(), vec![[3, 3], [3, 6], [6, 6], [6, 3]]]]);
     }
 }
