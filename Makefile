@@ -100,8 +100,9 @@ test-package: tarball ## the npm package, as its users have it: in Node, with fr
 	@PORT=$$(node -e '$(free_port)') $(npm) package:e2e
 
 .PHONY: check
-check: widget ## format, lints, types, documentation and weights: not one warning
-	@$(setup) lint
+check: widget ## format, lints, types, documentation, weights and licences: not one warning
+	@$(setup) lint supply
+	$(run) scripts/supply.sh check
 	@$(run) node scripts/wasm.mjs weigh
 	@$(npm) weigh
 	$(run) shellcheck --external-sources scripts/*.sh .ci/run tests/scripts/*.bats tests/scripts/stand-ins/*
@@ -141,6 +142,11 @@ bench: site widget ## the figures that the README quotes: natively, as wasm in N
 	@$(setup) browser
 	@$(run) node scripts/wasm.mjs figures
 	@$(run) node benches/run.mjs
+
+.PHONY: notices
+notices: ## write THIRD-PARTY.txt, the notices of the crates that are handed out, after a change of Cargo.lock
+	@$(setup) supply
+	@$(run) scripts/supply.sh notices
 
 .PHONY: goldens
 goldens: ## draw the golden pictures and digests anew; then look at them and say in the commit why they changed

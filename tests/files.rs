@@ -114,12 +114,12 @@ fn mouth(network: &Network, river: u32) -> u32 {
 }
 
 /// The vertices of a river, source first, the junction last if it ends in one.
-fn course(network: &Network, river: &River) -> Vec<usize> {
+fn course(river: &River) -> Vec<usize> {
     river.own().chain((river.joins != NONE).then_some(river.joins as usize)).collect()
 }
 
 fn line(network: &Network, river: &River) -> Vec<DVec2> {
-    course(network, river).into_iter().map(|vertex| network.vertices[vertex].at.as_dvec2()).collect()
+    course(river).into_iter().map(|vertex| network.vertices[vertex].at.as_dvec2()).collect()
 }
 
 fn length(line: &[DVec2]) -> f64 {
@@ -134,13 +134,13 @@ fn heights(session: &Session) -> Vec<f64> {
     // A river stands before those that join it, but for what a cutoff has given to another.
     while heights.iter().any(|height| height.is_nan()) {
         for river in &network.rivers {
-            let course = course(network, river);
+            let course = course(river);
             for pair in course.windows(2).rev() {
                 let [upper, lower] = [pair[0], pair[1]];
                 let way = network.vertices[upper].at.as_dvec2().distance(network.vertices[lower].at.as_dvec2());
                 // Even a river that drains nothing drains a millionth.
                 let share = (f64::from(network.vertices[upper].discharge) / all).max(1e-6);
-                let slope = 3e-4 * share.powf(-0.4);
+                let slope = 3e-4 * libm::pow(share, -0.4);
                 if lower + 1 == river.end as usize && river.joins == NONE {
                     heights[lower] = 0.0;
                 }
@@ -208,7 +208,7 @@ fn geojson_s_lines_lie_where_the_rivers_are_north_up_and_to_scale() {
     of_all(|session| {
         let (file, network, heights) = (geojson(session), session.network().unwrap(), heights(session));
         for (river, feature) in network.rivers.iter().zip(list(&file["features"])) {
-            let vertices = course(network, river);
+            let vertices = course(river);
             let line = list(&feature["geometry"]["coordinates"]);
             assert_eq!(line.len(), vertices.len().max(2));
             for (written, &vertex) in line.iter().zip(&vertices) {
@@ -513,7 +513,7 @@ fn json_s_rivers_and_lakes_are_the_network_s() {
             assert_eq!(names(written), ["id", "parent", "order", "magnitude", "discharge", "points"]);
             assert_eq!((written["id"].as_u64(), written["parent"].as_u64()), (Some(id as u64), some(river.parent)));
             assert_eq!((&written["order"], &written["magnitude"]), (&orders[id].into(), &magnitudes[id].into()));
-            let course: Vec<_> = course(network, river).into_iter().map(|i| network.vertices[i]).collect();
+            let course: Vec<_> = course(river).into_iter().map(|i| network.vertices[i]).collect();
             assert_eq!(written["discharge"], network.vertices[river.own()].last().unwrap().discharge);
             let expected = course.iter().map(|vertex| [vertex.at.x, vertex.at.y, vertex.left + vertex.right]);
             assert_eq!(points(&written["points"]), expected.collect::<Vec<_>>());

@@ -1,4 +1,5 @@
 import { defineConfig } from "vite";
+import { papers } from "./build/papers.ts";
 import { contentSecurityPolicy } from "./build/policy.ts";
 import { preloadEngine } from "./build/preload.ts";
 import { wholeAddresses } from "./build/social.ts";
@@ -13,6 +14,7 @@ export default defineConfig({
     preloadEngine("index.html"),
     wholeAddresses(process.env["RIVERSEED_SITE"]),
     widgetFiles(),
+    papers(),
   ],
   // The digest page imports tests/digest.txt, one folder up.
   server: { fs: { allow: [".."] } },

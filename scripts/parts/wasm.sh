@@ -98,14 +98,14 @@ wrap_debian_rust() {
 # shellcheck disable=SC2016
 wrapper() { printf '#!/bin/sh\nhome=$(dirname "$(dirname "$(readlink -f "$0")")")\n%s\n' "$1"; }
 
-# cargo_tool CRATE VERSION MINUTES COMMAND…: exactly this version of all its commands.
+# [features=NAMES] cargo_tool CRATE VERSION MINUTES COMMAND…: exactly this version of all its commands.
 cargo_tool() {
   has_tools "$2" "${@:4}" && return
   say "compiling $1 $2 (about $3 minutes)"
   # Light optimisation: these programs run for a second. First with the crate's own lock file, then without, for a
   # registry that lacks a version it names.
   local install=(env CARGO_PROFILE_RELEASE_OPT_LEVEL=1 CARGO_PROFILE_RELEASE_LTO=off
-    CARGO_PROFILE_RELEASE_CODEGEN_UNITS=16 cargo install --quiet --force --root "$RIVERSEED_CACHE/tools" "$1@$2")
+    CARGO_PROFILE_RELEASE_CODEGEN_UNITS=16 cargo install --quiet --force --root "$RIVERSEED_CACHE/tools" "$1@$2" ${features:+--features "$features"})
   "${install[@]}" --locked 2>/dev/null || "${install[@]}" || die "$1 $2 could not be installed: see cargo's words above."
   has_tools "$2" "${@:4}" || die "$1 $2 was installed, but does not answer: look at $RIVERSEED_CACHE/tools/bin."
 }
