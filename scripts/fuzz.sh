@@ -28,7 +28,7 @@ finds=0
 for target; do
   mkdir -p "fuzz/corpus/$target"
   "${fuzz[@]}" run --sanitizer "$sanitizer" "$target" "fuzz/corpus/$target" "fuzz/seeds/$target" -- \
-    -max_total_time="$seconds" -timeout=300 -rss_limit_mb=4096 -verbosity=0 -print_final_stats=1 || ((finds += 1))
+    -max_total_time="$seconds" -timeout=300 -rss_limit_mb=4096 -verbosity=0 -print_funcs=0 -print_final_stats=1 || ((finds += 1))
 done
 echo "$# targets, of which $finds broke"
 ((finds == 0))
