@@ -13,7 +13,11 @@ source scripts/env.sh
 seconds=${1-}
 [[ $seconds =~ ^[1-9][0-9]*$ ]] || { echo "SECONDS is '$seconds': a whole number from 1 on is needed" >&2; exit 2; }
 shift
-(($#)) || set -- $(basename -s .rs -a fuzz/fuzz_targets/*.rs)
+if ((! $#)); then
+  set -- fuzz/fuzz_targets/*.rs
+  set -- "${@##*/}"
+  set -- "${@%.rs}"
+fi
 
 if is_rust_new "$(rustup which --toolchain nightly rustc 2>/dev/null)"; then
   fuzz=(rustup run nightly cargo-fuzz)
@@ -28,7 +32,7 @@ finds=0
 for target; do
   mkdir -p "fuzz/corpus/$target"
   "${fuzz[@]}" run --sanitizer "$sanitizer" "$target" "fuzz/corpus/$target" "fuzz/seeds/$target" -- \
-    -max_total_time="$seconds" -timeout=300 -rss_limit_mb=4096 -verbosity=0 -print_final_stats=1 || ((finds += 1))
+    -max_total_time="$seconds" -timeout=300 -rss_limit_mb=4096 -verbosity=0 -print_funcs=0 -print_final_stats=1 || ((finds += 1))
 done
 echo "$# targets, of which $finds broke"
 ((finds == 0))

@@ -259,11 +259,11 @@ const FOUND_BY_CHANCE: [(&str, u32); 6] = [
         1,
     ),
     (
-        "seed=a&growth=colonize&sensitivity=40&apart=0&land=rectangle&outline=&sea=0.100&rough=0.000&aspect=0.250&mouths=1&sides=n&attractors=100&scatter=random&reach=2.100&kill=0.500&step=0.200&momentum=0.000&curl=0.000&stretch=1&trim=0&width=1.00&style=ink&simplify=16&vary=0.000&meander=bend&meander-rounds=131&meander-strength=0.748&meander-mix=0.996&gentle=0.000&great=1&flat=0.714&neck=1.00&buffer=5.86&taper=10.87",
+        "seed=a&growth=colonize&sensitivity=40&apart=0&land=rectangle&outline=&sea=0.100&rough=0.000&aspect=0.250&mouths=1&sides=n&attractors=100&scatter=random&reach=2.100&kill=0.500&step=0.200&momentum=0.000&curl=0.000&stretch=1&trim=0&width=1.00&style=ink&simplify=16&vary=0.000&meander=bend&meander-rounds=131&meander-strength=0.748&meander-mix=0.996&gentle=0.000&great=1&flat=0.714&neck=1.00&buffer=1&taper=10.87",
         1,
     ),
     (
-        "seed=fgycr&growth=colonize&sensitivity=40&apart=0&land=island&outline=&sea=0.513&rough=0.052&aspect=1.729&mouths=21&sides=n&attractors=200&scatter=grid&reach=11.217&kill=0.500&step=0.483&momentum=0.731&curl=0.000&stretch=1&trim=0&width=1.00&style=ink&simplify=36&vary=0.000&meander=flow&meander-rounds=39&meander-strength=0.736&meander-mix=0.000&gentle=0.984&great=0&flat=0.000&neck=2.06&buffer=5.03&taper=8.48",
+        "seed=fgycr&growth=colonize&sensitivity=40&apart=0&land=island&outline=&sea=0.513&rough=0.052&aspect=1.729&mouths=21&sides=n&attractors=200&scatter=grid&reach=11.217&kill=0.500&step=0.483&momentum=0.731&curl=0.000&stretch=1&trim=0&width=1.00&style=ink&simplify=36&vary=0.000&meander=flow&meander-rounds=39&meander-strength=0.736&meander-mix=0.000&gentle=0.984&great=0&flat=0.000&neck=2.06&buffer=1&taper=8.48",
         1,
     ),
     (
