@@ -6,17 +6,11 @@ have() { command -v "$1" >/dev/null; }
 # Whether version $1 is at least version $2. No version at all is not.
 at_least() { [[ -n $1 && $(printf '%s\n' "$1" "$2" | sort -V | head -n 1) == "$2" ]]; }
 
-<<<<<<< HEAD
 # The version that a program says it has; nothing if it is not there or does not run. Some that cargo starts have to be
 # asked as cargo asks them.
 version_of() {
-  { "$1" --version || { [[ $1 == cargo-* ]] && "$1" "${1#cargo-}" --version; }; } 2>/dev/null |
+  { "$1" --version || { [[ $1 == cargo-* ]] && "$1" "${1#cargo-}" --version; } || true; } 2>/dev/null |
     sed -n 's/^[^0-9]*\([0-9][0-9]*\.[0-9][0-9.]*\).*/\1/p' | head -n 1
-=======
-# The version that a program says it has; nothing if it is not there or does not run.
-version_of() {
-  { "$1" --version 2>/dev/null || true; } | sed -n 's/^[^0-9]*\([0-9][0-9]*\.[0-9][0-9.]*\).*/\1/p' | head -n 1
->>>>>>> main
 }
 
 # The first text in file $2 that looks like `$1 = "…"`.
