@@ -10,13 +10,10 @@ wasm := scripts/env.sh --wasm
 npm := $(run) npm --silent --prefix www run
 wasm32 := --target wasm32-unknown-unknown --no-default-features
 
-# The scripts; what they source is read with them.
-SCRIPTS := scripts/*.sh scripts/lib/*.sh scripts/parts/*.sh .ci/run
-
 # The files in tests/ that also run as wasm, in a browser.
 WASM_TESTS := digest
 # Those that compare with committed files.
-GOLDEN_TESTS := digest golden
+GOLDEN_TESTS := digest golden schema
 
 free_port := require("net").createServer().listen(0, "127.0.0.1", function () { console.log(this.address().port); this.close() })
 
@@ -60,7 +57,7 @@ test: test-scripts test-rust test-wasm test-page test-browser test-firefox test-
 .PHONY: test-scripts
 test-scripts: ## what set-up and builds decide, with stand-ins for apt, rustup, npm and the like
 	@$(setup) node
-	$(run) bats tests/scripts
+	$(run) www/node_modules/bats/bin/bats tests/scripts
 
 .PHONY: test-rust
 test-rust: ## the core, natively
@@ -90,6 +87,11 @@ test-firefox: site ## the page in a second engine
 	@$(setup) firefox
 	$(npm) firefox
 
+.PHONY: test-arch
+test-arch: ## the same rivers and pixels on 64-bit ARM, in an emulator; not part of `make test`
+	@$(setup) rust
+	scripts/arch.sh
+
 .PHONY: test-package
 test-package: tarball ## the npm package, as its users have it: in Node, with frameworks, in two browsers
 	@$(setup) browser firefox
@@ -98,11 +100,12 @@ test-package: tarball ## the npm package, as its users have it: in Node, with fr
 	@PORT=$$(node -e '$(free_port)') $(npm) package:e2e
 
 .PHONY: check
-check: widget ## format, lints, types, documentation and weights: not one warning
-	@$(setup) lint
+check: widget ## format, lints, types, documentation, weights and licences: not one warning
+	@$(setup) lint supply
+	$(run) scripts/supply.sh check
 	@$(run) node scripts/wasm.mjs weigh
 	@$(npm) weigh
-	$(run) shellcheck $(SCRIPTS)
+	$(run) shellcheck --external-sources scripts/*.sh .ci/run tests/scripts/*.bats tests/scripts/stand-ins/*
 	$(run) cargo fmt --check
 	$(run) cargo fmt --check --manifest-path fuzz/Cargo.toml
 	$(run) cargo clippy --quiet --all-targets --all-features -- -D warnings
@@ -141,6 +144,11 @@ bench: site widget ## the figures that the README quotes: natively, as wasm in N
 	@$(setup) browser
 	@$(run) node scripts/wasm.mjs figures
 	@$(run) node benches/run.mjs
+
+.PHONY: notices
+notices: ## write THIRD-PARTY.txt, the notices of the crates that are handed out, after a change of Cargo.lock
+	@$(setup) supply
+	@$(run) scripts/supply.sh notices
 
 .PHONY: goldens
 goldens: ## draw the golden pictures and digests anew; then look at them and say in the commit why they changed

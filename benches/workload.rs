@@ -273,7 +273,7 @@ fn bends_of(model: &str, measure: &str, percent: usize) -> Option<Repetition> {
     let mut all: Vec<f32> = (0..20)
         .filter_map(|seed| {
             let mut session = Session::new(recipe(&format!("seed={seed}&{link}"))?, 1, 1).ok()?;
-            session.advance(u32::MAX);
+            session.advance(u32::MAX).ok()?;
             Some(bends::bends(session.network()?).iter().map(measure).collect::<Vec<f32>>())
         })
         .flatten()
@@ -287,15 +287,14 @@ fn bends_of(model: &str, measure: &str, percent: usize) -> Option<Repetition> {
 fn late(one: &str, other: &str) -> Option<Repetition> {
     let recipes = [recipe(one)?, recipe(other)?];
     let mut session = Session::new(recipes[0].clone(), SIDE, SIDE).ok()?;
-    session.advance(u32::MAX);
+    session.advance(u32::MAX).ok()?;
     session.paint();
     let mut turn = 0;
     Some(Box::new(move || {
         turn = 1 - turn;
-        if session.change(recipes[turn].clone()).is_err() {
+        if session.change(recipes[turn].clone()).is_err() || session.advance(u32::MAX).is_err() {
             return 0;
         }
-        session.advance(u32::MAX);
         session.paint();
         session.network().map_or(0, |network| network.rivers.len() as u32)
     }))
@@ -421,24 +420,24 @@ fn changes(one: &str, other: &str, attractors: u32, common: &str) -> Option<Repe
     };
     let recipes = [recipe(one)?, recipe(other)?];
     let mut session = Session::new(recipes[0].clone(), SIDE, SIDE).ok()?;
-    grow(&mut session);
+    grow(&mut session)?;
     let mut turn = 0;
     Some(Box::new(move || {
         turn = 1 - turn;
-        if session.change(recipes[turn].clone()).is_err() {
+        if session.change(recipes[turn].clone()).is_err() || grow(&mut session).is_none() {
             return 0;
         }
-        grow(&mut session);
         session.paint();
         session.tree().len() as u32
     }))
 }
 
-/// Grows the tree, of which rivers are made in the frames that follow.
-fn grow(session: &mut Session) {
+/// Grows the tree, of which rivers are made in the frames that follow; `None` if there is no memory for it.
+fn grow(session: &mut Session) -> Option<()> {
     while session.growth().ending().is_none() {
-        session.advance(1);
+        session.advance(1).ok()?;
     }
+    Some(())
 }
 
 /// How many bytes of a picture painted while it grew differ from the picture painted at once.
@@ -450,7 +449,7 @@ fn differing_bytes() -> Option<u32> {
         while session.growth().ending().is_none() {
             for _ in 0..ticks {
                 if session.growth().ending().is_none() {
-                    session.advance(1);
+                    session.advance(1).ok()?;
                 }
             }
             session.paint();

@@ -12,7 +12,9 @@ RIVERSEED_ROOT=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 export RIVERSEED_ROOT
 export RIVERSEED_CACHE=${XDG_CACHE_HOME:-$HOME/.cache}/riverseed
 
+# shellcheck source=scripts/lib/versions.sh
 source "$RIVERSEED_ROOT/scripts/lib/versions.sh"
+# shellcheck source=scripts/lib/rust.sh
 source "$RIVERSEED_ROOT/scripts/lib/rust.sh"
 
 # Our tools come first, since their versions are pinned; rustup's folder comes last, for shells that have not read

@@ -6,7 +6,7 @@
 //   node scripts/packages.mjs stamp     notes that npm has just installed them, here
 
 import { createHash } from "node:crypto";
-import { readFileSync, renameSync, writeFileSync } from "node:fs";
+import { mkdirSync, readFileSync, renameSync, writeFileSync } from "node:fs";
 import { arch, platform, versions } from "node:process";
 
 const FOLDER = new URL("../www/", import.meta.url);
@@ -54,6 +54,7 @@ function read(file) {
 /** A new file: the folder may be a copy whose files are shared with the first. */
 function stamp() {
   const fresh = new URL(".installed.json.new", STAMP);
+  mkdirSync(new URL(".", STAMP), { recursive: true });
   writeFileSync(fresh, JSON.stringify({ lock, system }));
   renameSync(fresh, STAMP);
 }

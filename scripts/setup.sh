@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
 # Gets what is missing and mends what is broken; leaves alone what serves. A second run takes a few seconds.
 #
-#   scripts/setup.sh [rust] [lint] [wasm] [node] [browser] [firefox]      no names: all of these
+#   scripts/setup.sh [rust] [lint] [supply] [wasm] [node] [browser] [firefox]      no names: all of these
 #   scripts/setup.sh [fuzz] [mutants]
 #
 #   rust      a compiler as new as Cargo.toml asks, and a linker
 #   lint      rustfmt and clippy, and shellcheck
+#   supply    what reads the licences of the crates: cargo-about and cargo-deny
 #   wasm      the wasm32 target, wasm-bindgen (the version in Cargo.lock) and wasm-pack (the one in wasm-pack.toml)
 #   node      Node.js, and the packages of www/package-lock.json
 #   browser   Chromium and its driver
@@ -18,7 +19,12 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 source scripts/env.sh
-for file in scripts/lib/{apt,lock}.sh scripts/parts/*.sh; do source "$file"; done
+source scripts/lib/lock.sh
+source scripts/lib/apt.sh
+source scripts/parts/rust.sh
+source scripts/parts/wasm.sh
+source scripts/parts/node.sh
+source scripts/parts/browsers.sh
 
 say() { printf '\033[1msetup:\033[0m %s\n' "$*"; }
 die() {
@@ -27,10 +33,10 @@ die() {
 }
 
 main() {
-  (($#)) || set -- rust lint wasm node browser firefox
+  (($#)) || set -- rust lint supply wasm node browser firefox
   local part
   for part; do
-    declare -F "setup_$part" >/dev/null || die "no part is called '$part': rust, lint, wasm, node, browser, firefox, fuzz, mutants"
+    declare -F "setup_$part" >/dev/null || die "no part is called '$part': rust, lint, supply, wasm, node, browser, firefox, fuzz, mutants"
     "setup_$part"
   done
 }

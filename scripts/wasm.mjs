@@ -92,7 +92,7 @@ function stampOf(dir) {
  */
 function hidingFolders() {
   const known = ["--locked", "--format-version", "1", "--filter-platform", "wasm32-unknown-unknown"];
-  const crates = JSON.parse(ask("cargo", "metadata", ...known)).packages.filter((one) => one.source !== null);
+  const crates = JSON.parse(ask("cargo", "metadata", "--quiet", ...known)).packages.filter((one) => one.source !== null);
   // Where they are depends on the registry, which may be replaced, or be a folder of the checkout.
   const folders = new Set(crates.map((one) => dirname(dirname(one.manifest_path))));
   const remaps = [...folders].sort().map((folder) => `--remap-path-prefix=${folder}=crates`);

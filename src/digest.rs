@@ -1,5 +1,8 @@
-//! A digest of everything a recipe decides: what proves that two machines draw the same.
+//! A digest of everything a recipe decides: what proves that two machines draw and write the same.
 
+use thiserror::Error;
+
+use crate::export::{ExportError, Value, geojson, json, svg};
 use crate::network::Vertex;
 use crate::prune::Pruned;
 use crate::recipe::Recipe;
@@ -8,14 +11,26 @@ use crate::session::{Session, SessionError};
 /// The pixel width of the picture that goes into a digest.
 const WIDTH: u32 = 160;
 
-/// Grows and paints a recipe and returns the FNV-1a hash (64 bits) of its tree, its hydrology, its rivers and its pixels, as 16
-/// hexadecimal digits.
+/// Why there is no digest.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[non_exhaustive]
+pub enum DigestError {
+    /// The recipe cannot be shown.
+    #[error(transparent)]
+    Session(#[from] SessionError),
+    /// Its files cannot be written.
+    #[error(transparent)]
+    Export(#[from] ExportError),
+}
+
+/// Grows, paints and exports a recipe and returns the FNV-1a hash (64 bits) of its tree, its hydrology, its rivers, its pixels, the
+/// text of its SVG and all that its GeoJSON and its JSON hold, as 16 hexadecimal digits.
 ///
 /// # Errors
 /// If the memory is not to be had.
-pub fn digest(recipe: &Recipe) -> Result<String, SessionError> {
+pub fn digest(recipe: &Recipe) -> Result<String, DigestError> {
     let mut session = Session::new(recipe.clone(), WIDTH, WIDTH)?;
-    while session.advance(u32::MAX) {}
+    while session.advance(u32::MAX)? {}
     session.paint();
     let mut hash = Fnv1a::new();
     let Pruned { tree, hydrology, origin } = session.pruned();
@@ -37,6 +52,9 @@ pub fn digest(recipe: &Recipe) -> Result<String, SessionError> {
         });
     }
     hash.bytes(session.pixmap().data());
+    hash.bytes(svg::svg(&session)?.as_bytes());
+    hash.value(&geojson::collection(&session)?);
+    hash.value(&json::network(&session, true)?);
     Ok(format!("{:016x}", hash.0))
 }
 
@@ -53,5 +71,42 @@ impl Fnv1a {
 
     fn words(&mut self, words: impl IntoIterator<Item = u32>) {
         words.into_iter().for_each(|word| self.bytes(&word.to_le_bytes()));
+    }
+
+    /// A text, with its length, so that no two texts in a row are another two.
+    fn text(&mut self, text: &str) {
+        self.words([7, text.len() as u32]);
+        self.bytes(text.as_bytes());
+    }
+
+    /// What a file holds, before it is written: programs write a number's shortest decimals as a float of 32 bits, pages as one of
+    /// 64, but both write the same numbers. Each kind of value begins with a number of its own.
+    fn value(&mut self, value: &Value) {
+        match value {
+            Value::Null => self.words([0]),
+            Value::Truth(truth) => self.words([1, u32::from(*truth)]),
+            Value::Whole(number) => {
+                self.words([2]);
+                self.bytes(&number.to_le_bytes());
+            }
+            Value::Single(number) => self.words([3, number.to_bits()]),
+            Value::Double(number) => {
+                self.words([4]);
+                self.bytes(&number.to_le_bytes());
+            }
+            Value::Text(text) => self.text(text),
+            Value::Owned(text) => self.text(text),
+            Value::Object(members) => {
+                self.words([5, members.len() as u32]);
+                members.iter().for_each(|(name, value)| {
+                    self.text(name);
+                    self.value(value);
+                });
+            }
+            Value::List(count, item) => {
+                self.words([6, *count as u32]);
+                (0..*count).for_each(|i| self.value(&item(i)));
+            }
+        }
     }
 }

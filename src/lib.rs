@@ -53,3 +53,4 @@ mod thin;
 pub mod tree;
 #[cfg(target_arch = "wasm32")]
 pub mod web;
+pub mod work;

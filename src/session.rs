@@ -20,6 +20,14 @@ pub enum SessionError {
     /// It cannot be painted.
     #[error(transparent)]
     Paint(#[from] PaintError),
+    /// The memory to make rivers of its tree was not to be had.
+    #[error("attractors: rivers of {nodes} nodes need about {megabytes} MB, which this machine does not give")]
+    NoRivers {
+        /// How many nodes the tree has.
+        nodes: u32,
+        /// About how much is needed.
+        megabytes: u32,
+    },
 }
 
 /// A recipe, its tree as far as it has grown, and its picture.
@@ -29,7 +37,7 @@ pub enum SessionError {
 ///
 /// let recipe = link::read("seed=kauri&curl=0.6")?;
 /// let mut session = Session::new(recipe, 300, 200)?;
-/// while session.advance(10) {
+/// while session.advance(10)? {
 ///     session.paint(); // only what is new
 /// }
 /// session.paint();
@@ -61,8 +69,6 @@ enum Shaping {
     /// Smooth courses, and how often they may be thinned out.
     Smooth(Courses, Network, u32),
     Rivers(Courses, Box<Meander>),
-    /// The memory was not to be had: it stays a tree.
-    Starved,
 }
 
 impl Shaping {
@@ -215,36 +221,50 @@ impl Session {
     }
 
     /// Goes on by so many steps at most: ticks of growth, then a few that make rivers of the tree, then rounds of meandering.
-    /// Returns whether there is more to do.
-    pub fn advance(&mut self, steps: u32) -> bool {
-        (0..steps).all(|_| self.step())
+    /// Returns whether there is more to do. No recipe is known of which a step takes more than 8 million elementary steps, as
+    /// [`crate::work`] counts them, and 250 for each attractor or cell of a Brownian tree.
+    ///
+    /// # Errors
+    /// If the memory for the rest of the tree, or for its rivers, is not to be had. What is there then is no picture of the
+    /// recipe, and there are no rivers to export. A further call meets the same error, or goes on if there is memory by
+    /// then; a tree that is not whole only grows anew, after [`Session::restart`] or [`Session::change`].
+    pub fn advance(&mut self, steps: u32) -> Result<bool, SessionError> {
+        for _ in 0..steps {
+            if !self.step()? {
+                return Ok(false);
+            }
+        }
+        Ok(true)
     }
 
-    fn step(&mut self) -> bool {
+    fn step(&mut self) -> Result<bool, SessionError> {
         if self.growth.ending().is_none() {
             self.growth.tick();
-            return true;
+            return self.growth.failure().map_or(Ok(true), |failure| Err(failure.into()));
+        }
+        if let Some(failure) = self.growth.failure() {
+            return Err(failure.into());
         }
         self.shaped = Some(match self.shaped.take() {
-            None => self.draw_courses(),
+            None => self.draw_courses()?,
             Some(Shaped { nodes, rivers }) => Shaped { nodes, rivers: self.shape(rivers) },
         });
-        !self.is_finished()
+        Ok(!self.is_finished())
     }
 
     /// Finds the courses of rivers in the tree.
-    fn draw_courses(&self) -> Shaped {
-        // What rivers took of a million attractors, twice.
+    fn draw_courses(&self) -> Result<Shaped, SessionError> {
+        /// Of the trimmed tree, and both trees' hydrology.
+        const BYTES_A_NODE_TO_TRIM: usize = 64;
+        /// What rivers took of a million attractors, twice.
         const BYTES_A_NODE: usize = 200;
+        ask_for_rivers(self.tree().len(), BYTES_A_NODE_TO_TRIM)?;
         let Pruned { tree, .. } = self.pruned();
-        let rivers = if memory::is_to_be_had(tree.len() * BYTES_A_NODE) {
-            // The strands of a Brownian tree never touch, so they do not cross.
-            let may_cross = self.growth.parameters().procedure == Procedure::Colonize;
-            Shaping::Courses(Courses::unranked(&tree, may_cross))
-        } else {
-            Shaping::Starved
-        };
-        Shaped { nodes: tree.len() as u32, rivers }
+        ask_for_rivers(tree.len(), BYTES_A_NODE)?;
+        // The rivers of a Brownian tree never touch, so they do not cross.
+        let may_cross = self.growth.parameters().procedure == Procedure::Colonize;
+        let rivers = Shaping::Courses(Courses::unranked(&tree, may_cross));
+        Ok(Shaped { nodes: tree.len() as u32, rivers })
     }
 
     /// The next stage of rivers.
@@ -268,7 +288,6 @@ impl Session {
                 meander.round();
                 Shaping::Rivers(courses, meander)
             }
-            Shaping::Starved => Shaping::Starved,
         }
     }
 
@@ -281,14 +300,24 @@ impl Session {
     pub fn phase(&self) -> Phase {
         match self.shaped.as_ref().map(|shaped| &shaped.rivers) {
             Some(Shaping::Rivers(_, meander)) if !meander.is_finished() => Phase::Meandering,
-            Some(Shaping::Rivers(..) | Shaping::Starved) => Phase::Finished,
+            Some(Shaping::Rivers(..)) => Phase::Finished,
             Some(Shaping::Courses(_) | Shaping::Ranked(_) | Shaping::Smooth(..)) => Phase::Shaping,
             None if self.growth.ending().is_some() => Phase::Shaping,
             None => Phase::Growing,
         }
     }
 
-    /// The rivers; `None` while there are none yet, or if there is no memory for them.
+    /// How far what the next step goes on with has come, from 0 to 1: growth by what is drained, meandering by its rounds.
+    /// 0 while rivers are made of the tree, and when all is finished.
+    pub fn progress(&self) -> f32 {
+        match (self.phase(), self.meander()) {
+            (Phase::Growing, _) => self.growth.progress(),
+            (Phase::Meandering, Some(meander)) => meander.rounds() as f32 / meander.parameters().rounds.max(1) as f32,
+            _ => 0.0,
+        }
+    }
+
+    /// The rivers; `None` while there are none yet.
     pub fn network(&self) -> Option<&Network> {
         self.meander().map(Meander::network)
     }
@@ -373,12 +402,18 @@ impl Session {
                     ..so_far
                 }
             }
-            Some(Shaped { nodes, rivers: Shaping::Starved }) => {
-                Summary { nodes: *nodes, ending: Some(Ending::OutOfMemory), ..so_far }
-            }
             _ => so_far,
         }
     }
+}
+
+/// Asks for the memory of so many nodes on their way to rivers.
+fn ask_for_rivers(nodes: usize, bytes_a_node: usize) -> Result<(), SessionError> {
+    let bytes = nodes * bytes_a_node;
+    if memory::is_to_be_had(bytes) {
+        return Ok(());
+    }
+    Err(SessionError::NoRivers { nodes: nodes as u32, megabytes: (bytes / 1_000_000) as u32 + 1 })
 }
 
 fn style(recipe: &Recipe) -> Style {
@@ -389,3 +424,6 @@ fn style(recipe: &Recipe) -> Style {
         _ => Style::Ink,
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -101,12 +101,16 @@ fn pieces_of_land(field: &Field, is_land: impl Fn(usize) -> bool) -> usize {
     pieces
 }
 
-/// Rivers run on land from the sea, parents first; strands touch neither each other nor the sea; no land is cut off.
+/// Rivers run on land from the sea, parents first; they touch neither each other, mouths included, nor the sea; no land is cut
+/// off.
 fn check(field: &Field, tree: &Tree) {
     let nodes = nodes_by_cell(tree, field);
     let is_river = |i: usize| nodes[i].is_some_and(|node| tree.parent[node] != NO_PARENT);
     for (i, &cell) in field.cells().iter().enumerate() {
         let Some(node) = nodes[i] else { continue };
+        for other in around(field, i, true).filter_map(|beside| nodes[beside]) {
+            assert!(is_family(tree, node, other), "rivers touch: {node} and {other}");
+        }
         let Some(parent) = tree.parent_of(node) else {
             assert_eq!(cell, Cell::Unavailable, "the mouth {node} is not in the sea");
             continue;
@@ -115,15 +119,11 @@ fn check(field: &Field, tree: &Tree) {
         assert!(parent < node);
         assert!(around(field, i, true).any(|i| nodes[i] == Some(parent)), "{node} is away from its parent");
         for beside in around(field, i, true) {
-            match nodes[beside].filter(|_| is_river(beside)) {
-                Some(other) => assert!(is_family(tree, node, other), "strands touch: {node} and {other}"),
-                None if field.cells()[beside] == Cell::Unavailable => {
-                    let mouth = [parent, tree.parent_of(parent).unwrap_or(parent)];
-                    let is_mouth = |i: usize| nodes[i].is_some_and(|n| mouth.contains(&n) && !is_river(i));
-                    let is_beside_mouth = is_mouth(beside) || around(field, beside, true).any(is_mouth);
-                    assert!(is_beside_mouth, "node {node} touches the sea");
-                }
-                None => {}
+            if field.cells()[beside] == Cell::Unavailable {
+                let mouth = [parent, tree.parent_of(parent).unwrap_or(parent)];
+                let is_mouth = |i: usize| nodes[i].is_some_and(|n| mouth.contains(&n) && !is_river(i));
+                let is_beside_mouth = is_mouth(beside) || around(field, beside, true).any(is_mouth);
+                assert!(is_beside_mouth, "node {node} touches the sea");
             }
         }
     }
@@ -135,7 +135,8 @@ fn check(field: &Field, tree: &Tree) {
 /// Whether of two nodes one is the other's parent or grandparent, or both have one parent.
 fn is_family(tree: &Tree, a: usize, b: usize) -> bool {
     let line = |node: usize| [Some(node), tree.parent_of(node), tree.parent_of(node).and_then(|p| tree.parent_of(p))];
-    line(a).contains(&Some(b)) || line(b).contains(&Some(a)) || tree.parent[a] == tree.parent[b]
+    let is_sister = tree.parent_of(a).is_some() && tree.parent[a] == tree.parent[b];
+    line(a).contains(&Some(b)) || line(b).contains(&Some(a)) || is_sister
 }
 
 fn assert_equals_literal(field: &Field, seed: &str, sensitivity: f32) {
@@ -384,7 +385,7 @@ fn slices_of_any_length_grow_the_same_tree() {
     let recipe = link::read(&plain("growth=brownian&land=island&sensitivity=16")).unwrap();
     let grown = |ticks: u32| {
         let mut session = Session::new(recipe.clone(), 200, 200).unwrap();
-        while session.advance(ticks) {
+        while session.advance(ticks).unwrap() {
             session.paint();
         }
         session.paint();

@@ -43,6 +43,13 @@ fn later_values_win_whatever_form_they_come_in() {
 }
 
 #[test]
+fn recipe_may_begin_with_a_byte_order_mark() {
+    let file = scratch("marked.json");
+    fs::write(&file, "\u{feff}{\"attractors\": 123}").unwrap();
+    assert_eq!(network("marked-network.json", &["--recipe", file.to_str().unwrap()])["recipe"]["attractors"], 123);
+}
+
+#[test]
 fn network_has_columns_of_one_length_and_parents_first() {
     let network = network("network.json", &["seed=kauri&attractors=400", "--attractors"]);
     let column = |name: &str| network["nodes"][name].as_array().unwrap().clone();
@@ -117,7 +124,7 @@ fn numbers_are_written_in_full() {
     let tree = {
         use riverseed::{recipe::link, session::Session};
         let mut session = Session::new(link::read("attractors=150").unwrap(), 1, 1).unwrap();
-        while session.advance(9) {}
+        while session.advance(9).unwrap() {}
         session.pruned().tree
     };
     for (x, at) in network["nodes"]["x"].as_array().unwrap().iter().zip(tree.at) {
@@ -192,7 +199,7 @@ fn picture_of_a_land_becomes_an_outline_that_renders() {
         String::from_utf8(output.stdout).unwrap().trim().to_owned()
     };
     let (outline, link) = (traced(&[]), traced(&["--link"]));
-    assert_eq!(link, format!("seed=kauri&edition=1&land=drawn&outline={outline}"));
+    assert_eq!(link, format!("seed=kauri&edition=1&aspect=1.5&land=drawn&outline={outline}"));
     let network = network("traced.json", &[&link, "--rough", "0", "--attractors", "300"]);
     let xs = network["nodes"]["x"].as_array().unwrap();
     let width = network["domain"]["width"].as_f64().unwrap();
@@ -243,7 +250,7 @@ fn tracing_says_what_it_kept_and_a_link_takes_a_seed() {
 #[test]
 fn what_is_given_and_does_nothing_is_said() {
     let file = scratch("idle-recipe.json");
-    fs::write(&file, r#"{"sea": 0.5, "aspect": 2}"#).unwrap();
+    fs::write(&file, r#"{"land": "rectangle", "sea": 0.5, "aspect": 2}"#).unwrap();
     let out = scratch("idle.json");
     let arguments = ["growth=brownian&mouths=9&sensitivity=64", "--recipe", file.to_str().unwrap(), "--kill", "1"];
     let output = riverseed(&[&["render", "-o", out.to_str().unwrap()], &arguments[..]].concat());
@@ -287,6 +294,43 @@ fn land_that_rivers_do_not_reach_is_told_with_what_helps() {
     let advice = |link: &str| refusal(&["render", link, "-o", out.to_str().unwrap()]).1;
     assert!(advice("attractors=300&kill=0.5&step=1.2").contains("'step'"));
     assert_eq!(advice("attractors=300"), "");
+}
+
+#[test]
+fn this_machine_is_told_to_draw_as_all_others() {
+    let output = riverseed(&["verify"]);
+    let (said, wrong) = (String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
+    assert!(output.status.success() && wrong.is_empty(), "{said}{wrong}");
+    let count = include_str!("digest.txt").lines().count();
+    assert!(
+        said.starts_with(&format!("the same bits: {count} of {count} recipes")) && said.lines().count() == 1,
+        "{said}"
+    );
+}
+
+#[test]
+fn recipe_that_is_drawn_otherwise_is_named() {
+    let file = scratch("digests.txt");
+    let right = include_str!("digest.txt").lines().next().unwrap();
+    let wrong = "seed=kauri&attractors=100";
+    fs::write(&file, format!("{right}\n0123456789abcdef {wrong}\n")).unwrap();
+    let output = riverseed(&["verify", "--digests", file.to_str().unwrap()]);
+    assert_eq!(output.status.code(), Some(1));
+    let said = String::from_utf8(output.stdout).unwrap();
+    assert!(said.starts_with(&format!("{wrong}: ")) && said.ends_with(", not 0123456789abcdef\n"), "{said}");
+    assert_eq!(said.lines().count(), 1);
+    let verdict = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(verdict, "riverseed: 1 of 2 recipes give other rivers, pixels or files here\n");
+}
+
+#[test]
+fn digests_that_are_none_are_refused() {
+    let file = scratch("no-digests.txt");
+    for (text, reason) in [("", "no digests"), ("0123456789abcdef seed=a\nseed=b\n", "line 2 is no digest")] {
+        fs::write(&file, text).unwrap();
+        let (code, message) = refusal(&["verify", "--digests", file.to_str().unwrap()]);
+        assert!(code == 1 && message.contains("no-digests.txt") && message.contains(reason), "{message}");
+    }
 }
 
 #[test]

@@ -59,6 +59,10 @@ const PICTURES: &[(&str, &str)] = &[
         "drawn",
         "land=drawn&rough=0.3&mouths=4&attractors=2000&style=map&outline=.3CgA5Tmy30twyhyhrhz8lJzMgAyja2zMUez8NeyhILtwGsmyI9gAMza2P7WuR8R8UeMDZNGsf_EfmyGsrhMDuDR8wEWuzMa2.jMZmoUa4mZgA.AAzMHr2ZJm__AA__..TMgAcznr",
     ),
+    (
+        "closed-ridges",
+        "land=drawn&rough=0.3&mouths=4&attractors=2000&style=map&outline=.-SgA8kqZ1qyLtA2ikf5gbI7mQ26OItziFbpqF-gAHqXJKhN-Q2FxauCDk6EKtAJdz1PW6VWa..f_k5dcqUY5r9U5qXRwnrO_jrOFdqQoYPVLWmZMYMcVa3fGe4f_k5..v_Zmu8dTsSfRpRelnTbknTXopRUnsST7u8V5v_Zm..jMnrnrqPsyoUx6mZ",
+    ),
     ("brownian", "growth=brownian&sensitivity=24&trim=10"),
     ("brownian-island", "growth=brownian&sensitivity=32&trim=10&land=island&style=map"),
     ("brownian-archipelago", "growth=brownian&sensitivity=32&trim=10&land=archipelago"),
@@ -68,7 +72,7 @@ const PICTURES: &[(&str, &str)] = &[
 fn picture(recipe: Recipe, width: u32) -> Pixmap {
     let height = View::height_for(&Domain::with_aspect(recipe.number(Key::Aspect)), width);
     let mut session = Session::new(recipe, width, height).unwrap();
-    while session.advance(u32::MAX) {}
+    while session.advance(u32::MAX).unwrap() {}
     assert!(!session.summary().is_stalled(), "{:?} grows next to nothing", session.recipe());
     session.paint();
     session.pixmap().clone()

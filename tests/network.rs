@@ -228,6 +228,21 @@ fn check_elevations(network: &Network, everything: u32) {
     }
 }
 
+/// A wide river's neck lay across a bay, and the river broke through it.
+#[test]
+fn no_river_breaks_through_a_neck_of_water() {
+    let link = "seed=ofmcjd&growth=colonize&sensitivity=43&apart=373&shores=s&land=basin&sea=0.115&rough=0.757&aspect=2.850\
+        &mouths=1&sides=w&attractors=178&scatter=random&reach=6.408&kill=1.237&step=0.932&momentum=0.000&curl=0.920&stretch=25\
+        &trim=0&width=36.39&style=dark&simplify=41&vary=0.210&meander=flow&meander-rounds=29&meander-strength=0.199\
+        &meander-mix=0.891&gentle=0.575&great=13&flat=0.091&neck=3.84&buffer=0.12&taper=2.67";
+    let recipe = link::read(link).unwrap();
+    let land = Land::of(&recipe).unwrap();
+    let mut meander = shaped(&recipe);
+    while meander.round() {
+        check_land(meander.network(), &land, &format!("round {}", meander.rounds()));
+    }
+}
+
 proptest! {
     #![proptest_config(large(1000))]
 

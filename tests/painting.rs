@@ -13,7 +13,7 @@ use riverseed::session::{Phase, Session};
 /// The picture after painting every so many ticks.
 fn painted(recipe: &Recipe, ticks: u32) -> Vec<u8> {
     let mut session = Session::new(recipe.clone(), 120, 90).unwrap();
-    while session.advance(ticks) {
+    while session.advance(ticks).unwrap() {
         session.paint();
     }
     session.paint();
@@ -32,10 +32,10 @@ fn check_change(link: &str, other: &str) {
         let mut to = to;
         to.set(Key::Aspect, &from.number(Key::Aspect).to_string()).unwrap();
         let mut session = Session::new(from, 120, 90).unwrap();
-        session.advance(40);
+        session.advance(40).unwrap();
         session.paint();
         session.change(to.clone()).unwrap();
-        while session.advance(u32::MAX) {}
+        while session.advance(u32::MAX).unwrap() {}
         session.paint();
         assert!(session.pixmap().data() == painted(&to, u32::MAX), "{link} to {other}");
     }
@@ -56,13 +56,13 @@ proptest! {
         let mut other = recipe.clone();
         other.set(Key::Trim, &trim.to_string()).unwrap();
         let mut session = Session::new(recipe.clone(), 120, 90).unwrap();
-        while session.advance(7) {}
+        while session.advance(7).unwrap() {}
         session.paint();
         session.change(other).unwrap();
-        while session.advance(7) {}
+        while session.advance(7).unwrap() {}
         session.paint();
         session.change(recipe.clone()).unwrap();
-        while session.advance(7) {}
+        while session.advance(7).unwrap() {}
         session.paint();
         prop_assert!(session.pixmap().data() == painted(&recipe, u32::MAX), "{link}");
     }
@@ -77,11 +77,11 @@ proptest! {
         other.set(Key::Width, &width.to_string()).unwrap();
         let mut session = Session::new(recipe, 120, 90).unwrap();
         while session.phase() == Phase::Growing {
-            session.advance(1);
+            session.advance(1).unwrap();
         }
-        session.advance(steps);
+        session.advance(steps).unwrap();
         session.change(other.clone()).unwrap();
-        while session.advance(u32::MAX) {}
+        while session.advance(u32::MAX).unwrap() {}
         session.paint();
         prop_assert!(session.pixmap().data() == painted(&other, u32::MAX), "{link}");
     }
@@ -102,7 +102,7 @@ fn changing_the_procedure_of_growth_alone_gives_its_picture() {
 /// The finished picture of a land and its rivers, a pixel a unit.
 fn map(link: &str) -> (Session, Vec<[u8; 4]>) {
     let mut session = Session::new(link::read(&plain(link)).unwrap(), 1000, 1000).unwrap();
-    while session.advance(u32::MAX) {}
+    while session.advance(u32::MAX).unwrap() {}
     session.paint();
     let pixels = session.pixmap().data().as_chunks().0.to_vec();
     (session, pixels)

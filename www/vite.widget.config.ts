@@ -1,5 +1,6 @@
 import { rmSync } from "node:fs";
 import { defineConfig, type EnvironmentOptions, type Plugin } from "vite";
+import { targets } from "./scripts/browsers.mjs";
 
 const FOLDER = "dist-widget";
 
@@ -72,7 +73,7 @@ export default defineConfig({
     },
   },
   build: {
-    target: "es2022",
+    target: targets(),
     // Wasm that streams, and is cached apart from the scripts.
     assetsInlineLimit: 0,
     modulePreload: false,

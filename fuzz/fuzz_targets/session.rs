@@ -117,7 +117,7 @@ fn between(min: Decimal, max: Decimal, share: u16) -> String {
 fn take(session: &mut Session, act: &Act) {
     match act {
         Act::Advance(steps) => {
-            session.advance(u32::from(*steps));
+            session.advance(u32::from(*steps)).expect("memory for a small tree");
         }
         Act::Paint => {
             session.paint();
@@ -135,7 +135,7 @@ fn take(session: &mut Session, act: &Act) {
 }
 
 fn finish(session: &mut Session) {
-    assert!(!session.advance(MOST_STEPS), "it does not end");
+    assert!(!session.advance(MOST_STEPS).expect("memory for a small tree"), "it does not end");
     session.paint();
     let at = &session.tree().at;
     assert!(at.iter().all(|at| at.is_finite()), "a tree");

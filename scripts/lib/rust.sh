@@ -2,7 +2,7 @@
 # library.
 # shellcheck shell=bash
 
-# Where Debian's packages put things.
+# Where Debian's packages put things; tests have a place of their own.
 system=${RIVERSEED_SYSTEM:-/usr}
 
 wanted_rust() { value_of rust-version "$RIVERSEED_ROOT/Cargo.toml"; }
@@ -22,7 +22,7 @@ compiles_to_wasm() {
   is_rust_new || return
   local folder failure=0
   folder=$(mktemp -d) || return
-  echo 'fn main() {}' | rustc --target wasm32-unknown-unknown -o "$folder/empty.wasm" - || failure=1
+  rustc --target wasm32-unknown-unknown -o "$folder/empty.wasm" - <<<'fn main() {}' || failure=1
   rm -rf "$folder"
   return $failure
 }
@@ -37,7 +37,9 @@ use_wasm_rust() {
 }
 
 use_if_wasm() {
-  (PATH=$1:$PATH && compiles_to_wasm 2>/dev/null) && PATH=$1:$PATH
+  local before=$PATH
+  PATH=$1:$PATH
+  compiles_to_wasm 2>/dev/null || { PATH=$before; return 1; }
 }
 
 # The folder of our own toolchain, made from Debian's Rust. It carries the package's version, because an update of the

@@ -9,7 +9,7 @@ at_least() { [[ -n $1 && $(printf '%s\n' "$1" "$2" | sort -V | head -n 1) == "$2
 # The version that a program says it has; nothing if it is not there or does not run. Some that cargo starts have to be
 # asked as cargo asks them.
 version_of() {
-  { "$1" --version || { [[ $1 == cargo-* ]] && "$1" "${1#cargo-}" --version; }; } 2>/dev/null |
+  { "$1" --version || { [[ $1 == cargo-* ]] && "$1" "${1#cargo-}" --version; } || true; } 2>/dev/null |
     sed -n 's/^[^0-9]*\([0-9][0-9]*\.[0-9][0-9.]*\).*/\1/p' | head -n 1
 }
 

@@ -32,7 +32,7 @@ comes_from_elsewhere() { have "$1" && [[ $(command -v "$1") != "$system"/bin/* &
 # A compiler alone does not link: the C library's start files are a package of their own.
 can_link() {
   mkdir -p target
-  echo 'int main(void) { return 0; }' | cc -x c -o target/.linked - 2>/dev/null
+  cc -x c -o target/.linked - <<<'int main(void) { return 0; }' 2>/dev/null
 }
 
 setup_lint() {

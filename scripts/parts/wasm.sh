@@ -21,14 +21,19 @@ get_wasm_rust() {
   local wanted
   wanted=$(wanted_rust)
   apt_get "a Rust that can compile to wasm32, 1 minute" \
-    "rustc-web>=$wanted" "cargo-web>=$wanted" "rust-web-src>=$wanted" rust-web-clippy && is_rust_new "$system/bin/rustc" ||
+    "rustc-web>=$wanted" "cargo-web>=$wanted" "rust-web-src>=$wanted" rust-web-clippy || true
+  is_debian_rust_there ||
     die "The wasm32 target cannot be had here." \
       "  With rustup:  rustup target add wasm32-unknown-unknown (Rust $wanted or newer; https://rustup.rs)" \
       "  On Debian:    its security updates, which hold the package rustc-web, must be among apt's sources" \
       "  On Ubuntu:    its archive has no such package, take rustup"
   make_debian_rust
-  is_whole "$(debian_rust)" && (PATH=$(debian_rust)/bin:$PATH && compiles_to_wasm) ||
-    die "The Rust made in $(debian_rust) does not compile to wasm32: see its words above."
+  (use_wasm_rust) || die "The Rust made in $(debian_rust) does not compile to wasm32. Remove that folder and try again."
+}
+
+# Whether what is installed will do, whatever apt said: it may be out of reach, with all that is needed here already.
+is_debian_rust_there() {
+  debian_rust >/dev/null && is_rust_new "$system/bin/rustc" && [[ -x $system/bin/cargo && -e $system/lib/rustlib/src/rust ]]
 }
 
 # Debian has no ready wasm32 standard library for this Rust, but its sources: they are compiled once, into a toolchain
@@ -93,14 +98,14 @@ wrap_debian_rust() {
 # shellcheck disable=SC2016
 wrapper() { printf '#!/bin/sh\nhome=$(dirname "$(dirname "$(readlink -f "$0")")")\n%s\n' "$1"; }
 
-# cargo_tool CRATE VERSION MINUTES COMMAND…: exactly this version of all its commands.
+# [features=NAMES] cargo_tool CRATE VERSION MINUTES COMMAND…: exactly this version of all its commands.
 cargo_tool() {
   has_tools "$2" "${@:4}" && return
   say "compiling $1 $2 (about $3 minutes)"
   # Light optimisation: these programs run for a second. First with the crate's own lock file, then without, for a
   # registry that lacks a version it names.
   local install=(env CARGO_PROFILE_RELEASE_OPT_LEVEL=1 CARGO_PROFILE_RELEASE_LTO=off
-    CARGO_PROFILE_RELEASE_CODEGEN_UNITS=16 cargo install --quiet --force --root "$RIVERSEED_CACHE/tools" "$1@$2")
+    CARGO_PROFILE_RELEASE_CODEGEN_UNITS=16 cargo install --quiet --force --root "$RIVERSEED_CACHE/tools" "$1@$2" ${features:+--features "$features"})
   "${install[@]}" --locked 2>/dev/null || "${install[@]}" || die "$1 $2 could not be installed: see cargo's words above."
   has_tools "$2" "${@:4}" || die "$1 $2 was installed, but does not answer: look at $RIVERSEED_CACHE/tools/bin."
 }

@@ -6,7 +6,7 @@
 
 use glam::Vec2;
 
-use crate::network::{Network, Oxbow, Place, River, meet};
+use crate::network::{Network, Oxbow, Place, River};
 use crate::plane::direction;
 
 /// A river's or a lake's outline, in units. Both banks have as many points.
@@ -50,32 +50,10 @@ impl Banks {
         if line.len() > 2 { Self::along(&line) } else { Self::default() }
     }
 
-    /// The outline as one closed line that does not cross itself, as readers of polygons want it; its first point is its
-    /// last. What of a bank runs backward is left out, and where banks cross for all that, they come nearer to each
-    /// other. `None` if nothing helps.
-    pub fn simple_ring(&self) -> Option<Vec<Vec2>> {
-        [1.0, 0.5, 0.25, 0.1].into_iter().map(|share| self.ring(share)).find(|ring| is_simple(ring))
-    }
-
-    /// Down the right bank and up the left one, so much of the way from the middle: counterclockwise on a map whose
-    /// north is up.
-    fn ring(&self, share: f32) -> Vec<Vec2> {
-        let middle: Vec<Vec2> = self.left.iter().zip(&self.right).map(|(left, right)| (*left + *right) * 0.5).collect();
-        let forward = |bank: &[Vec2]| {
-            let mut kept: Vec<Vec2> = Vec::with_capacity(bank.len() * 2);
-            for (i, (&at, &middle_at)) in bank.iter().zip(&middle).enumerate() {
-                let at = middle_at.lerp(at, share);
-                let is_end = i == 0 || i + 1 == bank.len();
-                let runs_on = |last: Vec2| (at - last).dot(middle[i + 1] - middle[i - 1]) > 0.0;
-                if is_end || kept.last().is_some_and(|&last| runs_on(last)) {
-                    kept.push(at);
-                }
-            }
-            kept
-        };
-        let mut ring = forward(&self.right);
-        ring.extend(forward(&self.left).into_iter().rev().skip(1));
-        ring
+    /// The closed line down the right bank and up the left one: counterclockwise on a map whose north is up. Its first point
+    /// does not come again at its end.
+    pub fn outline(&self) -> impl Iterator<Item = Vec2> {
+        self.right.iter().chain(self.left.iter().rev()).copied()
     }
 
     fn along(line: &[Place]) -> Self {
@@ -86,14 +64,6 @@ impl Banks {
         let (left, right) = banks.unzip();
         Self { left, right }
     }
-}
-
-/// Whether a closed line has an inside and does not meet itself.
-fn is_simple(ring: &[Vec2]) -> bool {
-    let sides: Vec<(Vec2, Vec2)> = ring.windows(2).map(|side| (side[0], side[1])).collect();
-    let last = sides.len().wrapping_sub(1);
-    let is_apart = |i: usize, j: usize| j == i + 1 || (i == 0 && j == last) || !meet(sides[i], sides[j]);
-    sides.len() > 2 && (0..sides.len()).all(|i| (i + 1..sides.len()).all(|j| is_apart(i, j)))
 }
 
 fn widened(line: Vec<Place>, more: f32) -> Vec<Place> {

@@ -2,11 +2,13 @@
 //!
 //! The domain lies around the null meridian and the equator, a unit being a hundredth of a degree (some 1.1 km), north up;
 //! degrees are rounded to five places, heights to whole metres above the sea. A tributary's last position is one of its
-//! parent's, to the digit.
+//! parent's, to the digit. Lakes are valid as they are written, rounded: outer rings run counterclockwise and cross nothing; a
+//! lake that pinches itself off is a `MultiPolygon`, one that is narrower than the last place is left out.
 
 use glam::Vec2;
 
 use super::banks::Banks;
+use super::polygons::{GridPoint, Ring, polygons};
 use super::value::{Members, Value};
 use super::{ExportError, rivers};
 use crate::domain::Domain;
@@ -26,14 +28,16 @@ pub fn collection(session: &Session) -> Result<Value<'_>, ExportError> {
     let features = Features { network, domain: parameters.domain, elevations };
     let mut lakes = Vec::new();
     for (id, oxbow) in (0..).zip(&network.oxbows) {
-        if let Some(ring) = Banks::of_lake(oxbow, 0.0).simple_ring() {
-            lakes.push((id, ring));
+        let outline: Vec<GridPoint> = Banks::of_lake(oxbow, 0.0).outline().map(|at| features.grid(at)).collect();
+        let polygons = polygons(&outline);
+        if !polygons.is_empty() {
+            lakes.push((id, polygons));
         }
     }
     let count = network.rivers.len();
     let all = count + lakes.len();
     let feature = move |i: usize| match lakes.get(i.wrapping_sub(count)) {
-        Some((id, ring)) => features.lake(*id, ring),
+        Some((id, polygons)) => features.lake(*id, polygons),
         None => features.river(i as u32),
     };
     let mut collection = Members::default();
@@ -71,7 +75,7 @@ impl<'a> Features<'a> {
         let mut properties = Members::default();
         properties
             .text("kind", "river")
-            .whole("id", id)
+            .whole("number", id)
             .unless("parent", river.parent, NONE)
             .whole("mouth", self.mouth(id))
             .whole("order", river.order.into())
@@ -82,13 +86,19 @@ impl<'a> Features<'a> {
         feature(format!("river-{id}"), "LineString", positions(line), properties)
     }
 
-    fn lake(&self, id: u32, ring: &[Vec2]) -> Value<'a> {
+    fn lake(&self, id: u32, polygons: &[Vec<Ring>]) -> Value<'a> {
         let oxbow = &self.network.oxbows[id as usize];
-        let ring: Vec<[f64; 2]> = ring.iter().map(|&at| self.degrees(at)).collect();
         let mut properties = Members::default();
-        properties.text("kind", "oxbow").whole("id", id).whole("river", oxbow.river).whole("born", oxbow.born);
-        let rings = Value::list(1, move |_| positions(ring.clone()));
-        feature(format!("oxbow-{id}"), "Polygon", rings, properties)
+        properties.text("kind", "oxbow").whole("number", id).whole("river", oxbow.river).whole("born", oxbow.born);
+        let name = format!("oxbow-{id}");
+        match polygons {
+            [polygon] => feature(name, "Polygon", rings(polygon.clone()), properties),
+            _ => {
+                let polygons = polygons.to_vec();
+                let polygons = Value::list(polygons.len(), move |i| rings(polygons[i].clone()));
+                feature(name, "MultiPolygon", polygons, properties)
+            }
+        }
     }
 
     /// The river in whose mouth a river's water reaches the sea.
@@ -106,10 +116,23 @@ impl<'a> Features<'a> {
     }
 
     fn degrees(&self, at: Vec2) -> [f64; 2] {
+        self.grid(at).map(degrees)
+    }
+
+    /// How many hundred-thousandths of a degree a place lies to the east and to the north of the middle.
+    fn grid(&self, at: Vec2) -> GridPoint {
         let from_middle = at - self.domain.size * 0.5;
         // A thousandth of a unit is a hundred-thousandth of a degree.
-        [from_middle.x, -from_middle.y].map(|x| rounded(x, 1000.0, 100_000.0))
+        [from_middle.x, -from_middle.y].map(|x| (f64::from(x) * 1000.0).round() as i32)
     }
+}
+
+fn degrees(parts: i32) -> f64 {
+    f64::from(parts) / 100_000.0
+}
+
+fn rings<'a>(rings: Vec<Ring>) -> Value<'a> {
+    Value::list(rings.len(), move |i| positions(rings[i].iter().map(|at| at.map(degrees)).collect()))
 }
 
 fn positions<'a, const N: usize>(line: Vec<[f64; N]>) -> Value<'a> {

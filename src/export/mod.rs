@@ -7,6 +7,7 @@ pub mod geojson;
 pub mod json;
 #[cfg(feature = "png")]
 pub mod png;
+mod polygons;
 pub mod svg;
 mod value;
 
@@ -25,9 +26,6 @@ pub enum ExportError {
     /// There are no rivers yet.
     #[error("the rivers are still growing")]
     Unfinished,
-    /// The memory for rivers was not to be had.
-    #[error("there was no memory to make rivers of the tree: fewer attractors need less")]
-    NoRivers,
     /// The memory was not to be had.
     #[error("the file needs about {megabytes} MB, which this machine does not give")]
     OutOfMemory {
@@ -38,8 +36,7 @@ pub enum ExportError {
 
 /// The rivers of a session, if there are any and so many bytes of memory for each of their vertices.
 fn rivers(session: &Session, bytes_a_vertex: usize) -> Result<&Network, ExportError> {
-    let network =
-        session.network().ok_or(if session.is_finished() { ExportError::NoRivers } else { ExportError::Unfinished })?;
+    let network = session.network().ok_or(ExportError::Unfinished)?;
     let vertices = network.vertices.len() + network.oxbows.iter().map(|oxbow| oxbow.vertices.len()).sum::<usize>();
     let bytes = vertices * bytes_a_vertex;
     if !memory::is_to_be_had(bytes) {

@@ -10,6 +10,8 @@ use wide::f32x4;
 use super::pull::{Pull, Pulls};
 use super::{GrowError, Parameters, scatter};
 use crate::land::Land;
+use crate::memory::{self, Refused};
+use crate::work;
 
 /// The owner of an attractor that no river has come near.
 pub(super) const NO_NODE: u32 = u32::MAX;
@@ -127,7 +129,7 @@ impl Attractors {
     }
 
     /// A counting sort by cell, each cell rounded up to whole blocks.
-    fn fill(&mut self, places: &[Vec2]) -> Result<(), std::collections::TryReserveError> {
+    fn fill(&mut self, places: &[Vec2]) -> Result<(), Refused> {
         let mut filled = vec![0u32; self.first_block.len()];
         places.iter().for_each(|&at| filled[self.cell_of(at)] += 1);
         let mut blocks = 0;
@@ -136,12 +138,9 @@ impl Attractors {
             blocks += filled.div_ceil(4);
         }
         let blocks = blocks as usize;
-        self.blocks.try_reserve_exact(blocks)?;
-        self.blocks.resize(blocks, Block::empty());
-        self.pulls.try_reserve_exact(blocks)?;
-        self.pulls.resize(blocks, Pulls::default());
-        self.hits.try_reserve_exact(2 * blocks)?;
-        self.hits.resize(2 * blocks, Hit::default());
+        memory::lengthen(&mut self.blocks, blocks, Block::empty())?;
+        memory::lengthen(&mut self.pulls, blocks, Pulls::default())?;
+        memory::lengthen(&mut self.hits, 2 * blocks, Hit::default())?;
         let unreached = self.reach * self.reach;
         for &at in places {
             let cell = self.cell_of(at);
@@ -172,6 +171,7 @@ impl Attractors {
     /// together; those past the end of the row are too far away, or asked in vain.
     fn find_nearer(&mut self, at: Vec2, all_seen: bool) -> usize {
         let (columns, rows) = (self.cells_within(at.x, self.columns), self.cells_within(at.y, self.rows));
+        work::count(columns.len() * rows.len());
         let half = f32x4::splat(self.cell * 0.5);
         // Counted on, since V8 is slow to make floats of whole numbers.
         let west = f32x4::new([0.5, 1.5, 2.5, 3.5]) * self.cell + f32x4::splat(columns.start as f32 * self.cell - at.x);
@@ -255,8 +255,9 @@ impl Attractors {
     /// The attractors within reach of a point that are not used up, and who owns each.
     pub fn within_reach(&self, at: Vec2) -> impl Iterator<Item = (u32, Vec2)> {
         let squared_reach = self.reach * self.reach;
-        let columns = self.cells_within(at.x, self.columns);
-        let blocks = self.cells_within(at.y, self.rows).flat_map(move |row| {
+        let (columns, rows) = (self.cells_within(at.x, self.columns), self.cells_within(at.y, self.rows));
+        work::count(columns.len() * rows.len());
+        let blocks = rows.flat_map(move |row| {
             let (first, end) = (row * self.columns + columns.start, row * self.columns + columns.end);
             &self.blocks[self.first_block[first as usize] as usize..self.first_block[end as usize] as usize]
         });
@@ -271,11 +272,13 @@ impl Attractors {
 
     /// The owners and places of all attractors that have one and are not used up, in no order to rely on.
     pub fn remaining(&self) -> impl Iterator<Item = (u32, Vec2)> + '_ {
+        work::count(self.blocks.len());
         self.blocks.iter().flat_map(Block::owned).map(|(owner, _, at)| (owner, at))
     }
 
     /// Each owner's nearest attractor, owners ascending; of equally near ones the western, then the northern.
     pub fn nearest_by_owner(&self) -> Vec<(u32, Vec2)> {
+        work::count(self.blocks.len());
         let mut nearest: Vec<Option<(f32, Vec2)>> = Vec::new();
         for (owner, near, at) in self.blocks.iter().flat_map(Block::owned) {
             if nearest.len() <= owner as usize {

@@ -7,17 +7,17 @@
 //! (Unless land is left over that no river sees, beyond a neck too narrow for a step: then it gets a mouth of its own. Or
 //! unless most are: then a gap among the first attractors has cut the river off, and its last node runs straight on.)
 
-use std::collections::TryReserveError;
-
 use glam::Vec2;
 
 use super::attractors::{Attractors, NO_NODE};
 use super::changed::Changed;
+use super::driest::Search;
 use super::heading::{heading, is_twin};
 use super::{BYTES_AN_ATTRACTOR, GrowError, Mouth, Parameters, Pull, mouths, shores};
 use crate::land::Shore;
-use crate::memory;
+use crate::memory::{self, Refused};
 use crate::tree::{NO_PARENT, Tree};
+use crate::work;
 
 /// How growth came to its end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -43,7 +43,10 @@ pub struct Colonize {
     trying: Vec<u32>,
     /// Rivers that no attractor has reached yet.
     pilots: Vec<Pilot>,
-    mouths: u32,
+    /// Where rivers reach the sea.
+    mouths: Vec<Vec2>,
+    /// For a mouth more, once one has been searched for.
+    search: Option<Box<Search>>,
     unreached: u32,
     node_limit: usize,
     ending: Option<Ending>,
@@ -83,7 +86,8 @@ impl Colonize {
         }
         let attractors = Attractors::new(&parameters)?;
         let mut this = Self {
-            mouths: 0,
+            mouths: Vec::new(),
+            search: None,
             unreached: attractors.count(),
             attractors,
             tree: Tree::default(),
@@ -113,23 +117,30 @@ impl Colonize {
             pilot.tip = self.extend(pilot).unwrap_or(pilot.tip);
         }
         self.pilots.push(pilot);
-        self.mouths += 1;
+        self.mouths.push(at);
     }
 
-    /// Grows by one tick, everywhere at once. Returns whether anything grew; if not, growth is over.
+    /// Grows by one tick, everywhere at once. Returns whether there is more to grow. A tick that only searches for where
+    /// to grow on, because that takes long, does not count.
     pub fn tick(&mut self) -> bool {
         if self.ending.is_some() {
             return false;
         }
         let born_from = self.tree.len();
         self.tree.tick_starts.push(born_from as u32);
-        self.extend_pilots();
-        self.grow();
-        if self.tree.len() == born_from && self.ending.is_none() {
-            self.reach_out();
+        if !self.is_searching() {
+            self.extend_pilots();
+            self.grow();
+            if self.tree.len() == born_from && self.ending.is_none() {
+                self.reach_out();
+            }
         }
         if self.tree.len() == born_from && self.ending.is_none() {
             self.water_the_rest();
+        }
+        if self.is_searching() {
+            self.tree.tick_starts.pop();
+            return true;
         }
         if self.tree.len() == born_from && self.is_dry() {
             self.run_on();
@@ -257,26 +268,31 @@ impl Colonize {
     fn water_the_rest(&mut self) {
         /// One in so many attractors out of sight is a patch that shows.
         const PATCH: u32 = 50;
-        let lost = self.unreached - self.attractors.remaining().count() as u32;
-        if lost > self.attractors.count() / PATCH
+        let is_patch = |lost: u32| lost > self.attractors.count() / PATCH;
+        if (self.is_searching() || is_patch(self.unreached - self.attractors.remaining().count() as u32))
             && let Some(Shore { at, inland }) = self.driest_shore()
         {
             self.plant(Mouth { at, inland });
         }
     }
 
-    /// The place on a coast from which the most attractors are in reach that no node has; the first of equals.
-    fn driest_shore(&self) -> Option<Shore> {
-        let nodes = self.tree.parent.iter().zip(&self.tree.at);
-        let roots: Vec<Vec2> = nodes.filter(|(parent, _)| **parent == NO_PARENT).map(|(_, at)| *at).collect();
-        let is_apart = |shore: &Shore| roots.iter().all(|root| root.distance(shore.at) > self.parameters.apart);
-        let lost = |shore: &Shore| {
-            let is_lost = |&(owner, place): &(u32, Vec2)| owner == NO_NODE && self.parameters.sees(shore.at, place);
-            self.attractors.within_reach(shore.at).filter(is_lost).count()
+    /// The place on a coast from which the most attractors are in reach that no node has, apart from all mouths; the first of
+    /// equals. `None` also while the search for it is under way.
+    fn driest_shore(&mut self) -> Option<Shore> {
+        let Self { parameters, attractors, mouths, search, .. } = self;
+        let seen_from = |shore: Vec2| {
+            work::count(mouths.len());
+            if mouths.iter().any(|mouth| mouth.distance(shore) <= parameters.apart) {
+                return 0;
+            }
+            let is_lost = |&(owner, place): &(u32, Vec2)| owner == NO_NODE && parameters.sees(shore, place);
+            attractors.within_reach(shore).filter(is_lost).count() as u32
         };
-        let counted = shores(&self.parameters).filter(is_apart).map(|shore| (lost(&shore), shore));
-        let (_, driest) = counted.filter(|(lost, _)| *lost > 0).reduce(|a, b| if b.0 > a.0 { b } else { a })?;
-        Some(driest)
+        search.get_or_insert_with(|| Box::new(Search::among(shores(parameters)))).go_on(seen_from)
+    }
+
+    fn is_searching(&self) -> bool {
+        self.search.as_ref().is_some_and(|search| search.is_under_way())
     }
 
     /// Whether most attractors are left.
@@ -330,7 +346,7 @@ impl Colonize {
 
     /// How many mouths were planted.
     pub fn mouths(&self) -> u32 {
-        self.mouths
+        self.mouths.len() as u32
     }
 
     /// How many attractors were scattered.
@@ -350,14 +366,14 @@ impl Colonize {
     }
 
     /// Asks for the memory of so many more nodes.
-    fn reserve(&mut self, nodes: usize) -> Result<(), TryReserveError> {
-        self.tree.at.try_reserve(nodes)?;
-        self.tree.parent.try_reserve(nodes)?;
-        self.tree.drained.try_reserve(nodes)?;
-        self.shoots.pull.try_reserve(nodes)?;
-        self.shoots.from_mouth.try_reserve(nodes)?;
-        self.shoots.youngest.try_reserve(nodes)?;
-        self.shoots.elder.try_reserve(nodes)
+    fn reserve(&mut self, nodes: usize) -> Result<(), Refused> {
+        memory::reserve(&mut self.tree.at, nodes)?;
+        memory::reserve(&mut self.tree.parent, nodes)?;
+        memory::reserve(&mut self.tree.drained, nodes)?;
+        memory::reserve(&mut self.shoots.pull, nodes)?;
+        memory::reserve(&mut self.shoots.from_mouth, nodes)?;
+        memory::reserve(&mut self.shoots.youngest, nodes)?;
+        memory::reserve(&mut self.shoots.elder, nodes)
     }
 
     /// About how many nodes a tree has, rather too many: by trials over reach 2.4 to 10, kill 0.5 to 2 and step 0.2 to 1

@@ -33,7 +33,8 @@ impl Growth {
         Ok(Self { parameters, grower })
     }
 
-    /// Grows by one tick. Returns whether there is more to grow.
+    /// Grows by one tick. Returns whether there is more to grow: if not, [`Growth::failure`] tells of a tree that is not
+    /// whole.
     pub fn tick(&mut self) -> bool {
         match &mut self.grower {
             Grower::Colonize(growth) => growth.tick(),
@@ -60,6 +61,14 @@ impl Growth {
             Grower::Colonize(growth) => growth.ending(),
             Grower::Brownian(growth) => growth.ending(),
         }
+    }
+
+    /// Why growth stopped before its end: the memory for more nodes was not to be had.
+    pub fn failure(&self) -> Option<GrowError> {
+        (self.ending() == Some(Ending::OutOfMemory)).then(|| match &self.grower {
+            Grower::Colonize(_) => GrowError::out_of_memory(&self.parameters),
+            Grower::Brownian(growth) => growth.out_of_memory(),
+        })
     }
 
     /// How many river mouths there are; when a Brownian tree grows, so far.
@@ -102,15 +111,8 @@ impl Growth {
         }
     }
 
-    /// How many ticks the front of growth takes to cross the domain's height; a Brownian tree has none, but grows up
-    /// in about as many ticks as this.
-    pub fn ticks_per_height(&self) -> f32 {
-        match &self.grower {
-            Grower::Colonize(_) => self.parameters.domain.size.y / self.parameters.step,
-            Grower::Brownian(_) => TICKS_OF_A_BROWNIAN_TREE,
-        }
+    /// How much of everything is drained so far, from 0 to 1; of a Brownian tree, about so.
+    pub fn progress(&self) -> f32 {
+        (self.drained() as f32 / self.everything().max(1) as f32).min(1.0)
     }
 }
-
-/// By trials: from 50 to 350, most of them between 100 and 250.
-const TICKS_OF_A_BROWNIAN_TREE: f32 = 200.0;

@@ -8,6 +8,7 @@ mod attractors;
 mod brownian;
 mod changed;
 mod colonize;
+mod driest;
 mod growth;
 mod heading;
 mod mouths;

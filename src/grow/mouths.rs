@@ -6,6 +6,7 @@ use super::Parameters;
 use crate::land::{Land, Region, Shore};
 use crate::random::{Purpose, Stream};
 use crate::recipe::Sides;
+use crate::work;
 
 /// The root of a river tree.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -61,6 +62,7 @@ fn on_coast(land: &Land, coast: &[Shore], count: u32, apart: f32, chance: &mut S
     const REMOTE: f32 = 400.0;
     let mut mouths: Vec<Mouth> = Vec::new();
     for _ in 0..count {
+        work::count(CANDIDATES * (mouths.len() + 1));
         let remoteness =
             |shore: &Shore| mouths.iter().map(|mouth| mouth.at.distance(shore.at)).fold(f32::INFINITY, f32::min);
         let candidates = (0..CANDIDATES).filter_map(|_| coast.get((chance.unit() * coast.len() as f32) as usize));
@@ -130,7 +132,9 @@ fn along(coast: &[Side], mut distance: f32) -> Mouth {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::grow::Colonize;
     use crate::recipe::link;
+    use crate::tree::NO_PARENT;
 
     #[test]
     fn mouths_lie_on_the_chosen_sides_and_look_inland() {
@@ -148,6 +152,53 @@ mod tests {
                 assert!(sides.chars().any(|side| gap(side) == 0.0), "{sides}: {mouth:?}");
                 assert!(parameters.domain.contains(mouth.at + mouth.inland), "{sides}: {mouth:?}");
             }
+        }
+    }
+
+    #[test]
+    fn mouths_lie_in_bays_rather_than_on_capes() {
+        for kind in ["island", "continent", "archipelago", "basin"] {
+            let (mut at_mouths, mut along_coasts) = (Vec::new(), Vec::new());
+            for seed in 0..8 {
+                let link = format!("land={kind}&rough=1&sea=0.4&mouths=6&apart=0&shores=nesw&seed={seed}");
+                let parameters = Parameters::of(&link::read(&link).unwrap());
+                let land = parameters.land.as_ref().unwrap();
+                at_mouths.extend(mouths(&parameters).iter().map(|mouth| land.shelter(mouth.at)));
+                along_coasts.extend(shores(&parameters).map(|shore| land.shelter(shore.at)));
+            }
+            let mean = |shelters: &[f32]| shelters.iter().sum::<f32>() / shelters.len() as f32;
+            let (mouths, coasts) = (mean(&at_mouths), mean(&along_coasts));
+            assert!(mouths > coasts + 0.03, "{kind}: {mouths} at mouths, {coasts} along coasts");
+        }
+    }
+
+    /// Where a grown tree's rivers reach the sea, region by region.
+    fn grown_mouths(link: &str) -> Vec<Vec<Vec2>> {
+        let mut growth = Colonize::new(Parameters::of(&link::read(link).unwrap())).unwrap();
+        while growth.tick() {}
+        let (tree, land) = (growth.tree(), growth.parameters().land.as_ref().unwrap());
+        let roots: Vec<Vec2> = (0..tree.len()).filter(|&i| tree.parent[i] == NO_PARENT).map(|i| tree.at[i]).collect();
+        let is_of = |region: &Region, root: &Vec2| region.shores.iter().any(|shore| shore.at == *root);
+        let of_region = |region| roots.iter().filter(|root| is_of(region, root)).copied().collect();
+        land.regions().iter().map(of_region).collect()
+    }
+
+    #[test]
+    fn mouths_of_a_coast_keep_as_far_apart_as_asked() {
+        for kind in ["island", "continent", "archipelago", "basin"] {
+            let mut counts = Vec::new();
+            for apart in [0, 60, 150, 400] {
+                let link = format!("land={kind}&seed=kauri&shores=nesw&attractors=300&mouths=40&apart={apart}");
+                let regions = grown_mouths(&link);
+                for mouths in &regions {
+                    let pairs =
+                        mouths.iter().enumerate().flat_map(|(i, a)| mouths[..i].iter().map(move |b| a.distance(*b)));
+                    let nearest = pairs.fold(f32::INFINITY, f32::min);
+                    assert!(nearest > apart as f32, "{kind}: two mouths are {nearest} apart, not {apart}");
+                }
+                counts.push(regions.iter().map(Vec::len).sum::<usize>());
+            }
+            assert!(counts[0] >= 40 && counts[3] < 20 && counts[3] > 0, "{kind}: {counts:?} mouths");
         }
     }
 }

@@ -3,8 +3,9 @@
 use glam::Vec2;
 
 use super::Parameters;
-use crate::land::{Cell, Cells, Land};
+use crate::land::{Cells, Land, SIDE};
 use crate::random::{Purpose, Stream};
+use crate::work;
 
 /// Places the attractors, in the order of their drawing: one more leaves all others where they are, unless on a grid.
 pub fn scatter(parameters: &Parameters) -> Vec<Vec2> {
@@ -20,11 +21,33 @@ pub fn scatter(parameters: &Parameters) -> Vec<Vec2> {
             // As fine a grid as puts about so many cells on the land.
             let size = parameters.domain.size;
             let cells = (size.x * size.y / (parameters.spacing * parameters.spacing)) as u32;
-            let regions: Vec<_> = parameters.watered().collect();
-            let is_watered =
-                |place| land.at(place) == Cell::Available && regions.iter().any(|region| land.is_in(region, place));
-            on_grid(parameters, cells.max(1), is_watered, &mut chance)
+            let watered = Watered::of(parameters, land);
+            on_grid(parameters, cells.max(1), |place| watered.holds(place), &mut chance)
         }
+    }
+}
+
+/// Which cells of land have a river mouth: a map, since there may be millions of places and hundreds of regions.
+struct Watered {
+    cells: Vec<bool>,
+    columns: usize,
+}
+
+impl Watered {
+    fn of(parameters: &Parameters, land: &Land) -> Self {
+        let columns = land.columns() as usize;
+        let mut cells = vec![false; columns * land.rows() as usize];
+        for run in parameters.watered().flat_map(|region| &region.runs) {
+            let row = run.row as usize * columns;
+            cells[row + run.start as usize..row + run.end as usize].fill(true);
+        }
+        Self { cells, columns }
+    }
+
+    /// Whether a point of the domain lies in such a cell; on its far borders none does.
+    fn holds(&self, place: Vec2) -> bool {
+        let (column, row) = ((place.x / SIDE) as usize, (place.y / SIDE) as usize);
+        column < self.columns && self.cells.get(row * self.columns + column) == Some(&true)
     }
 }
 
@@ -45,6 +68,7 @@ fn on_grid(parameters: &Parameters, cells: u32, is_wanted: impl Fn(Vec2) -> bool
     let rows = ((size.y / parameters.spacing).round() as u32).clamp(1, cells);
     let first_of = |row: u32| (u64::from(row) * u64::from(cells) / u64::from(rows)) as u32;
     let mut places = Vec::with_capacity(parameters.attractors as usize);
+    work::count(cells as usize);
     for row in 0..rows {
         let columns = first_of(row + 1) - first_of(row);
         let cell = size / Vec2::new(columns as f32, rows as f32);

@@ -11,6 +11,7 @@ use super::relief::Relief;
 use crate::domain::Domain;
 use crate::random::Seed;
 use crate::recipe::{Key, Outline, Recipe};
+use crate::work;
 
 /// The least share of the domain that a drawn land fills: with less, attractors would not find it.
 pub(super) const LEAST_DRAWN: f32 = 0.01;
@@ -66,6 +67,7 @@ impl Land {
     /// Land above the sea, cut by ridges.
     pub(crate) fn new(domain: &Domain, relief: Relief, ridges: Vec<Vec<Vec2>>) -> Self {
         let mut grid = Grid::above_water(domain, &relief);
+        work::count(grid.cells.len());
         let raised = grid.raise(&ridges);
         let mut regions = regions_of(&grid.runs);
         regions.iter_mut().for_each(|region| region.shores = grid.shores(region, &relief));

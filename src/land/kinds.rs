@@ -11,8 +11,6 @@ use crate::recipe::Sides;
 /// A shape of land.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LandKind {
-    /// The whole domain, with the sea beyond its sides.
-    Rectangle,
     /// One land mass, sea all around.
     Island,
     /// A coast along the chosen sides.
@@ -23,6 +21,8 @@ pub enum LandKind {
     Valley,
     /// A lake in the middle: rivers run inward.
     Basin,
+    /// The whole domain, with the sea beyond its sides.
+    Rectangle,
     /// What a person drew: the recipe's outline.
     Drawn,
 }
@@ -30,7 +30,7 @@ pub enum LandKind {
 impl LandKind {
     /// In the order of the parameter table.
     pub(crate) const ALL: [Self; 7] =
-        [Self::Rectangle, Self::Island, Self::Continent, Self::Archipelago, Self::Valley, Self::Basin, Self::Drawn];
+        [Self::Island, Self::Continent, Self::Archipelago, Self::Valley, Self::Basin, Self::Rectangle, Self::Drawn];
 }
 
 /// What a shape is made of.

@@ -6,6 +6,7 @@ use std::ops::Range;
 use glam::Vec2;
 
 use super::walk::{floor, walk};
+use crate::work;
 
 /// The side of a tile, in cells: the cells of a tile are the bits of a number.
 const TILE: usize = 8;
@@ -83,7 +84,18 @@ impl Obstacles {
     /// Whether a straight line from one point to another, in cells, touches no obstacle.
     #[inline]
     pub fn let_pass(&self, from: Vec2, to: Vec2) -> bool {
-        self.is_box_clear(from, to) || walk(from, to).all(|(column, row)| !self.holds(column, row))
+        (is_worth_boxing(to - from) && self.is_box_clear(from, to)) || self.is_way_clear(from, to)
+    }
+
+    /// The same cell by cell, up to the first obstacle.
+    fn is_way_clear(&self, from: Vec2, to: Vec2) -> bool {
+        let mut cells = 0;
+        let is_clear = walk(from, to).all(|(column, row)| {
+            cells += 1;
+            !self.holds(column, row)
+        });
+        work::count(cells);
+        is_clear
     }
 
     /// Whether surely no cell is an obstacle of the box between two points: most lines beside obstacles need not be
@@ -96,6 +108,7 @@ impl Obstacles {
             return false;
         }
         let (west, east, north, south) = (west as usize, east as usize, north as usize, south as usize);
+        work::count((south / TILE - north / TILE + 1) * (east / TILE - west / TILE + 1));
         let mut met = 0;
         for row in north / TILE..=south / TILE {
             let first = if row == north / TILE { north % TILE * TILE } else { 0 };
@@ -119,6 +132,15 @@ impl Obstacles {
         }
         self.cells[y / TILE * self.tile_columns + x / TILE] >> (y % TILE * TILE + x % TILE) & 1 == 1
     }
+}
+
+/// Whether a line is so short, or so nearly straight along an axis, that the box around it has no more tiles than the line has cells: a
+/// view across the map is followed instead, up to the first obstacle.
+#[inline]
+fn is_worth_boxing(along: Vec2) -> bool {
+    let along = along.abs();
+    let tiles = along * (1.0 / TILE as f32) + 2.0;
+    tiles.x * tiles.y <= along.x + along.y + TILE as f32
 }
 
 /// A bit in every row of a tile.

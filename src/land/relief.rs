@@ -11,6 +11,7 @@ use super::regions::{Region, Run, regions};
 use super::walk::walk;
 use crate::domain::Domain;
 use crate::order;
+use crate::work;
 
 /// A straight piece of coast, from one end to the other.
 pub(super) type Piece = [Vec2; 2];
@@ -253,6 +254,7 @@ impl<'a> Nearest<'a> {
         if piece == self.piece[i] {
             return;
         }
+        work::count(1);
         if let Some([from, to]) = self.coast.get(piece as usize) {
             let corner = Vec2::new(column as f32, row as f32) * Relief::SPACING;
             let squared = squared_distance(corner, *from, *to);

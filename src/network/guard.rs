@@ -12,6 +12,7 @@ use glam::Vec2;
 use super::Network;
 use crate::domain::Domain;
 use crate::plane::{distance, gap, least, meet, most};
+use crate::work;
 
 /// Two segments, each known by its upper vertex, and their distance.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -192,7 +193,9 @@ impl Guard {
         let (left, right) = (self.place(at.x - radius, self.columns), self.place(at.x + radius, self.columns));
         (self.place(at.y - radius, self.rows)..=self.place(at.y + radius, self.rows)).map(move |row| {
             let row = row * self.columns;
-            self.starts[row + left] as usize..self.starts[row + right + 1] as usize
+            let run = self.starts[row + left] as usize..self.starts[row + right + 1] as usize;
+            work::count(1 + run.len());
+            run
         })
     }
 }

@@ -47,6 +47,7 @@ pub fn elevations(network: &Network, everything: u32) -> Vec<f32> {
 mod tests {
     use super::super::samples::{river, straight};
     use super::*;
+    use glam::Vec2;
 
     #[test]
     fn four_times_the_slope_takes_a_thirty_second_of_the_discharge() {
@@ -66,5 +67,14 @@ mod tests {
         assert_eq!(elevations[10], 0.0);
         assert!((elevations[0] - 100.0 * slope(1.0)).abs() < 1e-6);
         assert!((elevations[11] - elevations[5] - 40.0 * slope(0.25)).abs() < 1e-6);
+    }
+
+    #[test]
+    fn a_river_falls_however_short_its_way() {
+        // A thousand units up, where a fall of a millionth is less than a float can hold; and two vertices at one place.
+        let line = [1e6, 10.0, 9.999_999, 9.999_999, 0.0].map(|x| Vec2::new(x, 0.0));
+        let network = river(&line, 1.0);
+        let elevations = elevations(&network, 100);
+        assert!(elevations.is_sorted_by(|upper, lower| upper > lower), "{elevations:?}");
     }
 }

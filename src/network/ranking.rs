@@ -12,6 +12,7 @@ use super::{NONE, Network};
 use crate::land::Land;
 use crate::plane::{height, is_in_triangle};
 use crate::simplify::Lines;
+use crate::work;
 
 /// The vertices that can go, in the order in which they do.
 pub(super) fn rank(network: &Network, land: Option<&Land>) -> Vec<u32> {
@@ -121,6 +122,7 @@ impl Cells {
         let right = self.place(most.x, self.corner.x, self.columns);
         (self.place(least.y, self.corner.y, self.rows)..=self.place(most.y, self.corner.y, self.rows)).all(|row| {
             let run = self.starts[row * self.columns + left]..self.starts[row * self.columns + right + 1];
+            work::count(1 + run.len());
             self.points[run.start as usize..run.end as usize].iter().all(|&point| holds(point))
         })
     }

@@ -10,6 +10,7 @@ use glam::Vec2;
 use super::NONE;
 use crate::plane::{Segment, distance, height, meet, meeting};
 use crate::tree::{NO_PARENT, Tree};
+use crate::work;
 
 /// A tree whose steps meet only at its nodes. The nodes stand in another order than before, parents first as ever.
 /// A branch that cannot be joined cleanly, for lack of room, goes.
@@ -164,10 +165,13 @@ impl Planar {
     fn visit(&self, segment: Segment, mut visit: impl FnMut(u32)) {
         for cell in self.cells(segment) {
             let mut entry = self.first[cell];
+            let mut visited = 1;
             while let Some(&(step, next)) = self.entries.get(entry as usize) {
                 visit(step);
                 entry = next;
+                visited += 1;
             }
+            work::count(visited);
         }
     }
 

@@ -126,4 +126,22 @@ mod tests {
         assert!(first(200.0) < 0.01, "{}", first(200.0));
         assert!(first(0.0) > 0.4, "{}", first(0.0));
     }
+
+    #[test]
+    fn a_closed_ridge_is_as_high_at_its_seam_as_opposite() {
+        let land = land("land=valley&rough=0&sea=0.3&aspect=1");
+        // Round a place far from any coast, once around.
+        let at =
+            |i: u32| Vec2::from_angle(std::f32::consts::TAU * (i % 48) as f32 / 48.0) * 60.0 + Vec2::new(500.0, 300.0);
+        let ring: Vec<Vec2> = (0..=48).map(at).collect();
+        let crest = crest(&ring);
+        let heights = heights(&land, &crest);
+        let highest = |part: &[f32]| part.iter().copied().fold(0.0, f32::max);
+        let (seam, opposite) = (highest(&heights[..8]), highest(&heights[heights.len() / 2 - 10..][..20]));
+        assert_eq!(crest.first(), crest.last());
+        assert!(land.relief().height(ring[0]) > RISE && opposite > 0.9, "{opposite}");
+        // Peaks come and go: from saddle up, but nowhere less.
+        assert!(heights[0] > 0.4 && heights[crest.len() - 1] > 0.4, "{} and {}", heights[0], heights[crest.len() - 1]);
+        assert!(seam > 0.7, "{seam} where the ring begins, {opposite} opposite");
+    }
 }

@@ -82,3 +82,23 @@ impl View {
         point * self.scale + self.offset
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_picture_shows_the_middle_of_its_domain_in_its_middle() {
+        let domain = Domain::with_aspect(1.0);
+        for (width, height) in [(400, 400), (400, 100), (100, 400)] {
+            let view = View::new(&domain, width, height).unwrap();
+            let size = Vec2::new(width as f32, height as f32);
+            assert_eq!(view.pixel(domain.size * 0.5), size * 0.5, "{width} x {height}");
+            assert_eq!(view.point(size * 0.5), domain.size * 0.5, "{width} x {height}");
+            // Nothing is left bare, and what is cut off is the same on both sides.
+            let (first, last) = (view.pixel(Vec2::ZERO), view.pixel(domain.size));
+            assert!(first.max_element() <= 0.0 && (last - size).min_element() >= 0.0, "{first} to {last}");
+            assert_eq!(-first, last - size, "{width} x {height}");
+        }
+    }
+}

@@ -14,10 +14,10 @@ struct Rule {
 
 /// Facts of a recipe, a bit each: that a choice is the one of that number, or a number is 0.
 const FACTS: [(Key, u32); 15] = [
+    (Key::Land, PLAIN_RECTANGLE),
     (Key::Land, 0),
-    (Key::Land, 1),
-    (Key::Land, 3),
-    (Key::Land, 5),
+    (Key::Land, 2),
+    (Key::Land, 4),
     (Key::Land, DRAWN_LAND),
     (Key::Growth, 0),
     (Key::Growth, 1),
@@ -30,6 +30,7 @@ const FACTS: [(Key, u32); 15] = [
     (Key::Great, 0),
     (Key::Gentle, 0),
 ];
+const PLAIN_RECTANGLE: u32 = 5;
 const DRAWN_LAND: u32 = 6;
 const RECTANGLE: u32 = 1;
 const ISLAND: u32 = 1 << 1;
@@ -131,7 +132,7 @@ impl Recipe {
     fn holds(&self, &(key, number): &(Key, u32)) -> bool {
         match self.value(key) {
             // A drawn land of which nothing is drawn is the whole rectangle.
-            Value::Choice(_) if key == Key::Land && self.is_undrawn() => number == 0,
+            Value::Choice(_) if key == Key::Land && self.is_undrawn() => number == PLAIN_RECTANGLE,
             Value::Choice(index) => *index as u32 == number,
             Value::Integer(integer) => *integer == number,
             Value::Number(decimal) => *decimal == Decimal::whole(number),
@@ -148,6 +149,7 @@ impl Recipe {
 mod tests {
     use super::*;
     use crate::recipe::link;
+    use crate::recipe::table::TABLE;
 
     fn reason(link: &str, key: Key) -> Option<&'static str> {
         link::read(link).unwrap().idle_reason(key)
@@ -194,6 +196,129 @@ mod tests {
             ("curl=0.5", Key::Stretch),
         ] {
             assert_eq!(reason(link, key), None, "{link}");
+        }
+    }
+
+    /// A recipe in which next to everything does something, whatever the defaults are.
+    const LIVELY: &str = "land=rectangle&growth=colonize&curl=0.5&meander=bend&meander-rounds=60&meander-strength=0.5&great=3&gentle=0.3&style=ink";
+
+    const NO_COAST: (&str, &str) = ("sea rough apart shores", "The whole rectangle is land: it has no coast.");
+    const NOT_DRAWN: (&str, &str) = ("outline", "The land is not drawn.");
+    const NO_SENSITIVITY: (&str, &str) = ("sensitivity", "Only a Brownian tree has it.");
+    const RECTANGULAR: &[(&str, &str)] = &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY];
+
+    /// What is set over the lively recipe, and all keys that do nothing then, each with its reason.
+    const EXPECTED: &[(&str, &[(&str, &str)])] = &[
+        ("", RECTANGULAR),
+        ("land=drawn&outline=", RECTANGULAR),
+        ("land=drawn&outline=.MzMzzMMzzMzM", &[("sea sides", "The drawing says where the sea is."), NO_SENSITIVITY]),
+        ("land=island", &[("sides", "This land has the sea all round."), NOT_DRAWN, NO_SENSITIVITY]),
+        ("land=archipelago", &[("sides", "This land has the sea all round."), NOT_DRAWN, NO_SENSITIVITY]),
+        ("land=continent", &[NOT_DRAWN, NO_SENSITIVITY]),
+        ("land=valley", &[NOT_DRAWN, NO_SENSITIVITY]),
+        ("land=basin", &[("sides", "Rivers run to the lake in the middle."), NOT_DRAWN, NO_SENSITIVITY]),
+        (
+            "land=continent&growth=brownian",
+            &[
+                NOT_DRAWN,
+                (
+                    "mouths apart shores attractors scatter reach kill step momentum curl stretch",
+                    "Only space colonization has it.",
+                ),
+            ],
+        ),
+        (
+            "growth=brownian",
+            &[
+                NO_COAST,
+                NOT_DRAWN,
+                ("mouths attractors scatter reach kill step momentum curl stretch", "Only space colonization has it."),
+            ],
+        ),
+        ("curl=0", &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, ("stretch", "Only rivers with curl have stretches.")]),
+        (
+            "meander=none",
+            &[
+                NO_COAST,
+                NOT_DRAWN,
+                NO_SENSITIVITY,
+                ("meander-rounds meander-strength meander-mix gentle great flat neck buffer taper", STILL),
+            ],
+        ),
+        (
+            "meander-rounds=0",
+            &[
+                NO_COAST,
+                NOT_DRAWN,
+                NO_SENSITIVITY,
+                ("meander-strength meander-mix gentle great flat neck buffer taper", STILL),
+            ],
+        ),
+        (
+            "great=0&gentle=0",
+            &[
+                NO_COAST,
+                NOT_DRAWN,
+                NO_SENSITIVITY,
+                ("meander-strength meander-mix neck buffer taper", STILL),
+                ("flat", "There are no great rivers."),
+            ],
+        ),
+        ("great=0", &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, ("flat", "There are no great rivers.")]),
+        ("gentle=0", RECTANGULAR),
+        ("meander-strength=0", &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, ("meander-mix", STILL)]),
+        (
+            "meander=flow",
+            &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, ("meander-mix", "Only bends that grow outward have it.")],
+        ),
+        ("style=skeleton", RECTANGULAR),
+        (
+            "style=skeleton&meander-rounds=0",
+            &[
+                NO_COAST,
+                NOT_DRAWN,
+                NO_SENSITIVITY,
+                ("meander-strength meander-mix gentle great flat neck buffer taper", STILL),
+                ("width vary", "The skeleton is one pixel wide everywhere."),
+            ],
+        ),
+        (
+            "style=skeleton&meander=none",
+            &[
+                NO_COAST,
+                NOT_DRAWN,
+                NO_SENSITIVITY,
+                ("meander-rounds meander-strength meander-mix gentle great flat neck buffer taper", STILL),
+                ("width vary", "The skeleton is one pixel wide everywhere."),
+            ],
+        ),
+    ];
+
+    #[test]
+    fn each_kind_of_recipe_has_its_idle_keys_and_no_others() {
+        for (over, expected) in EXPECTED {
+            let lively = link::pairs(LIVELY).unwrap().into_iter();
+            let over = link::pairs(over).unwrap();
+            let kept = lively.filter(|(key, _)| over.iter().all(|(other, _)| other != key));
+            let recipe = link::apply(Recipe::default(), &kept.chain(over.clone()).collect::<Vec<_>>()).unwrap();
+            for parameter in &TABLE {
+                let names = |(keys, _): &&(&str, &str)| keys.split(' ').any(|key| key == parameter.name);
+                let reason = expected.iter().find(names).map(|(_, reason)| *reason);
+                assert_eq!(recipe.idle_reason(parameter.key), reason, "{} with {over:?}", parameter.name);
+            }
+        }
+    }
+
+    #[test]
+    fn every_rule_is_expected_of_some_recipe() {
+        for rule in &RULES {
+            for parameter in TABLE.iter().filter(|parameter| rule.keys >> parameter.key as u64 & 1 == 1) {
+                let is_expected = |(keys, reason): &(&str, &str)| {
+                    *reason == rule.reason && keys.split(' ').any(|key| key == parameter.name)
+                };
+                let found = EXPECTED.iter().any(|(_, expected)| expected.iter().any(is_expected));
+                assert!(found, "{}: {}", parameter.name, rule.reason);
+            }
         }
     }
 }

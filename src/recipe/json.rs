@@ -28,6 +28,8 @@ pub fn pairs(text: &str) -> Result<Vec<(String, String)>, RecipeError> {
     if text.len() > LONGEST {
         return Err(RecipeError::TooLong { key: "recipe", length: text.len(), max: LONGEST });
     }
+    // Some editors begin every file with a byte order mark.
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let members: Members =
         serde_json::from_str(text).map_err(|error| RecipeError::Json { reason: error.to_string() })?;
     let pair = |(key, value): (String, Json)| text_of(&key, value).map(|text| (key, text));

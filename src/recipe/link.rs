@@ -219,4 +219,16 @@ mod tests {
         assert_eq!(recipe.seed(), "ā".repeat(64));
         assert_eq!(notices.len(), 2);
     }
+
+    #[test]
+    fn a_link_of_another_edition_is_drawn_with_a_warning() {
+        for edition in ["0", "2", "7"] {
+            let (recipe, notices) = read_leniently(&format!("seed=rimu&edition={edition}"));
+            assert_eq!(recipe, read("seed=rimu").unwrap());
+            let message = format!(
+                "edition: {edition} is unknown here, this program draws edition 1: the picture may differ from the one shared"
+            );
+            assert_eq!(notices, [Notice { key: "edition".into(), message }]);
+        }
+    }
 }

@@ -45,7 +45,7 @@ pub static TABLE: [Parameter; COUNT] = {
             group: "Land",
             stage: Land,
             logarithmic: true,
-            kind: number(0.25, 4.0, 0.01, 1.5),
+            kind: number(0.25, 4.0, 0.01, 1.6),
         },
         Parameter {
             key: Key::Land,
@@ -58,12 +58,12 @@ pub static TABLE: [Parameter; COUNT] = {
             logarithmic: false,
             kind: Kind::Choice {
                 choices: &[
-                    ("rectangle", "the whole rectangle"),
                     ("island", "an island"),
                     ("continent", "a coast"),
                     ("archipelago", "an archipelago"),
                     ("valley", "a valley between ridges"),
                     ("basin", "around a lake"),
+                    ("rectangle", "the whole rectangle"),
                     ("drawn", "drawn by hand"),
                 ],
             },
@@ -88,7 +88,7 @@ pub static TABLE: [Parameter; COUNT] = {
             group: "Land",
             stage: Land,
             logarithmic: false,
-            kind: number(0.1, 0.8, 0.01, 0.5),
+            kind: number(0.1, 0.8, 0.01, 0.6),
         },
         Parameter {
             key: Key::Rough,
@@ -99,7 +99,7 @@ pub static TABLE: [Parameter; COUNT] = {
             group: "Land",
             stage: Land,
             logarithmic: false,
-            kind: number(0.0, 1.0, 0.01, 0.5),
+            kind: number(0.0, 1.0, 0.01, 1.0),
         },
         Parameter {
             key: Key::Mouths,
@@ -110,7 +110,7 @@ pub static TABLE: [Parameter; COUNT] = {
             group: "Land",
             stage: Grow,
             logarithmic: true,
-            kind: Kind::Integer { min: 1, max: 64, default: 3 },
+            kind: Kind::Integer { min: 1, max: 64, default: 8 },
         },
         Parameter {
             key: Key::Apart,
@@ -242,7 +242,7 @@ pub static TABLE: [Parameter; COUNT] = {
             group: "Bends",
             stage: Grow,
             logarithmic: false,
-            kind: number(0.0, 2.0, 0.01, 0.0),
+            kind: number(0.0, 2.0, 0.01, 0.7),
         },
         Parameter {
             key: Key::Stretch,
@@ -264,7 +264,7 @@ pub static TABLE: [Parameter; COUNT] = {
             group: "Finish",
             stage: Prune,
             logarithmic: false,
-            kind: Kind::Integer { min: 0, max: 60, default: 4 },
+            kind: Kind::Integer { min: 0, max: 60, default: 7 },
         },
         Parameter {
             key: Key::Simplify,
@@ -286,7 +286,7 @@ pub static TABLE: [Parameter; COUNT] = {
             group: "Rivers",
             stage: Shape,
             logarithmic: true,
-            kind: number(1.0, 40.0, 0.5, 14.0),
+            kind: number(1.0, 40.0, 0.5, 16.0),
         },
         Parameter {
             key: Key::Vary,
@@ -321,7 +321,7 @@ pub static TABLE: [Parameter; COUNT] = {
             group: "Meanders",
             stage: Shape,
             logarithmic: false,
-            kind: Kind::Integer { min: 0, max: 400, default: 24 },
+            kind: Kind::Integer { min: 0, max: 400, default: 36 },
         },
         Parameter {
             key: Key::MeanderStrength,
@@ -365,7 +365,7 @@ pub static TABLE: [Parameter; COUNT] = {
             group: "Meanders",
             stage: Shape,
             logarithmic: false,
-            kind: Kind::Integer { min: 0, max: 16, default: 1 },
+            kind: Kind::Integer { min: 0, max: 16, default: 3 },
         },
         Parameter {
             key: Key::Flat,

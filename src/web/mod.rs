@@ -196,10 +196,11 @@ impl River {
         self.session.restart().map_err(|error| session_error(&error))
     }
 
-    /// Goes on by so many steps at most: ticks of growth, then one that makes rivers of the tree, then rounds of
-    /// meandering. Returns whether there is nothing more to do.
-    pub fn advance(&mut self, steps: u32) -> bool {
-        !self.session.advance(steps)
+    /// Goes on by so many steps at most: ticks of growth, then a few that make rivers of the tree, then rounds of
+    /// meandering. Returns whether there is nothing more to do. Throws an Error with the code `no-memory` if that is not
+    /// to be had: what is there then is no picture of the recipe.
+    pub fn advance(&mut self, steps: u32) -> Result<bool, JsValue> {
+        self.session.advance(steps).map(|more| !more).map_err(|error| coded("no-memory", &error.to_string()))
     }
 
     /// What the next step does.
@@ -256,10 +257,16 @@ impl River {
         size.x / size.y
     }
 
-    /// How many ticks growth takes to cross the domain's height, or about so.
-    #[wasm_bindgen(getter, js_name = ticksPerHeight)]
-    pub fn ticks_per_height(&self) -> f32 {
-        self.session.growth().ticks_per_height()
+    /// How far the phase has come, from 0 to 1: growth by what is drained, meandering by its rounds.
+    #[wasm_bindgen(getter)]
+    pub fn progress(&self) -> f32 {
+        self.session.progress()
+    }
+
+    /// How many rounds the rivers will have meandered.
+    #[wasm_bindgen(getter)]
+    pub fn rounds(&self) -> u32 {
+        self.session.recipe().integer(Key::MeanderRounds)
     }
 
     /// The picture in numbers.
@@ -268,7 +275,6 @@ impl River {
         let summary = self.session.summary();
         let stopped = match summary.ending {
             Some(Ending::NodeLimit) => Some("The tree grew to its limit of nodes and was stopped."),
-            Some(Ending::OutOfMemory) => Some("The browser gave no more memory: fewer attractors need less."),
             _ if summary.is_stalled() => Some(DIED_OUT),
             _ => None,
         };
@@ -298,7 +304,7 @@ fn read_strictly(text: &str) -> Result<Recipe, JsValue> {
 fn session_error(error: &SessionError) -> JsValue {
     let code = match error {
         SessionError::Paint(PaintError::Size { width: 0, .. } | PaintError::Size { height: 0, .. }) => "bad-params",
-        SessionError::Grow(_) | SessionError::Paint(_) => "too-large",
+        SessionError::Grow(_) | SessionError::Paint(_) | SessionError::NoRivers { .. } => "too-large",
     };
     coded(code, &error.to_string())
 }

@@ -6,7 +6,7 @@ use serde_wasm_bindgen::Serializer;
 use wasm_bindgen::prelude::*;
 
 use super::{River, coded, object, read_strictly, session_error};
-use crate::digest;
+use crate::digest::{self, DigestError};
 use crate::export::{ExportError, Value, geojson, json, svg};
 use crate::land::trace;
 
@@ -44,10 +44,13 @@ pub fn longest_traced_side() -> u32 {
     trace::LONGEST_SIDE
 }
 
-/// The digest of a recipe: what proves that two browsers draw the same. The link is read strictly.
+/// The digest of a recipe: what proves that two browsers draw and write the same. The link is read strictly.
 #[wasm_bindgen(js_name = digest)]
 pub fn digest_of(link: &str) -> Result<String, JsValue> {
-    digest::digest(&read_strictly(link)?).map_err(|error| session_error(&error))
+    digest::digest(&read_strictly(link)?).map_err(|error| match &error {
+        DigestError::Session(error) => session_error(error),
+        DigestError::Export(error) => export_error(error),
+    })
 }
 
 #[wasm_bindgen]

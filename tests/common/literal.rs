@@ -153,6 +153,10 @@ impl Literal {
     fn draw(&mut self, target: At, particle: At) -> bool {
         let middle = |(x, y): At| (x * 256 + 128, y * 256 + 128);
         let mut parent = self.node_at.get(&target).copied();
+        // A mouth keeps clear of the rivers and the mouths that are there.
+        if parent.is_none() && self.nodes.iter().any(|node| touches(node.cell, target)) {
+            return false;
+        }
         let from = parent.map_or(middle(target), |node| self.nodes[node as usize].exact);
         let to = middle(particle);
         let (dx, dy) = (to.0 - from.0, to.1 - from.1);
@@ -188,7 +192,6 @@ impl Literal {
         let around = (y - 1..=y + 1).flat_map(|row| (x - 1..=x + 1).map(move |column| (column, row)));
         let mut water = around.filter(|&at| at != before && self.cell(at) == Some(Cell::Unavailable));
         let river = |at: &At| self.node_at.get(at).filter(|&&node| self.nodes[node as usize].parent != NO_PARENT);
-        let touches = |a: At, b: At| (a.0 - b.0).abs() <= 1 && (a.1 - b.1).abs() <= 1;
         let is_from_sea = river(&before).is_none();
         water.all(|at| match (river(&at), parent) {
             (None, _) if is_from_sea => touches(at, before),
@@ -199,6 +202,10 @@ impl Literal {
             (_, None) => false,
         })
     }
+}
+
+fn touches(a: At, b: At) -> bool {
+    (a.0 - b.0).abs() <= 1 && (a.1 - b.1).abs() <= 1
 }
 
 /// How far a line of five cells' length goes along the axis on which it is longer, in 256ths of a cell.

@@ -13,8 +13,9 @@ const FOLDER = new URL("../dist-widget/", import.meta.url);
 const EMBED = ["river-seed.js", "worker.js", "riverseed_bg.wasm"];
 const EMBED_HERE = ["river-seed.js", "tag-here.js", "riverseed_bg.wasm"];
 
+// The element was 6,000: giving up what never answers, and opening anew what answers no more, took 600.
 const LIMITS = [
-  ["element and loader", ["river-seed.js"], 6_000],
+  ["element and loader", ["river-seed.js"], 6_600],
   ["glue", withImports("core.js"), 5_000],
   ["whole embed", EMBED, 170_000],
   ["whole embed, without a worker", EMBED_HERE, 170_000],

@@ -14,7 +14,7 @@ const ADVICE: Record<Code, Advice> = {
   "wasm-unsupported": {
     title: "This browser cannot grow rivers",
     text:
-      "Riverseed needs WebAssembly with SIMD: Chrome 91, Edge 91, Firefox 89, Safari 16.4 or newer. " +
+      "Riverseed needs WebAssembly with SIMD. It runs in Chrome and Edge 120, Firefox 121, Safari 17.2 and newer. " +
       "Update the browser, or allow WebAssembly if a privacy setting turned it off.",
     reload: true,
   },
@@ -40,6 +40,13 @@ const ADVICE: Record<Code, Advice> = {
       "'wasm-unsafe-eval' to its script-src.",
     reload: false,
   },
+  "wasm-timeout": {
+    title: "The river engine did not answer",
+    text:
+      "Nothing more of it came for too long, so it was given up. Check the connection and load the page again. Whoever runs " +
+      "this site: see whether the server sends the scripts and the .wasm file whole.",
+    reload: true,
+  },
   "no-tools": {
     title: "A part of Riverseed did not arrive",
     text: "What makes files and traces pictures could not be downloaded. Check the connection and try again.",
@@ -54,6 +61,11 @@ const ADVICE: Record<Code, Advice> = {
     title: "This river is too large to draw here",
     text: "It asks for more memory than the page may take. Use fewer attractors, or a smaller window.",
     reload: false,
+  },
+  "no-memory": {
+    title: "The memory ran out before the rivers were done",
+    text: "The browser gave the page no more of it. Use fewer attractors, or close other pages and load this one again.",
+    reload: true,
   },
   "no-land": {
     title: "This is no land",

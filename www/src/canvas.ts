@@ -11,6 +11,22 @@ export interface Box extends Size {
   y: number;
 }
 
+/**
+ * An element's place on the page. Made smaller by a CSS transform, as slides and cards are before they come forward, it counts as
+ * large as it is laid out: nobody is told when the transform ends, and a picture of less pixels would stay soft. Made larger it
+ * counts as it is seen.
+ */
+export function placeOf(element: HTMLElement): Box {
+  const seen = element.getBoundingClientRect();
+  const { offsetWidth, offsetHeight } = element;
+  if (Math.abs(seen.width - offsetWidth) < 1 && Math.abs(seen.height - offsetHeight) < 1) return seen;
+  // Unlike offsetWidth with what there is behind the point.
+  const { width, height } = getComputedStyle(element);
+  const laid = { width: Number.parseFloat(width), height: Number.parseFloat(height) };
+  const scale = Math.max(1, Math.sqrt((seen.width * seen.height) / (laid.width * laid.height)));
+  return { x: seen.x, y: seen.y, width: laid.width * scale, height: laid.height * scale };
+}
+
 /** Beyond two pixels to the CSS pixel nobody sees the difference, and painting takes four times as long. */
 const RATIO_CAP = 2;
 /** 2048²: copying more than this takes longer than 2 ms of a frame. */

@@ -31,12 +31,12 @@ export class Downloads {
   /** Saves what is shown, unless another file is still being made, and says how it goes. */
   async save(format: Format, say: (text: string) => void): Promise<void> {
     if (this.#isBusy) return;
-    const { link, seed } = this.recipe;
+    const { shown, seed } = this.recipe;
     const name = fileName(seed, format);
     this.#isBusy = true;
     say(`Making ${name}…`);
     try {
-      save(await fileOf(this.core, link, format), name);
+      save(await fileOf(this.core, shown, format), name);
       say(`${name} is in your downloads.`);
     } catch (thrown) {
       const error = named(thrown);

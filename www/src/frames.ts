@@ -30,6 +30,11 @@ export class Turns implements Frames {
     return this.display.now();
   }
 
+  /** Whether some river waits for its turn. */
+  get areAwaited(): boolean {
+    return this.#waiting.size > 0;
+  }
+
   request(callback: (now: number) => void): number {
     this.#waiting.set(++this.#last, callback);
     this.#ask();

@@ -5,10 +5,11 @@
 
 import type { Phase } from "../pkg/riverseed.js";
 
-/** At 1x the front crosses the height of the picture in this time. */
-export const HEIGHT_SECONDS = 5;
-/** At 1x rivers meander at this pace: about a round a frame. */
+/** At 1x a tree grows up in this time, whatever its shape and however fine it is. */
+export const GROWTH_SECONDS = 2;
+/** At 1x rivers meander at this pace, or a round at most every other frame; many rounds share the time there is for all. */
 export const ROUNDS_PER_SECOND = 40;
+export const MEANDER_SECONDS = 1.2;
 /** What steps may take of a frame that animates: painting, and the rest of the page, need the other 10 ms. */
 export const FRAME_BUDGET_MS = 6;
 /** What they may take of a frame when somebody waits for the finished river. */
@@ -22,8 +23,11 @@ const LONGEST_STEP_MS = 100;
 
 /** What grows: the core's river, or a stand-in in a test. */
 export interface Growing {
-  readonly ticksPerHeight: number;
   readonly phase: Phase;
+  /** How far the phase has come, from 0 to 1. */
+  readonly progress: number;
+  /** How many rounds rivers meander in all. */
+  readonly rounds: number;
   advance(steps: number): boolean;
   restart(): void;
 }
@@ -48,14 +52,29 @@ export interface Audience {
   failed(error: unknown): void;
 }
 
+/** How a phase is spread over its time; times and shares run from 0 to 1. */
+interface Pace {
+  seconds: number;
+  shareAt(time: number): number;
+  timeAt(share: number): number;
+}
+
+/** Fast at first, so that there is soon something to be seen: after half of the time four fifths have grown. */
+const EASE = 2.5;
+const GROWING: Pace = {
+  seconds: GROWTH_SECONDS,
+  shareAt: (time) => 1 - (1 - time) ** EASE,
+  timeAt: (share) => 1 - (1 - share) ** (1 / EASE),
+};
+
 export class Growth {
-  /** Times the ordinary speed; `Infinity` grows as fast as the budget allows. */
-  speed = 1;
+  #speed = 1;
   #state: State = "paused";
   #handle: number | undefined;
   #last: number | undefined;
-  /** Steps that are due and not yet made, with their fraction. */
-  #owed = 0;
+  /** The phase that is being animated, and the seconds, at 1x, that it has been. */
+  #paced: Phase | undefined;
+  #spent = 0;
   #shownAt = 0;
   #redraw = false;
   #isResting = false;
@@ -73,6 +92,13 @@ export class Growth {
 
   get state(): State {
     return this.#state;
+  }
+
+  /** Times the ordinary speed; `Infinity` grows as fast as the budget allows. */
+  set speed(speed: number) {
+    this.#speed = speed;
+    // From where it stands, however fast it came there.
+    this.#paced = undefined;
   }
 
   /** Whether another recipe would throw away what nobody has seen yet. */
@@ -153,7 +179,7 @@ export class Growth {
 
   #enter(state: State): void {
     this.#last = undefined;
-    this.#owed = 0;
+    this.#paced = undefined;
     this.#redraw = true;
     this.#paintsNext = false;
     this.#become(state);
@@ -211,32 +237,44 @@ export class Growth {
   /** Makes the steps that are due, within the budget. */
   #proceed(now: number, phase: Phase): void {
     if (this.#state === "settling") {
-      this.#advance(phase, Number.POSITIVE_INFINITY, SETTLE_BUDGET_MS);
+      this.#advance(phase, 1, SETTLE_BUDGET_MS);
       return;
     }
     const elapsed = this.#last === undefined ? 0 : Math.min(now - this.#last, LONGEST_STEP_MS);
     this.#last = now;
-    this.#advance(phase, this.#due(phase, elapsed), FRAME_BUDGET_MS);
+    this.#animate(phase, (elapsed * this.#speed) / 1000);
   }
 
-  #due(phase: Phase, elapsedMs: number): number {
-    if (phase === "shaping" || this.speed === Number.POSITIVE_INFINITY) return Number.POSITIVE_INFINITY;
-    const perSecond = phase === "growing" ? this.river.ticksPerHeight / HEIGHT_SECONDS : ROUNDS_PER_SECOND;
-    return this.#owed + (elapsedMs * perSecond * this.speed) / 1000;
+  /** Goes on by so many seconds of the animation. What does not fit makes it longer, rather than falling ever further behind. */
+  #animate(phase: Phase, seconds: number): void {
+    const pace = this.#paceOf(phase);
+    if (this.#paced !== phase) {
+      this.#paced = phase;
+      this.#spent = pace.seconds * pace.timeAt(this.river.progress);
+    }
+    const spent = this.#spent + seconds;
+    const share = spent < pace.seconds ? pace.shareAt(spent / pace.seconds) : 1;
+    if (this.#advance(phase, share, FRAME_BUDGET_MS)) this.#spent = spent;
+  }
+
+  #paceOf(phase: Phase): Pace {
+    if (phase === "growing") return GROWING;
+    const seconds = phase === "meandering" ? Math.min(MEANDER_SECONDS, this.river.rounds / ROUNDS_PER_SECOND) : 0;
+    return { seconds, shareAt: (time) => time, timeAt: (share) => share };
   }
 
   /**
-   * One step at a time: a step is far longer than asking the clock, and the longest bounds how late a frame can be. Another
-   * phase begins with another frame, so that its first picture is seen.
+   * Steps until so much of the phase is done, 1 for its end; returns whether there was time for them. One step at a time: a step
+   * is far longer than asking the clock, and the longest bounds how late a frame can be. Another phase begins with another frame,
+   * so that its first picture is seen.
    */
-  #advance(phase: Phase, due: number, budgetMs: number): void {
+  #advance(phase: Phase, share: number, budgetMs: number): boolean {
     const end = this.frames.now() + budgetMs;
-    while (due >= 1 && this.river.phase === phase) {
+    const isDue = (): boolean => this.river.phase === phase && (share === 1 || this.river.progress < share);
+    while (isDue()) {
       this.river.advance(1);
-      due -= 1;
-      if (this.frames.now() >= end) break;
+      if (this.frames.now() >= end) return !isDue();
     }
-    // Whole steps that did not fit are dropped: it takes longer rather than falling ever further behind.
-    this.#owed = due % 1 || 0;
+    return true;
   }
 }

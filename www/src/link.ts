@@ -1,11 +1,14 @@
 /** The address bar: where the link of the picture that is shown always stands. */
 
+import { withoutTrackers } from "./trackers.ts";
+
 /** At most one write in this time. Safari refuses more than 100 in 30 s; a slider makes hundreds. */
 export const WRITE_EVERY_MS = 500;
 
 /** The link text in an address: its query, or its fragment if that holds a link and there is no other way to tell. */
 export function linkOf(place: { search: string; hash: string }): string {
-  return place.hash.includes("=") ? place.hash.slice(1) : place.search.slice(1);
+  const fragment = withoutTrackers(place.hash.slice(1));
+  return fragment.includes("=") ? fragment : withoutTrackers(place.search.slice(1));
 }
 
 /** The whole address that shows `link`, from the page's own. */

@@ -1,7 +1,7 @@
 /** The page: puts the parts together. The recipe says what is shown; everything else follows it. */
 
 import "./style.css";
-import type { Phase, Summary } from "../pkg/riverseed.js";
+import type { Parameter, Phase, Preset, Summary } from "../pkg/riverseed.js";
 import { type Controls, controls } from "./controls.ts";
 import { setText } from "./dom.ts";
 import { Downloads } from "./downloads.ts";
@@ -15,12 +15,13 @@ import type { How } from "./picture.ts";
 import { listenForPictures } from "./picture-entry.ts";
 import { pixelsOf } from "./picture-file.ts";
 import { Plate } from "./plate.ts";
-import { type Presets, presets } from "./presets.ts";
+import { besides, type Presets, presets, type Values } from "./presets.ts";
 import { Recipe } from "./recipe.ts";
+import { DARK_PAGES, DARK_STYLE } from "./scheme.ts";
 import { SeedBox } from "./seed.ts";
 import { copy } from "./share.ts";
 import { ShareDialog } from "./share-dialog.ts";
-import { Announcer, showFailure, showNotices } from "./status.ts";
+import { Announcer, showFailure, showNotices, undoable } from "./status.ts";
 import { loadTools } from "./tools.ts";
 import { Transport } from "./transport.ts";
 import { count } from "./values.ts";
@@ -28,6 +29,7 @@ import { type Core, load } from "./wasm.ts";
 import { alternative, caption, sentence } from "./words.ts";
 
 const prefersStill = window.matchMedia("(prefers-reduced-motion: reduce)");
+const prefersDark = window.matchMedia(DARK_PAGES);
 
 class Page {
   readonly #recipe: Recipe;
@@ -39,18 +41,23 @@ class Page {
   readonly #drawing: Drawing;
   readonly #address = new AddressBar(replaceAddress);
   readonly #announcer = new Announcer(parts.announcement);
+  /** What the last presets changed unasked, and the recipe from before them. */
+  #aside: { message: string; link: string; values: ReadonlyMap<string, string> } | undefined;
 
   constructor(private readonly core: Core) {
     const { engine } = core;
-    const table = engine.parameters();
-    this.#recipe = new Recipe((text) => engine.readLink(text));
+    const table = engine.parameters().map(asHere);
+    this.#recipe = new Recipe(
+      (text) => engine.readLink(text),
+      () => prefersDark.matches,
+    );
     this.#recipe.open(linkOf(location));
     const folds = new Folds(() => localStorage);
     this.#controls = controls(table, (key, text) => this.#choose(key, text), folds);
-    this.#presets = presets(engine.presets(), table, (values) => this.#set(values, "watch"));
+    this.#presets = presets(engine.presets(), table, (...pressed) => this.#press(...pressed));
     this.#seedBox = new SeedBox(parts.seedForm, parts.seed, (seed) => this.#set([["seed", seed]], "watch"));
     describeSeed(table);
-    this.#plate = new Plate(core, parts, this.#recipe.link, {
+    this.#plate = new Plate(core, parts, this.#recipe.shown, {
       changed: (state, phase, summary) => this.#follow(state, phase, summary),
       failed: (error) => this.#fail(error),
     });
@@ -94,6 +101,7 @@ class Page {
     listenForPictures(parts.drawing, (file) => void this.#trace(file));
     // Not hashchange as well: it follows the popstate of another fragment, whose link would be opened twice.
     window.addEventListener("popstate", () => this.#followAddress());
+    prefersDark.addEventListener("change", () => this.#attempt(() => this.#show("settle")));
     window.addEventListener("pagehide", () => this.#address.flush());
   }
 
@@ -124,6 +132,22 @@ class Page {
     if (key === "land" && text === "drawn" && this.#recipe.values.get("outline") === "") this.#drawing.open();
   }
 
+  /** A preset is pressed. What it changes besides is said, with the way back to before it, or to before the first of several. */
+  #press(preset: Preset, values: Values): void {
+    const { engine } = this.core;
+    const before = this.#aside ?? { link: this.#recipe.link, values: this.#recipe.values };
+    const message = besides(preset, engine.presets(), engine.parameters(), before.values);
+    this.#set(values, "watch");
+    this.#aside = message === undefined ? undefined : { ...before, message };
+    this.#showNotices();
+  }
+
+  /** Back to the recipe from before the presets. */
+  #undoPresets(link: string): void {
+    this.#open(link);
+    this.#presets.focus();
+  }
+
   #throwDice(): void {
     this.#attempt(() => {
       const seed = this.core.engine.freshSeed();
@@ -135,6 +159,7 @@ class Page {
   /** Changes some values of what is shown. */
   #set(values: Iterable<readonly [key: string, value: string]>, how: How): void {
     this.#attempt(() => {
+      this.#aside = undefined;
       this.#recipe.set(values);
       this.#show(how);
     });
@@ -143,6 +168,7 @@ class Page {
   /** Shows another link in place of everything. */
   #open(link: string): void {
     this.#attempt(() => {
+      this.#aside = undefined;
       this.#recipe.open(link);
       this.#seedBox.replace(this.#recipe.seed);
       this.#show("watch");
@@ -166,7 +192,7 @@ class Page {
 
   #show(how: How): void {
     this.#showRecipe();
-    this.#plate.show(this.#recipe.link, this.#how(how));
+    this.#plate.show(this.#recipe.shown, this.#how(how));
   }
 
   #how(how: How): How {
@@ -186,8 +212,11 @@ class Page {
   }
 
   #showNotices(): void {
-    showNotices(parts.notices, [...this.#recipe.notices.values()], () => {
+    const { message, link } = this.#aside ?? { message: undefined, link: "" };
+    const aside = message === undefined ? [] : [undoable(message, "Undo", () => this.#undoPresets(link))];
+    showNotices(parts.notices, [...this.#recipe.notices.values(), ...aside], () => {
       this.#recipe.dismissNotices();
+      this.#aside = undefined;
       this.#showNotices();
     });
   }
@@ -209,7 +238,7 @@ class Page {
     const error = named(thrown);
     if (isRecoverable(error)) {
       // The core kept the river it had, so the page goes back to that one's values.
-      this.#recipe.open(this.#plate.link);
+      this.#recipe.restore(this.#plate.link);
       this.#showRecipe();
       this.#note(error.message);
     } else {
@@ -227,6 +256,11 @@ class Page {
     const address = addressOf(this.#recipe.link, location.href);
     parts.shared.textContent = (await copy(address)) ? "Link copied." : `Copy this link: ${address}`;
   }
+}
+
+/** A row of the table, for this page: what counts as unchanged on a dark one is its own style. */
+function asHere(row: Parameter): Parameter {
+  return row.key === "style" && prefersDark.matches ? { ...row, default: DARK_STYLE } : row;
 }
 
 /** The values of a drawn land. */

@@ -2,6 +2,7 @@
 
 import type { Parameter, Preset } from "../pkg/riverseed.js";
 import { el } from "./dom.ts";
+import { inWords } from "./values.ts";
 
 export type Values = readonly (readonly [key: string, value: string])[];
 
@@ -23,21 +24,48 @@ export function isShown(values: Values, shown: ReadonlyMap<string, string>): boo
   return values.every(([key, value]) => shown.get(key) === value);
 }
 
+/**
+ * What pressing a preset changes besides what tells the presets from each other, in words: people press one for the latter,
+ * and would miss the former. Nothing if that is all it changes.
+ */
+export function besides(
+  preset: Preset,
+  all: readonly Preset[],
+  table: readonly Parameter[],
+  before: ReadonlyMap<string, string>,
+): string | undefined {
+  const [first, ...others] = all.map((one) => new Map(presetValues(one, all, table)));
+  const isCommon = (key: string) => others.every((values) => values.get(key) === first?.get(key));
+  const after = new Map(presetValues(preset, all, table));
+  const changes = table.flatMap((parameter) => {
+    const [was, is] = [before.get(parameter.key), after.get(parameter.key)];
+    if (was === undefined || is === undefined || was === is || !isCommon(parameter.key)) return [];
+    return `${parameter.label} from ${inWords(parameter, was)} to ${inWords(parameter, is)}`;
+  });
+  return changes.length === 0 ? undefined : `“${preset.label}” also changed ${changes.join(", ")}.`;
+}
+
 export interface Presets {
   readonly element: HTMLElement;
   show(values: ReadonlyMap<string, string>): void;
+  /** Puts the focus on the preset that was pressed last. */
+  focus(): void;
 }
 
 export function presets(
   all: readonly Preset[],
   table: readonly Parameter[],
-  choose: (values: Values) => void,
+  choose: (preset: Preset, values: Values) => void,
 ): Presets {
+  let last: HTMLButtonElement | undefined;
   const made = all.map((preset) => {
     const values = presetValues(preset, all, table);
     const attributes = { type: "button", class: "preset", "aria-pressed": "false", title: preset.help };
     const button = el("button", attributes, preset.label);
-    button.addEventListener("click", () => choose(values));
+    button.addEventListener("click", () => {
+      last = button;
+      choose(preset, values);
+    });
     return { preset, values, button };
   });
   const help = el("p", { class: "help" });
@@ -50,5 +78,6 @@ export function presets(
       for (const one of made) one.button.setAttribute("aria-pressed", String(one === current));
       help.textContent = current?.preset.help ?? "Ways of growing: choose one, then change what you like.";
     },
+    focus: () => last?.focus({ preventScroll: true }),
   };
 }

@@ -2,22 +2,40 @@
 
 import type { Reading } from "../pkg/riverseed.js";
 import { linkText } from "./link.ts";
+import { DARK_STYLE, namesStyle } from "./scheme.ts";
 
 export class Recipe {
   #link = "";
   #values = new Map<string, string>();
   #idle = new Map<string, string>();
   #notices = new Map<string, string>();
+  /** Whether somebody has said how it looks: the author of a link, or whoever chose a style on a dark page. */
+  #isStyled = false;
 
-  constructor(private readonly read: (text: string) => Reading) {}
+  /** On a dark page a recipe that nobody has given a style is shown in that for dark pages. */
+  constructor(
+    private readonly read: (text: string) => Reading,
+    private readonly isOnDark: () => boolean = () => false,
+  ) {}
 
-  /** Its canonical link. */
+  /** Its canonical link; where a page's own style would stand in for a style that was chosen, with that. */
   get link(): string {
-    return this.#link;
+    const isTold = this.isOnDark() && this.#isStyled && !namesStyle(this.#link);
+    return isTold ? `${this.#link}&${linkText([["style", this.#values.get("style") ?? ""]])}` : this.#link;
   }
 
+  /** The link of what is shown. */
+  get shown(): string {
+    return this.#isDarkened ? this.read(linkText(this.values)).link : this.#link;
+  }
+
+  /** The values of what is shown. */
   get values(): ReadonlyMap<string, string> {
-    return this.#values;
+    return this.#isDarkened ? new Map(this.#values).set("style", DARK_STYLE) : this.#values;
+  }
+
+  get #isDarkened(): boolean {
+    return this.isOnDark() && !this.#isStyled;
   }
 
   /** Why keys do nothing, by key. */
@@ -37,7 +55,17 @@ export class Recipe {
   /** Takes a whole link, from an address or a person. */
   open(text: string): void {
     this.#notices.clear();
+    this.#isStyled = namesStyle(text);
     this.#take(this.read(text));
+  }
+
+  /** Goes back to what is shown. */
+  restore(shown: string): void {
+    const isStyled = this.#isStyled;
+    const link = new URLSearchParams(shown);
+    if (this.#isDarkened) link.delete("style");
+    this.open(linkText(link));
+    this.#isStyled = isStyled;
   }
 
   /** Changes some values. A note about another one stays until it is dismissed; one about these is out of date. */
@@ -45,6 +73,7 @@ export class Recipe {
     const values = new Map(this.#values);
     for (const [key, value] of changes) {
       values.set(key, value);
+      this.#isStyled ||= key === "style";
       this.#notices.delete(key);
     }
     this.#take(this.read(linkText(values)));

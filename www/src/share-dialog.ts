@@ -26,6 +26,8 @@ interface Form {
   /** What it is for. */
   help: string;
   text(shared: Shared): string;
+  /** Whether it names a picture, which is to be saved. */
+  takesPicture?: boolean;
 }
 
 const LINK: Form = {
@@ -36,8 +38,11 @@ const LINK: Form = {
 
 const ELEMENT: Form = {
   name: "element",
-  help: "Grows the rivers within your own page, where it may load scripts. For several, the first line is needed once.",
-  text: elementSnippet,
+  help:
+    "Grows the rivers within your own page, where it may load scripts. For several, the first line is needed once. Save the " +
+    "picture beside your text: it is seen until the rivers come, and where they cannot.",
+  text: (shared) => elementSnippet(shared, pictureOf(shared)),
+  takesPicture: true,
 };
 
 const IFRAME: Form = {
@@ -49,8 +54,14 @@ const IFRAME: Form = {
 const MARKDOWN: Form = {
   name: "Markdown",
   help: "A still picture that leads here, for a README or a forum. Save the picture beside your text.",
-  text: (shared) => markdownSnippet(shared, fileName(shared.seed, "png")),
+  text: (shared) => markdownSnippet(shared, pictureOf(shared)),
+  takesPicture: true,
 };
+
+/** Under the name that the browser saves it as. */
+function pictureOf({ seed }: Shared): string {
+  return fileName(seed, "png");
+}
 
 export class ShareDialog {
   readonly #boxes = new Map<Form, HTMLTextAreaElement>();
@@ -58,21 +69,20 @@ export class ShareDialog {
   constructor(
     private readonly parts: ShareParts,
     private readonly recipe: Recipe,
-    savePicture: SavePicture,
+    private readonly savePicture: SavePicture,
   ) {
-    const save = el("button", { type: "button" }, "Save picture");
-    save.addEventListener("click", () => savePicture((text) => this.#say(text)));
-    parts.forms.replaceChildren(
-      this.#section(LINK),
-      this.#section(ELEMENT),
-      this.#section(IFRAME),
-      this.#section(MARKDOWN, save),
-    );
+    parts.forms.replaceChildren(...[LINK, ELEMENT, IFRAME, MARKDOWN].map((form) => this.#section(form)));
     parts.open.addEventListener("click", () => this.#open());
     parts.close.addEventListener("click", () => parts.dialog.close());
   }
 
-  #section(form: Form, ...more: HTMLButtonElement[]): HTMLElement {
+  #saveButton(): HTMLButtonElement {
+    const save = el("button", { type: "button" }, "Save picture");
+    save.addEventListener("click", () => this.savePicture((text) => this.#say(text)));
+    return save;
+  }
+
+  #section(form: Form): HTMLElement {
     const { name, help } = form;
     const ids = { box: `share-${name}`, help: `share-${name}-help` };
     const box = el("textarea", {
@@ -91,7 +101,7 @@ export class ShareDialog {
       {},
       el("h3", {}, el("label", { for: ids.box }, headed(name))),
       el("p", { class: "help", id: ids.help }, help),
-      el("div", { class: "actions" }, copy, ...more),
+      el("div", { class: "actions" }, copy, ...(form.takesPicture ? [this.#saveButton()] : [])),
       box,
     );
   }

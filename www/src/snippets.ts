@@ -29,13 +29,17 @@ export function titleOf(seed: string): string {
   return seed === "" ? "Rivers" : `Rivers grown from “${seed}”`;
 }
 
-/** The script and the element; the link inside is for readers without script. */
-export function elementSnippet({ link, seed, page }: Shared): string {
+/**
+ * The script and the element. Its style keeps the river's room before the script has come, whatever stands inside: the picture,
+ * which lies beside the post as `picture`, for readers without script or engine; where it was not saved, its text, which leads here.
+ */
+export function elementSnippet({ link, seed, aspect, page }: Shared, picture: string): string {
   const attributes = [...new URLSearchParams(link)].map(([key, value]) => ` ${attributeOf(key)}="${escaped(value)}"`);
   return [
     `<script type="module" src="${escaped(besides(page, ELEMENT_SCRIPT))}"></script>`,
-    `<river-seed${attributes.join("")}>`,
-    `  <a href="${escaped(addressOf(link, page))}">${escaped(titleOf(seed))}</a>`,
+    `<river-seed${attributes.join("")} style="display:block;aspect-ratio:${escaped(aspect)};min-height:0;overflow:hidden">`,
+    `  <a href="${escaped(addressOf(link, page))}"><img src="${escaped(picture)}"`,
+    `    alt="${escaped(titleOf(seed))}" loading="lazy" style="display:block;width:100%"></a>`,
     `</river-seed>`,
   ].join("\n");
 }

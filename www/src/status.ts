@@ -26,12 +26,19 @@ export class Announcer {
 }
 
 /** Shows notes in a box, until they are dismissed. */
-export function showNotices(box: HTMLElement, notices: readonly string[], dismiss: () => void): void {
+export function showNotices(box: HTMLElement, notices: readonly (string | Node)[], dismiss: () => void): void {
   box.hidden = notices.length === 0;
   const list = el("ul", {}, ...notices.map((notice) => el("li", {}, notice)));
   const close = el("button", { type: "button", class: "dismiss" }, "Dismiss");
   close.addEventListener("click", dismiss);
   box.replaceChildren(...(notices.length > 0 ? [list, close] : []));
+}
+
+/** A note with the way back from what it tells of. */
+export function undoable(message: string, name: string, undo: () => void): HTMLElement {
+  const button = el("button", { type: "button", class: "quiet" }, name);
+  button.addEventListener("click", undo);
+  return el("span", {}, message, " ", button);
 }
 
 /** Shows a failure in the picture's place. The way out never carries the link along: it may be the cause. */

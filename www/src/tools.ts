@@ -2,6 +2,7 @@
 
 import wasmUrl from "../pkg-tools/riverseed_tools_bg.wasm?url";
 import { named, PageError } from "./errors.ts";
+import { limited, SCRIPT_MS } from "./time-limits.ts";
 import { once, start } from "./wasm-module.ts";
 
 export type Tools = typeof import("../pkg-tools/riverseed_tools.js");
@@ -9,7 +10,7 @@ export type Tools = typeof import("../pkg-tools/riverseed_tools.js");
 /** From where it lies beside the script, unless its first caller knows better. */
 export const loadTools: (url?: string) => Promise<Tools> = once((url = wasmUrl) =>
   start(url, async (compiled) => {
-    const tools = await import("../pkg-tools/riverseed_tools.js");
+    const tools = await limited(SCRIPT_MS, "its script", () => import("../pkg-tools/riverseed_tools.js"));
     await tools.default({ module_or_path: compiled });
     return tools;
   }).catch((thrown: unknown) => {

@@ -87,6 +87,14 @@ export function count(value: number): string {
   return format.format(value);
 }
 
+/** A value in words: a choice by its label, in quotes. */
+export function inWords({ kind, unit, choices }: Parameter, text: string): string {
+  const labelOf = (value: string) => choices?.find((choice) => choice.value === value)?.label ?? value;
+  if (kind === "choice") return `“${labelOf(text)}”`;
+  if (kind === "sides") return sidesOf(text).map(labelOf).join(" and ");
+  return spoken(text, unit);
+}
+
 /** A value as spoken by a screen reader: `0.6 rad`, `12,000`. */
 export function spoken(text: string, unit: string | undefined): string {
   const value = Number(text);

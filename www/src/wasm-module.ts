@@ -1,6 +1,7 @@
 /** Fetches and starts a wasm module, and names what can go wrong on the way. */
 
 import { PageError } from "./errors.ts";
+import { DOWNLOAD_SILENCE_MS, limited } from "./time-limits.ts";
 
 /** A module of one function that splats and counts bits in four lanes: valid only where SIMD is. */
 const SIMD_PROBE = new Uint8Array([
@@ -26,10 +27,14 @@ export function once<Given extends unknown[], T>(
   };
 }
 
-/** Fetches a module, and links it with its script. */
-export async function start<T>(url: string, link: (compiled: WebAssembly.Module) => Promise<T>): Promise<T> {
+/** Fetches a module, and links it with its script. It tells of every part of the module that arrives. */
+export async function start<T>(
+  url: string,
+  link: (compiled: WebAssembly.Module) => Promise<T>,
+  progress: () => void = () => {},
+): Promise<T> {
   if (!isSupported()) throw new PageError("wasm-unsupported", "no WebAssembly, or none with SIMD");
-  const compiled = await compile(await download(url));
+  const compiled = await compiledFrom(url, progress);
   try {
     return await link(compiled);
   } catch (error) {
@@ -39,10 +44,36 @@ export async function start<T>(url: string, link: (compiled: WebAssembly.Module)
   }
 }
 
-async function download(url: string): Promise<Response> {
+/** Gives up when nothing more arrives, and then lets go of the connection: the next try has one of its own. */
+async function compiledFrom(url: string, progress: () => void): Promise<WebAssembly.Module> {
+  const control = new AbortController();
+  try {
+    return await limited(DOWNLOAD_SILENCE_MS, url, async (heard) => {
+      const response = await download(url, control.signal);
+      void tellOfParts(response.clone(), () => {
+        heard();
+        progress();
+      });
+      return compile(response);
+    });
+  } catch (error) {
+    control.abort();
+    throw error;
+  }
+}
+
+/** Reads a copy, so that the response itself is compiled as it comes, and cached. What is wrong with it is said there. */
+async function tellOfParts({ body }: Response, heard: () => void): Promise<void> {
+  const reader = body?.getReader();
+  try {
+    while (reader && !(await reader.read()).done) heard();
+  } catch {}
+}
+
+async function download(url: string, signal: AbortSignal): Promise<Response> {
   let response: Response;
   try {
-    response = await fetch(url, { credentials: "same-origin" });
+    response = await fetch(url, { credentials: "same-origin", signal });
   } catch (error) {
     throw new PageError("wasm-fetch", String(error));
   }

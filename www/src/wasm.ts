@@ -12,9 +12,13 @@ export interface Core {
 }
 
 /** From where it lies beside the script, unless its first caller knows better. */
-export const load: (url?: string) => Promise<Core> = once((url = wasmUrl) =>
-  start(url, async (compiled) => {
-    const { memory } = await init({ module_or_path: compiled });
-    return { engine, memory };
-  }),
+export const load: (url?: string, progress?: () => void) => Promise<Core> = once((url = wasmUrl, progress) =>
+  start(
+    url,
+    async (compiled) => {
+      const { memory } = await init({ module_or_path: compiled });
+      return { engine, memory };
+    },
+    progress,
+  ),
 );

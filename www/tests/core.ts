@@ -27,6 +27,22 @@ export function pictureOf(link: string, width: number, height: number): Picture 
   return { sha256, summary };
 }
 
+/** A river's picture as it stands: RGBA. */
+export function pixelsOf(river: engine.River): Uint8Array {
+  river.paint();
+  return new Uint8Array(memory.buffer, river.pixelsPointer(), river.pixelsLength()).slice();
+}
+
+/** How many pixels of two pictures of one size differ, so that one sees it. */
+export function differing(one: Uint8Array, other: Uint8Array): number {
+  let count = 0;
+  for (let i = 0; i < one.length; i += 4) {
+    const by = (channel: number): number => Math.abs((one[i + channel] ?? 0) - (other[i + channel] ?? 0));
+    if (Math.max(by(0), by(1), by(2)) > 24) count++;
+  }
+  return count;
+}
+
 /** The table's row of a key. */
 export function parameter(key: string): engine.Parameter {
   const row = engine.parameters().find((one) => one.key === key);

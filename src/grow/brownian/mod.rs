@@ -29,6 +29,7 @@ pub use field::Field;
 use super::{Ending, GrowError};
 use crate::random::{Purpose, Seed, Stream};
 use crate::tree::Tree;
+use crate::work;
 use field::Place;
 use strands::Strands;
 use water::{Step, Water};
@@ -160,6 +161,11 @@ impl Brownian {
         }
     }
 
+    /// The error for a tree that the memory was not to be had for.
+    pub(super) fn out_of_memory(&self) -> GrowError {
+        GrowError::no_room_for(self.strands.water.field.cells().len())
+    }
+
     /// The tree so far. A node is a cell of river, or a cell of sea that a river ends in.
     pub fn tree(&self) -> &Tree {
         &self.strands.tree
@@ -193,6 +199,7 @@ fn next_step(step: f32, impact: f32, sensitivity: f32) -> Option<f32> {
 impl Pass {
     fn new(field: &Field, size: f32, is_for_rest: bool, order: Order, chance: &mut Stream) -> Self {
         let mut particles = spawn(field, size, chance);
+        work::count(particles.len());
         if order == Order::Shuffled {
             shuffle(&mut particles, chance);
         }

@@ -4,6 +4,7 @@
 //! rest of each larger block, until whatever lies outside is farther than what has been found.
 
 use super::field::{Field, Place};
+use crate::work;
 
 /// A tile of cells has this side.
 const TILE: i32 = 8;
@@ -117,6 +118,7 @@ impl Pyramid {
 
     #[inline]
     fn look_into_tile(&self, at: Place, column: i32, row: i32, found: Found) -> Found {
+        work::count(1);
         let mut cells = self.tiles[(row * self.tile_columns + column) as usize];
         let corner = Place { column: column << TILE_BITS, row: row << TILE_BITS };
         let mut found = found;

@@ -1,18 +1,17 @@
 //! Strands of river: the line from the water toward a particle, cell by cell, and the tree that the cells make.
 //!
-//! No two strands ever touch. To be exact, of any two river cells that touch by a side or a corner, one is the other's
-//! parent or grandparent, or both have the same parent; and of the sea a strand touches nothing but its mouth and what
-//! touches that. Attachment to the nearest water sees to this nearly always, as nothing lies nearer to the line than where
-//! it begins; where rounding to cells would break it, the line ends. It follows that rivers never cut off land: all water
+//! No two strands ever touch, and no two mouths. To be exact, of any two cells of rivers, mouths included, that touch by a side
+//! or a corner, one is the other's parent or grandparent, or both have the same parent; and of the sea a strand touches nothing
+//! but its mouth and what touches that. Attachment to the nearest water sees to this nearly always, as nothing lies nearer to the line than where
+//! it begins; where rounding to cells would break it, the line ends; and beside a river no other one reaches the sea. It follows that rivers never cut off land: all water
 //! around a new cell hangs together around it, so the land there does too.
-
-use std::collections::TryReserveError;
 
 use glam::{IVec2, Vec2};
 
 use super::field::Place;
 use super::water::Water;
 use crate::land::Cell;
+use crate::memory::{self, Refused};
 use crate::random::Stream;
 use crate::tree::{NO_PARENT, Tree};
 
@@ -48,27 +47,29 @@ struct Tip {
 
 impl Strands {
     /// No strands yet.
-    pub fn new(water: Water) -> Result<Self, TryReserveError> {
+    pub fn new(water: Water) -> Result<Self, Refused> {
         let mut node_of = Vec::new();
-        node_of.try_reserve_exact(water.field.cells().len())?;
-        node_of.resize(water.field.cells().len(), NO_NODE);
+        memory::lengthen(&mut node_of, water.field.cells().len(), NO_NODE)?;
         let tree = Tree { tick_starts: vec![0], ..Tree::default() };
         Ok(Self { water, tree, mouths: 0, node_of, exact: Vec::new() })
     }
 
     /// Asks for the memory of so many more particles' strands.
-    pub fn reserve(&mut self, particles: usize) -> Result<(), TryReserveError> {
+    pub fn reserve(&mut self, particles: usize) -> Result<(), Refused> {
         let nodes = particles * (LONGEST as usize + 1);
-        self.tree.at.try_reserve(nodes)?;
-        self.tree.parent.try_reserve(nodes)?;
-        self.tree.drained.try_reserve(nodes)?;
-        self.exact.try_reserve(nodes)
+        memory::reserve(&mut self.tree.at, nodes)?;
+        memory::reserve(&mut self.tree.parent, nodes)?;
+        memory::reserve(&mut self.tree.drained, nodes)?;
+        memory::reserve(&mut self.exact, nodes)
     }
 
     /// Draws from a cell of water toward a particle. Returns whether there was room for a cell at least.
     pub fn draw(&mut self, target: u32, particle: Place, chance: &mut Stream) -> bool {
         let place = self.water.field.place(target);
         let node = Some(self.node_of[target as usize]).filter(|&node| node != NO_NODE);
+        if node.is_none() && self.is_beside_river(place) {
+            return false;
+        }
         let start = node.map_or(middle(place), |node| self.exact[node as usize]);
         let mut tip = Tip { place, node };
         let mut is_drawn = false;
@@ -81,6 +82,12 @@ impl Strands {
             is_drawn = true;
         }
         is_drawn
+    }
+
+    /// Whether a river lies beside a cell, or its mouth.
+    fn is_beside_river(&self, at: Place) -> bool {
+        let field = &self.water.field;
+        at.around().into_iter().any(|at| field.holds(at) && self.node_of[field.index(at)] != NO_NODE)
     }
 
     /// Whether a cell is land and touches no water but its family's.

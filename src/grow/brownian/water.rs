@@ -4,6 +4,7 @@ use super::field::{Field, Place};
 use super::pyramid::Pyramid;
 use crate::land::Cell;
 use crate::random::Stream;
+use crate::work;
 
 /// What a step means for particles, in cells: published with the document as radius S/2 and moves of S/10 + 1.
 #[derive(Clone, Copy, Debug)]
@@ -46,7 +47,7 @@ impl Step {
 
 /// A particle's walk ends after so many moves, met or not. Where water lies k steps away it takes about 150 k² of them to
 /// get there; passes leave no land that is two steps from all water, unless no particle can get there at all.
-const MOST_MOVES: u32 = 4096;
+const MOST_MOVES: usize = 4096;
 
 /// The field as it stands, with the search for water and for ridges.
 #[derive(Clone, Debug)]
@@ -115,8 +116,17 @@ impl Water {
     /// Between two looks around, a particle moves within a circle that is known to be clear: the walk and where it ends
     /// are those of looking around after every move.
     pub fn wander(&self, born: Place, step: &Step, chance: &mut Stream) -> Option<(Place, u32)> {
+        let mut moves = 0;
+        let met = self.walk(born, step, chance, &mut moves);
+        work::count(moves);
+        met
+    }
+
+    #[inline]
+    fn walk(&self, born: Place, step: &Step, chance: &mut Stream, moves: &mut usize) -> Option<(Place, u32)> {
         let (mut at, mut centre, mut clear) = (born, born, 0);
-        for _ in 0..MOST_MOVES {
+        while *moves < MOST_MOVES {
+            *moves += 1;
             at = step.apply(at, chance.bits());
             if !self.field.holds(at) {
                 return None;

@@ -230,4 +230,44 @@ mod tests {
         assert_eq!(network.vertices[other.joins as usize].at, joined);
         assert_eq!([main, heir, other].map(|river| (river.order, river.magnitude)), [(2, 3), (2, 2), (1, 1)]);
     }
+
+    #[test]
+    fn an_old_bed_narrows_as_the_root_of_its_water() {
+        let mut network = hairpin().with_arm(&straight((0.0, 60.0), (19.0, 60.0), 19), 30, 25);
+        let arm = network.rivers[1];
+        // Below the neck the river carries four times what the arm brings, and the arm has no banks to speak of.
+        network.vertices[21..79].iter_mut().for_each(|vertex| vertex.discharge = 100);
+        network.vertices[..=20].iter_mut().for_each(|vertex| vertex.discharge = 75);
+        network.vertices[arm.own()].iter_mut().for_each(|vertex| (vertex.left, vertex.right) = (0.1, 0.1));
+        let old = network.vertices[40];
+        cut(&mut network, &[Cut { river: 0, above: 20, below: 60 }], 1);
+        let heir = network.rivers[1];
+        let bed = network.vertices[heir.own()].iter().find(|vertex| vertex.at == old.at).unwrap();
+        let squared_width = |vertex: &Vertex| vertex.width() * vertex.width() / vertex.discharge as f32;
+        assert_eq!((old.discharge, bed.discharge), (100, 25));
+        assert!(
+            (squared_width(bed) / squared_width(&old) - 1.0).abs() < 1e-5,
+            "{} wide, of {}",
+            bed.width(),
+            old.width()
+        );
+    }
+
+    #[test]
+    fn of_two_tributaries_at_one_place_the_larger_takes_over_the_bed() {
+        for (first, second, larger) in [(10, 20, 2), (20, 10, 1)] {
+            let mut network = hairpin().with_arm(&straight((0.0, 60.0), (19.0, 60.0), 19), 30, first).with_arm(
+                &straight((0.0, 62.0), (19.0, 62.0), 19),
+                30,
+                second,
+            );
+            network.vertices[30..79].iter_mut().for_each(|vertex| vertex.discharge = 130);
+            let line = places(&network);
+            cut(&mut network, &[Cut { river: 0, above: 20, below: 60 }], 1);
+            let [heir, other] = if larger == 1 { [1, 2] } else { [2, 1] }.map(|river: usize| network.rivers[river]);
+            assert_eq!(network.vertices[heir.joins as usize].at, line[60], "the larger one runs on below the neck");
+            assert_eq!(other.parent, larger, "and takes the smaller one in");
+            assert_eq!(network.vertices[other.joins as usize].at, line[30], "where both of them ended");
+        }
+    }
 }

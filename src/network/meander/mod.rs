@@ -163,13 +163,19 @@ impl Meander {
         let necks = cutoff::necks(&self.network, near, &self.parameters);
         let cuts: Vec<_> = necks
             .into_iter()
-            .filter(|cut| self.guard.is_free(&self.network, downstream, (cut.above, cut.below)))
+            .filter(|cut| self.is_on_land(cut) && self.guard.is_free(&self.network, downstream, (cut.above, cut.below)))
             .collect();
         if cuts.is_empty() {
             return false;
         }
         cutoff::cut(&mut self.network, &cuts, self.round);
         true
+    }
+
+    /// Whether a river that breaks through a neck stays on land: a loop may run round a bay, or round the end of a ridge.
+    fn is_on_land(&self, cut: &cutoff::Cut) -> bool {
+        let [above, below] = [cut.above, cut.below].map(|i| self.network.vertices[i as usize].at);
+        self.parameters.land.as_ref().is_none_or(|land| land.allows(above, below))
     }
 
     /// Lets no vertex move any more that has come too near another river, or so near its own that the neck should have
@@ -320,5 +326,39 @@ mod tests {
         let near = main[..main.len() - 20].iter().flat_map(|a| other.iter().map(move |b| a.at.distance(b.at)));
         let nearest = near.fold(f32::INFINITY, f32::min);
         assert!(nearest > 0.3, "{nearest}");
+    }
+
+    #[test]
+    fn gentle_rivers_take_turns_and_move_thrice_as_far() {
+        let line = straight((20.0, 500.0), (80.0, 500.0), 60);
+        let mut network = river(&line, 4.0);
+        for arm in 0..5 {
+            network = network.with_arm(&straight((20.0, 400.0), (40.0, 490.0), 60), 20 + arm, 20);
+        }
+        let gentle = |river: usize| river > 0;
+        for (number, river) in network.rivers.clone().iter().enumerate() {
+            let sway = if gentle(number) { 0.3 } else { 1.0 };
+            network.vertices[river.own()].iter_mut().for_each(|vertex| vertex.sway = sway);
+        }
+        let mut meander = Meander::of(network, parameters());
+        let mut moves = Vec::new();
+        for round in 0..3 {
+            meander.round = round;
+            let pace = meander.pace();
+            let rivers = &meander.network().rivers;
+            moves.push(rivers.iter().map(|river| pace[river.end as usize - 1]).collect::<Vec<f32>>());
+        }
+        for river in 0..6 {
+            let paces: Vec<f32> = moves.iter().map(|paces: &Vec<f32>| paces[river]).collect();
+            let resting = paces.iter().filter(|pace| **pace == 0.0).count();
+            if gentle(river) {
+                assert_eq!(resting, 2, "river {river} moves in one round of three: {paces:?}");
+                assert!((paces.iter().sum::<f32>() - 3.0 * 0.3).abs() < 1e-6, "thrice as far: {paces:?}");
+            } else {
+                assert_eq!(paces[..], [1.0; 3], "a great river moves in each round");
+            }
+        }
+        let at_work: Vec<usize> = moves.iter().map(|paces| paces.iter().filter(|pace| **pace > 0.0).count()).collect();
+        assert!(at_work.iter().all(|rivers| (2..=3).contains(rivers)), "gentle rivers share the rounds: {at_work:?}");
     }
 }

@@ -21,7 +21,7 @@ const PREFIXED: ReadonlySet<string> = new Set(["style", "width"]);
 const BEHAVIOUR = ["recipe", "animate", "loading", "theme", "alt", "wasm-url"] as const;
 
 /** The shapes a river may have, and the one it has if nothing is said: the box has it before the engine is there. */
-export const ASPECT = { min: 0.25, max: 4, default: 1.5 };
+export const ASPECT = { min: 0.25, max: 4, default: 1.6 };
 
 export function attributeOf(key: string): string {
   return PREFIXED.has(key) ? `river-${key}` : key;

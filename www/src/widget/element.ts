@@ -11,6 +11,7 @@ import { ASPECT, aspectOf, linkOf, OBSERVED, type Properties, reflect, upgrade }
 import type { RiverSeedEventMap } from "./events.ts";
 import { watch } from "./nearness.ts";
 import type { FileOrder, News, Reading, Standing, Wish } from "./orders.ts";
+import { importHere } from "./rooms.ts";
 import { countIn, ENGLISH, type Strings, type Told } from "./strings.ts";
 import { type Does, View } from "./view.ts";
 import { type Member, workshop } from "./workshop.ts";
@@ -46,7 +47,7 @@ export class RiverSeed extends Base {
   #hasBegun = false;
   #hasFailed = false;
   #isShown = false;
-  /** What was asked before there was a river. */
+  /** What was asked, until the river shows it: it may be asked before there is one, or of a worker that no longer answers. */
   #asked: "play" | "pause" | "still" | undefined;
   #resizing: ReturnType<typeof setTimeout> | undefined;
   #aspect = ASPECT.default;
@@ -101,7 +102,10 @@ export class RiverSeed extends Base {
       if (this.#hasFailed) this.#hasBegun = this.#hasFailed = false;
       this.#shape(this.#aspect);
       this.play();
-    } else workshop.send(this.#id, { do: "replay" });
+    } else {
+      this.#asked = "play";
+      workshop.send(this.#id, { do: "replay" });
+    }
   }
 
   /** A PNG of the finished river. */
@@ -116,10 +120,9 @@ export class RiverSeed extends Base {
   }
 
   #ask(what: "play" | "pause"): void {
-    if (this.#id === undefined) {
-      this.#asked = what;
-      this.#beginIfDue();
-    } else workshop.send(this.#id, { do: what });
+    this.#asked = what;
+    if (this.#id === undefined) this.#beginIfDue();
+    else workshop.send(this.#id, { do: what });
   }
 
   // ---- what it is asked for
@@ -229,15 +232,17 @@ export class RiverSeed extends Base {
     workshop.send(id, { do: "open", canvas, wish: this.#wishNow, how, size });
     if (this.#asked === "pause") workshop.send(id, { do: "pause" });
     this.#id = id;
-    this.#asked = undefined;
     this.#rest();
   }
 
-  /** The engine stopped in another river and there is a new one: here it goes on with the same river, as far as it was. */
+  /**
+   * The engine stopped in another river, or answers no more, and there is a new one: here it goes on with the same river, as far
+   * as it was. Its canvas is the old engine's: it is seen until the new one has something on another.
+   */
   #move(): void {
     this.#id = undefined;
     const state = this.#standing?.state;
-    this.#asked = state === "finished" ? "still" : state === "paused" ? "pause" : undefined;
+    this.#asked ??= state === "finished" ? "still" : state === "paused" ? "pause" : undefined;
     if (this.#life) void this.#enter(this.#life.signal);
   }
 
@@ -289,6 +294,7 @@ export class RiverSeed extends Base {
     const before = this.#standing?.state;
     this.#standing = { state, phase, summary };
     this.#reading = reading;
+    this.#asked = undefined;
     if (reading.aspect !== this.#aspect) this.#shape(reading.aspect);
     // Of a river that is not to be seen growing nothing is seen before it is finished.
     if (state !== "settling" || phase === "finished") this.#reveal(reading);
@@ -323,7 +329,7 @@ export class RiverSeed extends Base {
   async #report(error: PageError): Promise<void> {
     const { code, message } = error;
     // Fetched when it is needed; if it does not arrive either, the name has to do.
-    const advice = await import("./here.ts").then(
+    const advice = await importHere().then(
       ({ advice }) => advice(error).text,
       () => "",
     );

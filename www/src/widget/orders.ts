@@ -44,6 +44,19 @@ export type Order = { id: number } & (
   | ({ do: "file"; wish: Wish } & FileOrder)
 );
 
+/** Asks a worker for a sign of life; its number is that of the orders before it. */
+export interface Ping {
+  id: number;
+  do: "ping";
+}
+
+/** The answer to it. Without work the worker says no more, until there is another order. */
+export interface Pong {
+  id: number;
+  is: "alive";
+  isAtWork: boolean;
+}
+
 /** How a river that is shown stands. */
 export interface Standing {
   state: State;

@@ -1,6 +1,7 @@
 /** Reads what a widget's author asks for. */
 
 import { linkText } from "../link.ts";
+import { DARK_STYLE, namesStyle } from "../scheme.ts";
 import type { Engine } from "../wasm.ts";
 import type { Reading, Wish } from "./orders.ts";
 
@@ -33,9 +34,6 @@ export function beyondCaps(values: ReadonlyMap<string, string>): { key: string; 
   });
 }
 
-/** The style for dark pages. */
-const DARK = "dark";
-
 export function read(engine: Engine, { text, isDark }: Wish): Reading {
   const asked = engine.readLink(text);
   const values = new Map(asked.values);
@@ -44,7 +42,7 @@ export function read(engine: Engine, { text, isDark }: Wish): Reading {
     values.set(key, String(bound));
     notices.push({ key, message });
   }
-  if (isDark && !new URLSearchParams(text).has("style")) values.set("style", DARK);
+  if (isDark && !namesStyle(text)) values.set("style", DARK_STYLE);
   return {
     link: engine.readLink(linkText(values)).link,
     seed: values.get("seed") ?? "",

@@ -1,6 +1,8 @@
 /** The two places where the studio can be. */
 
-import type { News, Order } from "./orders.ts";
+import { PageError } from "../errors.ts";
+import { limited, SCRIPT_MS, type Watch, WORKER_SILENCE_MS, watch } from "../time-limits.ts";
+import type { News, Order, Ping, Pong } from "./orders.ts";
 import type { Answer, Hello } from "./worker.ts";
 
 /** Where the studio is. */
@@ -16,7 +18,13 @@ export interface Listener {
   tell(news: News): void;
   /** The room as a whole has failed. */
   collapsed(message: string): void;
+  /** The room no longer answers: it is to be closed, and another opened. */
+  lost(): void;
 }
+
+/** After so many workers that did not answer it is the page itself: the next would hardly do better. */
+const MOST_LOST = 2;
+let lost = 0;
 
 /** A worker if the browser and the page's policy allow one with a canvas, otherwise the page itself. */
 export async function openRoom(listener: Listener, wasmUrl: string | undefined): Promise<Room> {
@@ -24,19 +32,25 @@ export async function openRoom(listener: Listener, wasmUrl: string | undefined):
 }
 
 async function openHere({ tell }: Listener, wasmUrl: string | undefined): Promise<Room> {
-  const { openHere } = await import("./here.ts");
+  const { openHere } = await importHere();
   return openHere(tell, wasmUrl);
+}
+
+/** What most pages never need. */
+export function importHere(): Promise<typeof import("./here.ts")> {
+  return limited(SCRIPT_MS, "its script", () => import("./here.ts"));
 }
 
 /** Nothing if there is none to be had: whatever the reason, the page itself is tried next and says what is wrong. */
 async function openWorker(listener: Listener, wasmUrl: string | undefined): Promise<Room | undefined> {
-  if (!("transferControlToOffscreen" in HTMLCanvasElement.prototype)) return;
+  if (lost >= MOST_LOST || !("transferControlToOffscreen" in HTMLCanvasElement.prototype)) return;
   let worker: Worker | undefined;
   try {
     worker = begin();
     await handshake(worker, { wasmUrl });
     return roomOf(worker, listener);
-  } catch {
+  } catch (thrown) {
+    if (thrown instanceof PageError) lost++;
     worker?.terminate();
     return;
   }
@@ -60,26 +74,53 @@ function beginFromElsewhere(): Worker {
   return worker;
 }
 
-/** Waits until the worker has the engine. A refused worker says so by an error, an engine that does not arrive by an answer. */
+/**
+ * Waits until the worker has the engine. A refused worker says so by an error, an engine that does not arrive by an answer; an
+ * empty script, or one that hangs, says nothing at all.
+ */
 function handshake(worker: Worker, hello: Hello): Promise<void> {
-  return new Promise((done, failed) => {
-    worker.onmessage = ({ data }: MessageEvent<Answer>) => (data.is === "open" ? done() : failed(data));
-    worker.onerror = failed;
-    worker.postMessage(hello);
-  });
+  const opened = (heard: () => void): Promise<void> =>
+    new Promise((done, failed) => {
+      worker.onmessage = ({ data: { is } }: MessageEvent<Answer>) =>
+        is === "coming" ? heard() : is === "open" ? done() : failed();
+      worker.onerror = failed;
+      worker.postMessage(hello);
+    });
+  return limited(WORKER_SILENCE_MS, "the worker", opened);
 }
 
 function roomOf(worker: Worker, listener: Listener): Room {
-  worker.onmessage = ({ data }: MessageEvent<News>) => listener.tell(data);
+  let orders = 0;
+  let watched: Watch | undefined;
+  const ping = (): void => worker.postMessage({ id: orders, do: "ping" } satisfies Ping);
+  const rest = (): void => {
+    watched?.end();
+    watched = undefined;
+  };
+  const lose = (): void => {
+    lost++;
+    listener.lost();
+  };
+  worker.onmessage = ({ data }: MessageEvent<News | Pong>) => {
+    watched?.heard();
+    if (data.is !== "alive") listener.tell(data);
+    else if (!data.isAtWork && data.id === orders) rest();
+  };
   worker.onerror = ({ message }) => listener.collapsed(message);
   return {
     isReplaceable: true,
     take(order) {
+      orders++;
+      // Only while an answer is due: a page whose rivers are finished lets its worker sleep.
+      watched ??= watch(WORKER_SILENCE_MS, lose, ping);
       if (order.do === "open") {
         const canvas = (order.canvas as HTMLCanvasElement).transferControlToOffscreen();
         worker.postMessage({ ...order, canvas }, [canvas]);
       } else worker.postMessage(order);
     },
-    close: () => worker.terminate(),
+    close() {
+      rest();
+      worker.terminate();
+    },
   };
 }

@@ -14,11 +14,17 @@ const TOOLS = "riverseed_tools_bg.wasm";
 export class Studio {
   readonly #easels = new Map<number, Easel>();
   readonly #turns = new Turns(displayFrames);
+  #filesInTheMaking = 0;
 
   constructor(
     private readonly core: Core,
     private readonly tell: (news: News) => void,
   ) {}
+
+  /** Whether there will be news without another order. */
+  get isAtWork(): boolean {
+    return this.#turns.areAwaited || this.#filesInTheMaking > 0;
+  }
 
   take(order: Order): void {
     const { id } = order;
@@ -29,6 +35,7 @@ export class Studio {
   }
 
   async #file(id: number, wish: Wish, { format, longSide, wasmUrl }: FileOrder): Promise<void> {
+    this.#filesInTheMaking++;
     try {
       const { link } = read(this.core.engine, wish);
       const blob = await (format === "svg"
@@ -38,6 +45,8 @@ export class Studio {
     } catch (thrown) {
       const { code, message } = named(thrown);
       this.tell({ id, is: "failed", code, message });
+    } finally {
+      this.#filesInTheMaking--;
     }
   }
 }

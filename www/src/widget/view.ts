@@ -1,6 +1,6 @@
 /** What is to be seen of a widget: what its author put there until there is a river, the canvas, the button, and what is said. */
 
-import { backingSize, type Size } from "../canvas.ts";
+import { backingSize, placeOf, type Size } from "../canvas.ts";
 import { el, setText } from "../dom.ts";
 import { sharedSheet } from "./sheet.ts";
 
@@ -27,9 +27,12 @@ export class View {
     this.#button.addEventListener("click", pressed);
   }
 
-  /** Gives the element its shape, which its author's own style sheet may overrule. What is left after a failure may be taller. */
+  /**
+   * Gives the element its shape, which its author's own style sheet may overrule. After a failure it is as high as what is left,
+   * also where its author reserved the river's room: nothing is to come into it.
+   */
   shape(aspect: number, hasFailed: boolean): void {
-    this.#own.replaceSync(`:host { aspect-ratio: ${aspect}; ${hasFailed ? "min-block-size: auto" : ""} }`);
+    this.#own.replaceSync(`:host { ${hasFailed ? "aspect-ratio: auto !important" : `aspect-ratio: ${aspect}`} }`);
   }
 
   /** A canvas for another river, unseen as yet. */
@@ -74,7 +77,8 @@ export class View {
 
   /** How many pixels the picture has here; none while the element is not laid out. Of another shape, the map covers the box. */
   get size(): Size {
-    return backingSize((this.#next ?? this.#canvas ?? this.root.host).getBoundingClientRect(), window.devicePixelRatio);
+    const element = this.#next ?? this.#canvas ?? (this.root.host as HTMLElement);
+    return backingSize(placeOf(element), window.devicePixelRatio);
   }
 
   /** Names the picture; an empty name makes it an ornament. */

@@ -2,7 +2,7 @@
 
 import { named } from "../errors.ts";
 import { load } from "../wasm.ts";
-import type { News, Order } from "./orders.ts";
+import type { News, Order, Ping, Pong } from "./orders.ts";
 import { Studio } from "./studio.ts";
 
 /** The first message says where the engine is; what comes before it has arrived waits. */
@@ -10,17 +10,22 @@ export interface Hello {
   wasmUrl: string | undefined;
 }
 
-/** The worker's only answer to it. No canvas is handed over before. */
-export type Answer = { is: "open" } | { is: "shut"; code: string; message: string };
+/** The worker's answers to it: while the engine is coming, and one at the end. No canvas is handed over before. */
+export type Answer = { is: "coming" } | { is: "open" } | { is: "shut"; code: string; message: string };
 
-const post = (message: News | Answer): void => self.postMessage(message);
+const post = (message: News | Answer | Pong): void => self.postMessage(message);
 
 self.addEventListener("message", ({ data }: MessageEvent<Hello>) => void open(data), { once: true });
 
 async function open({ wasmUrl }: Hello): Promise<void> {
   try {
-    const studio = new Studio(await load(wasmUrl), post);
-    self.addEventListener("message", ({ data }: MessageEvent<Order>) => studio.take(data));
+    const coming = (): void => post({ is: "coming" });
+    coming();
+    const studio = new Studio(await load(wasmUrl, coming), post);
+    self.addEventListener("message", ({ data }: MessageEvent<Order | Ping>) => {
+      if (data.do === "ping") post({ id: data.id, is: "alive", isAtWork: studio.isAtWork });
+      else studio.take(data);
+    });
     post({ is: "open" });
   } catch (thrown) {
     const { code, message } = named(thrown);

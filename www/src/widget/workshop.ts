@@ -1,4 +1,7 @@
-/** One studio for all widgets of a page: opened with the first of them, replaced when its engine stops, left with the last. */
+/**
+ * One studio for all widgets of a page: opened with the first of them, replaced when its engine stops or answers no more, left
+ * with the last.
+ */
 
 import { PageError } from "../errors.ts";
 import type { FileOrder, News, Order, Wish } from "./orders.ts";
@@ -40,8 +43,12 @@ class Workshop {
   /** Makes a file of a finished river, which need not be shown anywhere. */
   file(wish: Wish, order: FileOrder): Promise<Blob> {
     return new Promise((done, failed) => {
-      const ask = (): void =>
-        void this.enter(member, order.wasmUrl).then((id) => this.send(id, { do: "file", wish, ...order }), failed);
+      let asked = 0;
+      const ask = (): void => {
+        // A file may be what a worker dies of: of a third there is no hope, and the widgets need theirs.
+        if (++asked > 2) failed(new PageError("wasm-timeout", "the worker stopped twice while it made this file"));
+        else void this.enter(member, order.wasmUrl).then((id) => this.send(id, { do: "file", wish, ...order }), failed);
+      };
       const member: Member = {
         hear: (news) => {
           this.leave(news.id);
@@ -63,7 +70,11 @@ class Workshop {
   #opened(wasmUrl: string | undefined): Promise<Room> {
     if (this.#room) return this.#room;
     const room = openRoom(
-      { tell: (news) => this.#tell(news), collapsed: (message) => this.#collapse(message) },
+      {
+        tell: (news) => this.#tell(news),
+        collapsed: (message) => this.#collapse(message),
+        lost: () => this.#moveAll(),
+      },
       wasmUrl,
     );
     this.#room = room;
@@ -88,7 +99,11 @@ class Workshop {
    */
   async #replace(): Promise<void> {
     const room = this.#room;
-    if (!(await room)?.isReplaceable || room !== this.#room) return;
+    if ((await room)?.isReplaceable && room === this.#room) this.#moveAll();
+  }
+
+  /** Everybody goes to another room. */
+  #moveAll(): void {
     this.#close();
     const members = [...this.#members.values()];
     this.#members.clear();

@@ -25,20 +25,18 @@ function reasonIn(link: string, key: string): string | undefined {
   return new Map(engine.readLink(link).idle).get(key);
 }
 
+/** Many mouths on one coast. */
+const MANY = `${SMALL}&land=island&mouths=30`;
+
 /** Recipes in one of which every control has something to do. */
-const CONTEXTS = [
-  SMALL,
-  `${SMALL}&curl=0.5`,
-  `${SMALL}&land=island&mouths=30`,
-  `${SMALL}&growth=brownian`,
-  `${SMALL}&meander=none`,
-];
+const CONTEXTS = [SMALL, `${SMALL}&land=rectangle&curl=0`, MANY, `${SMALL}&growth=brownian`, `${SMALL}&meander=none`];
 
 /** Many rivers that meander for long: here they come near each other. */
-const CLOSE = `${SMALL}&great=16&gentle=1&meander-rounds=120&meander-strength=1`;
+const CLOSE = `${SMALL}&land=rectangle&mouths=3&curl=0&trim=4&great=16&gentle=1&meander-rounds=120&meander-strength=1`;
 
 function contextOf(key: string): string {
   if (key === "neck" || key === "buffer") return CLOSE;
+  if (key === "apart") return MANY;
   const link = CONTEXTS.find((one) => reasonIn(one, key) === undefined);
   if (link === undefined) throw new Error(`${key} does nothing in any recipe here`);
   return link;
@@ -114,7 +112,7 @@ test("a preset is a way of space colonization, and goes back to it", async ({ pa
   await expectPictureOfAddress(page);
 });
 
-for (const { key, label, stage, default: value } of adjustable.filter(({ min }) => min !== undefined)) {
+for (const { key, label, stage, max, default: value } of adjustable.filter(({ min }) => min !== undefined)) {
   test(`the slider of ${key} changes the picture, and reset brings it back`, async ({ page }) => {
     const states = await recordStates(page);
     const phases = await recordPhases(page);
@@ -124,7 +122,7 @@ for (const { key, label, stage, default: value } of adjustable.filter(({ min }) 
     const slider = row(page, key).getByRole("slider");
     await expect(slider).toHaveAccessibleName(label);
     await slider.focus();
-    for (let i = 0; i < 3; i++) await page.keyboard.press("PageUp");
+    for (let i = 0; i < 3; i++) await page.keyboard.press(Number(value) === max ? "PageDown" : "PageUp");
     await expect.poll(() => address(page).has(key)).toBe(true);
     await expectPictureOfAddress(page);
     expect((await shown(page)).sha256).not.toBe(before.sha256);
@@ -192,7 +190,7 @@ for (const { key, choices } of adjustable.filter(({ kind }) => kind === "choice"
 }
 
 test("sides are ticked, and the last one stays", async ({ page }) => {
-  await openUnfolded(page, SMALL);
+  await openUnfolded(page, `${SMALL}&land=rectangle`);
   const sides = row(page, "sides");
   await sides.getByLabel("West").check();
   await expectAddress(page, "sides", "sw");

@@ -1,7 +1,16 @@
 import { expect, type Page, test } from "@playwright/test";
+import { pictureOf } from "../core.ts";
+import { tools } from "../tools.ts";
 import { complaints, openFinished, ownClock, stopClock } from "./riverpage.ts";
 
 const LINK = "seed=puriri&attractors=300";
+/** The same on a plain rectangle, whose rivers run south, for long enough to leave lakes. */
+const PLAIN = `${LINK}&land=rectangle&aspect=1.5&sides=s&great=9&gentle=1&meander-rounds=120&meander-strength=1`;
+
+interface Feature {
+  geometry: { type: string; coordinates: [number, number, number][] };
+  properties: { parent?: number | null };
+}
 
 /** Chooses a format from the menu; the file with its name. */
 async function download(page: Page, format: string): Promise<{ name: string; bytes: Buffer }> {
@@ -25,47 +34,84 @@ test("the picture is saved as a large PNG under the seed's name", async ({ page 
 });
 
 for (const style of ["ink", "dark", "map", "skeleton"]) {
-  test(`an SVG is a picture that a browser shows: ${style}`, async ({ page }) => {
+  test(`an SVG, shown by a browser, is the picture of the page: ${style}`, async ({ page }) => {
     const said = complaints(page);
-    await openFinished(page, `${LINK}&land=island&style=${style}`);
+    await openFinished(page, `${LINK}&aspect=1.5&land=island&style=${style}`);
     const { name, bytes } = await download(page, "SVG");
     expect(name).toBe("riverseed-puriri.svg");
     const seen = await page.evaluate(async (source) => {
       const image = new Image();
       image.src = `data:image/svg+xml;base64,${source}`;
       await image.decode();
-      const { naturalWidth: width, naturalHeight: height } = image;
-      const canvas = Object.assign(document.createElement("canvas"), { width: 300, height: 200 });
-      const context = canvas.getContext("2d");
-      context?.drawImage(image, 0, 0, 300, 200);
-      const bytes = context?.getImageData(0, 0, 300, 200).data ?? [];
-      return { width, height, colours: new Set(new Uint32Array(Uint8Array.from(bytes).buffer)).size };
+      const pixels = (picture: CanvasImageSource): Uint8ClampedArray => {
+        const canvas = Object.assign(document.createElement("canvas"), { width: 300, height: 200 });
+        const context = canvas.getContext("2d");
+        if (!context) throw new Error("no context");
+        context.imageSmoothingQuality = "high";
+        context.drawImage(picture, 0, 0, 300, 200);
+        return context.getImageData(0, 0, 300, 200).data;
+      };
+      const shown = document.querySelector("canvas");
+      if (!shown) throw new Error("no picture");
+      const [drawn, expected] = [pixels(image), pixels(shown)];
+      const differing = drawn.filter((channel, i) => Math.abs(channel - (expected[i] ?? 0)) > 60).length;
+      const colours = new Set(new Uint32Array(expected.buffer)).size;
+      return { width: image.naturalWidth, height: image.naturalHeight, differing: differing / drawn.length, colours };
     }, bytes.toString("base64"));
     expect(seen.width / seen.height).toBeCloseTo(1.5, 1);
     expect(seen.width).toBeGreaterThan(100);
+    // The same picture, but for edges; and a picture, not a blank sheet.
+    expect(seen.differing).toBeLessThan(0.01);
     expect(seen.colours).toBeGreaterThan(10);
     expect(said).toEqual([]);
   });
 }
 
-test("GeoJSON is a collection of features with geometry", async ({ page }) => {
-  await openFinished(page, LINK);
+/** What the core writes of a link's finished rivers. */
+function written(link: string): { network: object; geojson: object } {
+  const river = new tools.River(link, 16, 16);
+  while (!river.advance(1000));
+  const [network, geojson] = [river.network(), river.geojson()];
+  river.free();
+  return { network: plain(network), geojson: plain(geojson) };
+}
+
+/** As it comes back from a file. */
+function plain(value: object): object {
+  return JSON.parse(JSON.stringify(value));
+}
+
+test("GeoJSON holds every river and lake, with the north up", async ({ page }) => {
+  await openFinished(page, PLAIN);
   const { name, bytes } = await download(page, "GeoJSON");
   expect(name).toBe("riverseed-puriri.geojson");
-  const { type, features } = JSON.parse(bytes.toString("utf8"));
-  expect(type).toBe("FeatureCollection");
-  expect(features.length).toBeGreaterThan(10);
-  for (const feature of features) {
-    expect(feature.type).toBe("Feature");
-    expect(feature.geometry.coordinates.length).toBeGreaterThan(0);
+  const file = JSON.parse(bytes.toString("utf8"));
+  expect(file).toEqual(written(PLAIN).geojson);
+  const { sources, mouths } = pictureOf(PLAIN, 16, 16).summary;
+  const rivers = file.features.filter(({ geometry }: Feature) => geometry.type === "LineString");
+  const toSea = rivers.filter(({ properties }: Feature) => properties.parent === null);
+  expect([rivers.length, toSea.length]).toEqual([sources, mouths]);
+  for (const { geometry } of toSea) {
+    // 1224.7 by 816.5 units, a hundredth of a degree each, around 0, 0: the sea is in the south.
+    expect(geometry.coordinates.at(-1)?.[1]).toBeCloseTo(-4.08248, 4);
+    for (const [east, north] of geometry.coordinates) {
+      expect(Math.abs(east)).toBeLessThan(6.1238);
+      expect(Math.abs(north)).toBeLessThan(4.08249);
+    }
   }
 });
 
-test("JSON holds the network", async ({ page }) => {
-  await openFinished(page, LINK);
+test("JSON holds the whole network", async ({ page }) => {
+  await openFinished(page, PLAIN);
   const { name, bytes } = await download(page, "JSON");
   expect(name).toBe("riverseed-puriri.json");
-  expect(Object.keys(JSON.parse(bytes.toString("utf8"))).length).toBeGreaterThan(1);
+  const file = JSON.parse(bytes.toString("utf8"));
+  expect(file).toEqual(written(PLAIN).network);
+  expect(Object.keys(file)).toEqual(["recipe", "resolved", "domain", "growth", "nodes", "rivers", "oxbows"]);
+  const { nodes, sources, oxbows } = pictureOf(PLAIN, 16, 16).summary;
+  expect(Object.values<number[]>(file.nodes).map((column) => column.length)).toEqual(Array(8).fill(nodes));
+  expect([file.rivers.length, file.oxbows.length]).toEqual([sources, oxbows]);
+  expect(file.recipe).toMatchObject({ seed: "puriri", attractors: 300, land: "rectangle" });
 });
 
 test("a file can be had before the picture is finished, and is of the finished rivers", async ({ page }) => {

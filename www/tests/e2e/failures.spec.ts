@@ -51,7 +51,58 @@ test("the right bytes under the wrong type still grow", async ({ page }) => {
   await finished(page);
 });
 
-test("a browser without WebAssembly, which then downloads nothing", async ({ page }) => {
+/** Lets the page's faked clock run, second by second, until something is seen. */
+async function runUntil(page: Page, isSeen: () => Promise<boolean>): Promise<void> {
+  await expect
+    .poll(async () => {
+      await page.clock.runFor(1000);
+      return isSeen();
+    })
+    .toBe(true);
+}
+
+test("an engine that never comes is given up by name, and a new load finds it", async ({ page }) => {
+  await page.clock.install();
+  await page.route("**/*.wasm", () => {});
+  await page.goto("./?attractors=300");
+  await expect(page.getByText("Preparing the rivers")).toBeVisible();
+  await runUntil(page, () => page.getByRole("alert").isVisible());
+  await expectFailure(page, "wasm-timeout", /Check the connection/);
+  await page.unroute("**/*.wasm");
+  await page.getByRole("button", { name: "Load again" }).click();
+  await finished(page);
+});
+
+for (const what of ["wasm", "js"]) {
+  test(`tools that never come are given up by name (${what}), and the picture stays`, async ({ page }) => {
+    await page.clock.install();
+    await page.route(`**/riverseed_tools*.${what}`, () => {});
+    await page.goto("./?attractors=300");
+    await finished(page);
+    const choose = async (format: string): Promise<void> => {
+      await page.getByRole("button", { name: "Download" }).click();
+      await page.getByRole("menuitem", { name: new RegExp(`^${format} `) }).click();
+    };
+    const told = page.locator("#shared");
+    await choose("SVG");
+    await expect(told).toContainText("Making");
+    await runUntil(page, async () => !(await told.textContent())?.startsWith("Making"));
+    await expect(told).toContainText("did not arrive (wasm-timeout: nothing came from");
+    await expect(page.locator("#failure")).toBeHidden();
+    await choose("PNG");
+    await expect(told).toContainText(".png is in your downloads");
+  });
+}
+
+test("the page of digests gives up as well", async ({ page }) => {
+  await page.clock.install();
+  await page.route("**/*.wasm", () => {});
+  await page.goto("./digest.html");
+  await runUntil(page, async () => (await page.locator("body").getAttribute("data-failed")) === "no-tools");
+  await expect(page.locator("#verdict")).toContainText("wasm-timeout");
+});
+
+test("a browser without WebAssembly, which asks for nothing again", async ({ page }) => {
   let downloads = 0;
   await page.route("**/*.wasm", (route) => {
     downloads++;
@@ -60,7 +111,8 @@ test("a browser without WebAssembly, which then downloads nothing", async ({ pag
   await page.addInitScript(() => Reflect.deleteProperty(globalThis, "WebAssembly"));
   await page.goto("./");
   await expectFailure(page, "wasm-unsupported", /Update the browser/);
-  expect(downloads).toBe(0);
+  // The page has asked for the engine before it could look.
+  expect(downloads).toBe(1);
 });
 
 test("a browser without SIMD", async ({ page }) => {
@@ -68,7 +120,7 @@ test("a browser without SIMD", async ({ page }) => {
     WebAssembly.validate = () => false;
   });
   await page.goto("./");
-  await expectFailure(page, "wasm-unsupported", /Safari 16\.4/);
+  await expectFailure(page, "wasm-unsupported", /Safari 17\.2/);
 });
 
 test("a policy that forbids WebAssembly", async ({ page }) => {
@@ -110,22 +162,26 @@ for (const what of ["wasm", "js"]) {
   });
 }
 
-/** Makes a function of the engine trap, as a panic does, once `globalThis.trap` is set. */
-async function trapOn(page: Page, name: string): Promise<void> {
-  await page.addInitScript((trapped) => {
-    const instantiate = WebAssembly.instantiate;
-    const trapping = async (...given: Parameters<typeof instantiate>) => {
-      const instance = (await Reflect.apply(instantiate, WebAssembly, given)) as unknown as WebAssembly.Instance;
-      const exports: Record<string, unknown> = { ...instance.exports };
-      const original = exports[trapped] as (...args: unknown[]) => unknown;
-      exports[trapped] = (...args: unknown[]) => {
-        if ("trap" in globalThis) throw new WebAssembly.RuntimeError("unreachable");
-        return original(...args);
+/** Makes a function of the engine fail once `globalThis.trap` is set: trap, as a panic does, or throw an error with a code. */
+async function trapOn(page: Page, name: string, code?: string): Promise<void> {
+  await page.addInitScript(
+    ([trapped = "", code]) => {
+      const instantiate = WebAssembly.instantiate;
+      const trapping = async (...given: Parameters<typeof instantiate>) => {
+        const instance = (await Reflect.apply(instantiate, WebAssembly, given)) as unknown as WebAssembly.Instance;
+        const exports: Record<string, unknown> = { ...instance.exports };
+        const original = exports[trapped] as (...args: unknown[]) => unknown;
+        exports[trapped] = (...args: unknown[]) => {
+          if ("trap" in globalThis && code) throw Object.assign(new Error("no room"), { code });
+          if ("trap" in globalThis) throw new WebAssembly.RuntimeError("unreachable");
+          return original(...args);
+        };
+        return Object.create(WebAssembly.Instance.prototype, { exports: { value: exports } });
       };
-      return Object.create(WebAssembly.Instance.prototype, { exports: { value: exports } });
-    };
-    WebAssembly.instantiate = trapping as unknown as typeof instantiate;
-  }, name);
+      WebAssembly.instantiate = trapping as unknown as typeof instantiate;
+    },
+    [name, code] as const,
+  );
 }
 
 test("a panic while growing stops the river and says so, once", async ({ page }) => {
@@ -143,6 +199,16 @@ test("a panic while growing stops the river and says so, once", async ({ page })
   expect(warnings).toHaveLength(1);
   await page.getByRole("link", { name: "Start from a fresh river" }).click();
   await finished(page);
+});
+
+test("memory that runs out before the rivers are there is said, and no tree stands in their place", async ({
+  page,
+}) => {
+  await trapOn(page, "river_advance", "no-memory");
+  await page.goto("./");
+  await expect(page.locator("#caption")).toContainText("Growing");
+  await page.evaluate(() => Object.assign(globalThis, { trap: true }));
+  await expectFailure(page, "no-memory", /fewer attractors/);
 });
 
 test("a panic on a slider's change leaves advice, not a frozen page", async ({ page }) => {

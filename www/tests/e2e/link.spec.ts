@@ -84,6 +84,16 @@ test("what had to be mended in a link is said, can be dismissed, and a river is 
   await expect(notes).toBeHidden();
 });
 
+test("what a social network hangs on to a link is not told of, and not kept", async ({ page }) => {
+  await openFinished(page, "fbclid=IwAR0xyz&seed=rimu&attractors=300&utm_source=facebook&utm_medium=social");
+  await expect(page.locator("#notices")).toBeHidden();
+  await expectAddress(page, "fbclid", null);
+  expect(address(page).get("seed")).toBe("rimu");
+  await page.goto("./embed.html?seed=rimu&attractors=300&fbclid=IwAR0xyz&gclid=1#utm_source=facebook");
+  await expect(page.locator("html")).toHaveAttribute("data-state", "ready");
+  await expect(page.locator(".mended")).toHaveCount(0);
+});
+
 test("hostile text stays text", async ({ page }) => {
   const evil = `<img src=x onerror="globalThis.harmed=1"><script>globalThis.harmed=1</script>`;
   const query = new URLSearchParams({ seed: evil.slice(0, 60), [evil]: "1", style: evil });

@@ -30,7 +30,7 @@ for (const { name, ...viewport } of SIZES) {
           const { width, height } = canvas.getBoundingClientRect();
           return width / height;
         });
-        const asked = Number(new URLSearchParams(link).get("aspect") ?? 1.5);
+        const asked = Number(new URLSearchParams(link).get("aspect") ?? 1.6);
         expect(Math.abs(aspect / asked - 1)).toBeLessThan(0.02);
       });
     }

@@ -16,7 +16,7 @@ const crate = parse(readFileSync(new URL("../../../Cargo.toml", import.meta.url)
 };
 
 /** What people and registries read, and no program asks for. */
-const PAPERS = ["CHANGELOG.md", "LICENSE-APACHE", "LICENSE-MIT", "README.md"];
+const PAPERS = ["CHANGELOG.md", "LICENSE-APACHE", "LICENSE-MIT", "README.md", "THIRD-PARTY.txt"];
 
 test("every file that an entry names is there, its types before its script", () => {
   for (const [entry, target] of Object.entries(description.exports)) {

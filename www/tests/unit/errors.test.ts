@@ -8,9 +8,11 @@ const CODES: Code[] = [
   "wasm-fetch",
   "wasm-mime",
   "wasm-csp",
+  "wasm-timeout",
   "no-tools",
   "bad-params",
   "too-large",
+  "no-memory",
   "panic",
   "unknown",
 ];
@@ -49,6 +51,12 @@ test("a picture beyond all bounds is too large, not a panic", () => {
 test("a trap is a panic, and ends the picture", () => {
   const error = named(new WebAssembly.RuntimeError("unreachable"));
   expect(error.code).toBe("panic");
+  expect(isRecoverable(error)).toBe(false);
+});
+
+test("memory that runs out on the way ends the picture: what there is of it is not the recipe's", () => {
+  const error = named(Object.assign(new Error("rivers need 90 MB"), { code: "no-memory" }));
+  expect(error.code).toBe("no-memory");
   expect(isRecoverable(error)).toBe(false);
 });
 

@@ -2,10 +2,11 @@ import { expect, test } from "vitest";
 import type { Phase } from "../../pkg/riverseed.js";
 import {
   FRAME_BUDGET_MS,
+  GROWTH_SECONDS,
   type Growing,
   Growth,
-  HEIGHT_SECONDS,
   LONG_STEPS_MS,
+  MEANDER_SECONDS,
   ROUNDS_PER_SECOND,
   SETTLE_BUDGET_MS,
   SETTLE_QUIET_MS,
@@ -14,7 +15,6 @@ import {
 
 /** A display and a clock that only move when told; a step takes as long as a test says. */
 class Stage implements Growing {
-  readonly ticksPerHeight = 300;
   time = 1000;
   /** Steps of any kind. */
   ticks = 0;
@@ -31,8 +31,8 @@ class Stage implements Growing {
 
   /** Grows until its last tick; with rounds, it is then made into rivers and meanders for so many. */
   constructor(
-    readonly lastTick = 1_000_000,
-    readonly rounds?: number,
+    readonly lastTick = 600,
+    readonly meanders?: number,
   ) {
     const frames = {
       now: () => this.time,
@@ -55,8 +55,17 @@ class Stage implements Growing {
 
   get phase(): Phase {
     if (this.ticks < this.lastTick) return "growing";
-    if (this.rounds === undefined || this.ticks > this.lastTick + this.rounds) return "finished";
+    if (this.meanders === undefined || this.ticks > this.lastTick + this.meanders) return "finished";
     return this.ticks === this.lastTick ? "shaping" : "meandering";
+  }
+
+  get progress(): number {
+    if (this.phase === "growing") return this.ticks / this.lastTick;
+    return this.phase === "meandering" ? (this.ticks - this.lastTick - 1) / this.rounds : 0;
+  }
+
+  get rounds(): number {
+    return this.meanders ?? 0;
   }
 
   advance(ticks: number): boolean {
@@ -87,25 +96,67 @@ class Stage implements Growing {
   }
 }
 
-test("at 1x the front crosses the height in the stated time, at any display rate", () => {
-  for (const rate of [24, 60, 144]) {
-    const stage = new Stage();
+/** How many seconds of frames at a rate pass before it has grown up. */
+function secondsToGrow(stage: Stage, rate: number): number {
+  let frames = 0;
+  for (; stage.phase === "growing"; frames++) stage.frames(1, 1000 / rate);
+  // The first frame shows how it begins.
+  return (frames - 1) / rate;
+}
+
+test("at 1x a tree grows up in the stated time, however many ticks it takes and at any display rate", () => {
+  for (const [rate, ticks] of [24, 60, 144].flatMap((rate) =>
+    [150, 600, 6_000].map((ticks) => [rate, ticks] as const),
+  )) {
+    const stage = new Stage(ticks);
     stage.growth.play();
-    stage.frames(rate * HEIGHT_SECONDS + 1, 1000 / rate);
-    expect(Math.abs(stage.ticks - stage.ticksPerHeight)).toBeLessThanOrEqual(1);
+    const seconds = secondsToGrow(stage, rate);
+    expect(seconds).toBeLessThanOrEqual(GROWTH_SECONDS + 3 / rate);
+    // The last of few ticks is due a little earlier.
+    expect(seconds).toBeGreaterThan(0.8 * GROWTH_SECONDS);
   }
 });
 
-test("speed multiplies", () => {
-  const stage = new Stage();
-  stage.growth.speed = 4;
-  stage.growth.play();
-  stage.frames(60 * HEIGHT_SECONDS + 1);
-  expect(Math.abs(stage.ticks - 4 * stage.ticksPerHeight)).toBeLessThanOrEqual(1);
+test("speed divides the time", () => {
+  for (const speed of [0.25, 4, 8]) {
+    const stage = new Stage();
+    stage.growth.speed = speed;
+    stage.growth.play();
+    const seconds = speed * secondsToGrow(stage, 60);
+    expect(seconds).toBeLessThanOrEqual(GROWTH_SECONDS + (3 * speed) / 60);
+    expect(seconds).toBeGreaterThan(0.8 * GROWTH_SECONDS);
+  }
 });
 
+test("growth is fast at first: four fifths after a second, and every frame has its share", () => {
+  const stage = new Stage(6_000);
+  stage.growth.play();
+  stage.frames(61);
+  expect(stage.progress).toBeCloseTo(0.82, 1);
+  const steps = stage.drawn.slice(1).map((ticks, i) => ticks - (stage.drawn[i] ?? 0));
+  for (const [i, step] of steps.entries()) expect(step).toBeLessThanOrEqual(steps[i - 1] ?? step);
+});
+
+test("another speed on the way changes the pace, and jumps nowhere", () => {
+  const stage = new Stage();
+  stage.growth.speed = Number.POSITIVE_INFINITY;
+  stage.cost = 1;
+  stage.growth.play();
+  stage.frames(20);
+  const before = stage.ticks;
+  stage.cost = 0;
+  stage.growth.speed = 1;
+  stage.frames(2);
+  expect(stage.ticks - before).toBeLessThanOrEqual(2 * mostInAFrame(stage));
+});
+
+/** What is due in one frame at 1x, at first, when that is most. */
+function mostInAFrame(stage: Stage): number {
+  return Math.ceil((2.5 * stage.lastTick) / GROWTH_SECONDS / 60) + 1;
+}
+
 test("instant speed uses each frame's budget and is still drawn as it grows", () => {
-  const stage = new Stage(500);
+  const stage = new Stage(300);
   stage.cost = 0.1;
   stage.growth.speed = Number.POSITIVE_INFINITY;
   stage.growth.play();
@@ -129,7 +180,7 @@ test("no frame grows longer than its budget and one tick", () => {
 });
 
 test("work that does not fit makes growth slower, never a burst later", () => {
-  const stage = new Stage();
+  const stage = new Stage(6_000);
   stage.cost = 6;
   stage.growth.speed = 8;
   stage.growth.play();
@@ -137,8 +188,7 @@ test("work that does not fit makes growth slower, never a burst later", () => {
   stage.cost = 0;
   const before = stage.ticks;
   stage.frames(1);
-  const dueInOneFrame = (8 * stage.ticksPerHeight) / HEIGHT_SECONDS / 60;
-  expect(stage.ticks - before).toBeLessThanOrEqual(dueInOneFrame + 1);
+  expect(stage.ticks - before).toBeLessThanOrEqual(8 * mostInAFrame(stage));
 });
 
 test("a tab that was away for a minute goes on from where it was", () => {
@@ -148,7 +198,7 @@ test("a tab that was away for a minute goes on from where it was", () => {
   stage.time += 60_000;
   const before = stage.ticks;
   stage.frames(1);
-  expect(stage.ticks - before).toBeLessThanOrEqual((0.1 * stage.ticksPerHeight) / HEIGHT_SECONDS + 1);
+  expect(stage.ticks - before).toBeLessThanOrEqual(6 * mostInAFrame(stage));
 });
 
 test("paused means no growth and no frames", () => {
@@ -221,7 +271,7 @@ test("at rest nothing is drawn; waking goes on", () => {
   stage.time += 5000;
   stage.growth.wake();
   stage.frames(60);
-  expect(stage.ticks - ticks).toBeLessThanOrEqual(stage.ticksPerHeight / HEIGHT_SECONDS + 1);
+  expect(stage.ticks - ticks).toBeLessThanOrEqual(0.9 * stage.lastTick);
   expect(stage.ticks).toBeGreaterThan(ticks);
 });
 
@@ -252,25 +302,33 @@ test("a failure is told once and stops the loop", () => {
 });
 
 test("growth is followed by meandering, animated at its own pace", () => {
-  const stage = new Stage(10, 4 * ROUNDS_PER_SECOND);
+  const stage = new Stage(10, ROUNDS_PER_SECOND);
   stage.growth.watch();
   while (stage.phase !== "meandering") stage.frames(1);
-  stage.frames(60);
+  stage.frames(30);
   const rounds = stage.ticks - stage.lastTick - 1;
-  expect(Math.abs(rounds - ROUNDS_PER_SECOND)).toBeLessThanOrEqual(2);
-  stage.frames(240);
+  expect(Math.abs(rounds - ROUNDS_PER_SECOND / 2)).toBeLessThanOrEqual(2);
+  stage.frames(60);
   expect(stage.states).toEqual(["growing", "finished"]);
   expect(new Set(stage.phases)).toEqual(new Set(["growing", "shaping", "meandering", "finished"]));
 });
 
 test("speed multiplies rounds, too", () => {
-  const stage = new Stage(1, 1000);
+  const stage = new Stage(1, ROUNDS_PER_SECOND);
   stage.growth.speed = 4;
   stage.growth.watch();
   while (stage.phase !== "meandering") stage.frames(1);
   const before = stage.ticks;
-  stage.frames(60);
-  expect(Math.abs(stage.ticks - before - 4 * ROUNDS_PER_SECOND)).toBeLessThanOrEqual(5);
+  stage.frames(9);
+  expect(Math.abs(stage.ticks - before - (4 * 9 * ROUNDS_PER_SECOND) / 60)).toBeLessThanOrEqual(5);
+});
+
+test("many rounds share the time that there is for meandering", () => {
+  const stage = new Stage(1, 400);
+  stage.growth.watch();
+  while (stage.phase !== "meandering") stage.frames(1);
+  stage.frames(60 * MEANDER_SECONDS + 3);
+  expect(stage.growth.state).toBe("finished");
 });
 
 test("a settling river that was grown shows its tree on the way, if it is asked to, and then gives way to another", () => {

@@ -3,7 +3,8 @@ import { isAdjustable } from "../../src/controls.ts";
 import { engine, parameter, pictureOf } from "../core.ts";
 
 /** What decides whether others do something; coarse and soon done, since every value of every key is drawn. */
-const COARSE = "attractors=100&sensitivity=64&mouths=9&meander-rounds=10";
+const PLAIN = "aspect=1.5&land=rectangle&sea=0.5&rough=0.5&curl=0&trim=4&width=14&great=1&style=ink";
+const COARSE = `${PLAIN}&attractors=100&sensitivity=64&mouths=9&meander-rounds=10`;
 const OUTLINE = engine.outlineOf([Float32Array.of(0.2, 0.2, 0.8, 0.25, 0.75, 0.8, 0.2, 0.7)], []);
 const lands = parameter("land").choices?.map(({ value }) => `land=${value}`) ?? [];
 const growths = parameter("growth").choices?.map(({ value }) => `growth=${value}`) ?? [];
@@ -32,7 +33,7 @@ function maySame(link: string): string[] {
 }
 
 /** Many rivers that meander for long. */
-const CLOSE = "attractors=500&great=16&gentle=1&meander-rounds=120&meander-strength=1";
+const CLOSE = merged(PLAIN, "mouths=3&attractors=500&great=16&gentle=1&meander-rounds=120&meander-strength=1");
 
 const keys = engine
   .parameters()

@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import { isAdjustable } from "../../src/controls.ts";
-import { isShown, presetValues } from "../../src/presets.ts";
+import { besides, isShown, presetValues } from "../../src/presets.ts";
 import { Recipe } from "../../src/recipe.ts";
 import { engine } from "../core.ts";
 
@@ -51,6 +51,25 @@ test("each preset is shown by its own values and by no other preset's", () => {
   }
 });
 
+test("what a preset changes besides its own is told, in words", () => {
+  const changes = (link: string, name: string): string | undefined => {
+    const preset = presets.find((one) => one.name === name);
+    if (!preset) throw new Error(`no preset ${name}`);
+    return besides(preset, presets, table, new Map(engine.readLink(link).values));
+  };
+  const said = changes("land=island&curl=1.5&trim=40&simplify=12&meander=flow&growth=brownian", "trimmed-curl");
+  expect(said).toMatch(/^“Trimmed curl” also changed .*\.$/);
+  expect(said).toContain("Simplify from 12 % to 0 %");
+  expect(said).toContain("Meanders from “bends skew and travel” to “none”");
+  expect(said).toContain("Growth from “");
+  // What presets are there for, and what no preset touches.
+  expect(said).not.toMatch(/Curl from|Trim from|Seed/);
+  for (const { name } of presets) {
+    expect(changes(`preset=${name}`, name)).toBeUndefined();
+    expect(changes(`preset=original&land=island`, name)?.includes("Meanders") ?? false).toBe(false);
+  }
+});
+
 test("a preset's button gives what the preset's link gives", () => {
   for (const preset of presets) {
     const byLink = engine.readLink(`preset=${preset.name}`).link;
@@ -72,4 +91,37 @@ test("fresh seeds are words that a link reads back", () => {
     expect(engine.readLink(`seed=${encodeURIComponent(seed)}`).notices).toEqual([]);
     expect(seed).toMatch(/^[\p{L}\p{N} '’-]{2,64}$/u);
   }
+});
+
+test("on a dark page a recipe without a style is shown in the dark one, and its link stays canonical", () => {
+  const recipe = new Recipe(engine.readLink, () => true);
+  recipe.open("seed=rimu");
+  expect(recipe.link).toBe("seed=rimu&edition=1");
+  expect(recipe.shown).toBe("seed=rimu&edition=1&style=dark");
+  expect(recipe.values.get("style")).toBe("dark");
+  recipe.set([["trim", "9"]]);
+  expect(recipe.link).toBe("seed=rimu&edition=1&trim=9");
+  recipe.restore(recipe.shown);
+  expect(recipe.link).toBe("seed=rimu&edition=1&trim=9");
+});
+
+test("on a dark page a style that was chosen is shown, and told by the link, which is read back to the same", () => {
+  const recipe = new Recipe(engine.readLink, () => true);
+  for (const style of ["ink", "map", "dark"]) {
+    recipe.open("seed=rimu");
+    recipe.set([["style", style]]);
+    expect(recipe.values.get("style")).toBe(style);
+    expect(recipe.link).toBe(`seed=rimu&edition=1&style=${style}`);
+    recipe.open(recipe.link);
+    expect(recipe.values.get("style")).toBe(style);
+    recipe.restore(recipe.shown);
+    expect(recipe.values.get("style")).toBe(style);
+  }
+});
+
+test("on a light page nothing is shown but what the recipe says", () => {
+  const recipe = fresh();
+  recipe.open("seed=rimu");
+  recipe.set([["style", "ink"]]);
+  expect([recipe.link, recipe.shown]).toEqual(["seed=rimu&edition=1", "seed=rimu&edition=1"]);
 });

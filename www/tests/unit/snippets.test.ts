@@ -8,18 +8,19 @@ const shared = (link: string): Shared => ({
   page: "https://rivers.example/maps/?seed=shown#there",
 });
 
-test("an element has a river's values as attributes, and a link for readers without script", () => {
-  expect(elementSnippet(shared("seed=kauri&edition=1&curl=0.6&meander-rounds=9"))).toBe(
+test("an element has a river's values as attributes, its room, and a picture that leads to the page", () => {
+  expect(elementSnippet(shared("seed=kauri&edition=1&curl=0.6&meander-rounds=9"), "riverseed-kauri.png")).toBe(
     `<script type="module" src="https://rivers.example/maps/widget/river-seed.js"></script>
-<river-seed seed="kauri" edition="1" curl="0.6" meander-rounds="9">
-  <a href="https://rivers.example/maps/?seed=kauri&amp;edition=1&amp;curl=0.6&amp;meander-rounds=9">Rivers grown from “kauri”</a>
+<river-seed seed="kauri" edition="1" curl="0.6" meander-rounds="9" style="display:block;aspect-ratio:1.5;min-height:0;overflow:hidden">
+  <a href="https://rivers.example/maps/?seed=kauri&amp;edition=1&amp;curl=0.6&amp;meander-rounds=9"><img src="riverseed-kauri.png"
+    alt="Rivers grown from “kauri”" loading="lazy" style="display:block;width:100%"></a>
 </river-seed>`,
   );
 });
 
 test("keys that HTML has for itself carry a prefix", () => {
-  expect(elementSnippet(shared("seed=a&width=20&style=map"))).toContain(
-    `<river-seed seed="a" river-width="20" river-style="map">`,
+  expect(elementSnippet(shared("seed=a&width=20&style=map"), "p.png")).toContain(
+    `<river-seed seed="a" river-width="20" river-style="map" style="display:block;`,
   );
 });
 
@@ -44,7 +45,7 @@ test("rivers without a word have a title too", () => {
 for (const seed of ['"><script>alert(1)</script>', "' onload='alert(1)", "&quot;&amp;", "a-->b", "</river-seed><b>"]) {
   test(`no sign of HTML leaves the seed ${seed} as it is`, () => {
     const link = `seed=${encodeURIComponent(seed)}`;
-    for (const snippet of [elementSnippet(shared(link)), iframeSnippet(shared(link))]) {
+    for (const snippet of [elementSnippet(shared(link), `${seed}.png`), iframeSnippet(shared(link))]) {
       expect(snippet).not.toContain(seed);
       expect(snippet.split("<script")).toHaveLength(snippet.startsWith("<script") ? 2 : 1);
     }

@@ -44,7 +44,7 @@ test("a strict policy is kept: nothing inline, nothing evaluated", async ({ page
   await expectPicture(page, LINK);
   await expect(page.getByRole("button")).toBeVisible();
   const { width, height } = (await page.locator("river-seed").boundingBox()) ?? { width: 0, height: 1 };
-  expect(width / height).toBeCloseTo(1.5, 1);
+  expect(width / height).toBeCloseTo(1.6, 1);
   expect(said.filter((text) => !text.includes("favicon"))).toEqual([]);
 });
 

@@ -66,12 +66,43 @@ test("a policy that forbids WebAssembly", async ({ page, blog }) => {
   await expectFailure(page, await open(page, blog), "wasm-csp", /wasm-unsafe-eval/);
 });
 
+for (const [what, style, fallback] of [
+  ["its fallback", "", '<a href="#river">The river</a>'],
+  [
+    "its fallback, though its author reserved the river's room",
+    "display:block;aspect-ratio:1.5;min-height:0",
+    "<a>River</a>",
+  ],
+  ["a line of text where there is no fallback", "", ""],
+] as const) {
+  test(`a river that cannot be is as high as ${what}`, async ({ page, blog }) => {
+    blog.headers = { "content-security-policy": "script-src 'self'" };
+    const events = await open(page, blog, `<river-seed style="${style}">${fallback}</river-seed>`);
+    await heard(events, "error");
+    const { width, height } = (await page.locator("river-seed").boundingBox()) ?? { width: 0, height: 1000 };
+    expect(width).toBeGreaterThan(1000);
+    expect(height).toBeGreaterThan(10);
+    expect(height).toBeLessThan(100);
+  });
+}
+
+test("a river that cannot be leaves no room, one that then can has its room back", async ({ page, blog }) => {
+  blog.answer(ENGINE, { status: 404 });
+  const events = await open(page, blog, WIDGET);
+  await heard(events, "error");
+  blog.forget(ENGINE);
+  await page.locator("river-seed").evaluate((river: HTMLElementTagNameMap["river-seed"]) => river.restart());
+  await heard(events, "complete");
+  const { width, height } = (await page.locator("river-seed").boundingBox()) ?? { width: 0, height: 1 };
+  expect(width / height).toBeCloseTo(1.5, 2);
+});
+
 test("a browser without SIMD downloads no engine", async ({ page, blog }) => {
   await page.addInitScript(() => {
     WebAssembly.validate = () => false;
     Reflect.deleteProperty(HTMLCanvasElement.prototype, "transferControlToOffscreen");
   });
-  await expectFailure(page, await open(page, blog), "wasm-unsupported", /Safari 16\.4/);
+  await expectFailure(page, await open(page, blog), "wasm-unsupported", /Safari 17\.2/);
   expect(blog.asked).not.toContain(ENGINE);
 });
 

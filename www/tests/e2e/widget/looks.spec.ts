@@ -1,4 +1,6 @@
 import type { Page } from "@playwright/test";
+import { elementSnippet } from "../../../src/snippets.ts";
+import { engine } from "../../core.ts";
 import { expect, type Host, test } from "./hosts.ts";
 import { canonical, expectPicture, frames, type Heard, heard, listen, post } from "./post.ts";
 
@@ -25,7 +27,7 @@ const FALLBACK =
   '<a href="#river">The river</a><p style="height: 700px">A picture of the river, taller than its place.</p>';
 
 for (const [attributes, aspect] of [
-  ["", 1.5],
+  ["", 1.6],
   ['aspect="2.5"', 2.5],
   ['recipe="aspect=0.8"', 0.8],
   ['aspect="77"', 4],
@@ -44,6 +46,39 @@ for (const [attributes, aspect] of [
     expect(await moved()).toBe(0);
   });
 }
+
+test("nothing moves on a page with twenty rivers that were copied from the Share dialog", async ({ page, blog }) => {
+  const moved = await shifts(page);
+  const picture = '<svg xmlns="http://www.w3.org/2000/svg" width="3000" height="2000"/>';
+  const snippets = Array.from({ length: 20 }, (_, i) => {
+    // A saved picture is far larger than its place; every other one was not saved.
+    if (i % 2 === 0) blog.answer(`/${i}.svg`, { headers: { "content-type": "image/svg+xml" }, body: picture });
+    const aspect = ["0.8", "1.5", "3"][i % 3] ?? "";
+    const { link } = engine.readLink(`seed=${i}&attractors=300&aspect=${aspect}`);
+    const snippet = elementSnippet({ link, seed: String(i), aspect, page: `${blog.origin}/` }, `${i}.svg`);
+    return `<p>Text before river ${i}.</p><div style="width: 90px">${snippet}</div>`;
+  });
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  await page.setViewportSize({ width: 1280, height: 4000 });
+  // As posts are seen on a slow line: the script comes when the page has been laid out.
+  let answer = (): void => {};
+  const held = new Promise<void>((done) => {
+    answer = done;
+  });
+  await page.route("**/river-seed.js", async (route) => {
+    await held;
+    await route.continue();
+  });
+  const events = await listen(page);
+  blog.answer("/", { body: post(snippets.join("")) });
+  await page.goto(blog.origin, { waitUntil: "commit" });
+  await expect(page.locator("river-seed")).toHaveCount(20);
+  await frames(page, 5);
+  answer();
+  await heard(events, "complete", 20);
+  await frames(page, 5);
+  expect(await moved()).toBe(0);
+});
 
 test("what stands in the river's place is seen until there is one", async ({ page, blog }) => {
   let answer = (): void => {};
@@ -114,6 +149,30 @@ test("a box of another shape is covered by the map", async ({ page, blog }) => {
   await expectPicture(page, canonical("attractors=300"));
   const { height } = (await page.locator("river-seed canvas").boundingBox()) ?? { height: 0 };
   expect(height).toBe(120);
+});
+
+const backing = (page: Page, id: string): Promise<number[]> =>
+  page.locator(`#${id} canvas`).evaluate((canvas: HTMLCanvasElement) => [canvas.width, canvas.height]);
+
+for (const transform of ["scale(.5)", "scale(0)", "rotate(30deg) scale(.4)"]) {
+  test(`one that is drawn under ${transform} is sharp when that ends`, async ({ page, blog }) => {
+    const river = (id: string): string =>
+      `<river-seed id="${id}" attractors="300" animate="none" loading="eager" style="width: 333.4px"></river-seed>`;
+    const body = `<div id="slide" style="transform: ${transform}; transform-origin: 0 0">${river("scaled")}</div>${river("plain")}`;
+    const events = await open(page, blog, body);
+    await heard(events, "complete", 2);
+    await page.locator("#slide").evaluate((slide) => slide.style.removeProperty("transform"));
+    await expectPicture(page, canonical("attractors=300"), "#scaled");
+    expect(await backing(page, "scaled")).toEqual(await backing(page, "plain"));
+  });
+}
+
+test("one that is drawn enlarged has the pixels that are seen", async ({ page, blog }) => {
+  const body =
+    '<river-seed id="large" attractors="300" animate="none" style="width: 300px; transform: scale(2); transform-origin: 0 0"></river-seed>';
+  const events = await open(page, blog, body);
+  await heard(events, "complete");
+  expect(await backing(page, "large")).toEqual([600, 400]);
 });
 
 test("an author's style sheet has the last word", async ({ page, blog }) => {

@@ -56,18 +56,20 @@ export interface Pixels {
   sha256: string;
 }
 
-/** The bytes on a widget's canvas, in a worker's hands or not. */
+/** The bytes on the canvas that is seen of a widget, in a worker's hands or not. */
 export async function pixels(page: Page, selector = "river-seed"): Promise<Pixels> {
-  const { width, height, base64 } = await page.locator(`${selector} canvas`).evaluate((shown: HTMLCanvasElement) => {
-    const { width, height } = shown;
-    const canvas = Object.assign(document.createElement("canvas"), { width, height });
-    const context = canvas.getContext("2d", { willReadFrequently: true });
-    context?.drawImage(shown, 0, 0);
-    const { data } = context?.getImageData(0, 0, width, height) ?? { data: new Uint8ClampedArray() };
-    let binary = "";
-    for (let i = 0; i < data.length; i += 8192) binary += String.fromCharCode(...data.subarray(i, i + 8192));
-    return { width, height, base64: btoa(binary) };
-  });
+  const { width, height, base64 } = await page
+    .locator(`${selector} canvas:not(.waits)`)
+    .evaluate((shown: HTMLCanvasElement) => {
+      const { width, height } = shown;
+      const canvas = Object.assign(document.createElement("canvas"), { width, height });
+      const context = canvas.getContext("2d", { willReadFrequently: true });
+      context?.drawImage(shown, 0, 0);
+      const { data } = context?.getImageData(0, 0, width, height) ?? { data: new Uint8ClampedArray() };
+      let binary = "";
+      for (let i = 0; i < data.length; i += 8192) binary += String.fromCharCode(...data.subarray(i, i + 8192));
+      return { width, height, base64: btoa(binary) };
+    });
   return { width, height, sha256: createHash("sha256").update(Buffer.from(base64, "base64")).digest("hex") };
 }
 

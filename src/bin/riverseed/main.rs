@@ -1,16 +1,20 @@
 //! The command line: `riverseed render` draws a recipe or writes its network, `riverseed outline` traces a picture of a
-//! land, `riverseed table` explains recipes.
+//! land, `riverseed table` explains recipes, `riverseed verify` tells whether this machine draws as all others do.
 //!
 //! Exit codes: 0 done, 1 the work failed, 2 the call or the recipe is wrong.
 
-use std::fs::{self, File};
-use std::io::{self, BufReader, BufWriter, Read, Write};
+mod output;
+mod verify;
+
+use std::fs::File;
+use std::io::{self, BufReader, Read, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::parser::ValueSource;
 use clap::{Arg, ArgAction, ArgMatches, Command, crate_version, value_parser};
 use indicatif::{ProgressBar, ProgressStyle};
+use riverseed::digest::DigestError;
 use riverseed::domain::Domain;
 use riverseed::export;
 use riverseed::import;
@@ -24,11 +28,14 @@ use riverseed::recipe::{
 use riverseed::session::{Session, SessionError};
 use thiserror::Error;
 
+use output::Output;
+
 fn main() -> ExitCode {
     let done = match command().get_matches().subcommand() {
         Some(("render", matches)) => render(matches),
         Some(("outline", matches)) => outline(matches),
         Some(("table", _)) => print_table(),
+        Some(("verify", matches)) => verify::verify(matches.get_one::<PathBuf>("digests").map(PathBuf::as_path)),
         _ => Ok(()),
     };
     match done {
@@ -47,6 +54,8 @@ enum Failure {
     Recipe(#[from] RecipeError),
     #[error(transparent)]
     Session(#[from] SessionError),
+    #[error(transparent)]
+    Digest(#[from] DigestError),
     #[error("{}: the ending of the output is none of .png, .svg, .geojson, .json", path.display())]
     Ending { path: PathBuf },
     #[error("{option} does not go with {ending}")]
@@ -55,6 +64,8 @@ enum Failure {
     File { path: PathBuf, error: io::Error },
     #[error("{}: {reason}", path.display())]
     Picture { path: PathBuf, reason: String },
+    #[error("{differing} of {all} recipes give other rivers, pixels or files here")]
+    Differs { differing: usize, all: usize },
     #[error(transparent)]
     Output(#[from] io::Error),
 }
@@ -63,7 +74,12 @@ impl Failure {
     fn exit_code(&self) -> ExitCode {
         match self {
             Self::Recipe(_) | Self::Ending { .. } | Self::Mismatch { .. } => ExitCode::from(2),
-            Self::Session(_) | Self::File { .. } | Self::Picture { .. } | Self::Output(_) => ExitCode::FAILURE,
+            Self::Session(_)
+            | Self::Digest(_)
+            | Self::File { .. }
+            | Self::Picture { .. }
+            | Self::Differs { .. }
+            | Self::Output(_) => ExitCode::FAILURE,
         }
     }
 
@@ -130,6 +146,18 @@ fn command() -> Command {
                 .arg(Arg::new("seed").long("seed").value_name("TEXT").requires("link").help("The seed of that link")),
         )
         .subcommand(Command::new("table").about("Prints the parameter table as Markdown"))
+        .subcommand(
+            Command::new("verify")
+                .about("Checks that this machine gives the same rivers and pixels as all others")
+                .after_help("Exit code 1, and the links that differ, if it does not.")
+                .arg(
+                    Arg::new("digests")
+                        .long("digests")
+                        .value_name("FILE")
+                        .help("Digests to compare with, other than those of this version: lines of a digest and a link")
+                        .value_parser(value_parser!(PathBuf)),
+                ),
+        )
 }
 
 /// The option of a parameter. `--attractors` alone asks for the attractors in JSON; with a number it sets how many. Both
@@ -185,51 +213,39 @@ fn render(matches: &ArgMatches) -> Result<(), Failure> {
             Err(Failure::Mismatch { option: "--attractors without a number", ending })
         }
         Form::Svg | Form::GeoJson | Form::Json if wants_size => Err(Failure::Mismatch { option: "--size", ending }),
-        Form::Png => write_file(output, |out| write_png(out, recipe, size)),
-        form => write_file(output, |out| write_network(out, recipe, form, wants_attractors)),
+        Form::Png => write_png(Output::open(output)?, recipe, size),
+        form => write_network(Output::open(output)?, recipe, form, wants_attractors),
     }
 }
 
-fn write_png(out: &mut dyn Write, recipe: Recipe, size: u32) -> Result<(), Failure> {
+fn write_png(output: Output, recipe: Recipe, size: u32) -> Result<(), Failure> {
     let progress = progress(&recipe, size);
     let mut session = grow(recipe, size, &progress)?;
     progress.set_message("painting");
     session.paint();
     progress.set_message("writing");
-    export::png::write(out, session.pixmap(), &link::write(session.recipe())).map_err(io::Error::from)?;
+    output.write(|out| {
+        let link = link::write(session.recipe());
+        Ok(export::png::write(out, session.pixmap(), &link).map_err(io::Error::from)?)
+    })?;
     progress.finish_and_clear();
     Ok(())
 }
 
-fn write_network(out: &mut dyn Write, recipe: Recipe, form: Form, with_attractors: bool) -> Result<(), Failure> {
+fn write_network(output: Output, recipe: Recipe, form: Form, with_attractors: bool) -> Result<(), Failure> {
     let progress = progress(&recipe, 1);
     let session = grow(recipe, 1, &progress)?;
     progress.set_message("writing");
-    match form {
-        Form::Svg => out.write_all(export::svg::svg(&session).map_err(io::Error::other)?.as_bytes())?,
-        Form::GeoJson => export::geojson::write(&mut *out, &session)?,
-        _ => export::json::write(&mut *out, &session, with_attractors)?,
-    }
-    writeln!(out)?;
+    output.write(|out| {
+        match form {
+            Form::Svg => out.write_all(export::svg::svg(&session).map_err(io::Error::other)?.as_bytes())?,
+            Form::GeoJson => export::geojson::write(&mut *out, &session)?,
+            _ => export::json::write(&mut *out, &session, with_attractors)?,
+        }
+        Ok(writeln!(out)?)
+    })?;
     progress.finish_and_clear();
     Ok(())
-}
-
-/// Writes a file under a passing name of its own and puts it in its place when it is whole: a failure loses no older
-/// file.
-fn write_file(path: &Path, write: impl FnOnce(&mut dyn Write) -> Result<(), Failure>) -> Result<(), Failure> {
-    let mut name = path.file_name().unwrap_or_default().to_owned();
-    name.push(format!(".{}.part", std::process::id()));
-    let passing = path.with_file_name(name);
-    let mut out = BufWriter::new(File::create_new(&passing).map_err(Failure::file(path))?);
-    let written = write(&mut out)
-        .and_then(|()| out.flush().map_err(Failure::file(path)))
-        .and_then(|()| fs::rename(&passing, path).map_err(Failure::file(path)));
-    if written.is_err() {
-        // The first failure is the one to tell of.
-        let _ = fs::remove_file(&passing);
-    }
-    written
 }
 
 /// Tells of what was given and does nothing.
@@ -293,7 +309,7 @@ fn grow(recipe: Recipe, size: u32, progress: &ProgressBar) -> Result<Session, Fa
     }
     progress.set_length(u64::from(session.growth().everything()));
     progress.set_message("growing");
-    while session.advance(16) {
+    while session.advance(16)? {
         progress.set_position(u64::from(session.growth().drained()));
     }
     if session.summary().is_stalled() {

@@ -1,0 +1,157 @@
+//! The file that a call writes: whole or not at all, whatever ends the process.
+//!
+//! On Linux it has no name while it is written, so that no signal leaves a part of it. Elsewhere, and on file systems
+//! that know no such files, it is begun only when the rivers have grown, under a passing name.
+
+use std::fs::{self, File, Permissions};
+use std::io::{self, BufWriter, Write};
+use std::path::{Path, PathBuf};
+
+use tempfile::{Builder, NamedTempFile};
+
+use super::Failure;
+
+/// A place to write to.
+pub struct Output {
+    /// As it was given, for messages.
+    given: PathBuf,
+    way: Way,
+}
+
+enum Way {
+    /// What is written takes the place of a file, if there is one, and its permissions.
+    Replace { path: PathBuf, permissions: Option<Permissions>, unnamed: Option<File> },
+    /// What is there is no file that could be replaced, but a pipe, a device, or a link to nothing.
+    Through,
+}
+
+impl Output {
+    /// Looks at what there is, before the work begins, and leaves nothing behind.
+    ///
+    /// # Errors
+    /// If nothing can be written there.
+    pub fn open(given: &Path) -> Result<Self, Failure> {
+        let way = Way::of(given).map_err(Failure::file(given))?;
+        Ok(Self { given: given.into(), way })
+    }
+
+    /// Writes it.
+    pub fn write(self, write: impl FnOnce(&mut dyn Write) -> Result<(), Failure>) -> Result<(), Failure> {
+        let Self { given, way } = self;
+        match way {
+            Way::Replace { path, permissions, unnamed: Some(file) } => {
+                let file = filled(file, &given, write)?;
+                publish(&file, &path, permissions).map_err(Failure::file(&given))
+            }
+            Way::Replace { path, permissions, unnamed: None } => {
+                let file = filled(named(&path).map_err(Failure::file(&given))?, &given, write)?;
+                replace(file, &path, permissions).map_err(Failure::file(&given))
+            }
+            Way::Through => {
+                let file = File::options().write(true).create(true).truncate(true).open(&given);
+                filled(file.map_err(Failure::file(&given))?, &given, write).map(drop)
+            }
+        }
+    }
+}
+
+impl Way {
+    fn of(given: &Path) -> io::Result<Self> {
+        let is_link = given.is_symlink();
+        let there = match fs::metadata(given) {
+            Err(error) if error.kind() == io::ErrorKind::NotFound => None,
+            there => Some(there?),
+        };
+        match there {
+            Some(there) if there.is_dir() => Err(io::ErrorKind::IsADirectory.into()),
+            Some(there) if !there.is_file() => Ok(Self::Through),
+            None if is_link => Ok(Self::Through),
+            there => {
+                let path = if is_link { fs::canonicalize(given)? } else { given.to_owned() };
+                fs::metadata(folder(&path))?; // so that a folder that is not there is told of before the work
+                let unnamed = unnamed(folder(&path));
+                Ok(Self::Replace { path, permissions: there.map(|there| there.permissions()), unnamed })
+            }
+        }
+    }
+}
+
+/// The folder that a file lies in.
+fn folder(path: &Path) -> &Path {
+    path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
+}
+
+/// Writes into a file, and gives it back.
+fn filled<Target: Write>(
+    file: Target,
+    given: &Path,
+    write: impl FnOnce(&mut dyn Write) -> Result<(), Failure>,
+) -> Result<Target, Failure> {
+    let mut out = BufWriter::new(file);
+    write(&mut out)?;
+    out.into_inner().map_err(|error| Failure::file(given)(error.into_error()))
+}
+
+/// A file without a name; `None` where there are none.
+#[cfg(target_os = "linux")]
+fn unnamed(folder: &Path) -> Option<File> {
+    use std::os::unix::fs::OpenOptionsExt;
+
+    use rustix::fs::OFlags;
+
+    Path::new(NAMES_OF_FILES).is_dir().then_some(())?;
+    let flags = OFlags::TMPFILE.bits() as i32;
+    File::options().read(true).write(true).mode(0o666).custom_flags(flags).open(folder).ok()
+}
+
+#[cfg(not(target_os = "linux"))]
+fn unnamed(_: &Path) -> Option<File> {
+    None
+}
+
+/// Where Linux names the open files of a process.
+#[cfg(target_os = "linux")]
+const NAMES_OF_FILES: &str = "/proc/self/fd";
+
+/// Puts a file without a name in its place. A name cannot be given to another file at once, so this one has a passing name
+/// for a moment.
+#[cfg(target_os = "linux")]
+fn publish(file: &File, path: &Path, permissions: Option<Permissions>) -> io::Result<()> {
+    use std::os::fd::AsRawFd;
+
+    use rustix::fs::{AtFlags, CWD, linkat};
+
+    if let Some(permissions) = permissions {
+        file.set_permissions(permissions)?;
+    }
+    let own = format!("{NAMES_OF_FILES}/{}", file.as_raw_fd());
+    let named = builder().make_in(folder(path), |name| Ok(linkat(CWD, &*own, CWD, name, AtFlags::SYMLINK_FOLLOW)?))?;
+    Ok(named.into_temp_path().persist(path)?)
+}
+
+#[cfg(not(target_os = "linux"))]
+fn publish(_: &File, _: &Path, _: Option<Permissions>) -> io::Result<()> {
+    Err(io::ErrorKind::Unsupported.into())
+}
+
+/// A file under a passing name.
+fn named(path: &Path) -> io::Result<NamedTempFile> {
+    let mut builder = builder();
+    #[cfg(unix)]
+    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+    builder.tempfile_in(folder(path))
+}
+
+fn builder() -> Builder<'static, 'static> {
+    let mut builder = Builder::new();
+    builder.prefix(".riverseed-");
+    builder
+}
+
+/// Puts a file under a passing name in its place.
+fn replace(file: NamedTempFile, path: &Path, permissions: Option<Permissions>) -> io::Result<()> {
+    if let Some(permissions) = permissions {
+        file.as_file().set_permissions(permissions)?;
+    }
+    Ok(file.persist(path).map(drop)?)
+}

@@ -1,0 +1,104 @@
+//! The JSON Schema of a network's JSON form: what it says of recipes is the table of parameters, what the README says of the
+//! form is what it says. That networks are valid is a test of the page's (`www/tests/unit/schema.test.ts`), where a validator costs
+//! little.
+//!
+//! `RIVERSEED_REFRESH=1 cargo test --test schema` writes the schema's part about recipes and the README's table anew, and then
+//! fails.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
+#![cfg(feature = "cli")]
+
+use std::fs;
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+use riverseed::recipe::{Kind, LONGEST_OUTLINE, Parameter, table::TABLE};
+use serde_json::{Map, Value, json};
+
+const SCHEMA: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/src/export/network.schema.json");
+const README: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/README.md");
+
+/// Who holds this reads or writes the files alone: a refresh writes what the other test reads.
+static FILES: Mutex<()> = Mutex::new(());
+
+fn files() -> MutexGuard<'static, ()> {
+    FILES.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+fn schema() -> Value {
+    serde_json::from_str(&fs::read_to_string(SCHEMA).unwrap()).unwrap()
+}
+
+/// What the table of parameters says of recipes, as a schema.
+fn recipe_schema() -> Value {
+    let row = |parameter: &Parameter| {
+        let mut row = json!({ "description": parameter.help });
+        let more = match parameter.kind {
+            Kind::Text { longest, .. } => json!({ "type": "string", "maxLength": longest }),
+            Kind::Integer { min, max, .. } => json!({ "type": "integer", "minimum": min, "maximum": max }),
+            Kind::Number { min, max, .. } => {
+                json!({ "type": "number", "minimum": min.to_f64(), "maximum": max.to_f64() })
+            }
+            Kind::Choice { choices } => {
+                let mut words: Vec<&str> = choices.iter().map(|(word, _)| *word).collect();
+                words.sort_unstable();
+                json!({ "type": "string", "enum": words })
+            }
+            Kind::Sides { .. } => json!({ "type": "string", "pattern": "^n?e?s?w?$", "minLength": 1 }),
+            Kind::Outline => json!({ "type": "string", "maxLength": LONGEST_OUTLINE }),
+        };
+        row.as_object_mut().unwrap().extend(more.as_object().unwrap().clone());
+        (parameter.name.to_owned(), row)
+    };
+    json!({
+        "type": "object",
+        "additionalProperties": false,
+        "required": TABLE.iter().map(|parameter| parameter.name).collect::<Vec<_>>(),
+        "properties": TABLE.iter().map(row).collect::<Map<_, _>>(),
+    })
+}
+
+#[test]
+fn the_schema_s_recipe_is_the_table_of_parameters() {
+    let _files = files();
+    let mut schema = schema();
+    if std::env::var_os("RIVERSEED_REFRESH").is_some() {
+        schema["$defs"]["recipe"] = recipe_schema();
+        fs::write(SCHEMA, serde_json::to_string_pretty(&schema).unwrap() + "\n").unwrap();
+        panic!("the schema is written anew: run without RIVERSEED_REFRESH");
+    }
+    assert!(
+        schema["$defs"]["recipe"] == recipe_schema(),
+        "write it anew: RIVERSEED_REFRESH=1 cargo test --test schema"
+    );
+}
+
+/// What the README says of a member: its description, then its own members, each with what it holds.
+fn told(member: &Value) -> String {
+    let description = member["description"].as_str().unwrap();
+    let own = if member["type"] == "array" { &member["items"]["properties"] } else { &member["properties"] };
+    let Some(own) = own.as_object() else { return description.to_owned() };
+    let told_of = |(name, own): (&String, &Value)| match own["description"].as_str() {
+        Some(description) => format!("`{name}` ({description})"),
+        None => format!("`{name}`"),
+    };
+    format!("{description}: {}", own.iter().map(told_of).collect::<Vec<_>>().join(", "))
+}
+
+#[test]
+fn the_readme_s_table_of_members_is_the_schema_s() {
+    const HEAD: &str = "| member | what it holds |\n| --- | --- |\n";
+    if !std::path::Path::new(README).exists() {
+        return;
+    }
+    let _files = files();
+    let schema = schema();
+    let members = schema["properties"].as_object().unwrap();
+    let table: String = members.iter().map(|(name, member)| format!("| `{name}` | {} |\n", told(member))).collect();
+    let readme = fs::read_to_string(README).unwrap();
+    let (before, rest) = readme.split_once(HEAD).unwrap();
+    let (found, after) = rest.split_once("\n\n").unwrap();
+    if std::env::var_os("RIVERSEED_REFRESH").is_some() {
+        fs::write(README, format!("{before}{HEAD}{table}\n{after}")).unwrap();
+        panic!("the README's table is written anew: run without RIVERSEED_REFRESH");
+    }
+    assert!(found == table.trim_end(), "write it anew: RIVERSEED_REFRESH=1 cargo test --test schema");
+}

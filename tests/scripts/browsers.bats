@@ -1,0 +1,72 @@
+# The parts browser and firefox.
+
+load machine
+setup() {
+  new_machine
+  offer chromium 156.0.8078.79-1
+  offer chromium-driver 156.0.8078.79-1
+  offer firefox-esr 153.7.0esr-1
+}
+
+@test "Chromium and its driver come together, once" {
+  set_up browser
+  succeeded
+  set_up browser
+  succeeded
+  called 1 "apt-get install chromium chromium-driver"
+}
+
+@test "a Chromium whose driver is of another version is renewed with it" {
+  program chromium 140.0.1.2
+  program chromedriver 139.0.7.7
+  set_up browser
+  succeeded
+  called 1 "apt-get install chromium chromium-driver"
+}
+
+@test "packages that old lists name, and the archive has no more, are found after refreshing them" {
+  offer chromium 140.0.1.2-1 156.0.8078.79-1
+  offer chromium-driver 140.0.1.2-1 156.0.8078.79-1
+  touch "$machine/only-the-newest"
+  set_up browser
+  succeeded
+  called 1 "apt-get update"
+}
+
+@test "a browser and a driver of one's own that differ are both named" {
+  program my-chrome 140.0.1.2
+  program my-driver 139.0.7.7
+  variables=(CHROME="$usr/bin/my-chrome" CHROMEDRIVER="$usr/bin/my-driver")
+  set_up browser
+  failed
+  said "my-chrome: 140.0.1.2"
+  said "my-driver: 139.0.7.7"
+}
+
+@test "a machine whose archive has no Chromium, as Ubuntu's, is told where one is" {
+  rm "$machine"/lists/* "$machine"/archive/*
+  touch "$machine/archive/nothing"
+  set_up browser
+  failed
+  said "chromium: missing"
+  said "Ubuntu's archive has"
+  called 1 "apt-get update"
+  called 0 "apt-get install"
+}
+
+@test "a Firefox that only says where to get it, as Ubuntu's, is not taken for one" {
+  rm "$machine"/lists/firefox-esr "$machine"/archive/firefox-esr
+  printf '#!/bin/sh\necho "Command %s requires the firefox snap to be installed."; exit 1\n' firefox >"$usr/bin/firefox"
+  chmod +x "$usr/bin/firefox"
+  set_up firefox
+  failed
+  said "does not say its version"
+  said "on Ubuntu"
+}
+
+@test "Firefox is installed where there is none" {
+  set_up firefox
+  succeeded
+  set_up firefox
+  called 1 "apt-get install firefox-esr"
+}

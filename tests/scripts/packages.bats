@@ -1,0 +1,136 @@
+# scripts/wasm.mjs: when the wasm packages are built anew, with which flags, and what they may weigh.
+
+bats_require_minimum_version 1.5.0
+load machine
+setup() {
+  new_machine
+  put_rustup 1.95.0
+  put_wasm 1.95.0 "$toolchain"
+  put_wasm_tools
+  mkdir -p "$checkout/www/node_modules"
+  cp -R "$project/www/node_modules/smol-toml" "$checkout/www/node_modules/"
+  module=$checkout/www/pkg/riverseed_bg.wasm
+  metadata "$machine/home/.cargo/registry/src/index-1/glam-0.34.2"
+}
+
+# metadata FOLDER: where cargo says that a crate lies.
+metadata() {
+  echo "{ \"packages\": [ { \"source\": null, \"manifest_path\": \"$checkout/Cargo.toml\" },
+    { \"source\": \"registry\", \"manifest_path\": \"$1/Cargo.toml\" } ] }" >"$machine/metadata.json"
+}
+
+build() { run on_machine "$checkout/scripts/env.sh" node "$checkout/scripts/wasm.mjs" "$@"; }
+
+# built TIMES: builds, and judges how many packages have been built by now.
+built() {
+  build
+  succeeded
+  called "$1" "wasm-pack"
+}
+
+@test "packages are built once" {
+  built 2
+  built 2
+}
+
+@test "a module that is gone is built again" {
+  built 2
+  rm "$module"
+  built 3
+  [[ -s $module ]]
+}
+
+@test "a module that was cut short is built again" {
+  built 2
+  printf 'mod' >"$module"
+  built 3
+  grep -q "module with" "$module"
+}
+
+@test "a script of a package that was edited is built again" {
+  built 2
+  echo "// mine" >>"$checkout/www/pkg/riverseed.js"
+  built 3
+}
+
+@test "another compiler, bindgen or optimiser builds both again" {
+  built 2
+  echo 1.96.0 >"$toolchain/rust-version"
+  put_wasm 1.96.0 "$toolchain"
+  built 4
+  program wasm-opt "version 133"
+  built 6
+}
+
+@test "a changed source or setting builds both again, a changed command line none" {
+  built 2
+  echo "pub fn lake() {}" >>"$checkout/src/lib.rs"
+  built 4
+  echo "# changed" >>"$checkout/.cargo/config.toml"
+  built 6
+  mkdir "$checkout/src/bin"
+  echo "fn main() {}" >"$checkout/src/bin/riverseed.rs"
+  built 6
+}
+
+@test "a build that failed is not taken for one" {
+  built 2
+  echo "pub fn lake() {}" >>"$checkout/src/lib.rs"
+  mkdir "$machine/building" # as if another held it: wasm-pack's stand-in fails
+  build
+  failed
+  rmdir "$machine/building"
+  built 5 # the one that failed, and two
+}
+
+@test "a cargo folder with a space in its path is one flag" {
+  metadata "/Users/Jane Doe/.cargo/registry/src/index-1/glam-0.34.2"
+  built 2
+  grep -qF -- '--config target.wasm32-unknown-unknown.rustflags=["--remap-path-prefix=/Users/Jane Doe/.cargo/registry/src/index-1=crates"]' "$machine/calls"
+}
+
+@test "crates that lie in the checkout are found: there need be no registry" {
+  metadata "$checkout/vendor/glam"
+  built 2
+  grep -qF -- "--remap-path-prefix=$checkout/vendor=crates" "$machine/calls"
+}
+
+@test "a module above its limit stops the check of weights, and no build" {
+  sed -i.old 's/^budget = .*/budget = { brotli = 3, gzip = 3 }/' "$checkout/wasm-pack.toml"
+  build
+  succeeded
+  said "TOO LARGE"
+  said "The limits hold for rustc 1.96.0 and wasm-opt 132; here are rustc 1.95.0"
+  build weigh
+  failed
+  said "TOO LARGE"
+}
+
+@test "modules within their limits pass the check of weights" {
+  built 2
+  build weigh
+  succeeded
+  never_said "TOO LARGE"
+}
+
+@test "a widget above its limit stops the check of weights, and no build" {
+  mkdir "$checkout/www/dist-widget"
+  local name
+  for name in core.js worker.js tag-here.js riverseed_bg.wasm; do echo 1 >"$checkout/www/dist-widget/$name"; done
+  head -c 20000 /dev/urandom >"$checkout/www/dist-widget/river-seed.js"
+  run on_machine node "$checkout/www/scripts/weigh-widget.mjs"
+  succeeded
+  said "TOO LARGE"
+  run on_machine node "$checkout/www/scripts/weigh-widget.mjs" --strict
+  failed
+  echo 1 >"$checkout/www/dist-widget/river-seed.js"
+  run on_machine node "$checkout/www/scripts/weigh-widget.mjs" --strict
+  succeeded
+}
+
+@test "make check stops at weights, make demo, make wasm and make test do not" {
+  steps() { env -u MAKEFLAGS -u MAKELEVEL make -C "$project" --dry-run --no-print-directory "$@"; }
+  steps check | grep -q "wasm.mjs weigh"
+  steps check | grep -q "run weigh"
+  run ! grep -E "wasm.mjs weigh|run weigh" <(steps demo wasm test)
+}

@@ -1,0 +1,85 @@
+//! How much work a step of a session is at most, whatever the recipe, in elementary steps: what keeps a page from freezing.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
+
+use std::collections::BTreeMap;
+
+use riverseed::random::{Purpose, Seed};
+use riverseed::recipe::link;
+use riverseed::session::Session;
+use riverseed::work;
+
+/// Closed lines of so many points in all, anywhere on the map: they cross themselves and each other.
+fn coasts(seed: &str, lines: u32, points: u32) -> String {
+    const ALPHABET: &[u8] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
+    let mut chance = Seed::from_text(seed).stream(Purpose::Land);
+    let mut line =
+        || (0..points / lines * 4).map(|_| char::from(ALPHABET[chance.below(64) as usize])).collect::<String>();
+    (0..lines).map(|_| format!(".{}", line())).collect()
+}
+
+/// The most elementary steps that a step of a session takes, by phase, and the bound.
+fn most_steps(recipe: &str) -> (BTreeMap<String, u64>, u64) {
+    let begun = work::steps();
+    let mut session = Session::new(link::read(recipe).unwrap(), 64, 64).unwrap();
+    let mut phases = BTreeMap::from([("Planting".to_owned(), work::steps() - begun)]);
+    let mut goes_on = true;
+    while goes_on {
+        let (phase, before) = (format!("{:?}", session.phase()), work::steps());
+        goes_on = session.advance(1).unwrap();
+        let most = phases.entry(phase).or_default();
+        *most = (*most).max(work::steps() - before);
+    }
+    (phases, bound(&session))
+}
+
+/// What a step may take at most: a map of land is a million cells and more, whatever grows on it; and rivers meander the longer
+/// the more of them there are, by attractors or by cells of a Brownian tree.
+fn bound(session: &Session) -> u64 {
+    8_000_000 + 250 * u64::from(session.growth().everything())
+}
+
+/// No step of a recipe takes more than the bound.
+fn check(recipe: &str) {
+    let (phases, bound) = most_steps(recipe);
+    for (phase, most) in phases {
+        assert!(most <= bound, "{phase}: {most} elementary steps, over {bound}: {recipe}");
+    }
+}
+
+/// A mouth more was searched for among fifty thousand places, all of them anew for each, in a single tick: over 100 million
+/// elementary steps, and as much for the next.
+#[test]
+fn no_drawn_coast_of_random_points_holds_a_tick() {
+    for (seed, lines) in [("a", 1), ("b", 1), ("c", 8)] {
+        let land = format!("seed={seed}&land=drawn&outline={}", coasts(seed, lines, 240));
+        for (attractors, growth) in [
+            (100, "reach=12"),
+            (1000, "reach=12&kill=0.5&step=0.2"),
+            (1000, "reach=12&step=0.2&mouths=64&apart=0&meander=none"),
+            (3000, "reach=12&curl=2&momentum=0.9&mouths=64&apart=0&scatter=grid"),
+        ] {
+            check(&format!("{land}&attractors={attractors}&{growth}"));
+        }
+        check(&format!("{land}&growth=brownian&sensitivity=8"));
+    }
+}
+
+/// The search for mouths is short on the whole, too: each place is counted once, and few of them again.
+#[test]
+fn a_search_for_a_mouth_ends_soon() {
+    let begun = work::steps();
+    most_steps(&format!("seed=b&land=drawn&outline={}&attractors=100&reach=12", coasts("b", 1, 240)));
+    assert!(work::steps() - begun < 300_000_000, "{}", work::steps() - begun);
+}
+
+#[test]
+fn no_land_holds_a_step_however_its_rivers_grow_and_meander() {
+    const WILD: &str =
+        "&trim=0&simplify=0&width=40&neck=4&buffer=1&meander-rounds=12&meander-strength=1&gentle=1&great=16&flat=1";
+    for land in ["rectangle", "island", "continent", "archipelago", "valley", "basin"] {
+        check(&format!("land={land}&rough=1&attractors=100&reach=12&step=0.2{WILD}"));
+        check(&format!("land={land}&rough=1&attractors=3000&reach=12&step=0.2{WILD}"));
+        check(&format!("land={land}&rough=1&growth=brownian&sensitivity=8{WILD}"));
+    }
+    check(&format!("attractors=20000&step=0.5{WILD}"));
+}

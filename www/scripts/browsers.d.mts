@@ -1,0 +1,3 @@
+export type Browser = "chrome" | "edge" | "firefox" | "safari" | "ios";
+export function floor(): Record<Browser, string>;
+export function targets(): string[];

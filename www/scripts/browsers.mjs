@@ -1,0 +1,22 @@
+// The browser floor: the oldest browsers that everything here runs in. It is stated in package.json, as `browserslist`, and
+// nowhere else; what quotes it is held to it by tests/unit/floor.test.ts.
+
+import browserslist from "browserslist";
+
+/** Its oldest versions: `{ chrome: "120", …, safari: "17.2", ios: "17.2" }`. */
+export function floor() {
+  const versions = { chrome: [], edge: [], firefox: [], safari: [], ios_saf: [] };
+  for (const [name, version] of browserslist(undefined, { path: import.meta.dirname }).map((one) => one.split(" ")))
+    versions[name]?.push(version.split("-")[0]);
+  const { ios_saf: ios, ...rest } = versions;
+  return Object.fromEntries(Object.entries({ ...rest, ios }).map(([name, all]) => [name, all.sort(byAge)[0]]));
+}
+
+function byAge(a, b) {
+  return a.localeCompare(b, "en", { numeric: true });
+}
+
+/** The floor as Vite's `build.target` wants it. */
+export function targets() {
+  return Object.entries(floor()).map(([name, version]) => name + version);
+}

@@ -1,0 +1,28 @@
+#!/usr/bin/env node
+// Whether the scripts keep to the browser floor. Prints what does not, and fails. (Style sheets are held to it by Biome's
+// useBaseline.)
+
+import { readdirSync, readFileSync } from "node:fs";
+import { membersOf, newerThanFloor } from "./newer.mjs";
+
+/** What is written here. What wasm-bindgen writes asks by itself for what browsers may lack. */
+const FOLDERS = ["src", "public"];
+
+const scripts = FOLDERS.flatMap(scriptsIn);
+const engine = membersOf(read("pkg/riverseed.d.ts"), "dts");
+const ours = new Set([...engine, ...scripts.flatMap((file) => membersOf(read(file)))]);
+
+for (const file of scripts)
+  for (const { line, name } of newerThanFloor(read(file), ours)) {
+    console.error(`${file}:${line}: ${name} is newer than the browser floor (browserslist in package.json)`);
+    process.exitCode = 1;
+  }
+
+function scriptsIn(folder) {
+  const names = readdirSync(folder, { recursive: true });
+  return names.filter((name) => /\.[jt]s$/.test(name)).map((name) => `${folder}/${name}`);
+}
+
+function read(file) {
+  return readFileSync(file, "utf8");
+}

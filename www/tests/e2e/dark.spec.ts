@@ -1,0 +1,36 @@
+import { expect, type Page, test } from "@playwright/test";
+import { pictureOf } from "../core.ts";
+import { expectAddress, finished, openFinished, openUnfolded, shown } from "./riverpage.ts";
+
+const LINK = "seed=rimu&attractors=300";
+
+/** Waits until the page shows what the core draws of a link. */
+async function expectPicture(page: Page, link: string): Promise<void> {
+  const isShown = async (): Promise<boolean> => {
+    const { width, height, sha256 } = await shown(page);
+    return sha256 === pictureOf(link, width, height).sha256;
+  };
+  await expect.poll(isShown).toBe(true);
+}
+
+test.use({ colorScheme: "dark" });
+
+test("a dark page shows the dark style, and its address does not name it", async ({ page }) => {
+  await openFinished(page, LINK);
+  await expectPicture(page, `${LINK}&style=dark`);
+  await expectAddress(page, "style", null);
+  await page.emulateMedia({ colorScheme: "light", reducedMotion: "reduce" });
+  await expectPicture(page, LINK);
+});
+
+test("a style that is chosen on a dark page stays, in the address too", async ({ page }) => {
+  await openUnfolded(page, LINK);
+  const style = page.locator('[data-key="style"] select');
+  await expect(style).toHaveValue("dark");
+  await expect(page.locator('details:has([data-key="style"])')).not.toContainText("changed");
+  await style.selectOption("ink");
+  await expectAddress(page, "style", "ink");
+  await page.reload();
+  await finished(page);
+  await expectPicture(page, LINK);
+});

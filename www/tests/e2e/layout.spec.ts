@@ -1,0 +1,86 @@
+import { expect, type Page, test } from "@playwright/test";
+import { openFinished } from "./riverpage.ts";
+import { LONG_SEEDS, linkOfSeed, OPENED, openFailed } from "./states.ts";
+
+/** How much further than the window the page can be scrolled, and how far a wheel over the picture scrolls it. */
+async function scrolls(page: Page): Promise<[number, number]> {
+  const { x, y } = (await page.locator(".stage").boundingBox()) ?? { x: 0, y: 0 };
+  await page.mouse.move(x + 60, y + 200);
+  await page.mouse.wheel(0, 3000);
+  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+  return page.evaluate(() => [document.documentElement.scrollHeight - innerHeight, scrollY]);
+}
+
+for (const [width, height] of [
+  [1024, 768],
+  [1440, 900],
+  [1920, 1080],
+] as const) {
+  test.describe(`on a desk, ${width} by ${height}`, () => {
+    test.use({ viewport: { width, height } });
+
+    test("the page never scrolls, in no state", async ({ page }) => {
+      await openFinished(page, linkOfSeed(LONG_SEEDS.letters));
+      await expect(page.locator("#notices")).toBeVisible();
+      for (const [state, open] of Object.entries(OPENED)) {
+        await open(page);
+        expect(await scrolls(page), state).toEqual([0, 0]);
+      }
+    });
+
+    test("the page does not scroll when the engine has failed", async ({ page }) => {
+      await openFailed(page);
+      expect(await scrolls(page)).toEqual([0, 0]);
+    });
+  });
+}
+
+/** What is seen and stands out of the window sideways, or can be scrolled sideways; of menus and dialogs, upward and downward too. */
+function outside(page: Page): Promise<string[]> {
+  return page.evaluate(() => {
+    const named = (element: Element): string => element.outerHTML.slice(0, 120);
+    const isSeen = (element: Element): boolean =>
+      element.checkVisibility({ visibilityProperty: true, opacityProperty: true }) &&
+      getComputedStyle(element).clipPath === "none" &&
+      element.getClientRects().length > 0;
+    const seen = [...document.querySelectorAll("body *")].filter(isSeen);
+    const sideways = seen.filter((element) => {
+      const { left, right } = element.getBoundingClientRect();
+      return left < -0.5 || right > innerWidth + 0.5;
+    });
+    const cut = seen.filter((element) => {
+      if (!element.matches("[role=menu], dialog, #notices")) return false;
+      const { top, bottom } = element.getBoundingClientRect();
+      return top < -0.5 || bottom > innerHeight + 0.5;
+    });
+    const scrolled = [document.documentElement, ...seen].filter((element) => {
+      const isScroller =
+        element === document.documentElement || /auto|scroll/.test(getComputedStyle(element).overflowX);
+      return isScroller && element.scrollWidth > element.clientWidth;
+    });
+    return [...sideways, ...cut, ...scrolled].map(named);
+  });
+}
+
+for (const [width, height] of [
+  [320, 568],
+  [370, 780],
+  [768, 1024],
+  [1024, 768],
+  [1440, 900],
+] as const) {
+  for (const [kind, seed] of Object.entries(LONG_SEEDS)) {
+    test(`nothing stands out of the window, and nothing lies over the controls: ${kind}, ${width} wide`, async ({
+      page,
+    }) => {
+      await page.setViewportSize({ width, height });
+      await openFinished(page, linkOfSeed(seed));
+      // Told that something else covers it, Playwright would not click.
+      await page.getByRole("button", { name: "A new seed by chance" }).click({ trial: true });
+      for (const [state, open] of Object.entries(OPENED)) {
+        await open(page);
+        expect(await outside(page), state).toEqual([]);
+      }
+    });
+  }
+}

@@ -1,0 +1,46 @@
+import { expect, test } from "@playwright/test";
+import { openFinished } from "./riverpage.ts";
+import { LONG_SEEDS, OPENED } from "./states.ts";
+
+for (const colorScheme of ["light", "dark"] as const) {
+  for (const [width, height] of [
+    [718, 1047],
+    [1047, 718],
+  ] as const) {
+    test(`paper shows the map, its title and its caption, and nothing else: ${colorScheme}, ${width} by ${height}`, async ({
+      page,
+    }) => {
+      await page.setViewportSize({ width: 1280, height: 800 });
+      await openFinished(page, `seed=${LONG_SEEDS.letters}&attractors=300&depth=3`);
+      for (const [state, open] of Object.entries(OPENED)) {
+        await page.emulateMedia({ media: "screen", colorScheme });
+        await page.setViewportSize({ width: 1280, height: 800 });
+        await open(page);
+        await page.emulateMedia({ media: "print", colorScheme });
+        await page.setViewportSize({ width, height });
+        const shown = await page.evaluate(() => {
+          const leaves = [...document.querySelectorAll("body *")].filter(
+            (element) =>
+              element.childElementCount === 0 &&
+              element.checkVisibility({ visibilityProperty: true }) &&
+              element.getClientRects().length > 0 &&
+              getComputedStyle(element).clipPath === "none",
+          );
+          return [...new Set(leaves.map((leaf) => leaf.closest("[id]")?.id))];
+        });
+        expect(shown.sort(), state).toEqual(["canvas", "caption", "title"]);
+        const frame = await page.locator("#frame").boundingBox();
+        const caption = await page.locator("#caption").boundingBox();
+        if (!frame || !caption) throw new Error("nothing to print");
+        expect(frame.x).toBeGreaterThanOrEqual(0);
+        expect(frame.x + frame.width).toBeLessThanOrEqual(width);
+        expect(frame.width / frame.height).toBeCloseTo(1.6, 1);
+        expect(caption.y).toBeGreaterThanOrEqual(frame.y + frame.height);
+        expect(caption.y + caption.height, state).toBeLessThanOrEqual(height);
+      }
+      expect(
+        (await page.pdf({ format: "A4", landscape: width > height })).toString("latin1").match(/\/Type \/Page\b/g),
+      ).toHaveLength(1);
+    });
+  }
+}

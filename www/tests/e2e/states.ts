@@ -1,0 +1,58 @@
+/** The states that the page can be in, for tests that hold in all of them. */
+
+import { expect, type Page } from "@playwright/test";
+import { finished, unfold } from "./riverpage.ts";
+
+/** Seeds as long as seeds may be, without a place to break: letters, wide characters, and a script that runs from right to left. */
+export const LONG_SEEDS = { letters: "w".repeat(64), wide: "川".repeat(64), leftward: "נהר".repeat(22).slice(0, 64) };
+
+/** What can be opened on the page with a finished river; each from the one before it. */
+export const OPENED: Record<string, (page: Page) => Promise<void>> = {
+  "at first": async () => {},
+  "with all folds open": async (page) => {
+    await unfold(page);
+    await page.getByText("Keyboard", { exact: true }).click();
+  },
+  "with its menu open": async (page) => {
+    await page.getByRole("button", { name: "Download" }).click();
+    await expect(page.getByRole("menu")).toBeVisible();
+  },
+  "with the Share dialog open": async (page) => {
+    await page.getByRole("button", { name: "Share", exact: true }).click();
+    await expect(page.getByRole("dialog")).toBeVisible();
+  },
+  "while a land is drawn": async (page) => {
+    await page.getByRole("button", { name: "Close", exact: true }).click();
+    await page.getByRole("button", { name: "Draw", exact: true }).click();
+    await expect(page.getByRole("group", { name: "Drawing a land" })).toBeVisible();
+  },
+};
+
+/** A link with a seed, and with mistakes that are told of. */
+export function linkOfSeed(seed: string): string {
+  return `${new URLSearchParams({ seed })}&attractors=300&curl=99&nonsense=${"x".repeat(40)}`;
+}
+
+/** Opens the page with an engine that cannot be fetched. */
+export async function openFailed(page: Page): Promise<void> {
+  await page.route("**/*.wasm", (route) => route.abort());
+  await page.goto("./");
+  await expect(page.getByRole("alert")).toBeVisible();
+}
+
+/** Opens the page and holds each of its files back until what came before is painted, as on a slow line, whatever the machine. */
+export async function openSlowly(page: Page, link: string): Promise<void> {
+  for (const files of ["**/assets/*.js", "**/*.wasm"]) {
+    await page.route(files, async (route) => {
+      await painted(page);
+      await route.continue();
+    });
+  }
+  await page.goto(`./?${link}`, { waitUntil: "commit" });
+  await finished(page);
+}
+
+async function painted(page: Page): Promise<void> {
+  await page.waitForFunction(() => document.readyState !== "loading");
+  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+}

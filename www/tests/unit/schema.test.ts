@@ -1,0 +1,97 @@
+import { readFileSync } from "node:fs";
+import { Ajv2020 } from "ajv/dist/2020.js";
+import { expect, test } from "vitest";
+import { tools } from "../tools.ts";
+
+const schema = JSON.parse(readFileSync(new URL("../../../src/export/network.schema.json", import.meta.url), "utf8"));
+const validate = new Ajv2020({ strict: true, allErrors: true, allowUnionTypes: true }).compile(schema);
+
+// biome-ignore lint/suspicious/noExplicitAny: what is tested is whether it has the form that it should have
+type Network = any;
+
+/** The JSON form of a link's finished rivers, as it comes back from a file. */
+function written(link: string): Network {
+  const river = new tools.River(link, 16, 16);
+  while (!river.advance(1000));
+  const network = river.network();
+  river.free();
+  return JSON.parse(JSON.stringify(network));
+}
+
+const WITH_LAKES =
+  "seed=rimu&land=rectangle&attractors=800&great=9&gentle=1&meander-rounds=150&meander-strength=1&meander=bend";
+const LINKS = [
+  WITH_LAKES,
+  "seed=kauri&land=rectangle&attractors=600",
+  "seed=kea&land=archipelago&attractors=600&mouths=9&curl=0.9&stretch=5&meander=flow&style=map",
+  "seed=totara&land=island&growth=brownian&sensitivity=40&trim=10",
+  // Land shut off from the sea: no rivers at all.
+  "land=drawn&rough=0&aspect=1&attractors=100&outline=.MzMzzMMzzMzMMzzM..M1M1zKM1zKzKM1zKM1M1..M4M4zHM4zHzHM4zHM4M4",
+];
+
+function wrong(network: Network): string[] {
+  validate(network);
+  return (validate.errors ?? []).map(({ instancePath, message }) => `${instancePath} ${message}`);
+}
+
+for (const link of LINKS) {
+  test(`what is written is valid, with attractors and without: ${link}`, () => {
+    const network = written(link);
+    expect(wrong(network)).toEqual([]);
+    expect(wrong({ ...network, attractors: { x: [1, 2.5], y: [3, 4] } })).toEqual([]);
+  }, 60_000);
+}
+
+test("lakes are among what is written", () => {
+  expect(written(WITH_LAKES).oxbows.length).toBeGreaterThan(10);
+}, 60_000);
+
+test("what is not of the form is refused, where it is not", () => {
+  const network = { ...written(WITH_LAKES), attractors: { x: [1], y: [2] } };
+  const wrongs: [string, unknown][] = [
+    ["/recipe/seed", 7],
+    ["/recipe/aspect", 5],
+    ["/recipe/style", "neon"],
+    ["/resolved/spacing", "12"],
+    ["/domain/width", -1],
+    ["/growth/complete", "yes"],
+    ["/nodes/parent/0", -2],
+    ["/nodes/order/0", 0],
+    ["/rivers/0/parent", "none"],
+    ["/rivers/0/points/0", [1, 2]],
+    ["/oxbows/0/born", 1.5],
+    ["/attractors/x/0", null],
+  ];
+  for (const [place, value] of wrongs) {
+    const bad = structuredClone(network);
+    const path = place.split("/").slice(1);
+    const last = path.pop() ?? "";
+    path.reduce((inner: Network, name) => inner[name], bad)[last] = value;
+    expect(wrong(bad).map((error) => error.split(" ")[0])).toEqual([place]);
+  }
+}, 60_000);
+
+test("no member may be missing, and none be there that is not told of", () => {
+  const network = { ...written(WITH_LAKES), attractors: { x: [1], y: [2] } };
+  const places: ((network: Network) => Network)[] = [
+    (network) => network,
+    ({ recipe }) => recipe,
+    ({ resolved }) => resolved,
+    ({ domain }) => domain,
+    ({ growth }) => growth,
+    ({ nodes }) => nodes,
+    ({ rivers }) => rivers[0],
+    ({ oxbows }) => oxbows[0],
+    ({ attractors }) => attractors,
+  ];
+  for (const place of places) {
+    const more = structuredClone(network);
+    place(more).more = 1;
+    expect(wrong(more)).toHaveLength(1);
+    for (const name of Object.keys(place(network)).filter((name) => name !== "attractors")) {
+      const less = structuredClone(network);
+      delete place(less)[name];
+      expect(wrong(less), name).toHaveLength(1);
+    }
+  }
+}, 60_000);
