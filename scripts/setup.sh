@@ -25,6 +25,8 @@ source scripts/parts/rust.sh
 source scripts/parts/wasm.sh
 source scripts/parts/node.sh
 source scripts/parts/browsers.sh
+source scripts/parts/supply.sh
+source scripts/parts/explore.sh
 
 say() { printf '\033[1msetup:\033[0m %s\n' "$*"; }
 die() {

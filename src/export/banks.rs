@@ -4,10 +4,16 @@
 //! Both banks together still go round all that a disc as wide as the river sweeps, at least once: filled by the
 //! non-zero rule, that shows no gap and nothing beyond.
 
+use std::ops::Range;
+
 use glam::Vec2;
 
+use super::rings::{GridPoint, simple_ring};
 use crate::network::{Network, Oxbow, Place, River};
 use crate::plane::direction;
+
+/// How far from the middle banks may come, when they cross where they are.
+const SHARES: [f32; 4] = [1.0, 0.5, 0.25, 0.1];
 
 /// A river's or a lake's outline, in units. Both banks have as many points.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -50,10 +56,49 @@ impl Banks {
         if line.len() > 2 { Self::along(&line) } else { Self::default() }
     }
 
-    /// The closed line down the right bank and up the left one: counterclockwise on a map whose north is up. Its first point
-    /// does not come again at its end.
-    pub fn outline(&self) -> impl Iterator<Item = Vec2> {
-        self.right.iter().chain(self.left.iter().rev()).copied()
+    /// The outline as a ring that readers of polygons accept, on the grid that a place is rounded to: counterclockwise on a
+    /// map whose north is up, its last point its first. Where it crosses itself, what of a bank runs backward is left out; where
+    /// that is not enough, the banks come nearer to each other; and where they cross for all that, the first half, quarter
+    /// and so on that will do stands for the whole. `None` only of what is narrower than the grid.
+    pub fn simple_ring(&self, rounded: impl Fn(Vec2) -> GridPoint) -> Option<Vec<GridPoint>> {
+        let tries = self.stretches().flat_map(|stretch| {
+            SHARES.into_iter().flat_map(move |share| [false, true].map(|forward| (stretch.clone(), share, forward)))
+        });
+        tries
+            .map(|(stretch, share, forward)| self.ring(stretch, share, forward).into_iter().map(&rounded).collect())
+            .find_map(simple_ring)
+    }
+
+    /// All of it, then shorter and shorter stretches, each half as long as the one before and begun at its middle.
+    fn stretches(&self) -> impl Iterator<Item = Range<usize>> {
+        let count = self.left.len();
+        let lengths = std::iter::successors(Some(count), |&length| (length > 2).then_some(length.div_ceil(2)));
+        lengths.flat_map(move |length| {
+            let starts = (0..=count - length).step_by((length / 2).max(1));
+            starts.map(move |start| start..start + length)
+        })
+    }
+
+    /// Down a stretch of the right bank and up the left one, so much of the way from the middle; if asked for, without what of
+    /// a bank runs backward.
+    fn ring(&self, stretch: Range<usize>, share: f32, forward: bool) -> Vec<Vec2> {
+        let (left, right) = (&self.left[stretch.clone()], &self.right[stretch]);
+        let middle: Vec<Vec2> = left.iter().zip(right).map(|(left, right)| (*left + *right) * 0.5).collect();
+        let nearer = |bank: &[Vec2]| {
+            let mut kept: Vec<Vec2> = Vec::with_capacity(bank.len() * 2);
+            for (i, (&at, &middle_at)) in bank.iter().zip(&middle).enumerate() {
+                let at = middle_at.lerp(at, share);
+                let is_end = i == 0 || i + 1 == bank.len();
+                let runs_on = |last: Vec2| (at - last).dot(middle[i + 1] - middle[i - 1]) > 0.0;
+                if !forward || is_end || kept.last().is_some_and(|&last| runs_on(last)) {
+                    kept.push(at);
+                }
+            }
+            kept
+        };
+        let mut ring = nearer(right);
+        ring.extend(nearer(left).into_iter().rev());
+        ring
     }
 
     fn along(line: &[Place]) -> Self {

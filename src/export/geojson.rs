@@ -2,13 +2,13 @@
 //!
 //! The domain lies around the null meridian and the equator, a unit being a hundredth of a degree (some 1.1 km), north up;
 //! degrees are rounded to five places, heights to whole metres above the sea. A tributary's last position is one of its
-//! parent's, to the digit. Lakes are valid as they are written, rounded: outer rings run counterclockwise and cross nothing; a
-//! lake that pinches itself off is a `MultiPolygon`, one that is narrower than the last place is left out.
+//! parent's, to the digit. Lakes are valid as they are written, rounded: rings run counterclockwise and neither cross nor touch
+//! themselves. A lake whose banks cross is narrower for that, or shorter; one narrower than the last place is left out.
 
 use glam::Vec2;
 
 use super::banks::Banks;
-use super::polygons::{GridPoint, Ring, polygons};
+use super::rings::GridPoint;
 use super::value::{Members, Value};
 use super::{ExportError, rivers};
 use crate::domain::Domain;
@@ -28,16 +28,14 @@ pub fn collection(session: &Session) -> Result<Value<'_>, ExportError> {
     let features = Features { network, domain: parameters.domain, elevations };
     let mut lakes = Vec::new();
     for (id, oxbow) in (0..).zip(&network.oxbows) {
-        let outline: Vec<GridPoint> = Banks::of_lake(oxbow, 0.0).outline().map(|at| features.grid(at)).collect();
-        let polygons = polygons(&outline);
-        if !polygons.is_empty() {
-            lakes.push((id, polygons));
+        if let Some(ring) = Banks::of_lake(oxbow, 0.0).simple_ring(|at| features.grid(at)) {
+            lakes.push((id, ring));
         }
     }
     let count = network.rivers.len();
     let all = count + lakes.len();
     let feature = move |i: usize| match lakes.get(i.wrapping_sub(count)) {
-        Some((id, polygons)) => features.lake(*id, polygons),
+        Some((id, ring)) => features.lake(*id, ring),
         None => features.river(i as u32),
     };
     let mut collection = Members::default();
@@ -86,19 +84,13 @@ impl<'a> Features<'a> {
         feature(format!("river-{id}"), "LineString", positions(line), properties)
     }
 
-    fn lake(&self, id: u32, polygons: &[Vec<Ring>]) -> Value<'a> {
+    fn lake(&self, id: u32, ring: &[GridPoint]) -> Value<'a> {
         let oxbow = &self.network.oxbows[id as usize];
+        let ring: Vec<[f64; 2]> = ring.iter().map(|at| at.map(degrees)).collect();
         let mut properties = Members::default();
         properties.text("kind", "oxbow").whole("number", id).whole("river", oxbow.river).whole("born", oxbow.born);
-        let name = format!("oxbow-{id}");
-        match polygons {
-            [polygon] => feature(name, "Polygon", rings(polygon.clone()), properties),
-            _ => {
-                let polygons = polygons.to_vec();
-                let polygons = Value::list(polygons.len(), move |i| rings(polygons[i].clone()));
-                feature(name, "MultiPolygon", polygons, properties)
-            }
-        }
+        let rings = Value::list(1, move |_| positions(ring.clone()));
+        feature(format!("oxbow-{id}"), "Polygon", rings, properties)
     }
 
     /// The river in whose mouth a river's water reaches the sea.
@@ -129,10 +121,6 @@ impl<'a> Features<'a> {
 
 fn degrees(parts: i32) -> f64 {
     f64::from(parts) / 100_000.0
-}
-
-fn rings<'a>(rings: Vec<Ring>) -> Value<'a> {
-    Value::list(rings.len(), move |i| positions(rings[i].iter().map(|at| at.map(degrees)).collect()))
 }
 
 fn positions<'a, const N: usize>(line: Vec<[f64; N]>) -> Value<'a> {

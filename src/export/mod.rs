@@ -7,7 +7,7 @@ pub mod geojson;
 pub mod json;
 #[cfg(feature = "png")]
 pub mod png;
-mod polygons;
+mod rings;
 pub mod svg;
 mod value;
 
