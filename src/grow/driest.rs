@@ -78,6 +78,7 @@ impl Search {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::property::cases;
     use proptest::prelude::*;
     use std::cell::RefCell;
 
@@ -96,6 +97,8 @@ mod tests {
     }
 
     proptest! {
+        #![proptest_config(cases(256))]
+
         #[test]
         fn the_place_found_is_that_of_counting_everywhere(
             first in proptest::collection::vec(0u32..9, 1..40),
