@@ -15,8 +15,10 @@ import { chromium } from "@playwright/test";
 /** The finest have more than a widget grows, and so what it grows at most; and what makes most work of that. */
 const RECIPES = {
   default: 'seed="kauri"',
-  finest: 'seed="kauri" aspect="1.5" land="rectangle" mouths="3" curl="0" attractors="1000000" kill="0.5" step="0.2" trim="0" simplify="0"',
-  "finest Brownian tree": 'seed="kauri" aspect="1.5" land="rectangle" growth="brownian" sensitivity="8" trim="0" simplify="0"',
+  finest:
+    'seed="kauri" aspect="1.5" land="rectangle" mouths="3" curl="0" attractors="1000000" kill="0.5" step="0.2" trim="0" simplify="0"',
+  "finest Brownian tree":
+    'seed="kauri" aspect="1.5" land="rectangle" growth="brownian" sensitivity="8" trim="0" simplify="0"',
 };
 const TYPES = { ".js": "text/javascript", ".wasm": "application/wasm" };
 const repeat = Number(process.env.REPEAT ?? 3);

@@ -95,7 +95,8 @@ function description() {
 
 function papers() {
   writeFileSync(join(STAGE, "README.md"), fill(readFileSync("package/README.md", "utf8"), elementOf(own, table)));
-  for (const name of ["CHANGELOG.md", "LICENSE-APACHE", "LICENSE-MIT", "THIRD-PARTY.txt"]) cpSync(`../${name}`, join(STAGE, name));
+  for (const name of ["CHANGELOG.md", "LICENSE-APACHE", "LICENSE-MIT", "THIRD-PARTY.txt"])
+    cpSync(`../${name}`, join(STAGE, name));
 }
 
 /** Says what each file weighs on its way to a reader. */
