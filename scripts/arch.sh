@@ -31,8 +31,9 @@ build=(cargo build)
 if [[ ${RIVERSEED_WASM-} != debian ]] && have rustup && rustup target add $target; then
   say "with rustup's Rust"
 else
-  apt_get "a Rust with the sources of its standard library, 1 minute" \
-    "rustc-web>=$(wanted_rust)" "cargo-web>=$(wanted_rust)" rust-web-src ||
+  { is_rust_new /usr/bin/rustc && [[ -e /usr/lib/rustlib/src/rust/library/std ]]; } ||
+    apt_get "a Rust with the sources of its standard library, 1 minute" \
+      "rustc-web>=$(wanted_rust)" "cargo-web>=$(wanted_rust)" rust-web-src ||
     die "No Rust here compiles to $target: see https://rustup.rs, 'rustup target add $target'."
   say "with Debian's Rust, and the standard library from its sources"
   # -Z needs the bootstrap variable.
