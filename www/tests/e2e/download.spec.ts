@@ -29,7 +29,7 @@ test("the picture is saved as a large PNG under the seed's name", async ({ page 
   const { name, bytes } = await download(page, "PNG");
   expect(name).toBe("riverseed-puriri.png");
   expect(bytes.subarray(1, 4).toString("latin1")).toBe("PNG");
-  expect([bytes.readUInt32BE(16), bytes.readUInt32BE(20)]).toEqual([3000, 2000]);
+  expect([bytes.readUInt32BE(16), bytes.readUInt32BE(20)]).toEqual([3000, 1875]);
   await expect(page.locator("#shared")).toHaveText("riverseed-puriri.png is in your downloads.");
 });
 
