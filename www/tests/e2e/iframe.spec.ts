@@ -70,11 +70,11 @@ test("the page around is told the height that fits, once, and again when the wid
 }) => {
   const heard = await heights(page);
   await openFramed({ page, blog, baseURL });
-  await expect.poll(heard).toEqual([320]);
+  await expect.poll(heard).toEqual([300]);
   const iframe = page.locator("iframe");
   await iframe.evaluate((frame) => frame.setAttribute("height", "700"));
   await iframe.evaluate((frame) => frame.setAttribute("width", "600"));
-  await expect.poll(heard).toEqual([320, 400]);
+  await expect.poll(heard).toEqual([300, 375]);
 });
 
 test("with the host script an iframe is as high as its river", async ({ page, blog, baseURL }) => {
@@ -139,7 +139,7 @@ test("the host script listens to no one but frames of the site", async ({ page, 
       <script src="SITE/embed-host.js"></script>`,
     },
   );
-  await expect(page.locator("iframe").first()).toHaveCSS("height", "320px");
+  await expect(page.locator("iframe").first()).toHaveCSS("height", "300px");
   blog.answer("/evil.html", { body: "<title>Evil</title>" });
   await page.frame("turned")?.goto(`${blog.origin}/evil.html`);
   await page.evaluate(() => document.querySelector<HTMLElement>("[name=turned]")?.style.removeProperty("height"));
