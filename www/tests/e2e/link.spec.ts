@@ -51,7 +51,7 @@ test("the address is replaced, never pushed, and at a bounded rate", async ({ pa
     await page.clock.runFor(WRITE_EVERY_MS / 10);
   }
   await page.clock.runFor(WRITE_EVERY_MS);
-  await expectAddress(page, "curl", "0.4");
+  await expectAddress(page, "curl", "1.1");
   expect(await page.evaluate(() => history.length)).toBe(before);
   const writes = await page.evaluate(() => (globalThis as unknown as { writes: number[] }).writes);
   const pauses = writes.slice(1).map((time, i) => time - (writes[i] ?? 0));
