@@ -1,5 +1,5 @@
 # Every command of this project. Each first gets what it needs and lacks (scripts/setup.sh), so a fresh clone can start
-# with any of them; the first one takes ten minutes or so, most of it for tools.
+# with any of them; the first one takes a quarter of an hour, most of it for tools.
 
 .NOTPARALLEL: # cargo and the browsers use every core by themselves
 SHELL := bash
@@ -105,7 +105,7 @@ check: widget ## format, lints, types, documentation, weights and licences: not 
 	$(run) scripts/supply.sh check
 	@$(run) node scripts/wasm.mjs weigh
 	@$(npm) weigh
-	$(run) shellcheck --external-sources scripts/*.sh .ci/run tests/scripts/*.bats tests/scripts/stand-ins/*
+	$(run) shellcheck --external-sources --check-sourced scripts/*.sh .ci/run tests/scripts/*.bats tests/scripts/stand-ins/*
 	$(run) cargo fmt --check
 	$(run) cargo fmt --check --manifest-path fuzz/Cargo.toml
 	$(run) cargo clippy --quiet --all-targets --all-features -- -D warnings

@@ -3,8 +3,7 @@
 #
 #   MINUTES=60 scripts/explore.sh [PROPERTY…]      10 minutes without; properties by name, or all of them
 #
-# For each failure it prints the smallest input that was found, and a line that tries the same cases again; run that, and
-# proptest adds the case to the property's regressions. Logs stay in target/explore. One failure or more: exit code 1.
+# For each failure it prints the smallest input that was found, and a line that tries the same cases again. Logs stay in target/explore. One failure or more: exit code 1.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 source scripts/env.sh

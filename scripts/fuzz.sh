@@ -19,7 +19,7 @@ if ((! $#)); then
   set -- "${@%.rs}"
 fi
 
-if is_rust_new "$(rustup which --toolchain nightly rustc 2>/dev/null)"; then
+if nightly=$(rustup which --toolchain nightly rustc 2>/dev/null) && is_rust_new "$nightly"; then
   fuzz=(rustup run nightly cargo-fuzz)
   sanitizer=address
 else

@@ -151,6 +151,14 @@ fn lakes_are_valid_polygons_and_none_is_lost() {
     }
 }
 
+/// A lake of it was no valid polygon once.
+#[test]
+fn network_whose_lake_crossed_itself_can_be_read() {
+    check_files(
+        "seed=o&growth=colonize&sensitivity=40&apart=0&shores=nesw&land=rectangle&outline=&sea=0.100&rough=0.000&aspect=0.250&mouths=30&sides=nes&attractors=687&scatter=grid&reach=7.528&kill=1.278&step=0.200&momentum=0.843&curl=0.000&stretch=1&trim=0&width=21.95&style=ink&simplify=9&vary=0.000&meander=flow&meander-rounds=217&meander-strength=0.615&meander-mix=0.000&gentle=0.391&great=0&flat=0.000&neck=2.22&buffer=0.25&taper=6.08",
+    );
+}
+
 /// Its files could not be read once.
 #[test]
 fn network_of_few_attractors_in_a_tower_can_be_read() {

@@ -3,6 +3,7 @@
 # shellcheck shell=bash
 
 # Where Debian's packages put things; tests have a place of their own.
+# shellcheck disable=SC2034  # the parts of set-up read it
 system=${RIVERSEED_SYSTEM:-/usr}
 
 wanted_rust() { value_of rust-version "$RIVERSEED_ROOT/Cargo.toml"; }

@@ -57,7 +57,7 @@ async function growsToTheEnd() {
 }
 
 async function changesAndKeepsItsAddress() {
-  const { page, complaints } = await open("?seed=kauri&attractors=300");
+  const { page, complaints } = await open("?seed=kauri&attractors=300&curl=0");
   await page.click(".group:has(#field-curl) > summary");
   await page.focus("#field-curl");
   for (let i = 0; i < 5; i++) await page.keyboard.press("ArrowRight");

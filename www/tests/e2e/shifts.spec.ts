@@ -1,4 +1,5 @@
 import { expect, test } from "@playwright/test";
+import { linkOf } from "../../src/link.ts";
 import { engine } from "../core.ts";
 import { openSlowly } from "./states.ts";
 
@@ -41,13 +42,21 @@ for (const [width, height] of [
   }
 }
 
-for (const link of ["", "?aspect=2.2", "?aspect=0.4&fbclid=1", "#aspect=3&seed=a", "?aspect=99", "?aspect=wide"]) {
+for (const link of [
+  "",
+  "?aspect=2.2",
+  "?aspect=0.4&fbclid=1",
+  "?aspect=0.4#utm_source=post",
+  "#aspect=3&seed=a",
+  "?aspect=99",
+  "?aspect=wide",
+]) {
   test(`the picture's place has the river's shape before the engine has come: ${link}`, async ({ page }) => {
     await page.route("**/*.wasm", () => {});
     await page.goto(`./${link}`);
     await expect(page.getByText("Preparing the rivers…")).toBeVisible();
     const { width, height } = (await page.locator("#frame").boundingBox()) ?? { width: 0, height: 0 };
-    const aspect = new Map(engine.readLink(link.slice(1)).values).get("aspect");
+    const aspect = new Map(engine.readLink(linkOf(new URL(link, "http://localhost/"))).values).get("aspect");
     expect(width / height).toBeCloseTo(Number(aspect), 1);
   });
 }
