@@ -94,7 +94,7 @@ test("a river that cannot be leaves no room, one that then can has its room back
   await page.locator("river-seed").evaluate((river: HTMLElementTagNameMap["river-seed"]) => river.restart());
   await heard(events, "complete");
   const { width, height } = (await page.locator("river-seed").boundingBox()) ?? { width: 0, height: 1 };
-  expect(width / height).toBeCloseTo(1.5, 2);
+  expect(width / height).toBeCloseTo(1.6, 2);
 });
 
 test("a browser without SIMD downloads no engine", async ({ page, blog }) => {

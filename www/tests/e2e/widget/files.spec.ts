@@ -34,7 +34,7 @@ for (const place of ["a worker", "the page"]) {
 
   test(`a PNG is of the finished river, at a size of choice: ${place}`, async ({ page, blog }) => {
     await open(page, blog, place);
-    expect(await png(page, 240)).toEqual({ width: 240, height: 160, sha256: pictureOf(link, 240, 160).sha256 });
+    expect(await png(page, 240)).toEqual({ width: 240, height: 150, sha256: pictureOf(link, 240, 150).sha256 });
     const [width, shown] = await page.locator("river-seed").evaluate(async (river: RiverSeed) => {
       const { width } = await createImageBitmap(await river.toBlob());
       return [width, river.shadowRoot?.querySelector("canvas")?.width];
