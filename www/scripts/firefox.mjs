@@ -50,7 +50,7 @@ async function growsToTheEnd() {
     return new Set(new Uint32Array(data.buffer)).size;
   });
   assert.ok(colours > 10, `the canvas has ${colours} colours`);
-  assert.match(await page.$eval("#caption", (caption) => caption.textContent), /3 rivers, \d+ sources/);
+  assert.match(await page.$eval("#caption", (caption) => caption.textContent), /9 rivers, \d+ sources/);
   assert.deepEqual(complaints, []);
   await page.close();
   console.log("  a river grows to its end");
