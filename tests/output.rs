@@ -4,7 +4,7 @@
 
 use std::fs::{self, Permissions};
 use std::io::Read;
-use std::os::unix::fs::{PermissionsExt, symlink};
+use std::os::unix::fs::{MetadataExt, PermissionsExt, symlink};
 use std::os::unix::process::ExitStatusExt;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Output};
@@ -140,8 +140,14 @@ fn signal_leaves_nothing_behind_and_an_older_file_as_it_was() {
 
 /// Renders with so many kilobytes of addresses; `None` where the shell cannot limit them.
 fn render_within(kilobytes: u32, link: &str, out: &Path) -> Option<Output> {
+    render_by(&[], kilobytes, link, out)
+}
+
+/// As `render_within`, by another program that runs it: `sudo`, say.
+fn render_by(runner: &[&str], kilobytes: u32, link: &str, out: &Path) -> Option<Output> {
     let limited = format!("ulimit -v {kilobytes} && [ \"$(ulimit -v)\" = {kilobytes} ] || exit 77; exec \"$@\"");
-    let arguments = ["-c", &limited, "sh", RIVERSEED, "render", link, "--size", "600", "-o"];
+    let shell = ["-c", &limited, "sh"];
+    let arguments = [&shell[..], runner, &[RIVERSEED, "render", link, "--size", "600", "-o"]].concat();
     let output = Command::new("sh").args(arguments).arg(out).output().unwrap();
     (output.status.code() != Some(77)).then_some(output)
 }
@@ -175,4 +181,26 @@ fn too_little_memory_is_an_error_and_never_another_picture() {
         refused += 1;
     }
     assert!(refused > 2, "no limit was too low");
+}
+
+/// A runner that takes from root what no folder refuses it; other users are refused as they are.
+fn as_others() -> &'static [&'static str] {
+    let is_root = fs::metadata("/proc/self").unwrap().uid() == 0;
+    if is_root { &["setpriv", "--bounding-set=-dac_override"] } else { &[] }
+}
+
+#[test]
+fn folder_that_refuses_files_is_told_of_before_the_rivers_grow() {
+    let folder = folder("refusing");
+    fs::set_permissions(&folder, Permissions::from_mode(0o555)).unwrap();
+    // Too little memory to grow: that would be the error, if it came to growing.
+    let output = render_by(as_others(), 60_000, "attractors=1000000", &folder.join("out.png"));
+    fs::set_permissions(&folder, Permissions::from_mode(0o755)).unwrap();
+    let Some(output) = output else {
+        eprintln!("skipped: this shell cannot limit memory");
+        return;
+    };
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(output.status.code(), Some(1), "{said}");
+    assert!(said.contains("out.png: Permission denied"), "{said}");
 }

@@ -69,7 +69,7 @@ impl Way {
             there => {
                 let path = if is_link { fs::canonicalize(given)? } else { given.to_owned() };
                 fs::metadata(folder(&path))?; // so that a folder that is not there is told of before the work
-                let unnamed = unnamed(folder(&path));
+                let unnamed = unnamed(folder(&path))?;
                 Ok(Self::Replace { path, permissions: there.map(|there| there.permissions()), unnamed })
             }
         }
@@ -93,20 +93,34 @@ fn filled<Target: Write>(
 }
 
 /// A file without a name; `None` where there are none.
+///
+/// # Errors
+/// If no file can be written in the folder.
 #[cfg(target_os = "linux")]
-fn unnamed(folder: &Path) -> Option<File> {
+fn unnamed(folder: &Path) -> io::Result<Option<File>> {
     use std::os::unix::fs::OpenOptionsExt;
 
     use rustix::fs::OFlags;
+    use rustix::io::Errno;
 
-    Path::new(NAMES_OF_FILES).is_dir().then_some(())?;
+    if !Path::new(NAMES_OF_FILES).is_dir() {
+        return Ok(None);
+    }
     let flags = OFlags::TMPFILE.bits() as i32;
-    File::options().read(true).write(true).mode(0o666).custom_flags(flags).open(folder).ok()
+    match File::options().read(true).write(true).mode(0o666).custom_flags(flags).open(folder) {
+        Ok(file) => Ok(Some(file)),
+        // How file systems and kernels answer that know no such files.
+        Err(error) if matches!(Errno::from_io_error(&error), Some(Errno::OPNOTSUPP | Errno::ISDIR | Errno::INVAL)) => {
+            Ok(None)
+        }
+        Err(error) => Err(error),
+    }
 }
 
 #[cfg(not(target_os = "linux"))]
-fn unnamed(_: &Path) -> Option<File> {
-    None
+#[expect(clippy::unnecessary_wraps, reason = "as on Linux")]
+fn unnamed(_: &Path) -> io::Result<Option<File>> {
+    Ok(None)
 }
 
 /// Where Linux names the open files of a process.
