@@ -25,7 +25,8 @@ impl Trim {
     pub fn of(recipe: &Recipe) -> Self {
         let nodes = recipe.integer(Key::Trim);
         if recipe.choice(Key::Growth) == 1 {
-            // A node of space colonization is a step, 4.9 units with 6,000 attractors on a rectangle; of a Brownian tree, 1.1 units on average.
+            // A node of space colonization is a step, 4.9 units with 6,000 attractors on a rectangle; of a Brownian tree,
+            // 1.1 units on average.
             Self { nodes: nodes * 9 / 2, with_basins: true }
         } else {
             Self { nodes, with_basins: false }

@@ -134,8 +134,8 @@ impl Obstacles {
     }
 }
 
-/// Whether a line is so short, or so nearly straight along an axis, that the box around it has no more tiles than the line has cells: a
-/// view across the map is followed instead, up to the first obstacle.
+/// Whether a line is so short, or so nearly straight along an axis, that the box around it has no more tiles than the line
+/// has cells: a view across the map is followed instead, up to the first obstacle.
 #[inline]
 fn is_worth_boxing(along: Vec2) -> bool {
     let along = along.abs();

@@ -94,69 +94,75 @@ fn command() -> Command {
         .about("A river network that grows from a word")
         .subcommand_required(true)
         .arg_required_else_help(true)
-        .subcommand(
-            Command::new("render")
-                .about("Draws a recipe as PNG or SVG, or writes its rivers as GeoJSON or JSON")
-                .after_help("Link, file and options may be mixed; of values given twice the later wins.")
-                .arg(Arg::new("link").help("Link text, such as \"seed=kauri&curl=0.6\""))
-                .arg(
-                    Arg::new("recipe")
-                        .long("recipe")
-                        .value_name("FILE")
-                        .help("A JSON recipe, or a network written by this command")
-                        .value_parser(value_parser!(PathBuf)),
-                )
-                .arg(
-                    Arg::new("output")
-                        .short('o')
-                        .long("output")
-                        .value_name("OUT")
-                        .required(true)
-                        .help("The file to write; its ending, .png, .svg, .geojson or .json, says what")
-                        .value_parser(value_parser!(PathBuf)),
-                )
-                .arg(
-                    Arg::new("size")
-                        .long("size")
-                        .value_name("PIXELS")
-                        .default_value("1200")
-                        .help("The longer side of a PNG")
-                        .value_parser(value_parser!(u32).range(1..=i64::from(LONGEST_SIDE))),
-                )
-                .arg(Arg::new("preset").long("preset").value_name("NAME").help("A named set of values, read first"))
-                .args(TABLE.iter().map(option)),
-        )
-        .subcommand(
-            Command::new("outline")
-                .about("Traces a PNG of a land, white on black, and prints the outline to give to a recipe")
-                .after_help("White is land, black or transparent is water, a third colour makes ridges.")
-                .arg(
-                    Arg::new("image")
-                        .value_name("IMAGE")
-                        .required(true)
-                        .help("A PNG, at most 4096 pixels a side")
-                        .value_parser(value_parser!(PathBuf)),
-                )
-                .arg(
-                    Arg::new("link")
-                        .long("link")
-                        .action(ArgAction::SetTrue)
-                        .help("Print a whole link, with the picture's aspect"),
-                )
-                .arg(Arg::new("seed").long("seed").value_name("TEXT").requires("link").help("The seed of that link")),
-        )
+        .subcommand(render_command())
+        .subcommand(outline_command())
         .subcommand(Command::new("table").about("Prints the parameter table as Markdown"))
-        .subcommand(
-            Command::new("verify")
-                .about("Checks that this machine gives the same rivers and pixels as all others")
-                .after_help("Exit code 1, and the links that differ, if it does not.")
-                .arg(
-                    Arg::new("digests")
-                        .long("digests")
-                        .value_name("FILE")
-                        .help("Digests to compare with, other than those of this version: lines of a digest and a link")
-                        .value_parser(value_parser!(PathBuf)),
-                ),
+        .subcommand(verify_command())
+}
+
+fn render_command() -> Command {
+    Command::new("render")
+        .about("Draws a recipe as PNG or SVG, or writes its rivers as GeoJSON or JSON")
+        .after_help("Link, file and options may be mixed; of values given twice the later wins.")
+        .arg(Arg::new("link").help("Link text, such as \"seed=kauri&curl=0.6\""))
+        .arg(
+            Arg::new("recipe")
+                .long("recipe")
+                .value_name("FILE")
+                .help("A JSON recipe, or a network written by this command")
+                .value_parser(value_parser!(PathBuf)),
+        )
+        .arg(
+            Arg::new("output")
+                .short('o')
+                .long("output")
+                .value_name("OUT")
+                .required(true)
+                .help("The file to write; its ending, .png, .svg, .geojson or .json, says what")
+                .value_parser(value_parser!(PathBuf)),
+        )
+        .arg(
+            Arg::new("size")
+                .long("size")
+                .value_name("PIXELS")
+                .default_value("1200")
+                .help("The longer side of a PNG")
+                .value_parser(value_parser!(u32).range(1..=i64::from(LONGEST_SIDE))),
+        )
+        .arg(Arg::new("preset").long("preset").value_name("NAME").help("A named set of values, read first"))
+        .args(TABLE.iter().map(option))
+}
+
+fn outline_command() -> Command {
+    Command::new("outline")
+        .about("Traces a PNG of a land, white on black, and prints the outline to give to a recipe")
+        .after_help("White is land, black or transparent is water, a third colour makes ridges.")
+        .arg(
+            Arg::new("image")
+                .value_name("IMAGE")
+                .required(true)
+                .help("A PNG, at most 4096 pixels a side")
+                .value_parser(value_parser!(PathBuf)),
+        )
+        .arg(
+            Arg::new("link")
+                .long("link")
+                .action(ArgAction::SetTrue)
+                .help("Print a whole link, with the picture's aspect"),
+        )
+        .arg(Arg::new("seed").long("seed").value_name("TEXT").requires("link").help("The seed of that link"))
+}
+
+fn verify_command() -> Command {
+    Command::new("verify")
+        .about("Checks that this machine gives the same rivers and pixels as all others")
+        .after_help("Exit code 1, and the links that differ, if it does not.")
+        .arg(
+            Arg::new("digests")
+                .long("digests")
+                .value_name("FILE")
+                .help("Digests to compare with, other than those of this version: lines of a digest and a link")
+                .value_parser(value_parser!(PathBuf)),
         )
 }
 

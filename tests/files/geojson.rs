@@ -1,0 +1,144 @@
+//! GeoJSON: each feature, its place on the globe and its properties.
+
+use std::collections::BTreeSet;
+
+use glam::{DVec2, Vec2};
+use riverseed::recipe::link;
+use riverseed::session::Session;
+use serde_json::Value;
+
+use super::definitions::{course, heights, lakes, length, line, magnitudes, mouth, orders};
+use super::{finished, geojson, list, names, of_all, some};
+
+/// Where a point of the domain lies on the globe, east and north: a unit is a hundredth of a degree, the middle at 0, 0.
+fn degrees(session: &Session, at: Vec2) -> DVec2 {
+    let size = session.growth().parameters().domain.size.as_dvec2();
+    let at = at.as_dvec2();
+    DVec2::new((at.x - size.x / 2.0) / 100.0, (size.y / 2.0 - at.y) / 100.0)
+}
+
+fn position(value: &Value) -> DVec2 {
+    DVec2::new(value[0].as_f64().unwrap(), value[1].as_f64().unwrap())
+}
+
+/// Half of a hundred-thousandth of a degree, and what floats of units lose.
+const ROUNDING: f64 = 7e-6;
+
+#[test]
+fn file_has_the_recipe_and_a_feature_for_each_river_and_lake() {
+    of_all(|session| {
+        let (file, network) = (geojson(session), session.network().unwrap());
+        assert_eq!(names(&file), ["type", "riverseed", "features"]);
+        assert_eq!(file["type"], "FeatureCollection");
+        assert_eq!(link::read(file["riverseed"].as_str().unwrap()).as_ref(), Ok(session.recipe()));
+        let kinds = |feature: &Value| {
+            assert_eq!(feature["type"], "Feature");
+            let properties = &feature["properties"];
+            (properties["kind"].as_str().unwrap().to_owned(), properties["number"].as_u64().unwrap())
+        };
+        let rivers = (0..network.rivers.len() as u64).map(|number| ("river".to_owned(), number));
+        let lakes = lakes(network).into_iter().map(|(number, _)| ("oxbow".to_owned(), number.into()));
+        let expected: Vec<(String, u64)> = rivers.chain(lakes).collect();
+        assert_eq!(list(&file["features"]).iter().map(kinds).collect::<Vec<_>>(), expected, "every river, every lake");
+        let ids: BTreeSet<String> = list(&file["features"]).iter().map(|feature| feature["id"].to_string()).collect();
+        assert_eq!(ids.len(), expected.len(), "each feature has an id of its own");
+    });
+}
+
+#[test]
+fn lines_lie_where_the_rivers_are_north_up_and_to_scale() {
+    of_all(|session| {
+        let (file, network, heights) = (geojson(session), session.network().unwrap(), heights(session));
+        for (river, feature) in network.rivers.iter().zip(list(&file["features"])) {
+            let vertices = course(river);
+            let line = list(&feature["geometry"]["coordinates"]);
+            assert_eq!(line.len(), vertices.len().max(2));
+            for (written, &vertex) in line.iter().zip(&vertices) {
+                let at = network.vertices[vertex].at;
+                let off = (position(written) - degrees(session, at)).abs().max_element();
+                assert!(off < ROUNDING, "{written} is not where {at} lies, {}", degrees(session, at));
+                let height = written[2].as_f64().unwrap();
+                let expected = heights[vertex];
+                assert!((height - expected).abs() < 0.6 + expected * 1e-4, "{height} m and not {expected} m high");
+            }
+        }
+    });
+}
+
+#[test]
+fn south_is_where_a_map_s_mouths_are() {
+    // By hand: rivers of a plain rectangle run to its lower border, and 1.5 times as wide as high is 12.2 degrees by 8.2.
+    let session = finished("seed=kauri&land=rectangle&aspect=1.5&mouths=3&sides=s&attractors=300&meander=none");
+    for feature in list(&geojson(&session)["features"]) {
+        let line = list(&feature["geometry"]["coordinates"]);
+        if feature["properties"]["parent"].is_null() {
+            let mouth = position(line.last().unwrap());
+            assert!((mouth.y + 4.082_48).abs() < 2e-5, "a mouth in the south lies at latitude {}", mouth.y);
+            assert!(line[0][1].as_f64().unwrap() > mouth.y, "its source lies north of it");
+        }
+        assert!(line.iter().all(|at| at[0].as_f64().unwrap().abs() < 6.123_8));
+    }
+}
+
+#[test]
+fn rivers_have_the_properties_that_they_are_said_to_have() {
+    of_all(|session| {
+        let (file, network) = (geojson(session), session.network().unwrap());
+        let (orders, magnitudes) = (orders(network), magnitudes(network));
+        for (id, (river, feature)) in network.rivers.iter().zip(list(&file["features"])).enumerate() {
+            let properties = &feature["properties"];
+            let expected =
+                ["kind", "number", "parent", "mouth", "order", "magnitude", "discharge", "length", "sinuosity"];
+            assert_eq!(names(properties), expected);
+            assert_eq!(properties["parent"].as_u64(), some(river.parent));
+            assert_eq!(properties["mouth"], mouth(network, id as u32));
+            assert_eq!(properties["order"], orders[id]);
+            assert_eq!(properties["magnitude"], magnitudes[id]);
+            assert_eq!(properties["discharge"], network.vertices[river.own()].last().unwrap().discharge);
+            let line = line(network, river);
+            let straight = line[0].distance(line[line.len() - 1]);
+            let near = |name: &str, expected: f64, rounding: f64| {
+                let value = properties[name].as_f64().unwrap();
+                assert!((value - expected).abs() < rounding + expected * 1e-5, "{name}: {value} and not {expected}");
+            };
+            near("length", length(&line), 0.006);
+            near("sinuosity", if straight > 0.0 { length(&line) / straight } else { 1.0 }, 0.0006);
+        }
+    });
+}
+
+/// Twice the area within a closed line, positive if it runs counterclockwise where north is up.
+fn turned(ring: &[DVec2]) -> f64 {
+    ring.windows(2).map(|side| side[0].perp_dot(side[1])).sum()
+}
+
+#[test]
+fn lakes_are_closed_wound_and_where_the_loops_were() {
+    of_all(|session| {
+        let (file, network) = (geojson(session), session.network().unwrap());
+        let features = &list(&file["features"])[network.rivers.len()..];
+        for ((id, oxbow), feature) in lakes(network).into_iter().zip(features) {
+            let properties = &feature["properties"];
+            assert_eq!(names(properties), ["kind", "number", "river", "born"]);
+            assert_eq!((&properties["river"], &properties["born"]), (&oxbow.river.into(), &oxbow.born.into()));
+            let coordinates = &feature["geometry"]["coordinates"];
+            assert_eq!((&feature["geometry"]["type"], list(coordinates).len()), (&"Polygon".into(), 1), "lake {id}");
+            let ring: Vec<DVec2> = list(&coordinates[0]).iter().map(position).collect();
+            assert!(ring.len() >= 4 && ring.first() == ring.last(), "lake {id} is not closed");
+            // RFC 7946: outer rings counterclockwise.
+            assert!(turned(&ring) > 0.0, "lake {id} is wound the wrong way");
+            let lake = oxbow.lake();
+            let width = f64::from(lake.iter().map(|(vertex, _)| vertex.width()).fold(0.0, f32::max)) / 100.0;
+            let middle: Vec<DVec2> = lake.iter().map(|(vertex, _)| degrees(session, vertex.at)).collect();
+            let off = |at: &DVec2| middle.iter().map(|place| place.distance(*at)).fold(f64::INFINITY, f64::min);
+            let step = middle.windows(2).map(|pair| pair[0].distance(pair[1])).fold(0.0, f64::max);
+            assert!(ring.iter().all(|at| off(at) < width + step), "lake {id} is elsewhere than its loop was");
+            assert!(
+                middle.iter().step_by(4).all(|at| {
+                    ring.iter().map(|place| place.distance(*at)).fold(f64::INFINITY, f64::min) < width + step
+                }),
+                "lake {id} is not as long as its loop was"
+            );
+        }
+    });
+}

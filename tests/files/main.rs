@@ -1,0 +1,86 @@
+//! What files say is what the session holds: every value of SVG, GeoJSON and JSON is worked out anew, by its definition, from the
+//! tree and the rivers.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
+#![cfg(feature = "cli")]
+
+#[path = "../common/mod.rs"]
+mod common;
+mod definitions;
+mod geojson;
+mod json;
+mod svg;
+
+use std::sync::LazyLock;
+
+use common::plain::plain;
+use definitions::lakes;
+use riverseed::export::{geojson as to_geojson, json as to_json};
+use riverseed::network::NONE;
+use riverseed::recipe::link;
+use riverseed::session::Session;
+use serde_json::Value;
+
+/// Maps of all kinds: wide and tall, with many lakes, with islands, of either growth, trimmed and not.
+const LINKS: [&str; 6] = [
+    "seed=kauri&land=rectangle&aspect=1.5&attractors=1500&great=9&gentle=1&meander-rounds=200&meander-strength=1&style=ink",
+    "seed=rimu&land=rectangle&aspect=3&attractors=1200&sides=ew&mouths=5&meander=flow&great=9&gentle=1&meander-rounds=120&style=dark",
+    "seed=kea&land=archipelago&aspect=0.6&attractors=1200&mouths=9&curl=0.9&stretch=5&great=9&meander-rounds=150&style=map",
+    "seed=totara&land=valley&aspect=1&growth=brownian&sensitivity=24&trim=10&great=4&meander-rounds=100&style=map",
+    "seed=puriri&land=island&aspect=1.2&attractors=800&trim=0&simplify=0&momentum=0.3&meander=none&vary=0.5&style=ink",
+    "seed=s6&land=island&aspect=1.5&attractors=800&trim=5&simplify=95&width=40&vary=0&meander-rounds=400&meander-strength=1&gentle=0&great=16&flat=1&style=skeleton",
+];
+
+fn finished(link: &str) -> Session {
+    let mut session = Session::new(link::read(&plain(link)).unwrap(), 1, 1).unwrap();
+    while session.advance(64).unwrap() {}
+    session
+}
+
+/// The finished sessions of all these links: grown once, since that is most of the work.
+static SESSIONS: LazyLock<[Session; 6]> = LazyLock::new(|| LINKS.map(finished));
+
+fn of_all(check: impl Fn(&Session)) {
+    SESSIONS.iter().for_each(check);
+}
+
+fn written(write: impl FnOnce(&mut Vec<u8>) -> std::io::Result<()>) -> Value {
+    let mut text = Vec::new();
+    write(&mut text).unwrap();
+    serde_json::from_slice(&text).unwrap()
+}
+
+fn geojson(session: &Session) -> Value {
+    written(|text| to_geojson::write(text, session))
+}
+
+fn json(session: &Session) -> Value {
+    written(|text| to_json::write(text, session, true))
+}
+
+fn list(value: &Value) -> &[Value] {
+    value.as_array().unwrap()
+}
+
+fn names(object: &Value) -> Vec<&str> {
+    object.as_object().unwrap().keys().map(String::as_str).collect()
+}
+
+/// The numbers of a list, to compare with those of a column to the bit.
+fn singles(column: &Value) -> Vec<f32> {
+    list(column).iter().map(|number| number.as_f64().unwrap() as f32).collect()
+}
+
+fn wholes(column: &Value) -> Vec<i64> {
+    list(column).iter().map(|number| number.as_i64().unwrap()).collect()
+}
+
+/// A number that stands for none is written as null.
+fn some(number: u32) -> Option<u64> {
+    (number != NONE).then_some(number.into())
+}
+
+#[test]
+fn there_are_lakes_to_write() {
+    let counts = SESSIONS.each_ref().map(|session| lakes(session.network().unwrap()).len());
+    assert!(counts.iter().filter(|count| **count > 10).count() >= 4, "{counts:?}");
+}

@@ -1,0 +1,54 @@
+//! SVG: each path and its data.
+
+use glam::Vec2;
+use riverseed::export::svg as to_svg;
+use riverseed::network::NONE;
+use riverseed::recipe::{Key, link};
+
+use super::definitions::{lakes, magnitudes, orders};
+use super::{of_all, some};
+
+#[test]
+fn data_are_what_the_network_says() {
+    of_all(|session| {
+        let (text, network) = (to_svg::svg(session).unwrap(), session.network().unwrap());
+        let document = roxmltree::Document::parse(&text).unwrap();
+        let (orders, magnitudes) = (orders(network), magnitudes(network));
+        let (mut rivers, mut lakes_seen) = (Vec::new(), Vec::new());
+        for path in document.descendants().filter(|node| node.has_tag_name(("http://www.w3.org/2000/svg", "path"))) {
+            let Some((kind, id)) = path.attribute("id").and_then(|id| id.split_once('-')) else { continue };
+            let data =
+                |name: &str| path.attribute(format!("data-{name}").as_str()).map(|text| text.parse::<u64>().unwrap());
+            let all = path.attributes().filter(|attribute| attribute.name().starts_with("data-")).count();
+            let id: u32 = id.parse().unwrap();
+            if kind == "oxbow" {
+                assert_eq!((data("river"), all), (Some(network.oxbows[id as usize].river.into()), 1));
+                lakes_seen.push(id);
+                continue;
+            }
+            let river = &network.rivers[id as usize];
+            assert_eq!(data("parent"), some(river.parent));
+            assert_eq!(data("order"), Some(orders[id as usize].into()));
+            assert_eq!(data("magnitude"), Some(magnitudes[id as usize].into()));
+            let discharge = network.vertices[river.own()].last().unwrap().discharge;
+            assert_eq!(data("discharge"), Some(discharge.into()));
+            assert_eq!(all, 3 + usize::from(river.parent != NONE));
+            assert_eq!(path.parent().unwrap().attribute("id"), Some(format!("order-{}", river.order).as_str()));
+            assert!(begins_at(path.attribute("d").unwrap(), network.vertices[river.start as usize].at), "river {id}");
+            rivers.push(id);
+        }
+        rivers.sort_unstable();
+        assert!(rivers.into_iter().eq(0..network.rivers.len() as u32), "every river");
+        // The skeleton shows rivers alone.
+        let skeleton = session.recipe().value(Key::Style) == link::read("style=skeleton").unwrap().value(Key::Style);
+        let expected: Vec<u32> = lakes(network).into_iter().map(|(id, _)| id).filter(|_| !skeleton).collect();
+        assert_eq!(lakes_seen, expected, "every lake");
+    });
+}
+
+/// Whether a path's first point is one of the domain, in units, y down.
+fn begins_at(path: &str, at: Vec2) -> bool {
+    let numbers = path.strip_prefix('M').unwrap().split(|c: char| c.is_ascii_lowercase()).next().unwrap();
+    let numbers: Vec<f32> = numbers.split(' ').map(|number| number.parse().unwrap()).collect();
+    (Vec2::new(numbers[0], numbers[1]) - at).abs().max_element() < 0.011
+}
