@@ -8,7 +8,7 @@
 //! A Brownian tree has a mouth wherever its particles met the coast, most of them a brook's, so the sea counts as one more fork:
 //! basins go whose longest river is short, but not the deepest of all. Where mouths were asked for, each of them stays.
 
-use crate::recipe::{Key, Recipe};
+use crate::recipe::{GrowthMethod, Key, Recipe};
 use crate::tree::{Hydrology, Tree};
 
 /// What is short enough to go.
@@ -24,7 +24,7 @@ impl Trim {
     /// The trimming of a recipe.
     pub fn of(recipe: &Recipe) -> Self {
         let nodes = recipe.integer(Key::Trim);
-        if recipe.choice(Key::Growth) == 1 {
+        if recipe.get::<GrowthMethod>() == GrowthMethod::Brownian {
             // A node of space colonization is a step, 4.9 units with 6,000 attractors on a rectangle; of a Brownian tree,
             // 1.1 units on average.
             Self { nodes: nodes * 9 / 2, with_basins: true }

@@ -2,12 +2,12 @@
 
 use thiserror::Error;
 
-use crate::grow::{Ending, GrowError, Growth, Parameters, Procedure};
+use crate::grow::{Ending, GrowError, Growth, Parameters};
 use crate::memory;
 use crate::network::{self, Courses, Meander, NONE, Network};
-use crate::paint::{PaintError, Painter, Progress, Rect, Rivers, Style};
+use crate::paint::{PaintError, Painter, Progress, Rect, Rivers};
 use crate::prune::{self, Pruned, Trim};
-use crate::recipe::{Key, Recipe, Stage};
+use crate::recipe::{GrowthMethod, Key, Recipe, Stage, Style};
 use crate::tree::{Hydrology, Tree};
 
 /// Why a recipe cannot be shown.
@@ -144,7 +144,7 @@ impl Session {
 
     /// How it is painted.
     pub fn style(&self) -> Style {
-        style(&self.recipe)
+        self.recipe.get()
     }
 
     /// Goes over to another recipe. Returns the earliest stage that has to run again, `None` if nothing is different.
@@ -262,7 +262,7 @@ impl Session {
         let Pruned { tree, .. } = self.pruned();
         ask_for_rivers(tree.len(), BYTES_A_NODE)?;
         // The rivers of a Brownian tree never touch, so they do not cross.
-        let may_cross = self.growth.parameters().procedure == Procedure::Colonize;
+        let may_cross = self.growth.parameters().method == GrowthMethod::Colonize;
         let rivers = Shaping::Courses(Courses::unranked(&tree, may_cross));
         Ok(Shaped { nodes: tree.len() as u32, rivers })
     }
@@ -340,7 +340,7 @@ impl Session {
         let land = self.growth.parameters().land.as_deref();
         if let Some(Shaped { rivers: Shaping::Rivers(_, meander), .. }) = &self.shaped {
             let (network, rounds) = (meander.network(), meander.rounds());
-            return self.painter.paint_rivers(&Rivers { network, rounds, land, style: style(recipe) });
+            return self.painter.paint_rivers(&Rivers { network, rounds, land, style: recipe.get() });
         }
         self.painter.paint(&Progress {
             tree: self.growth.tree(),
@@ -349,7 +349,7 @@ impl Session {
             everything: self.growth.everything(),
             full_width: recipe.number(Key::Width),
             land,
-            style: style(recipe),
+            style: recipe.get(),
         })
     }
 
@@ -415,15 +415,5 @@ fn ask_for_rivers(nodes: usize, bytes_a_node: usize) -> Result<(), SessionError>
     }
     Err(SessionError::NoRivers { nodes: nodes as u32, megabytes: (bytes / 1_000_000) as u32 + 1 })
 }
-
-fn style(recipe: &Recipe) -> Style {
-    match recipe.choice(Key::Style) {
-        1 => Style::Skeleton,
-        2 => Style::Map,
-        3 => Style::Dark,
-        _ => Style::Ink,
-    }
-}
-
 #[cfg(test)]
 mod tests;

@@ -8,18 +8,18 @@ use common::property::{cases, large};
 use common::{pairs, random_link};
 use glam::Vec2;
 use proptest::prelude::*;
-use riverseed::grow::{Growth, Parameters, Procedure};
+use riverseed::grow::{Growth, Parameters};
 use riverseed::land::Land;
 use riverseed::network::{self, Courses, Guard, Meander, NONE, Network, hydrology, meet};
 use riverseed::prune;
-use riverseed::recipe::{Recipe, link};
+use riverseed::recipe::{GrowthMethod, Recipe, link};
 use riverseed::tree::Hydrology;
 
 fn shaped(recipe: &Recipe) -> Meander {
     let mut growth = Growth::new(Parameters::of(recipe)).unwrap();
     while growth.tick() {}
     let pruned = prune::trim(growth.tree(), &Hydrology::of(growth.tree()), prune::Trim::of(recipe));
-    let may_cross = growth.parameters().procedure == Procedure::Colonize;
+    let may_cross = growth.parameters().method == GrowthMethod::Colonize;
     let courses = Courses::of(&pruned.tree, may_cross, growth.parameters().land.as_deref());
     check_rivers(&courses.network);
     check_no_crossing(&courses.network, "as grown");

@@ -38,7 +38,7 @@ fn recipe_schema() -> Value {
                 json!({ "type": "number", "minimum": min.to_f64(), "maximum": max.to_f64() })
             }
             Kind::Choice { choices } => {
-                let mut words: Vec<&str> = choices.iter().map(|(word, _)| *word).collect();
+                let mut words: Vec<&str> = choices.iter().map(|word| word.name).collect();
                 words.sort_unstable();
                 json!({ "type": "string", "enum": words })
             }

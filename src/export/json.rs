@@ -4,11 +4,11 @@ use glam::Vec2;
 
 use super::value::{Members, Value};
 use super::{ExportError, rivers};
-use crate::grow::{Ending, Procedure, scatter};
+use crate::grow::{Ending, scatter};
 use crate::network::{NONE, Network, Vertex};
 use crate::prune::{Pruned, Trim};
 use crate::recipe::table::TABLE;
-use crate::recipe::{self, Key, Recipe};
+use crate::recipe::{self, GrowthMethod, Key, Recipe};
 use crate::session::Session;
 use crate::tree::NO_PARENT;
 
@@ -32,9 +32,9 @@ pub fn network(session: &Session, with_attractors: bool) -> Result<Value<'_>, Ex
         .value("rivers", Value::list(network.rivers.len(), |i| river(network, i as u32)))
         .value("oxbows", Value::list(network.oxbows.len(), |i| oxbow(network, i as u32)));
     if with_attractors {
-        let attractors = match parameters.procedure {
-            Procedure::Colonize => scatter(parameters),
-            Procedure::Brownian => Vec::new(),
+        let attractors = match parameters.method {
+            GrowthMethod::Colonize => scatter(parameters),
+            GrowthMethod::Brownian => Vec::new(),
         };
         form.object("attractors", columns(&attractors));
     }

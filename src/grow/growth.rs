@@ -1,6 +1,7 @@
 //! Growth by whichever procedure a recipe asks for.
 
-use super::{Brownian, Colonize, Ending, Field, GrowError, Parameters, Procedure};
+use super::{Brownian, Colonize, Ending, Field, GrowError, Parameters};
+use crate::recipe::GrowthMethod;
 use crate::tree::Tree;
 
 /// Growth in progress: a stepper, whatever the procedure.
@@ -22,9 +23,9 @@ impl Growth {
     /// # Errors
     /// If the memory is not to be had.
     pub fn new(parameters: Parameters) -> Result<Self, GrowError> {
-        let grower = match parameters.procedure {
-            Procedure::Colonize => Grower::Colonize(Colonize::new(parameters.clone())?),
-            Procedure::Brownian => {
+        let grower = match parameters.method {
+            GrowthMethod::Colonize => Grower::Colonize(Colonize::new(parameters.clone())?),
+            GrowthMethod::Brownian => {
                 let field = Field::of(&parameters);
                 let sensitivity = parameters.sensitivity / field.side();
                 Grower::Brownian(Brownian::new(field, parameters.seed, sensitivity)?)

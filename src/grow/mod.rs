@@ -20,7 +20,7 @@ pub use brownian::{Brownian, Field, Order};
 pub use colonize::{Colonize, Ending, stem_nodes};
 pub use growth::Growth;
 pub use mouths::{Mouth, mouths, shores};
-pub use parameters::{Parameters, Procedure};
+pub use parameters::Parameters;
 pub use pull::Pull;
 pub use scatter::scatter;
 

@@ -5,18 +5,9 @@ use std::sync::Arc;
 use glam::Vec2;
 
 use crate::domain::{AREA, Domain};
-use crate::land::{Land, LandKind, Region, SIDE};
+use crate::land::{Land, Region, SIDE};
 use crate::random::Seed;
-use crate::recipe::{Key, Recipe, Sides};
-
-/// The procedures that rivers grow by.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Procedure {
-    /// Space colonization: attractors pull.
-    Colonize,
-    /// A Brownian tree: particles wander until they meet water.
-    Brownian,
-}
+use crate::recipe::{GrowthMethod, Key, LandKind, Recipe, Scatter, Sides};
 
 /// The parameters of growth, resolved: ratios turned into lengths.
 #[derive(Clone, Debug, PartialEq)]
@@ -38,13 +29,13 @@ pub struct Parameters {
     /// Where on a coast they lie, as seen from its middle.
     pub shores: Sides,
     /// How rivers grow.
-    pub procedure: Procedure,
+    pub method: GrowthMethod,
     /// The step of a Brownian tree's last passes, in units.
     pub sensitivity: f32,
     /// How many attractors there are, on a grid about: as many as asked for, unless next to no land has a river mouth.
     pub attractors: u32,
-    /// Whether each has a cell of a grid to itself.
-    pub on_grid: bool,
+    /// How they lie.
+    pub scatter: Scatter,
     /// The mean distance between attractors, √(area of land / number): the unit of the three lengths below in a recipe.
     pub spacing: f32,
     /// How far an attractor pulls (the paper's distance of step 2).
@@ -79,7 +70,7 @@ impl Parameters {
     pub fn on_land(recipe: &Recipe, land: Option<Arc<Land>>) -> Self {
         let attractors = recipe.integer(Key::Attractors);
         let mouths = recipe.integer(Key::Mouths);
-        let is_lake = recipe.choice(Key::Land) == LandKind::Basin as usize;
+        let is_lake = recipe.get::<LandKind>() == LandKind::Basin;
         let asked = if is_lake { MOUTHS_OF_A_LAKE * mouths } else { mouths };
         let basins = land.as_ref().map(|land| share_out(land.regions(), asked)).unwrap_or_default();
         let area = match &land {
@@ -98,10 +89,10 @@ impl Parameters {
             apart: recipe.number(Key::Apart),
             sides: recipe.sides(Key::Sides),
             shores: recipe.sides(Key::Shores),
-            procedure: if recipe.choice(Key::Growth) == 1 { Procedure::Brownian } else { Procedure::Colonize },
+            method: recipe.get(),
             sensitivity: recipe.number(Key::Sensitivity),
             attractors,
-            on_grid: recipe.choice(Key::Scatter) == 1,
+            scatter: recipe.get(),
             spacing,
             reach: spacings(Key::Reach),
             kill: spacings(Key::Kill),

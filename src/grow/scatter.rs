@@ -5,19 +5,20 @@ use glam::Vec2;
 use super::Parameters;
 use crate::land::{Cells, Land, SIDE};
 use crate::random::{Purpose, Stream};
+use crate::recipe::Scatter;
 use crate::work;
 
 /// Places the attractors, in the order of their drawing: one more leaves all others where they are, unless on a grid.
 pub fn scatter(parameters: &Parameters) -> Vec<Vec2> {
     let mut chance = parameters.seed.stream(Purpose::Attractors);
-    match (&parameters.land, parameters.on_grid) {
-        (None, false) => {
+    match (&parameters.land, parameters.scatter) {
+        (None, Scatter::Random) => {
             let anywhere = |_| Vec2::new(chance.unit(), chance.unit()) * parameters.domain.size;
             (0..parameters.attractors).map(anywhere).collect()
         }
-        (None, true) => on_grid(parameters, parameters.attractors, |_| true, &mut chance),
-        (Some(land), false) => on_land(parameters, land, &mut chance),
-        (Some(land), true) => {
+        (None, Scatter::Grid) => on_grid(parameters, parameters.attractors, |_| true, &mut chance),
+        (Some(land), Scatter::Random) => on_land(parameters, land, &mut chance),
+        (Some(land), Scatter::Grid) => {
             // As fine a grid as puts about so many cells on the land.
             let size = parameters.domain.size;
             let cells = (size.x * size.y / (parameters.spacing * parameters.spacing)) as u32;

@@ -3,14 +3,14 @@
 use glam::Vec2;
 
 use super::grid::{Cell, Grid, SIDE};
-use super::kinds::{LandKind, Shape};
+use super::kinds::Shape;
 use super::obstacles::Obstacles;
 use super::outline::Drawing;
 use super::regions::{Region, regions_of};
 use super::relief::Relief;
 use crate::domain::Domain;
 use crate::random::Seed;
-use crate::recipe::{Key, Outline, Recipe};
+use crate::recipe::{Key, LandKind, Outline, Recipe};
 use crate::work;
 
 /// The least share of the domain that a drawn land fills: with less, attractors would not find it.
@@ -44,7 +44,7 @@ impl Land {
     /// drawn, or no water, or next to no land.
     pub fn of(recipe: &Recipe) -> Option<Self> {
         let shape = Shape {
-            kind: LandKind::ALL.get(recipe.choice(Key::Land)).copied().unwrap_or(LandKind::Rectangle),
+            kind: recipe.get(),
             domain: Domain::with_aspect(recipe.number(Key::Aspect)),
             sides: recipe.sides(Key::Sides),
             seed: Seed::from_text(recipe.seed()),

@@ -6,32 +6,7 @@ use glam::{Vec2, Vec2Swizzles};
 use super::Relief;
 use crate::domain::Domain;
 use crate::random::{Purpose, Seed};
-use crate::recipe::Sides;
-
-/// A shape of land.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum LandKind {
-    /// One land mass, sea all around.
-    Island,
-    /// A coast along the chosen sides.
-    Continent,
-    /// Many islands.
-    Archipelago,
-    /// A coast along the chosen sides, and two ridges that run inland from it.
-    Valley,
-    /// A lake in the middle: rivers run inward.
-    Basin,
-    /// The whole domain, with the sea beyond its sides.
-    Rectangle,
-    /// What a person drew: the recipe's outline.
-    Drawn,
-}
-
-impl LandKind {
-    /// In the order of the parameter table.
-    pub(crate) const ALL: [Self; 7] =
-        [Self::Island, Self::Continent, Self::Archipelago, Self::Valley, Self::Basin, Self::Rectangle, Self::Drawn];
-}
+use crate::recipe::{LandKind, Sides};
 
 /// What a shape is made of.
 #[derive(Clone, Debug)]

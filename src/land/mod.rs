@@ -26,7 +26,6 @@ mod walk;
 
 pub use field::Land;
 pub use grid::{Cell, SIDE};
-pub use kinds::LandKind;
 pub use regions::{Cells, Region, Run, Shore};
 pub use relief::Relief;
 pub use shown::Shown;

@@ -168,10 +168,10 @@ fn first(x: f32, lines: usize) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::land::LandKind;
     use crate::land::{Cell, Land};
     use crate::property::cases;
     use crate::random::Seed;
+    use crate::recipe::LandKind;
     use crate::recipe::{Key, Recipe, Sides, link};
     use proptest::prelude::*;
 

@@ -34,7 +34,7 @@ pub use curvature::curvature;
 pub use guard::{Guard, Near};
 pub use meander::{Meander, THINNINGS, smooth_courses, thin_out};
 pub use middle::Place;
-pub use parameters::{Model, Parameters};
+pub use parameters::Parameters;
 
 use std::ops::Range;
 

@@ -5,22 +5,11 @@ use std::sync::Arc;
 use fastnoise_lite::{FastNoiseLite, FractalType, NoiseType};
 
 use crate::domain::Domain;
-use crate::grow::{Growth, Procedure};
+use crate::grow::Growth;
 use crate::land::Land;
 use crate::plane::{least, most};
 use crate::random::{Purpose, Seed};
-use crate::recipe::{Key, Recipe};
-
-/// How rivers meander.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Model {
-    /// Each bend moves outward and downstream by its own curvature (Hodgin, Dragons Abound).
-    Bend,
-    /// By the curvature upstream of it, too (Howard and Knutson 1984): bends skew and travel.
-    Flow,
-    /// Not at all.
-    None,
-}
+use crate::recipe::{GrowthMethod, Key, MeanderModel, Recipe};
 
 /// The parameters of the network stage, resolved.
 #[derive(Clone, Debug, PartialEq)]
@@ -44,7 +33,7 @@ pub struct Parameters {
     /// By what share of itself a bank's distance from the middle varies, at most.
     pub vary: f32,
     /// How rivers meander.
-    pub model: Model,
+    pub model: MeanderModel,
     /// For how many rounds.
     pub rounds: u32,
     /// How far a bend moves in a round, from 0 to 1.
@@ -69,9 +58,9 @@ impl Parameters {
     /// The parameters of a recipe, for the network of a growth.
     pub fn of(recipe: &Recipe, growth: &Growth) -> Self {
         let grown = growth.parameters();
-        let between_streams = match grown.procedure {
-            Procedure::Colonize => grown.spacing,
-            Procedure::Brownian => grown.sensitivity,
+        let between_streams = match grown.method {
+            GrowthMethod::Colonize => grown.spacing,
+            GrowthMethod::Brownian => grown.sensitivity,
         };
         Self {
             seed: grown.seed,
@@ -83,7 +72,7 @@ impl Parameters {
             full_width: recipe.number(Key::Width),
             simplify: recipe.number(Key::Simplify) / 100.0,
             vary: recipe.number(Key::Vary),
-            model: [Model::Bend, Model::Flow, Model::None][recipe.choice(Key::Meander).min(2)],
+            model: recipe.get(),
             rounds: recipe.integer(Key::MeanderRounds),
             strength: recipe.number(Key::MeanderStrength),
             mix: recipe.number(Key::MeanderMix),

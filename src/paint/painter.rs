@@ -13,12 +13,13 @@ use super::palette::{self, Palette};
 use super::rivers::draw_network;
 use super::strokes::{Pen, Widths};
 use super::view::{PaintError, View};
-use super::{Style, ink, skeleton};
+use super::{ink, skeleton};
 use crate::domain::Domain;
 use crate::land::Land;
 use crate::memory;
 use crate::network::Network;
 use crate::prune::{self, Trim};
+use crate::recipe::Style;
 use crate::tree::Tree;
 
 /// A tree to be painted, as far as it has grown.

@@ -4,10 +4,11 @@
 //! they sweep overlap without a seam, at bends as at junctions.
 
 use super::coverage::Coverage;
+use super::skeleton;
 use super::strokes::{Vertex, middle, parabola};
 use super::view::View;
-use super::{Style, skeleton};
 use crate::network::{self, Network, Place};
+use crate::recipe::Style;
 
 /// What is added to each bank, in pixels, so that a brook can be seen.
 const VISIBLE_PX: f32 = 0.2;

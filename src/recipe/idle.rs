@@ -1,147 +1,118 @@
 //! Which parameters do nothing in a recipe, and why: the one place where that is decided.
 
+use super::choice::{GrowthMethod, LandKind, MeanderModel, Style};
 use super::parameter::Key;
 use super::{Decimal, Recipe, Value};
 
-/// Keys that do nothing while all of some facts hold.
-struct Rule {
-    /// A bit each, by number: smaller than lists.
-    keys: u64,
-    /// One of these facts holds, and one of those.
-    when: [u32; 2],
-    reason: &'static str,
-}
-
-/// Facts of a recipe, a bit each: that a choice is the one of that number, or a number is 0.
-const FACTS: [(Key, u32); 15] = [
-    (Key::Land, PLAIN_RECTANGLE),
-    (Key::Land, 0),
-    (Key::Land, 2),
-    (Key::Land, 4),
-    (Key::Land, DRAWN_LAND),
-    (Key::Growth, 0),
-    (Key::Growth, 1),
-    (Key::Meander, 1),
-    (Key::Meander, 2),
-    (Key::Style, 1),
-    (Key::Curl, 0),
-    (Key::MeanderRounds, 0),
-    (Key::MeanderStrength, 0),
-    (Key::Great, 0),
-    (Key::Gentle, 0),
-];
-const PLAIN_RECTANGLE: u32 = 5;
-const DRAWN_LAND: u32 = 6;
-const RECTANGLE: u32 = 1;
-const ISLAND: u32 = 1 << 1;
-const ARCHIPELAGO: u32 = 1 << 2;
-const BASIN: u32 = 1 << 3;
-const DRAWN: u32 = 1 << 4;
-const COLONIZE: u32 = 1 << 5;
-const BROWNIAN: u32 = 1 << 6;
-const FLOW: u32 = 1 << 7;
-const STRAIGHT: u32 = 1 << 8;
-const SKELETON: u32 = 1 << 9;
-const NO_CURL: u32 = 1 << 10;
-const NO_ROUNDS: u32 = 1 << 11;
-const NO_STRENGTH: u32 = 1 << 12;
-const NO_GREAT: u32 = 1 << 13;
-const NO_GENTLE: u32 = 1 << 14;
-/// Known by the lack of another.
-const UNDRAWN: u32 = 1 << 15;
-const ALWAYS: u32 = !0;
-
-/// All that space colonization goes by.
-const COLONIZING: &[Key] = &[
-    Key::Mouths,
-    Key::Apart,
-    Key::Shores,
-    Key::Attractors,
-    Key::Scatter,
-    Key::Reach,
-    Key::Kill,
-    Key::Step,
-    Key::Momentum,
-    Key::Curl,
-    Key::Stretch,
-];
-/// All that meandering goes by, but its model. Without rounds, rounds do something.
-const MEANDERING: &[Key] = &[
-    Key::MeanderRounds,
-    Key::MeanderStrength,
-    Key::MeanderMix,
-    Key::Gentle,
-    Key::Great,
-    Key::Flat,
-    Key::Neck,
-    Key::Buffer,
-    Key::Taper,
-];
-/// What is nothing to rivers none of which meanders.
-const BENDING: &[Key] = &[Key::MeanderStrength, Key::MeanderMix, Key::Neck, Key::Buffer, Key::Taper];
-
-const fn rule(keys: &[Key], when: u32, and: u32, reason: &'static str) -> Rule {
-    Rule { keys: bits(keys), when: [when, and], reason }
-}
-
-const fn bits(keys: &[Key]) -> u64 {
-    match keys {
-        [first, rest @ ..] => 1 << *first as u64 | bits(rest),
-        [] => 0,
-    }
-}
+/// Why a parameter does nothing; `None` if it does something.
+type Reason = Option<&'static str>;
 
 const STILL: &str = "Rivers do not meander here.";
-
-/// Of several rules for a key the first that holds gives the reason.
-static RULES: [Rule; 15] = [
-    rule(
-        &[Key::Sea, Key::Rough, Key::Apart, Key::Shores],
-        RECTANGLE,
-        ALWAYS,
-        "The whole rectangle is land: it has no coast.",
-    ),
-    rule(&[Key::Sea, Key::Sides], DRAWN, ALWAYS, "The drawing says where the sea is."),
-    rule(&[Key::Sides], ISLAND | ARCHIPELAGO, ALWAYS, "This land has the sea all round."),
-    rule(&[Key::Sides], BASIN, ALWAYS, "Rivers run to the lake in the middle."),
-    rule(&[Key::Outline], UNDRAWN, ALWAYS, "The land is not drawn."),
-    rule(COLONIZING, BROWNIAN, ALWAYS, "Only space colonization has it."),
-    rule(&[Key::Sensitivity], COLONIZE, ALWAYS, "Only a Brownian tree has it."),
-    rule(&[Key::Stretch], NO_CURL, ALWAYS, "Only rivers with curl have stretches."),
-    rule(MEANDERING, STRAIGHT, ALWAYS, STILL),
-    rule(MEANDERING.split_at(1).1, NO_ROUNDS, ALWAYS, STILL),
-    rule(BENDING, NO_GREAT, NO_GENTLE, STILL),
-    rule(&[Key::MeanderMix], NO_STRENGTH, ALWAYS, STILL),
-    rule(&[Key::MeanderMix], FLOW, ALWAYS, "Only bends that grow outward have it."),
-    rule(&[Key::Flat], NO_GREAT, ALWAYS, "There are no great rivers."),
-    // Bends grow in proportion to widths: of rivers that meander the skeleton shows widths, too.
-    rule(&[Key::Width, Key::Vary], SKELETON, STRAIGHT | NO_ROUNDS, "The skeleton is one pixel wide everywhere."),
-];
 
 impl Recipe {
     /// Why a parameter does nothing in this recipe, in a sentence; `None` if it does something.
     pub fn idle_reason(&self, key: Key) -> Option<&'static str> {
-        let facts = FACTS.iter().rev().fold(0, |facts, fact| facts << 1 | u32::from(self.holds(fact)));
-        let facts = if facts & DRAWN == 0 { facts | UNDRAWN } else { facts };
-        let applies = |rule: &&Rule| rule.keys >> key as u64 & 1 == 1 && rule.when.iter().all(|any| facts & any != 0);
-        RULES.iter().find(applies).map(|rule| rule.reason)
-    }
-
-    // In line it would be there once a fact.
-    #[inline(never)]
-    fn holds(&self, &(key, number): &(Key, u32)) -> bool {
-        match self.value(key) {
-            // A drawn land of which nothing is drawn is the whole rectangle.
-            Value::Choice(_) if key == Key::Land && self.is_undrawn() => number == PLAIN_RECTANGLE,
-            Value::Choice(index) => *index as u32 == number,
-            Value::Integer(integer) => *integer == number,
-            Value::Number(decimal) => *decimal == Decimal::whole(number),
-            _ => false,
+        match key {
+            Key::Seed | Key::Edition | Key::Aspect | Key::Land | Key::Growth => None,
+            Key::Sea => self.no_coast().or_else(|| self.sea_is_drawn()),
+            Key::Rough => self.no_coast(),
+            Key::Sides => self.sea_is_drawn().or_else(|| self.sides_are_given()),
+            Key::Outline => (self.shown_land() != LandKind::Drawn).then_some("The land is not drawn."),
+            Key::Apart | Key::Shores => self.no_coast().or_else(|| self.not_colonizing()),
+            Key::Mouths | Key::Attractors | Key::Scatter | Key::Reach | Key::Kill | Key::Step => self.not_colonizing(),
+            Key::Momentum | Key::Curl => self.not_colonizing(),
+            Key::Stretch => self.not_colonizing().or_else(|| self.no_curl()),
+            Key::Sensitivity => self.not_brownian(),
+            Key::Trim | Key::Simplify => None,
+            Key::Width | Key::Vary => self.no_widths(),
+            Key::Meander => None,
+            Key::MeanderRounds => self.no_meandering(),
+            Key::Gentle | Key::Great => self.no_rounds(),
+            Key::Flat => self.no_rounds().or_else(|| self.no_great_rivers()),
+            Key::MeanderStrength | Key::Neck | Key::Buffer | Key::Taper => self.no_bends(),
+            Key::MeanderMix => self.no_bends().or_else(|| self.no_choice_of_direction()),
+            Key::Style => None,
         }
     }
 
-    fn is_undrawn(&self) -> bool {
-        self.choice(Key::Land) as u32 == DRAWN_LAND && self.outline().is_none()
+    fn no_coast(&self) -> Reason {
+        (self.shown_land() == LandKind::Rectangle).then_some("The whole rectangle is land: it has no coast.")
+    }
+
+    fn sea_is_drawn(&self) -> Reason {
+        (self.shown_land() == LandKind::Drawn).then_some("The drawing says where the sea is.")
+    }
+
+    fn sides_are_given(&self) -> Reason {
+        match self.shown_land() {
+            LandKind::Island | LandKind::Archipelago => Some("This land has the sea all round."),
+            LandKind::Basin => Some("Rivers run to the lake in the middle."),
+            LandKind::Continent | LandKind::Valley | LandKind::Rectangle | LandKind::Drawn => None,
+        }
+    }
+
+    fn not_colonizing(&self) -> Reason {
+        match self.get() {
+            GrowthMethod::Colonize => None,
+            GrowthMethod::Brownian => Some("Only space colonization has it."),
+        }
+    }
+
+    fn not_brownian(&self) -> Reason {
+        match self.get() {
+            GrowthMethod::Brownian => None,
+            GrowthMethod::Colonize => Some("Only a Brownian tree has it."),
+        }
+    }
+
+    fn no_curl(&self) -> Reason {
+        self.is_zero(Key::Curl).then_some("Only rivers with curl have stretches.")
+    }
+
+    /// Bends grow in proportion to widths: of rivers that meander the skeleton shows widths, too.
+    fn no_widths(&self) -> Reason {
+        let is_skeleton = self.get::<Style>() == Style::Skeleton;
+        (is_skeleton && self.no_rounds().is_some()).then_some("The skeleton is one pixel wide everywhere.")
+    }
+
+    fn no_meandering(&self) -> Reason {
+        (self.get::<MeanderModel>() == MeanderModel::None).then_some(STILL)
+    }
+
+    fn no_rounds(&self) -> Reason {
+        self.is_zero(Key::MeanderRounds).then_some(STILL).or_else(|| self.no_meandering())
+    }
+
+    fn no_bends(&self) -> Reason {
+        (self.is_zero(Key::Great) && self.is_zero(Key::Gentle)).then_some(STILL).or_else(|| self.no_rounds())
+    }
+
+    fn no_great_rivers(&self) -> Reason {
+        self.is_zero(Key::Great).then_some("There are no great rivers.")
+    }
+
+    fn no_choice_of_direction(&self) -> Reason {
+        match self.get() {
+            _ if self.is_zero(Key::MeanderStrength) => Some(STILL),
+            MeanderModel::Flow => Some("Only bends that grow outward have it."),
+            MeanderModel::Bend | MeanderModel::None => None,
+        }
+    }
+
+    /// The land as it is: a drawn one of which nothing is drawn is the whole rectangle.
+    fn shown_land(&self) -> LandKind {
+        match self.get() {
+            LandKind::Drawn if self.outline().is_none() => LandKind::Rectangle,
+            land => land,
+        }
+    }
+
+    fn is_zero(&self, key: Key) -> bool {
+        match self.value(key) {
+            Value::Integer(integer) => *integer == 0,
+            Value::Number(decimal) => *decimal == Decimal::whole(0),
+            _ => false,
+        }
     }
 }
 
@@ -305,19 +276,6 @@ mod tests {
                 let names = |(keys, _): &&(&str, &str)| keys.split(' ').any(|key| key == parameter.name);
                 let reason = expected.iter().find(names).map(|(_, reason)| *reason);
                 assert_eq!(recipe.idle_reason(parameter.key), reason, "{} with {over:?}", parameter.name);
-            }
-        }
-    }
-
-    #[test]
-    fn every_rule_is_expected_of_some_recipe() {
-        for rule in &RULES {
-            for parameter in TABLE.iter().filter(|parameter| rule.keys >> parameter.key as u64 & 1 == 1) {
-                let is_expected = |(keys, reason): &(&str, &str)| {
-                    *reason == rule.reason && keys.split(' ').any(|key| key == parameter.name)
-                };
-                let found = EXPECTED.iter().any(|(_, expected)| expected.iter().any(is_expected));
-                assert!(found, "{}: {}", parameter.name, rule.reason);
             }
         }
     }

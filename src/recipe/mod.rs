@@ -6,6 +6,7 @@
 //!
 //! The parameters themselves stand in one table, [`table::TABLE`].
 
+pub mod choice;
 mod error;
 mod idle;
 #[cfg(feature = "json")]
@@ -17,6 +18,7 @@ pub mod preset;
 pub mod table;
 mod value;
 
+pub use choice::{Choice, GrowthMethod, LandKind, MeanderModel, Scatter, Style};
 pub use error::RecipeError;
 pub use outline::{GridPoint, LONGEST as LONGEST_OUTLINE, LineKind, Outline, OutlineError};
 pub use parameter::{Key, Kind, Parameter, Stage};
@@ -71,12 +73,17 @@ impl Recipe {
         }
     }
 
-    /// The position of the chosen value in the parameter's list; 0 for a parameter that is not a choice.
-    pub fn choice(&self, key: Key) -> usize {
-        match self.value(key) {
-            Value::Choice(index) => *index,
-            _ => 0,
-        }
+    /// What is chosen of a parameter's words.
+    ///
+    /// ```
+    /// use riverseed::recipe::{Style, link};
+    ///
+    /// assert_eq!(link::read("style=map")?.get::<Style>(), Style::Map);
+    /// # Ok::<(), riverseed::recipe::RecipeError>(())
+    /// ```
+    pub fn get<C: Choice>(&self) -> C {
+        let is_chosen = |choice: &C| matches!(self.value(C::KEY), Value::Choice(name) if *name == choice.word().name);
+        C::ALL.iter().copied().find(is_chosen).unwrap_or(C::ALL[0])
     }
 
     /// A set of sides of the domain; south for a parameter that is not one.

@@ -1,5 +1,6 @@
 //! What a parameter is: its key, its stage, the kind of value it takes, and how that is read, checked and written.
 
+use super::choice::Word;
 use super::error::{RecipeError, shown};
 use super::outline::Outline;
 use super::table::TABLE;
@@ -122,8 +123,8 @@ pub enum Kind {
     },
     /// One word of a list; the first is the default.
     Choice {
-        /// Words and what they are called on screen.
-        choices: &'static [(&'static str, &'static str)],
+        /// The words: those of a type of [`choice`](super::choice).
+        choices: &'static [Word],
     },
     /// Some sides of the domain.
     Sides {
@@ -164,7 +165,7 @@ impl Parameter {
             Kind::Text { default, .. } => Value::Text(default.into()),
             Kind::Integer { default, .. } => Value::Integer(default),
             Kind::Number { default, .. } => Value::Number(default),
-            Kind::Choice { .. } => Value::Choice(0),
+            Kind::Choice { choices } => Value::Choice(choices[0].name),
             Kind::Sides { default } => Value::Sides(default),
             Kind::Outline => Value::Outline(Outline::default()),
         }
@@ -176,7 +177,7 @@ impl Parameter {
             (Kind::Text { longest, .. }, Value::Text(text)) => text.chars().count() <= longest,
             (Kind::Integer { min, max, .. }, Value::Integer(n)) => (min..=max).contains(n),
             (Kind::Number { min, max, .. }, Value::Number(x)) => (min..=max).contains(x),
-            (Kind::Choice { choices }, Value::Choice(index)) => *index < choices.len(),
+            (Kind::Choice { choices }, Value::Choice(name)) => choices.iter().any(|word| word.name == *name),
             (Kind::Sides { .. }, Value::Sides(_)) | (Kind::Outline, Value::Outline(_)) => true,
             _ => false,
         }
@@ -184,16 +185,13 @@ impl Parameter {
 
     /// A value's text, which [`parse`](Self::parse) reads back to the same value.
     pub fn text_of(&self, value: &Value) -> String {
-        match (self.kind, value) {
-            (_, Value::Text(text)) => text.clone(),
-            (_, Value::Integer(n)) => n.to_string(),
-            (_, Value::Number(x)) => x.to_string(),
-            (Kind::Choice { choices }, Value::Choice(index)) => {
-                choices.get(*index).map_or_else(String::new, |(word, _)| (*word).into())
-            }
-            (_, Value::Choice(index)) => index.to_string(),
-            (_, Value::Sides(sides)) => sides.to_string(),
-            (_, Value::Outline(outline)) => outline.to_string(),
+        match value {
+            Value::Text(text) => text.clone(),
+            Value::Integer(n) => n.to_string(),
+            Value::Number(x) => x.to_string(),
+            Value::Choice(name) => (*name).into(),
+            Value::Sides(sides) => sides.to_string(),
+            Value::Outline(outline) => outline.to_string(),
         }
     }
 
@@ -208,8 +206,8 @@ impl Parameter {
             Kind::Number { min, max, .. } => self.parse_number(text, min, max),
             Kind::Choice { choices } => choices
                 .iter()
-                .position(|(word, _)| *word == text)
-                .map(Value::Choice)
+                .find(|word| word.name == text)
+                .map(|word| Value::Choice(word.name))
                 .ok_or_else(|| self.unknown_choice(text)),
             Kind::Sides { .. } => Sides::parse(text).map(Value::Sides).ok_or_else(|| self.unknown_choice(text)),
             Kind::Outline => Outline::parse(text.trim())
@@ -259,7 +257,7 @@ impl Parameter {
 
     fn unknown_choice(&self, text: &str) -> RecipeError {
         let choices = match self.kind {
-            Kind::Choice { choices } => choices.iter().map(|(word, _)| *word).collect::<Vec<_>>().join(", "),
+            Kind::Choice { choices } => choices.iter().map(|word| word.name).collect::<Vec<_>>().join(", "),
             _ => "the sides n, e, s, w, each once".into(),
         };
         RecipeError::UnknownChoice { key: self.name, value: shown(text), choices }

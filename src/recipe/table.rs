@@ -3,6 +3,7 @@
 //! Links, attributes, command-line options, JSON, the page's controls and the README's table all come from here.
 //! Keys are added freely and never renamed: a shared link holds them.
 
+use super::choice::{Choice, GrowthMethod, LandKind, MeanderModel, Scatter, Style};
 use super::parameter::{COUNT, Key, Kind, Parameter, Stage};
 use super::value::{Decimal, Sides};
 
@@ -56,17 +57,7 @@ pub static TABLE: [Parameter; COUNT] = {
             group: "Land",
             stage: Land,
             logarithmic: false,
-            kind: Kind::Choice {
-                choices: &[
-                    ("island", "an island"),
-                    ("continent", "a coast"),
-                    ("archipelago", "an archipelago"),
-                    ("valley", "a valley between ridges"),
-                    ("basin", "around a lake"),
-                    ("rectangle", "the whole rectangle"),
-                    ("drawn", "drawn by hand"),
-                ],
-            },
+            kind: Kind::Choice { choices: LandKind::WORDS },
         },
         Parameter {
             key: Key::Outline,
@@ -154,7 +145,7 @@ pub static TABLE: [Parameter; COUNT] = {
             group: "Growth",
             stage: Grow,
             logarithmic: false,
-            kind: Kind::Choice { choices: &[("colonize", "space colonization"), ("brownian", "Brownian tree")] },
+            kind: Kind::Choice { choices: GrowthMethod::WORDS },
         },
         Parameter {
             key: Key::Sensitivity,
@@ -187,7 +178,7 @@ pub static TABLE: [Parameter; COUNT] = {
             group: "Growth",
             stage: Grow,
             logarithmic: false,
-            kind: Kind::Choice { choices: &[("random", "at random"), ("grid", "on a jittered grid")] },
+            kind: Kind::Choice { choices: Scatter::WORDS },
         },
         Parameter {
             key: Key::Reach,
@@ -308,9 +299,7 @@ pub static TABLE: [Parameter; COUNT] = {
             group: "Meanders",
             stage: Shape,
             logarithmic: false,
-            kind: Kind::Choice {
-                choices: &[("bend", "bends grow outward"), ("flow", "bends skew and travel"), ("none", "none")],
-            },
+            kind: Kind::Choice { choices: MeanderModel::WORDS },
         },
         Parameter {
             key: Key::MeanderRounds,
@@ -420,9 +409,7 @@ pub static TABLE: [Parameter; COUNT] = {
             group: "Finish",
             stage: Paint,
             logarithmic: false,
-            kind: Kind::Choice {
-                choices: &[("ink", "ink"), ("skeleton", "skeleton"), ("map", "map"), ("dark", "dark")],
-            },
+            kind: Kind::Choice { choices: Style::WORDS },
         },
     ]
 };

@@ -13,8 +13,8 @@ pub enum Value {
     Integer(u32),
     /// A number.
     Number(Decimal),
-    /// One of the parameter's choices, by its position in the list.
-    Choice(usize),
+    /// One of the parameter's words.
+    Choice(&'static str),
     /// Some sides of the domain.
     Sides(Sides),
     /// A drawn land.

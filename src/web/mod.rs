@@ -376,14 +376,16 @@ fn describe(kind: Kind, row: &Object) {
         Kind::Integer { min, max, .. } => range([min.into(), max.into(), 1.0]),
         Kind::Number { min, max, step, .. } => range([min, max, step].map(Decimal::to_f64)),
         Kind::Outline => set(row, &[("maxLength", LONGEST_OUTLINE.into())]),
-        Kind::Choice { choices } => set(row, &[("choices", choices_of(choices).into())]),
+        Kind::Choice { choices } => {
+            set(row, &[("choices", choices_of(choices.iter().map(|word| (word.name, word.label))).into())])
+        }
         Kind::Sides { .. } => {
             let sides = [("n", "North"), ("e", "East"), ("s", "South"), ("w", "West")];
-            set(row, &[("choices", choices_of(&sides).into())]);
+            set(row, &[("choices", choices_of(sides.into_iter()).into())]);
         }
     }
 }
 
-fn choices_of(choices: &[(&str, &str)]) -> Array {
-    choices.iter().map(|&(value, label)| object(&[("value", value.into()), ("label", label.into())])).collect()
+fn choices_of(choices: impl Iterator<Item = (&'static str, &'static str)>) -> Array {
+    choices.map(|(value, label)| object(&[("value", value.into()), ("label", label.into())])).collect()
 }

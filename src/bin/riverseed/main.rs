@@ -18,12 +18,11 @@ use riverseed::digest::DigestError;
 use riverseed::domain::Domain;
 use riverseed::export;
 use riverseed::import;
-use riverseed::land::LandKind;
 use riverseed::land::trace::{Traced, trace};
 use riverseed::paint::{LONGEST_SIDE, View};
 use riverseed::recipe::table::TABLE;
 use riverseed::recipe::{
-    GridPoint, Key, Kind, LONGEST_OUTLINE, LineKind, Parameter, Recipe, RecipeError, Value, json, link,
+    GridPoint, Key, Kind, LONGEST_OUTLINE, LandKind, LineKind, Parameter, Recipe, RecipeError, json, link,
 };
 use riverseed::session::{Session, SessionError};
 use thiserror::Error;
@@ -332,8 +331,7 @@ fn grow(recipe: Recipe, size: u32, progress: &ProgressBar) -> Result<Session, Fa
 
 /// Whether a drawn land is asked for and nothing that could be land is drawn.
 fn is_undrawn(session: &Session) -> bool {
-    session.recipe().value(Key::Land) == &Value::Choice(LandKind::Drawn as usize)
-        && session.growth().parameters().land.is_none()
+    session.recipe().get::<LandKind>() == LandKind::Drawn && session.growth().parameters().land.is_none()
 }
 
 /// A bar on standard error for long work; invisible where that is not a terminal.
@@ -402,7 +400,7 @@ fn values(parameter: &Parameter) -> String {
         Kind::Integer { min, max, .. } if min == max => min.to_string(),
         Kind::Integer { min, max, .. } => format!("{min} to {max}{unit}"),
         Kind::Number { min, max, .. } => format!("{min} to {max}{unit}"),
-        Kind::Choice { choices } => choices.iter().map(|(word, _)| *word).collect::<Vec<_>>().join(", "),
+        Kind::Choice { choices } => choices.iter().map(|word| word.name).collect::<Vec<_>>().join(", "),
         Kind::Sides { .. } => "some of n, e, s, w".into(),
         Kind::Outline => format!("text, at most {LONGEST_OUTLINE} characters: see below"),
     }

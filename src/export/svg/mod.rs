@@ -13,8 +13,8 @@ use self::text::Text;
 use super::banks::{Banks, Width};
 use super::{ExportError, rivers};
 use crate::network::{NONE, Network, River};
-use crate::paint::{Style, palette_of};
-use crate::recipe::link;
+use crate::paint::palette_of;
+use crate::recipe::{Style, link};
 use crate::session::Session;
 
 /// The map of a session's rivers as they are: the text of an SVG file.

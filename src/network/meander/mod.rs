@@ -15,12 +15,13 @@ use glam::Vec2;
 use super::courses::Courses;
 use super::evenly::divide;
 use super::guard::{Guard, Near};
-use super::parameters::{Model, Parameters};
+use super::parameters::Parameters;
 use super::ranking::simplified;
 use super::smooth::{has_room, limits, smooth};
 use super::width::widen;
 use super::{NONE, Network, Vertex};
 use crate::plane::{length, most};
+use crate::recipe::MeanderModel;
 
 /// Clearances are measured up to this share of a step. Vertices move by less than a third of it in a round.
 const CAP: f32 = 0.75;
@@ -99,7 +100,7 @@ impl Meander {
 
     /// Whether there is no other round to make.
     pub fn is_finished(&self) -> bool {
-        self.parameters.model == Model::None || self.round >= self.parameters.rounds
+        self.parameters.model == MeanderModel::None || self.round >= self.parameters.rounds
     }
 
     /// How freely each vertex moves in this round. Rivers that meander but gently do so in every third round, thrice as
@@ -221,7 +222,7 @@ impl Meander {
 
     fn move_bends(&mut self, downstream: &[u32], clearance: &[f32], pace: &[f32]) {
         let moves = match self.parameters.model {
-            Model::Flow => flow::moves(&self.network, pace, &self.parameters),
+            MeanderModel::Flow => flow::moves(&self.network, pace, &self.parameters),
             _ => bend::moves(&self.network, pace, &self.parameters),
         };
         let limits = limits(clearance, downstream);
@@ -289,29 +290,29 @@ mod tests {
     use super::*;
 
     /// A river of gentle bends, left to itself for some rounds.
-    fn meandered(model: Model, rounds: u32) -> Network {
+    fn meandered(model: MeanderModel, rounds: u32) -> Network {
         let line = sine_generated(0.3, 44.0, 8, 44);
         let mut meander = Meander::of(river(&line, 4.0), Parameters { model, rounds, strength: 0.6, ..parameters() });
         while meander.round() {}
-        assert_eq!(meander.rounds(), if model == Model::None { 0 } else { rounds });
+        assert_eq!(meander.rounds(), if model == MeanderModel::None { 0 } else { rounds });
         meander.network().clone()
     }
 
     #[test]
     fn bends_grow_until_necks_are_cut() {
-        for model in [Model::Bend, Model::Flow] {
+        for model in [MeanderModel::Bend, MeanderModel::Flow] {
             let sinuosity = |rounds| sinuosity(&places(&meandered(model, rounds)));
             let [young, grown] = [sinuosity(0), sinuosity(20)];
             assert!(young < 1.03 && grown > 1.05, "{model:?}: {young}, then {grown}");
         }
-        let old = meandered(Model::Bend, 150);
+        let old = meandered(MeanderModel::Bend, 150);
         assert!(!old.oxbows.is_empty());
         assert!(sinuosity(&places(&old)) < 6.0);
     }
 
     #[test]
     fn without_a_model_nothing_moves() {
-        assert_eq!(places(&meandered(Model::None, 9)), sine_generated(0.3, 44.0, 8, 44));
+        assert_eq!(places(&meandered(MeanderModel::None, 9)), sine_generated(0.3, 44.0, 8, 44));
     }
 
     #[test]

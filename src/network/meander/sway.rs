@@ -5,10 +5,11 @@
 //! is always held where it ends.
 
 use super::super::hydrology::slope;
-use super::super::parameters::{Model, Parameters};
+use super::super::parameters::Parameters;
 use super::super::{NONE, Network, Vertex};
 use crate::order;
 use crate::plane::{distance, least, most, smooth_step};
+use crate::recipe::MeanderModel;
 
 /// No meandering within so many widths of what holds a river.
 const HELD: f32 = 1.0;
@@ -22,7 +23,7 @@ const LEAST: f32 = 0.05;
 
 /// Gives every vertex its sway.
 pub(super) fn give(network: &mut Network, parameters: &Parameters) {
-    if parameters.model == Model::None {
+    if parameters.model == MeanderModel::None {
         return;
     }
     let flat = flat_discharge(network, parameters);

@@ -1,0 +1,142 @@
+//! The parameters that are one of some words, each declared once: a type, and the words, labels and help of its values.
+
+use super::parameter::Key;
+
+/// A value of a parameter that is one of some words.
+pub trait Choice: Copy + PartialEq + 'static {
+    /// The parameter.
+    const KEY: Key;
+    /// All values; the first is the default.
+    const ALL: &'static [Self];
+    /// How they are spelt and called, in the same order.
+    const WORDS: &'static [Word];
+
+    /// How it is spelt and called.
+    fn word(self) -> Word;
+}
+
+/// How a choice is spelt and called.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Word {
+    /// The word in links, attributes, options and JSON.
+    pub name: &'static str,
+    /// What the page calls it.
+    pub label: &'static str,
+    /// One line that says what it is.
+    pub help: &'static str,
+}
+
+macro_rules! choices {
+    ($(
+        $(#[$attribute:meta])*
+        $Choice:ident of $key:ident { $($(#[doc = $help:literal])+ $Value:ident = $name:literal, $label:literal;)+ }
+    )+) => {$(
+        $(#[$attribute])*
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub enum $Choice {
+            $($(#[doc = $help])+ $Value,)+
+        }
+
+        impl Choice for $Choice {
+            const KEY: Key = Key::$key;
+            const ALL: &'static [Self] = &[$(Self::$Value),+];
+            const WORDS: &'static [Word] = &[$(Self::$Value.spelt()),+];
+
+            fn word(self) -> Word {
+                self.spelt()
+            }
+        }
+
+        impl $Choice {
+            const fn spelt(self) -> Word {
+                match self {
+                    $(Self::$Value => Word { name: $name, label: $label, help: concat!($($help),+).trim_ascii() },)+
+                }
+            }
+        }
+    )+};
+}
+
+choices! {
+    /// A shape of land.
+    LandKind of Land {
+        /// One land mass, sea all around.
+        Island = "island", "an island";
+        /// A coast along the chosen sides.
+        Continent = "continent", "a coast";
+        /// Many islands.
+        Archipelago = "archipelago", "an archipelago";
+        /// A coast along the chosen sides, and two ridges that run inland from it.
+        Valley = "valley", "a valley between ridges";
+        /// A lake in the middle: rivers run inward.
+        Basin = "basin", "around a lake";
+        /// The whole domain, with the sea beyond its sides.
+        Rectangle = "rectangle", "the whole rectangle";
+        /// What a person drew: the recipe's outline.
+        Drawn = "drawn", "drawn by hand";
+    }
+
+    /// How a tree of rivers grows.
+    GrowthMethod of Growth {
+        /// Space colonization: attractors draw rivers on.
+        Colonize = "colonize", "space colonization";
+        /// A Brownian tree of wandering particles, coarse to fine.
+        Brownian = "brownian", "Brownian tree";
+    }
+
+    /// How attractors lie.
+    Scatter of Scatter {
+        /// At random.
+        Random = "random", "at random";
+        /// One somewhere in each cell of a grid: an even network.
+        Grid = "grid", "on a jittered grid";
+    }
+
+    /// How rivers meander.
+    MeanderModel of Meander {
+        /// Each bend moves outward and downstream by its own curvature (Hodgin, Dragons Abound).
+        Bend = "bend", "bends grow outward";
+        /// By the curvature upstream of it, too (Howard and Knutson 1984): bends skew and travel.
+        Flow = "flow", "bends skew and travel";
+        /// Not at all.
+        None = "none", "none";
+    }
+
+    /// How a picture is painted.
+    Style of Style {
+        /// Ink on paper, rivers as wide as their discharge asks.
+        Ink = "ink", "ink";
+        /// White lines one pixel wide on black, as in the study of the paper (figure 6.1).
+        Skeleton = "skeleton", "skeleton";
+        /// A coloured map: green lowland, blue rivers and sea.
+        Map = "map", "map";
+        /// The same as ink for pages with a dark scheme: light rivers on paper like the night.
+        Dark = "dark", "dark";
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::recipe::{Kind, Recipe, link};
+
+    fn check<C: Choice + std::fmt::Debug>() {
+        let row = C::KEY.parameter();
+        assert_eq!(row.kind, Kind::Choice { choices: C::WORDS });
+        assert_eq!(Recipe::default().get::<C>(), C::ALL[0]);
+        for &choice in C::ALL {
+            let name = choice.word().name;
+            assert_eq!(link::read(&format!("{}={name}", row.name)).unwrap().get::<C>(), choice);
+            assert!(choice.word().help.ends_with('.'), "{name}");
+        }
+    }
+
+    #[test]
+    fn each_word_is_read_as_its_choice() {
+        check::<LandKind>();
+        check::<GrowthMethod>();
+        check::<Scatter>();
+        check::<MeanderModel>();
+        check::<Style>();
+    }
+}
