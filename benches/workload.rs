@@ -11,8 +11,9 @@ use glam::Vec2;
 use riverseed::domain::Domain;
 use riverseed::grow::{Brownian, Colonize, Field, Growth, Parameters};
 use riverseed::land::Land;
-use riverseed::network::{self, Courses, Meander, NONE, Network, River, Vertex};
+use riverseed::network::{self, Meander, NONE, Network, River, Shaping, Vertex};
 use riverseed::paint::{Coverage, Pen, View, Widths};
+use riverseed::picture::Picture;
 use riverseed::prune::{self, Trim};
 use riverseed::random::Seed;
 use riverseed::recipe::preset::PRESETS;
@@ -184,14 +185,18 @@ fn literal_brownian(side: &str, sensitivity: &str) -> Option<Repetition> {
 fn shaping_of_rivers() -> Option<Repetition> {
     let recipe = recipe("")?;
     let growth = all_grown(&recipe)?;
-    let trim = Trim::of(&recipe);
     Some(Box::new(move || {
-        let pruned = prune::trim(growth.tree(), &Hydrology::of(growth.tree()), trim);
-        let courses = Courses::of(&pruned.tree, true, None);
-        let mut meander = Meander::new(&courses, network::Parameters::of(&recipe, &growth));
-        while meander.round() {}
-        meander.network().vertices.len() as u32
+        let Some(mut shaping) = shaping(&recipe, &growth) else { return 0 };
+        while shaping.step() {}
+        shaping.network().map_or(0, |network| network.vertices.len() as u32)
     }))
+}
+
+/// The rivers of a tree on a plain rectangle, before they are shaped.
+fn shaping(recipe: &Recipe, growth: &Growth) -> Option<Shaping> {
+    let pruned = prune::trim(growth.tree(), &Hydrology::of(growth.tree()), Trim::of(recipe));
+    let parameters = network::Parameters::new(recipe, None, growth.stream_spacing(), growth.everything());
+    Shaping::new(&pruned.tree, growth.may_cross(), parameters).ok()
 }
 
 fn all_grown(recipe: &Recipe) -> Option<Growth> {
@@ -206,13 +211,12 @@ fn half_meandered(maps: u32) -> Option<Meander> {
     let mut recipe = recipe("meander-rounds=400")?;
     recipe.set(Key::Attractors, ATTRACTORS).ok()?;
     let growth = all_grown(&recipe)?;
-    let pruned = prune::trim(growth.tree(), &Hydrology::of(growth.tree()), Trim::of(&recipe));
-    let courses = Courses::of(&pruned.tree, true, None);
-    let mut meander = Meander::new(&courses, network::Parameters::of(&recipe, &growth));
-    (0..20).for_each(|_| {
-        meander.round();
-    });
-    Some(Meander::of(side_by_side(meander.network(), maps, meander.parameters().domain.size), wide(&meander, maps)))
+    let mut shaping = shaping(&recipe, &growth)?;
+    while shaping.meander().is_none_or(|meander| meander.rounds() < 20) {
+        shaping.step();
+    }
+    let meander = shaping.meander()?;
+    Some(Meander::of(side_by_side(meander.network(), maps, meander.parameters().domain.size), wide(meander, maps)))
 }
 
 /// The parameters for so many maps from west to east.
@@ -272,7 +276,7 @@ fn bends_of(model: &str, measure: &str, percent: usize) -> Option<Repetition> {
     let link = format!("meander={model}&great=4&meander-rounds=60");
     let mut all: Vec<f32> = (0..20)
         .filter_map(|seed| {
-            let mut session = Session::new(recipe(&format!("seed={seed}&{link}"))?, 1, 1).ok()?;
+            let mut session = Session::new(recipe(&format!("seed={seed}&{link}"))?).ok()?;
             session.advance(u32::MAX).ok()?;
             Some(bends::bends(session.network()?).iter().map(measure).collect::<Vec<f32>>())
         })
@@ -286,16 +290,17 @@ fn bends_of(model: &str, measure: &str, percent: usize) -> Option<Repetition> {
 /// A parameter of the network or of its painting changes, on a plain map that is there already: until the finished picture.
 fn late(one: &str, other: &str) -> Option<Repetition> {
     let recipes = [recipe(one)?, recipe(other)?];
-    let mut session = Session::new(recipes[0].clone(), SIDE, SIDE).ok()?;
+    let mut session = Session::new(recipes[0].clone()).ok()?;
+    let mut picture = Picture::new(SIDE, SIDE).ok()?;
     session.advance(u32::MAX).ok()?;
-    session.paint();
+    picture.paint(&session);
     let mut turn = 0;
     Some(Box::new(move || {
         turn = 1 - turn;
         if session.change(recipes[turn].clone()).is_err() || session.advance(u32::MAX).is_err() {
             return 0;
         }
-        session.paint();
+        picture.paint(&session);
         session.network().map_or(0, |network| network.rivers.len() as u32)
     }))
 }
@@ -419,7 +424,8 @@ fn changes(one: &str, other: &str, attractors: u32, common: &str) -> Option<Repe
         Some(recipe)
     };
     let recipes = [recipe(one)?, recipe(other)?];
-    let mut session = Session::new(recipes[0].clone(), SIDE, SIDE).ok()?;
+    let mut session = Session::new(recipes[0].clone()).ok()?;
+    let mut picture = Picture::new(SIDE, SIDE).ok()?;
     grow(&mut session)?;
     let mut turn = 0;
     Some(Box::new(move || {
@@ -427,7 +433,7 @@ fn changes(one: &str, other: &str, attractors: u32, common: &str) -> Option<Repe
         if session.change(recipes[turn].clone()).is_err() || grow(&mut session).is_none() {
             return 0;
         }
-        session.paint();
+        picture.paint(&session);
         session.tree().len() as u32
     }))
 }
@@ -445,16 +451,17 @@ fn differing_bytes() -> Option<u32> {
     const TICKS_A_FRAME: u32 = 8;
     let recipe = recipe(&format!("{BARE}&attractors={ATTRACTORS_FOR_SEGMENTS}"))?;
     let painted = |ticks: u32| {
-        let mut session = Session::new(recipe.clone(), SIDE, SIDE).ok()?;
+        let mut session = Session::new(recipe.clone()).ok()?;
+        let mut picture = Picture::new(SIDE, SIDE).ok()?;
         while session.growth().ending().is_none() {
             for _ in 0..ticks {
                 if session.growth().ending().is_none() {
                     session.advance(1).ok()?;
                 }
             }
-            session.paint();
+            picture.paint(&session);
         }
-        Some(session.pixmap().data().to_vec())
+        Some(picture.pixmap().data().to_vec())
     };
     let (frames, at_once) = (painted(TICKS_A_FRAME)?, painted(u32::MAX)?);
     Some(frames.iter().zip(&at_once).filter(|(a, b)| a != b).count() as u32)

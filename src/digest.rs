@@ -4,6 +4,8 @@ use thiserror::Error;
 
 use crate::export::{ExportError, Value, geojson, json, svg};
 use crate::network::Vertex;
+use crate::paint::PaintError;
+use crate::picture::Picture;
 use crate::prune::Pruned;
 use crate::recipe::Recipe;
 use crate::session::{Session, SessionError};
@@ -18,6 +20,9 @@ pub enum DigestError {
     /// The recipe cannot be shown.
     #[error(transparent)]
     Session(#[from] SessionError),
+    /// It cannot be painted.
+    #[error(transparent)]
+    Paint(#[from] PaintError),
     /// Its files cannot be written.
     #[error(transparent)]
     Export(#[from] ExportError),
@@ -29,9 +34,10 @@ pub enum DigestError {
 /// # Errors
 /// If the memory is not to be had.
 pub fn digest(recipe: &Recipe) -> Result<String, DigestError> {
-    let mut session = Session::new(recipe.clone(), WIDTH, WIDTH)?;
+    let mut session = Session::new(recipe.clone())?;
     while session.advance(u32::MAX)? {}
-    session.paint();
+    let mut picture = Picture::new(WIDTH, WIDTH)?;
+    picture.paint(&session);
     let mut hash = Fnv1a::new();
     let Pruned { tree, hydrology, origin } = session.pruned();
     session.tree().at.iter().for_each(|at| hash.words([at.x.to_bits(), at.y.to_bits()]));
@@ -51,7 +57,7 @@ pub fn digest(recipe: &Recipe) -> Result<String, DigestError> {
             hash.words([at.x.to_bits(), at.y.to_bits(), discharge, left.to_bits(), right.to_bits(), sway.to_bits()]);
         });
     }
-    hash.bytes(session.pixmap().data());
+    hash.bytes(picture.pixmap().data());
     hash.bytes(svg::svg(&session)?.as_bytes());
     hash.value(&geojson::collection(&session)?);
     hash.value(&json::network(&session, true)?);

@@ -5,6 +5,8 @@
 
 use glam::Vec2;
 
+use crate::recipe::{Key, Recipe};
+
 /// The area of every domain, in square units.
 pub const AREA: f32 = 1_000_000.0;
 
@@ -16,6 +18,11 @@ pub struct Domain {
 }
 
 impl Domain {
+    /// The domain of a recipe.
+    pub fn of(recipe: &Recipe) -> Self {
+        Self::with_aspect(recipe.number(Key::Aspect))
+    }
+
     /// The domain of the given width to height.
     pub fn with_aspect(aspect: f32) -> Self {
         let height = (AREA / aspect).sqrt();

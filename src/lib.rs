@@ -40,6 +40,7 @@ mod memory;
 pub mod network;
 mod order;
 pub mod paint;
+pub mod picture;
 mod plane;
 #[cfg(test)]
 #[path = "../tests/common/property.rs"]

@@ -1,83 +1,50 @@
 //! A session: one recipe at a time, each stage's result kept, and after a change only what it touches run again.
 
+use std::sync::Arc;
+
 use thiserror::Error;
 
-use crate::grow::{Ending, GrowError, Growth, Parameters};
-use crate::memory;
-use crate::network::{self, Courses, Meander, NONE, Network};
-use crate::paint::{PaintError, Painter, Progress, Rect, Rivers};
+use crate::domain::Domain;
+use crate::grow::{self, Ending, GrowError, Growth};
+use crate::land::Land;
+use crate::network::{self, Meander, NONE, Network, ShapeError, Shaping, ask_for_memory};
 use crate::prune::{self, Pruned, Trim};
-use crate::recipe::{GrowthMethod, Key, Recipe, Stage, Style};
+use crate::recipe::{Recipe, Stage};
 use crate::tree::{Hydrology, Tree};
 
-/// Why a recipe cannot be shown.
+/// Why a recipe cannot be made into rivers.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum SessionError {
     /// It cannot be grown.
     #[error(transparent)]
     Grow(#[from] GrowError),
-    /// It cannot be painted.
+    /// Its tree cannot be made into rivers.
     #[error(transparent)]
-    Paint(#[from] PaintError),
-    /// The memory to make rivers of its tree was not to be had.
-    #[error("attractors: rivers of {nodes} nodes need about {megabytes} MB, which this machine does not give")]
-    NoRivers {
-        /// How many nodes the tree has.
-        nodes: u32,
-        /// About how much is needed.
-        megabytes: u32,
-    },
+    Shape(#[from] ShapeError),
 }
 
-/// A recipe, its tree as far as it has grown, and its picture.
+/// A recipe with what its stages have made of it so far: land, tree, rivers.
 ///
 /// ```
 /// use riverseed::{recipe::link, session::Session};
 ///
-/// let recipe = link::read("seed=kauri&curl=0.6")?;
-/// let mut session = Session::new(recipe, 300, 200)?;
-/// while session.advance(10)? {
-///     session.paint(); // only what is new
-/// }
-/// session.paint();
-/// assert_eq!(session.pixmap().width(), 300);
+/// let mut session = Session::new(link::read("seed=kauri&curl=0.6")?)?;
+/// while session.advance(10)? {}
+/// let rivers = &session.network().expect("it is finished").rivers;
+/// assert!(rivers.len() > 100);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct Session {
     recipe: Recipe,
+    /// `None` if all of the domain is land.
+    land: Option<Arc<Land>>,
     growth: Growth,
     /// Once growth has ended.
-    shaped: Option<Shaped>,
-    painter: Painter,
-}
-
-/// A tree on its way to rivers.
-#[derive(Clone, Debug)]
-struct Shaped {
-    /// How many nodes are left of the tree, trimmed.
-    nodes: u32,
-    rivers: Shaping,
-}
-
-/// What has been made of a tree: a stage a step, so that none keeps a page waiting for long.
-#[derive(Clone, Debug)]
-enum Shaping {
-    Courses(Network),
-    Ranked(Courses),
-    /// Smooth courses, and how often they may be thinned out.
-    Smooth(Courses, Network, u32),
-    Rivers(Courses, Box<Meander>),
-}
-
-impl Shaping {
-    /// Goes back to the courses that were smoothed: they are to be simplified otherwise.
-    fn unsmooth(&mut self) {
-        if let Self::Smooth(courses, ..) = self {
-            *self = Self::Ranked(std::mem::take(courses));
-        }
-    }
+    shaping: Option<Shaping>,
+    /// How often what there is has been given up for something else.
+    generation: u64,
 }
 
 /// What the next step of a session does.
@@ -127,14 +94,14 @@ impl Summary {
 }
 
 impl Session {
-    /// Plants a recipe, for a picture of the given size in pixels.
+    /// Shapes the land of a recipe and plants its tree.
     ///
     /// # Errors
-    /// If a side is out of range, or the memory is not to be had.
-    pub fn new(recipe: Recipe, width: u32, height: u32) -> Result<Self, SessionError> {
-        let growth = Growth::new(Parameters::of(&recipe))?;
-        let painter = Painter::new(&growth.parameters().domain, width, height)?;
-        Ok(Self { recipe, growth, shaped: None, painter })
+    /// If the memory is not to be had.
+    pub fn new(recipe: Recipe) -> Result<Self, SessionError> {
+        let land = Land::of(&recipe);
+        let growth = plant(&recipe, &land)?;
+        Ok(Self { recipe, land, growth, shaping: None, generation: 0 })
     }
 
     /// The recipe.
@@ -142,9 +109,14 @@ impl Session {
         &self.recipe
     }
 
-    /// How it is painted.
-    pub fn style(&self) -> Style {
-        self.recipe.get()
+    /// The rectangle that the map shows.
+    pub fn domain(&self) -> Domain {
+        Domain::of(&self.recipe)
+    }
+
+    /// The land; `None` if all of the domain is.
+    pub fn land(&self) -> Option<&Arc<Land>> {
+        self.land.as_ref()
     }
 
     /// Goes over to another recipe. Returns the earliest stage that has to run again, `None` if nothing is different.
@@ -153,60 +125,21 @@ impl Session {
     /// As [`Session::new`]; everything is then as before.
     pub fn change(&mut self, recipe: Recipe) -> Result<Option<Stage>, SessionError> {
         let stage = self.recipe.first_difference(&recipe);
-        match stage {
-            Some(Stage::Land) => self.grow(Parameters::of(&recipe), recipe)?,
-            Some(Stage::Grow) => {
-                let land = self.growth.parameters().land.clone();
-                self.grow(Parameters::on_land(&recipe, land), recipe)?;
-            }
-            Some(Stage::Prune) => {
-                self.recipe = recipe;
-                self.shaped = None;
-                self.painter.start_over();
-            }
-            Some(Stage::Shape) => {
-                self.recipe = recipe;
-                let parameters = network::Parameters::of(&self.recipe, &self.growth);
-                match self.shaped.as_mut().map(|shaped| &mut shaped.rivers) {
-                    Some(Shaping::Rivers(courses, meander)) => **meander = Meander::new(courses, parameters),
-                    Some(rivers @ Shaping::Smooth(..)) => rivers.unsmooth(),
-                    _ => {}
-                }
-                self.painter.start_over();
-            }
-            Some(Stage::Paint) => {
-                self.recipe = recipe;
-                self.painter.start_over();
-            }
-            None => {}
+        if matches!(stage, Some(Stage::Land | Stage::Grow)) {
+            let land = if stage == Some(Stage::Land) { Land::of(&recipe) } else { self.land.clone() };
+            self.growth = plant(&recipe, &land)?;
+            self.land = land;
         }
+        self.recipe = recipe;
+        if matches!(stage, Some(Stage::Land | Stage::Grow | Stage::Prune)) {
+            self.shaping = None;
+        }
+        if stage == Some(Stage::Shape) && self.shaping.is_some() {
+            let parameters = self.network_parameters();
+            self.shaping.iter_mut().for_each(|shaping| shaping.change(parameters.clone()));
+        }
+        self.generation += u64::from(stage.is_some());
         Ok(stage)
-    }
-
-    /// Plants another recipe. The picture's memory is kept if its shape is, and the land that it shows.
-    fn grow(&mut self, parameters: Parameters, recipe: Recipe) -> Result<(), SessionError> {
-        let growth = Growth::new(parameters)?;
-        let (old, new) = (self.growth.parameters(), growth.parameters());
-        let is_same_land = old.is_on_land_of(new);
-        if old.domain == new.domain {
-            self.painter.start_over();
-        } else {
-            self.painter = Painter::new(&new.domain, self.pixmap().width(), self.pixmap().height())?;
-        }
-        if !is_same_land {
-            self.painter.leave_land();
-        }
-        (self.recipe, self.growth, self.shaped) = (recipe, growth, None);
-        Ok(())
-    }
-
-    /// Paints the same rivers at another size.
-    ///
-    /// # Errors
-    /// If a side is out of range; everything is then as before.
-    pub fn resize(&mut self, width: u32, height: u32) -> Result<(), SessionError> {
-        self.painter = Painter::new(&self.growth.parameters().domain, width, height)?;
-        Ok(())
     }
 
     /// Goes back to tick 0.
@@ -214,10 +147,16 @@ impl Session {
     /// # Errors
     /// If the memory is not to be had; everything is then as before.
     pub fn restart(&mut self) -> Result<(), SessionError> {
-        self.growth = Growth::new(self.growth.parameters().clone())?;
-        self.shaped = None;
-        self.painter.start_over();
+        self.growth = plant(&self.recipe, &self.land)?;
+        self.shaping = None;
+        self.generation += 1;
         Ok(())
+    }
+
+    /// How often what there is has been given up for something else, by [`Session::change`] and [`Session::restart`]: while
+    /// this stays the same a session only goes on.
+    pub(crate) fn generation(&self) -> u64 {
+        self.generation
     }
 
     /// Goes on by so many steps at most: ticks of growth, then a few that make rivers of the tree, then rounds of meandering.
@@ -245,50 +184,20 @@ impl Session {
         if let Some(failure) = self.growth.failure() {
             return Err(failure.into());
         }
-        self.shaped = Some(match self.shaped.take() {
-            None => self.draw_courses()?,
-            Some(Shaped { nodes, rivers }) => Shaped { nodes, rivers: self.shape(rivers) },
-        });
+        match &mut self.shaping {
+            None => self.shaping = Some(self.shape()?),
+            Some(shaping) => drop(shaping.step()),
+        }
         Ok(!self.is_finished())
     }
 
-    /// Finds the courses of rivers in the tree.
-    fn draw_courses(&self) -> Result<Shaped, SessionError> {
+    /// Trims the tree, and begins to make rivers of it.
+    fn shape(&self) -> Result<Shaping, ShapeError> {
         /// Of the trimmed tree, and both trees' hydrology.
-        const BYTES_A_NODE_TO_TRIM: usize = 64;
-        /// By trials with less and less memory, rivers of 300,000 attractors take 200 to 235 at most.
-        const BYTES_A_NODE: usize = 256;
-        ask_for_rivers(self.tree().len(), BYTES_A_NODE_TO_TRIM)?;
+        const BYTES_A_NODE: usize = 64;
+        ask_for_memory(self.tree().len(), BYTES_A_NODE)?;
         let Pruned { tree, .. } = self.pruned();
-        ask_for_rivers(tree.len(), BYTES_A_NODE)?;
-        // The rivers of a Brownian tree never touch, so they do not cross.
-        let may_cross = self.growth.parameters().method == GrowthMethod::Colonize;
-        let rivers = Shaping::Courses(Courses::unranked(&tree, may_cross));
-        Ok(Shaped { nodes: tree.len() as u32, rivers })
-    }
-
-    /// The next stage of rivers.
-    fn shape(&self, rivers: Shaping) -> Shaping {
-        match rivers {
-            Shaping::Courses(network) => {
-                Shaping::Ranked(Courses::ranked(network, self.growth.parameters().land.as_deref()))
-            }
-            Shaping::Ranked(courses) => {
-                let network = network::smooth_courses(&courses, &self.network_parameters());
-                Shaping::Smooth(courses, network, network::THINNINGS)
-            }
-            Shaping::Smooth(courses, mut network, times) => {
-                if times > 0 && network::thin_out(&mut network, &self.network_parameters()) {
-                    return Shaping::Smooth(courses, network, times - 1);
-                }
-                let meander = Box::new(Meander::along(network, self.network_parameters()));
-                Shaping::Rivers(courses, meander)
-            }
-            Shaping::Rivers(courses, mut meander) => {
-                meander.round();
-                Shaping::Rivers(courses, meander)
-            }
-        }
+        Shaping::new(&tree, self.growth.may_cross(), self.network_parameters())
     }
 
     /// Whether there is nothing more to do.
@@ -298,10 +207,10 @@ impl Session {
 
     /// What the next step does.
     pub fn phase(&self) -> Phase {
-        match self.shaped.as_ref().map(|shaped| &shaped.rivers) {
-            Some(Shaping::Rivers(_, meander)) if !meander.is_finished() => Phase::Meandering,
-            Some(Shaping::Rivers(..)) => Phase::Finished,
-            Some(Shaping::Courses(_) | Shaping::Ranked(_) | Shaping::Smooth(..)) => Phase::Shaping,
+        match &self.shaping {
+            Some(shaping) if shaping.is_finished() => Phase::Finished,
+            Some(shaping) if shaping.network().is_some() => Phase::Meandering,
+            Some(_) => Phase::Shaping,
             None if self.growth.ending().is_some() => Phase::Shaping,
             None => Phase::Growing,
         }
@@ -323,39 +232,18 @@ impl Session {
     }
 
     fn meander(&self) -> Option<&Meander> {
-        match &self.shaped {
-            Some(Shaped { rivers: Shaping::Rivers(_, meander), .. }) => Some(meander),
-            _ => None,
-        }
+        self.shaping.as_ref().and_then(Shaping::meander)
+    }
+
+    /// How many rounds the rivers have meandered; `None` while there are none yet.
+    pub fn rounds(&self) -> Option<u32> {
+        self.meander().map(Meander::rounds)
     }
 
     /// How the rivers of this recipe are made of its tree.
     pub fn network_parameters(&self) -> network::Parameters {
-        network::Parameters::of(&self.recipe, &self.growth)
-    }
-
-    /// Brings the picture up to date. Returns the rectangle that changed; `None` if nothing did.
-    pub fn paint(&mut self) -> Option<Rect> {
-        let recipe = &self.recipe;
-        let land = self.growth.parameters().land.as_deref();
-        if let Some(Shaped { rivers: Shaping::Rivers(_, meander), .. }) = &self.shaped {
-            let (network, rounds) = (meander.network(), meander.rounds());
-            return self.painter.paint_rivers(&Rivers { network, rounds, land, style: recipe.get() });
-        }
-        self.painter.paint(&Progress {
-            tree: self.growth.tree(),
-            finished: self.growth.ending().is_some(),
-            trim: Trim::of(recipe),
-            everything: self.growth.everything(),
-            full_width: recipe.number(Key::Width),
-            land,
-            style: recipe.get(),
-        })
-    }
-
-    /// The picture: RGBA, opaque.
-    pub fn pixmap(&self) -> &tiny_skia::Pixmap {
-        self.painter.pixmap()
+        let growth = &self.growth;
+        network::Parameters::new(&self.recipe, self.land.clone(), growth.stream_spacing(), growth.everything())
     }
 
     /// The untrimmed tree, as far as it has grown.
@@ -389,31 +277,24 @@ impl Session {
             rounds: 0,
             oxbows: 0,
         };
-        match &self.shaped {
-            Some(Shaped { nodes, rivers: Shaping::Rivers(_, meander) }) => {
-                let rivers = &meander.network().rivers;
-                Summary {
-                    nodes: *nodes,
-                    mouths: rivers.iter().filter(|river| river.joins == NONE).count() as u32,
-                    sources: rivers.len() as u32,
-                    order: rivers.iter().map(|river| river.order).max().unwrap_or(0),
-                    rounds: meander.rounds(),
-                    oxbows: meander.network().oxbows.len() as u32,
-                    ..so_far
-                }
-            }
-            _ => so_far,
+        let Some((shaping, meander)) = self.shaping.as_ref().zip(self.meander()) else { return so_far };
+        let Network { rivers, oxbows, .. } = meander.network();
+        Summary {
+            nodes: shaping.nodes(),
+            mouths: rivers.iter().filter(|river| river.joins == NONE).count() as u32,
+            sources: rivers.len() as u32,
+            order: rivers.iter().map(|river| river.order).max().unwrap_or(0),
+            rounds: meander.rounds(),
+            oxbows: oxbows.len() as u32,
+            ..so_far
         }
     }
 }
 
-/// Asks for the memory of so many nodes on their way to rivers.
-fn ask_for_rivers(nodes: usize, bytes_a_node: usize) -> Result<(), SessionError> {
-    let bytes = nodes * bytes_a_node;
-    if memory::is_to_be_had(bytes) {
-        return Ok(());
-    }
-    Err(SessionError::NoRivers { nodes: nodes as u32, megabytes: (bytes / 1_000_000) as u32 + 1 })
+/// Begins the growth of a recipe on its land.
+fn plant(recipe: &Recipe, land: &Option<Arc<Land>>) -> Result<Growth, GrowError> {
+    Growth::new(grow::Parameters::new(recipe, land.clone()))
 }
+
 #[cfg(test)]
 mod tests;

@@ -10,6 +10,7 @@ use glam::{Vec2, Vec3};
 use proptest::prelude::*;
 use riverseed::grow::{Brownian, Ending, Field, Growth, Order, Parameters};
 use riverseed::land::Cell;
+use riverseed::picture::Picture;
 use riverseed::random::Seed;
 use riverseed::recipe::{Key, Sides, link};
 use riverseed::session::Session;
@@ -384,12 +385,13 @@ fn the_test_of_directions_sees_the_bias_of_particles_in_rows() {
 fn slices_of_any_length_grow_the_same_tree() {
     let recipe = link::read(&plain("growth=brownian&land=island&sensitivity=16")).unwrap();
     let grown = |ticks: u32| {
-        let mut session = Session::new(recipe.clone(), 200, 200).unwrap();
+        let mut session = Session::new(recipe.clone()).unwrap();
+        let mut picture = Picture::new(200, 200).unwrap();
         while session.advance(ticks).unwrap() {
-            session.paint();
+            picture.paint(&session);
         }
-        session.paint();
-        (session.tree().clone(), session.pixmap().data().to_vec())
+        picture.paint(&session);
+        (session.tree().clone(), picture.pixmap().data().to_vec())
     };
     let at_once = grown(u32::MAX);
     assert!(grown(1) == at_once && grown(7) == at_once);

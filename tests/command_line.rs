@@ -123,7 +123,7 @@ fn numbers_are_written_in_full() {
     let network = network("full.json", &["attractors=150"]);
     let tree = {
         use riverseed::{recipe::link, session::Session};
-        let mut session = Session::new(link::read("attractors=150").unwrap(), 1, 1).unwrap();
+        let mut session = Session::new(link::read("attractors=150").unwrap()).unwrap();
         while session.advance(9).unwrap() {}
         session.pruned().tree
     };

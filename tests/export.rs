@@ -15,11 +15,12 @@ use geojson::{FeatureCollection, GeometryValue};
 use proptest::prelude::*;
 use resvg::{tiny_skia, usvg};
 use riverseed::export::{ExportError, geojson as to_geojson, json as to_json, svg};
+use riverseed::picture::Picture;
 use riverseed::recipe::link;
 use riverseed::session::Session;
 
-fn finished(link: &str, width: u32, height: u32) -> Session {
-    let mut session = Session::new(link::read(&plain(link)).unwrap(), width, height).unwrap();
+fn finished(link: &str) -> Session {
+    let mut session = Session::new(link::read(&plain(link)).unwrap()).unwrap();
     while session.advance(64).unwrap() {}
     session
 }
@@ -50,7 +51,7 @@ fn check_svg(session: &Session) {
         assert!(!data.contains("21474836"), "{data}");
     }
     let tree = usvg::Tree::from_str(&text, &usvg::Options::default()).unwrap();
-    let size = session.growth().parameters().domain.size;
+    let size = session.domain().size;
     assert!((tree.size().width() - size.x).abs() < 0.01 && (tree.size().height() - size.y).abs() < 0.01);
 }
 
@@ -122,7 +123,7 @@ fn check_json(session: &Session) {
 }
 
 fn check_files(link: &str) {
-    let session = finished(link, 1, 1);
+    let session = finished(link);
     check_svg(&session);
     check_geojson(&session);
     check_json(&session);
@@ -144,7 +145,7 @@ fn lakes_are_valid_polygons_and_none_is_lost() {
         "seed=s6&edition=1&land=island&sensitivity=24&attractors=800&trim=60&simplify=95&width=40&vary=0&meander-rounds=400&meander-strength=1&gentle=0&great=16&flat=1",
         "seed=p2&edition=1&attractors=658&trim=16&simplify=42&width=21&vary=0.20&meander-rounds=279&meander-strength=1&gentle=0&great=12&flat=1&neck=1&buffer=0&taper=3",
     ] {
-        let session = finished(link, 1, 1);
+        let session = finished(link);
         assert!(session.network().unwrap().oxbows.len() > 200, "{link}");
         check_geojson(&session);
     }
@@ -170,7 +171,7 @@ fn network_of_few_attractors_in_a_tower_can_be_read() {
 fn hostile_seeds_are_text_and_nothing_else() {
     let seed = r#"<script>alert("&'")</script>]]>-->"#;
     let query: String = seed.bytes().map(|byte| format!("%{byte:02x}")).collect();
-    let session = finished(&format!("seed={query}&attractors=100"), 1, 1);
+    let session = finished(&format!("seed={query}&attractors=100"));
     check_svg(&session);
     let text = svg::svg(&session).unwrap();
     let document = roxmltree::Document::parse(&text).unwrap();
@@ -186,7 +187,7 @@ fn hostile_seeds_are_text_and_nothing_else() {
 #[test]
 fn map_without_rivers_is_a_file_too() {
     let shut_off = "land=drawn&rough=0&aspect=1&attractors=100&outline=.MzMzzMMzzMzMMzzM..M1M1zKM1zKzKM1zKM1M1..M4M4zHM4zHzHM4zHM4M4";
-    let session = finished(shut_off, 1, 1);
+    let session = finished(shut_off);
     assert_eq!(session.network().unwrap().rivers.len(), 0);
     check_svg(&session);
     check_json(&session);
@@ -195,7 +196,7 @@ fn map_without_rivers_is_a_file_too() {
 
 #[test]
 fn nothing_is_written_while_the_tree_grows() {
-    let session = Session::new(link::read("attractors=100").unwrap(), 1, 1).unwrap();
+    let session = Session::new(link::read("attractors=100").unwrap()).unwrap();
     assert_eq!(svg::svg(&session), Err(ExportError::Unfinished));
     assert_eq!(to_geojson::collection(&session).err(), Some(ExportError::Unfinished));
     assert_eq!(to_json::network(&session, false).err(), Some(ExportError::Unfinished));
@@ -214,9 +215,9 @@ fn drawn(session: &Session) -> tiny_skia::Pixmap {
 #[test]
 fn rivers_of_an_svg_end_at_the_coast() {
     let link = "aspect=1&land=archipelago&rough=1&attractors=600&width=";
-    let [narrow, wide] = ["2", "40"].map(|width| finished(&format!("{link}{width}"), SIDE, SIDE));
+    let [narrow, wide] = ["2", "40"].map(|width| finished(&format!("{link}{width}")));
     let (narrow_map, wide_map) = (drawn(&narrow), drawn(&wide));
-    let land = narrow.growth().parameters().land.as_deref().unwrap();
+    let land = narrow.land().unwrap();
     for (i, (narrow, wide)) in narrow_map.pixels().iter().zip(wide_map.pixels()).enumerate() {
         let height =
             land.relief().height(glam::Vec2::new((i as u32 % SIDE) as f32 + 0.5, (i as u32 / SIDE) as f32 + 0.5));
@@ -231,11 +232,12 @@ fn svg_looks_like_the_picture() {
         "seed=rimu&aspect=1&attractors=2000&land=island&style=map&mouths=9&meander-rounds=200&width=30",
         "seed=totara&aspect=1&land=valley&growth=brownian&sensitivity=24",
     ] {
-        let mut session = finished(link, SIDE, SIDE);
-        session.paint();
+        let session = finished(link);
+        let mut picture = Picture::new(SIDE, SIDE).unwrap();
+        picture.paint(&session);
         let pixmap = drawn(&session);
         let differ = |(a, b): (&[u8], &[u8])| a.iter().zip(b).any(|(a, b)| a.abs_diff(*b) > 60);
-        let pixels = pixmap.data().chunks_exact(4).zip(session.pixmap().data().chunks_exact(4));
+        let pixels = pixmap.data().chunks_exact(4).zip(picture.pixmap().data().chunks_exact(4));
         let differing = pixels.filter(|&pair| differ(pair)).count();
         assert!(differing * 100 < (SIDE * SIDE) as usize, "{link}: {differing} pixels differ");
     }

@@ -14,7 +14,8 @@ use common::plain::plain;
 use riverseed::domain::Domain;
 use riverseed::export::png::{LINK_KEYWORD, write};
 use riverseed::paint::View;
-use riverseed::recipe::{Key, Recipe, link};
+use riverseed::picture::Picture;
+use riverseed::recipe::{Recipe, link};
 use riverseed::session::Session;
 use tiny_skia::Pixmap;
 
@@ -70,12 +71,13 @@ const PICTURES: &[(&str, &str)] = &[
 ];
 
 fn picture(recipe: Recipe, width: u32) -> Pixmap {
-    let height = View::height_for(&Domain::with_aspect(recipe.number(Key::Aspect)), width);
-    let mut session = Session::new(recipe, width, height).unwrap();
+    let height = View::height_for(&Domain::of(&recipe), width);
+    let mut session = Session::new(recipe).unwrap();
     while session.advance(u32::MAX).unwrap() {}
     assert!(!session.summary().is_stalled(), "{:?} grows next to nothing", session.recipe());
-    session.paint();
-    session.pixmap().clone()
+    let mut picture = Picture::new(width, height).unwrap();
+    picture.paint(&session);
+    picture.pixmap().clone()
 }
 
 fn root() -> &'static Path {

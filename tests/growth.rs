@@ -127,7 +127,7 @@ fn no_kind_of_land_is_left_dry() {
 fn every_island_of_some_size_has_rivers() {
     for seed in 0..10 {
         let parameters = parameters(&format!("land=archipelago&seed={seed}&mouths=1"));
-        let land = parameters.land.clone().unwrap();
+        let land = parameters.land().unwrap().clone();
         let mouths = riverseed::grow::mouths(&parameters);
         let all: u32 = land.regions().iter().map(|region| region.cells).sum();
         for region in land.regions().iter().filter(|region| region.cells * 100 >= all) {
@@ -199,7 +199,7 @@ fn check_tree(tree: &Tree, parameters: &Parameters) -> Result<(), TestCaseError>
             prop_assert!((length - parameters.step).abs() < 1e-3 * parameters.step, "{length}");
         }
     }
-    let most = if parameters.land.is_some() { usize::MAX } else { parameters.mouths as usize };
+    let most = if parameters.land().is_some() { usize::MAX } else { parameters.mouths as usize };
     prop_assert!((1..=most).contains(&tree.mouths()));
     prop_assert_eq!(tree.ticks().count(), tree.len());
     Ok(())
@@ -251,7 +251,7 @@ fn recipes_that_once_failed_grow_as_promised() {
 }
 
 fn is_land(parameters: &Parameters, point: Vec2) -> bool {
-    parameters.land.as_ref().is_none_or(|land| land.at(point) == Cell::Available)
+    parameters.land().is_none_or(|land| land.at(point) == Cell::Available)
 }
 
 /// An island whose ridge, drawn twice, shuts all its land off from its coast.
@@ -291,7 +291,7 @@ fn no_river_of_either_growth_crosses_a_ridge() {
         let link = format!("seed={seed}&growth={growth}&sensitivity=40&land=valley&rough=1&attractors=1500");
         let mut grown = Growth::new(parameters(&link)).unwrap();
         while grown.tick() {}
-        let (tree, land) = (grown.tree(), grown.parameters().land.clone().unwrap());
+        let (tree, land) = (grown.tree(), grown.parameters().land().unwrap().clone());
         let ridges: Vec<&[Vec2]> = land.ridges().iter().flat_map(|ridge| ridge.windows(2)).collect();
         assert!(tree.len() > 100 && !ridges.is_empty(), "{link}");
         for node in 0..tree.len() {

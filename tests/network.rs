@@ -10,20 +10,25 @@ use glam::Vec2;
 use proptest::prelude::*;
 use riverseed::grow::{Growth, Parameters};
 use riverseed::land::Land;
-use riverseed::network::{self, Courses, Guard, Meander, NONE, Network, hydrology, meet};
+use riverseed::network::{self, Guard, Meander, NONE, Network, Shaping, hydrology, meet};
 use riverseed::prune;
-use riverseed::recipe::{GrowthMethod, Recipe, link};
+use riverseed::recipe::{Recipe, link};
 use riverseed::tree::Hydrology;
 
 fn shaped(recipe: &Recipe) -> Meander {
-    let mut growth = Growth::new(Parameters::of(recipe)).unwrap();
+    let land = Land::of(recipe);
+    let mut growth = Growth::new(Parameters::new(recipe, land.clone())).unwrap();
     while growth.tick() {}
     let pruned = prune::trim(growth.tree(), &Hydrology::of(growth.tree()), prune::Trim::of(recipe));
-    let may_cross = growth.parameters().method == GrowthMethod::Colonize;
-    let courses = Courses::of(&pruned.tree, may_cross, growth.parameters().land.as_deref());
+    let parameters = network::Parameters::new(recipe, land, growth.stream_spacing(), growth.everything());
+    let mut shaping = Shaping::new(&pruned.tree, growth.may_cross(), parameters).unwrap();
+    while shaping.meander().is_none() {
+        shaping.step();
+    }
+    let courses = shaping.courses().unwrap();
     check_rivers(&courses.network);
     check_no_crossing(&courses.network, "as grown");
-    Meander::new(&courses, network::Parameters::of(recipe, &growth))
+    shaping.meander().unwrap().clone()
 }
 
 /// Two segments with no end in common never meet. A sweep from west to east, with nothing of the guard's.

@@ -7,17 +7,22 @@ use common::plain::plain;
 use common::property::cases;
 use common::random_link;
 use proptest::prelude::*;
+use riverseed::picture::Picture;
 use riverseed::recipe::{Key, Recipe, link};
 use riverseed::session::{Phase, Session};
 
 /// The picture after painting every so many ticks.
 fn painted(recipe: &Recipe, ticks: u32) -> Vec<u8> {
-    let mut session = Session::new(recipe.clone(), 120, 90).unwrap();
+    let (mut session, mut picture) = (Session::new(recipe.clone()).unwrap(), picture());
     while session.advance(ticks).unwrap() {
-        session.paint();
+        picture.paint(&session);
     }
-    session.paint();
-    session.pixmap().data().to_vec()
+    picture.paint(&session);
+    picture.pixmap().data().to_vec()
+}
+
+fn picture() -> Picture {
+    Picture::new(120, 90).unwrap()
 }
 
 /// A change from one recipe to the other, by way of the other procedure of growth, and while the first still grows.
@@ -28,16 +33,13 @@ fn check_change(link: &str, other: &str) {
         recipe
     };
     for (from, to) in [(link::read(link).unwrap(), recipe(other)), (recipe(link), link::read(other).unwrap())] {
-        // With the same domain, the picture's memory may be kept.
-        let mut to = to;
-        to.set(Key::Aspect, &from.number(Key::Aspect).to_string()).unwrap();
-        let mut session = Session::new(from, 120, 90).unwrap();
+        let (mut session, mut picture) = (Session::new(from).unwrap(), picture());
         session.advance(40).unwrap();
-        session.paint();
+        picture.paint(&session);
         session.change(to.clone()).unwrap();
         while session.advance(u32::MAX).unwrap() {}
-        session.paint();
-        assert!(session.pixmap().data() == painted(&to, u32::MAX), "{link} to {other}");
+        picture.paint(&session);
+        assert!(picture.pixmap().data() == painted(&to, u32::MAX), "{link} to {other}");
     }
 }
 
@@ -55,16 +57,16 @@ proptest! {
         let recipe = link::read(&link).unwrap();
         let mut other = recipe.clone();
         other.set(Key::Trim, &trim.to_string()).unwrap();
-        let mut session = Session::new(recipe.clone(), 120, 90).unwrap();
+        let (mut session, mut picture) = (Session::new(recipe.clone()).unwrap(), picture());
         while session.advance(7).unwrap() {}
-        session.paint();
+        picture.paint(&session);
         session.change(other).unwrap();
         while session.advance(7).unwrap() {}
-        session.paint();
+        picture.paint(&session);
         session.change(recipe.clone()).unwrap();
         while session.advance(7).unwrap() {}
-        session.paint();
-        prop_assert!(session.pixmap().data() == painted(&recipe, u32::MAX), "{link}");
+        picture.paint(&session);
+        prop_assert!(picture.pixmap().data() == painted(&recipe, u32::MAX), "{link}");
     }
 
     #[test]
@@ -75,15 +77,15 @@ proptest! {
         let mut other = recipe.clone();
         other.set(Key::Simplify, &simplify.to_string()).unwrap();
         other.set(Key::Width, &width.to_string()).unwrap();
-        let mut session = Session::new(recipe, 120, 90).unwrap();
+        let (mut session, mut picture) = (Session::new(recipe).unwrap(), picture());
         while session.phase() == Phase::Growing {
             session.advance(1).unwrap();
         }
         session.advance(steps).unwrap();
         session.change(other.clone()).unwrap();
         while session.advance(u32::MAX).unwrap() {}
-        session.paint();
-        prop_assert!(session.pixmap().data() == painted(&other, u32::MAX), "{link}");
+        picture.paint(&session);
+        prop_assert!(picture.pixmap().data() == painted(&other, u32::MAX), "{link}");
     }
 
     #[test]
@@ -101,10 +103,11 @@ fn changing_the_procedure_of_growth_alone_gives_its_picture() {
 
 /// The finished picture of a land and its rivers, a pixel a unit.
 fn map(link: &str) -> (Session, Vec<[u8; 4]>) {
-    let mut session = Session::new(link::read(&plain(link)).unwrap(), 1000, 1000).unwrap();
+    let mut session = Session::new(link::read(&plain(link)).unwrap()).unwrap();
+    let mut picture = Picture::new(1000, 1000).unwrap();
     while session.advance(u32::MAX).unwrap() {}
-    session.paint();
-    let pixels = session.pixmap().data().as_chunks().0.to_vec();
+    picture.paint(&session);
+    let pixels = picture.pixmap().data().as_chunks().0.to_vec();
     (session, pixels)
 }
 
@@ -113,7 +116,7 @@ fn rivers_end_at_the_coast_and_the_sea_is_the_same_whatever_runs_into_it() {
     for style in ["map", "ink", "skeleton"] {
         let link = format!("aspect=1&land=archipelago&rough=1&attractors=600&style={style}");
         let ((session, narrow), (_, wide)) = (map(&format!("{link}&width=2")), map(&format!("{link}&width=40")));
-        let land = session.growth().parameters().land.as_deref().unwrap();
+        let land = session.land().unwrap();
         let mut inland = 0;
         for (i, (narrow, wide)) in narrow.iter().zip(&wide).enumerate() {
             let height = land.relief().height(glam::Vec2::new((i % 1000) as f32 + 0.5, (i / 1000) as f32 + 0.5));

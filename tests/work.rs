@@ -20,7 +20,7 @@ fn coasts(seed: &str, lines: u32, points: u32) -> String {
 /// The most elementary steps that a step of a session takes, by phase, and the bound.
 fn most_steps(recipe: &str) -> (BTreeMap<String, u64>, u64) {
     let begun = work::steps();
-    let mut session = Session::new(link::read(recipe).unwrap(), 64, 64).unwrap();
+    let mut session = Session::new(link::read(recipe).unwrap()).unwrap();
     let mut phases = BTreeMap::from([("Planting".to_owned(), work::steps() - begun)]);
     let mut goes_on = true;
     while goes_on {

@@ -8,6 +8,7 @@ use riverseed::export::{geojson, json, svg};
 use riverseed::network::Network;
 use riverseed::recipe::table::TABLE;
 use riverseed::recipe::{Decimal, Key, Kind, Parameter, Recipe};
+use riverseed::picture::Picture;
 use riverseed::session::Session;
 
 /// A recipe, and what is done to it.
@@ -50,18 +51,21 @@ fuzz_target!(|play: Play| {
     for choice in play.recipe.iter().take(MOST_ACTS) {
         choose(&mut recipe, choice);
     }
-    let mut session = Session::new(recipe, 40, 30).expect("it is small");
+    let mut session = Session::new(recipe).expect("it is small");
+    let mut picture = Picture::new(40, 30).expect("it is small");
     for act in play.acts.iter().take(MOST_ACTS) {
-        take(&mut session, act);
+        take(&mut session, &mut picture, act);
     }
     finish(&mut session);
-    let (width, height) = (session.pixmap().width(), session.pixmap().height());
-    let mut fresh = Session::new(session.recipe().clone(), width, height).expect("it is small");
+    picture.paint(&session);
+    let mut fresh = Session::new(session.recipe().clone()).expect("it is small");
     finish(&mut fresh);
+    let mut fresh_picture = Picture::new(picture.pixmap().width(), picture.pixmap().height()).expect("it is small");
+    fresh_picture.paint(&fresh);
     assert!(session.tree() == fresh.tree(), "another tree");
     assert!(session.network() == fresh.network(), "other rivers");
     assert_eq!(session.summary(), fresh.summary());
-    assert!(session.pixmap().data() == fresh.pixmap().data(), "another picture");
+    assert!(picture.pixmap().data() == fresh_picture.pixmap().data(), "another picture");
     check_files(&session);
 });
 
@@ -114,13 +118,13 @@ fn between(min: Decimal, max: Decimal, share: u16) -> String {
     format!("{:.4}", min + (max - min) * f64::from(share) / 65535.0)
 }
 
-fn take(session: &mut Session, act: &Act) {
+fn take(session: &mut Session, picture: &mut Picture, act: &Act) {
     match act {
         Act::Advance(steps) => {
             session.advance(u32::from(*steps)).expect("memory for a small tree");
         }
         Act::Paint => {
-            session.paint();
+            picture.paint(session);
         }
         Act::Change(choice) => {
             let mut recipe = session.recipe().clone();
@@ -128,7 +132,7 @@ fn take(session: &mut Session, act: &Act) {
             session.change(recipe).expect("it is small");
         }
         Act::Resize(width, height) => {
-            session.resize(u32::from(*width % 64) + 1, u32::from(*height % 64) + 1).expect("it is small");
+            *picture = Picture::new(u32::from(*width % 64) + 1, u32::from(*height % 64) + 1).expect("it is small");
         }
         Act::Restart => session.restart().expect("it is small"),
     }
@@ -136,7 +140,6 @@ fn take(session: &mut Session, act: &Act) {
 
 fn finish(session: &mut Session) {
     assert!(!session.advance(MOST_STEPS).expect("memory for a small tree"), "it does not end");
-    session.paint();
     let at = &session.tree().at;
     assert!(at.iter().all(|at| at.is_finite()), "a tree");
     assert!(session.network().is_none_or(is_finite), "rivers");

@@ -25,7 +25,7 @@ pub fn collection(session: &Session) -> Result<Value<'_>, ExportError> {
     let network = rivers(session, BYTES_A_VERTEX)?;
     let parameters = session.network_parameters();
     let elevations = hydrology::elevations(network, parameters.everything);
-    let features = Features { network, domain: parameters.domain, elevations };
+    let features = Features { network, domain: session.domain(), elevations };
     let mut lakes = Vec::new();
     for (id, oxbow) in (0..).zip(&network.oxbows) {
         if let Some(ring) = Banks::of_lake(oxbow, 0.0).simple_ring(|at| features.grid(at)) {

@@ -22,7 +22,7 @@ pub fn network(session: &Session, with_attractors: bool) -> Result<Value<'_>, Ex
     let network = rivers(session, BYTES_A_VERTEX)?;
     let parameters = session.growth().parameters();
     let mut domain = Members::default();
-    domain.single("width", parameters.domain.size.x).single("height", parameters.domain.size.y);
+    domain.single("width", session.domain().size.x).single("height", session.domain().size.y);
     let mut form = Members::default();
     form.value("recipe", recipe(session.recipe()))
         .object("resolved", resolved(session))

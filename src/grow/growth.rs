@@ -104,6 +104,22 @@ impl Growth {
         }
     }
 
+    /// About how far apart streams lie, in units: the distance between attractors, or the sensitivity.
+    pub fn stream_spacing(&self) -> f32 {
+        match self.parameters.method {
+            GrowthMethod::Colonize => self.parameters.spacing,
+            GrowthMethod::Brownian => self.parameters.sensitivity,
+        }
+    }
+
+    /// Whether steps of the tree may cross each other: the strands of a Brownian tree never touch.
+    pub fn may_cross(&self) -> bool {
+        match self.parameters.method {
+            GrowthMethod::Colonize => true,
+            GrowthMethod::Brownian => false,
+        }
+    }
+
     /// How much of everything is drained so far.
     pub fn drained(&self) -> u32 {
         match &self.grower {

@@ -17,7 +17,7 @@ pub struct Parameters {
     /// The rectangle.
     pub domain: Domain,
     /// The land; `None` if all of the domain is.
-    pub land: Option<Arc<Land>>,
+    pub(in crate::grow) land: Option<Arc<Land>>,
     /// How many rivers reach the sea; on land with several regions, and around a lake, there are more.
     pub mouths: u32,
     /// How many of them in each region of the land, largest first. Regions without one stay dry.
@@ -61,13 +61,13 @@ const LEAST_AREA: f32 = AREA / 20.0;
 const MOUTHS_OF_A_LAKE: u32 = 3;
 
 impl Parameters {
-    /// Resolves a recipe.
+    /// Resolves a recipe, land and all.
     pub fn of(recipe: &Recipe) -> Self {
-        Self::on_land(recipe, Land::of(recipe).map(Arc::new))
+        Self::new(recipe, Land::of(recipe))
     }
 
-    /// Resolves a recipe whose land has been shaped before.
-    pub fn on_land(recipe: &Recipe, land: Option<Arc<Land>>) -> Self {
+    /// Resolves a recipe whose land has been shaped before; `None` if all of the domain is.
+    pub fn new(recipe: &Recipe, land: Option<Arc<Land>>) -> Self {
         let attractors = recipe.integer(Key::Attractors);
         let mouths = recipe.integer(Key::Mouths);
         let is_lake = recipe.get::<LandKind>() == LandKind::Basin;
@@ -82,7 +82,7 @@ impl Parameters {
         let spacings = |key| recipe.number(key) * spacing;
         Self {
             seed: Seed::from_text(recipe.seed()),
-            domain: Domain::with_aspect(recipe.number(Key::Aspect)),
+            domain: Domain::of(recipe),
             land,
             basins,
             mouths,
@@ -105,13 +105,10 @@ impl Parameters {
 }
 
 impl Parameters {
-    /// Whether others are for the very same land, shaped once.
-    pub fn is_on_land_of(&self, other: &Self) -> bool {
-        match (&self.land, &other.land) {
-            (None, None) => true,
-            (Some(land), Some(other)) => Arc::ptr_eq(land, other),
-            (None, Some(_)) | (Some(_), None) => false,
-        }
+    /// The land; for tests: a session has it, too.
+    #[doc(hidden)]
+    pub fn land(&self) -> Option<&Arc<Land>> {
+        self.land.as_ref()
     }
 
     /// The regions of the land that have a mouth; none of the plain rectangle.

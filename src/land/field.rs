@@ -1,5 +1,7 @@
 //! Land as growth and painting ask for it: the relief, the grid of cells made of it, its regions and its ridges.
 
+use std::sync::Arc;
+
 use glam::Vec2;
 
 use super::grid::{Cell, Grid, SIDE};
@@ -42,19 +44,19 @@ enum Hides {
 impl Land {
     /// The land of a recipe; `None` for the plain rectangle, which is all land, and for a drawn land of which nothing is
     /// drawn, or no water, or next to no land.
-    pub fn of(recipe: &Recipe) -> Option<Self> {
+    pub fn of(recipe: &Recipe) -> Option<Arc<Self>> {
         let shape = Shape {
             kind: recipe.get(),
-            domain: Domain::with_aspect(recipe.number(Key::Aspect)),
+            domain: Domain::of(recipe),
             sides: recipe.sides(Key::Sides),
             seed: Seed::from_text(recipe.seed()),
             sea: recipe.number(Key::Sea),
             rough: recipe.number(Key::Rough),
         };
         if shape.kind == LandKind::Drawn {
-            return Self::drawn(&shape, recipe.outline()?);
+            return Self::drawn(&shape, recipe.outline()?).map(Arc::new);
         }
-        Some(Self::new(&shape.domain, shape.relief()?, shape.ridges()))
+        Some(Arc::new(Self::new(&shape.domain, shape.relief()?, shape.ridges())))
     }
 
     /// The land of an outline; `None` if it is nearly all water, or all land.
@@ -179,7 +181,7 @@ mod tests {
     use super::*;
     use crate::recipe::link;
 
-    fn land(text: &str) -> Land {
+    fn land(text: &str) -> Arc<Land> {
         Land::of(&link::read(&format!("aspect=1.5&{text}")).unwrap()).unwrap()
     }
 

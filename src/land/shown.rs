@@ -151,8 +151,9 @@ mod tests {
     use crate::land::Land;
     use crate::recipe::link;
     use glam::Vec2;
+    use std::sync::Arc;
 
-    fn lands() -> impl Iterator<Item = Land> {
+    fn lands() -> impl Iterator<Item = Arc<Land>> {
         let links = ["island", "continent", "archipelago", "valley", "basin"].into_iter().flat_map(|kind| {
             [0.0, 0.5, 1.0].map(|rough| format!("aspect=1.5&land={kind}&sea=0.5&rough={rough}&seed=k{rough}"))
         });

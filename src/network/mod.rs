@@ -24,6 +24,7 @@ mod parameters;
 mod ranking;
 #[cfg(test)]
 mod samples;
+mod shaping;
 mod smooth;
 mod uncross;
 mod width;
@@ -32,9 +33,11 @@ pub use crate::plane::{gap, meet};
 pub use courses::Courses;
 pub use curvature::curvature;
 pub use guard::{Guard, Near};
-pub use meander::{Meander, THINNINGS, smooth_courses, thin_out};
+pub use meander::Meander;
 pub use middle::Place;
 pub use parameters::Parameters;
+pub(crate) use shaping::ask_for_memory;
+pub use shaping::{ShapeError, Shaping};
 
 use std::ops::Range;
 

@@ -5,11 +5,10 @@ use std::sync::Arc;
 use fastnoise_lite::{FastNoiseLite, FractalType, NoiseType};
 
 use crate::domain::Domain;
-use crate::grow::Growth;
 use crate::land::Land;
 use crate::plane::{least, most};
 use crate::random::{Purpose, Seed};
-use crate::recipe::{GrowthMethod, Key, MeanderModel, Recipe};
+use crate::recipe::{Key, MeanderModel, Recipe};
 
 /// The parameters of the network stage, resolved.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,7 +18,7 @@ pub struct Parameters {
     /// The rectangle.
     pub domain: Domain,
     /// The land; `None` if all of the domain is.
-    pub land: Option<Arc<Land>>,
+    pub(super) land: Option<Arc<Land>>,
     /// About how far apart the vertices of a course are.
     pub spacing: f32,
     /// The discharge that counts as everything.
@@ -55,20 +54,16 @@ pub struct Parameters {
 }
 
 impl Parameters {
-    /// The parameters of a recipe, for the network of a growth.
-    pub fn of(recipe: &Recipe, growth: &Growth) -> Self {
-        let grown = growth.parameters();
-        let between_streams = match grown.method {
-            GrowthMethod::Colonize => grown.spacing,
-            GrowthMethod::Brownian => grown.sensitivity,
-        };
+    /// The parameters of a recipe, for a tree on some land whose streams lie so many units apart, and of which a river that
+    /// drains everything would have this discharge.
+    pub fn new(recipe: &Recipe, land: Option<Arc<Land>>, stream_spacing: f32, total_discharge: u32) -> Self {
         Self {
-            seed: grown.seed,
-            domain: grown.domain,
-            land: grown.land.clone(),
-            spacing: (between_streams * SPACING).clamp(LEAST_SPACING, MOST_SPACING),
-            everything: growth.everything().max(1),
-            hairline: least(HAIRLINE, between_streams * HAIRLINE_SHARE),
+            seed: Seed::from_text(recipe.seed()),
+            domain: Domain::of(recipe),
+            land,
+            spacing: (stream_spacing * SPACING).clamp(LEAST_SPACING, MOST_SPACING),
+            everything: total_discharge.max(1),
+            hairline: least(HAIRLINE, stream_spacing * HAIRLINE_SHARE),
             full_width: recipe.number(Key::Width),
             simplify: recipe.number(Key::Simplify) / 100.0,
             vary: recipe.number(Key::Vary),
@@ -80,7 +75,7 @@ impl Parameters {
             great: recipe.integer(Key::Great),
             flat: recipe.number(Key::Flat),
             neck: recipe.number(Key::Neck),
-            buffer: recipe.number(Key::Buffer) * between_streams,
+            buffer: recipe.number(Key::Buffer) * stream_spacing,
             taper: recipe.number(Key::Taper),
         }
     }

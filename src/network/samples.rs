@@ -3,7 +3,6 @@
 use glam::Vec2;
 
 use super::{NONE, Network, Parameters, River, Vertex};
-use crate::grow::{self, Growth};
 use crate::recipe::link;
 
 /// The parameters of a plain rectangle, vertices a unit apart.
@@ -11,8 +10,7 @@ pub(super) fn parameters() -> Parameters {
     let recipe =
         link::read("land=rectangle&mouths=3&attractors=100&curl=0&trim=4&width=14&vary=0&meander-rounds=24&great=1")
             .unwrap();
-    let growth = Growth::new(grow::Parameters::of(&recipe)).unwrap();
-    Parameters { spacing: 1.0, hairline: 0.1, buffer: 0.5, ..Parameters::of(&recipe, &growth) }
+    Parameters { spacing: 1.0, hairline: 0.1, buffer: 0.5, ..Parameters::new(&recipe, None, 100.0, 100) }
 }
 
 /// A river through some points, as wide everywhere, that moves freely.

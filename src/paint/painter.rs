@@ -98,8 +98,9 @@ impl Painter {
         &self.pixmap
     }
 
-    /// Forgets the ground: other land comes next.
-    pub fn leave_land(&mut self) {
+    /// Forgets the ground: other land comes next, of a domain that may have another shape.
+    pub fn leave_land(&mut self, next: &Domain) {
+        self.view = self.view.of(next);
         self.ground = None;
     }
 

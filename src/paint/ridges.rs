@@ -88,7 +88,7 @@ mod tests {
     use super::*;
     use crate::recipe::link;
 
-    fn land(link: &str) -> Land {
+    fn land(link: &str) -> std::sync::Arc<Land> {
         Land::of(&link::read(link).unwrap()).unwrap()
     }
 

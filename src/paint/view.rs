@@ -55,9 +55,14 @@ impl View {
         if !allowed.contains(&width) || !allowed.contains(&height) {
             return Err(PaintError::Size { width, height });
         }
-        let size = Vec2::new(width as f32, height as f32);
+        Ok(Self { width, height, scale: 1.0, offset: Vec2::ZERO }.of(domain))
+    }
+
+    /// Covers the same picture with another domain.
+    pub fn of(self, domain: &Domain) -> Self {
+        let size = Vec2::new(self.width as f32, self.height as f32);
         let scale = (size / domain.size).max_element();
-        Ok(Self { width, height, scale, offset: (size - domain.size * scale) / 2.0 })
+        Self { scale, offset: (size - domain.size * scale) / 2.0, ..self }
     }
 
     /// The height that a picture of this width has if it shows the domain whole.

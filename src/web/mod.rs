@@ -10,6 +10,7 @@ use wasm_bindgen::prelude::*;
 use crate::dice;
 use crate::grow::Ending;
 use crate::paint::{PaintError, Rect};
+use crate::picture::Picture;
 use crate::recipe::link::{self, Notice};
 use crate::recipe::preset::{PRESETS, Preset};
 use crate::recipe::table::TABLE;
@@ -20,7 +21,7 @@ use crate::session::{Phase, Session, SessionError};
 const TYPES: &str = r#"
 /** The stages of a river, in the order in which they run. */
 export type Stage = "land" | "grow" | "prune" | "shape" | "paint";
-/** What a river's next step does: a tick of growth; rivers made of the tree, all at once; a round of meandering; nothing. */
+/** What a river's next step does: a tick of growth; rivers made of the tree, in a few; a round of meandering; nothing. */
 export type Phase = "growing" | "shaping" | "meandering" | "finished";
 /** A row of the parameter table. */
 export interface Parameter {
@@ -163,20 +164,21 @@ fn points(line: &Float32Array) -> Vec<Vec2> {
     line.to_vec().chunks_exact(2).map(Vec2::from_slice).collect()
 }
 
-/// A river: a recipe, its tree as far as it has grown, and its picture.
+/// A river: a recipe, its tree as far as it has grown, and its picture, if it has been given a size.
 #[wasm_bindgen]
 pub struct River {
     session: Session,
+    picture: Option<Picture>,
     dirty: Option<Rect>,
 }
 
 #[wasm_bindgen]
 impl River {
-    /// Plants a recipe, read strictly, for a picture of the given size in pixels. Throws an Error with a `code`.
+    /// Plants a recipe, read strictly. It has no picture until it is given a size. Throws an Error with a `code`.
     #[wasm_bindgen(constructor)]
-    pub fn new(link: &str, width_px: u32, height_px: u32) -> Result<Self, JsValue> {
-        let session = Session::new(read_strictly(link)?, width_px, height_px).map_err(|error| session_error(&error))?;
-        Ok(Self { session, dirty: None })
+    pub fn new(link: &str) -> Result<Self, JsValue> {
+        let session = Session::new(read_strictly(link)?).map_err(|error| session_error(&error))?;
+        Ok(Self { session, picture: None, dirty: None })
     }
 
     /// Goes over to another recipe and says what has to run again. If it throws, everything is as before.
@@ -186,9 +188,10 @@ impl River {
         Ok(stage.map_or("none", Stage::name).into())
     }
 
-    /// Paints the same rivers at another size.
+    /// Gives it a picture of this size, to be painted anew. If it throws, everything is as before.
     pub fn resize(&mut self, width_px: u32, height_px: u32) -> Result<(), JsValue> {
-        self.session.resize(width_px, height_px).map_err(|error| session_error(&error))
+        self.picture = Some(Picture::new(width_px, height_px).map_err(|error| paint_error(&error))?);
+        Ok(())
     }
 
     /// Goes back to tick 0.
@@ -197,10 +200,10 @@ impl River {
     }
 
     /// Goes on by so many steps at most: ticks of growth, then a few that make rivers of the tree, then rounds of
-    /// meandering. Returns whether there is nothing more to do. Throws an Error with the code `no-memory` if that is not
+    /// meandering. Returns whether there is more to do. Throws an Error with the code `no-memory` if that is not
     /// to be had: what is there then is no picture of the recipe.
     pub fn advance(&mut self, steps: u32) -> Result<bool, JsValue> {
-        self.session.advance(steps).map(|more| !more).map_err(|error| coded("no-memory", &error.to_string()))
+        self.session.advance(steps).map_err(|error| coded("no-memory", &error.to_string()))
     }
 
     /// What the next step does.
@@ -215,9 +218,9 @@ impl River {
         .into()
     }
 
-    /// Draws what is new. Returns whether any pixel changed.
+    /// Draws what is new. Returns whether any pixel changed: none does without a picture.
     pub fn paint(&mut self) -> bool {
-        self.dirty = self.session.paint();
+        self.dirty = self.picture.as_mut().and_then(|picture| picture.paint(&self.session));
         self.dirty.is_some()
     }
 
@@ -226,34 +229,34 @@ impl River {
         self.dirty.map_or_else(|| vec![0; 4], |r| vec![r.left, r.top, r.right - r.left, r.bottom - r.top])
     }
 
-    /// Where the picture's bytes begin in the module's memory: RGBA, opaque.
+    /// Where the picture's bytes begin in the module's memory: RGBA, opaque; 0 without a picture.
     #[wasm_bindgen(js_name = pixelsPointer)]
     pub fn pixels_pointer(&self) -> u32 {
-        self.session.pixmap().data().as_ptr() as u32
+        self.picture.as_ref().map_or(0, |picture| picture.pixmap().data().as_ptr() as u32)
     }
 
-    /// How many bytes the picture has.
+    /// How many bytes the picture has; 0 without one.
     #[wasm_bindgen(js_name = pixelsLength)]
     pub fn pixels_length(&self) -> u32 {
-        self.session.pixmap().data().len() as u32
+        self.picture.as_ref().map_or(0, |picture| picture.pixmap().data().len() as u32)
     }
 
-    /// Width of the picture in pixels.
+    /// Width of the picture in pixels; 0 without one.
     #[wasm_bindgen(getter)]
     pub fn width(&self) -> u32 {
-        self.session.pixmap().width()
+        self.picture.as_ref().map_or(0, |picture| picture.pixmap().width())
     }
 
-    /// Height of the picture in pixels.
+    /// Height of the picture in pixels; 0 without one.
     #[wasm_bindgen(getter)]
     pub fn height(&self) -> u32 {
-        self.session.pixmap().height()
+        self.picture.as_ref().map_or(0, |picture| picture.pixmap().height())
     }
 
     /// Width of the domain over its height.
     #[wasm_bindgen(getter)]
     pub fn aspect(&self) -> f32 {
-        let size = self.session.growth().parameters().domain.size;
+        let size = self.session.domain().size;
         size.x / size.y
     }
 
@@ -303,8 +306,15 @@ fn read_strictly(text: &str) -> Result<Recipe, JsValue> {
 
 fn session_error(error: &SessionError) -> JsValue {
     let code = match error {
-        SessionError::Paint(PaintError::Size { width: 0, .. } | PaintError::Size { height: 0, .. }) => "bad-params",
-        SessionError::Grow(_) | SessionError::Paint(_) | SessionError::NoRivers { .. } => "too-large",
+        SessionError::Grow(_) | SessionError::Shape(_) => "too-large",
+    };
+    coded(code, &error.to_string())
+}
+
+fn paint_error(error: &PaintError) -> JsValue {
+    let code = match error {
+        PaintError::Size { width: 0, .. } | PaintError::Size { height: 0, .. } => "bad-params",
+        PaintError::Size { .. } | PaintError::OutOfMemory { .. } => "too-large",
     };
     coded(code, &error.to_string())
 }

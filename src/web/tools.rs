@@ -5,7 +5,7 @@ use serde::Serialize;
 use serde_wasm_bindgen::Serializer;
 use wasm_bindgen::prelude::*;
 
-use super::{River, coded, object, read_strictly, session_error};
+use super::{River, coded, object, paint_error, read_strictly, session_error};
 use crate::digest::{self, DigestError};
 use crate::export::{ExportError, Value, geojson, json, svg};
 use crate::land::trace;
@@ -49,6 +49,7 @@ pub fn longest_traced_side() -> u32 {
 pub fn digest_of(link: &str) -> Result<String, JsValue> {
     digest::digest(&read_strictly(link)?).map_err(|error| match &error {
         DigestError::Session(error) => session_error(error),
+        DigestError::Paint(error) => paint_error(error),
         DigestError::Export(error) => export_error(error),
     })
 }

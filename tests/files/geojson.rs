@@ -12,7 +12,7 @@ use super::{finished, geojson, list, names, of_all, some};
 
 /// Where a point of the domain lies on the globe, east and north: a unit is a hundredth of a degree, the middle at 0, 0.
 fn degrees(session: &Session, at: Vec2) -> DVec2 {
-    let size = session.growth().parameters().domain.size.as_dvec2();
+    let size = session.domain().size.as_dvec2();
     let at = at.as_dvec2();
     DVec2::new((at.x - size.x / 2.0) / 100.0, (size.y / 2.0 - at.y) / 100.0)
 }

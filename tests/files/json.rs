@@ -58,7 +58,7 @@ fn lengths_are_resolved() {
         near(&domain["width"], 1000.0 * aspect.sqrt());
         near(&domain["height"], 1000.0 / aspect.sqrt());
         let spacing = resolved["spacing"].as_f64().unwrap() as f32;
-        if session.growth().parameters().land.is_none() {
+        if session.land().is_none() {
             near(&resolved["spacing"], (1e6 / recipe.number(Key::Attractors)).sqrt());
         }
         for key in [Key::Reach, Key::Kill, Key::Step] {

@@ -31,7 +31,7 @@ const LINKS: [&str; 6] = [
 ];
 
 fn finished(link: &str) -> Session {
-    let mut session = Session::new(link::read(&plain(link)).unwrap(), 1, 1).unwrap();
+    let mut session = Session::new(link::read(&plain(link)).unwrap()).unwrap();
     while session.advance(64).unwrap() {}
     session
 }

@@ -19,7 +19,8 @@ use riverseed::domain::Domain;
 use riverseed::export;
 use riverseed::import;
 use riverseed::land::trace::{Traced, trace};
-use riverseed::paint::{LONGEST_SIDE, View};
+use riverseed::paint::{LONGEST_SIDE, PaintError, View};
+use riverseed::picture::Picture;
 use riverseed::recipe::table::TABLE;
 use riverseed::recipe::{
     GridPoint, Key, Kind, LONGEST_OUTLINE, LandKind, LineKind, Parameter, Recipe, RecipeError, json, link,
@@ -54,6 +55,8 @@ enum Failure {
     #[error(transparent)]
     Session(#[from] SessionError),
     #[error(transparent)]
+    Paint(#[from] PaintError),
+    #[error(transparent)]
     Digest(#[from] DigestError),
     #[error("{}: the ending of the output is none of .png, .svg, .geojson, .json", path.display())]
     Ending { path: PathBuf },
@@ -74,6 +77,7 @@ impl Failure {
         match self {
             Self::Recipe(_) | Self::Ending { .. } | Self::Mismatch { .. } => ExitCode::from(2),
             Self::Session(_)
+            | Self::Paint(_)
             | Self::Digest(_)
             | Self::File { .. }
             | Self::Picture { .. }
@@ -225,21 +229,25 @@ fn render(matches: &ArgMatches) -> Result<(), Failure> {
 
 fn write_png(output: Output, recipe: Recipe, size: u32) -> Result<(), Failure> {
     let progress = progress(&recipe, size);
-    let mut session = grow(recipe, size, &progress)?;
+    let domain = Domain::of(&recipe);
+    let height = View::height_for(&domain, size);
+    let (width, height) = if height <= size { (size, height) } else { (View::width_for(&domain, size), size) };
+    let mut picture = Picture::new(width, height)?;
+    let session = grow(recipe, &progress)?;
     progress.set_message("painting");
-    session.paint();
+    picture.paint(&session);
     progress.set_message("writing");
     output.write(|out| {
         let link = link::write(session.recipe());
-        Ok(export::png::write(out, session.pixmap(), &link).map_err(io::Error::from)?)
+        Ok(export::png::write(out, picture.pixmap(), &link).map_err(io::Error::from)?)
     })?;
     progress.finish_and_clear();
     Ok(())
 }
 
 fn write_network(output: Output, recipe: Recipe, form: Form, with_attractors: bool) -> Result<(), Failure> {
-    let progress = progress(&recipe, 1);
-    let session = grow(recipe, 1, &progress)?;
+    let progress = progress(&recipe, 0);
+    let session = grow(recipe, &progress)?;
     progress.set_message("writing");
     output.write(|out| {
         match form {
@@ -304,11 +312,8 @@ fn read_recipe(path: &Path) -> Result<String, Failure> {
 }
 
 /// Grows a recipe to its end.
-fn grow(recipe: Recipe, size: u32, progress: &ProgressBar) -> Result<Session, Failure> {
-    let domain = Domain::with_aspect(recipe.number(Key::Aspect));
-    let height = View::height_for(&domain, size);
-    let (width, height) = if height <= size { (size, height) } else { (View::width_for(&domain, size), size) };
-    let mut session = Session::new(recipe, width, height)?;
+fn grow(recipe: Recipe, progress: &ProgressBar) -> Result<Session, Failure> {
+    let mut session = Session::new(recipe)?;
     if is_undrawn(&session) {
         eprintln!("riverseed: land is 'drawn' but no outline shows both land and water; all of the map is land");
     }
@@ -331,7 +336,7 @@ fn grow(recipe: Recipe, size: u32, progress: &ProgressBar) -> Result<Session, Fa
 
 /// Whether a drawn land is asked for and nothing that could be land is drawn.
 fn is_undrawn(session: &Session) -> bool {
-    session.recipe().get::<LandKind>() == LandKind::Drawn && session.growth().parameters().land.is_none()
+    session.recipe().get::<LandKind>() == LandKind::Drawn && session.land().is_none()
 }
 
 /// A bar on standard error for long work; invisible where that is not a terminal.

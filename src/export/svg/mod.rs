@@ -8,6 +8,8 @@ mod ground;
 mod path;
 mod text;
 
+use std::sync::Arc;
+
 use self::path::Path;
 use self::text::Text;
 use super::banks::{Banks, Width};
@@ -25,8 +27,9 @@ pub fn svg(session: &Session) -> Result<String, ExportError> {
     /// Two banks of about a dozen characters a point, in a text that grows by doubling.
     const BYTES_A_VERTEX: usize = 80;
     let network = rivers(session, BYTES_A_VERTEX)?;
-    let (recipe, grown, style) = (session.recipe(), session.growth().parameters(), session.style());
-    let (size, palette) = (grown.domain.size, palette_of(style));
+    let (recipe, land) = (session.recipe(), session.land());
+    let (size, style) = (session.domain().size, recipe.get());
+    let palette = palette_of(style);
     let mut out = Text::default();
     out.text("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"").units(size.x).text("\" height=\"").units(size.y);
     out.text("\" viewBox=\"0 0 ").units(size.x).text(" ").units(size.y);
@@ -34,9 +37,9 @@ pub fn svg(session: &Session) -> Result<String, ExportError> {
     out.text("</title>\n<metadata id=\"riverseed\">").escaped(&link::write(recipe));
     out.text("</metadata>\n<clipPath id=\"map\"><path d=\"M0 0H").units(size.x).text("V").units(size.y);
     out.text("H0z\"/></clipPath>\n<g clip-path=\"url(#map)\">\n");
-    ground::ground(&mut out, size, grown.land.as_deref(), palette);
+    ground::ground(&mut out, size, land.map(Arc::as_ref), palette);
     // The shore is where rivers end; in a land without a sea nothing is clipped.
-    let clip = if grown.land.is_some() { "\" clip-path=\"url(#shore)" } else { "" };
+    let clip = if land.is_some() { "\" clip-path=\"url(#shore)" } else { "" };
     out.text("<g id=\"rivers").text(clip).text("\" fill=\"").colour(palette.river).text("\">\n");
     draw_rivers(&mut out, network, width(style));
     if style != Style::Skeleton {

@@ -42,15 +42,8 @@ pub struct Meander {
 }
 
 impl Meander {
-    /// Round 0: courses simplified, smooth and as wide as they will be.
-    pub fn new(courses: &Courses, parameters: Parameters) -> Self {
-        let mut network = smooth_courses(courses, &parameters);
-        let _ = (0..THINNINGS).all(|_| thin_out(&mut network, &parameters));
-        Self::along(network, parameters)
-    }
-
-    /// The same from courses that are smooth and thinned out already.
-    pub fn along(mut network: Network, parameters: Parameters) -> Self {
+    /// Round 0: courses that are smooth and thinned out, as wide as they will be.
+    pub(super) fn along(mut network: Network, parameters: Parameters) -> Self {
         widen(&mut network, &parameters);
         sway::give(&mut network, &parameters);
         Self::of(network, parameters)
@@ -244,20 +237,17 @@ impl Meander {
     }
 }
 
-/// Courses simplified and smooth, without widths: the first part of the work for round 0.
-pub fn smooth_courses(courses: &Courses, parameters: &Parameters) -> Network {
+/// Courses simplified and smooth, without widths.
+pub(super) fn smooth_courses(courses: &Courses, parameters: &Parameters) -> Network {
     let coarse = simplified(&courses.network, &courses.ranking, parameters.simplify);
     let (mut network, origin) = divide(&coarse, parameters);
     smooth(&mut network, &coarse, &origin, parameters);
     network
 }
 
-/// How often courses are thinned out at most.
-pub const THINNINGS: u32 = 4;
-
 /// Takes out vertices that lie closer than they need, as those of a Brownian tree do, of which hardly any have been
 /// simplified away: half of them at a time. Returns whether there were enough of them to look again.
-pub fn thin_out(network: &mut Network, parameters: &Parameters) -> bool {
+pub(super) fn thin_out(network: &mut Network, parameters: &Parameters) -> bool {
     let downstream = network.downstream();
     let is_close = |(vertex, &below): (&Vertex, &u32)| {
         let next = network.vertices.get(below as usize);

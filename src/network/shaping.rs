@@ -1,0 +1,149 @@
+//! From a tree to rivers, as a stepper: courses, the order in which their vertices go, smooth courses, thinned out in a few
+//! steps, then widths and rounds of meandering. No step keeps a page waiting for long.
+
+use thiserror::Error;
+
+use super::courses::Courses;
+use super::meander::{Meander, smooth_courses, thin_out};
+use super::{Network, Parameters};
+use crate::memory;
+use crate::tree::Tree;
+
+/// Why a tree cannot be made into rivers.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[non_exhaustive]
+pub enum ShapeError {
+    /// The memory was not to be had.
+    #[error("attractors: rivers of {nodes} nodes need about {megabytes} MB, which this machine does not give")]
+    OutOfMemory {
+        /// How many nodes the tree has.
+        nodes: u32,
+        /// About how much is needed.
+        megabytes: u32,
+    },
+}
+
+/// A tree on its way to rivers.
+#[derive(Clone, Debug)]
+pub struct Shaping {
+    parameters: Parameters,
+    /// How many nodes the tree has.
+    nodes: u32,
+    state: State,
+}
+
+#[derive(Clone, Debug, Default)]
+enum State {
+    /// Only while a step is made.
+    #[default]
+    Between,
+    Courses(Network),
+    Ranked(Courses),
+    /// Smooth courses, and how often they may be thinned out.
+    Smooth(Courses, Network, u32),
+    Rivers(Courses, Box<Meander>),
+}
+
+/// How often courses are thinned out at most.
+const THINNINGS: u32 = 4;
+
+impl Shaping {
+    /// Finds the courses of rivers in a tree, which may have been trimmed, and may come from anywhere. `may_cross` says
+    /// whether its steps may cross each other.
+    ///
+    /// # Errors
+    /// If the memory for its rivers is not to be had.
+    pub fn new(tree: &Tree, may_cross: bool, parameters: Parameters) -> Result<Self, ShapeError> {
+        /// By trials with less and less memory, rivers of 300,000 attractors take 200 to 235 at most.
+        const BYTES_A_NODE: usize = 256;
+        ask_for_memory(tree.len(), BYTES_A_NODE)?;
+        let state = State::Courses(Courses::unranked(tree, may_cross));
+        Ok(Self { parameters, nodes: tree.len() as u32, state })
+    }
+
+    /// Makes a step. Returns whether there is more to do.
+    pub fn step(&mut self) -> bool {
+        self.state = match std::mem::take(&mut self.state) {
+            State::Between => State::Between,
+            State::Courses(network) => State::Ranked(Courses::ranked(network, self.parameters.land.as_deref())),
+            State::Ranked(courses) => {
+                let network = smooth_courses(&courses, &self.parameters);
+                State::Smooth(courses, network, THINNINGS)
+            }
+            State::Smooth(courses, mut network, times) => {
+                if times > 0 && thin_out(&mut network, &self.parameters) {
+                    State::Smooth(courses, network, times - 1)
+                } else {
+                    State::Rivers(courses, Box::new(Meander::along(network, self.parameters.clone())))
+                }
+            }
+            State::Rivers(courses, mut meander) => {
+                meander.round();
+                State::Rivers(courses, meander)
+            }
+        };
+        !self.is_finished()
+    }
+
+    /// Goes over to other parameters of the same tree on the same land. If there are rivers, there are others then, which
+    /// have not meandered yet.
+    pub fn change(&mut self, parameters: Parameters) {
+        let had_rivers = self.meander().is_some();
+        self.parameters = parameters;
+        self.state = match std::mem::take(&mut self.state) {
+            State::Smooth(courses, ..) | State::Rivers(courses, _) => State::Ranked(courses),
+            state => state,
+        };
+        while had_rivers && self.meander().is_none() {
+            self.step();
+        }
+    }
+
+    /// Whether there is nothing more to do.
+    pub fn is_finished(&self) -> bool {
+        self.meander().is_some_and(Meander::is_finished)
+    }
+
+    /// Rivers and their meanders; `None` until there are any.
+    pub fn meander(&self) -> Option<&Meander> {
+        match &self.state {
+            State::Rivers(_, meander) => Some(meander),
+            _ => None,
+        }
+    }
+
+    /// The rivers; `None` until there are any.
+    pub fn network(&self) -> Option<&Network> {
+        self.meander().map(Meander::network)
+    }
+
+    /// The courses as the tree has them, and the order in which their vertices go; `None` until that is known.
+    pub fn courses(&self) -> Option<&Courses> {
+        match &self.state {
+            State::Ranked(courses) | State::Smooth(courses, ..) | State::Rivers(courses, _) => Some(courses),
+            State::Between | State::Courses(_) => None,
+        }
+    }
+
+    /// The parameters that rivers are made by.
+    pub fn parameters(&self) -> &Parameters {
+        &self.parameters
+    }
+
+    /// How many nodes the tree has.
+    pub fn nodes(&self) -> u32 {
+        self.nodes
+    }
+}
+
+/// Asks for memory for so many nodes.
+///
+/// # Errors
+/// If it is not to be had.
+pub(crate) fn ask_for_memory(nodes: usize, bytes_a_node: usize) -> Result<(), ShapeError> {
+    let bytes = nodes * bytes_a_node;
+    if memory::is_to_be_had(bytes) {
+        return Ok(());
+    }
+    Err(ShapeError::OutOfMemory { nodes: nodes as u32, megabytes: (bytes / 1_000_000) as u32 + 1 })
+}

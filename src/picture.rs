@@ -1,0 +1,145 @@
+//! The picture of a session: its pixels, brought up to date by drawing only what is new.
+
+use std::sync::Arc;
+
+use tiny_skia::Pixmap;
+
+use crate::domain::Domain;
+use crate::land::Land;
+use crate::paint::{PaintError, Painter, Progress, Rect, Rivers};
+use crate::prune::Trim;
+use crate::recipe::Key;
+use crate::session::Session;
+
+/// The picture of one session.
+///
+/// ```
+/// use riverseed::{picture::Picture, recipe::link, session::Session};
+///
+/// let mut session = Session::new(link::read("seed=kauri&curl=0.6")?)?;
+/// let mut picture = Picture::new(300, 200)?;
+/// while session.advance(10)? {
+///     picture.paint(&session); // only what is new
+/// }
+/// picture.paint(&session);
+/// assert_eq!(picture.pixmap().width(), 300);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Picture {
+    painter: Painter,
+    /// What it shows: a session's generation, its domain and its land; `None` before it is painted.
+    shown: Option<(u64, Domain, Option<Arc<Land>>)>,
+}
+
+impl Picture {
+    /// An empty picture, with sides in pixels.
+    ///
+    /// # Errors
+    /// If a side is out of range, or the memory is not to be had.
+    pub fn new(width: u32, height: u32) -> Result<Self, PaintError> {
+        Ok(Self { painter: Painter::new(&Domain::with_aspect(1.0), width, height)?, shown: None })
+    }
+
+    /// Brings the picture up to date with its session, whatever has become of that. Where their aspects differ, the map's edges
+    /// are cut, evenly. Returns the rectangle that changed; `None` if nothing did.
+    pub fn paint(&mut self, session: &Session) -> Option<Rect> {
+        self.forget_what_is_over(session);
+        let (recipe, land) = (session.recipe(), session.land().map(Arc::as_ref));
+        if let Some((network, rounds)) = session.network().zip(session.rounds()) {
+            return self.painter.paint_rivers(&Rivers { network, rounds, land, style: recipe.get() });
+        }
+        let growth = session.growth();
+        self.painter.paint(&Progress {
+            tree: growth.tree(),
+            finished: growth.ending().is_some(),
+            trim: Trim::of(recipe),
+            everything: growth.everything(),
+            full_width: recipe.number(Key::Width),
+            land,
+            style: recipe.get(),
+        })
+    }
+
+    fn forget_what_is_over(&mut self, session: &Session) {
+        let now = (session.generation(), session.domain(), session.land().cloned());
+        let (is_same, is_on_same_land) = self.shown.as_ref().map_or((false, false), |(generation, domain, land)| {
+            (*generation == now.0, *domain == now.1 && is_same(land.as_ref(), now.2.as_ref()))
+        });
+        if !is_on_same_land {
+            self.painter.leave_land(&now.1);
+        }
+        if !is_same {
+            self.painter.start_over();
+        }
+        self.shown = Some(now);
+    }
+
+    /// The picture: RGBA, opaque.
+    pub fn pixmap(&self) -> &Pixmap {
+        self.painter.pixmap()
+    }
+}
+
+/// Whether land is the very same, shaped once.
+fn is_same(land: Option<&Arc<Land>>, other: Option<&Arc<Land>>) -> bool {
+    match (land, other) {
+        (None, None) => true,
+        (Some(land), Some(other)) => Arc::ptr_eq(land, other),
+        (None, Some(_)) | (Some(_), None) => false,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::memory::testing::with_lists_up_to;
+    use crate::recipe::link;
+
+    const SMALL: &str = "attractors=300&trim=0&meander=flow&meander-rounds=3";
+
+    fn finished(text: &str) -> Session {
+        let mut session = Session::new(link::read(text).unwrap()).unwrap();
+        while session.advance(50).unwrap() {}
+        session
+    }
+
+    fn painted(session: &Session) -> Vec<u8> {
+        let mut picture = Picture::new(100, 80).unwrap();
+        picture.paint(session);
+        picture.pixmap().data().to_vec()
+    }
+
+    #[test]
+    fn picture_that_there_is_no_memory_for_is_refused() {
+        let refused = with_lists_up_to(2_000_000, || Picture::new(500, 500)).map(drop).unwrap_err();
+        assert_eq!(refused, PaintError::OutOfMemory { width: 500, height: 500, megabytes: 3 });
+        assert_eq!(Picture::new(0, 70).map(drop).unwrap_err(), PaintError::Size { width: 0, height: 70 });
+    }
+
+    #[test]
+    fn nothing_is_painted_twice() {
+        let session = finished(SMALL);
+        let mut picture = Picture::new(100, 80).unwrap();
+        assert!(picture.paint(&session).is_some());
+        assert_eq!(picture.paint(&session), None);
+    }
+
+    #[test]
+    fn whatever_becomes_of_the_session_the_picture_is_that_of_a_fresh_one() {
+        let mut session = finished(SMALL);
+        let mut picture = Picture::new(100, 80).unwrap();
+        picture.paint(&session);
+        for change in
+            ["aspect=0.5", "land=valley", "land=rectangle", "land=rectangle&momentum=0.5", "style=map", "width=30"]
+        {
+            session.change(link::read(&format!("{SMALL}&{change}")).unwrap()).unwrap();
+            while session.advance(50).unwrap() {}
+            picture.paint(&session);
+            assert!(picture.pixmap().data() == painted(&session), "{change}");
+        }
+        session.restart().unwrap();
+        picture.paint(&session);
+        assert!(picture.pixmap().data() == painted(&session), "restarted");
+    }
+}
