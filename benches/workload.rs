@@ -186,14 +186,14 @@ fn shaping_of_rivers() -> Option<Repetition> {
     let recipe = recipe("")?;
     let growth = all_grown(&recipe)?;
     Some(Box::new(move || {
-        let Some(mut shaping) = shaping(&recipe, &growth) else { return 0 };
+        let Some(mut shaping) = unshaped(&recipe, &growth) else { return 0 };
         while shaping.step() {}
         shaping.network().map_or(0, |network| network.vertices.len() as u32)
     }))
 }
 
 /// The rivers of a tree on a plain rectangle, before they are shaped.
-fn shaping(recipe: &Recipe, growth: &Growth) -> Option<Shaping> {
+fn unshaped(recipe: &Recipe, growth: &Growth) -> Option<Shaping> {
     let pruned = prune::trim(growth.tree(), &Hydrology::of(growth.tree()), Trim::of(recipe));
     let parameters = network::Parameters::new(recipe, None, growth.stream_spacing(), growth.everything());
     Shaping::new(&pruned.tree, growth.may_cross(), parameters).ok()
@@ -211,7 +211,7 @@ fn half_meandered(maps: u32) -> Option<Meander> {
     let mut recipe = recipe("meander-rounds=400")?;
     recipe.set(Key::Attractors, ATTRACTORS).ok()?;
     let growth = all_grown(&recipe)?;
-    let mut shaping = shaping(&recipe, &growth)?;
+    let mut shaping = unshaped(&recipe, &growth)?;
     while shaping.meander().is_none_or(|meander| meander.rounds() < 20) {
         shaping.step();
     }

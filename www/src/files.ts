@@ -57,7 +57,7 @@ interface Grown {
   free(): void;
 }
 
-type Planted<River> = new (link: string, width: number, height: number) => River;
+type Planted<River> = new (link: string) => River;
 
 /** Makes something of a link's finished river, which is gone afterwards. */
 async function finished<River extends Grown, Made>(
@@ -65,21 +65,22 @@ async function finished<River extends Grown, Made>(
   link: string,
   make: (river: River) => Made | Promise<Made>,
 ): Promise<Made> {
-  const river = new River(link, 16, 16);
+  const river = new River(link);
   try {
-    while (!advanceFor(river, SLICE_MS)) await new Promise((resume) => setTimeout(resume));
+    while (advanceFor(river, SLICE_MS)) await new Promise((resume) => setTimeout(resume));
     return await make(river);
   } finally {
     river.free();
   }
 }
 
+/** Returns whether there is more to do. */
 function advanceFor(river: Grown, milliseconds: number): boolean {
   const end = performance.now() + milliseconds;
   do {
-    if (river.advance(1)) return true;
+    if (!river.advance(1)) return false;
   } while (performance.now() < end);
-  return false;
+  return true;
 }
 
 function text(value: object, type: string): Blob {

@@ -49,8 +49,7 @@ export class Picture {
     private readonly events: PictureEvents,
   ) {
     this.#blitter = new Blitter(contextOf(canvas), core.memory);
-    // Any size will do to learn the river's shape, on which the canvas's size depends.
-    this.#river = new core.engine.River(link, 16, 16);
+    this.#river = new core.engine.River(link);
     this.#link = link;
     this.#growth = new Growth(this.#river, frames, {
       draw: () => this.#draw(),

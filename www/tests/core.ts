@@ -17,8 +17,9 @@ export interface Picture {
 
 /** The finished river of a link, as the River class draws it at a size. */
 export function pictureOf(link: string, width: number, height: number): Picture {
-  const river = new engine.River(engine.readLink(link).link, width, height);
-  while (!river.advance(1000));
+  const river = new engine.River(engine.readLink(link).link);
+  river.resize(width, height);
+  while (river.advance(1000));
   river.paint();
   const bytes = new Uint8Array(memory.buffer, river.pixelsPointer(), river.pixelsLength());
   const sha256 = createHash("sha256").update(bytes).digest("hex");

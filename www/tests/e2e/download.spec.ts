@@ -69,8 +69,8 @@ for (const style of ["ink", "dark", "map", "skeleton"]) {
 
 /** What the core writes of a link's finished rivers. */
 function written(link: string): { network: object; geojson: object } {
-  const river = new tools.River(link, 16, 16);
-  while (!river.advance(1000));
+  const river = new tools.River(link);
+  while (river.advance(1000));
   const [network, geojson] = [river.network(), river.geojson()];
   river.free();
   return { network: plain(network), geojson: plain(geojson) };

@@ -28,7 +28,7 @@ test("every failure has a title and says what to do", () => {
 test("the core's refusals keep their code and message", () => {
   let thrown: unknown;
   try {
-    new engine.River("curl=junk", 16, 16);
+    new engine.River("curl=junk");
   } catch (error) {
     thrown = error;
   }
@@ -41,7 +41,7 @@ test("the core's refusals keep their code and message", () => {
 test("a picture beyond all bounds is too large, not a panic", () => {
   let thrown: unknown;
   try {
-    new engine.River("seed=kauri", 4_000_000, 4_000_000);
+    new engine.River("seed=kauri").resize(4_000_000, 4_000_000);
   } catch (error) {
     thrown = error;
   }

@@ -72,7 +72,7 @@ class Stage implements Growing {
     expect(this.phase).not.toBe("finished");
     this.ticks += ticks;
     this.time += this.cost;
-    return this.phase === "finished";
+    return this.phase !== "finished";
   }
 
   restart(): void {

@@ -15,7 +15,8 @@ function framesOf(
   [width, height]: readonly [number, number] = [16, 16],
   seen: (river: River, frame: number) => void = () => {},
 ): number {
-  const river = new engine.River(engine.readLink(link).link, width, height);
+  const river = new engine.River(engine.readLink(link).link);
+  river.resize(width, height);
   const display = new Display();
   const growth = new Growth(river, display, {
     draw: () => seen(river, display.count),

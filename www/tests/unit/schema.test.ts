@@ -11,8 +11,8 @@ type Network = any;
 
 /** The JSON form of a link's finished rivers, as it comes back from a file. */
 function written(link: string): Network {
-  const river = new tools.River(link, 16, 16);
-  while (!river.advance(1000));
+  const river = new tools.River(link);
+  while (river.advance(1000));
   const network = river.network();
   river.free();
   return JSON.parse(JSON.stringify(network));
