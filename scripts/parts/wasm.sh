@@ -32,9 +32,7 @@ get_wasm_rust() {
 }
 
 # Whether what is installed will do, whatever apt said: it may be out of reach, with all that is needed here already.
-is_debian_rust_there() {
-  debian_rust >/dev/null && is_rust_new "$system/bin/rustc" && [[ -x $system/bin/cargo && -e $system/lib/rustlib/src/rust ]]
-}
+is_debian_rust_there() { debian_rust >/dev/null && has_std_sources; }
 
 # Debian has no ready wasm32 standard library for this Rust, but its sources: they are compiled once, into a toolchain
 # folder that is otherwise links to Debian's.
