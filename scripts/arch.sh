@@ -42,7 +42,8 @@ get_emulator() {
   apt_get "a linker, a C library and an emulator for 64-bit ARM, 1 minute" \
     gcc-aarch64-linux-gnu libc6-dev-arm64-cross qemu-user || true
   is_emulator_there ||
-    die "The linker $linker, its C library ($library) or the emulator qemu-aarch64 is missing: install them, then run this again."
+    die "The linker $linker, its C library ($library) or the emulator qemu-aarch64 is missing:" \
+      "  install them, then run this again."
 }
 
 # Puts the toolchain that rustup adds the target to first on PATH: another Rust may be there now.
