@@ -55,7 +55,7 @@ tarball: widget
 test: test-scripts test-rust test-wasm test-page test-browser test-firefox test-package ## every test there is
 
 .PHONY: test-scripts
-test-scripts: ## what set-up and builds decide, with stand-ins for apt, rustup, npm and the like
+test-scripts: ## what set-up, builds and checks decide, with stand-ins for apt, rustup, npm and the like
 	@$(setup) node
 	$(run) www/node_modules/bats/bin/bats tests/scripts
 

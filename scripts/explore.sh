@@ -30,7 +30,7 @@ list_properties() {
   build=$(cargo test --no-run 2>&1) || { echo "$build" >&2; return 1; }
   sed -n 's/^ *Executable \(unittests \)\?\([^ ]*\) (\(.*\))$/\3 \2/p' <<<"$build" | while read -r program file; do
     case $file in
-      src/lib.rs) of=--lib; file=$(grep -rl 'proptest! {' src) ;;
+      src/lib.rs) of=--lib; file=$(grep -rl 'proptest! {' src) || continue ;;
       tests/*) of=--test=$(basename "$file" .rs) ;;
       *) continue ;;
     esac

@@ -43,5 +43,5 @@ for target; do
     -max_total_time="$seconds" -timeout=300 -rss_limit_mb=4096 -verbosity=0 -print_funcs=0 -print_final_stats=1 ||
     ((finds += 1))
 done
-echo "$# targets, of which $finds broke"
+echo "$finds of $# targets broke"
 ((finds == 0))

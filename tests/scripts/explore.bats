@@ -141,6 +141,14 @@ explore() { run on_machine env MINUTES="${minutes-2}" "$checkout/scripts/explore
   said "Not one property was found"
 }
 
+@test "a library whose own tests hold no property leaves those of the other programs" {
+  echo 'pub fn land() {}' >"$checkout/src/land.rs"
+  echo 2 >"$machine/runs"
+  explore
+  succeeded
+  said "Exploring 2 properties"
+}
+
 @test "a command that is missing is named" {
   rm "$usr/bin/timeout"
   explore

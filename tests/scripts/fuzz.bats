@@ -17,7 +17,7 @@ make_fuzz() { run on_machine make -C "$checkout" --no-print-directory fuzz "$@";
 @test "all targets are fuzzed, each for as long as was said, from its corpus and its seeds" {
   fuzz 7
   succeeded
-  said "2 targets, of which 0 broke"
+  said "0 of 2 targets broke"
   local target
   for target in link png; do
     called 1 "cargo-fuzz build $target,"
@@ -30,7 +30,7 @@ make_fuzz() { run on_machine make -C "$checkout" --no-print-directory fuzz "$@";
 @test "only the targets that are named are fuzzed" {
   fuzz 7 png
   succeeded
-  said "1 targets, of which 0 broke"
+  said "0 of 1 targets broke"
   called 1 "cargo-fuzz run png"
   called 1 "cargo-fuzz run"
 }
@@ -91,7 +91,7 @@ make_fuzz() { run on_machine make -C "$checkout" --no-print-directory fuzz "$@";
   fuzz 7
   ((status == 1))
   said "fuzz/artifacts/link/crash-1"
-  said "2 targets, of which 1 broke"
+  said "1 of 2 targets broke"
   called 1 "cargo-fuzz run png"
 }
 
