@@ -99,6 +99,25 @@ verify() { run on_machine "$checkout/scripts/arch.sh"; }
   called 2 "cargo build for ARM: $usr, bootstrap"
 }
 
+@test "a Rust of Debian's that lacks sources or cargo, or is too old, is got again" {
+  put_emulator
+  offer_debian_rust
+  variables=(RIVERSEED_WASM=debian)
+  "$stand_ins/unpack" rustc-web 1.96.0
+  "$stand_ins/unpack" cargo-web 1.96.0
+  verify
+  succeeded
+  called 1 "apt-get install rustc-web"
+  rm "$usr/bin/cargo"
+  verify
+  succeeded
+  called 2 "apt-get install rustc-web"
+  "$stand_ins/unpack" rustc-web 1.85.0
+  verify
+  succeeded
+  called 3 "apt-get install rustc-web"
+}
+
 @test "a machine that has neither is told of rustup and its target" {
   put_emulator
   put_rustup 1.95.0 fails
