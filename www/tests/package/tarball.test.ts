@@ -43,6 +43,13 @@ test("no file is missing, and none is there that nobody asks for", () => {
   expect([...wanted, ...PAPERS].sort()).toEqual(files());
 });
 
+test("its changelog, its licences and the notices of others are the project's, to the letter", () => {
+  for (const name of PAPERS.filter((name) => name !== "README.md")) {
+    const ours = readFileSync(new URL(`../../../${name}`, import.meta.url), "utf8");
+    expect(bytes(name).toString(), name).toBe(ours);
+  }
+});
+
 test("only what registers the element has effects on being imported", () => {
   expect(description.sideEffects).toEqual(["./define.js", "./river-seed.js"]);
 });
