@@ -197,7 +197,7 @@ export class RiverSeed extends Base {
     // What stood there before is of another river.
     if (isNew && this.#id === undefined) this.#standing = undefined;
     if (isNew && this.#id !== undefined) {
-      workshop.send(this.#id, { do: "show", wish, how: this.#how, size: this.#view.size });
+      workshop.send(this.#id, { do: "show", wish, how: this.#how, size: this.#view.fit() });
     }
     this.#finishIfStill();
     this.#beginIfDue();
@@ -227,7 +227,7 @@ export class RiverSeed extends Base {
 
   #open(id: number): void {
     const canvas = this.#view.prepare();
-    const size = this.#view.size;
+    const size = this.#view.fit();
     const how = this.#asked === "play" ? "watch" : this.#asked === "still" ? "still" : this.#how;
     workshop.send(id, { do: "open", canvas, wish: this.#wishNow, how, size });
     if (this.#asked === "pause") workshop.send(id, { do: "pause" });
@@ -276,10 +276,11 @@ export class RiverSeed extends Base {
 
   #resized(signal: AbortSignal): void {
     this.#beginIfDue();
+    this.#view.stretch();
     clearTimeout(this.#resizing);
     this.#resizing = setTimeout(() => {
       if (this.#id === undefined || signal.aborted) return;
-      workshop.send(this.#id, { do: "resize", size: this.#view.size });
+      workshop.send(this.#id, { do: "resize", size: this.#view.fit() });
     }, RESIZE_PAUSE_MS);
   }
 
