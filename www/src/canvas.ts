@@ -22,7 +22,7 @@ const AREA_CAP = 4_194_304;
  */
 export function backingSize({ x, y, width, height }: Box, devicePixelRatio: number): Size {
   if (!(width > 0 && height > 0)) return { width: 0, height: 0 };
-  const scale = pixelsPerUnit({ width, height }, devicePixelRatio);
+  const scale = pixelsPerUnit(width * height, devicePixelRatio);
   const pixels = (from: number, length: number) =>
     Math.max(1, Math.round((from + length) * scale) - Math.round(from * scale));
   return { width: pixels(x, width), height: pixels(y, height) };
@@ -42,32 +42,28 @@ export interface Fit {
  * nobody is told when the transform ends. Made larger it counts as it is seen.
  */
 export function fitOf(element: HTMLElement, devicePixelRatio: number): Fit {
-  const laidOut = layoutSize(element);
-  if (!(laidOut.width > 0 && laidOut.height > 0)) return { pixels: NOTHING, css: NOTHING };
-  const scale = enlargement(element, laidOut);
-  const ratio = scale * pixelsPerUnit(scaled(laidOut, scale), devicePixelRatio);
+  const { width, height } = getComputedStyle(element);
+  // Unlike offsetWidth with what there is behind the point.
+  const laidOut = { width: Number.parseFloat(width), height: Number.parseFloat(height) };
+  const area = areaOf(laidOut);
+  if (!(area > 0)) return NOT_SHOWN;
+  const enlargement = Math.sqrt(areaOf(element.getBoundingClientRect()) / area);
+  // Less than a hundredth is noise.
+  const scale = enlargement > 1.01 ? enlargement : 1;
+  const ratio = scale * pixelsPerUnit(area * scale * scale, devicePixelRatio);
   const pixels = wholePixels(scaled(laidOut, ratio));
   return { pixels, css: scaled(pixels, 1 / ratio) };
 }
 
-const NOTHING: Size = { width: 0, height: 0 };
+const NOT_SHOWN: Fit = { pixels: { width: 0, height: 0 }, css: { width: 0, height: 0 } };
 
-/** Unlike offsetWidth with what there is behind the point. */
-function layoutSize(element: HTMLElement): Size {
-  const { width, height } = getComputedStyle(element);
-  return { width: Number.parseFloat(width), height: Number.parseFloat(height) };
-}
-
-/** How many times larger transforms show an element, 1 at least. Less than a hundredth is noise. */
-function enlargement(element: HTMLElement, { width, height }: Size): number {
-  const seen = element.getBoundingClientRect();
-  const scale = Math.sqrt((seen.width * seen.height) / (width * height));
-  return scale > 1.01 ? scale : 1;
+function areaOf({ width, height }: Size): number {
+  return width * height;
 }
 
 /** Up to the next whole ones. Browsers lay out in 64ths of a pixel, and round what they tell: so much over one is none. */
 function wholePixels({ width, height }: Size): Size {
-  const whole = (length: number): number => Math.max(1, Math.ceil(length - 1 / 32));
+  const whole = (length: number): number => Math.ceil(length - 1 / 32);
   return { width: whole(width), height: whole(height) };
 }
 
@@ -75,9 +71,9 @@ function scaled({ width, height }: Size, scale: number): Size {
   return { width: width * scale, height: height * scale };
 }
 
-/** How many pixels a canvas has to the unit, for a box of a size in such units. */
-function pixelsPerUnit({ width, height }: Size, devicePixelRatio: number): number {
-  return Math.min(devicePixelRatio, RATIO_CAP, Math.sqrt(AREA_CAP / (width * height)));
+/** How many pixels a canvas has to the unit, for a box of so many square units. */
+function pixelsPerUnit(area: number, devicePixelRatio: number): number {
+  return Math.min(devicePixelRatio, RATIO_CAP, Math.sqrt(AREA_CAP / area));
 }
 
 /** While a window is dragged wider the old picture is stretched; it is drawn anew when the hand rests this long. */

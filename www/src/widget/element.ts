@@ -4,6 +4,7 @@
  */
 
 import { RESIZE_PAUSE_MS } from "../canvas.ts";
+import { DARK_PAGES } from "../dark-pages.ts";
 import { isRecoverable, named, PageError } from "../errors.ts";
 import type { State } from "../growth.ts";
 import type { How } from "../picture.ts";
@@ -20,7 +21,6 @@ import { type Member, workshop } from "./workshop.ts";
 const Base = globalThis.HTMLElement ?? (class {} as typeof HTMLElement);
 
 const STILL = "(prefers-reduced-motion: reduce)";
-const DARK = "(prefers-color-scheme: dark)";
 
 /** What the button does in each state. */
 const DOES: Record<State, Does> = { growing: "pause", settling: "pause", paused: "play", finished: "replay" };
@@ -142,7 +142,7 @@ export class RiverSeed extends Base {
     if (theme === "light" || theme === "dark") return theme === "dark";
     const schemes = getComputedStyle(this).colorScheme.split(" ");
     if (schemes.includes("dark") !== schemes.includes("light")) return schemes.includes("dark");
-    return matchMedia(DARK).matches;
+    return matchMedia(DARK_PAGES).matches;
   }
 
   get #wishNow(): Wish {
@@ -164,7 +164,7 @@ export class RiverSeed extends Base {
     const on = (target: EventTarget, type: string, listener: () => void): void =>
       target.addEventListener(type, listener, { signal });
     on(document, "visibilitychange", () => this.#rest());
-    on(matchMedia(DARK), "change", () => this.#followSoon());
+    on(matchMedia(DARK_PAGES), "change", () => this.#followSoon());
     on(matchMedia(STILL), "change", () => this.#finishIfStill());
     const near = (isNear: boolean): void => {
       this.#isNear = isNear;

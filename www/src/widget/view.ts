@@ -46,7 +46,7 @@ export class View {
 
   /** Lays the canvas out so that it shows pixel for pixel, and says how many it is to have. */
   fit(): Size {
-    const { pixels, css } = this.#fit;
+    const { pixels, css } = this.#measure();
     this.#layout = `canvas { inline-size: ${css.width}px; block-size: ${css.height}px }`;
     this.#applyRules();
     return pixels;
@@ -94,14 +94,14 @@ export class View {
 
   /** How many pixels the picture has here; none while the element is not laid out. Of another shape, the map covers the box. */
   get size(): Size {
-    return this.#fit.pixels;
+    return this.#measure().pixels;
   }
 
   #applyRules(): void {
     this.#own.replaceSync(`${this.#shape} ${this.#layout}`);
   }
 
-  get #fit(): Fit {
+  #measure(): Fit {
     return fitOf(this.#frame, window.devicePixelRatio);
   }
 
