@@ -42,17 +42,17 @@ export interface Fit {
  * nobody is told when the transform ends. Made larger it counts as it is seen.
  */
 export function fitOf(element: HTMLElement, devicePixelRatio: number): Fit {
-  const { width, height } = getComputedStyle(element);
   // Unlike offsetWidth with what there is behind the point.
-  const laidOut = { width: Number.parseFloat(width), height: Number.parseFloat(height) };
+  const laidOut = each(getComputedStyle(element), Number.parseFloat);
   const area = areaOf(laidOut);
   if (!(area > 0)) return NOT_SHOWN;
   const enlargement = Math.sqrt(areaOf(element.getBoundingClientRect()) / area);
   // Less than a hundredth is noise.
   const scale = enlargement > 1.01 ? enlargement : 1;
   const ratio = scale * pixelsPerUnit(area * scale * scale, devicePixelRatio);
-  const pixels = wholePixels(scaled(laidOut, ratio));
-  return { pixels, css: scaled(pixels, 1 / ratio) };
+  // Browsers lay out in 64ths of a pixel, and round what they tell: so much over a whole one is none.
+  const pixels = each(laidOut, (length) => Math.ceil(length * ratio - 1 / 32));
+  return { pixels, css: each(pixels, (length) => length / ratio) };
 }
 
 const NOT_SHOWN: Fit = { pixels: { width: 0, height: 0 }, css: { width: 0, height: 0 } };
@@ -61,14 +61,8 @@ function areaOf({ width, height }: Size): number {
   return width * height;
 }
 
-/** Up to the next whole ones. Browsers lay out in 64ths of a pixel, and round what they tell: so much over one is none. */
-function wholePixels({ width, height }: Size): Size {
-  const whole = (length: number): number => Math.ceil(length - 1 / 32);
-  return { width: whole(width), height: whole(height) };
-}
-
-function scaled({ width, height }: Size, scale: number): Size {
-  return { width: width * scale, height: height * scale };
+function each<T>({ width, height }: { width: T; height: T }, map: (length: T) => number): Size {
+  return { width: map(width), height: map(height) };
 }
 
 /** How many pixels a canvas has to the unit, for a box of so many square units. */

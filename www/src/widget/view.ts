@@ -47,7 +47,7 @@ export class View {
   /** Lays the canvas out so that it shows pixel for pixel, and says how many it is to have. */
   fit(): Size {
     const { pixels, css } = this.#measure();
-    this.#layout = `canvas { inline-size: ${css.width}px; block-size: ${css.height}px }`;
+    this.#layout = `canvas { width: ${css.width}px; height: ${css.height}px }`;
     this.#applyRules();
     return pixels;
   }
