@@ -55,7 +55,7 @@ tarball: widget
 test: test-scripts test-rust test-wasm test-page test-browser test-firefox test-package ## every test there is
 
 .PHONY: test-scripts
-test-scripts: ## what set-up and builds decide, with stand-ins for apt, rustup, npm and the like
+test-scripts: ## what set-up, builds and checks decide, with stand-ins for apt, rustup, npm and the like
 	@$(setup) node
 	$(run) www/node_modules/bats/bin/bats tests/scripts
 
@@ -105,11 +105,11 @@ check: widget ## format, lints, types, documentation, weights and licences: not 
 	$(run) scripts/supply.sh check
 	@$(run) node scripts/wasm.mjs weigh
 	@$(npm) weigh
-	$(run) shellcheck --external-sources --check-sourced scripts/*.sh .ci/run tests/scripts/*.bats tests/scripts/stand-ins/*
+	$(run) shellcheck --external-sources --check-sourced scripts/*.sh .ci/run tests/scripts/*.ba* tests/scripts/stand-ins/*
 	$(run) cargo fmt --check
 	$(run) cargo fmt --check --manifest-path fuzz/Cargo.toml
 	$(run) cargo clippy --quiet --all-targets --all-features -- -D warnings
-	CUSTOM_LIBFUZZER_PATH=target/unlinked $(run) cargo clippy --quiet --manifest-path fuzz/Cargo.toml --target-dir target -- -D warnings
+	CUSTOM_LIBFUZZER_PATH=target/unlinked $(run) cargo clippy --quiet --locked --manifest-path fuzz/Cargo.toml --target-dir target -- -D warnings
 	$(wasm) cargo clippy --quiet --lib --examples $(wasm32) -- -D warnings
 	$(wasm) cargo clippy --quiet --lib $(WASM_TESTS:%=--test %) $(wasm32) --features tools -- -D warnings
 	RUSTDOCFLAGS="-D warnings" $(run) cargo doc --quiet --no-deps --all-features

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The crate as it would be published: packed without a warning, and small.
+# The crate as it would be published: packed without a warning, small, and with the notices that it must carry.
 #
 #   scripts/crate.sh pack       only packed
 #   scripts/crate.sh verify     also compiled by itself, as its users have it
@@ -32,3 +32,9 @@ crate=${CARGO_TARGET_DIR:-target}/package/riverseed-$version.crate
 bytes=$(wc -c <"$crate")
 echo "$crate: $bytes bytes of $((limit_kb * 1000)), $(tar tzf "$crate" | wc -l) files"
 ((bytes <= limit_kb * 1000)) || { echo "The crate is TOO LARGE: see 'include' in Cargo.toml." >&2; exit 1; }
+
+# Licences of ours and of others ask to be handed on.
+for paper in LICENSE-APACHE LICENSE-MIT THIRD-PARTY.txt; do
+  tar xzOf "$crate" "riverseed-$version/$paper" 2>/dev/null | cmp -s - $paper ||
+    { echo "The crate lacks $paper as it is here: see 'include' in Cargo.toml." >&2; exit 1; }
+done

@@ -3,13 +3,17 @@
 #
 #   MINUTES=60 scripts/explore.sh [PROPERTY…]      10 minutes without; properties by name, or all of them
 #
-# For each failure it prints the smallest input that was found, and a line that tries the same cases again. Logs stay in target/explore. One failure or more: exit code 1.
+# For each failure it prints the smallest input that was found, and a line that tries the same cases again. Logs stay in
+# target/explore. One failure or more: exit code 1.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 source scripts/env.sh
 
 export minutes=${MINUTES:-10} logs=target/explore
 [[ $minutes =~ ^[1-9][0-9]*$ ]] || { echo "MINUTES is '$minutes': a whole number from 1 on is needed" >&2; exit 2; }
+for tool in nproc shuf timeout; do
+  have $tool || { echo "The command '$tool' is missing: GNU coreutils have it." >&2; exit 1; }
+done
 export PROPTEST_DISABLE_FAILURE_PERSISTENCE=1 # or the first find would be found again and again
 export PROPTEST_MAX_SHRINK_TIME=60000         # ms
 
@@ -26,7 +30,7 @@ list_properties() {
   build=$(cargo test --no-run 2>&1) || { echo "$build" >&2; return 1; }
   sed -n 's/^ *Executable \(unittests \)\?\([^ ]*\) (\(.*\))$/\3 \2/p' <<<"$build" | while read -r program file; do
     case $file in
-      src/lib.rs) of=--lib; file=$(grep -rl 'proptest! {' src) ;;
+      src/lib.rs) of=--lib; file=$(grep -rl 'proptest! {' src) || continue ;;
       tests/*) of=--test=$(basename "$file" .rs) ;;
       *) continue ;;
     esac
@@ -57,6 +61,7 @@ rm -rf "$logs"
 mkdir -p "$logs"
 touch "$logs/passed"
 list_properties >"$logs/properties"
+[[ -s $logs/properties ]] || { echo "Not one property was found among what 'cargo test --no-run' built." >&2; exit 1; }
 if (($#)); then
   grep -E " ($(IFS='|'; echo "$*"))\$" "$logs/properties" >"$logs/chosen" || { echo "No property is called that." >&2; exit 2; }
   mv "$logs/chosen" "$logs/properties"

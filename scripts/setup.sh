@@ -38,7 +38,8 @@ main() {
   (($#)) || set -- rust lint supply wasm node browser firefox
   local part
   for part; do
-    declare -F "setup_$part" >/dev/null || die "no part is called '$part': rust, lint, supply, wasm, node, browser, firefox, fuzz, mutants"
+    declare -F "setup_$part" >/dev/null ||
+      die "no part is called '$part': rust, lint, supply, wasm, node, browser, firefox, fuzz, mutants"
     "setup_$part"
   done
 }

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# What others have a right to, and what we take from them.
+# The crates that this one depends on: the notices that their licences ask for, and which of them may be used.
 #
-#   scripts/supply.sh notices    writes THIRD-PARTY.txt, the notices of every crate that is handed out in a program or a package
-#   scripts/supply.sh check      the notices are current; licences, sources and duplicates of crates are as .cargo/deny.toml has them;
-#                                known advisories, where their database is here or can be fetched
+#   scripts/supply.sh notices    writes THIRD-PARTY.txt: the notices of every crate in a program or package of ours
+#   scripts/supply.sh check      the notices are current; licences, sources and duplicates of crates are as
+#                                .cargo/deny.toml allows; no advisory is known, if their database can be reached
 #
 # scripts/setup.sh supply must have run.
 set -euo pipefail

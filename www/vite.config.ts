@@ -1,5 +1,5 @@
 import { defineConfig } from "vite";
-import { papers } from "./build/papers.ts";
+import { licences } from "./build/licences.ts";
 import { contentSecurityPolicy } from "./build/policy.ts";
 import { preloadEngine } from "./build/preload.ts";
 import { wholeAddresses } from "./build/social.ts";
@@ -11,10 +11,11 @@ export default defineConfig({
   base: "./",
   plugins: [
     contentSecurityPolicy(),
+    // Not embed.html: its engine is fetched by a worker, which does not see what its document has preloaded.
     preloadEngine("index.html"),
     wholeAddresses(process.env["RIVERSEED_SITE"]),
     widgetFiles(),
-    papers(),
+    licences(),
   ],
   // The digest page imports tests/digest.txt, one folder up.
   server: { fs: { allow: [".."] } },

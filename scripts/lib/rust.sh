@@ -43,6 +43,11 @@ use_if_wasm() {
   compiles_to_wasm 2>/dev/null || { PATH=$before; return 1; }
 }
 
+# Whether the system's own Rust is new enough, and has what its standard library is compiled from.
+has_std_sources() {
+  is_rust_new "$system/bin/rustc" && [[ -x $system/bin/cargo && -e $system/lib/rustlib/src/rust ]]
+}
+
 # The folder of our own toolchain, made from Debian's Rust. It carries the package's version, because an update of the
 # package makes the compiled standard library useless.
 debian_rust() {

@@ -32,9 +32,7 @@ get_wasm_rust() {
 }
 
 # Whether what is installed will do, whatever apt said: it may be out of reach, with all that is needed here already.
-is_debian_rust_there() {
-  debian_rust >/dev/null && is_rust_new "$system/bin/rustc" && [[ -x $system/bin/cargo && -e $system/lib/rustlib/src/rust ]]
-}
+is_debian_rust_there() { debian_rust >/dev/null && has_std_sources; }
 
 # Debian has no ready wasm32 standard library for this Rust, but its sources: they are compiled once, into a toolchain
 # folder that is otherwise links to Debian's.
@@ -105,7 +103,8 @@ cargo_tool() {
   # Light optimisation: these programs run for a second. First with the crate's own lock file, then without, for a
   # registry that lacks a version it names.
   local install=(env CARGO_PROFILE_RELEASE_OPT_LEVEL=1 CARGO_PROFILE_RELEASE_LTO=off
-    CARGO_PROFILE_RELEASE_CODEGEN_UNITS=16 cargo install --quiet --force --root "$RIVERSEED_CACHE/tools" "$1@$2" ${features:+--features "$features"})
+    CARGO_PROFILE_RELEASE_CODEGEN_UNITS=16 cargo install --quiet --force --root "$RIVERSEED_CACHE/tools" "$1@$2"
+    ${features:+--features "$features"})
   "${install[@]}" --locked 2>/dev/null || "${install[@]}" || die "$1 $2 could not be installed: see cargo's words above."
   has_tools "$2" "${@:4}" || die "$1 $2 was installed, but does not answer: look at $RIVERSEED_CACHE/tools/bin."
 }

@@ -84,3 +84,16 @@ fn there_are_lakes_to_write() {
     let counts = SESSIONS.each_ref().map(|session| lakes(session.network().unwrap()).len());
     assert!(counts.iter().filter(|count| **count > 10).count() >= 4, "{counts:?}");
 }
+
+#[test]
+fn summary_counts_what_the_network_has() {
+    of_all(|session| {
+        let (summary, network) = (session.summary(), session.network().unwrap());
+        assert_eq!(summary.nodes as usize, session.pruned().origin.len());
+        assert_eq!(summary.sources as usize, network.rivers.len());
+        assert_eq!(summary.mouths as usize, network.rivers.iter().filter(|river| river.parent == NONE).count());
+        assert_eq!(summary.order, definitions::orders(network).into_iter().max().unwrap());
+        assert_eq!(summary.oxbows as usize, network.oxbows.len());
+        assert_eq!(summary.ticks as usize, session.tree().tick_starts.len() - 1);
+    });
+}

@@ -35,8 +35,8 @@ real_tools() {
   real=$BATS_FILE_TMPDIR/real
   [[ ! -d $real ]] || return 0
   mkdir "$real"
-  read -r -d "" -a tools < <(type -P bash sh env cat cp cut cksum chmod dirname flock grep head ln ls make mkdir mktemp mv \
-    readlink rm rmdir sed sleep sort tail touch wc) || true
+  read -r -d "" -a tools < <(type -P awk basename bash sh env cat cmp cp cut cksum chmod diff dirname find flock grep gzip \
+    head ln ls make mkdir mktemp mv od readlink rm rmdir sed shuf sleep sort tail tar touch wc xargs) || true
   ln -s "${tools[@]}" "$real"
 }
 

@@ -204,6 +204,17 @@ mends() {
   said "On Ubuntu"
 }
 
+@test "a Rust of Debian's without its sources makes no toolchain where the archive has none" {
+  "$stand_ins/unpack" rustc-web 1.96.0
+  "$stand_ins/unpack" cargo-web 1.96.0
+  echo 1.96.0 >"$machine/installed/rustc-web"
+  set_up wasm
+  failed
+  said "rust-web-src not at all"
+  said "The wasm32 target cannot be had here"
+  called 0 "cargo build std"
+}
+
 @test "lists are refreshed once in a run, however many packages are missed" {
   offer_debian_rust 1.85.0 1.96.0
   rm "$machine/lists/lld-22" "$machine/archive/lld-22"

@@ -34,7 +34,7 @@ declarations();
 writeJson("custom-elements.json", manifest(own, table));
 writeJson("integrity.json", integrity());
 writeJson("package.json", description());
-papers();
+documents();
 weigh();
 pack();
 
@@ -93,7 +93,7 @@ function description() {
   return { name, version, description, license, keywords: [...keywords, "web-component"], ...rest };
 }
 
-function papers() {
+function documents() {
   writeFileSync(join(STAGE, "README.md"), fill(readFileSync("package/README.md", "utf8"), elementOf(own, table)));
   for (const name of ["CHANGELOG.md", "LICENSE-APACHE", "LICENSE-MIT", "THIRD-PARTY.txt"])
     cpSync(`../${name}`, join(STAGE, name));

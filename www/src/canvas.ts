@@ -11,22 +11,6 @@ export interface Box extends Size {
   y: number;
 }
 
-/**
- * An element's place on the page. Made smaller by a CSS transform, as slides and cards are before they come forward, it counts as
- * large as it is laid out: nobody is told when the transform ends, and a picture of less pixels would stay soft. Made larger it
- * counts as it is seen.
- */
-export function placeOf(element: HTMLElement): Box {
-  const seen = element.getBoundingClientRect();
-  const { offsetWidth, offsetHeight } = element;
-  if (Math.abs(seen.width - offsetWidth) < 1 && Math.abs(seen.height - offsetHeight) < 1) return seen;
-  // Unlike offsetWidth with what there is behind the point.
-  const { width, height } = getComputedStyle(element);
-  const laid = { width: Number.parseFloat(width), height: Number.parseFloat(height) };
-  const scale = Math.max(1, Math.sqrt((seen.width * seen.height) / (laid.width * laid.height)));
-  return { x: seen.x, y: seen.y, width: laid.width * scale, height: laid.height * scale };
-}
-
 /** Beyond two pixels to the CSS pixel nobody sees the difference, and painting takes four times as long. */
 const RATIO_CAP = 2;
 /** 2048²: copying more than this takes longer than 2 ms of a frame. */
@@ -38,11 +22,52 @@ const AREA_CAP = 4_194_304;
  */
 export function backingSize({ x, y, width, height }: Box, devicePixelRatio: number): Size {
   if (!(width > 0 && height > 0)) return { width: 0, height: 0 };
-  const ratio = Math.min(devicePixelRatio, RATIO_CAP);
-  const scale = Math.min(ratio, Math.sqrt(AREA_CAP / (width * height)));
+  const scale = pixelsPerUnit(width * height, devicePixelRatio);
   const pixels = (from: number, length: number) =>
     Math.max(1, Math.round((from + length) * scale) - Math.round(from * scale));
   return { width: pixels(x, width), height: pixels(y, height) };
+}
+
+/** A canvas's own size, and the CSS pixels that it takes up, so that each of its pixels is one of the screen's. */
+export interface Fit {
+  pixels: Size;
+  css: Size;
+}
+
+/**
+ * How a canvas covers an element: with a part of a pixel on two sides, which the element is to clip. Depends on the element's size
+ * alone, not on where it begins, so that nothing turns soft when it is moved without a word.
+ *
+ * Made smaller by a CSS transform, as slides and cards are before they come forward, an element counts as large as it is laid out:
+ * nobody is told when the transform ends. Made larger it counts as it is seen.
+ */
+export function fitOf(element: HTMLElement, devicePixelRatio: number): Fit {
+  // Unlike offsetWidth with what there is behind the point.
+  const laidOut = each(getComputedStyle(element), Number.parseFloat);
+  const area = areaOf(laidOut);
+  if (!(area > 0)) return NOT_SHOWN;
+  const enlargement = Math.sqrt(areaOf(element.getBoundingClientRect()) / area);
+  // Less than a hundredth is noise.
+  const scale = enlargement > 1.01 ? enlargement : 1;
+  const ratio = scale * pixelsPerUnit(area * scale * scale, devicePixelRatio);
+  // Browsers lay out in 64ths of a pixel, and round what they tell: so much over a whole one is none.
+  const pixels = each(laidOut, (length) => Math.ceil(length * ratio - 1 / 32));
+  return { pixels, css: each(pixels, (length) => length / ratio) };
+}
+
+const NOT_SHOWN: Fit = { pixels: { width: 0, height: 0 }, css: { width: 0, height: 0 } };
+
+function areaOf({ width, height }: Size): number {
+  return width * height;
+}
+
+function each<T>({ width, height }: { width: T; height: T }, map: (length: T) => number): Size {
+  return { width: map(width), height: map(height) };
+}
+
+/** How many pixels a canvas has to the unit, for a box of so many square units. */
+function pixelsPerUnit(area: number, devicePixelRatio: number): number {
+  return Math.min(devicePixelRatio, RATIO_CAP, Math.sqrt(AREA_CAP / area));
 }
 
 /** While a window is dragged wider the old picture is stretched; it is drawn anew when the hand rests this long. */

@@ -8,18 +8,20 @@ import { rangeOf, sidesOf, sidesText } from "./values.ts";
 
 export interface Control {
   readonly element: HTMLElement;
-  /** Shows a value, given as link text, and why it does nothing, if so: it is kept, and cannot be changed. */
-  show(text: string, idle: string | undefined): void;
+  /**
+   * Shows a value and its default, both as link text, and why it does nothing, if so: it is kept, and cannot be changed.
+   */
+  show(text: string, fallback: string, idle: string | undefined): void;
 }
 
 export function control(parameter: Parameter, change: Change): Control {
   const field = fieldFor(parameter, change);
-  const reset = resetButton(parameter, () => {
-    change(parameter.key, parameter.default);
+  const reset = new ResetButton(parameter, (fallback) => {
+    change(parameter.key, fallback);
     field.focus();
   });
   const help = el("p", { class: "help", id: helpId(parameter) }, parameter.help);
-  const head = el("div", { class: "control-head" }, field.label, reset, ...(field.aside ? [field.aside] : []));
+  const head = el("div", { class: "control-head" }, field.label, reset.element, ...(field.aside ? [field.aside] : []));
   // A fieldset can be disabled with all that is in it; to a screen reader it is no group.
   const element = el("fieldset", {
     role: "none",
@@ -30,10 +32,10 @@ export function control(parameter: Parameter, change: Change): Control {
   element.append(head, field.element, help);
   return {
     element,
-    show(text, idle) {
+    show(text, fallback, idle) {
       element.disabled = idle !== undefined;
       setText(help, idle ?? parameter.help);
-      reset.hidden = text === parameter.default || idle !== undefined;
+      reset.show(fallback, text !== fallback && idle === undefined);
       field.show(text);
     },
   };
@@ -47,12 +49,25 @@ function fieldFor(parameter: Parameter, change: Change): Field {
   return textControl(parameter, change);
 }
 
-function resetButton({ key, label, default: value }: Parameter, reset: () => void): HTMLButtonElement {
-  const name = `Reset ${label} to ${value}`;
-  const button = el("button", { type: "button", class: "reset", "aria-label": name, title: name, "data-reset": key });
-  button.append("reset");
-  button.addEventListener("click", reset);
-  return button;
+/** The way back to the default, which is another one on dark pages. */
+class ResetButton {
+  readonly element: HTMLButtonElement;
+  #fallback = "";
+
+  constructor(
+    private readonly parameter: Parameter,
+    reset: (fallback: string) => void,
+  ) {
+    this.element = el("button", { type: "button", class: "reset", "data-reset": parameter.key }, "reset");
+    this.element.addEventListener("click", () => reset(this.#fallback));
+  }
+
+  show(fallback: string, isNeeded: boolean): void {
+    this.#fallback = fallback;
+    this.element.hidden = !isNeeded;
+    this.element.title = `Reset ${this.parameter.label} to ${fallback}`;
+    this.element.setAttribute("aria-label", this.element.title);
+  }
 }
 
 function choiceControl(parameter: Parameter, change: Change): Field {

@@ -10,8 +10,14 @@ import { rangeOf } from "./values.ts";
 
 export interface Controls {
   readonly element: HTMLElement;
-  /** Shows values, and why some of them do nothing. */
-  show(values: ReadonlyMap<string, string>, idle: ReadonlyMap<string, string>): void;
+  show(values: Values): void;
+}
+
+/** By key: the values on show, those that a page has if nothing is said, and why some do nothing. */
+export interface Values {
+  values: ReadonlyMap<string, string>;
+  defaults: ReadonlyMap<string, string>;
+  idle: ReadonlyMap<string, string>;
 }
 
 /** A parameter with one possible value (the edition) has nothing to set; the seed has a box of its own, an outline is drawn. */
@@ -29,12 +35,12 @@ export function controls(table: readonly Parameter[], change: Change, folds: Fol
   }
   return {
     element: el("div", { class: "groups" }, ...groups.map(({ element }) => element)),
-    show(values, idle) {
+    show({ values, defaults, idle }) {
       for (const [key, one] of made) {
         const text = values.get(key);
-        if (text !== undefined) one.show(text, idle.get(key));
+        if (text !== undefined) one.show(text, defaults.get(key) ?? "", idle.get(key));
       }
-      for (const one of groups) one.show(values);
+      for (const one of groups) one.show(values, defaults);
     },
   };
 }

@@ -31,9 +31,12 @@ export function fileOf(core: Core, link: string, format: Format): Promise<Blob> 
   return FORMATS[format](core, link);
 }
 
-/** A picture of a link's finished river, so many pixels on its long side. */
-export function pngOf(core: Core, link: string, longSide: number): Promise<Blob> {
-  return finished(core.engine.River, link, (river) => png(core.memory, river, longSide));
+/** A picture of a link's finished river, so many pixels on its long side. Tells when it begins to paint, which is one step. */
+export function pngOf(core: Core, link: string, longSide: number, painting: () => void = () => {}): Promise<Blob> {
+  return finished(core.engine.River, link, (river) => {
+    painting();
+    return png(core.memory, river, longSide);
+  });
 }
 
 /** The shapes of a link's finished rivers. */

@@ -13,7 +13,7 @@ const RARE = new Set(["flat", "neck", "buffer", "taper"]);
 
 export interface Group {
   readonly element: HTMLElement;
-  show(values: ReadonlyMap<string, string>): void;
+  show(values: ReadonlyMap<string, string>, defaults: ReadonlyMap<string, string>): void;
 }
 
 export function group(
@@ -32,8 +32,8 @@ export function group(
   const element = folds.fold(heading, OPEN_AT_FIRST.has(heading), { class: "group" }, summary, members);
   return {
     element,
-    show(values) {
-      const count = parameters.filter((row) => (values.get(row.key) ?? row.default) !== row.default).length;
+    show(values, defaults) {
+      const count = parameters.filter(({ key }) => values.get(key) !== defaults.get(key)).length;
       setText(changed, count === 0 ? "" : `${count} changed`);
     },
   };

@@ -3,6 +3,7 @@
 import "./style.css";
 import type { Parameter, Phase, Preset, Summary } from "../pkg/riverseed.js";
 import { type Controls, controls } from "./controls.ts";
+import { DARK_PAGES } from "./dark-pages.ts";
 import { setText } from "./dom.ts";
 import { Downloads } from "./downloads.ts";
 import { Drawing } from "./drawing.ts";
@@ -15,9 +16,9 @@ import type { How } from "./picture.ts";
 import { listenForPictures } from "./picture-entry.ts";
 import { pixelsOf } from "./picture-file.ts";
 import { Plate } from "./plate.ts";
-import { besides, type Presets, presets, type Values } from "./presets.ts";
+import { type Presets, presets, unaskedChanges } from "./presets.ts";
 import { Recipe } from "./recipe.ts";
-import { DARK_PAGES, DARK_STYLE } from "./scheme.ts";
+import { defaultsOf } from "./scheme.ts";
 import { SeedBox } from "./seed.ts";
 import { copy } from "./share.ts";
 import { ShareDialog } from "./share-dialog.ts";
@@ -32,6 +33,7 @@ const prefersStill = window.matchMedia("(prefers-reduced-motion: reduce)");
 const prefersDark = window.matchMedia(DARK_PAGES);
 
 class Page {
+  readonly #table: readonly Parameter[];
   readonly #recipe: Recipe;
   readonly #controls: Controls;
   readonly #presets: Presets;
@@ -41,22 +43,22 @@ class Page {
   readonly #drawing: Drawing;
   readonly #address = new AddressBar(replaceAddress);
   readonly #announcer = new Announcer(parts.announcement);
-  /** What the last presets changed unasked, and the recipe from before them. */
-  #aside: { message: string; link: string; values: ReadonlyMap<string, string> } | undefined;
+  /** What the last presets changed unasked, and the recipe from before them, to which Undo leads back. */
+  #presetUndo: { message: string; link: string; values: ReadonlyMap<string, string> } | undefined;
 
   constructor(private readonly core: Core) {
     const { engine } = core;
-    const table = engine.parameters().map(asHere);
+    this.#table = engine.parameters();
     this.#recipe = new Recipe(
       (text) => engine.readLink(text),
       () => prefersDark.matches,
     );
     this.#recipe.open(linkOf(location));
     const folds = new Folds(() => localStorage);
-    this.#controls = controls(table, (key, text) => this.#choose(key, text), folds);
-    this.#presets = presets(engine.presets(), table, (...pressed) => this.#press(...pressed));
+    this.#controls = controls(this.#table, (key, text) => this.#choose(key, text), folds);
+    this.#presets = presets(engine.presets(), (preset) => this.#press(preset));
     this.#seedBox = new SeedBox(parts.seedForm, parts.seed, (seed) => this.#set([["seed", seed]], "watch"));
-    describeSeed(table);
+    describeSeed(this.#table);
     this.#plate = new Plate(core, parts, this.#recipe.shown, {
       changed: (state, phase, summary) => this.#follow(state, phase, summary),
       failed: (error) => this.#fail(error),
@@ -132,13 +134,13 @@ class Page {
     if (key === "land" && text === "drawn" && this.#recipe.values.get("outline") === "") this.#drawing.open();
   }
 
-  /** A preset is pressed. What it changes besides is said, with the way back to before it, or to before the first of several. */
-  #press(preset: Preset, values: Values): void {
+  /** A preset is pressed. What it changes unasked is said, with the way back to before it, or to before the first of several. */
+  #press(preset: Preset): void {
     const { engine } = this.core;
-    const before = this.#aside ?? { link: this.#recipe.link, values: this.#recipe.values };
-    const message = besides(preset, engine.presets(), engine.parameters(), before.values);
-    this.#set(values, "watch");
-    this.#aside = message === undefined ? undefined : { ...before, message };
+    const before = this.#presetUndo ?? { link: this.#recipe.link, values: this.#recipe.values };
+    const message = unaskedChanges(preset, engine.presets(), this.#table, before.values);
+    this.#set(preset.values, "watch");
+    this.#presetUndo = message === undefined ? undefined : { ...before, message };
     this.#showNotices();
   }
 
@@ -159,7 +161,7 @@ class Page {
   /** Changes some values of what is shown. */
   #set(values: Iterable<readonly [key: string, value: string]>, how: How): void {
     this.#attempt(() => {
-      this.#aside = undefined;
+      this.#presetUndo = undefined;
       this.#recipe.set(values);
       this.#show(how);
     });
@@ -168,7 +170,7 @@ class Page {
   /** Shows another link in place of everything. */
   #open(link: string): void {
     this.#attempt(() => {
-      this.#aside = undefined;
+      this.#presetUndo = undefined;
       this.#recipe.open(link);
       this.#seedBox.replace(this.#recipe.seed);
       this.#show("watch");
@@ -202,7 +204,7 @@ class Page {
   #showRecipe(): void {
     const { link, values, idle, seed } = this.#recipe;
     this.#address.show(link);
-    this.#controls.show(values, idle);
+    this.#controls.show({ values, idle, defaults: defaultsOf(this.#table, prefersDark.matches) });
     this.#presets.show(values);
     this.#seedBox.show(seed);
     this.#drawing.show(values.get("outline") ?? "");
@@ -212,11 +214,11 @@ class Page {
   }
 
   #showNotices(): void {
-    const { message, link } = this.#aside ?? { message: undefined, link: "" };
-    const aside = message === undefined ? [] : [undoable(message, "Undo", () => this.#undoPresets(link))];
-    showNotices(parts.notices, [...this.#recipe.notices.values(), ...aside], () => {
+    const { message, link } = this.#presetUndo ?? { message: undefined, link: "" };
+    const undo = message === undefined ? [] : [undoable(message, "Undo", () => this.#undoPresets(link))];
+    showNotices(parts.notices, [...this.#recipe.notices.values(), ...undo], () => {
       this.#recipe.dismissNotices();
-      this.#aside = undefined;
+      this.#presetUndo = undefined;
       this.#showNotices();
     });
   }
@@ -258,11 +260,6 @@ class Page {
   }
 }
 
-/** A row of the table, for this page: what counts as unchanged on a dark one is its own style. */
-function asHere(row: Parameter): Parameter {
-  return row.key === "style" && prefersDark.matches ? { ...row, default: DARK_STYLE } : row;
-}
-
 /** The values of a drawn land. */
 function drawn(outline: string): [key: string, value: string][] {
   return [
@@ -272,7 +269,7 @@ function drawn(outline: string): [key: string, value: string][] {
 }
 
 /** What the table says of the seed, for the box that index.html has. */
-function describeSeed(table: ReturnType<Core["engine"]["parameters"]>): void {
+function describeSeed(table: readonly Parameter[]): void {
   const seed = table.find(({ key }) => key === "seed");
   if (!seed) return;
   if (seed.maxLength !== undefined) parts.seed.maxLength = seed.maxLength;

@@ -1,42 +1,27 @@
-/** The presets: named sets of values, from the core. */
+/** The presets: named sets of values, from the core. Pressing one sets what it names and nothing else; all name the same keys. */
 
 import type { Parameter, Preset } from "../pkg/riverseed.js";
 import { el } from "./dom.ts";
 import { inWords } from "./values.ts";
 
-export type Values = readonly (readonly [key: string, value: string])[];
-
-/**
- * What pressing a preset sets. A preset leaves a key out to mean its default, so whatever any preset names goes back to
- * its default first; the seed, the land and all else that no preset speaks of stay as they are. All presets are ways of
- * the growth that is the default.
- */
-export function presetValues(preset: Preset, all: readonly Preset[], table: readonly Parameter[]): Values {
-  const own = new Map(preset.values);
-  const named = new Set(["growth", ...all.flatMap(({ values }) => values.map(([key]) => key))]);
-  return table
-    .filter(({ key }) => named.has(key))
-    .map((parameter) => [parameter.key, own.get(parameter.key) ?? parameter.default]);
-}
-
 /** Whether the values on show are this preset's. */
-export function isShown(values: Values, shown: ReadonlyMap<string, string>): boolean {
+export function isShown({ values }: Preset, shown: ReadonlyMap<string, string>): boolean {
   return values.every(([key, value]) => shown.get(key) === value);
 }
 
 /**
- * What pressing a preset changes besides what tells the presets from each other, in words: people press one for the latter,
- * and would miss the former. Nothing if that is all it changes.
+ * What pressing a preset changes although all presets have it in common, in words: people press one for what tells the presets
+ * from each other, and would miss the rest. Nothing if there is no such change.
  */
-export function besides(
+export function unaskedChanges(
   preset: Preset,
   all: readonly Preset[],
   table: readonly Parameter[],
   before: ReadonlyMap<string, string>,
 ): string | undefined {
-  const [first, ...others] = all.map((one) => new Map(presetValues(one, all, table)));
+  const [first, ...others] = all.map(({ values }) => new Map(values));
   const isCommon = (key: string) => others.every((values) => values.get(key) === first?.get(key));
-  const after = new Map(presetValues(preset, all, table));
+  const after = new Map(preset.values);
   const changes = table.flatMap((parameter) => {
     const [was, is] = [before.get(parameter.key), after.get(parameter.key)];
     if (was === undefined || is === undefined || was === is || !isCommon(parameter.key)) return [];
@@ -52,21 +37,16 @@ export interface Presets {
   focus(): void;
 }
 
-export function presets(
-  all: readonly Preset[],
-  table: readonly Parameter[],
-  choose: (preset: Preset, values: Values) => void,
-): Presets {
+export function presets(all: readonly Preset[], choose: (preset: Preset) => void): Presets {
   let last: HTMLButtonElement | undefined;
   const made = all.map((preset) => {
-    const values = presetValues(preset, all, table);
     const attributes = { type: "button", class: "preset", "aria-pressed": "false", title: preset.help };
     const button = el("button", attributes, preset.label);
     button.addEventListener("click", () => {
       last = button;
-      choose(preset, values);
+      choose(preset);
     });
-    return { preset, values, button };
+    return { preset, button };
   });
   const help = el("p", { class: "help" });
   const buttons = el("div", { class: "preset-buttons" }, ...made.map(({ button }) => button));
@@ -74,7 +54,7 @@ export function presets(
   return {
     element,
     show(shown) {
-      const current = made.find(({ values }) => isShown(values, shown));
+      const current = made.find(({ preset }) => isShown(preset, shown));
       for (const one of made) one.button.setAttribute("aria-pressed", String(one === current));
       help.textContent = current?.preset.help ?? "Ways of growing: choose one, then change what you like.";
     },

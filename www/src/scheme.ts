@@ -1,10 +1,15 @@
-/** Dark pages: what they are, and how rivers look there whose link names no style. */
+/** How rivers look whose link names no style, on dark pages and light ones. */
 
-/** The media query of a reader who prefers dark pages. */
-export const DARK_PAGES = "(prefers-color-scheme: dark)";
+import type { Parameter } from "../pkg/riverseed.js";
 
-/** The style for them. */
+/** The style of rivers on dark pages. */
 export const DARK_STYLE = "dark";
+
+/** The value that every key has if nobody says otherwise, on a dark page or a light one. */
+export function defaultsOf(table: readonly Parameter[], isDark: boolean): ReadonlyMap<string, string> {
+  const defaults = new Map(table.map((row) => [row.key, row.default]));
+  return isDark ? defaults.set("style", DARK_STYLE) : defaults;
+}
 
 /** Whether link text says itself how its rivers look. */
 export function namesStyle(link: string): boolean {

@@ -36,7 +36,7 @@ export function titleOf(seed: string): string {
 export function elementSnippet({ link, seed, aspect, page }: Shared, picture: string): string {
   const attributes = [...new URLSearchParams(link)].map(([key, value]) => ` ${attributeOf(key)}="${escaped(value)}"`);
   return [
-    `<script type="module" src="${escaped(besides(page, ELEMENT_SCRIPT))}"></script>`,
+    `<script type="module" src="${escaped(addressBeside(page, ELEMENT_SCRIPT))}"></script>`,
     `<river-seed${attributes.join("")} style="display:block;aspect-ratio:${escaped(aspect)};min-height:0;overflow:hidden">`,
     `  <a href="${escaped(addressOf(link, page))}"><img src="${escaped(picture)}"`,
     `    alt="${escaped(titleOf(seed))}" loading="lazy" style="display:block;width:100%"></a>`,
@@ -49,7 +49,7 @@ export function elementSnippet({ link, seed, aspect, page }: Shared, picture: st
  * the reader away, asking questions.
  */
 export function iframeSnippet({ link, seed, aspect, page }: Shared): string {
-  const address = addressOf(link, besides(page, EMBED_PAGE));
+  const address = addressOf(link, addressBeside(page, EMBED_PAGE));
   const height = Math.round(IFRAME_WIDTH_PX / Number(aspect));
   return [
     `<iframe src="${escaped(address)}"`,
@@ -64,7 +64,8 @@ export function markdownSnippet({ link, seed, page }: Shared, picture: string): 
   return `[![${markdownText(titleOf(seed))}](${picture})](${address})`;
 }
 
-function besides(page: string, file: string): string {
+/** The address of a file that lies beside the page. */
+function addressBeside(page: string, file: string): string {
   const address = new URL(file, page);
   address.search = "";
   address.hash = "";

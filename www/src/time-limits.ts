@@ -9,9 +9,14 @@ import { PageError } from "./errors.ts";
 export const DOWNLOAD_SILENCE_MS = 10_000;
 /**
  * A worker that shows no sign of life for so long is given up: while it starts, and later while an answer is due. Its longest
- * step takes a tenth of a second, a large PNG a few seconds.
+ * step takes a tenth of a second.
  */
 export const WORKER_SILENCE_MS = 10_000;
+/**
+ * The one exception is said beforehand: a picture for a file is painted in one step. 67 million pixels, the most there may be, take
+ * a desk computer a few seconds and an old phone half a minute and more.
+ */
+export const PAINTING_SILENCE_MS = 120_000;
 /** A script that is fetched late is given up after so long: how far it has come cannot be seen, so slow lines have twice the time. */
 export const SCRIPT_MS = 20_000;
 
@@ -19,23 +24,25 @@ export const SCRIPT_MS = 20_000;
 const TICK_MS = 1000;
 
 export interface Watch {
-  /** There was a sign of life: the time begins anew. */
-  heard(): void;
+  /** There was a sign of life: the time begins anew, and until the next one it is as long as said here. */
+  heard(limitMs?: number): void;
   end(): void;
 }
 
 /** Calls `silent`, once, when nothing has been heard for so long; until then `asks` at every tick. */
 export function watch(limitMs: number, silent: () => void, asks?: () => void): Watch {
   let ticks = 0;
+  let limit = limitMs;
   const end = (): void => clearInterval(timer);
   const timer = setInterval(() => {
-    if (++ticks * TICK_MS < limitMs) return asks?.();
+    if (++ticks * TICK_MS < limit) return asks?.();
     end();
     silent();
   }, TICK_MS);
   return {
-    heard: () => {
+    heard: (next = limitMs) => {
       ticks = 0;
+      limit = next;
     },
     end,
   };

@@ -4,6 +4,7 @@
  */
 
 import { RESIZE_PAUSE_MS } from "../canvas.ts";
+import { DARK_PAGES } from "../dark-pages.ts";
 import { isRecoverable, named, PageError } from "../errors.ts";
 import type { State } from "../growth.ts";
 import type { How } from "../picture.ts";
@@ -20,7 +21,6 @@ import { type Member, workshop } from "./workshop.ts";
 const Base = globalThis.HTMLElement ?? (class {} as typeof HTMLElement);
 
 const STILL = "(prefers-reduced-motion: reduce)";
-const DARK = "(prefers-color-scheme: dark)";
 
 /** What the button does in each state. */
 const DOES: Record<State, Does> = { growing: "pause", settling: "pause", paused: "play", finished: "replay" };
@@ -142,7 +142,7 @@ export class RiverSeed extends Base {
     if (theme === "light" || theme === "dark") return theme === "dark";
     const schemes = getComputedStyle(this).colorScheme.split(" ");
     if (schemes.includes("dark") !== schemes.includes("light")) return schemes.includes("dark");
-    return matchMedia(DARK).matches;
+    return matchMedia(DARK_PAGES).matches;
   }
 
   get #wishNow(): Wish {
@@ -164,7 +164,7 @@ export class RiverSeed extends Base {
     const on = (target: EventTarget, type: string, listener: () => void): void =>
       target.addEventListener(type, listener, { signal });
     on(document, "visibilitychange", () => this.#rest());
-    on(matchMedia(DARK), "change", () => this.#followSoon());
+    on(matchMedia(DARK_PAGES), "change", () => this.#followSoon());
     on(matchMedia(STILL), "change", () => this.#finishIfStill());
     const near = (isNear: boolean): void => {
       this.#isNear = isNear;
@@ -197,7 +197,7 @@ export class RiverSeed extends Base {
     // What stood there before is of another river.
     if (isNew && this.#id === undefined) this.#standing = undefined;
     if (isNew && this.#id !== undefined) {
-      workshop.send(this.#id, { do: "show", wish, how: this.#how, size: this.#view.size });
+      workshop.send(this.#id, { do: "show", wish, how: this.#how, size: this.#view.fit() });
     }
     this.#finishIfStill();
     this.#beginIfDue();
@@ -227,7 +227,7 @@ export class RiverSeed extends Base {
 
   #open(id: number): void {
     const canvas = this.#view.prepare();
-    const size = this.#view.size;
+    const size = this.#view.fit();
     const how = this.#asked === "play" ? "watch" : this.#asked === "still" ? "still" : this.#how;
     workshop.send(id, { do: "open", canvas, wish: this.#wishNow, how, size });
     if (this.#asked === "pause") workshop.send(id, { do: "pause" });
@@ -276,10 +276,11 @@ export class RiverSeed extends Base {
 
   #resized(signal: AbortSignal): void {
     this.#beginIfDue();
+    this.#view.stretch();
     clearTimeout(this.#resizing);
     this.#resizing = setTimeout(() => {
       if (this.#id === undefined || signal.aborted) return;
-      workshop.send(this.#id, { do: "resize", size: this.#view.size });
+      workshop.send(this.#id, { do: "resize", size: this.#view.fit() });
     }, RESIZE_PAUSE_MS);
   }
 

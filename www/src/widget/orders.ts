@@ -50,11 +50,15 @@ export interface Ping {
   do: "ping";
 }
 
-/** The answer to it. Without work the worker says no more, until there is another order. */
+/**
+ * The answer to it. Without work the worker says no more, until there is another order. Before a step that takes long it says
+ * unasked how long at most nothing will be heard of it.
+ */
 export interface Pong {
   id: number;
   is: "alive";
   isAtWork: boolean;
+  silenceMs?: number;
 }
 
 /** How a river that is shown stands. */

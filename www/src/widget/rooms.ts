@@ -89,6 +89,9 @@ function handshake(worker: Worker, hello: Hello): Promise<void> {
   return limited(WORKER_SILENCE_MS, "the worker", opened);
 }
 
+/** What a worker says once it is open; of news alone no silence follows. */
+type Said = (News & { silenceMs?: undefined }) | Pong;
+
 function roomOf(worker: Worker, listener: Listener): Room {
   let orders = 0;
   let watched: Watch | undefined;
@@ -101,8 +104,8 @@ function roomOf(worker: Worker, listener: Listener): Room {
     lost++;
     listener.lost();
   };
-  worker.onmessage = ({ data }: MessageEvent<News | Pong>) => {
-    watched?.heard();
+  worker.onmessage = ({ data }: MessageEvent<Said>) => {
+    watched?.heard(data.silenceMs);
     if (data.is !== "alive") listener.tell(data);
     else if (!data.isAtWork && data.id === orders) rest();
   };

@@ -19,6 +19,8 @@ export class Studio {
   constructor(
     private readonly core: Core,
     private readonly tell: (news: News) => void,
+    /** A picture for a file is about to be painted, in one step. */
+    private readonly painting: () => void = () => {},
   ) {}
 
   /** Whether there will be news without another order. */
@@ -40,7 +42,7 @@ export class Studio {
       const { link } = read(this.core.engine, wish);
       const blob = await (format === "svg"
         ? svgOf(link, wasmUrl && new URL(TOOLS, wasmUrl).href)
-        : pngOf(this.core, link, longSide));
+        : pngOf(this.core, link, longSide, this.painting));
       this.tell({ id, is: "file", blob });
     } catch (thrown) {
       const { code, message } = named(thrown);

@@ -1,6 +1,6 @@
 /** What is to be seen of a widget: what its author put there until there is a river, the canvas, the button, and what is said. */
 
-import { backingSize, placeOf, type Size } from "../canvas.ts";
+import { type Fit, fitOf, type Size } from "../canvas.ts";
 import { el, setText } from "../dom.ts";
 import { sharedSheet } from "./sheet.ts";
 
@@ -11,19 +11,21 @@ export class View {
   readonly #own = new CSSStyleSheet();
   readonly #note = el("p", { part: "note", hidden: true });
   readonly #slot = el("slot", {}, this.#note);
+  /** What the canvas covers. */
+  readonly #frame = el("div");
   readonly #button = el("button", { type: "button", part: "button", hidden: true });
   readonly #status = el("span", { part: "status", role: "status" });
   #canvas: HTMLCanvasElement | undefined;
   /** Not seen before there is something on it. */
   #next: HTMLCanvasElement | undefined;
   #label = "";
+  /** Its own rules: the element's shape, and how the canvas is laid out. */
+  #shape = "";
+  #layout = "";
 
-  constructor(
-    private readonly root: ShadowRoot,
-    pressed: () => void,
-  ) {
+  constructor(root: ShadowRoot, pressed: () => void) {
     root.adoptedStyleSheets = [sharedSheet(), this.#own];
-    root.append(this.#slot, this.#button, this.#status);
+    root.append(this.#slot, this.#frame, this.#button, this.#status);
     this.#button.addEventListener("click", pressed);
   }
 
@@ -32,14 +34,29 @@ export class View {
    * also where its author reserved the river's room: nothing is to come into it.
    */
   shape(aspect: number, hasFailed: boolean): void {
-    this.#own.replaceSync(`:host { ${hasFailed ? "aspect-ratio: auto !important" : `aspect-ratio: ${aspect}`} }`);
+    this.#shape = `:host { ${hasFailed ? "aspect-ratio: auto !important" : `aspect-ratio: ${aspect}`} }`;
+    this.#applyRules();
+  }
+
+  /** Lays the canvas over the whole frame, whatever its pixels: for the time until it is painted anew. */
+  stretch(): void {
+    this.#layout = "";
+    this.#applyRules();
+  }
+
+  /** Lays the canvas out so that it shows pixel for pixel, and says how many it is to have. */
+  fit(): Size {
+    const { pixels, css } = this.#measure();
+    this.#layout = `canvas { width: ${css.width}px; height: ${css.height}px }`;
+    this.#applyRules();
+    return pixels;
   }
 
   /** A canvas for another river, unseen as yet. */
   prepare(): HTMLCanvasElement {
     this.#next?.remove();
     this.#next = el("canvas", { part: "canvas", class: "waits" });
-    this.#slot.after(this.#next);
+    this.#frame.append(this.#next);
     this.name(this.#label);
     return this.#next;
   }
@@ -77,8 +94,15 @@ export class View {
 
   /** How many pixels the picture has here; none while the element is not laid out. Of another shape, the map covers the box. */
   get size(): Size {
-    const element = this.#next ?? this.#canvas ?? (this.root.host as HTMLElement);
-    return backingSize(placeOf(element), window.devicePixelRatio);
+    return this.#measure().pixels;
+  }
+
+  #applyRules(): void {
+    this.#own.replaceSync(`${this.#shape} ${this.#layout}`);
+  }
+
+  #measure(): Fit {
+    return fitOf(this.#frame, window.devicePixelRatio);
   }
 
   /** Names the picture; an empty name makes it an ornament. */

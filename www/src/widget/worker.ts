@@ -1,6 +1,7 @@
 /** The studio in a worker: where it is, growing rivers never keeps the page from answering. */
 
 import { named } from "../errors.ts";
+import { PAINTING_SILENCE_MS } from "../time-limits.ts";
 import { load } from "../wasm.ts";
 import type { News, Order, Ping, Pong } from "./orders.ts";
 import { Studio } from "./studio.ts";
@@ -21,7 +22,8 @@ async function open({ wasmUrl }: Hello): Promise<void> {
   try {
     const coming = (): void => post({ is: "coming" });
     coming();
-    const studio = new Studio(await load(wasmUrl, coming), post);
+    const painting = (): void => post({ id: 0, is: "alive", isAtWork: true, silenceMs: PAINTING_SILENCE_MS });
+    const studio = new Studio(await load(wasmUrl, coming), post, painting);
     self.addEventListener("message", ({ data }: MessageEvent<Order | Ping>) => {
       if (data.do === "ping") post({ id: data.id, is: "alive", isAtWork: studio.isAtWork });
       else studio.take(data);

@@ -34,3 +34,22 @@ test("a style that is chosen on a dark page stays, in the address too", async ({
   await finished(page);
   await expectPicture(page, LINK);
 });
+
+test("what counts as changed follows the page when it turns dark or light", async ({ page }) => {
+  await openUnfolded(page, LINK);
+  const heading = page.locator('details:has([data-key="style"]) > summary');
+  const reset = page.locator('[data-reset="style"]');
+  const style = page.locator('[data-key="style"] select');
+  await page.emulateMedia({ colorScheme: "light", reducedMotion: "reduce" });
+  await expect(style).toHaveValue("ink");
+  await expect(heading).not.toContainText("changed");
+  await expect(reset).toBeHidden();
+  await style.selectOption("dark");
+  await expect(heading).toContainText("1 changed");
+  await expect(reset).toHaveAccessibleName("Reset Style to ink");
+  await page.emulateMedia({ colorScheme: "dark", reducedMotion: "reduce" });
+  await expect(heading).not.toContainText("changed");
+  await style.selectOption("ink");
+  await expect(heading).toContainText("1 changed");
+  await expect(reset).toHaveAccessibleName("Reset Style to dark");
+});

@@ -21,3 +21,15 @@ test("the engine is fetched once, and before its script has come", async ({ page
   expect(asked.filter((path) => path.endsWith(".wasm"))).toHaveLength(1);
   expect(said).toEqual([]);
 });
+
+test("an embedded river fetches the engine once: its worker could not use what the document fetched early", async ({
+  page,
+}) => {
+  const said = complaints(page);
+  const asked: string[] = [];
+  page.on("request", (request) => asked.push(new URL(request.url()).pathname));
+  await page.goto("./embed.html?attractors=300");
+  await expect(page.locator("html")).toHaveAttribute("data-state", "ready");
+  expect(asked.filter((path) => path.endsWith(".wasm"))).toHaveLength(1);
+  expect(said).toEqual([]);
+});

@@ -16,7 +16,7 @@ const crate = parse(readFileSync(new URL("../../../Cargo.toml", import.meta.url)
 };
 
 /** What people and registries read, and no program asks for. */
-const PAPERS = ["CHANGELOG.md", "LICENSE-APACHE", "LICENSE-MIT", "README.md", "THIRD-PARTY.txt"];
+const DOCUMENTS = ["CHANGELOG.md", "LICENSE-APACHE", "LICENSE-MIT", "README.md", "THIRD-PARTY.txt"];
 
 test("every file that an entry names is there, its types before its script", () => {
   for (const [entry, target] of Object.entries(description.exports)) {
@@ -40,7 +40,14 @@ test("the entries are the class, its registration, the engine, the bundle, the w
 test("no file is missing, and none is there that nobody asks for", () => {
   const entries = Object.values(description.exports).flatMap((target) => targets(target).map(([, path]) => path));
   const wanted = reachable(entries, (path) => bytes(path).toString());
-  expect([...wanted, ...PAPERS].sort()).toEqual(files());
+  expect([...wanted, ...DOCUMENTS].sort()).toEqual(files());
+});
+
+test("its changelog, its licences and the notices of others are the project's, to the letter", () => {
+  for (const name of PAPERS.filter((name) => name !== "README.md")) {
+    const ours = readFileSync(new URL(`../../../${name}`, import.meta.url), "utf8");
+    expect(bytes(name).toString(), name).toBe(ours);
+  }
 });
 
 test("only what registers the element has effects on being imported", () => {

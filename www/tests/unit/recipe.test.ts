@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import { isAdjustable } from "../../src/controls.ts";
-import { besides, isShown, presetValues } from "../../src/presets.ts";
+import { isShown, unaskedChanges } from "../../src/presets.ts";
 import { Recipe } from "../../src/recipe.ts";
 import { engine } from "../core.ts";
 
@@ -43,19 +43,32 @@ test("each preset is shown by its own values and by no other preset's", () => {
   for (const preset of presets) {
     const recipe = fresh();
     recipe.open("seed=rimu&attractors=900&curl=1.7&momentum=0.3&trim=40&growth=brownian");
-    recipe.set(presetValues(preset, presets, table));
-    const shown = presets.filter((one) => isShown(presetValues(one, presets, table), recipe.values));
+    recipe.set(preset.values);
+    const shown = presets.filter((one) => isShown(one, recipe.values));
     expect(shown.map(({ name }) => name)).toEqual([preset.name]);
     expect(recipe.seed).toBe("rimu");
     expect(recipe.values.get("attractors")).toBe("900");
   }
 });
 
-test("what a preset changes besides its own is told, in words", () => {
+test("all presets name the same keys, so that one leaves nothing of another", () => {
+  const [first, ...others] = presets.map(({ values }) => values.map(([key]) => key));
+  for (const keys of others) expect(keys).toEqual(first);
+});
+
+test("a preset sets what it names, whatever another names and the table's defaults are", () => {
+  const preset = { name: "bent", label: "Bent", help: "", values: [["curl", "1.5"]] } as const;
+  const other = { name: "bare", label: "Bare", help: "", values: [["trim", "40"]] } as const;
+  const { values } = engine.readLink("curl=1.5&trim=7");
+  expect(isShown(preset, new Map(values))).toBe(true);
+  expect(unaskedChanges(preset, [preset, other], table, new Map(values))).toBeUndefined();
+});
+
+test("what a preset changes unasked is told, in words", () => {
   const changes = (link: string, name: string): string | undefined => {
     const preset = presets.find((one) => one.name === name);
     if (!preset) throw new Error(`no preset ${name}`);
-    return besides(preset, presets, table, new Map(engine.readLink(link).values));
+    return unaskedChanges(preset, presets, table, new Map(engine.readLink(link).values));
   };
   const said = changes("land=island&curl=1.5&trim=40&simplify=12&meander=flow&growth=brownian", "trimmed-curl");
   expect(said).toMatch(/^“Trimmed curl” also changed .*\.$/);
@@ -75,7 +88,7 @@ test("a preset's button gives what the preset's link gives", () => {
     const byLink = engine.readLink(`preset=${preset.name}`).link;
     const recipe = fresh();
     recipe.open("");
-    recipe.set(presetValues(preset, presets, table));
+    recipe.set(preset.values);
     expect(recipe.link).toBe(byLink);
   }
 });

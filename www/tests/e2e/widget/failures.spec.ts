@@ -1,6 +1,16 @@
 import type { Page } from "@playwright/test";
 import { expect, type Host, test } from "./hosts.ts";
-import { canonical, expectPicture, type Heard, heard, listen, PROBE, PROBED_WORKER, post, trap } from "./post.ts";
+import {
+  canonical,
+  expectPicture,
+  failOnReplay,
+  type Heard,
+  heard,
+  listen,
+  PROBE,
+  PROBED_WORKER,
+  post,
+} from "./post.ts";
 
 const FALLBACK = '<img alt="A river" src="data:image/gif;base64,R0lGODlhAQABAAAAACw="><a href="#river">The river</a>';
 const WIDGET = `<river-seed seed="rimu" attractors="300" animate="none">${FALLBACK}</river-seed>`;
@@ -135,7 +145,7 @@ const TWO = ["one", "two"]
 
 /** The engine stops in the first of the two, which has its fallback back. */
 async function stopInOne(page: Page, events: () => Promise<Heard[]>): Promise<void> {
-  await trap(page);
+  await failOnReplay(page, "panic");
   await page.evaluate(() => document.querySelector<HTMLElementTagNameMap["river-seed"]>("#one")?.restart());
   expect(await heard(events, "error")).toMatchObject({ id: "one", detail: { code: "panic" } });
   await expect(page.locator("#one a")).toBeVisible();
@@ -187,3 +197,28 @@ test("an engine that stops in one river is replaced for the others", async ({ pa
   await page.locator("#one").evaluate((one) => one.setAttribute("seed", "four"));
   await expectPicture(page, canonical("seed=four&attractors=300"), "#one");
 });
+
+for (const place of ["a worker", "the page"]) {
+  test(`memory that runs out is said by name, and nothing half-made stays: ${place}`, async ({ page, blog }) => {
+    await page.emulateMedia({ reducedMotion: "reduce" });
+    if (place === "the page") {
+      await page.addInitScript(PROBE);
+      blog.headers = { "content-security-policy": "worker-src 'none'" };
+    } else blog.answer("/widget/worker.js", { headers: { "content-type": "text/javascript" }, body: PROBED_WORKER });
+    const events = await open(page, blog, TWO);
+    await heard(events, "complete", 2);
+    await failOnReplay(page, "no-memory");
+    const one = page.locator("#one");
+    await one.evaluate((river: HTMLElementTagNameMap["river-seed"]) => river.restart());
+    const advice = expect.stringMatching(/fewer attractors/);
+    expect(await heard(events, "error")).toMatchObject({ id: "one", detail: { code: "no-memory", advice } });
+    await expect(one.locator("a")).toBeVisible();
+    await expect(one.locator("canvas")).toHaveCount(0);
+    // The engine is sound: the other river goes on, and this one may be something smaller.
+    await page.locator("#two").evaluate((two) => two.setAttribute("seed", "three"));
+    await expectPicture(page, canonical("seed=three&attractors=300"), "#two");
+    await one.evaluate((one) => one.setAttribute("seed", "four"));
+    await expectPicture(page, canonical("seed=four&attractors=300"), "#one");
+    expect((await events()).filter(({ type }) => type === "error")).toHaveLength(1);
+  });
+}

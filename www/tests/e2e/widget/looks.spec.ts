@@ -154,17 +154,67 @@ test("a box of another shape is covered by the map", async ({ page, blog }) => {
 const backing = (page: Page, id: string): Promise<number[]> =>
   page.locator(`#${id} canvas`).evaluate((canvas: HTMLCanvasElement) => [canvas.width, canvas.height]);
 
+/** How many bytes of the screen, inside a river's box, are not the ones that its canvas has there. */
+async function differing(page: Page, scale: number): Promise<number> {
+  const box = await page.locator("river-seed").boundingBox();
+  if (!box) throw new Error("the river is nowhere");
+  // A part that begins and ends with a pixel of the screen.
+  const inside = (edge: number): number => 2 * Math.ceil(edge / 2) + 2;
+  const part = { x: inside(box.x), y: inside(box.y), width: 300, height: 180 };
+  const shot = (await page.screenshot({ clip: part })).toString("base64");
+  return page.locator("river-seed canvas").evaluate(
+    async (shown: HTMLCanvasElement, { shot, part, scale }) => {
+      const bytes = Uint8Array.from(atob(shot), (sign) => sign.charCodeAt(0));
+      const screen = await createImageBitmap(new Blob([bytes], { type: "image/png" }));
+      const { width, height } = screen;
+      const bytesOf = (image: CanvasImageSource, x: number, y: number): Uint8ClampedArray => {
+        const context = Object.assign(document.createElement("canvas"), { width, height }).getContext("2d");
+        context?.drawImage(image, -x, -y);
+        return context?.getImageData(0, 0, width, height).data ?? new Uint8ClampedArray();
+      };
+      const canvas = shown.getBoundingClientRect();
+      const from = (part: number, canvas: number): number => part * scale - Math.round(canvas * scale);
+      const expected = bytesOf(shown, from(part.x, canvas.x), from(part.y, canvas.y));
+      return bytesOf(screen, 0, 0).filter((byte, i) => byte !== expected[i]).length;
+    },
+    { shot, part, scale },
+  );
+}
+
 for (const transform of ["scale(.5)", "scale(0)", "rotate(30deg) scale(.4)"]) {
   test(`one that is drawn under ${transform} is sharp when that ends`, async ({ page, blog }) => {
-    // Whole pixels: where a box of a fraction begins decides how many it covers.
     const river = (id: string): string =>
-      `<river-seed id="${id}" attractors="300" animate="none" loading="eager" style="width: 336px"></river-seed>`;
+      `<river-seed id="${id}" attractors="300" animate="none" loading="eager" style="width: 333.4px"></river-seed>`;
     const body = `<div id="slide" style="transform: ${transform}; transform-origin: 0 0">${river("scaled")}</div>${river("plain")}`;
     const events = await open(page, blog, body);
     await heard(events, "complete", 2);
     await page.locator("#slide").evaluate((slide) => slide.style.removeProperty("transform"));
     await expectPicture(page, canonical("attractors=300"), "#scaled");
     expect(await backing(page, "scaled")).toEqual(await backing(page, "plain"));
+  });
+}
+
+for (const [left, scale] of [
+  [10.3, 1],
+  [10.6, 1],
+  [10.6, 1.5],
+] as const) {
+  test(`a box of fractions from ${left} shows the picture's own pixels, ${scale} to a CSS pixel`, async ({
+    playwright,
+    launchOptions,
+    blog,
+  }) => {
+    // Emulated screens have their edges between the pixels.
+    const args = [...(launchOptions.args ?? []), `--force-device-scale-factor=${scale}`];
+    const browser = await playwright.chromium.launch({ ...launchOptions, args });
+    const page = await browser.newPage({ viewport: null });
+    const style = `width: 333.4px; margin-left: ${left}px`;
+    const events = await open(page, blog, `<river-seed attractors="300" animate="none" style="${style}"></river-seed>`);
+    await heard(events, "complete");
+    await expectPicture(page, canonical("attractors=300"));
+    await frames(page, 5);
+    expect(await differing(page, scale)).toBe(0);
+    await browser.close();
   });
 }
 

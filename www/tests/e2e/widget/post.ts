@@ -88,10 +88,10 @@ export function canonical(link: string): string {
   return engine.readLink(link).link;
 }
 
-/** Counts, in a page or in a worker, what the engine holds and does; and traps when a river is replayed, once asked to. */
+/** Counts, in a page or in a worker, what the engine holds and does; and fails by name when a river is replayed, once asked to. */
 export const PROBE = `{
   const count = { rivers: 0, steps: 0, frames: 0, bytes: 0 };
-  let memory, traps = false;
+  let memory, failure;
   const instantiate = WebAssembly.instantiate;
   WebAssembly.instantiate = async (...given) => {
     const instance = await Reflect.apply(instantiate, WebAssembly, given);
@@ -103,7 +103,8 @@ export const PROBE = `{
       __wbg_river_free: (...args) => { count.rivers--; return __wbg_river_free(...args); },
       river_advance: (...args) => { count.steps++; return river_advance(...args); },
       river_restart: (...args) => {
-        if (traps) throw new WebAssembly.RuntimeError("unreachable");
+        if (failure === "panic") throw new WebAssembly.RuntimeError("unreachable");
+        if (failure) throw Object.assign(new Error("no room"), { code: failure });
         return river_restart(...args);
       },
     } };
@@ -117,7 +118,7 @@ export const PROBE = `{
   };
   const channel = new BroadcastChannel("probe");
   channel.onmessage = ({ data }) => {
-    if (data === "trap") traps = true;
+    if (data.failure) failure = data.failure;
     if (data === "count") channel.postMessage({ ...count, bytes: memory?.buffer.byteLength ?? 0 });
   };
 }
@@ -148,9 +149,9 @@ export function probe(page: Page): Promise<Count> {
   );
 }
 
-/** From now on the engine of the probed worker traps when a river is replayed. */
-export async function trap(page: Page): Promise<void> {
-  await page.evaluate(() => new BroadcastChannel("probe").postMessage("trap"));
+/** From now on the probed engine fails when a river is replayed: by a trap, as a panic does, or with an error of another code. */
+export async function failOnReplay(page: Page, failure: "panic" | "no-memory"): Promise<void> {
+  await page.evaluate((failure) => new BroadcastChannel("probe").postMessage({ failure }), failure);
 }
 
 /** Lets some frames pass. */

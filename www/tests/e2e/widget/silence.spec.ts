@@ -223,3 +223,40 @@ test("a finished river's worker is missed when something is asked of it, and a r
   await heard(events, "complete", 2);
   await expect(page.locator("body")).toHaveAttribute("data-grew", "again");
 });
+
+/** A worker that stops in the middle of painting a picture for a file, until a request is answered. */
+const HOLDING = `globalThis.OffscreenCanvas = class extends OffscreenCanvas {
+  constructor(...size) {
+    super(...size);
+    const request = new XMLHttpRequest();
+    request.open("GET", "/painting", false);
+    request.send();
+  }
+};
+${readFileSync(join(BUILT, "worker.js"), "utf8")}`;
+
+test("a worker that paints a large picture is waited for, though it says nothing for a minute", async ({
+  page,
+  blog,
+}) => {
+  blog.answer(WORKER, { headers: SCRIPT, body: HOLDING });
+  let answer = (): void => {};
+  const held = new Promise<void>((done) => {
+    answer = done;
+  });
+  let isPainting = false;
+  await page.context().route("**/painting", async (route) => {
+    isPainting = true;
+    await held;
+    await route.fulfill({ body: "" });
+  });
+  const events = await open(page, blog, widget("rimu"));
+  await heard(events, "complete");
+  const type = page.locator("#rimu").evaluate(async (river: RiverSeed) => (await river.toBlob()).type);
+  await until(page, () => isPainting);
+  for (let second = 0; second < 60; second++) await page.clock.runFor(1000);
+  expect(await workers(page)).toEqual({ begun: 1, ended: 0 });
+  answer();
+  expect(await type).toBe("image/png");
+  expect(await workers(page)).toEqual({ begun: 1, ended: 0 });
+});

@@ -1,5 +1,5 @@
 import { afterEach, beforeEach, expect, type Mock, test, vi } from "vitest";
-import { WORKER_SILENCE_MS } from "../../../src/time-limits.ts";
+import { PAINTING_SILENCE_MS, WORKER_SILENCE_MS } from "../../../src/time-limits.ts";
 import type { Order } from "../../../src/widget/orders.ts";
 import type { Listener, Room } from "../../../src/widget/rooms.ts";
 
@@ -105,6 +105,33 @@ test("a worker that has its engine and then works without a word of news is aske
   expect(to.lost).not.toHaveBeenCalled();
   expect(to.tell).not.toHaveBeenCalled();
   expect(worker.pings).toBeGreaterThan(20);
+});
+
+/** What a worker says before it paints a picture for a file. */
+const PAINTING = { id: 0, is: "alive", isAtWork: true, silenceMs: PAINTING_SILENCE_MS };
+
+test("a worker that paints a picture for a file is given longer, once", async () => {
+  const to = listener();
+  const { room, worker } = await open(to);
+  room.take(PAUSE);
+  worker.says(PAINTING);
+  vi.advanceTimersByTime(PAINTING_SILENCE_MS - 1000);
+  expect(to.lost).not.toHaveBeenCalled();
+  expect(to.tell).not.toHaveBeenCalled();
+  worker.says({ is: "alive", isAtWork: true, id: 1 });
+  vi.advanceTimersByTime(WORKER_SILENCE_MS - 1000);
+  expect(to.lost).not.toHaveBeenCalled();
+  vi.advanceTimersByTime(1000);
+  expect(to.lost).toHaveBeenCalledTimes(1);
+});
+
+test("a worker that never comes back from painting is told of", async () => {
+  const to = listener();
+  const { room, worker } = await open(to);
+  room.take(PAUSE);
+  worker.says(PAINTING);
+  vi.advanceTimersByTime(PAINTING_SILENCE_MS);
+  expect(to.lost).toHaveBeenCalledTimes(1);
 });
 
 test("a worker that answers no more is told of once", async () => {

@@ -3,13 +3,13 @@
 import { readFileSync } from "node:fs";
 import type { Plugin } from "vite";
 
-const PAPERS = ["LICENSE-APACHE", "LICENSE-MIT", "THIRD-PARTY.txt"];
+const LICENCES = ["LICENSE-APACHE", "LICENSE-MIT", "THIRD-PARTY.txt"];
 
-export function papers(): Plugin {
+export function licences(): Plugin {
   return {
-    name: "papers",
+    name: "licences",
     generateBundle() {
-      for (const fileName of PAPERS) {
+      for (const fileName of LICENCES) {
         const source = readFileSync(new URL(`../../${fileName}`, import.meta.url));
         this.emitFile({ type: "asset", fileName, source });
       }
