@@ -14,9 +14,9 @@ use crate::session::Session;
 /// The picture of one session.
 ///
 /// ```
-/// use riverseed::{picture::Picture, recipe::link, session::Session};
+/// use riverseed::{Picture, Session};
 ///
-/// let mut session = Session::new(link::read("seed=kauri&curl=0.6")?)?;
+/// let mut session = Session::new("seed=kauri&curl=0.6".parse()?)?;
 /// let mut picture = Picture::new(300, 200)?;
 /// while session.advance(10)? {
 ///     picture.paint(&session); // only what is new

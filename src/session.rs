@@ -27,12 +27,13 @@ pub enum SessionError {
 /// A recipe with what its stages have made of it so far: land, tree, rivers.
 ///
 /// ```
-/// use riverseed::{recipe::link, session::Session};
+/// use riverseed::Session;
 ///
-/// let mut session = Session::new(link::read("seed=kauri&curl=0.6")?)?;
-/// while session.advance(10)? {}
-/// let rivers = &session.network().expect("it is finished").rivers;
-/// assert!(rivers.len() > 100);
+/// let mut session = Session::new("seed=kauri&curl=0.6".parse()?)?;
+/// while session.advance(10)? {
+///     println!("{:?}: {:.0} %", session.phase(), session.progress() * 100.0);
+/// }
+/// assert!(session.finish()?.rivers.len() > 100);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug)]
@@ -174,6 +175,17 @@ impl Session {
             }
         }
         Ok(true)
+    }
+
+    /// Goes on to the end, and returns the finished rivers.
+    ///
+    /// # Errors
+    /// As [`Session::advance`].
+    pub fn finish(&mut self) -> Result<&Network, SessionError> {
+        static NONE_AT_ALL: Network = Network { vertices: Vec::new(), rivers: Vec::new(), oxbows: Vec::new() };
+        while self.advance(u32::MAX)? {}
+        // What is finished has a network, if an empty one.
+        Ok(self.network().unwrap_or(&NONE_AT_ALL))
     }
 
     fn step(&mut self) -> Result<bool, SessionError> {

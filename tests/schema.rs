@@ -2,7 +2,7 @@
 //! form is what it says. That networks are valid is a test of the page's (`www/tests/unit/schema.test.ts`), where a validator costs
 //! little.
 //!
-//! `RIVERSEED_REFRESH=1 cargo test --test schema` writes the schema's part about recipes and the README's table anew, and then
+//! `RIVERSEED_REFRESH=1 cargo test --all-features --test schema` writes the schema's part about recipes and the README's table anew, and then
 //! fails.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 #![cfg(feature = "cli")]
@@ -67,7 +67,7 @@ fn the_schema_s_recipe_is_the_table_of_parameters() {
     }
     assert!(
         schema["$defs"]["recipe"] == recipe_schema(),
-        "write it anew: RIVERSEED_REFRESH=1 cargo test --test schema"
+        "write it anew: RIVERSEED_REFRESH=1 cargo test --all-features --test schema"
     );
 }
 
@@ -100,5 +100,5 @@ fn the_readme_s_table_of_members_is_the_schema_s() {
         fs::write(README, format!("{before}{HEAD}{table}\n{after}")).unwrap();
         panic!("the README's table is written anew: run without RIVERSEED_REFRESH");
     }
-    assert!(found == table.trim_end(), "write it anew: RIVERSEED_REFRESH=1 cargo test --test schema");
+    assert!(found == table.trim_end(), "write it anew: RIVERSEED_REFRESH=1 cargo test --all-features --test schema");
 }

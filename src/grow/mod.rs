@@ -16,12 +16,20 @@ mod parameters;
 mod pull;
 mod scatter;
 
-pub use brownian::{Brownian, Field, Order};
-pub use colonize::{Colonize, Ending, stem_nodes};
+pub use brownian::Brownian;
+#[doc(hidden)]
+pub use brownian::{Field, Order};
+#[doc(hidden)]
+pub use colonize::stem_nodes;
+pub use colonize::{Colonize, Ending};
 pub use growth::Growth;
-pub use mouths::{Mouth, mouths, shores};
+pub use mouths::Mouth;
+#[doc(hidden)]
+pub use mouths::{mouths, shores};
 pub use parameters::Parameters;
+#[doc(hidden)]
 pub use pull::Pull;
+#[doc(hidden)]
 pub use scatter::scatter;
 
 use thiserror::Error;

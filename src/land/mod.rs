@@ -9,7 +9,7 @@
 //! Growth asks the field, painting what is shown of the relief ([`Shown`]): so the coast is smooth at any size, and rivers
 //! end at it.
 
-#[cfg(feature = "tools")]
+#[cfg(feature = "files")]
 mod contours;
 mod field;
 mod grid;
@@ -20,14 +20,17 @@ mod regions;
 mod relief;
 mod shown;
 mod strokes;
-#[cfg(feature = "tools")]
+#[cfg(feature = "files")]
 pub mod trace;
 mod walk;
 
 pub use field::Land;
 pub use grid::{Cell, SIDE};
-pub use regions::{Cells, Region, Run, Shore};
+#[doc(hidden)]
+pub use regions::{Cells, Run};
+pub use regions::{Region, Shore};
 pub use relief::Relief;
+#[doc(hidden)]
 pub use shown::Shown;
 pub(crate) use shown::{Across, Parabola};
 pub use strokes::DrawError;

@@ -44,13 +44,13 @@ impl Shown {
     }
 
     /// How many columns and rows of control points there are.
-    #[cfg(feature = "tools")]
+    #[cfg(feature = "files")]
     pub(super) fn size(&self) -> (usize, usize) {
         (self.columns, self.rows)
     }
 
     /// A control point.
-    #[cfg(feature = "tools")]
+    #[cfg(feature = "files")]
     pub(super) fn control(&self, column: usize, row: usize) -> f32 {
         self.heights[row * self.columns + column]
     }

@@ -29,9 +29,12 @@ mod smooth;
 mod uncross;
 mod width;
 
+#[doc(hidden)]
 pub use crate::plane::{gap, meet};
 pub use courses::Courses;
+#[doc(hidden)]
 pub use curvature::curvature;
+#[doc(hidden)]
 pub use guard::{Guard, Near};
 pub use meander::Meander;
 pub use middle::Place;

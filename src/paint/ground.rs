@@ -186,7 +186,7 @@ fn faded(way: f32) -> f32 {
 }
 
 /// Where there is so much of the farther colour: the reverse of `faded`.
-#[cfg(feature = "tools")]
+#[cfg(feature = "files")]
 pub(crate) fn way_to(share: f32) -> f32 {
     1.0 - (1.0 - share).sqrt()
 }

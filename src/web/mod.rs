@@ -1,6 +1,6 @@
 //! The only place that knows JavaScript: recipes, the parameter table and a river, for a page.
 
-#[cfg(feature = "tools")]
+#[cfg(feature = "files")]
 pub mod tools;
 
 use glam::Vec2;
