@@ -51,16 +51,15 @@ pub mod digest;
 pub mod domain;
 #[cfg(feature = "files")]
 pub mod export;
+mod geometry;
 pub mod grow;
 #[cfg(feature = "png")]
 pub mod import;
 pub mod land;
 mod memory;
 pub mod network;
-mod order;
 pub mod paint;
 pub mod picture;
-mod plane;
 #[cfg(test)]
 #[path = "../tests/common/property.rs"]
 mod property;
@@ -69,7 +68,8 @@ pub mod random;
 pub mod recipe;
 pub mod session;
 mod simplify;
-mod thin;
+mod skeletonize;
+mod sort;
 pub mod tree;
 #[cfg(target_arch = "wasm32")]
 mod web;

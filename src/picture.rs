@@ -54,8 +54,8 @@ impl Picture {
             tree: growth.tree(),
             finished: growth.ending().is_some(),
             trim: Trim::of(recipe),
-            everything: growth.everything(),
-            full_width: recipe.number(Key::Width),
+            total_discharge: growth.total_discharge(),
+            max_width: recipe.number(Key::Width),
             land,
             style: recipe.get(),
         })
@@ -67,10 +67,10 @@ impl Picture {
             (*generation == now.0, *domain == now.1 && is_same(land.as_ref(), now.2.as_ref()))
         });
         if !is_on_same_land {
-            self.painter.leave_land(&now.1);
+            self.painter.invalidate_ground(&now.1);
         }
         if !is_same {
-            self.painter.start_over();
+            self.painter.reset();
         }
         self.shown = Some(now);
     }

@@ -136,7 +136,7 @@ impl Session {
             self.shaping = None;
         }
         if stage == Some(Stage::Shape) && self.shaping.is_some() {
-            let parameters = self.network_parameters();
+            let parameters = self.network_settings();
             self.shaping.iter_mut().for_each(|shaping| shaping.change(parameters.clone()));
         }
         self.generation += u64::from(stage.is_some());
@@ -209,7 +209,7 @@ impl Session {
         const BYTES_A_NODE: usize = 64;
         ask_for_memory(self.tree().len(), BYTES_A_NODE)?;
         let Pruned { tree, .. } = self.pruned();
-        Shaping::new(&tree, self.growth.may_cross(), self.network_parameters())
+        Shaping::new(&tree, self.growth.may_cross(), self.network_settings())
     }
 
     /// Whether there is nothing more to do.
@@ -233,7 +233,7 @@ impl Session {
     pub fn progress(&self) -> f32 {
         match (self.phase(), self.meander()) {
             (Phase::Growing, _) => self.growth.progress(),
-            (Phase::Meandering, Some(meander)) => meander.rounds() as f32 / meander.parameters().rounds.max(1) as f32,
+            (Phase::Meandering, Some(meander)) => meander.rounds() as f32 / meander.settings().rounds.max(1) as f32,
             _ => 0.0,
         }
     }
@@ -253,9 +253,9 @@ impl Session {
     }
 
     /// How the rivers of this recipe are made of its tree.
-    pub fn network_parameters(&self) -> network::Parameters {
+    pub fn network_settings(&self) -> network::Settings {
         let growth = &self.growth;
-        network::Parameters::new(&self.recipe, self.land.clone(), growth.stream_spacing(), growth.everything())
+        network::Settings::new(&self.recipe, self.land.clone(), growth.stream_spacing(), growth.total_discharge())
     }
 
     /// The untrimmed tree, as far as it has grown.
@@ -293,7 +293,7 @@ impl Session {
         let Network { rivers, oxbows, .. } = meander.network();
         Summary {
             nodes: shaping.nodes(),
-            mouths: rivers.iter().filter(|river| river.joins == NONE).count() as u32,
+            mouths: rivers.iter().filter(|river| river.junction == NONE).count() as u32,
             sources: rivers.len() as u32,
             order: rivers.iter().map(|river| river.order).max().unwrap_or(0),
             rounds: meander.rounds(),
@@ -305,7 +305,7 @@ impl Session {
 
 /// Begins the growth of a recipe on its land.
 fn plant(recipe: &Recipe, land: &Option<Arc<Land>>) -> Result<Growth, GrowError> {
-    Growth::new(grow::Parameters::new(recipe, land.clone()))
+    Growth::new(grow::Settings::new(recipe, land.clone()))
 }
 
 #[cfg(test)]

@@ -12,9 +12,9 @@ mod driest;
 mod growth;
 mod heading;
 mod mouths;
-mod parameters;
 mod pull;
 mod scatter;
+mod settings;
 
 pub use brownian::Brownian;
 #[doc(hidden)]
@@ -26,11 +26,11 @@ pub use growth::Growth;
 pub use mouths::Mouth;
 #[doc(hidden)]
 pub use mouths::{mouths, shores};
-pub use parameters::Parameters;
 #[doc(hidden)]
 pub use pull::Pull;
 #[doc(hidden)]
 pub use scatter::scatter;
+pub use settings::Settings;
 
 use thiserror::Error;
 
@@ -58,9 +58,9 @@ pub enum GrowError {
 const BYTES_AN_ATTRACTOR: usize = 140;
 
 impl GrowError {
-    /// The error for parameters that ask for too much.
-    fn out_of_memory(parameters: &Parameters) -> Self {
-        let attractors = parameters.attractors;
+    /// The error for settings that ask for too much.
+    fn out_of_memory(settings: &Settings) -> Self {
+        let attractors = settings.attractors;
         Self::OutOfMemory { attractors, megabytes: (attractors as usize * BYTES_AN_ATTRACTOR / 1_000_000) as u32 + 1 }
     }
 

@@ -8,7 +8,7 @@
 
 pub mod choice;
 mod error;
-mod idle;
+mod inactive;
 #[cfg(feature = "json")]
 pub mod json;
 pub mod link;
