@@ -6,7 +6,7 @@
 
 use glam::Vec2;
 
-use super::grid::Cell;
+use super::cell::Cell;
 use super::regions::{Region, Run, regions};
 use super::walk::walk;
 use crate::domain::Domain;

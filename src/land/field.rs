@@ -4,8 +4,9 @@ use std::sync::Arc;
 
 use glam::Vec2;
 
+use super::cell::{CELL_SIZE, Cell};
 use super::coast_distance::CoastDistance;
-use super::grid::{CELL_SIZE, Cell, Grid};
+use super::grid::Grid;
 use super::kinds::Shape;
 use super::obstacles::Obstacles;
 use super::outline::Drawing;

@@ -4,27 +4,13 @@ use std::ops::Range;
 
 use glam::Vec2;
 
+use super::cell::{CELL_SIZE, Cell};
 use super::coast_distance::CoastDistance;
 use super::obstacles::Obstacles;
 use super::regions::{Region, Run, Shore, without};
 use super::walk::walk;
 use crate::domain::Domain;
 use crate::sort;
-
-/// What a cell is to rivers.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[repr(u8)]
-pub enum Cell {
-    /// Land.
-    Land,
-    /// Water: rivers end here.
-    Water,
-    /// A ridge: no river crosses it.
-    Ridge,
-}
-
-/// The side of a cell, in units: far less than a step of a river at the default number of attractors.
-pub const CELL_SIZE: f32 = 1.0;
 
 /// Cells, row by row.
 #[derive(Clone, Debug, PartialEq)]

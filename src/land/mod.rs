@@ -9,6 +9,7 @@
 //! Growth asks the field, painting smoothed coast distances ([`SmoothedDistance`]): so the coast is smooth at any size, and rivers
 //! end at it.
 
+mod cell;
 mod coast_distance;
 #[cfg(feature = "files")]
 mod contours;
@@ -24,9 +25,9 @@ mod strokes;
 pub mod trace;
 mod walk;
 
+pub use cell::{CELL_SIZE, Cell};
 pub use coast_distance::CoastDistance;
 pub use field::Land;
-pub use grid::{CELL_SIZE, Cell};
 #[doc(hidden)]
 pub use regions::{Cells, Run};
 pub use regions::{Region, Shore};

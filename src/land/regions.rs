@@ -3,7 +3,7 @@
 
 use glam::Vec2;
 
-use super::grid::Cell;
+use super::cell::Cell;
 use crate::sort;
 
 /// A row's cells `start..end`.

@@ -1,7 +1,7 @@
 //! Which parameters do nothing in a recipe, and why: the one place where that is decided.
 
 use super::choice::{GrowthMethod, LandKind, MeanderModel, Style};
-use super::parameter::Key;
+use super::key::Key;
 use super::{Decimal, Recipe, Value};
 
 /// Why a parameter does nothing; `None` if it does something.

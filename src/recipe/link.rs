@@ -7,7 +7,8 @@ use std::fmt;
 use std::str::FromStr;
 
 use super::error::{RecipeError, shown};
-use super::parameter::{Key, Kind};
+use super::key::Key;
+use super::parameter::Kind;
 use super::table::TABLE;
 use super::value::{Decimal, Value};
 use super::{Recipe, preset};
