@@ -257,7 +257,7 @@ fn what_is_given_and_does_nothing_is_said() {
     assert!(output.status.success());
     let said = String::from_utf8_lossy(&output.stderr);
     for name in ["mouths", "sea", "kill"] {
-        assert!(said.contains(&format!("'{name}' does nothing here: ")), "{said}");
+        assert!(said.contains(&format!("'{name}' has no effect: ")), "{said}");
     }
     assert_eq!(said.lines().count(), 3, "{said}");
 }

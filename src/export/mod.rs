@@ -27,7 +27,7 @@ pub enum ExportError {
     #[error("the rivers are still growing")]
     Unfinished,
     /// The memory was not to be had.
-    #[error("the file needs about {megabytes} MB, which this machine does not give")]
+    #[error("the file needs about {megabytes} MB, and the allocation failed")]
     OutOfMemory {
         /// About how much is needed.
         megabytes: u32,

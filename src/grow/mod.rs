@@ -39,7 +39,7 @@ use thiserror::Error;
 #[non_exhaustive]
 pub enum GrowError {
     /// The memory was not to be had.
-    #[error("attractors: {attractors} of them need about {megabytes} MB, which this machine does not give")]
+    #[error("attractors: {attractors} of them need about {megabytes} MB, and the allocation failed")]
     OutOfMemory {
         /// How many were asked for.
         attractors: u32,
@@ -47,7 +47,7 @@ pub enum GrowError {
         megabytes: u32,
     },
     /// The memory for a Brownian tree was not to be had.
-    #[error("growth: a Brownian tree needs about {megabytes} MB, which this machine does not give")]
+    #[error("growth: a Brownian tree needs about {megabytes} MB, and the allocation failed")]
     NoRoomForField {
         /// About how much it needs.
         megabytes: u32,

@@ -14,7 +14,7 @@ use crate::tree::Tree;
 #[non_exhaustive]
 pub enum ShapeError {
     /// The memory was not to be had.
-    #[error("attractors: rivers of {nodes} nodes need about {megabytes} MB, which this machine does not give")]
+    #[error("attractors: rivers of {nodes} nodes need about {megabytes} MB, and the allocation failed")]
     OutOfMemory {
         /// How many nodes the tree has.
         nodes: u32,

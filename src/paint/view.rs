@@ -21,7 +21,7 @@ pub enum PaintError {
         height: u32,
     },
     /// The memory was not to be had.
-    #[error("size: {width} x {height} pixels need about {megabytes} MB, which this machine does not give")]
+    #[error("size: {width} x {height} pixels need about {megabytes} MB, and the allocation failed")]
     OutOfMemory {
         /// Width asked for.
         width: u32,

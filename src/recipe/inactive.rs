@@ -1,23 +1,23 @@
-//! Which parameters do nothing in a recipe, and why: the one place where that is decided.
+//! Which parameters have no effect in a recipe, and why: the one place where that is decided.
 
 use super::choice::{GrowthMethod, LandKind, MeanderModel, Style};
 use super::key::Key;
 use super::{Decimal, Recipe, Value};
 
-/// Why a parameter does nothing; `None` if it does something.
+/// Why a parameter has no effect; `None` if it has one.
 type Reason = Option<&'static str>;
 
-const STILL: &str = "Rivers do not meander here.";
+const STILL: &str = "rivers do not meander";
 
 impl Recipe {
-    /// Why a parameter does nothing in this recipe, in a sentence; `None` if it does something.
+    /// Why a parameter has no effect in this recipe, as the rest of a sentence that says so; `None` if it has one.
     pub fn inactive_reason(&self, key: Key) -> Option<&'static str> {
         match key {
             Key::Seed | Key::Edition | Key::Aspect | Key::Land | Key::Growth => None,
             Key::Sea => self.no_coast().or_else(|| self.sea_is_drawn()),
             Key::Rough => self.no_coast(),
             Key::Sides => self.sea_is_drawn().or_else(|| self.sides_are_given()),
-            Key::Outline => (self.shown_land() != LandKind::Drawn).then_some("The land is not drawn."),
+            Key::Outline => (self.shown_land() != LandKind::Drawn).then_some("the land is not drawn"),
             Key::Apart | Key::Shores => self.no_coast().or_else(|| self.not_colonizing()),
             Key::Mouths | Key::Attractors | Key::Scatter | Key::Reach | Key::Kill | Key::Step => self.not_colonizing(),
             Key::Momentum | Key::Curl => self.not_colonizing(),
@@ -36,17 +36,17 @@ impl Recipe {
     }
 
     fn no_coast(&self) -> Reason {
-        (self.shown_land() == LandKind::Rectangle).then_some("The whole rectangle is land: it has no coast.")
+        (self.shown_land() == LandKind::Rectangle).then_some("the whole rectangle is land, so there is no coast")
     }
 
     fn sea_is_drawn(&self) -> Reason {
-        (self.shown_land() == LandKind::Drawn).then_some("The drawing says where the sea is.")
+        (self.shown_land() == LandKind::Drawn).then_some("the drawing determines where the sea is")
     }
 
     fn sides_are_given(&self) -> Reason {
         match self.shown_land() {
-            LandKind::Island | LandKind::Archipelago => Some("This land has the sea all round."),
-            LandKind::Basin => Some("Rivers run to the lake in the middle."),
+            LandKind::Island | LandKind::Archipelago => Some("this land has the sea all around it"),
+            LandKind::Basin => Some("rivers flow to the lake in the middle"),
             LandKind::Continent | LandKind::Valley | LandKind::Rectangle | LandKind::Drawn => None,
         }
     }
@@ -54,25 +54,25 @@ impl Recipe {
     fn not_colonizing(&self) -> Reason {
         match self.get() {
             GrowthMethod::Colonize => None,
-            GrowthMethod::Brownian => Some("Only space colonization has it."),
+            GrowthMethod::Brownian => Some("only space colonization uses it"),
         }
     }
 
     fn not_brownian(&self) -> Reason {
         match self.get() {
             GrowthMethod::Brownian => None,
-            GrowthMethod::Colonize => Some("Only a Brownian tree has it."),
+            GrowthMethod::Colonize => Some("only Brownian trees use it"),
         }
     }
 
     fn no_curl(&self) -> Reason {
-        self.is_zero(Key::Curl).then_some("Only rivers with curl have stretches.")
+        self.is_zero(Key::Curl).then_some("there is no curl")
     }
 
     /// Bends grow in proportion to widths: of rivers that meander the skeleton shows widths, too.
     fn no_widths(&self) -> Reason {
         let is_skeleton = self.get::<Style>() == Style::Skeleton;
-        (is_skeleton && self.no_rounds().is_some()).then_some("The skeleton is one pixel wide everywhere.")
+        (is_skeleton && self.no_rounds().is_some()).then_some("the skeleton is one pixel wide everywhere")
     }
 
     fn no_meandering(&self) -> Reason {
@@ -88,13 +88,13 @@ impl Recipe {
     }
 
     fn no_great_rivers(&self) -> Reason {
-        self.is_zero(Key::Great).then_some("There are no great rivers.")
+        self.is_zero(Key::Great).then_some("there are no great rivers")
     }
 
     fn no_choice_of_direction(&self) -> Reason {
         match self.get() {
             _ if self.is_zero(Key::MeanderStrength) => Some(STILL),
-            MeanderModel::Flow => Some("Only bends that grow outward have it."),
+            MeanderModel::Flow => Some("only bends that grow outward use it"),
             MeanderModel::Bend | MeanderModel::None => None,
         }
     }
@@ -127,34 +127,6 @@ mod tests {
     }
 
     #[test]
-    fn rules_go_by_the_choices_that_they_name() {
-        for (link, key, expected) in [
-            ("land=rectangle", Key::Sea, "The whole rectangle"),
-            ("land=drawn", Key::Sea, "The whole rectangle"),
-            ("land=rectangle", Key::Shores, "The whole rectangle"),
-            ("land=island", Key::Sides, "This land"),
-            ("land=drawn&outline=.MzMzzMMzzMzM", Key::Sea, "The drawing"),
-            ("growth=colonize", Key::Sensitivity, "Only a Brownian tree"),
-            ("growth=brownian", Key::Mouths, "Only space colonization"),
-            ("meander=flow", Key::MeanderMix, "Only bends that grow outward"),
-            ("meander=none", Key::MeanderRounds, "Rivers do not meander"),
-            ("meander-rounds=0", Key::Taper, "Rivers do not meander"),
-            ("meander-strength=0", Key::MeanderMix, "Rivers do not meander"),
-            ("great=0", Key::Flat, "There are no great rivers"),
-            ("great=0&gentle=0", Key::Taper, "Rivers do not meander"),
-            ("curl=0", Key::Stretch, "Only rivers with curl"),
-            ("style=skeleton&meander=none", Key::Width, "The skeleton"),
-            ("land=island&outline=.MzMzzMMzzMzM", Key::Outline, "The land is not drawn"),
-        ] {
-            assert!(
-                reason(link, key).is_some_and(|reason| reason.starts_with(expected)),
-                "{link}: {:?}",
-                reason(link, key)
-            );
-        }
-    }
-
-    #[test]
     fn what_does_something_has_no_reason_not_to() {
         for (link, key) in [
             ("land=valley", Key::Sides),
@@ -173,28 +145,31 @@ mod tests {
     /// A recipe in which next to everything does something, whatever the defaults are.
     const LIVELY: &str = "land=rectangle&growth=colonize&curl=0.5&meander=bend&meander-rounds=60&meander-strength=0.5&great=3&gentle=0.3&style=ink";
 
-    const NO_COAST: (&str, &str) = ("sea rough apart shores", "The whole rectangle is land: it has no coast.");
-    const NOT_DRAWN: (&str, &str) = ("outline", "The land is not drawn.");
-    const NO_SENSITIVITY: (&str, &str) = ("sensitivity", "Only a Brownian tree has it.");
+    const NO_COAST: (&str, &str) = ("sea rough apart shores", "the whole rectangle is land, so there is no coast");
+    const NOT_DRAWN: (&str, &str) = ("outline", "the land is not drawn");
+    const NO_SENSITIVITY: (&str, &str) = ("sensitivity", "only Brownian trees use it");
     const RECTANGULAR: &[(&str, &str)] = &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY];
 
     /// What is set over the lively recipe, and all keys that do nothing then, each with its reason.
     const EXPECTED: &[(&str, &[(&str, &str)])] = &[
         ("", RECTANGULAR),
         ("land=drawn&outline=", RECTANGULAR),
-        ("land=drawn&outline=.MzMzzMMzzMzM", &[("sea sides", "The drawing says where the sea is."), NO_SENSITIVITY]),
-        ("land=island", &[("sides", "This land has the sea all round."), NOT_DRAWN, NO_SENSITIVITY]),
-        ("land=archipelago", &[("sides", "This land has the sea all round."), NOT_DRAWN, NO_SENSITIVITY]),
+        (
+            "land=drawn&outline=.MzMzzMMzzMzM",
+            &[("sea sides", "the drawing determines where the sea is"), NO_SENSITIVITY],
+        ),
+        ("land=island", &[("sides", "this land has the sea all around it"), NOT_DRAWN, NO_SENSITIVITY]),
+        ("land=archipelago", &[("sides", "this land has the sea all around it"), NOT_DRAWN, NO_SENSITIVITY]),
         ("land=continent", &[NOT_DRAWN, NO_SENSITIVITY]),
         ("land=valley", &[NOT_DRAWN, NO_SENSITIVITY]),
-        ("land=basin", &[("sides", "Rivers run to the lake in the middle."), NOT_DRAWN, NO_SENSITIVITY]),
+        ("land=basin", &[("sides", "rivers flow to the lake in the middle"), NOT_DRAWN, NO_SENSITIVITY]),
         (
             "land=continent&growth=brownian",
             &[
                 NOT_DRAWN,
                 (
                     "mouths apart shores attractors scatter reach kill step momentum curl stretch",
-                    "Only space colonization has it.",
+                    "only space colonization uses it",
                 ),
             ],
         ),
@@ -203,10 +178,10 @@ mod tests {
             &[
                 NO_COAST,
                 NOT_DRAWN,
-                ("mouths attractors scatter reach kill step momentum curl stretch", "Only space colonization has it."),
+                ("mouths attractors scatter reach kill step momentum curl stretch", "only space colonization uses it"),
             ],
         ),
-        ("curl=0", &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, ("stretch", "Only rivers with curl have stretches.")]),
+        ("curl=0", &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, ("stretch", "there is no curl")]),
         (
             "meander=none",
             &[
@@ -232,15 +207,15 @@ mod tests {
                 NOT_DRAWN,
                 NO_SENSITIVITY,
                 ("meander-strength meander-mix neck buffer taper", STILL),
-                ("flat", "There are no great rivers."),
+                ("flat", "there are no great rivers"),
             ],
         ),
-        ("great=0", &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, ("flat", "There are no great rivers.")]),
+        ("great=0", &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, ("flat", "there are no great rivers")]),
         ("gentle=0", RECTANGULAR),
         ("meander-strength=0", &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, ("meander-mix", STILL)]),
         (
             "meander=flow",
-            &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, ("meander-mix", "Only bends that grow outward have it.")],
+            &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, ("meander-mix", "only bends that grow outward use it")],
         ),
         ("style=skeleton", RECTANGULAR),
         (
@@ -250,7 +225,7 @@ mod tests {
                 NOT_DRAWN,
                 NO_SENSITIVITY,
                 ("meander-strength meander-mix gentle great flat neck buffer taper", STILL),
-                ("width vary", "The skeleton is one pixel wide everywhere."),
+                ("width vary", "the skeleton is one pixel wide everywhere"),
             ],
         ),
         (
@@ -260,7 +235,7 @@ mod tests {
                 NOT_DRAWN,
                 NO_SENSITIVITY,
                 ("meander-rounds meander-strength meander-mix gentle great flat neck buffer taper", STILL),
-                ("width vary", "The skeleton is one pixel wide everywhere."),
+                ("width vary", "the skeleton is one pixel wide everywhere"),
             ],
         ),
     ];

@@ -265,7 +265,7 @@ fn write_network(output: Output, recipe: Recipe, form: Form, with_attractors: bo
 fn say_what_is_idle(recipe: &Recipe, given: &[String]) {
     for name in given {
         if let Some(reason) = Key::from_name(name).and_then(|key| recipe.inactive_reason(key)) {
-            eprintln!("riverseed: '{name}' does nothing here: {reason}");
+            eprintln!("riverseed: '{name}' has no effect: {reason}");
         }
     }
 }
@@ -383,7 +383,9 @@ fn say_what_is_kept(traced: &Traced) {
     let ridges = of(ridges, traced.ridges, LineKind::Ridge);
     eprintln!("riverseed: kept {coasts} and {ridges}, {points} points");
     if traced.is_longer {
-        eprintln!("riverseed: the picture is longer than a map can be: what is at its long sides goes on beyond them");
+        eprintln!(
+            "riverseed: the image is more elongated than 4:1; land on its long edges is extended to the edge of the map"
+        );
     }
 }
 
