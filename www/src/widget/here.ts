@@ -4,8 +4,7 @@
  */
 
 import { load } from "../wasm.ts";
-import type { News } from "./orders.ts";
-import type { Room } from "./rooms.ts";
+import type { News, Room } from "./orders.ts";
 import { Studio } from "./studio.ts";
 
 export { advice } from "../advice.ts";

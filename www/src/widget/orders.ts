@@ -44,6 +44,23 @@ export type Order = { id: number } & (
   | ({ do: "file"; wish: Wish } & FileOrder)
 );
 
+/** Where the studio is. */
+export interface Room {
+  take(order: Order): void;
+  /** Leaves the room; whoever is in it is gone. */
+  close(): void;
+  /** Whether another can be opened in place of one whose engine has stopped. */
+  readonly isReplaceable: boolean;
+}
+
+/** The first message to a worker says where the engine is; what comes before it has arrived waits. */
+export interface Hello {
+  wasmUrl: string | undefined;
+}
+
+/** The worker's answers to it: while the engine is coming, and one at the end. No canvas is handed over before. */
+export type Answer = { is: "coming" } | { is: "open" } | { is: "shut"; code: string; message: string };
+
 /** Asks a worker for a sign of life; its number is that of the orders before it. */
 export interface Ping {
   id: number;

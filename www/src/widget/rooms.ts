@@ -2,17 +2,7 @@
 
 import { PageError } from "../errors.ts";
 import { limited, SCRIPT_MS, type Watch, WORKER_SILENCE_MS, watch } from "../time-limits.ts";
-import type { News, Order, Ping, Pong } from "./orders.ts";
-import type { Answer, Hello } from "./worker.ts";
-
-/** Where the studio is. */
-export interface Room {
-  take(order: Order): void;
-  /** Leaves the room; whoever is in it is gone. */
-  close(): void;
-  /** Whether another can be opened in place of one whose engine has stopped. */
-  readonly isReplaceable: boolean;
-}
+import type { Answer, Hello, News, Ping, Pong, Room } from "./orders.ts";
 
 export interface Listener {
   tell(news: News): void;

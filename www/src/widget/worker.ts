@@ -3,16 +3,8 @@
 import { named } from "../errors.ts";
 import { PAINTING_SILENCE_MS } from "../time-limits.ts";
 import { load } from "../wasm.ts";
-import type { News, Order, Ping, Pong } from "./orders.ts";
+import type { Answer, Hello, News, Order, Ping, Pong } from "./orders.ts";
 import { Studio } from "./studio.ts";
-
-/** The first message says where the engine is; what comes before it has arrived waits. */
-export interface Hello {
-  wasmUrl: string | undefined;
-}
-
-/** The worker's answers to it: while the engine is coming, and one at the end. No canvas is handed over before. */
-export type Answer = { is: "coming" } | { is: "open" } | { is: "shut"; code: string; message: string };
 
 const post = (message: News | Answer | Pong): void => self.postMessage(message);
 

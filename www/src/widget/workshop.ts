@@ -4,8 +4,8 @@
  */
 
 import { PageError } from "../errors.ts";
-import type { FileOrder, News, Order, Wish } from "./orders.ts";
-import { openRoom, type Room } from "./rooms.ts";
+import type { FileOrder, News, Order, Room, Wish } from "./orders.ts";
+import { openRoom } from "./rooms.ts";
 
 /** A widget, as the workshop knows it. */
 export interface Member {

@@ -1,7 +1,7 @@
 import { afterEach, beforeEach, expect, type Mock, test, vi } from "vitest";
 import { PAINTING_SILENCE_MS, WORKER_SILENCE_MS } from "../../../src/time-limits.ts";
-import type { Order } from "../../../src/widget/orders.ts";
-import type { Listener, Room } from "../../../src/widget/rooms.ts";
+import type { Order, Room } from "../../../src/widget/orders.ts";
+import type { Listener } from "../../../src/widget/rooms.ts";
 
 const HERE: Room = { isReplaceable: false, take: () => {}, close: () => {} };
 vi.mock("../../../src/widget/here.ts", () => ({ openHere: async () => HERE }));
