@@ -19,13 +19,6 @@ export function addressOf(link: string, page: string): string {
   return address.href;
 }
 
-/** Values as link text, for the core to read. Spaces as %20: one spelling, whatever reads it. */
-export function linkText(values: Iterable<readonly [key: string, value: string]>): string {
-  const query = new URLSearchParams();
-  for (const [key, value] of values) query.append(key, value);
-  return query.toString().replaceAll("+", "%20");
-}
-
 /** Writes links at a bounded rate: the first at once, then the latest when the time is up. */
 export class AddressBar {
   #lastWrite = Number.NEGATIVE_INFINITY;

@@ -3,6 +3,7 @@
 import "./style.css";
 import type { Parameter, Phase, Preset, Summary } from "../pkg/riverseed.js";
 import { type Controls, controls } from "./controls.ts";
+import { count } from "./count.ts";
 import { DARK_PAGES } from "./dark-pages.ts";
 import { setText } from "./dom.ts";
 import { Downloads } from "./downloads.ts";
@@ -25,7 +26,6 @@ import { ShareDialog } from "./share-dialog.ts";
 import { Announcer, showFailure, showNotices, undoable } from "./status.ts";
 import { loadTools } from "./tools.ts";
 import { Transport } from "./transport.ts";
-import { count } from "./values.ts";
 import { type Core, load } from "./wasm.ts";
 import { alternative, caption, sentence } from "./words.ts";
 

@@ -1,7 +1,7 @@
 /** The recipe on show, always in the core's own spelling: what the page changes, the core reads and answers. */
 
 import type { Reading } from "../pkg/riverseed.js";
-import { linkText } from "./link.ts";
+import { linkText } from "./link-text.ts";
 import { DARK_STYLE, namesStyle } from "./scheme.ts";
 
 export class Recipe {

@@ -3,8 +3,8 @@
  * HTML on somebody's site: whatever goes in is escaped here, once.
  */
 
+import { attributeOf } from "./attribute-names.ts";
 import { addressOf } from "./link.ts";
-import { attributeOf } from "./widget/attributes.ts";
 
 /** A river that is to be shared. */
 export interface Shared {

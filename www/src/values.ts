@@ -1,6 +1,7 @@
 /** Between a value's text (as a link has it) and what a control needs. Ranges and defaults come from the table alone. */
 
 import type { Parameter } from "../pkg/riverseed.js";
+import { count } from "./count.ts";
 
 /** A numeric parameter with its range: what a slider is made from. */
 export interface Range {
@@ -76,15 +77,6 @@ export function sidesOf(text: string): string[] {
 export function sidesText(chosen: ReadonlySet<string>, parameter: Parameter): string {
   const order = parameter.choices?.map((choice) => choice.value) ?? [];
   return order.filter((side) => chosen.has(side)).join("");
-}
-
-let format: Intl.NumberFormat | undefined;
-
-/** A number for people: 12,000. */
-export function count(value: number): string {
-  // Made when it is first needed: that takes the browser longer than all else that a widget does at its start.
-  format ??= new Intl.NumberFormat("en");
-  return format.format(value);
 }
 
 /** A value in words: a choice by its label, in quotes. */

@@ -1,11 +1,8 @@
 /** A river in words: the caption, the picture's text alternative, the sentence of the finished state. */
 
 import type { Phase, Summary } from "../pkg/riverseed.js";
+import { type Count, count } from "./count.ts";
 import type { State } from "./growth.ts";
-import { count } from "./values.ts";
-
-/** How numbers are written. */
-export type Count = (value: number) => string;
 
 function counted(value: number, one: string, many: string, written: Count): string {
   return `${written(value)} ${value === 1 ? one : many}`;

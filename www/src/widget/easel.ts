@@ -5,8 +5,8 @@ import { isRecoverable, named } from "../errors.ts";
 import type { Frames } from "../growth.ts";
 import { Picture } from "../picture.ts";
 import type { Core } from "../wasm.ts";
-import type { News, Order, Reading, Wish } from "./orders.ts";
-import { read } from "./reading.ts";
+import type { News, Order } from "./orders.ts";
+import { type Reading, read, type Wish } from "./reading.ts";
 
 type Opening = Extract<Order, { do: "open" }>;
 

@@ -3,29 +3,12 @@
  * back; every widget has a number.
  */
 
-import type { Notice, Phase, Summary } from "../../pkg/riverseed.js";
+import type { Phase, Summary } from "../../pkg/riverseed.js";
 import type { Size } from "../canvas.ts";
 import type { Code } from "../errors.ts";
 import type { State } from "../growth.ts";
 import type { Canvas, How } from "../picture.ts";
-
-/** What a widget wants to show. */
-export interface Wish {
-  /** Link text as its author gave it: anything. */
-  text: string;
-  /** Whether it stands on a dark page: then rivers are light, unless a style is chosen. */
-  isDark: boolean;
-}
-
-/** A wish as the core understood it. */
-export interface Reading {
-  /** The canonical link: what is drawn. */
-  link: string;
-  seed: string;
-  aspect: number;
-  /** What had to be mended. */
-  notices: readonly Notice[];
-}
+import type { Reading, Wish } from "./reading.ts";
 
 /** What is made of a river besides a picture on the page. */
 export interface FileOrder {

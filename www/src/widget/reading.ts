@@ -1,9 +1,27 @@
 /** Reads what a widget's author asks for. */
 
-import { linkText } from "../link.ts";
+import type { Notice } from "../../pkg/riverseed.js";
+import { linkText } from "../link-text.ts";
 import { DARK_STYLE, namesStyle } from "../scheme.ts";
 import type { Engine } from "../wasm.ts";
-import type { Reading, Wish } from "./orders.ts";
+
+/** What a widget wants to show. */
+export interface Wish {
+  /** Link text as its author gave it: anything. */
+  text: string;
+  /** Whether it stands on a dark page: then rivers are light, unless a style is chosen. */
+  isDark: boolean;
+}
+
+/** A wish as the core understood it. */
+export interface Reading {
+  /** The canonical link: what is drawn. */
+  link: string;
+  seed: string;
+  aspect: number;
+  /** What had to be mended. */
+  notices: readonly Notice[];
+}
 
 /**
  * A widget shares its page with text that somebody reads. Within these bounds no step of a river, above all of those that make

@@ -1,6 +1,6 @@
 /** What a widget says, in English until its author says otherwise. */
 
-import type { Count } from "../words.ts";
+import type { Count } from "../count.ts";
 import { alternative, sizeOf } from "../words.ts";
 import type { Standing } from "./orders.ts";
 

@@ -5,8 +5,8 @@ import { pngOf, svgOf } from "../files.ts";
 import { displayFrames, Turns } from "../frames.ts";
 import type { Core } from "../wasm.ts";
 import { Easel } from "./easel.ts";
-import type { FileOrder, News, Order, Wish } from "./orders.ts";
-import { read } from "./reading.ts";
+import type { FileOrder, News, Order } from "./orders.ts";
+import { read, type Wish } from "./reading.ts";
 
 /** The tools' wasm module, as the package has it. */
 const TOOLS = "riverseed_tools_bg.wasm";

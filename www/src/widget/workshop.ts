@@ -4,7 +4,8 @@
  */
 
 import { PageError } from "../errors.ts";
-import type { FileOrder, News, Order, Room, Wish } from "./orders.ts";
+import type { FileOrder, News, Order, Room } from "./orders.ts";
+import type { Wish } from "./reading.ts";
 import { openRoom } from "./rooms.ts";
 
 /** A widget, as the workshop knows it. */

@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 import type { Parameter } from "../../pkg/riverseed.js";
+import { count } from "../../src/count.ts";
 import {
-  count,
   LOG_STEPS,
   logStep,
   numberText,

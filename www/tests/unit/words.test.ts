@@ -1,9 +1,9 @@
 import { expect, test } from "vitest";
 import { backingSize } from "../../src/canvas.ts";
+import { count } from "../../src/count.ts";
 import { linesOf } from "../../src/digest-lines.ts";
 import { fileName } from "../../src/share.ts";
 import { speedName } from "../../src/transport.ts";
-import { count } from "../../src/values.ts";
 import { alternative, caption, sentence } from "../../src/words.ts";
 
 const summary = {
