@@ -1,7 +1,7 @@
 /** The element's attributes and the properties that mirror them. */
 
-import { attributeOf, NUMBERS, TEXTS } from "../attribute-names.ts";
-import { linkText } from "../link-text.ts";
+import { attributeOf, NUMBERS, TEXTS } from "../engine/attribute-names.ts";
+import { linkText } from "../engine/link-text.ts";
 
 /** How the element behaves, which is no part of the recipe. */
 const BEHAVIOUR = ["recipe", "animate", "loading", "theme", "alt", "wasm-url"] as const;

@@ -1,12 +1,12 @@
 /** One widget's river on its canvas, wherever that is drawn. */
 
-import type { Size } from "../canvas.ts";
-import { isRecoverable, named } from "../errors.ts";
-import type { Frames } from "../growth.ts";
-import { Picture } from "../picture.ts";
-import type { Core } from "../wasm.ts";
+import type { Size } from "../browser/canvas.ts";
+import { isRecoverable, named } from "../engine/errors.ts";
+import { type Reading, read, type Wish } from "../engine/reading.ts";
+import type { Core } from "../engine/wasm.ts";
+import type { Frames } from "../player/growth.ts";
+import { Picture } from "../player/picture.ts";
 import type { News, Order } from "./orders.ts";
-import { type Reading, read, type Wish } from "./reading.ts";
 
 type Opening = Extract<Order, { do: "open" }>;
 

@@ -3,16 +3,16 @@
  * it does nothing, on a server as well.
  */
 
-import { RESIZE_PAUSE_MS } from "../canvas.ts";
-import { DARK_PAGES } from "../dark-pages.ts";
-import { isRecoverable, named, PageError } from "../errors.ts";
-import type { State } from "../growth.ts";
-import type { How } from "../picture.ts";
+import { RESIZE_PAUSE_MS } from "../browser/canvas.ts";
+import { DARK_PAGES } from "../browser/dark-pages.ts";
+import { isRecoverable, named, PageError } from "../engine/errors.ts";
+import type { Reading, Wish } from "../engine/reading.ts";
+import type { State } from "../player/growth.ts";
+import type { How } from "../player/picture.ts";
 import { ASPECT, aspectOf, linkOf, OBSERVED, type Properties, reflect, upgrade } from "./attributes.ts";
 import type { RiverSeedEventMap } from "./events.ts";
 import { watch } from "./nearness.ts";
 import type { FileOrder, News, Standing } from "./orders.ts";
-import type { Reading, Wish } from "./reading.ts";
 import { importHere } from "./rooms.ts";
 import { countIn, ENGLISH, type Strings, type Told } from "./strings.ts";
 import { type Does, View } from "./view.ts";

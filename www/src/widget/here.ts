@@ -3,11 +3,11 @@
  * none at all.
  */
 
-import { load } from "../wasm.ts";
+import { load } from "../engine/wasm.ts";
 import type { News, Room } from "./orders.ts";
 import { Studio } from "./studio.ts";
 
-export { advice } from "../advice.ts";
+export { advice } from "../engine/advice.ts";
 
 export async function openHere(tell: (news: News) => void, wasmUrl: string | undefined): Promise<Room> {
   const studio = new Studio(await load(wasmUrl), tell);

@@ -1,6 +1,6 @@
 /** What all widgets of a page watch together: which of them are near the window, and which change their size. */
 
-import { observeSize } from "../canvas.ts";
+import { observeSize } from "../browser/canvas.ts";
 
 /**
  * How near a widget is when its river begins: about one turn of a wheel, so that the engine has arrived when it is seen, and

@@ -4,11 +4,11 @@
  */
 
 import type { Phase, Summary } from "../../pkg/riverseed.js";
-import type { Size } from "../canvas.ts";
-import type { Code } from "../errors.ts";
-import type { State } from "../growth.ts";
-import type { Canvas, How } from "../picture.ts";
-import type { Reading, Wish } from "./reading.ts";
+import type { Size } from "../browser/canvas.ts";
+import type { Code } from "../engine/errors.ts";
+import type { Reading, Wish } from "../engine/reading.ts";
+import type { State } from "../player/growth.ts";
+import type { Canvas, How } from "../player/picture.ts";
 
 /** What is made of a river besides a picture on the page. */
 export interface FileOrder {

@@ -1,7 +1,7 @@
 /** The two places where the studio can be. */
 
-import { PageError } from "../errors.ts";
-import { limited, SCRIPT_MS, type Watch, WORKER_SILENCE_MS, watch } from "../time-limits.ts";
+import { PageError } from "../engine/errors.ts";
+import { limited, SCRIPT_MS, type Watch, WORKER_SILENCE_MS, watch } from "../engine/time-limits.ts";
 import type { Answer, Hello, News, Ping, Pong, Room } from "./orders.ts";
 
 export interface Listener {

@@ -1,7 +1,7 @@
 /** What a widget says, in English until its author says otherwise. */
 
-import type { Count } from "../count.ts";
-import { alternative, sizeOf } from "../words.ts";
+import type { Count } from "../browser/count.ts";
+import { alternative, sizeOf } from "../player/words.ts";
 import type { Standing } from "./orders.ts";
 
 /** A river as it stands, for a sentence about it. */

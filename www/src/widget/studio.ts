@@ -1,12 +1,12 @@
 /** Where the rivers of all widgets are grown and drawn, each on its canvas: in a worker, or on the page itself. */
 
-import { named } from "../errors.ts";
-import { pngOf, svgOf } from "../files.ts";
-import { displayFrames, Turns } from "../frames.ts";
-import type { Core } from "../wasm.ts";
+import { named } from "../engine/errors.ts";
+import { read, type Wish } from "../engine/reading.ts";
+import type { Core } from "../engine/wasm.ts";
+import { pngOf, svgOf } from "../player/files.ts";
+import { displayFrames, Turns } from "../player/frames.ts";
 import { Easel } from "./easel.ts";
 import type { FileOrder, News, Order } from "./orders.ts";
-import { read, type Wish } from "./reading.ts";
 
 /** The tools' wasm module, as the package has it. */
 const TOOLS = "riverseed_tools_bg.wasm";

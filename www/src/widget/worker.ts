@@ -1,8 +1,8 @@
 /** The studio in a worker: where it is, growing rivers never keeps the page from answering. */
 
-import { named } from "../errors.ts";
-import { PAINTING_SILENCE_MS } from "../time-limits.ts";
-import { load } from "../wasm.ts";
+import { named } from "../engine/errors.ts";
+import { PAINTING_SILENCE_MS } from "../engine/time-limits.ts";
+import { load } from "../engine/wasm.ts";
 import type { Answer, Hello, News, Order, Ping, Pong } from "./orders.ts";
 import { Studio } from "./studio.ts";
 

@@ -3,9 +3,9 @@
  * with the last.
  */
 
-import { PageError } from "../errors.ts";
+import { PageError } from "../engine/errors.ts";
+import type { Wish } from "../engine/reading.ts";
 import type { FileOrder, News, Order, Room } from "./orders.ts";
-import type { Wish } from "./reading.ts";
 import { openRoom } from "./rooms.ts";
 
 /** A widget, as the workshop knows it. */

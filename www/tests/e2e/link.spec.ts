@@ -1,5 +1,5 @@
 import { expect, type Page, test } from "@playwright/test";
-import { WRITE_EVERY_MS } from "../../src/link.ts";
+import { WRITE_EVERY_MS } from "../../src/browser/address.ts";
 import { engine, pictureOf } from "../core.ts";
 import {
   address,

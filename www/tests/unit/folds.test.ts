@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { Folds, type Keeper } from "../../src/folds.ts";
+import { Folds, type Keeper } from "../../src/controls/folds.ts";
 
 function keeper(kept: string | null = null): Keeper & { kept: string | null } {
   return {

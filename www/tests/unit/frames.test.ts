@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { TURNS_MS, Turns } from "../../src/frames.ts";
+import { TURNS_MS, Turns } from "../../src/player/frames.ts";
 
 /** A display whose frames come when a test says so, and a clock that only work moves. */
 function stage(): { turns: Turns; frame: () => void; asked: () => number; work: (ms: number) => void } {

@@ -11,7 +11,7 @@ import {
   SETTLE_BUDGET_MS,
   SETTLE_QUIET_MS,
   type State,
-} from "../../src/growth.ts";
+} from "../../src/player/growth.ts";
 
 /** A display and a clock that only move when told; a step takes as long as a test says. */
 class Stage implements Growing {

@@ -2,7 +2,7 @@
 
 import { expect, test } from "vitest";
 import type { River } from "../../pkg/riverseed.js";
-import { Growth } from "../../src/growth.ts";
+import { Growth } from "../../src/player/growth.ts";
 import { differing, engine, pixelsOf } from "../core.ts";
 import { Display } from "../display.ts";
 

@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import type { Parameter } from "../../pkg/riverseed.js";
-import { count } from "../../src/count.ts";
+import { count } from "../../src/browser/count.ts";
 import {
   LOG_STEPS,
   logStep,
@@ -13,7 +13,7 @@ import {
   sidesText,
   spoken,
   textAt,
-} from "../../src/values.ts";
+} from "../../src/controls/values.ts";
 import { engine } from "../core.ts";
 
 const linear: Range = { min: 0, max: 2, step: 0.01, isLog: false };

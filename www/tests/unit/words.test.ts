@@ -1,10 +1,10 @@
 import { expect, test } from "vitest";
-import { backingSize } from "../../src/canvas.ts";
-import { count } from "../../src/count.ts";
-import { linesOf } from "../../src/digest-lines.ts";
-import { fileName } from "../../src/share.ts";
-import { speedName } from "../../src/transport.ts";
-import { alternative, caption, sentence } from "../../src/words.ts";
+import { backingSize } from "../../src/browser/canvas.ts";
+import { count } from "../../src/browser/count.ts";
+import { linesOf } from "../../src/digest/lines.ts";
+import { speedName } from "../../src/page/transport.ts";
+import { alternative, caption, sentence } from "../../src/player/words.ts";
+import { fileName } from "../../src/share/share.ts";
 
 const summary = {
   ticks: 400,

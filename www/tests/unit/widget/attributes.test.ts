@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { attributeOf, NUMBERS, TEXTS } from "../../../src/attribute-names.ts";
+import { attributeOf, NUMBERS, TEXTS } from "../../../src/engine/attribute-names.ts";
 import { ASPECT, aspectOf, linkOf, OBSERVED } from "../../../src/widget/attributes.ts";
 import { RiverSeed } from "../../../src/widget/element.ts";
 import { engine, parameter } from "../../core.ts";

@@ -1,6 +1,6 @@
 import { expect, test, vi } from "vitest";
-import type { Frames } from "../../../src/growth.ts";
-import type { Canvas } from "../../../src/picture.ts";
+import type { Frames } from "../../../src/player/growth.ts";
+import type { Canvas } from "../../../src/player/picture.ts";
 import { Easel } from "../../../src/widget/easel.ts";
 import type { News } from "../../../src/widget/orders.ts";
 import { engine, memory } from "../../core.ts";

@@ -1,5 +1,5 @@
 import { afterEach, beforeEach, expect, type Mock, test, vi } from "vitest";
-import { PAINTING_SILENCE_MS, WORKER_SILENCE_MS } from "../../../src/time-limits.ts";
+import { PAINTING_SILENCE_MS, WORKER_SILENCE_MS } from "../../../src/engine/time-limits.ts";
 import type { Order, Room } from "../../../src/widget/orders.ts";
 import type { Listener } from "../../../src/widget/rooms.ts";
 

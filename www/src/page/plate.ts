@@ -1,0 +1,96 @@
+/** The plate: the picture's place on the page, which has the river's shape and follows the window. */
+
+import type { Phase, Summary } from "../../pkg/riverseed.js";
+import { backingSize, observeSize, RESIZE_PAUSE_MS, type Size } from "../browser/canvas.ts";
+import type { Core } from "../engine/wasm.ts";
+import { displayFrames } from "../player/frames.ts";
+import type { State } from "../player/growth.ts";
+import { type How, Picture } from "../player/picture.ts";
+
+export interface PlateParts {
+  /** Holds the picture and what stands under it; is told the river's shape. */
+  sheet: HTMLElement;
+  /** Has the river's shape. */
+  frame: HTMLElement;
+  canvas: HTMLCanvasElement;
+}
+
+export interface PlateEvents {
+  /** Something on the plate changed: the state, or in it the river. */
+  changed(state: State, phase: Phase, summary: Summary): void;
+  failed(error: unknown): void;
+}
+
+export class Plate {
+  #resizing: ReturnType<typeof setTimeout> | undefined;
+  readonly #observer = new ResizeObserver(() => this.#resizeSoon());
+  readonly #picture: Picture;
+
+  /** Puts a river on the canvas at tick 0. Throws what the core throws. */
+  constructor(
+    core: Core,
+    private readonly parts: PlateParts,
+    link: string,
+    events: PlateEvents,
+  ) {
+    this.#picture = new Picture(core, parts.canvas, link, displayFrames, {
+      ...events,
+      sizeFor: (aspect) => this.#sizeFor(aspect),
+    });
+    observeSize(this.#observer, parts.frame);
+    document.addEventListener("visibilitychange", () => this.#followVisibility());
+  }
+
+  /** The link of the river that is on the plate. */
+  get link(): string {
+    return this.#picture.link;
+  }
+
+  get state(): State {
+    return this.#picture.state;
+  }
+
+  set speed(speed: number) {
+    this.#picture.speed = speed;
+  }
+
+  toggle(): void {
+    this.#picture.toggle();
+  }
+
+  replay(): void {
+    this.#picture.replay();
+  }
+
+  /** Shows the first river. */
+  start(how: How): void {
+    this.#picture.start(how);
+  }
+
+  show(link: string, how: How): void {
+    this.#picture.show(link, how);
+  }
+
+  /** After a failure that leaves the engine in an unknown state, nothing of it is called again. */
+  close(): void {
+    this.#picture.close();
+    this.#observer.disconnect();
+    clearTimeout(this.#resizing);
+  }
+
+  /** Makes the frame the river's shape, and the picture the frame's size. */
+  #sizeFor(aspect: number): Size {
+    this.parts.sheet.style.setProperty("--aspect", String(aspect));
+    return backingSize(this.parts.frame.getBoundingClientRect(), window.devicePixelRatio);
+  }
+
+  #resizeSoon(): void {
+    clearTimeout(this.#resizing);
+    this.#resizing = setTimeout(() => this.#picture.resize(), RESIZE_PAUSE_MS);
+  }
+
+  #followVisibility(): void {
+    if (document.hidden) this.#picture.rest();
+    else this.#picture.wake();
+  }
+}
