@@ -1,7 +1,7 @@
 /** All controls of the recipe but the seed, generated from the parameter table, under the table's own headings. */
 
-import type { Parameter } from "../../pkg/riverseed.js";
 import { el } from "../browser/dom.ts";
+import type { Parameter } from "../engine/types.ts";
 import { type Control, control } from "./control.ts";
 import type { Change } from "./field.ts";
 import type { Folds } from "./folds.ts";

@@ -1,8 +1,8 @@
 /** Reads what a widget's author asks for. */
 
-import type { Notice } from "../../pkg/riverseed.js";
 import { linkText } from "./link-text.ts";
 import { DARK_STYLE, namesStyle } from "./scheme.ts";
+import type { Notice } from "./types.ts";
 import type { Engine } from "./wasm.ts";
 
 /** What a widget wants to show. */

@@ -1,8 +1,8 @@
 /** The recipe on show, always in the core's own spelling: what the page changes, the core reads and answers. */
 
-import type { Reading } from "../../pkg/riverseed.js";
 import { linkText } from "./link-text.ts";
 import { DARK_STYLE, namesStyle } from "./scheme.ts";
+import type { Reading } from "./types.ts";
 
 export class Recipe {
   #link = "";

@@ -1,6 +1,6 @@
 /** How rivers look whose link names no style, on dark pages and light ones. */
 
-import type { Parameter } from "../../pkg/riverseed.js";
+import type { Parameter } from "./types.ts";
 
 /** The style of rivers on dark pages. */
 export const DARK_STYLE = "dark";

@@ -5,6 +5,8 @@ import { named, PageError } from "./errors.ts";
 import { limited, SCRIPT_MS } from "./time-limits.ts";
 import { once, start } from "./wasm-module.ts";
 
+export type { Traced } from "../../pkg-tools/riverseed_tools.js";
+
 export type Tools = typeof import("../../pkg-tools/riverseed_tools.js");
 
 /** From where it lies beside the script, unless its first caller knows better. */

@@ -1,9 +1,9 @@
 /** The drawing tool: a coast drawn over the picture becomes the land, and the rivers follow the pen. */
 
-import type { Lines } from "../../pkg/riverseed.js";
-import type { Traced } from "../../pkg-tools/riverseed_tools.js";
 import { setText } from "../browser/dom.ts";
 import { named } from "../engine/errors.ts";
+import type { Traced } from "../engine/tools.ts";
+import type { Lines } from "../engine/types.ts";
 import { showLines } from "./overlay.ts";
 import { type LineKind, pointsOf, Sketch, tally } from "./sketch.ts";
 

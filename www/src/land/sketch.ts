@@ -1,6 +1,6 @@
 /** The lines that a person draws, as many points as the pen gave: what undo goes back over. */
 
-import type { Lines } from "../../pkg/riverseed.js";
+import type { Lines } from "../engine/types.ts";
 
 export type LineKind = "coast" | "ridge";
 

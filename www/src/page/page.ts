@@ -1,7 +1,6 @@
 /** The page: puts the parts together. The recipe says what is shown; everything else follows it. */
 
 import "../style/page.css";
-import type { Parameter, Phase, Preset, Summary } from "../../pkg/riverseed.js";
 import { AddressBar, addressOf, linkOf, replaceAddress } from "../browser/address.ts";
 import { count } from "../browser/count.ts";
 import { DARK_PAGES } from "../browser/dark-pages.ts";
@@ -14,6 +13,7 @@ import { isRecoverable, named } from "../engine/errors.ts";
 import { Recipe } from "../engine/recipe.ts";
 import { defaultsOf } from "../engine/scheme.ts";
 import { loadTools } from "../engine/tools.ts";
+import type { Parameter, Phase, Preset, Summary } from "../engine/types.ts";
 import { type Core, load } from "../engine/wasm.ts";
 import { Drawing } from "../land/drawing.ts";
 import { listenForPictures } from "../land/picture-entry.ts";

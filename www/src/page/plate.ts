@@ -1,7 +1,7 @@
 /** The plate: the picture's place on the page, which has the river's shape and follows the window. */
 
-import type { Phase, Summary } from "../../pkg/riverseed.js";
 import { backingSize, observeSize, RESIZE_PAUSE_MS, type Size } from "../browser/canvas.ts";
+import type { Phase, Summary } from "../engine/types.ts";
 import type { Core } from "../engine/wasm.ts";
 import { displayFrames } from "../player/frames.ts";
 import type { State } from "../player/growth.ts";

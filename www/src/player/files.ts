@@ -1,8 +1,8 @@
 /** The finished rivers of a link as files. */
 
-import type { River } from "../../pkg/riverseed.js";
 import type { Size } from "../browser/canvas.ts";
 import { loadTools, type Tools } from "../engine/tools.ts";
+import type { River } from "../engine/types.ts";
 import type { Core } from "../engine/wasm.ts";
 import { Blitter } from "./blit.ts";
 import { type Canvas, contextOf } from "./picture.ts";

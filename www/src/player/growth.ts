@@ -3,7 +3,7 @@
  * is the same to the bit however the work is sliced.
  */
 
-import type { Phase } from "../../pkg/riverseed.js";
+import type { Phase } from "../engine/types.ts";
 
 /** At 1x a tree grows up in this time, whatever its shape and however fine it is. */
 export const GROWTH_SECONDS = 2;

@@ -2,8 +2,8 @@
  * A river on a canvas: grows and draws it, and says how far it is. It knows no document, so that it works in a worker as well.
  */
 
-import type { Phase, River, Summary } from "../../pkg/riverseed.js";
 import type { Size } from "../browser/canvas.ts";
+import type { Phase, River, Summary } from "../engine/types.ts";
 import type { Core } from "../engine/wasm.ts";
 import { Blitter } from "./blit.ts";
 import { type Frames, Growth, type State } from "./growth.ts";

@@ -1,7 +1,7 @@
 /** A river in words: the caption, the picture's text alternative, the sentence of the finished state. */
 
-import type { Phase, Summary } from "../../pkg/riverseed.js";
 import { type Count, count } from "../browser/count.ts";
+import type { Phase, Summary } from "../engine/types.ts";
 import type { State } from "./growth.ts";
 
 function counted(value: number, one: string, many: string, written: Count): string {

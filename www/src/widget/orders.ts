@@ -3,10 +3,10 @@
  * back; every widget has a number.
  */
 
-import type { Phase, Summary } from "../../pkg/riverseed.js";
 import type { Size } from "../browser/canvas.ts";
 import type { Code } from "../engine/errors.ts";
 import type { Reading, Wish } from "../engine/reading.ts";
+import type { Phase, Summary } from "../engine/types.ts";
 import type { State } from "../player/growth.ts";
 import type { Canvas, How } from "../player/picture.ts";
 
