@@ -103,6 +103,7 @@ function png(memory: WebAssembly.Memory, river: River, longSide: number): Promis
 /** A canvas of no page, where there is such a thing: a worker has no other. */
 function bareCanvas(width: number, height: number): Canvas {
   if ("OffscreenCanvas" in globalThis) return new OffscreenCanvas(width, height);
+  // biome-ignore lint/style/noRestrictedGlobals: a worker does not come here
   return Object.assign(document.createElement("canvas"), { width, height });
 }
 
