@@ -10,10 +10,10 @@ import type { Reading, Wish } from "../engine/reading.ts";
 import type { State } from "../player/growth.ts";
 import type { How } from "../player/picture.ts";
 import { ASPECT, aspectOf, linkOf, OBSERVED, type Properties, reflect, upgrade } from "./attributes.ts";
+import { importPageBackend } from "./backend.ts";
 import type { RiverSeedEventMap } from "./events.ts";
 import { watch } from "./nearness.ts";
 import type { FileOrder, News, Standing } from "./orders.ts";
-import { importHere } from "./rooms.ts";
 import { countIn, ENGLISH, type Strings, type Told } from "./strings.ts";
 import { type Does, View } from "./view.ts";
 import { type Member, workshop } from "./workshop.ts";
@@ -331,7 +331,7 @@ export class RiverSeed extends Base {
   async #report(error: PageError): Promise<void> {
     const { code, message } = error;
     // Fetched when it is needed; if it does not arrive either, the name has to do.
-    const advice = await importHere().then(
+    const advice = await importPageBackend().then(
       ({ advice }) => advice(error).text,
       () => "",
     );

@@ -27,10 +27,10 @@ export type Order = { id: number } & (
   | ({ do: "file"; wish: Wish } & FileOrder)
 );
 
-/** Where the studio is. */
-export interface Room {
+/** The place that the studio runs in: a worker, or the page itself. */
+export interface Backend {
   take(order: Order): void;
-  /** Leaves the room; whoever is in it is gone. */
+  /** Ends it, with all rivers in it. */
   close(): void;
   /** Whether another can be opened in place of one whose engine has stopped. */
   readonly isReplaceable: boolean;

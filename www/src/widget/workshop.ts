@@ -5,8 +5,8 @@
 
 import { PageError } from "../engine/errors.ts";
 import type { Wish } from "../engine/reading.ts";
-import type { FileOrder, News, Order, Room } from "./orders.ts";
-import { openRoom } from "./rooms.ts";
+import { openBackend } from "./backend.ts";
+import type { Backend, FileOrder, News, Order } from "./orders.ts";
 
 /** A widget, as the workshop knows it. */
 export interface Member {
@@ -22,23 +22,23 @@ type Asked<Every> = Every extends unknown ? Omit<Every, "id"> : never;
 
 class Workshop {
   readonly #members = new Map<number, Member>();
-  #room: Promise<Room> | undefined;
+  #backend: Promise<Backend> | undefined;
   #last = 0;
   #leaving: ReturnType<typeof setTimeout> | undefined;
 
   /** Takes a widget in, once there is a studio; its number. The address counts for the first. */
   async enter(member: Member, wasmUrl: string | undefined): Promise<number> {
     clearTimeout(this.#leaving);
-    const room = this.#opened(wasmUrl);
-    await room;
+    const backend = this.#opened(wasmUrl);
+    await backend;
     // It may have been replaced by now.
-    if (room !== this.#room) return this.enter(member, wasmUrl);
+    if (backend !== this.#backend) return this.enter(member, wasmUrl);
     this.#members.set(++this.#last, member);
     return this.#last;
   }
 
   send(id: number, order: Asked<Order>): void {
-    void this.#room?.then((room) => room.take({ ...order, id }));
+    void this.#backend?.then((backend) => backend.take({ ...order, id }));
   }
 
   /** Makes a file of a finished river, which need not be shown anywhere. */
@@ -68,9 +68,9 @@ class Workshop {
     if (this.#members.size === 0) this.#leaving = setTimeout(() => this.#close(), EMPTY_MS);
   }
 
-  #opened(wasmUrl: string | undefined): Promise<Room> {
-    if (this.#room) return this.#room;
-    const room = openRoom(
+  #opened(wasmUrl: string | undefined): Promise<Backend> {
+    if (this.#backend) return this.#backend;
+    const backend = openBackend(
       {
         tell: (news) => this.#tell(news),
         collapsed: (message) => this.#collapse(message),
@@ -78,12 +78,12 @@ class Workshop {
       },
       wasmUrl,
     );
-    this.#room = room;
+    this.#backend = backend;
     // A failed load can be tried again.
-    room.catch(() => {
-      if (this.#room === room) this.#room = undefined;
+    backend.catch(() => {
+      if (this.#backend === backend) this.#backend = undefined;
     });
-    return room;
+    return backend;
   }
 
   #tell(news: News): void {
@@ -99,11 +99,11 @@ class Workshop {
    * one that its script holds: there they go on in it, since a trap touches no memory but its own river's.
    */
   async #replace(): Promise<void> {
-    const room = this.#room;
-    if ((await room)?.isReplaceable && room === this.#room) this.#moveAll();
+    const backend = this.#backend;
+    if ((await backend)?.isReplaceable && backend === this.#backend) this.#moveAll();
   }
 
-  /** Everybody goes to another room. */
+  /** Everybody goes to another backend. */
   #moveAll(): void {
     this.#close();
     const members = [...this.#members.values()];
@@ -117,8 +117,8 @@ class Workshop {
   }
 
   #close(): void {
-    void this.#room?.then((room) => room.close());
-    this.#room = undefined;
+    void this.#backend?.then((backend) => backend.close());
+    this.#backend = undefined;
   }
 }
 

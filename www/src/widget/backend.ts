@@ -1,14 +1,14 @@
-/** The two places where the studio can be. */
+/** The two places that the studio can run in: a worker, and the page itself. */
 
 import { PageError } from "../engine/errors.ts";
 import { limited, SCRIPT_MS, type Watch, WORKER_SILENCE_MS, watch } from "../engine/time-limits.ts";
-import type { Answer, Hello, News, Ping, Pong, Room } from "./orders.ts";
+import type { Answer, Backend, Hello, News, Ping, Pong } from "./orders.ts";
 
 export interface Listener {
   tell(news: News): void;
-  /** The room as a whole has failed. */
+  /** The backend as a whole has failed. */
   collapsed(message: string): void;
-  /** The room no longer answers: it is to be closed, and another opened. */
+  /** The backend no longer answers: it is to be closed, and another opened. */
   lost(): void;
 }
 
@@ -17,28 +17,28 @@ const MOST_LOST = 2;
 let lost = 0;
 
 /** A worker if the browser and the page's policy allow one with a canvas, otherwise the page itself. */
-export async function openRoom(listener: Listener, wasmUrl: string | undefined): Promise<Room> {
-  return (await openWorker(listener, wasmUrl)) ?? openHere(listener, wasmUrl);
+export async function openBackend(listener: Listener, wasmUrl: string | undefined): Promise<Backend> {
+  return (await openWorkerBackend(listener, wasmUrl)) ?? openPageBackend(listener, wasmUrl);
 }
 
-async function openHere({ tell }: Listener, wasmUrl: string | undefined): Promise<Room> {
-  const { openHere } = await importHere();
-  return openHere(tell, wasmUrl);
+async function openPageBackend({ tell }: Listener, wasmUrl: string | undefined): Promise<Backend> {
+  const { open } = await importPageBackend();
+  return open(tell, wasmUrl);
 }
 
 /** What most pages never need. */
-export function importHere(): Promise<typeof import("./here.ts")> {
-  return limited(SCRIPT_MS, "its script", () => import("./here.ts"));
+export function importPageBackend(): Promise<typeof import("./page-backend.ts")> {
+  return limited(SCRIPT_MS, "its script", () => import("./page-backend.ts"));
 }
 
 /** Nothing if there is none to be had: whatever the reason, the page itself is tried next and says what is wrong. */
-async function openWorker(listener: Listener, wasmUrl: string | undefined): Promise<Room | undefined> {
+async function openWorkerBackend(listener: Listener, wasmUrl: string | undefined): Promise<Backend | undefined> {
   if (lost >= MOST_LOST || !("transferControlToOffscreen" in HTMLCanvasElement.prototype)) return;
   let worker: Worker | undefined;
   try {
     worker = begin();
     await handshake(worker, { wasmUrl });
-    return roomOf(worker, listener);
+    return backendOf(worker, listener);
   } catch (thrown) {
     if (thrown instanceof PageError) lost++;
     worker?.terminate();
@@ -82,7 +82,7 @@ function handshake(worker: Worker, hello: Hello): Promise<void> {
 /** What a worker says once it is open; of news alone no silence follows. */
 type Said = (News & { silenceMs?: undefined }) | Pong;
 
-function roomOf(worker: Worker, listener: Listener): Room {
+function backendOf(worker: Worker, listener: Listener): Backend {
   let orders = 0;
   let watched: Watch | undefined;
   const ping = (): void => worker.postMessage({ id: orders, do: "ping" } satisfies Ping);

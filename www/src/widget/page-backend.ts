@@ -4,12 +4,12 @@
  */
 
 import { load } from "../engine/wasm.ts";
-import type { News, Room } from "./orders.ts";
+import type { Backend, News } from "./orders.ts";
 import { Studio } from "./studio.ts";
 
 export { advice } from "../engine/advice.ts";
 
-export async function openHere(tell: (news: News) => void, wasmUrl: string | undefined): Promise<Room> {
+export async function open(tell: (news: News) => void, wasmUrl: string | undefined): Promise<Backend> {
   const studio = new Studio(await load(wasmUrl), tell);
   // The engine is the one that the page's script holds: it stays.
   return { isReplaceable: false, take: (order) => studio.take(order), close: () => {} };

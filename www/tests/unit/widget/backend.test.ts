@@ -1,10 +1,10 @@
 import { afterEach, beforeEach, expect, type Mock, test, vi } from "vitest";
 import { PAINTING_SILENCE_MS, WORKER_SILENCE_MS } from "../../../src/engine/time-limits.ts";
-import type { Order, Room } from "../../../src/widget/orders.ts";
-import type { Listener } from "../../../src/widget/rooms.ts";
+import type { Listener } from "../../../src/widget/backend.ts";
+import type { Backend, Order } from "../../../src/widget/orders.ts";
 
-const HERE: Room = { isReplaceable: false, take: () => {}, close: () => {} };
-vi.mock("../../../src/widget/here.ts", () => ({ openHere: async () => HERE }));
+const HERE: Backend = { isReplaceable: false, take: () => {}, close: () => {} };
+vi.mock("../../../src/widget/page-backend.ts", () => ({ open: async () => HERE }));
 
 /** A worker that does what a test says. */
 class StandIn {
@@ -59,45 +59,45 @@ function listener(): Record<keyof Listener, Mock<() => void>> {
   return { tell: vi.fn(), collapsed: vi.fn(), lost: vi.fn() };
 }
 
-/** Begins to open a room; its worker says nothing yet. */
-async function begin(to: Listener = listener()): Promise<{ room: Promise<Room>; worker: StandIn }> {
-  const { openRoom } = await import("../../../src/widget/rooms.ts");
-  const room = openRoom(to, undefined);
+/** Begins to open a backend; its worker says nothing yet. */
+async function begin(to: Listener = listener()): Promise<{ backend: Promise<Backend>; worker: StandIn }> {
+  const { openBackend } = await import("../../../src/widget/backend.ts");
+  const backend = openBackend(to, undefined);
   const worker = StandIn.all.at(-1);
   if (!worker) throw new Error("no worker was tried");
-  return { room, worker };
+  return { backend, worker };
 }
 
-async function open(to?: Listener): Promise<{ room: Room; worker: StandIn }> {
-  const { room, worker } = await begin(to);
+async function open(to?: Listener): Promise<{ backend: Backend; worker: StandIn }> {
+  const { backend, worker } = await begin(to);
   worker.says({ is: "open" });
-  return { room: await room, worker };
+  return { backend: await backend, worker };
 }
 
 test("a worker that says nothing is ended, and the page itself takes its place", async () => {
-  const { room, worker } = await begin();
+  const { backend, worker } = await begin();
   vi.advanceTimersByTime(WORKER_SILENCE_MS - 1);
   expect(worker.isOver).toBe(false);
   vi.advanceTimersByTime(1);
-  expect(await room).toBe(HERE);
+  expect(await backend).toBe(HERE);
   expect(worker.isOver).toBe(true);
 });
 
 test("a worker whose engine is coming slowly is waited for", async () => {
-  const { room, worker } = await begin();
+  const { backend, worker } = await begin();
   for (let i = 0; i < 20; i++) {
     vi.advanceTimersByTime(WORKER_SILENCE_MS - 1000);
     worker.says({ is: "coming" });
   }
   worker.says({ is: "open" });
-  expect(await room).not.toBe(HERE);
+  expect(await backend).not.toBe(HERE);
   expect(vi.getTimerCount()).toBe(0);
 });
 
 test("a worker that has its engine and then works without a word of news is asked, and kept while it answers", async () => {
   const to = listener();
-  const { room, worker } = await open(to);
-  room.take(PAUSE);
+  const { backend, worker } = await open(to);
+  backend.take(PAUSE);
   for (let i = 0; i < 20; i++) {
     vi.advanceTimersByTime(WORKER_SILENCE_MS - 1000);
     worker.says({ is: "alive", isAtWork: true, id: 1 });
@@ -112,8 +112,8 @@ const PAINTING = { id: 0, is: "alive", isAtWork: true, silenceMs: PAINTING_SILEN
 
 test("a worker that paints a picture for a file is given longer, once", async () => {
   const to = listener();
-  const { room, worker } = await open(to);
-  room.take(PAUSE);
+  const { backend, worker } = await open(to);
+  backend.take(PAUSE);
   worker.says(PAINTING);
   vi.advanceTimersByTime(PAINTING_SILENCE_MS - 1000);
   expect(to.lost).not.toHaveBeenCalled();
@@ -127,8 +127,8 @@ test("a worker that paints a picture for a file is given longer, once", async ()
 
 test("a worker that never comes back from painting is told of", async () => {
   const to = listener();
-  const { room, worker } = await open(to);
-  room.take(PAUSE);
+  const { backend, worker } = await open(to);
+  backend.take(PAUSE);
   worker.says(PAINTING);
   vi.advanceTimersByTime(PAINTING_SILENCE_MS);
   expect(to.lost).toHaveBeenCalledTimes(1);
@@ -136,8 +136,8 @@ test("a worker that never comes back from painting is told of", async () => {
 
 test("a worker that answers no more is told of once", async () => {
   const to = listener();
-  const { room, worker } = await open(to);
-  room.take(PAUSE);
+  const { backend, worker } = await open(to);
+  backend.take(PAUSE);
   vi.advanceTimersByTime(WORKER_SILENCE_MS - 1);
   expect(to.lost).not.toHaveBeenCalled();
   vi.advanceTimersByTime(10 * WORKER_SILENCE_MS);
@@ -147,36 +147,36 @@ test("a worker that answers no more is told of once", async () => {
 
 test("a worker with nothing to do is left alone, until there is another order", async () => {
   const to = listener();
-  const { room, worker } = await open(to);
+  const { backend, worker } = await open(to);
   vi.advanceTimersByTime(60_000);
   expect(worker.pings).toBe(0);
-  room.take(PAUSE);
+  backend.take(PAUSE);
   vi.advanceTimersByTime(1000);
   worker.says({ is: "alive", isAtWork: false, id: 1 });
   vi.advanceTimersByTime(60_000);
   expect(worker.pings).toBe(1);
   expect(to.lost).not.toHaveBeenCalled();
-  room.take(PAUSE);
+  backend.take(PAUSE);
   vi.advanceTimersByTime(WORKER_SILENCE_MS);
   expect(to.lost).toHaveBeenCalledTimes(1);
 });
 
 test("an answer from before the last order does not count as one to it", async () => {
   const to = listener();
-  const { room, worker } = await open(to);
-  room.take(PAUSE);
+  const { backend, worker } = await open(to);
+  backend.take(PAUSE);
   vi.advanceTimersByTime(1000);
-  room.take(PAUSE);
+  backend.take(PAUSE);
   worker.says({ is: "alive", isAtWork: false, id: 1 });
   vi.advanceTimersByTime(WORKER_SILENCE_MS);
   expect(to.lost).toHaveBeenCalledTimes(1);
 });
 
-test("a room that was closed is not missed", async () => {
+test("a backend that was closed is not missed", async () => {
   const to = listener();
-  const { room, worker } = await open(to);
-  room.take(PAUSE);
-  room.close();
+  const { backend, worker } = await open(to);
+  backend.take(PAUSE);
+  backend.close();
   vi.advanceTimersByTime(60_000);
   expect(to.lost).not.toHaveBeenCalled();
   expect(worker.isOver).toBe(true);
@@ -184,11 +184,11 @@ test("a room that was closed is not missed", async () => {
 
 test("after two workers that did not answer no third is tried", async () => {
   for (let i = 0; i < 2; i++) {
-    const { room } = await open();
-    room.take(PAUSE);
+    const { backend } = await open();
+    backend.take(PAUSE);
     vi.advanceTimersByTime(WORKER_SILENCE_MS);
   }
-  const { openRoom } = await import("../../../src/widget/rooms.ts");
-  expect(await openRoom(listener(), undefined)).toBe(HERE);
+  const { openBackend } = await import("../../../src/widget/backend.ts");
+  expect(await openBackend(listener(), undefined)).toBe(HERE);
   expect(StandIn.all).toHaveLength(2);
 });
