@@ -14,9 +14,9 @@ import { importPageBackend } from "./backend.ts";
 import type { RiverSeedEventMap } from "./events.ts";
 import { watch } from "./nearness.ts";
 import type { FileOrder, News, Standing } from "./orders.ts";
+import { type Client, renderHost } from "./render-host.ts";
 import { countIn, ENGLISH, type Strings, type Told } from "./strings.ts";
 import { type Does, View } from "./view.ts";
-import { type Member, workshop } from "./workshop.ts";
 
 /** What stands in for the browser's class where there is none. */
 const Base = globalThis.HTMLElement ?? (class {} as typeof HTMLElement);
@@ -37,7 +37,7 @@ export class RiverSeed extends Base {
   static readonly observedAttributes: readonly string[] = OBSERVED;
 
   #strings: Strings = ENGLISH;
-  /** Its number in the workshop, while it has a river there. */
+  /** Its number at the render host, while it has a river there. */
   #id: number | undefined;
   /** From coming into a document to leaving it. */
   #life: AbortController | undefined;
@@ -56,7 +56,7 @@ export class RiverSeed extends Base {
   #reading: Reading | undefined;
   #standing: Standing | undefined;
   readonly #view = new View(this.attachShadow({ mode: "open" }), () => this.#press());
-  readonly #member: Member = { hear: (news) => this.#hear(news), moved: () => this.#move() };
+  readonly #client: Client = { hear: (news) => this.#hear(news), moved: () => this.#move() };
 
   connectedCallback(): void {
     // Somebody moved it.
@@ -105,7 +105,7 @@ export class RiverSeed extends Base {
       this.play();
     } else {
       this.#asked = "play";
-      workshop.send(this.#id, { do: "replay" });
+      renderHost.send(this.#id, { do: "replay" });
     }
   }
 
@@ -123,7 +123,7 @@ export class RiverSeed extends Base {
   #ask(what: "play" | "pause"): void {
     this.#asked = what;
     if (this.#id === undefined) this.#beginIfDue();
-    else workshop.send(this.#id, { do: what });
+    else renderHost.send(this.#id, { do: what });
   }
 
   // ---- what it is asked for
@@ -156,7 +156,7 @@ export class RiverSeed extends Base {
   }
 
   #file(order: Omit<FileOrder, "wasmUrl">): Promise<Blob> {
-    return workshop.file(this.#wishNow, { ...order, wasmUrl: this.#wasmUrl });
+    return renderHost.file(this.#wishNow, { ...order, wasmUrl: this.#wasmUrl });
   }
 
   // ---- its life
@@ -198,7 +198,7 @@ export class RiverSeed extends Base {
     // What stood there before is of another river.
     if (isNew && this.#id === undefined) this.#standing = undefined;
     if (isNew && this.#id !== undefined) {
-      workshop.send(this.#id, { do: "show", wish, how: this.#how, size: this.#view.fit() });
+      renderHost.send(this.#id, { do: "show", wish, how: this.#how, size: this.#view.fit() });
     }
     this.#finishIfStill();
     this.#beginIfDue();
@@ -218,8 +218,8 @@ export class RiverSeed extends Base {
 
   async #enter(signal: AbortSignal): Promise<void> {
     try {
-      const id = await workshop.enter(this.#member, this.#wasmUrl);
-      if (signal.aborted) workshop.leave(id);
+      const id = await renderHost.enter(this.#client, this.#wasmUrl);
+      if (signal.aborted) renderHost.leave(id);
       else this.#open(id);
     } catch (thrown) {
       if (!signal.aborted) this.#fail(named(thrown));
@@ -230,8 +230,8 @@ export class RiverSeed extends Base {
     const canvas = this.#view.prepare();
     const size = this.#view.fit();
     const how = this.#asked === "play" ? "watch" : this.#asked === "still" ? "still" : this.#how;
-    workshop.send(id, { do: "open", canvas, wish: this.#wishNow, how, size });
-    if (this.#asked === "pause") workshop.send(id, { do: "pause" });
+    renderHost.send(id, { do: "open", canvas, wish: this.#wishNow, how, size });
+    if (this.#asked === "pause") renderHost.send(id, { do: "pause" });
     this.#id = id;
     this.#rest();
   }
@@ -256,7 +256,7 @@ export class RiverSeed extends Base {
 
   /** Gives up the river and its canvas. */
   #close(): void {
-    if (this.#id !== undefined) workshop.leave(this.#id);
+    if (this.#id !== undefined) renderHost.leave(this.#id);
     this.#id = undefined;
     this.#hasBegun = this.#hasFailed;
     this.#isShown = false;
@@ -266,12 +266,12 @@ export class RiverSeed extends Base {
   /** Off the screen and in a hidden tab nothing grows. */
   #rest(): void {
     if (this.#id === undefined) return;
-    workshop.send(this.#id, { do: this.#isNear && !document.hidden ? "wake" : "rest" });
+    renderHost.send(this.#id, { do: this.#isNear && !document.hidden ? "wake" : "rest" });
   }
 
   #finishIfStill(): void {
     if (this.#id !== undefined && this.#isStill && this.#standing?.state === "growing") {
-      workshop.send(this.#id, { do: "finish" });
+      renderHost.send(this.#id, { do: "finish" });
     }
   }
 
@@ -281,7 +281,7 @@ export class RiverSeed extends Base {
     clearTimeout(this.#resizing);
     this.#resizing = setTimeout(() => {
       if (this.#id === undefined || signal.aborted) return;
-      workshop.send(this.#id, { do: "resize", size: this.#view.fit() });
+      renderHost.send(this.#id, { do: "resize", size: this.#view.fit() });
     }, RESIZE_PAUSE_MS);
   }
 

@@ -8,8 +8,8 @@ import type { Wish } from "../engine/reading.ts";
 import { openBackend } from "./backend.ts";
 import type { Backend, FileOrder, News, Order } from "./orders.ts";
 
-/** A widget, as the workshop knows it. */
-export interface Member {
+/** A widget, as the render host knows it. */
+export interface Client {
   hear(news: News): void;
   /** The studio had to be replaced: everything has to be handed over again. */
   moved(): void;
@@ -20,20 +20,20 @@ export const EMPTY_MS = 5000;
 
 type Asked<Every> = Every extends unknown ? Omit<Every, "id"> : never;
 
-class Workshop {
-  readonly #members = new Map<number, Member>();
+class RenderHost {
+  readonly #clients = new Map<number, Client>();
   #backend: Promise<Backend> | undefined;
   #last = 0;
   #leaving: ReturnType<typeof setTimeout> | undefined;
 
   /** Takes a widget in, once there is a studio; its number. The address counts for the first. */
-  async enter(member: Member, wasmUrl: string | undefined): Promise<number> {
+  async enter(client: Client, wasmUrl: string | undefined): Promise<number> {
     clearTimeout(this.#leaving);
     const backend = this.#opened(wasmUrl);
     await backend;
     // It may have been replaced by now.
-    if (backend !== this.#backend) return this.enter(member, wasmUrl);
-    this.#members.set(++this.#last, member);
+    if (backend !== this.#backend) return this.enter(client, wasmUrl);
+    this.#clients.set(++this.#last, client);
     return this.#last;
   }
 
@@ -48,9 +48,9 @@ class Workshop {
       const ask = (): void => {
         // A file may be what a worker dies of: of a third there is no hope, and the widgets need theirs.
         if (++asked > 2) failed(new PageError("wasm-timeout", "the worker stopped twice while it made this file"));
-        else void this.enter(member, order.wasmUrl).then((id) => this.send(id, { do: "file", wish, ...order }), failed);
+        else void this.enter(client, order.wasmUrl).then((id) => this.send(id, { do: "file", wish, ...order }), failed);
       };
-      const member: Member = {
+      const client: Client = {
         hear: (news) => {
           this.leave(news.id);
           if (news.is === "file") done(news.blob);
@@ -63,9 +63,9 @@ class Workshop {
   }
 
   leave(id: number): void {
-    if (!this.#members.delete(id)) return;
+    if (!this.#clients.delete(id)) return;
     this.send(id, { do: "close" });
-    if (this.#members.size === 0) this.#leaving = setTimeout(() => this.#close(), EMPTY_MS);
+    if (this.#clients.size === 0) this.#leaving = setTimeout(() => this.#close(), EMPTY_MS);
   }
 
   #opened(wasmUrl: string | undefined): Promise<Backend> {
@@ -87,10 +87,10 @@ class Workshop {
   }
 
   #tell(news: News): void {
-    const member = this.#members.get(news.id);
+    const client = this.#clients.get(news.id);
     const isEnd = news.is === "failed" && news.code === "panic";
-    if (isEnd) this.#members.delete(news.id);
-    member?.hear(news);
+    if (isEnd) this.#clients.delete(news.id);
+    client?.hear(news);
     if (isEnd) void this.#replace();
   }
 
@@ -106,14 +106,14 @@ class Workshop {
   /** Everybody goes to another backend. */
   #moveAll(): void {
     this.#close();
-    const members = [...this.#members.values()];
-    this.#members.clear();
-    for (const member of members) member.moved();
+    const clients = [...this.#clients.values()];
+    this.#clients.clear();
+    for (const client of clients) client.moved();
   }
 
   /** Nobody knows whose fault it was: asked to go on, all might do the same again. */
   #collapse(message: string): void {
-    for (const id of [...this.#members.keys()]) this.#tell({ id, is: "failed", code: "panic", message });
+    for (const id of [...this.#clients.keys()]) this.#tell({ id, is: "failed", code: "panic", message });
   }
 
   #close(): void {
@@ -122,4 +122,4 @@ class Workshop {
   }
 }
 
-export const workshop = new Workshop();
+export const renderHost = new RenderHost();
