@@ -1,4 +1,4 @@
-/** The two places that the studio can run in: a worker, and the page itself. */
+/** The two places that the renderer can run in: a worker, and the page itself. */
 
 import { PageError } from "../engine/errors.ts";
 import { limited, SCRIPT_MS, type Watch, WORKER_SILENCE_MS, watch } from "../engine/time-limits.ts";

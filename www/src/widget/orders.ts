@@ -1,5 +1,5 @@
 /**
- * What widgets and the studio say to each other: plain data, since the studio may be in a worker. Orders go there, news comes
+ * What widgets and the renderer say to each other: plain data, since the renderer may be in a worker. Orders go there, news comes
  * back; every widget has a number.
  */
 
@@ -27,7 +27,7 @@ export type Order = { id: number } & (
   | ({ do: "file"; wish: Wish } & FileOrder)
 );
 
-/** The place that the studio runs in: a worker, or the page itself. */
+/** The place that the renderer runs in: a worker, or the page itself. */
 export interface Backend {
   take(order: Order): void;
   /** Ends it, with all rivers in it. */

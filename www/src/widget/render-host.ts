@@ -1,5 +1,5 @@
 /**
- * One studio for all widgets of a page: opened with the first of them, replaced when its engine stops or answers no more, left
+ * One renderer for all widgets of a page: opened with the first of them, replaced when its engine stops or answers no more, left
  * with the last.
  */
 
@@ -11,11 +11,11 @@ import type { Backend, FileOrder, News, Order } from "./orders.ts";
 /** A widget, as the render host knows it. */
 export interface Client {
   hear(news: News): void;
-  /** The studio had to be replaced: everything has to be handed over again. */
+  /** The renderer had to be replaced: everything has to be handed over again. */
   moved(): void;
 }
 
-/** An empty studio is kept so long: pages that show one thing after another take widgets away and bring others. */
+/** An empty renderer is kept so long: pages that show one thing after another take widgets away and bring others. */
 export const EMPTY_MS = 5000;
 
 type Asked<Every> = Every extends unknown ? Omit<Every, "id"> : never;
@@ -26,7 +26,7 @@ class RenderHost {
   #last = 0;
   #leaving: ReturnType<typeof setTimeout> | undefined;
 
-  /** Takes a widget in, once there is a studio; its number. The address counts for the first. */
+  /** Takes a widget in, once there is a renderer; its number. The address counts for the first. */
   async enter(client: Client, wasmUrl: string | undefined): Promise<number> {
     clearTimeout(this.#leaving);
     const backend = this.#opened(wasmUrl);

@@ -1,10 +1,10 @@
-/** The studio in a worker: where it is, growing rivers never keeps the page from answering. */
+/** The renderer in a worker: where it is, growing rivers never keeps the page from answering. */
 
 import { named } from "../engine/errors.ts";
 import { PAINTING_SILENCE_MS } from "../engine/time-limits.ts";
 import { load } from "../engine/wasm.ts";
 import type { Answer, Hello, News, Order, Ping, Pong } from "./orders.ts";
-import { Studio } from "./studio.ts";
+import { Renderer } from "./renderer.ts";
 
 const post = (message: News | Answer | Pong): void => self.postMessage(message);
 
@@ -15,10 +15,10 @@ async function open({ wasmUrl }: Hello): Promise<void> {
     const coming = (): void => post({ is: "coming" });
     coming();
     const painting = (): void => post({ id: 0, is: "alive", isAtWork: true, silenceMs: PAINTING_SILENCE_MS });
-    const studio = new Studio(await load(wasmUrl, coming), post, painting);
+    const renderer = new Renderer(await load(wasmUrl, coming), post, painting);
     self.addEventListener("message", ({ data }: MessageEvent<Order | Ping>) => {
-      if (data.do === "ping") post({ id: data.id, is: "alive", isAtWork: studio.isAtWork });
-      else studio.take(data);
+      if (data.do === "ping") post({ id: data.id, is: "alive", isAtWork: renderer.isAtWork });
+      else renderer.take(data);
     });
     post({ is: "open" });
   } catch (thrown) {

@@ -11,7 +11,7 @@ import type { FileOrder, News, Order } from "./orders.ts";
 /** The tools' wasm module, as the package has it. */
 const TOOLS = "riverseed_tools_bg.wasm";
 
-export class Studio {
+export class Renderer {
   readonly #easels = new Map<number, Easel>();
   readonly #turns = new Turns(displayFrames);
   #filesInTheMaking = 0;
