@@ -5,14 +5,14 @@ import { read, type Wish } from "../engine/reading.ts";
 import type { Core } from "../engine/wasm.ts";
 import { pngOf, svgOf } from "../player/files.ts";
 import { displayFrames, Turns } from "../player/frames.ts";
-import { Easel } from "./easel.ts";
 import type { FileOrder, News, Order } from "./orders.ts";
+import { Scene } from "./scene.ts";
 
 /** The tools' wasm module, as the package has it. */
 const TOOLS = "riverseed_tools_bg.wasm";
 
 export class Renderer {
-  readonly #easels = new Map<number, Easel>();
+  readonly #scenes = new Map<number, Scene>();
   readonly #turns = new Turns(displayFrames);
   #filesInTheMaking = 0;
 
@@ -31,9 +31,9 @@ export class Renderer {
   take(order: Order): void {
     const { id } = order;
     if (order.do === "file") void this.#file(id, order.wish, order);
-    else if (order.do === "open") this.#easels.set(id, new Easel(this.core, this.#turns, order, this.tell));
-    else this.#easels.get(id)?.take(order);
-    if (order.do === "close") this.#easels.delete(id);
+    else if (order.do === "open") this.#scenes.set(id, new Scene(this.core, this.#turns, order, this.tell));
+    else this.#scenes.get(id)?.take(order);
+    if (order.do === "close") this.#scenes.delete(id);
   }
 
   async #file(id: number, wish: Wish, { format, longSide, wasmUrl }: FileOrder): Promise<void> {

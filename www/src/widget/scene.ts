@@ -10,7 +10,7 @@ import type { News, Order } from "./orders.ts";
 
 type Opening = Extract<Order, { do: "open" }>;
 
-export class Easel {
+export class Scene {
   #size: Size;
   #picture: Picture | undefined;
   /** Of the river on the canvas, and of one that waits to take its place. */

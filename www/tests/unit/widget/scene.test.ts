@@ -1,8 +1,8 @@
 import { expect, test, vi } from "vitest";
 import type { Frames } from "../../../src/player/growth.ts";
 import type { Canvas } from "../../../src/player/picture.ts";
-import { Easel } from "../../../src/widget/easel.ts";
 import type { News } from "../../../src/widget/orders.ts";
+import { Scene } from "../../../src/widget/scene.ts";
 import { engine, memory } from "../../core.ts";
 
 /** A display whose frames come when a test asks for them. */
@@ -53,11 +53,11 @@ test("what is told of a river is told of that river, though another waits to tak
   const wish = (seed: string) => ({ text: `seed=${seed}&attractors=300`, isDark: false });
   const [how, size] = ["watch", { width: 20, height: 20 }] as const;
   const opening = { id: 1, do: "open", canvas: canvas(), wish: wish("one"), how, size } as const;
-  const easel = new Easel({ engine, memory }, display, opening, (told) => news.push(told));
+  const scene = new Scene({ engine, memory }, display, opening, (told) => news.push(told));
   for (let i = 0; i < 3; i++) display.frame();
-  easel.take({ id: 1, do: "show", wish: wish("two"), how, size });
+  scene.take({ id: 1, do: "show", wish: wish("two"), how, size });
   for (let i = 0; i < 3; i++) display.frame();
-  easel.take({ id: 1, do: "show", wish: wish("three"), how, size });
+  scene.take({ id: 1, do: "show", wish: wish("three"), how, size });
   // So long that the river is told of, before it gives way in the same frame.
   display.frame(300);
   expect(news.at(-1)).toMatchObject({ is: "shown", reading: { seed: "two" } });
