@@ -5,15 +5,15 @@ import { DARK_STYLE, namesStyle } from "./scheme.ts";
 import type { Notice } from "./types.ts";
 import type { Engine } from "./wasm.ts";
 
-/** What a widget wants to show. */
-export interface Wish {
+/** What a widget asks for. */
+export interface RiverRequest {
   /** Link text as its author gave it: anything. */
   text: string;
   /** Whether it stands on a dark page: then rivers are light, unless a style is chosen. */
   isDark: boolean;
 }
 
-/** A wish as the core understood it. */
+/** A request as the core understood it. */
 export interface Reading {
   /** The canonical link: what is drawn. */
   link: string;
@@ -52,7 +52,7 @@ export function beyondCaps(values: ReadonlyMap<string, string>): { key: string; 
   });
 }
 
-export function read(engine: Engine, { text, isDark }: Wish): Reading {
+export function read(engine: Engine, { text, isDark }: RiverRequest): Reading {
   const asked = engine.readLink(text);
   const values = new Map(asked.values);
   const notices = [...asked.notices];

@@ -2,10 +2,10 @@
 
 import { PageError } from "../engine/errors.ts";
 import { limited, SCRIPT_MS, type Watch, WORKER_SILENCE_MS, watch } from "../engine/time-limits.ts";
-import type { Answer, Backend, Hello, News, Ping, Pong } from "./orders.ts";
+import type { Backend, Init, InitReply, Ping, Pong, Report } from "./protocol.ts";
 
 export interface Listener {
-  tell(news: News): void;
+  tell(report: Report): void;
   /** The backend as a whole has failed. */
   collapsed(message: string): void;
   /** The backend no longer answers: it is to be closed, and another opened. */
@@ -68,24 +68,24 @@ function beginFromElsewhere(): Worker {
  * Waits until the worker has the engine. A refused worker says so by an error, an engine that does not arrive by an answer; an
  * empty script, or one that hangs, says nothing at all.
  */
-function handshake(worker: Worker, hello: Hello): Promise<void> {
+function handshake(worker: Worker, init: Init): Promise<void> {
   const opened = (heard: () => void): Promise<void> =>
     new Promise((done, failed) => {
-      worker.onmessage = ({ data: { is } }: MessageEvent<Answer>) =>
+      worker.onmessage = ({ data: { is } }: MessageEvent<InitReply>) =>
         is === "coming" ? heard() : is === "open" ? done() : failed();
       worker.onerror = failed;
-      worker.postMessage(hello);
+      worker.postMessage(init);
     });
   return limited(WORKER_SILENCE_MS, "the worker", opened);
 }
 
-/** What a worker says once it is open; of news alone no silence follows. */
-type Said = (News & { silenceMs?: undefined }) | Pong;
+/** What a worker says once it is open; of reports alone no silence follows. */
+type Said = (Report & { silenceMs?: undefined }) | Pong;
 
 function backendOf(worker: Worker, listener: Listener): Backend {
-  let orders = 0;
+  let commands = 0;
   let watched: Watch | undefined;
-  const ping = (): void => worker.postMessage({ id: orders, do: "ping" } satisfies Ping);
+  const ping = (): void => worker.postMessage({ id: commands, do: "ping" } satisfies Ping);
   const rest = (): void => {
     watched?.end();
     watched = undefined;
@@ -97,19 +97,19 @@ function backendOf(worker: Worker, listener: Listener): Backend {
   worker.onmessage = ({ data }: MessageEvent<Said>) => {
     watched?.heard(data.silenceMs);
     if (data.is !== "alive") listener.tell(data);
-    else if (!data.isAtWork && data.id === orders) rest();
+    else if (!data.isAtWork && data.id === commands) rest();
   };
   worker.onerror = ({ message }) => listener.collapsed(message);
   return {
     isReplaceable: true,
-    take(order) {
-      orders++;
+    take(command) {
+      commands++;
       // Only while an answer is due: a page whose rivers are finished lets its worker sleep.
       watched ??= watch(WORKER_SILENCE_MS, lose, ping);
-      if (order.do === "open") {
-        const canvas = (order.canvas as HTMLCanvasElement).transferControlToOffscreen();
-        worker.postMessage({ ...order, canvas }, [canvas]);
-      } else worker.postMessage(order);
+      if (command.do === "open") {
+        const canvas = (command.canvas as HTMLCanvasElement).transferControlToOffscreen();
+        worker.postMessage({ ...command, canvas }, [canvas]);
+      } else worker.postMessage(command);
     },
     close() {
       rest();

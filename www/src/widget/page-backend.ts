@@ -4,13 +4,13 @@
  */
 
 import { load } from "../engine/wasm.ts";
-import type { Backend, News } from "./orders.ts";
+import type { Backend, Report } from "./protocol.ts";
 import { Renderer } from "./renderer.ts";
 
 export { advice } from "../engine/advice.ts";
 
-export async function open(tell: (news: News) => void, wasmUrl: string | undefined): Promise<Backend> {
+export async function open(tell: (report: Report) => void, wasmUrl: string | undefined): Promise<Backend> {
   const renderer = new Renderer(await load(wasmUrl), tell);
   // The engine is the one that the page's script holds: it stays.
-  return { isReplaceable: false, take: (order) => renderer.take(order), close: () => {} };
+  return { isReplaceable: false, take: (command) => renderer.take(command), close: () => {} };
 }

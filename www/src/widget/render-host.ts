@@ -4,13 +4,13 @@
  */
 
 import { PageError } from "../engine/errors.ts";
-import type { Wish } from "../engine/reading.ts";
+import type { RiverRequest } from "../engine/reading.ts";
 import { openBackend } from "./backend.ts";
-import type { Backend, FileOrder, News, Order } from "./orders.ts";
+import type { Backend, Command, FileRequest, Report } from "./protocol.ts";
 
 /** A widget, as the render host knows it. */
 export interface Client {
-  hear(news: News): void;
+  hear(report: Report): void;
   /** The renderer had to be replaced: everything has to be handed over again. */
   moved(): void;
 }
@@ -37,24 +37,25 @@ class RenderHost {
     return this.#last;
   }
 
-  send(id: number, order: Asked<Order>): void {
-    void this.#backend?.then((backend) => backend.take({ ...order, id }));
+  send(id: number, command: Asked<Command>): void {
+    void this.#backend?.then((backend) => backend.take({ ...command, id }));
   }
 
   /** Makes a file of a finished river, which need not be shown anywhere. */
-  file(wish: Wish, order: FileOrder): Promise<Blob> {
+  file(request: RiverRequest, file: FileRequest): Promise<Blob> {
     return new Promise((done, failed) => {
       let asked = 0;
       const ask = (): void => {
         // A file may be what a worker dies of: of a third there is no hope, and the widgets need theirs.
         if (++asked > 2) failed(new PageError("wasm-timeout", "the worker stopped twice while it made this file"));
-        else void this.enter(client, order.wasmUrl).then((id) => this.send(id, { do: "file", wish, ...order }), failed);
+        else
+          void this.enter(client, file.wasmUrl).then((id) => this.send(id, { do: "file", request, ...file }), failed);
       };
       const client: Client = {
-        hear: (news) => {
-          this.leave(news.id);
-          if (news.is === "file") done(news.blob);
-          if (news.is === "failed") failed(new PageError(news.code, news.message));
+        hear: (report) => {
+          this.leave(report.id);
+          if (report.is === "file") done(report.blob);
+          if (report.is === "failed") failed(new PageError(report.code, report.message));
         },
         moved: ask,
       };
@@ -72,7 +73,7 @@ class RenderHost {
     if (this.#backend) return this.#backend;
     const backend = openBackend(
       {
-        tell: (news) => this.#tell(news),
+        tell: (report) => this.#tell(report),
         collapsed: (message) => this.#collapse(message),
         lost: () => this.#moveAll(),
       },
@@ -86,11 +87,11 @@ class RenderHost {
     return backend;
   }
 
-  #tell(news: News): void {
-    const client = this.#clients.get(news.id);
-    const isEnd = news.is === "failed" && news.code === "panic";
-    if (isEnd) this.#clients.delete(news.id);
-    client?.hear(news);
+  #tell(report: Report): void {
+    const client = this.#clients.get(report.id);
+    const isEnd = report.is === "failed" && report.code === "panic";
+    if (isEnd) this.#clients.delete(report.id);
+    client?.hear(report);
     if (isEnd) void this.#replace();
   }
 

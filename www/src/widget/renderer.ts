@@ -1,11 +1,11 @@
 /** Where the rivers of all widgets are grown and drawn, each on its canvas: in a worker, or on the page itself. */
 
 import { named } from "../engine/errors.ts";
-import { read, type Wish } from "../engine/reading.ts";
+import { type RiverRequest, read } from "../engine/reading.ts";
 import type { Core } from "../engine/wasm.ts";
 import { pngOf, svgOf } from "../player/files.ts";
 import { displayFrames, Turns } from "../player/frames.ts";
-import type { FileOrder, News, Order } from "./orders.ts";
+import type { Command, FileRequest, Report } from "./protocol.ts";
 import { Scene } from "./scene.ts";
 
 /** The tools' wasm module, as the package has it. */
@@ -18,28 +18,28 @@ export class Renderer {
 
   constructor(
     private readonly core: Core,
-    private readonly tell: (news: News) => void,
+    private readonly tell: (report: Report) => void,
     /** A picture for a file is about to be painted, in one step. */
     private readonly painting: () => void = () => {},
   ) {}
 
-  /** Whether there will be news without another order. */
+  /** Whether there will be a report without another command. */
   get isAtWork(): boolean {
     return this.#turns.areAwaited || this.#filesInTheMaking > 0;
   }
 
-  take(order: Order): void {
-    const { id } = order;
-    if (order.do === "file") void this.#file(id, order.wish, order);
-    else if (order.do === "open") this.#scenes.set(id, new Scene(this.core, this.#turns, order, this.tell));
-    else this.#scenes.get(id)?.take(order);
-    if (order.do === "close") this.#scenes.delete(id);
+  take(command: Command): void {
+    const { id } = command;
+    if (command.do === "file") void this.#file(id, command.request, command);
+    else if (command.do === "open") this.#scenes.set(id, new Scene(this.core, this.#turns, command, this.tell));
+    else this.#scenes.get(id)?.take(command);
+    if (command.do === "close") this.#scenes.delete(id);
   }
 
-  async #file(id: number, wish: Wish, { format, longSide, wasmUrl }: FileOrder): Promise<void> {
+  async #file(id: number, request: RiverRequest, { format, longSide, wasmUrl }: FileRequest): Promise<void> {
     this.#filesInTheMaking++;
     try {
-      const { link } = read(this.core.engine, wish);
+      const { link } = read(this.core.engine, request);
       const blob = await (format === "svg"
         ? svgOf(link, wasmUrl && new URL(TOOLS, wasmUrl).href)
         : pngOf(this.core, link, longSide, this.painting));

@@ -2,13 +2,13 @@
 
 import type { Size } from "../browser/canvas.ts";
 import { isRecoverable, named } from "../engine/errors.ts";
-import { type Reading, read, type Wish } from "../engine/reading.ts";
+import { type Reading, type RiverRequest, read } from "../engine/reading.ts";
 import type { Core } from "../engine/wasm.ts";
 import type { Frames } from "../player/growth.ts";
 import { Picture } from "../player/picture.ts";
-import type { News, Order } from "./orders.ts";
+import type { Command, Report } from "./protocol.ts";
 
-type Opening = Extract<Order, { do: "open" }>;
+type Opening = Extract<Command, { do: "open" }>;
 
 export class Scene {
   #size: Size;
@@ -17,31 +17,31 @@ export class Scene {
   #reading: Reading | undefined;
   #next: Reading | undefined;
   /** What came before the river was planted. */
-  #early: Order[] = [];
+  #early: Command[] = [];
   #isOver = false;
 
   constructor(
     private readonly core: Core,
     private readonly frames: Frames,
     private readonly opening: Opening,
-    private readonly tell: (news: News) => void,
+    private readonly tell: (report: Report) => void,
   ) {
     this.#size = opening.size;
     // In its turn: planting twenty rivers at once would hold up the page.
     frames.request(() => this.#attempt(() => this.#open()));
   }
 
-  take(order: Order): void {
+  take(command: Command): void {
     const picture = this.#picture;
-    if (order.do === "close") this.#close();
-    else if (picture) this.#attempt(() => this.#follow(order, picture));
-    else this.#early.push(order);
+    if (command.do === "close") this.#close();
+    else if (picture) this.#attempt(() => this.#follow(command, picture));
+    else this.#early.push(command);
   }
 
   #open(): void {
     if (this.#isOver) return;
-    const { canvas, wish, how } = this.opening;
-    this.#reading = this.#read(wish);
+    const { canvas, request, how } = this.opening;
+    this.#reading = this.#read(request);
     const picture = new Picture(this.core, canvas, this.#reading.link, this.frames, {
       sizeFor: () => this.#size,
       replaced: () => {
@@ -55,18 +55,18 @@ export class Scene {
     });
     this.#picture = picture;
     picture.start(how);
-    for (const order of this.#early) this.#follow(order, picture);
+    for (const command of this.#early) this.#follow(command, picture);
     this.#early = [];
   }
 
-  #follow(order: Order, picture: Picture): void {
-    switch (order.do) {
+  #follow(command: Command, picture: Picture): void {
+    switch (command.do) {
       case "show":
-        this.#size = order.size;
-        picture.show(this.#read(order.wish).link, order.how);
+        this.#size = command.size;
+        picture.show(this.#read(command.request).link, command.how);
         break;
       case "resize":
-        this.#size = order.size;
+        this.#size = command.size;
         picture.resize();
         break;
       case "play":
@@ -75,12 +75,12 @@ export class Scene {
       case "finish":
       case "rest":
       case "wake":
-        picture[order.do]();
+        picture[command.do]();
     }
   }
 
-  #read(wish: Wish): Reading {
-    this.#next = read(this.core.engine, wish);
+  #read(request: RiverRequest): Reading {
+    this.#next = read(this.core.engine, request);
     return this.#next;
   }
 

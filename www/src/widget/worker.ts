@@ -3,20 +3,20 @@
 import { named } from "../engine/errors.ts";
 import { PAINTING_SILENCE_MS } from "../engine/time-limits.ts";
 import { load } from "../engine/wasm.ts";
-import type { Answer, Hello, News, Order, Ping, Pong } from "./orders.ts";
+import type { Command, Init, InitReply, Ping, Pong, Report } from "./protocol.ts";
 import { Renderer } from "./renderer.ts";
 
-const post = (message: News | Answer | Pong): void => self.postMessage(message);
+const post = (message: Report | InitReply | Pong): void => self.postMessage(message);
 
-self.addEventListener("message", ({ data }: MessageEvent<Hello>) => void open(data), { once: true });
+self.addEventListener("message", ({ data }: MessageEvent<Init>) => void open(data), { once: true });
 
-async function open({ wasmUrl }: Hello): Promise<void> {
+async function open({ wasmUrl }: Init): Promise<void> {
   try {
     const coming = (): void => post({ is: "coming" });
     coming();
     const painting = (): void => post({ id: 0, is: "alive", isAtWork: true, silenceMs: PAINTING_SILENCE_MS });
     const renderer = new Renderer(await load(wasmUrl, coming), post, painting);
-    self.addEventListener("message", ({ data }: MessageEvent<Order | Ping>) => {
+    self.addEventListener("message", ({ data }: MessageEvent<Command | Ping>) => {
       if (data.do === "ping") post({ id: data.id, is: "alive", isAtWork: renderer.isAtWork });
       else renderer.take(data);
     });

@@ -1,7 +1,7 @@
 import { afterEach, beforeEach, expect, type Mock, test, vi } from "vitest";
 import { PAINTING_SILENCE_MS, WORKER_SILENCE_MS } from "../../../src/engine/time-limits.ts";
 import type { Listener } from "../../../src/widget/backend.ts";
-import type { Backend, Order } from "../../../src/widget/orders.ts";
+import type { Backend, Command } from "../../../src/widget/protocol.ts";
 
 const HERE: Backend = { isReplaceable: false, take: () => {}, close: () => {} };
 vi.mock("../../../src/widget/page-backend.ts", () => ({ open: async () => HERE }));
@@ -53,7 +53,7 @@ afterEach(() => {
   vi.unstubAllGlobals();
 });
 
-const PAUSE: Order = { id: 1, do: "pause" };
+const PAUSE: Command = { id: 1, do: "pause" };
 
 function listener(): Record<keyof Listener, Mock<() => void>> {
   return { tell: vi.fn(), collapsed: vi.fn(), lost: vi.fn() };
@@ -94,7 +94,7 @@ test("a worker whose engine is coming slowly is waited for", async () => {
   expect(vi.getTimerCount()).toBe(0);
 });
 
-test("a worker that has its engine and then works without a word of news is asked, and kept while it answers", async () => {
+test("a worker that has its engine and then works without a word is asked, and kept while it answers", async () => {
   const to = listener();
   const { backend, worker } = await open(to);
   backend.take(PAUSE);
@@ -145,7 +145,7 @@ test("a worker that answers no more is told of once", async () => {
   expect(worker.pings).toBe(9);
 });
 
-test("a worker with nothing to do is left alone, until there is another order", async () => {
+test("a worker with nothing to do is left alone, until there is another command", async () => {
   const to = listener();
   const { backend, worker } = await open(to);
   vi.advanceTimersByTime(60_000);
@@ -161,7 +161,7 @@ test("a worker with nothing to do is left alone, until there is another order", 
   expect(to.lost).toHaveBeenCalledTimes(1);
 });
 
-test("an answer from before the last order does not count as one to it", async () => {
+test("an answer from before the last command does not count as one to it", async () => {
   const to = listener();
   const { backend, worker } = await open(to);
   backend.take(PAUSE);

@@ -1,7 +1,7 @@
 import { expect, test, vi } from "vitest";
 import type { Frames } from "../../../src/player/growth.ts";
 import type { Canvas } from "../../../src/player/picture.ts";
-import type { News } from "../../../src/widget/orders.ts";
+import type { Report } from "../../../src/widget/protocol.ts";
 import { Scene } from "../../../src/widget/scene.ts";
 import { engine, memory } from "../../core.ts";
 
@@ -49,18 +49,18 @@ function canvas(): Canvas {
 test("what is told of a river is told of that river, though another waits to take its place", () => {
   vi.stubGlobal("ImageData", Image);
   const display = new Display();
-  const news: News[] = [];
-  const wish = (seed: string) => ({ text: `seed=${seed}&attractors=300`, isDark: false });
+  const reports: Report[] = [];
+  const request = (seed: string) => ({ text: `seed=${seed}&attractors=300`, isDark: false });
   const [how, size] = ["watch", { width: 20, height: 20 }] as const;
-  const opening = { id: 1, do: "open", canvas: canvas(), wish: wish("one"), how, size } as const;
-  const scene = new Scene({ engine, memory }, display, opening, (told) => news.push(told));
+  const opening = { id: 1, do: "open", canvas: canvas(), request: request("one"), how, size } as const;
+  const scene = new Scene({ engine, memory }, display, opening, (told) => reports.push(told));
   for (let i = 0; i < 3; i++) display.frame();
-  scene.take({ id: 1, do: "show", wish: wish("two"), how, size });
+  scene.take({ id: 1, do: "show", request: request("two"), how, size });
   for (let i = 0; i < 3; i++) display.frame();
-  scene.take({ id: 1, do: "show", wish: wish("three"), how, size });
+  scene.take({ id: 1, do: "show", request: request("three"), how, size });
   // So long that the river is told of, before it gives way in the same frame.
   display.frame(300);
-  expect(news.at(-1)).toMatchObject({ is: "shown", reading: { seed: "two" } });
+  expect(reports.at(-1)).toMatchObject({ is: "shown", reading: { seed: "two" } });
   for (let i = 0; i < 3; i++) display.frame(300);
-  expect(news.at(-1)).toMatchObject({ is: "shown", reading: { seed: "three" } });
+  expect(reports.at(-1)).toMatchObject({ is: "shown", reading: { seed: "three" } });
 });
