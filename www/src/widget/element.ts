@@ -12,11 +12,11 @@ import type { How } from "../player/picture.ts";
 import { ASPECT, aspectOf, linkOf, OBSERVED, type Properties, reflect, upgrade } from "./attributes.ts";
 import { importPageBackend } from "./backend.ts";
 import type { RiverSeedEventMap } from "./events.ts";
-import { watch } from "./nearness.ts";
 import type { FileRequest, Report, Status } from "./protocol.ts";
 import { type Client, renderHost } from "./render-host.ts";
 import { countIn, ENGLISH, type Strings, type Told } from "./strings.ts";
 import { type Does, View } from "./view.ts";
+import { watch } from "./visibility.ts";
 
 /** What stands in for the browser's class where there is none. */
 const Base = globalThis.HTMLElement ?? (class {} as typeof HTMLElement);
