@@ -18,7 +18,7 @@ import { type Core, load } from "../engine/wasm.ts";
 import { Drawing } from "../land/drawing.ts";
 import { listenForPictures } from "../land/picture-entry.ts";
 import { pixelsOf } from "../land/picture-file.ts";
-import type { State } from "../player/growth.ts";
+import type { State } from "../player/frame-loop.ts";
 import type { How } from "../player/picture.ts";
 import { alternative, caption, sentence } from "../player/words.ts";
 import { Downloads } from "../share/downloads.ts";

@@ -3,8 +3,8 @@
 import { backingSize, observeSize, RESIZE_PAUSE_MS, type Size } from "../browser/canvas.ts";
 import type { Phase, Summary } from "../engine/types.ts";
 import type { Core } from "../engine/wasm.ts";
+import type { State } from "../player/frame-loop.ts";
 import { displayFrames } from "../player/frames.ts";
-import type { State } from "../player/growth.ts";
 import { type How, Picture } from "../player/picture.ts";
 
 export interface PlateParts {

@@ -1,7 +1,7 @@
 /** Play, pause, again, and how fast. */
 
 import { setText, setValue } from "../browser/dom.ts";
-import type { State } from "../player/growth.ts";
+import type { State } from "../player/frame-loop.ts";
 
 /** The places of the speed slider, in times the ordinary speed. */
 const SPEEDS = [0.25, 0.5, 1, 2, 4, 8, Number.POSITIVE_INFINITY];

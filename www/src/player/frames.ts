@@ -1,6 +1,6 @@
 /** When pictures are painted: the display's own frames, and how many rivers share them. */
 
-import type { Frames } from "./growth.ts";
+import type { Frames } from "./frame-loop.ts";
 
 /** The display's. Workers of some browsers have none: there a timer stands in. */
 export const displayFrames: Frames = {

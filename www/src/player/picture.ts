@@ -6,7 +6,7 @@ import type { Size } from "../browser/canvas.ts";
 import type { Phase, River, Summary } from "../engine/types.ts";
 import type { Core } from "../engine/wasm.ts";
 import { Blitter } from "./blit.ts";
-import { type Frames, Growth, type State } from "./growth.ts";
+import { FrameLoop, type Frames, type State } from "./frame-loop.ts";
 
 export type Canvas = HTMLCanvasElement | OffscreenCanvas;
 
@@ -37,7 +37,7 @@ export class Picture {
   #told: Phase | undefined;
   #canRun = true;
   readonly #river: River;
-  readonly #growth: Growth;
+  readonly #loop: FrameLoop;
   readonly #blitter: Blitter;
 
   /** Puts a river on the canvas at tick 0. Throws what the core throws. */
@@ -51,7 +51,7 @@ export class Picture {
     this.#blitter = new Blitter(contextOf(canvas), core.memory);
     this.#river = new core.engine.River(link);
     this.#link = link;
-    this.#growth = new Growth(this.#river, frames, {
+    this.#loop = new FrameLoop(this.#river, frames, {
       draw: () => this.#draw(),
       ready: () => this.#followWish(),
       changed: () => this.#tell(),
@@ -65,11 +65,11 @@ export class Picture {
   }
 
   get state(): State {
-    return this.#growth.state;
+    return this.#loop.state;
   }
 
   set speed(speed: number) {
-    this.#growth.speed = speed;
+    this.#loop.speed = speed;
   }
 
   /** Shows the first river. */
@@ -81,33 +81,33 @@ export class Picture {
   }
 
   toggle(): void {
-    this.#attempt(() => this.#growth.toggle());
+    this.#attempt(() => this.#loop.toggle());
   }
 
   play(): void {
-    this.#attempt(() => this.#growth.play());
+    this.#attempt(() => this.#loop.play());
   }
 
   pause(): void {
-    this.#attempt(() => this.#growth.pause());
+    this.#attempt(() => this.#loop.pause());
   }
 
   replay(): void {
-    this.#attempt(() => this.#growth.replay());
+    this.#attempt(() => this.#loop.replay());
   }
 
   /** To the finished river without animation, whatever it is doing. */
   finish(): void {
-    if (this.state !== "finished") this.#attempt(() => this.#growth.settle(false));
+    if (this.state !== "finished") this.#attempt(() => this.#loop.settle(false));
   }
 
   /** Nobody sees it: no steps until somebody does. */
   rest(): void {
-    this.#attempt(() => this.#growth.rest());
+    this.#attempt(() => this.#loop.rest());
   }
 
   wake(): void {
-    this.#attempt(() => this.#growth.wake());
+    this.#attempt(() => this.#loop.wake());
   }
 
   /**
@@ -116,7 +116,7 @@ export class Picture {
    */
   show(link: string, how: How): void {
     this.#wanted = { link, how };
-    if (how === "watch" || !this.#growth.isBusy) this.#applying ??= this.frames.request(() => this.#applyNow());
+    if (how === "watch" || !this.#loop.isBusy) this.#applying ??= this.frames.request(() => this.#applyNow());
   }
 
   /** Gives the canvas the size it should have; the river stays the same. */
@@ -127,7 +127,7 @@ export class Picture {
   /** Stops for good. The river is not freed: after a failure nothing of the engine may be called. */
   close(): void {
     this.#canRun = false;
-    this.#growth.halt();
+    this.#loop.halt();
   }
 
   /** Stops for good and gives the river's memory back. */
@@ -153,13 +153,13 @@ export class Picture {
     if (stage === "none") return;
     this.#fit();
     if (stage === "land" || stage === "grow") this.#grow(wanted.how);
-    else if (stage === "paint" || this.#river.phase === "growing") this.#growth.redraw();
-    else this.#growth.settle(false);
+    else if (stage === "paint" || this.#river.phase === "growing") this.#loop.redraw();
+    else this.#loop.settle(false);
   }
 
   #grow(how: How): void {
-    if (how === "watch") this.#growth.watch();
-    else this.#growth.settle(how === "settle");
+    if (how === "watch") this.#loop.watch();
+    else this.#loop.settle(how === "settle");
   }
 
   #paint(): void {

@@ -2,7 +2,7 @@
 
 import { type Count, count } from "../browser/count.ts";
 import type { Phase, Summary } from "../engine/types.ts";
-import type { State } from "./growth.ts";
+import type { State } from "./frame-loop.ts";
 
 function counted(value: number, one: string, many: string, written: Count): string {
   return `${written(value)} ${value === 1 ? one : many}`;

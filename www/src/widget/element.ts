@@ -7,7 +7,7 @@ import { RESIZE_PAUSE_MS } from "../browser/canvas.ts";
 import { DARK_PAGES } from "../browser/dark-pages.ts";
 import { isRecoverable, named, PageError } from "../engine/errors.ts";
 import type { Reading, RiverRequest } from "../engine/reading.ts";
-import type { State } from "../player/growth.ts";
+import type { State } from "../player/frame-loop.ts";
 import type { How } from "../player/picture.ts";
 import { ASPECT, aspectOf, linkOf, OBSERVED, type Properties, reflect, upgrade } from "./attributes.ts";
 import { importPageBackend } from "./backend.ts";

@@ -4,7 +4,7 @@ import type { Size } from "../browser/canvas.ts";
 import { isRecoverable, named } from "../engine/errors.ts";
 import { type Reading, type RiverRequest, read } from "../engine/reading.ts";
 import type { Core } from "../engine/wasm.ts";
-import type { Frames } from "../player/growth.ts";
+import type { Frames } from "../player/frame-loop.ts";
 import { Picture } from "../player/picture.ts";
 import type { Command, Report } from "./protocol.ts";
 

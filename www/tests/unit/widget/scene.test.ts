@@ -1,5 +1,5 @@
 import { expect, test, vi } from "vitest";
-import type { Frames } from "../../../src/player/growth.ts";
+import type { Frames } from "../../../src/player/frame-loop.ts";
 import type { Canvas } from "../../../src/player/picture.ts";
 import type { Report } from "../../../src/widget/protocol.ts";
 import { Scene } from "../../../src/widget/scene.ts";

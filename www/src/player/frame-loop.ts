@@ -67,7 +67,7 @@ const GROWING: Pace = {
   timeAt: (share) => 1 - (1 - share) ** (1 / EASE),
 };
 
-export class Growth {
+export class FrameLoop {
   #speed = 1;
   #state: State = "paused";
   #handle: number | undefined;

@@ -2,16 +2,16 @@ import { expect, test } from "vitest";
 import type { Phase } from "../../pkg/riverseed.js";
 import {
   FRAME_BUDGET_MS,
+  FrameLoop,
   GROWTH_SECONDS,
   type Growing,
-  Growth,
   LONG_STEPS_MS,
   MEANDER_SECONDS,
   ROUNDS_PER_SECOND,
   SETTLE_BUDGET_MS,
   SETTLE_QUIET_MS,
   type State,
-} from "../../src/player/growth.ts";
+} from "../../src/player/frame-loop.ts";
 
 /** A display and a clock that only move when told; a step takes as long as a test says. */
 class Stage implements Growing {
@@ -27,7 +27,7 @@ class Stage implements Growing {
   cost = 0;
   #callbacks = new Map<number, (now: number) => void>();
   #handles = 0;
-  readonly growth: Growth;
+  readonly loop: FrameLoop;
 
   /** Grows until its last tick; with rounds, it is then made into rivers and meanders for so many. */
   constructor(
@@ -42,7 +42,7 @@ class Stage implements Growing {
       },
       cancel: (handle: number) => void this.#callbacks.delete(handle),
     };
-    this.growth = new Growth(this, frames, {
+    this.loop = new FrameLoop(this, frames, {
       draw: () => {
         this.drawn.push(this.ticks);
         this.phases.push(this.phase);
@@ -109,7 +109,7 @@ test("at 1x a tree grows up in the stated time, however many ticks it takes and 
     [150, 600, 6_000].map((ticks) => [rate, ticks] as const),
   )) {
     const stage = new Stage(ticks);
-    stage.growth.play();
+    stage.loop.play();
     const seconds = secondsToGrow(stage, rate);
     expect(seconds).toBeLessThanOrEqual(GROWTH_SECONDS + 3 / rate);
     // The last of few ticks is due a little earlier.
@@ -120,8 +120,8 @@ test("at 1x a tree grows up in the stated time, however many ticks it takes and 
 test("speed divides the time", () => {
   for (const speed of [0.25, 4, 8]) {
     const stage = new Stage();
-    stage.growth.speed = speed;
-    stage.growth.play();
+    stage.loop.speed = speed;
+    stage.loop.play();
     const seconds = speed * secondsToGrow(stage, 60);
     expect(seconds).toBeLessThanOrEqual(GROWTH_SECONDS + (3 * speed) / 60);
     expect(seconds).toBeGreaterThan(0.8 * GROWTH_SECONDS);
@@ -130,7 +130,7 @@ test("speed divides the time", () => {
 
 test("growth is fast at first: four fifths after a second, and every frame has its share", () => {
   const stage = new Stage(6_000);
-  stage.growth.play();
+  stage.loop.play();
   stage.frames(61);
   expect(stage.progress).toBeCloseTo(0.82, 1);
   const steps = stage.drawn.slice(1).map((ticks, i) => ticks - (stage.drawn[i] ?? 0));
@@ -139,13 +139,13 @@ test("growth is fast at first: four fifths after a second, and every frame has i
 
 test("another speed on the way changes the pace, and jumps nowhere", () => {
   const stage = new Stage();
-  stage.growth.speed = Number.POSITIVE_INFINITY;
+  stage.loop.speed = Number.POSITIVE_INFINITY;
   stage.cost = 1;
-  stage.growth.play();
+  stage.loop.play();
   stage.frames(20);
   const before = stage.ticks;
   stage.cost = 0;
-  stage.growth.speed = 1;
+  stage.loop.speed = 1;
   stage.frames(2);
   expect(stage.ticks - before).toBeLessThanOrEqual(2 * mostInAFrame(stage));
 });
@@ -158,8 +158,8 @@ function mostInAFrame(stage: Stage): number {
 test("instant speed uses each frame's budget and is still drawn as it grows", () => {
   const stage = new Stage(300);
   stage.cost = 0.1;
-  stage.growth.speed = Number.POSITIVE_INFINITY;
-  stage.growth.play();
+  stage.loop.speed = Number.POSITIVE_INFINITY;
+  stage.loop.play();
   stage.frames(4);
   expect(stage.ticks).toBeGreaterThanOrEqual(4 * (FRAME_BUDGET_MS / stage.cost) - 4);
   expect(stage.drawn.length).toBe(4);
@@ -170,8 +170,8 @@ test("instant speed uses each frame's budget and is still drawn as it grows", ()
 test("no frame grows longer than its budget and one tick", () => {
   const stage = new Stage();
   stage.cost = 4;
-  stage.growth.speed = 8;
-  stage.growth.play();
+  stage.loop.speed = 8;
+  stage.loop.play();
   for (let i = 0; i < 100; i++) {
     const before = stage.ticks;
     stage.frames(1);
@@ -182,8 +182,8 @@ test("no frame grows longer than its budget and one tick", () => {
 test("work that does not fit makes growth slower, never a burst later", () => {
   const stage = new Stage(6_000);
   stage.cost = 6;
-  stage.growth.speed = 8;
-  stage.growth.play();
+  stage.loop.speed = 8;
+  stage.loop.play();
   stage.frames(200);
   stage.cost = 0;
   const before = stage.ticks;
@@ -193,7 +193,7 @@ test("work that does not fit makes growth slower, never a burst later", () => {
 
 test("a tab that was away for a minute goes on from where it was", () => {
   const stage = new Stage();
-  stage.growth.play();
+  stage.loop.play();
   stage.frames(10);
   stage.time += 60_000;
   const before = stage.ticks;
@@ -203,15 +203,15 @@ test("a tab that was away for a minute goes on from where it was", () => {
 
 test("paused means no growth and no frames", () => {
   const stage = new Stage();
-  stage.growth.play();
+  stage.loop.play();
   stage.frames(30);
-  stage.growth.pause();
+  stage.loop.pause();
   stage.frames(1);
   const { ticks } = stage;
   stage.frames(30);
   expect(stage.ticks).toBe(ticks);
   expect(stage.waiting).toBe(0);
-  stage.growth.play();
+  stage.loop.play();
   stage.frames(30);
   expect(stage.ticks).toBeGreaterThan(ticks);
   expect(stage.restarts).toBe(0);
@@ -219,57 +219,57 @@ test("paused means no growth and no frames", () => {
 
 test("a finished river asks for no more frames, and playing it starts again", () => {
   const stage = new Stage(50);
-  stage.growth.play();
+  stage.loop.play();
   stage.frames(600);
-  expect(stage.growth.state).toBe("finished");
+  expect(stage.loop.state).toBe("finished");
   expect(stage.waiting).toBe(0);
   expect(stage.drawn.at(-1)).toBe(stage.lastTick);
-  stage.growth.toggle();
+  stage.loop.toggle();
   expect(stage.restarts).toBe(1);
-  expect(stage.growth.state).toBe("growing");
+  expect(stage.loop.state).toBe("growing");
 });
 
 test("settling shows nothing but the finished river, if that is soon", () => {
   const stage = new Stage(200);
   stage.cost = 0.2;
-  stage.growth.settle(false);
+  stage.loop.settle(false);
   stage.frames(20);
-  expect(stage.growth.state).toBe("finished");
+  expect(stage.loop.state).toBe("finished");
   expect(stage.drawn).toEqual([200]);
 });
 
 test("settling takes turns with the page, and shows what there is now and then once it takes long", () => {
   const stage = new Stage(10_000);
   stage.cost = 1;
-  stage.growth.settle(false);
+  stage.loop.settle(false);
   stage.frames(1);
   expect(stage.ticks).toBe(SETTLE_BUDGET_MS);
   stage.frames(Math.ceil((4 * SETTLE_QUIET_MS) / (1000 / 60)));
   expect(stage.drawn.length).toBeGreaterThanOrEqual(3);
   expect(stage.drawn.length).toBeLessThanOrEqual(4);
-  expect(stage.growth.state).toBe("settling");
+  expect(stage.loop.state).toBe("settling");
 });
 
 test("a redraw is drawn once, and grows nothing", () => {
   const stage = new Stage(10);
-  stage.growth.settle(false);
+  stage.loop.settle(false);
   stage.frames(2);
-  stage.growth.redraw();
-  stage.growth.redraw();
+  stage.loop.redraw();
+  stage.loop.redraw();
   stage.frames(5);
   expect(stage.drawn).toEqual([10, 10]);
-  expect(stage.growth.state).toBe("finished");
+  expect(stage.loop.state).toBe("finished");
 });
 
 test("at rest nothing is drawn; waking goes on", () => {
   const stage = new Stage();
-  stage.growth.play();
+  stage.loop.play();
   stage.frames(5);
-  stage.growth.rest();
+  stage.loop.rest();
   expect(stage.waiting).toBe(0);
   const { ticks } = stage;
   stage.time += 5000;
-  stage.growth.wake();
+  stage.loop.wake();
   stage.frames(60);
   expect(stage.ticks - ticks).toBeLessThanOrEqual(0.9 * stage.lastTick);
   expect(stage.ticks).toBeGreaterThan(ticks);
@@ -277,15 +277,15 @@ test("at rest nothing is drawn; waking goes on", () => {
 
 test("at rest what is due to be drawn is drawn, and nothing grows", () => {
   const stage = new Stage();
-  stage.growth.watch();
-  stage.growth.rest();
+  stage.loop.watch();
+  stage.loop.rest();
   stage.frames(5);
   expect(stage.drawn).toEqual([0]);
-  stage.growth.redraw();
+  stage.loop.redraw();
   stage.frames(5);
   expect(stage.drawn).toEqual([0, 0]);
   expect(stage.waiting).toBe(0);
-  stage.growth.wake();
+  stage.loop.wake();
   stage.frames(30);
   expect(stage.ticks).toBeGreaterThan(0);
 });
@@ -295,7 +295,7 @@ test("a failure is told once and stops the loop", () => {
   stage.advance = () => {
     throw new Error("unreachable");
   };
-  stage.growth.settle(false);
+  stage.loop.settle(false);
   stage.frames(5);
   expect(stage.failures).toHaveLength(1);
   expect(stage.waiting).toBe(0);
@@ -303,7 +303,7 @@ test("a failure is told once and stops the loop", () => {
 
 test("growth is followed by meandering, animated at its own pace", () => {
   const stage = new Stage(10, ROUNDS_PER_SECOND);
-  stage.growth.watch();
+  stage.loop.watch();
   while (stage.phase !== "meandering") stage.frames(1);
   stage.frames(30);
   const rounds = stage.ticks - stage.lastTick - 1;
@@ -315,8 +315,8 @@ test("growth is followed by meandering, animated at its own pace", () => {
 
 test("speed multiplies rounds, too", () => {
   const stage = new Stage(1, ROUNDS_PER_SECOND);
-  stage.growth.speed = 4;
-  stage.growth.watch();
+  stage.loop.speed = 4;
+  stage.loop.watch();
   while (stage.phase !== "meandering") stage.frames(1);
   const before = stage.ticks;
   stage.frames(9);
@@ -325,52 +325,52 @@ test("speed multiplies rounds, too", () => {
 
 test("many rounds share the time that there is for meandering", () => {
   const stage = new Stage(1, 400);
-  stage.growth.watch();
+  stage.loop.watch();
   while (stage.phase !== "meandering") stage.frames(1);
   stage.frames(60 * MEANDER_SECONDS + 3);
-  expect(stage.growth.state).toBe("finished");
+  expect(stage.loop.state).toBe("finished");
 });
 
 test("a settling river that was grown shows its tree on the way, if it is asked to, and then gives way to another", () => {
   const stage = new Stage(20, 30);
   stage.cost = 1;
-  stage.growth.settle(true);
+  stage.loop.settle(true);
   while (stage.phase === "growing") {
-    expect(stage.growth.isBusy).toBe(true);
+    expect(stage.loop.isBusy).toBe(true);
     stage.frames(1);
   }
   expect(stage.drawn).toEqual([20]);
-  expect([stage.growth.isBusy, stage.ready]).toEqual([false, 1]);
+  expect([stage.loop.isBusy, stage.ready]).toEqual([false, 1]);
   stage.frames(10);
   expect(stage.drawn).toEqual([20, 51]);
-  expect(stage.growth.state).toBe("finished");
+  expect(stage.loop.state).toBe("finished");
 });
 
 test("a settling river that is not asked to shows nothing but its end", () => {
   const stage = new Stage(20, 30);
   stage.cost = 1;
-  stage.growth.settle(false);
+  stage.loop.settle(false);
   stage.frames(3);
-  expect(stage.growth.isBusy).toBe(true);
+  expect(stage.loop.isBusy).toBe(true);
   stage.frames(10);
   expect(stage.drawn).toEqual([51]);
-  expect([stage.growth.isBusy, stage.ready]).toEqual([false, 1]);
+  expect([stage.loop.isBusy, stage.ready]).toEqual([false, 1]);
 });
 
 test("a river that settles for long gives way once anything grown was shown", () => {
   const stage = new Stage(0, 10_000);
   stage.cost = 1;
-  stage.growth.settle(false);
+  stage.loop.settle(false);
   while (stage.drawn.length === 0) stage.frames(1);
   expect(stage.phases).toEqual(["meandering"]);
-  expect(stage.growth.isBusy).toBe(false);
+  expect(stage.loop.isBusy).toBe(false);
 });
 
 test("long steps and painting take turns", () => {
   const stage = new Stage(3, 5);
   stage.cost = LONG_STEPS_MS + 1;
-  stage.growth.speed = Number.POSITIVE_INFINITY;
-  stage.growth.watch();
+  stage.loop.speed = Number.POSITIVE_INFINITY;
+  stage.loop.watch();
   for (let i = 0; i < 40; i++) {
     const before = [stage.ticks, stage.drawn.length] as const;
     stage.frames(1);
@@ -379,5 +379,5 @@ test("long steps and painting take turns", () => {
     expect(worked + drew).toBeLessThanOrEqual(1);
   }
   expect(stage.drawn).toEqual([1, 2, 3, 4, 5, 6, 7, 8, 9]);
-  expect(stage.growth.state).toBe("finished");
+  expect(stage.loop.state).toBe("finished");
 });
