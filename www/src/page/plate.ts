@@ -4,8 +4,8 @@ import { backingSize, observeSize, RESIZE_PAUSE_MS, type Size } from "../browser
 import type { Phase, Summary } from "../engine/types.ts";
 import type { Core } from "../engine/wasm.ts";
 import type { State } from "../player/frame-loop.ts";
-import { displayFrames } from "../player/frames.ts";
 import { type How, Picture } from "../player/picture.ts";
+import { displayFrames } from "../player/scheduler.ts";
 
 export interface PlateParts {
   /** Holds the picture and what stands under it; is told the river's shape. */

@@ -4,7 +4,7 @@ import { named } from "../engine/errors.ts";
 import { type RiverRequest, read } from "../engine/reading.ts";
 import type { Core } from "../engine/wasm.ts";
 import { pngOf, svgOf } from "../player/files.ts";
-import { displayFrames, Turns } from "../player/frames.ts";
+import { displayFrames, SharedScheduler } from "../player/scheduler.ts";
 import type { Command, FileRequest, Report } from "./protocol.ts";
 import { Scene } from "./scene.ts";
 
@@ -13,7 +13,7 @@ const TOOLS = "riverseed_tools_bg.wasm";
 
 export class Renderer {
   readonly #scenes = new Map<number, Scene>();
-  readonly #turns = new Turns(displayFrames);
+  readonly #scheduler = new SharedScheduler(displayFrames);
   #filesInTheMaking = 0;
 
   constructor(
@@ -25,13 +25,13 @@ export class Renderer {
 
   /** Whether there will be a report without another command. */
   get isAtWork(): boolean {
-    return this.#turns.areAwaited || this.#filesInTheMaking > 0;
+    return this.#scheduler.isAwaited || this.#filesInTheMaking > 0;
   }
 
   take(command: Command): void {
     const { id } = command;
     if (command.do === "file") void this.#file(id, command.request, command);
-    else if (command.do === "open") this.#scenes.set(id, new Scene(this.core, this.#turns, command, this.tell));
+    else if (command.do === "open") this.#scenes.set(id, new Scene(this.core, this.#scheduler, command, this.tell));
     else this.#scenes.get(id)?.take(command);
     if (command.do === "close") this.#scenes.delete(id);
   }

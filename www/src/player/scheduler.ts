@@ -16,10 +16,10 @@ export const displayFrames: Frames = {
 };
 
 /** What all rivers of a thread together may take of a frame, in ms, before the next of them has to wait for the next. */
-export const TURNS_MS = 8;
+export const SHARE_MS = 8;
 
 /** One display for many rivers: each has its turn, in the order of asking, and those that come too late go first next time. */
-export class Turns implements Frames {
+export class SharedScheduler implements Frames {
   readonly #waiting = new Map<number, (now: number) => void>();
   #last = 0;
   #isAsked = false;
@@ -31,7 +31,7 @@ export class Turns implements Frames {
   }
 
   /** Whether some river waits for its turn. */
-  get areAwaited(): boolean {
+  get isAwaited(): boolean {
     return this.#waiting.size > 0;
   }
 
@@ -53,7 +53,7 @@ export class Turns implements Frames {
 
   #frame(now: number): void {
     this.#isAsked = false;
-    const end = this.now() + TURNS_MS;
+    const end = this.now() + SHARE_MS;
     const last = this.#last;
     for (const [handle, callback] of this.#waiting) {
       // Whoever asks in this frame wants the next.

@@ -1,11 +1,11 @@
 import { expect, test } from "vitest";
-import { TURNS_MS, Turns } from "../../src/player/frames.ts";
+import { SHARE_MS, SharedScheduler } from "../../src/player/scheduler.ts";
 
 /** A display whose frames come when a test says so, and a clock that only work moves. */
-function stage(): { turns: Turns; frame: () => void; asked: () => number; work: (ms: number) => void } {
+function stage(): { scheduler: SharedScheduler; frame: () => void; asked: () => number; work: (ms: number) => void } {
   let time = 0;
   let callbacks: ((now: number) => void)[] = [];
-  const turns = new Turns({
+  const scheduler = new SharedScheduler({
     now: () => time,
     request: (callback) => callbacks.push(callback),
     cancel: () => {},
@@ -18,13 +18,13 @@ function stage(): { turns: Turns; frame: () => void; asked: () => number; work: 
   const work = (ms: number): void => {
     time += ms;
   };
-  return { turns, frame, asked: () => callbacks.length, work };
+  return { scheduler, frame, asked: () => callbacks.length, work };
 }
 
 test("rivers that ask in one frame share the next", () => {
-  const { turns, frame, asked } = stage();
+  const { scheduler, frame, asked } = stage();
   const done: string[] = [];
-  for (const name of ["a", "b", "c"]) turns.request(() => done.push(name));
+  for (const name of ["a", "b", "c"]) scheduler.request(() => done.push(name));
   expect(asked()).toBe(1);
   frame();
   expect(done).toEqual(["a", "b", "c"]);
@@ -32,12 +32,12 @@ test("rivers that ask in one frame share the next", () => {
 });
 
 test("those that do not fit come first in the frame after, so that nobody starves", () => {
-  const { turns, frame, work } = stage();
+  const { scheduler, frame, work } = stage();
   const done: string[] = [];
   const grow = (name: string): void => {
-    turns.request(() => {
+    scheduler.request(() => {
       done.push(name);
-      work(TURNS_MS / 2);
+      work(SHARE_MS / 2);
       grow(name);
     });
   };
@@ -47,13 +47,13 @@ test("those that do not fit come first in the frame after, so that nobody starve
 });
 
 test("who asks in a frame gets the next, however much time there is", () => {
-  const { turns, frame } = stage();
+  const { scheduler, frame } = stage();
   let times = 0;
   const again = (): void => {
     times++;
-    turns.request(again);
+    scheduler.request(again);
   };
-  turns.request(again);
+  scheduler.request(again);
   frame();
   expect(times).toBe(1);
   frame();
@@ -61,9 +61,9 @@ test("who asks in a frame gets the next, however much time there is", () => {
 });
 
 test("what is cancelled does not come", () => {
-  const { turns, frame } = stage();
+  const { scheduler, frame } = stage();
   let times = 0;
-  turns.cancel(turns.request(() => times++));
+  scheduler.cancel(scheduler.request(() => times++));
   frame();
   expect(times).toBe(0);
 });
