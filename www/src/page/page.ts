@@ -19,7 +19,7 @@ import { Drawing } from "../land/drawing.ts";
 import { listenForPictures } from "../land/picture-entry.ts";
 import { pixelsOf } from "../land/picture-file.ts";
 import type { State } from "../player/frame-loop.ts";
-import type { How } from "../player/picture.ts";
+import type { How } from "../player/river-player.ts";
 import { alternative, caption, sentence } from "../player/words.ts";
 import { Downloads } from "../share/downloads.ts";
 import { copy } from "../share/share.ts";

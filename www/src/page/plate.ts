@@ -4,7 +4,7 @@ import { backingSize, observeSize, RESIZE_PAUSE_MS, type Size } from "../browser
 import type { Phase, Summary } from "../engine/types.ts";
 import type { Core } from "../engine/wasm.ts";
 import type { State } from "../player/frame-loop.ts";
-import { type How, Picture } from "../player/picture.ts";
+import { type How, RiverPlayer } from "../player/river-player.ts";
 import { displayFrames } from "../player/scheduler.ts";
 
 export interface PlateParts {
@@ -24,7 +24,7 @@ export interface PlateEvents {
 export class Plate {
   #resizing: ReturnType<typeof setTimeout> | undefined;
   readonly #observer = new ResizeObserver(() => this.#resizeSoon());
-  readonly #picture: Picture;
+  readonly #player: RiverPlayer;
 
   /** Puts a river on the canvas at tick 0. Throws what the core throws. */
   constructor(
@@ -33,7 +33,7 @@ export class Plate {
     link: string,
     events: PlateEvents,
   ) {
-    this.#picture = new Picture(core, parts.canvas, link, displayFrames, {
+    this.#player = new RiverPlayer(core, parts.canvas, link, displayFrames, {
       ...events,
       sizeFor: (aspect) => this.#sizeFor(aspect),
     });
@@ -43,37 +43,37 @@ export class Plate {
 
   /** The link of the river that is on the plate. */
   get link(): string {
-    return this.#picture.link;
+    return this.#player.link;
   }
 
   get state(): State {
-    return this.#picture.state;
+    return this.#player.state;
   }
 
   set speed(speed: number) {
-    this.#picture.speed = speed;
+    this.#player.speed = speed;
   }
 
   toggle(): void {
-    this.#picture.toggle();
+    this.#player.toggle();
   }
 
   replay(): void {
-    this.#picture.replay();
+    this.#player.replay();
   }
 
   /** Shows the first river. */
   start(how: How): void {
-    this.#picture.start(how);
+    this.#player.start(how);
   }
 
   show(link: string, how: How): void {
-    this.#picture.show(link, how);
+    this.#player.show(link, how);
   }
 
   /** After a failure that leaves the engine in an unknown state, nothing of it is called again. */
   close(): void {
-    this.#picture.close();
+    this.#player.close();
     this.#observer.disconnect();
     clearTimeout(this.#resizing);
   }
@@ -86,11 +86,11 @@ export class Plate {
 
   #resizeSoon(): void {
     clearTimeout(this.#resizing);
-    this.#resizing = setTimeout(() => this.#picture.resize(), RESIZE_PAUSE_MS);
+    this.#resizing = setTimeout(() => this.#player.resize(), RESIZE_PAUSE_MS);
   }
 
   #followVisibility(): void {
-    if (document.hidden) this.#picture.rest();
-    else this.#picture.wake();
+    if (document.hidden) this.#player.rest();
+    else this.#player.wake();
   }
 }

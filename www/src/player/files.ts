@@ -5,7 +5,7 @@ import { loadTools, type Tools } from "../engine/tools.ts";
 import type { River } from "../engine/types.ts";
 import type { Core } from "../engine/wasm.ts";
 import { Blitter } from "./blit.ts";
-import { type Canvas, contextOf } from "./picture.ts";
+import { type Canvas, contextOf } from "./river-player.ts";
 
 /** Pixels on the long side of a PNG: a full page in print, and on any screen more than there is. */
 const LONG_SIDE_PX = 3000;

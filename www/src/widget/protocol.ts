@@ -8,7 +8,7 @@ import type { Code } from "../engine/errors.ts";
 import type { Reading, RiverRequest } from "../engine/reading.ts";
 import type { Phase, Summary } from "../engine/types.ts";
 import type { State } from "../player/frame-loop.ts";
-import type { Canvas, How } from "../player/picture.ts";
+import type { Canvas, How } from "../player/river-player.ts";
 
 /** What is made of a river besides a picture on the page. */
 export interface FileRequest {

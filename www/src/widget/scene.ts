@@ -5,14 +5,14 @@ import { isRecoverable, named } from "../engine/errors.ts";
 import { type Reading, type RiverRequest, read } from "../engine/reading.ts";
 import type { Core } from "../engine/wasm.ts";
 import type { Frames } from "../player/frame-loop.ts";
-import { Picture } from "../player/picture.ts";
+import { RiverPlayer } from "../player/river-player.ts";
 import type { Command, Report } from "./protocol.ts";
 
 type Opening = Extract<Command, { do: "open" }>;
 
 export class Scene {
   #size: Size;
-  #picture: Picture | undefined;
+  #player: RiverPlayer | undefined;
   /** Of the river on the canvas, and of one that waits to take its place. */
   #reading: Reading | undefined;
   #next: Reading | undefined;
@@ -32,9 +32,9 @@ export class Scene {
   }
 
   take(command: Command): void {
-    const picture = this.#picture;
+    const player = this.#player;
     if (command.do === "close") this.#close();
-    else if (picture) this.#attempt(() => this.#follow(command, picture));
+    else if (player) this.#attempt(() => this.#follow(command, player));
     else this.#early.push(command);
   }
 
@@ -42,7 +42,7 @@ export class Scene {
     if (this.#isOver) return;
     const { canvas, request, how } = this.opening;
     this.#reading = this.#read(request);
-    const picture = new Picture(this.core, canvas, this.#reading.link, this.frames, {
+    const player = new RiverPlayer(this.core, canvas, this.#reading.link, this.frames, {
       sizeFor: () => this.#size,
       replaced: () => {
         this.#reading = this.#next;
@@ -53,21 +53,21 @@ export class Scene {
       },
       failed: (thrown) => this.#fail(thrown),
     });
-    this.#picture = picture;
-    picture.start(how);
-    for (const command of this.#early) this.#follow(command, picture);
+    this.#player = player;
+    player.start(how);
+    for (const command of this.#early) this.#follow(command, player);
     this.#early = [];
   }
 
-  #follow(command: Command, picture: Picture): void {
+  #follow(command: Command, player: RiverPlayer): void {
     switch (command.do) {
       case "show":
         this.#size = command.size;
-        picture.show(this.#read(command.request).link, command.how);
+        player.show(this.#read(command.request).link, command.how);
         break;
       case "resize":
         this.#size = command.size;
-        picture.resize();
+        player.resize();
         break;
       case "play":
       case "pause":
@@ -75,7 +75,7 @@ export class Scene {
       case "finish":
       case "rest":
       case "wake":
-        picture[command.do]();
+        player[command.do]();
     }
   }
 
@@ -95,12 +95,12 @@ export class Scene {
   #fail(thrown: unknown): void {
     const error = named(thrown);
     // After a trap nothing more is asked of the river, not even to go.
-    if (!isRecoverable(error)) this.#picture?.close();
+    if (!isRecoverable(error)) this.#player?.close();
     this.tell({ id: this.opening.id, is: "failed", code: error.code, message: error.message });
   }
 
   #close(): void {
     this.#isOver = true;
-    this.#picture?.free();
+    this.#player?.free();
   }
 }

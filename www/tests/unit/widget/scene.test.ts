@@ -1,6 +1,6 @@
 import { expect, test, vi } from "vitest";
 import type { Frames } from "../../../src/player/frame-loop.ts";
-import type { Canvas } from "../../../src/player/picture.ts";
+import type { Canvas } from "../../../src/player/river-player.ts";
 import type { Report } from "../../../src/widget/protocol.ts";
 import { Scene } from "../../../src/widget/scene.ts";
 import { engine, memory } from "../../core.ts";

@@ -16,7 +16,7 @@ export type Canvas = HTMLCanvasElement | OffscreenCanvas;
  */
 export type How = "watch" | "settle" | "still";
 
-export interface PictureEvents {
+export interface PlayerEvents {
   /** The canvas is about to hold a river of this shape: how many pixels should it have? None if it is not shown. */
   sizeFor(aspect: number): Size;
   /** The river of the link that was shown last has taken the place of the one before. */
@@ -29,7 +29,7 @@ export interface PictureEvents {
 /** While the river grows or meanders its numbers are read this often: counting all its sources is not free, and nobody reads faster. */
 const COUNT_EVERY_MS = 250;
 
-export class Picture {
+export class RiverPlayer {
   #wanted: { link: string; how: How } | undefined;
   #link: string;
   #applying: number | undefined;
@@ -46,7 +46,7 @@ export class Picture {
     private readonly canvas: Canvas,
     link: string,
     private readonly frames: Frames,
-    private readonly events: PictureEvents,
+    private readonly events: PlayerEvents,
   ) {
     this.#blitter = new Blitter(contextOf(canvas), core.memory);
     this.#river = new core.engine.River(link);
