@@ -16,8 +16,8 @@ import { loadTools } from "../engine/tools.ts";
 import type { Parameter, Phase, Preset, Summary } from "../engine/types.ts";
 import { type Core, load } from "../engine/wasm.ts";
 import { Drawing } from "../land/drawing.ts";
-import { listenForPictures } from "../land/picture-entry.ts";
-import { pixelsOf } from "../land/picture-file.ts";
+import { listenForImages } from "../land/image-drop.ts";
+import { pixelsOf } from "../land/image-file.ts";
 import type { State } from "../player/frame-loop.ts";
 import type { How } from "../player/river-player.ts";
 import { alternative, caption, sentence } from "../player/words.ts";
@@ -100,7 +100,7 @@ class Page {
     new ShareDialog(parts.sharing, this.#recipe, (say) => void downloads.save("png", say));
     parts.copy.addEventListener("click", () => void this.#copyLink());
     parts.drawing.draw.addEventListener("click", () => this.#showDrawing());
-    listenForPictures(parts.drawing, (file) => void this.#trace(file));
+    listenForImages(parts.drawing, (file) => void this.#trace(file));
     // Not hashchange as well: it follows the popstate of another fragment, whose link would be opened twice.
     window.addEventListener("popstate", () => this.#followAddress());
     prefersDark.addEventListener("change", () => this.#attempt(() => this.#show("settle")));

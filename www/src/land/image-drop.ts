@@ -1,12 +1,12 @@
 /** The ways in which a picture comes to the page: chosen, dropped onto the map, or pasted. */
 
-export interface EntryParts {
+export interface ImageDropParts {
   import: HTMLButtonElement;
   picture: HTMLInputElement;
   stage: HTMLElement;
 }
 
-export function listenForPictures(parts: EntryParts, found: (file: File) => void): void {
+export function listenForImages(parts: ImageDropParts, found: (file: File) => void): void {
   const { import: button, picture, stage } = parts;
   const foundIn = (data: DataTransfer | null): void => {
     const file = pictureAmong(data);
