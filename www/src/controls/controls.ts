@@ -3,8 +3,8 @@
 import { el } from "../browser/dom.ts";
 import type { Parameter } from "../engine/types.ts";
 import { type Control, control } from "./control.ts";
+import type { Disclosures } from "./disclosure.ts";
 import type { Change } from "./field.ts";
-import type { Folds } from "./folds.ts";
 import { type Group, group } from "./group.ts";
 import { rangeOf } from "./values.ts";
 
@@ -26,12 +26,12 @@ export function isAdjustable(parameter: Parameter): boolean {
   return parameter.key !== "seed" && parameter.kind !== "outline" && !(range && range.min === range.max);
 }
 
-export function controls(table: readonly Parameter[], change: Change, folds: Folds): Controls {
+export function controls(table: readonly Parameter[], change: Change, disclosures: Disclosures): Controls {
   const made = new Map<string, Control>();
   const groups: Group[] = [];
   for (const [heading, parameters] of grouped(table.filter(isAdjustable))) {
     for (const parameter of parameters) made.set(parameter.key, control(parameter, change));
-    groups.push(group(heading, parameters, made, folds));
+    groups.push(group(heading, parameters, made, disclosures));
   }
   return {
     element: el("div", { class: "groups" }, ...groups.map(({ element }) => element)),

@@ -3,7 +3,7 @@
 import { el, setText } from "../browser/dom.ts";
 import type { Parameter } from "../engine/types.ts";
 import type { Control } from "./control.ts";
-import type { Folds } from "./folds.ts";
+import type { Disclosures } from "./disclosure.ts";
 
 /** Open until somebody says otherwise: the panel begins so short that all its headings are seen, and some of its controls. */
 const OPEN_AT_FIRST = new Set(["Meanders"]);
@@ -20,7 +20,7 @@ export function group(
   heading: string,
   parameters: readonly Parameter[],
   made: ReadonlyMap<string, Control>,
-  folds: Folds,
+  disclosures: Disclosures,
 ): Group {
   const changed = el("span", { class: "changed" });
   const summary = el("summary", {}, el("h2", {}, heading), " ", changed);
@@ -28,8 +28,8 @@ export function group(
     some.flatMap(({ key }) => made.get(key)?.element ?? []);
   const [rare, usual] = [true, false].map((is) => controlsOf(parameters.filter(({ key }) => RARE.has(key) === is)));
   const members = el("div", { class: "members" }, ...(usual ?? []));
-  if (rare && rare.length > 0) members.append(more(heading, rare, folds));
-  const element = folds.fold(heading, OPEN_AT_FIRST.has(heading), { class: "group" }, summary, members);
+  if (rare && rare.length > 0) members.append(more(heading, rare, disclosures));
+  const element = disclosures.details(heading, OPEN_AT_FIRST.has(heading), { class: "group" }, summary, members);
   return {
     element,
     show(values, defaults) {
@@ -39,7 +39,13 @@ export function group(
   };
 }
 
-function more(heading: string, rare: HTMLElement[], folds: Folds): HTMLElement {
+function more(heading: string, rare: HTMLElement[], disclosures: Disclosures): HTMLElement {
   const summary = el("summary", {}, "More", el("span", { class: "unseen" }, ` of ${heading}`));
-  return folds.fold(`${heading}, more`, false, { class: "more" }, summary, el("div", { class: "members" }, ...rare));
+  return disclosures.details(
+    `${heading}, more`,
+    false,
+    { class: "more" },
+    summary,
+    el("div", { class: "members" }, ...rare),
+  );
 }

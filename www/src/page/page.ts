@@ -6,7 +6,7 @@ import { count } from "../browser/count.ts";
 import { DARK_PAGES } from "../browser/dark-pages.ts";
 import { setText } from "../browser/dom.ts";
 import { type Controls, controls } from "../controls/controls.ts";
-import { Folds } from "../controls/folds.ts";
+import { Disclosures } from "../controls/disclosure.ts";
 import { type Presets, presets, unaskedChanges } from "../controls/presets.ts";
 import { SeedBox } from "../controls/seed.ts";
 import { isRecoverable, named } from "../engine/errors.ts";
@@ -54,8 +54,8 @@ class Page {
       () => prefersDark.matches,
     );
     this.#recipe.open(linkOf(location));
-    const folds = new Folds(() => localStorage);
-    this.#controls = controls(this.#table, (key, text) => this.#choose(key, text), folds);
+    const disclosures = new Disclosures(() => localStorage);
+    this.#controls = controls(this.#table, (key, text) => this.#choose(key, text), disclosures);
     this.#presets = presets(engine.presets(), (preset) => this.#press(preset));
     this.#seedBox = new SeedBox(parts.seedForm, parts.seed, (seed) => this.#set([["seed", seed]], "watch"));
     describeSeed(this.#table);

@@ -1,4 +1,4 @@
-/** Groups that fold: which of them are open is remembered, where the browser lets the page remember anything. */
+/** Groups that open and close: which of them are open is remembered, where the browser lets the page remember anything. */
 
 import { el } from "../browser/dom.ts";
 
@@ -10,7 +10,7 @@ export interface Keeper {
   setItem(key: string, value: string): void;
 }
 
-export class Folds {
+export class Disclosures {
   readonly #states = new Map<string, boolean>();
 
   constructor(private readonly keeper: () => Keeper) {
@@ -27,12 +27,12 @@ export class Folds {
     try {
       this.keeper().setItem(KEPT_AS, JSON.stringify(Object.fromEntries(this.#states)));
     } catch {
-      // It folds all the same; it will only not be remembered.
+      // It opens and closes all the same; it will only not be remembered.
     }
   }
 
-  /** A fold under a heading, as it was left, or as it is at first. */
-  fold(name: string, first: boolean, attributes: { class: string }, ...children: Node[]): HTMLDetailsElement {
+  /** A group under a heading, as it was left, or as it is at first. */
+  details(name: string, first: boolean, attributes: { class: string }, ...children: Node[]): HTMLDetailsElement {
     const element = el("details", { ...attributes, open: this.isOpen(name, first) }, ...children);
     element.addEventListener("toggle", () => {
       if (element.open !== this.isOpen(name, first)) this.set(name, element.open);
