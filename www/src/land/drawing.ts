@@ -13,7 +13,7 @@ export interface Outliner {
   outlineLines(text: string): Lines;
 }
 
-export interface DrawingParts {
+export interface DrawingElements {
   draw: HTMLButtonElement;
   stage: HTMLElement;
   sketch: SVGSVGElement;
@@ -51,16 +51,16 @@ export class Drawing {
   #frame = 0;
 
   constructor(
-    private readonly parts: DrawingParts,
+    private readonly elements: DrawingElements,
     private readonly core: Outliner,
     private readonly events: DrawingEvents,
   ) {
-    parts.draw.addEventListener("click", () => this.open());
-    parts.done.addEventListener("click", () => this.close());
-    parts.coast.addEventListener("click", () => this.#choose("coast"));
-    parts.ridge.addEventListener("click", () => this.#choose("ridge"));
-    parts.undo.addEventListener("click", () => this.#edit(() => this.#sketch.undo()));
-    parts.clear.addEventListener("click", () => this.#edit(() => this.#sketch.clear()));
+    elements.draw.addEventListener("click", () => this.open());
+    elements.done.addEventListener("click", () => this.close());
+    elements.coast.addEventListener("click", () => this.#choose("coast"));
+    elements.ridge.addEventListener("click", () => this.#choose("ridge"));
+    elements.undo.addEventListener("click", () => this.#edit(() => this.#sketch.undo()));
+    elements.clear.addEventListener("click", () => this.#edit(() => this.#sketch.clear()));
     document.addEventListener("keydown", (event) => this.#onKey(event));
     this.#listenToPen();
   }
@@ -74,14 +74,14 @@ export class Drawing {
     if (this.#isOpen) return;
     this.#switch(true);
     this.#choose(this.#kind);
-    this.parts.coast.focus({ preventScroll: true });
+    this.elements.coast.focus({ preventScroll: true });
   }
 
   close(): void {
     if (!this.#isOpen) return;
     this.#sketch.cancel();
     this.#switch(false);
-    this.parts.draw.focus({ preventScroll: true });
+    this.elements.draw.focus({ preventScroll: true });
   }
 
   /** Follows the recipe: its outline may have come from a link, or gone with a reset. */
@@ -104,7 +104,7 @@ export class Drawing {
 
   #switch(isOpen: boolean): void {
     this.#isOpen = isOpen;
-    const { stage, sketch, tools, draw } = this.parts;
+    const { stage, sketch, tools, draw } = this.elements;
     stage.toggleAttribute("data-drawing", isOpen);
     sketch.toggleAttribute("hidden", !isOpen);
     tools.hidden = !isOpen;
@@ -114,8 +114,8 @@ export class Drawing {
 
   #choose(kind: LineKind): void {
     this.#kind = kind;
-    this.parts.coast.setAttribute("aria-pressed", String(kind === "coast"));
-    this.parts.ridge.setAttribute("aria-pressed", String(kind === "ridge"));
+    this.elements.coast.setAttribute("aria-pressed", String(kind === "coast"));
+    this.elements.ridge.setAttribute("aria-pressed", String(kind === "ridge"));
     this.#say(HINTS[kind]);
   }
 
@@ -130,7 +130,7 @@ export class Drawing {
   }
 
   #listenToPen(): void {
-    const { sketch } = this.parts;
+    const { sketch } = this.elements;
     sketch.addEventListener("pointerdown", (event) => this.#penDown(event));
     sketch.addEventListener("pointermove", (event) => this.#penMoves(event));
     sketch.addEventListener("pointerup", (event) => this.#penUp(event, () => this.#sketch.end()));
@@ -141,7 +141,7 @@ export class Drawing {
     if (this.#pointer !== undefined || event.button !== 0) return;
     event.preventDefault();
     this.#pointer = event.pointerId;
-    this.parts.sketch.setPointerCapture(event.pointerId);
+    this.elements.sketch.setPointerCapture(event.pointerId);
     this.#sketch.begin(this.#kind, ...this.#place(event));
     this.#soon();
   }
@@ -164,7 +164,7 @@ export class Drawing {
   }
 
   #place({ clientX, clientY }: PointerEvent): [x: number, y: number] {
-    const { left, top, width, height } = this.parts.sketch.getBoundingClientRect();
+    const { left, top, width, height } = this.elements.sketch.getBoundingClientRect();
     return [(clientX - left) / width, (clientY - top) / height];
   }
 
@@ -222,18 +222,18 @@ export class Drawing {
 
   /** A button that has nothing left to do gives the focus to the tool in hand; it would be lost otherwise. */
   #keepFocus(): void {
-    const { undo, clear, coast, ridge } = this.parts;
+    const { undo, clear, coast, ridge } = this.elements;
     const isLost = [undo, clear].some((button) => button.disabled && button === document.activeElement);
     if (isLost) (this.#kind === "coast" ? coast : ridge).focus({ preventScroll: true });
   }
 
   #say(text: string): void {
-    setText(this.parts.told, text);
+    setText(this.elements.told, text);
   }
 
   /** Shows the lines, and which buttons have something to do. */
   #tell(): void {
-    const { sketch, undo, clear } = this.parts;
+    const { sketch, undo, clear } = this.elements;
     const { lines, isLive, canUndo } = this.#sketch;
     undo.disabled = !canUndo;
     clear.disabled = lines.length === 0;

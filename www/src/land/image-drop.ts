@@ -1,13 +1,13 @@
 /** The ways in which a picture comes to the page: chosen, dropped onto the map, or pasted. */
 
-export interface ImageDropParts {
+export interface ImageDropElements {
   import: HTMLButtonElement;
   picture: HTMLInputElement;
   stage: HTMLElement;
 }
 
-export function listenForImages(parts: ImageDropParts, found: (file: File) => void): void {
-  const { import: button, picture, stage } = parts;
+export function listenForImages(elements: ImageDropElements, found: (file: File) => void): void {
+  const { import: button, picture, stage } = elements;
   const foundIn = (data: DataTransfer | null): void => {
     const file = pictureAmong(data);
     if (file) found(file);

@@ -24,7 +24,7 @@ import { alternative, caption, sentence } from "../player/words.ts";
 import { Downloads } from "../share/downloads.ts";
 import { copy } from "../share/share.ts";
 import { ShareDialog } from "../share/share-dialog.ts";
-import { parts } from "./parts.ts";
+import { elements } from "./elements.ts";
 import { Plate } from "./plate.ts";
 import { Announcer, showFailure, showNotices, undoable } from "./status.ts";
 import { Transport } from "./transport.ts";
@@ -42,7 +42,7 @@ class Page {
   readonly #transport: Transport;
   readonly #drawing: Drawing;
   readonly #address = new AddressBar(replaceAddress);
-  readonly #announcer = new Announcer(parts.announcement);
+  readonly #announcer = new Announcer(elements.announcement);
   /** What the last presets changed unasked, and the recipe from before them, to which Undo leads back. */
   #presetUndo: { message: string; link: string; values: ReadonlyMap<string, string> } | undefined;
 
@@ -57,34 +57,34 @@ class Page {
     const disclosures = new Disclosures(() => localStorage);
     this.#controls = controls(this.#table, (key, text) => this.#choose(key, text), disclosures);
     this.#presets = presets(engine.presets(), (preset) => this.#press(preset));
-    this.#seedBox = new SeedBox(parts.seedForm, parts.seed, (seed) => this.#set([["seed", seed]], "watch"));
+    this.#seedBox = new SeedBox(elements.seedForm, elements.seed, (seed) => this.#set([["seed", seed]], "watch"));
     describeSeed(this.#table);
-    this.#plate = new Plate(core, parts, this.#recipe.shown, {
+    this.#plate = new Plate(core, elements, this.#recipe.shown, {
       changed: (state, phase, summary) => this.#follow(state, phase, summary),
       failed: (error) => this.#fail(error),
     });
     this.#transport = this.#makeTransport();
-    this.#drawing = new Drawing(parts.drawing, engine, {
+    this.#drawing = new Drawing(elements.drawing, engine, {
       drawn: (outline) => this.#set(drawn(outline), "settle"),
       failed: (error) => this.#fail(error),
     });
-    parts.presets.replaceChildren(this.#presets.element);
-    parts.controls.replaceChildren(this.#controls.element);
+    elements.presets.replaceChildren(this.#presets.element);
+    elements.controls.replaceChildren(this.#controls.element);
     this.#listen();
   }
 
   /** Shows the first river. */
   start(): void {
-    parts.facade.hidden = true;
+    elements.facade.hidden = true;
     this.#transport.enable();
-    const { dice, download, copy, reset, sharing, drawing } = parts;
+    const { dice, download, copy, reset, sharing, drawing } = elements;
     for (const button of [dice, download, sharing.open, copy, reset, drawing.draw]) button.disabled = false;
     this.#showRecipe();
     this.#plate.start(this.#how("watch"));
   }
 
   #makeTransport(): Transport {
-    return new Transport(parts.transport, {
+    return new Transport(elements.transport, {
       toggle: () => this.#plate.toggle(),
       restart: () => this.#plate.replay(),
       speed: (speed) => {
@@ -94,13 +94,13 @@ class Page {
   }
 
   #listen(): void {
-    parts.dice.addEventListener("click", () => this.#throwDice());
-    parts.reset.addEventListener("click", () => this.#open(`seed=${encodeURIComponent(this.#recipe.seed)}`));
-    const downloads = new Downloads(parts, this.core, this.#recipe, (error) => this.#fail(error));
-    new ShareDialog(parts.sharing, this.#recipe, (say) => void downloads.save("png", say));
-    parts.copy.addEventListener("click", () => void this.#copyLink());
-    parts.drawing.draw.addEventListener("click", () => this.#showDrawing());
-    listenForImages(parts.drawing, (file) => void this.#trace(file));
+    elements.dice.addEventListener("click", () => this.#throwDice());
+    elements.reset.addEventListener("click", () => this.#open(`seed=${encodeURIComponent(this.#recipe.seed)}`));
+    const downloads = new Downloads(elements, this.core, this.#recipe, (error) => this.#fail(error));
+    new ShareDialog(elements.sharing, this.#recipe, (say) => void downloads.save("png", say));
+    elements.copy.addEventListener("click", () => void this.#copyLink());
+    elements.drawing.draw.addEventListener("click", () => this.#showDrawing());
+    listenForImages(elements.drawing, (file) => void this.#trace(file));
     // Not hashchange as well: it follows the popstate of another fragment, whose link would be opened twice.
     window.addEventListener("popstate", () => this.#followAddress());
     prefersDark.addEventListener("change", () => this.#attempt(() => this.#show("settle")));
@@ -208,7 +208,7 @@ class Page {
     this.#presets.show(values);
     this.#seedBox.show(seed);
     this.#drawing.show(values.get("outline") ?? "");
-    parts.title.textContent = seed;
+    elements.title.textContent = seed;
     document.title = seed === "" ? "Riverseed" : `${seed} · Riverseed`;
     this.#showNotices();
   }
@@ -216,7 +216,7 @@ class Page {
   #showNotices(): void {
     const { message, link } = this.#presetUndo ?? { message: undefined, link: "" };
     const undo = message === undefined ? [] : [undoable(message, "Undo", () => this.#undoPresets(link))];
-    showNotices(parts.notices, [...this.#recipe.notices.values(), ...undo], () => {
+    showNotices(elements.notices, [...this.#recipe.notices.values(), ...undo], () => {
       this.#recipe.dismissNotices();
       this.#presetUndo = undefined;
       this.#showNotices();
@@ -226,12 +226,12 @@ class Page {
   /** The plate changed: the caption, the text alternative and the announcement follow. */
   #follow(state: State, phase: Phase, summary: Summary): void {
     this.#transport.show(state);
-    parts.frame.dataset["state"] = state;
-    parts.frame.dataset["phase"] = phase;
+    elements.frame.dataset["state"] = state;
+    elements.frame.dataset["phase"] = phase;
     caption(state, phase, summary).forEach((line, i) => {
-      setText(parts.caption.children[i], line);
+      setText(elements.caption.children[i], line);
     });
-    parts.canvas.setAttribute("aria-label", alternative(this.#recipe.seed, phase, summary, count));
+    elements.canvas.setAttribute("aria-label", alternative(this.#recipe.seed, phase, summary, count));
     if (state === "finished") this.#announcer.say(`Finished: ${sentence(summary)}`);
     else this.#announcer.hush();
   }
@@ -250,13 +250,13 @@ class Page {
   }
 
   #note(message: string): void {
-    showNotices(parts.notices, [message], () => this.#showNotices());
+    showNotices(elements.notices, [message], () => this.#showNotices());
   }
 
   async #copyLink(): Promise<void> {
     this.#address.flush();
     const address = addressOf(this.#recipe.link, location.href);
-    parts.shared.textContent = (await copy(address)) ? "Link copied." : `Copy this link: ${address}`;
+    elements.shared.textContent = (await copy(address)) ? "Link copied." : `Copy this link: ${address}`;
   }
 }
 
@@ -272,16 +272,16 @@ function drawn(outline: string): [key: string, value: string][] {
 function describeSeed(table: readonly Parameter[]): void {
   const seed = table.find(({ key }) => key === "seed");
   if (!seed) return;
-  if (seed.maxLength !== undefined) parts.seed.maxLength = seed.maxLength;
-  parts.seedHelp.textContent = seed.help;
+  if (seed.maxLength !== undefined) elements.seed.maxLength = seed.maxLength;
+  elements.seedHelp.textContent = seed.help;
 }
 
 /** A failure that leaves no picture: said in its place, once also on the console for whoever runs the site. */
 function fail(thrown: unknown): void {
   const error = named(thrown);
   console.warn(`riverseed: ${error.code}: ${error.message}`);
-  parts.facade.hidden = true;
-  showFailure(parts.failure, error);
+  elements.facade.hidden = true;
+  showFailure(elements.failure, error);
 }
 
 load()

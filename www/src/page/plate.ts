@@ -7,7 +7,7 @@ import type { State } from "../player/frame-loop.ts";
 import { type How, RiverPlayer } from "../player/river-player.ts";
 import { displayFrames } from "../player/scheduler.ts";
 
-export interface PlateParts {
+export interface PlateElements {
   /** Holds the picture and what stands under it; is told the river's shape. */
   sheet: HTMLElement;
   /** Has the river's shape. */
@@ -29,15 +29,15 @@ export class Plate {
   /** Puts a river on the canvas at tick 0. Throws what the core throws. */
   constructor(
     core: Core,
-    private readonly parts: PlateParts,
+    private readonly elements: PlateElements,
     link: string,
     events: PlateEvents,
   ) {
-    this.#player = new RiverPlayer(core, parts.canvas, link, displayFrames, {
+    this.#player = new RiverPlayer(core, elements.canvas, link, displayFrames, {
       ...events,
       sizeFor: (aspect) => this.#sizeFor(aspect),
     });
-    observeSize(this.#observer, parts.frame);
+    observeSize(this.#observer, elements.frame);
     document.addEventListener("visibilitychange", () => this.#followVisibility());
   }
 
@@ -80,8 +80,8 @@ export class Plate {
 
   /** Makes the frame the river's shape, and the picture the frame's size. */
   #sizeFor(aspect: number): Size {
-    this.parts.sheet.style.setProperty("--aspect", String(aspect));
-    return backingSize(this.parts.frame.getBoundingClientRect(), window.devicePixelRatio);
+    this.elements.sheet.style.setProperty("--aspect", String(aspect));
+    return backingSize(this.elements.frame.getBoundingClientRect(), window.devicePixelRatio);
   }
 
   #resizeSoon(): void {

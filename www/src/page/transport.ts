@@ -19,7 +19,7 @@ export function speedName(speed: number): string {
 
 const LABELS: Record<State, string> = { growing: "Pause", settling: "Pause", paused: "Play", finished: "Replay" };
 
-export interface TransportParts {
+export interface TransportElements {
   play: HTMLButtonElement;
   restart: HTMLButtonElement;
   speed: HTMLInputElement;
@@ -34,31 +34,31 @@ export interface TransportEvents {
 
 export class Transport {
   constructor(
-    private readonly parts: TransportParts,
+    private readonly elements: TransportElements,
     private readonly events: TransportEvents,
   ) {
-    parts.speed.max = String(SPEEDS.length - 1);
-    setValue(parts.speed, String(ORDINARY));
-    parts.play.addEventListener("click", () => events.toggle());
-    parts.restart.addEventListener("click", () => events.restart());
-    parts.speed.addEventListener("input", () => this.#setSpeed());
+    elements.speed.max = String(SPEEDS.length - 1);
+    setValue(elements.speed, String(ORDINARY));
+    elements.play.addEventListener("click", () => events.toggle());
+    elements.restart.addEventListener("click", () => events.restart());
+    elements.speed.addEventListener("input", () => this.#setSpeed());
     document.addEventListener("keydown", (event) => this.#onKey(event));
     this.#setSpeed();
   }
 
   show(state: State): void {
-    const { play } = this.parts;
+    const { play } = this.elements;
     const runs = state === "growing" || state === "settling";
     play.dataset["icon"] = runs ? "pause" : "play";
     setText(play.querySelector("span") ?? undefined, LABELS[state]);
   }
 
   enable(): void {
-    for (const part of [this.parts.play, this.parts.restart, this.parts.speed]) part.disabled = false;
+    for (const element of [this.elements.play, this.elements.restart, this.elements.speed]) element.disabled = false;
   }
 
   #setSpeed(): void {
-    const { speed: slider, speedShown } = this.parts;
+    const { speed: slider, speedShown } = this.elements;
     const speed = SPEEDS[slider.valueAsNumber] ?? 1;
     speedShown.textContent = speedName(speed);
     slider.setAttribute("aria-valuetext", speedName(speed));

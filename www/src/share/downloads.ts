@@ -7,7 +7,7 @@ import type { Core } from "../engine/wasm.ts";
 import { type Format, fileOf, isFormat } from "../player/files.ts";
 import { fileName, save } from "./share.ts";
 
-export interface DownloadParts {
+export interface DownloadElements {
   download: HTMLButtonElement;
   formats: HTMLElement;
   /** Where is said what happens. */
@@ -18,12 +18,12 @@ export class Downloads {
   #isBusy = false;
 
   constructor(
-    private readonly parts: DownloadParts,
+    private readonly elements: DownloadElements,
     private readonly core: Core,
     private readonly recipe: Recipe,
     private readonly failed: (error: PageError) => void,
   ) {
-    new Menu(parts.download, parts.formats, ({ dataset }) => {
+    new Menu(elements.download, elements.formats, ({ dataset }) => {
       if (isFormat(dataset["format"])) void this.save(dataset["format"], (text) => this.#say(text));
     });
   }
@@ -48,6 +48,6 @@ export class Downloads {
   }
 
   #say(text: string): void {
-    this.parts.shared.textContent = text;
+    this.elements.shared.textContent = text;
   }
 }

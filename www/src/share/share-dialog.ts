@@ -7,7 +7,7 @@ import type { Recipe } from "../engine/recipe.ts";
 import { copy, fileName } from "./share.ts";
 import { elementSnippet, iframeSnippet, markdownSnippet, type Shared } from "./snippets.ts";
 
-export interface ShareParts {
+export interface ShareElements {
   dialog: HTMLDialogElement;
   /** Opens the dialog. */
   open: HTMLButtonElement;
@@ -67,13 +67,13 @@ export class ShareDialog {
   readonly #boxes = new Map<Form, HTMLTextAreaElement>();
 
   constructor(
-    private readonly parts: ShareParts,
+    private readonly elements: ShareElements,
     private readonly recipe: Recipe,
     private readonly savePicture: SavePicture,
   ) {
-    parts.forms.replaceChildren(...[LINK, ELEMENT, IFRAME, MARKDOWN].map((form) => this.#section(form)));
-    parts.open.addEventListener("click", () => this.#open());
-    parts.close.addEventListener("click", () => parts.dialog.close());
+    elements.forms.replaceChildren(...[LINK, ELEMENT, IFRAME, MARKDOWN].map((form) => this.#section(form)));
+    elements.open.addEventListener("click", () => this.#open());
+    elements.close.addEventListener("click", () => elements.dialog.close());
   }
 
   #saveButton(): HTMLButtonElement {
@@ -111,7 +111,7 @@ export class ShareDialog {
     const shared = { link, seed, aspect: values.get("aspect") ?? "", page: location.href };
     for (const [form, box] of this.#boxes) box.value = form.text(shared);
     this.#say(promiseFor(values));
-    this.parts.dialog.showModal();
+    this.elements.dialog.showModal();
   }
 
   async #copy({ name }: Form, box: HTMLTextAreaElement): Promise<void> {
@@ -125,7 +125,7 @@ export class ShareDialog {
   }
 
   #say(text: string): void {
-    this.parts.told.textContent = text;
+    this.elements.told.textContent = text;
   }
 }
 

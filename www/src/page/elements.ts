@@ -2,7 +2,7 @@
 
 import { find } from "../browser/dom.ts";
 
-export const parts = {
+export const elements = {
   sheet: find("#sheet", HTMLElement),
   frame: find("#frame", HTMLElement),
   canvas: find("#canvas", HTMLCanvasElement),
