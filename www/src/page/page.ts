@@ -20,7 +20,7 @@ import { listenForImages } from "../land/image-drop.ts";
 import { pixelsOf } from "../land/image-file.ts";
 import type { State } from "../player/frame-loop.ts";
 import type { How } from "../player/river-player.ts";
-import { alternative, caption, sentence } from "../player/words.ts";
+import { alternative, caption, sentence } from "../player/summary-text.ts";
 import { Downloads } from "../share/downloads.ts";
 import { copy } from "../share/share.ts";
 import { ShareDialog } from "../share/share-dialog.ts";

@@ -1,7 +1,7 @@
 /** What a widget says, in English until its author says otherwise. */
 
 import type { Count } from "../browser/count.ts";
-import { alternative, sizeOf } from "../player/words.ts";
+import { alternative, sizeOf } from "../player/summary-text.ts";
 import type { Status } from "./protocol.ts";
 
 /** A river as it stands, for a sentence about it. */

@@ -3,7 +3,7 @@ import { backingSize } from "../../src/browser/canvas.ts";
 import { count } from "../../src/browser/count.ts";
 import { linesOf } from "../../src/digest/lines.ts";
 import { speedName } from "../../src/page/transport.ts";
-import { alternative, caption, sentence } from "../../src/player/words.ts";
+import { alternative, caption, sentence } from "../../src/player/summary-text.ts";
 import { fileName } from "../../src/share/share.ts";
 
 const summary = {
