@@ -19,7 +19,7 @@ import { Drawing } from "../land/drawing.ts";
 import { listenForImages } from "../land/image-drop.ts";
 import { pixelsOf } from "../land/image-file.ts";
 import type { State } from "../player/frame-loop.ts";
-import type { How } from "../player/river-player.ts";
+import type { ShowMode } from "../player/river-player.ts";
 import { alternative, caption, sentence } from "../player/summary-text.ts";
 import { Downloads } from "../share/downloads.ts";
 import { copy } from "../share/share.ts";
@@ -159,7 +159,7 @@ class Page {
   }
 
   /** Changes some values of what is shown. */
-  #set(values: Iterable<readonly [key: string, value: string]>, how: How): void {
+  #set(values: Iterable<readonly [key: string, value: string]>, how: ShowMode): void {
     this.#attempt(() => {
       this.#presetUndo = undefined;
       this.#recipe.set(values);
@@ -192,12 +192,12 @@ class Page {
     if (link !== this.#recipe.link) this.#open(link);
   }
 
-  #show(how: How): void {
+  #show(how: ShowMode): void {
     this.#showRecipe();
     this.#plate.show(this.#recipe.shown, this.#how(how));
   }
 
-  #how(how: How): How {
+  #how(how: ShowMode): ShowMode {
     return prefersStill.matches ? "still" : how;
   }
 

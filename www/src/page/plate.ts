@@ -4,7 +4,7 @@ import { backingSize, observeSize, RESIZE_PAUSE_MS, type Size } from "../browser
 import type { Phase, Summary } from "../engine/types.ts";
 import type { Core } from "../engine/wasm.ts";
 import type { State } from "../player/frame-loop.ts";
-import { type How, RiverPlayer } from "../player/river-player.ts";
+import { RiverPlayer, type ShowMode } from "../player/river-player.ts";
 import { displayFrames } from "../player/scheduler.ts";
 
 export interface PlateElements {
@@ -63,11 +63,11 @@ export class Plate {
   }
 
   /** Shows the first river. */
-  start(how: How): void {
+  start(how: ShowMode): void {
     this.#player.start(how);
   }
 
-  show(link: string, how: How): void {
+  show(link: string, how: ShowMode): void {
     this.#player.show(link, how);
   }
 

@@ -14,7 +14,7 @@ export type Canvas = HTMLCanvasElement | OffscreenCanvas;
  * watch: see it grow and meander; settle: as soon as may be, for a slider that is being dragged: the tree when it is grown,
  * then its finished rivers; still: nothing but finished rivers.
  */
-export type How = "watch" | "settle" | "still";
+export type ShowMode = "watch" | "settle" | "still";
 
 export interface PlayerEvents {
   /** The canvas is about to hold a river of this shape: how many pixels should it have? None if it is not shown. */
@@ -30,7 +30,7 @@ export interface PlayerEvents {
 const COUNT_EVERY_MS = 250;
 
 export class RiverPlayer {
-  #wanted: { link: string; how: How } | undefined;
+  #wanted: { link: string; how: ShowMode } | undefined;
   #link: string;
   #applying: number | undefined;
   #counted = Number.NEGATIVE_INFINITY;
@@ -73,7 +73,7 @@ export class RiverPlayer {
   }
 
   /** Shows the first river. */
-  start(how: How): void {
+  start(how: ShowMode): void {
     this.#attempt(() => {
       this.#fit();
       this.#grow(how);
@@ -114,7 +114,7 @@ export class RiverPlayer {
    * Shows another recipe. While a dragged slider's river still settles unseen, only the latest of the links that come in
    * is remembered: otherwise each new value would throw the work for the last away, and none would ever be seen.
    */
-  show(link: string, how: How): void {
+  show(link: string, how: ShowMode): void {
     this.#wanted = { link, how };
     if (how === "watch" || !this.#loop.isBusy) this.#applying ??= this.frames.request(() => this.#applyNow());
   }
@@ -157,7 +157,7 @@ export class RiverPlayer {
     else this.#loop.settle(false);
   }
 
-  #grow(how: How): void {
+  #grow(how: ShowMode): void {
     if (how === "watch") this.#loop.watch();
     else this.#loop.settle(how === "settle");
   }

@@ -8,7 +8,7 @@ import { DARK_PAGES } from "../browser/dark-pages.ts";
 import { isRecoverable, named, PageError } from "../engine/errors.ts";
 import type { Reading, RiverRequest } from "../engine/reading.ts";
 import type { State } from "../player/frame-loop.ts";
-import type { How } from "../player/river-player.ts";
+import type { ShowMode } from "../player/river-player.ts";
 import { ASPECT, aspectOf, linkOf, OBSERVED, type Properties, reflect, upgrade } from "./attributes.ts";
 import { importPageBackend } from "./backend.ts";
 import type { RiverSeedEventMap } from "./events.ts";
@@ -151,7 +151,7 @@ export class RiverSeed extends Base {
   }
 
   /** A river that has been seen to its end is not grown before the reader's eyes again. */
-  get #how(): How {
+  get #how(): ShowMode {
     return this.#isStill || (this.#status?.state === "finished" && !this.#isShown) ? "still" : "watch";
   }
 

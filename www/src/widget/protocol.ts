@@ -8,7 +8,7 @@ import type { Code } from "../engine/errors.ts";
 import type { Reading, RiverRequest } from "../engine/reading.ts";
 import type { Phase, Summary } from "../engine/types.ts";
 import type { State } from "../player/frame-loop.ts";
-import type { Canvas, How } from "../player/river-player.ts";
+import type { Canvas, ShowMode } from "../player/river-player.ts";
 
 /** What is made of a river besides a picture on the page. */
 export interface FileRequest {
@@ -20,8 +20,8 @@ export interface FileRequest {
 }
 
 export type Command = { id: number } & (
-  | { do: "open"; canvas: Canvas; request: RiverRequest; how: How; size: Size }
-  | { do: "show"; request: RiverRequest; how: How; size: Size }
+  | { do: "open"; canvas: Canvas; request: RiverRequest; how: ShowMode; size: Size }
+  | { do: "show"; request: RiverRequest; how: ShowMode; size: Size }
   | { do: "resize"; size: Size }
   | { do: "play" | "pause" | "replay" | "finish" | "rest" | "wake" | "close" }
   | ({ do: "file"; request: RiverRequest } & FileRequest)
