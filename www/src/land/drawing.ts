@@ -18,7 +18,7 @@ export interface DrawingElements {
   stage: HTMLElement;
   sketch: SVGSVGElement;
   tools: HTMLElement;
-  told: HTMLElement;
+  status: HTMLElement;
   coast: HTMLButtonElement;
   ridge: HTMLButtonElement;
   undo: HTMLButtonElement;
@@ -228,7 +228,7 @@ export class Drawing {
   }
 
   #say(text: string): void {
-    setText(this.elements.told, text);
+    setText(this.elements.status, text);
   }
 
   /** Shows the lines, and which buttons have something to do. */

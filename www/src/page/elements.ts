@@ -25,7 +25,7 @@ export const elements = {
     open: find("#share", HTMLButtonElement),
     close: find("#sharing-close", HTMLButtonElement),
     forms: find("#sharing-forms", HTMLElement),
-    told: find("#sharing-told", HTMLElement),
+    status: find("#sharing-status", HTMLElement),
   },
   seedHelp: find("#seed-help", HTMLElement),
   transport: {
@@ -39,7 +39,7 @@ export const elements = {
     draw: find("#draw", HTMLButtonElement),
     sketch: find("#sketch", SVGSVGElement),
     tools: find("#tools", HTMLElement),
-    told: find("#told", HTMLElement),
+    status: find("#drawing-status", HTMLElement),
     coast: find("#tool-coast", HTMLButtonElement),
     ridge: find("#tool-ridge", HTMLButtonElement),
     undo: find("#undo", HTMLButtonElement),

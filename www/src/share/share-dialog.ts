@@ -15,7 +15,7 @@ export interface ShareElements {
   /** Takes the forms. */
   forms: HTMLElement;
   /** Where is said what happens. */
-  told: HTMLElement;
+  status: HTMLElement;
 }
 
 /** Saves the picture of what is shown, and says how it goes. */
@@ -125,7 +125,7 @@ export class ShareDialog {
   }
 
   #say(text: string): void {
-    this.elements.told.textContent = text;
+    this.elements.status.textContent = text;
   }
 }
 
