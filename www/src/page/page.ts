@@ -25,9 +25,9 @@ import { Downloads } from "../share/downloads.ts";
 import { copy } from "../share/share.ts";
 import { ShareDialog } from "../share/share-dialog.ts";
 import { elements } from "./elements.ts";
-import { Plate } from "./plate.ts";
 import { Announcer, showFailure, showNotices, undoable } from "./status.ts";
 import { Transport } from "./transport.ts";
+import { RiverViewport } from "./viewport.ts";
 
 const prefersStill = window.matchMedia("(prefers-reduced-motion: reduce)");
 const prefersDark = window.matchMedia(DARK_PAGES);
@@ -38,7 +38,7 @@ class Page {
   readonly #controls: Controls;
   readonly #presets: Presets;
   readonly #seedBox: SeedBox;
-  readonly #plate: Plate;
+  readonly #viewport: RiverViewport;
   readonly #transport: Transport;
   readonly #drawing: Drawing;
   readonly #address = new AddressBar(replaceAddress);
@@ -59,7 +59,7 @@ class Page {
     this.#presets = presets(engine.presets(), (preset) => this.#press(preset));
     this.#seedBox = new SeedBox(elements.seedForm, elements.seed, (seed) => this.#set([["seed", seed]], "watch"));
     describeSeed(this.#table);
-    this.#plate = new Plate(core, elements, this.#recipe.shown, {
+    this.#viewport = new RiverViewport(core, elements, this.#recipe.shown, {
       changed: (state, phase, summary) => this.#follow(state, phase, summary),
       failed: (error) => this.#fail(error),
     });
@@ -80,15 +80,15 @@ class Page {
     const { dice, download, copy, reset, sharing, drawing } = elements;
     for (const button of [dice, download, sharing.open, copy, reset, drawing.draw]) button.disabled = false;
     this.#showRecipe();
-    this.#plate.start(this.#how("watch"));
+    this.#viewport.start(this.#how("watch"));
   }
 
   #makeTransport(): Transport {
     return new Transport(elements.transport, {
-      toggle: () => this.#plate.toggle(),
-      restart: () => this.#plate.replay(),
+      toggle: () => this.#viewport.toggle(),
+      restart: () => this.#viewport.replay(),
       speed: (speed) => {
-        this.#plate.speed = speed;
+        this.#viewport.speed = speed;
       },
     });
   }
@@ -194,7 +194,7 @@ class Page {
 
   #show(how: ShowMode): void {
     this.#showRecipe();
-    this.#plate.show(this.#recipe.shown, this.#how(how));
+    this.#viewport.show(this.#recipe.shown, this.#how(how));
   }
 
   #how(how: ShowMode): ShowMode {
@@ -223,7 +223,7 @@ class Page {
     });
   }
 
-  /** The plate changed: the caption, the text alternative and the announcement follow. */
+  /** The viewport changed: the caption, the text alternative and the announcement follow. */
   #follow(state: State, phase: Phase, summary: Summary): void {
     this.#transport.show(state);
     elements.frame.dataset["state"] = state;
@@ -240,11 +240,11 @@ class Page {
     const error = named(thrown);
     if (isRecoverable(error)) {
       // The core kept the river it had, so the page goes back to that one's values.
-      this.#recipe.restore(this.#plate.link);
+      this.#recipe.restore(this.#viewport.link);
       this.#showRecipe();
       this.#note(error.message);
     } else {
-      this.#plate.close();
+      this.#viewport.close();
       fail(error);
     }
   }

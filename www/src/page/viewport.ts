@@ -1,4 +1,4 @@
-/** The plate: the picture's place on the page, which has the river's shape and follows the window. */
+/** The viewport: the picture's place on the page, which has the river's shape and follows the window. */
 
 import { backingSize, observeSize, RESIZE_PAUSE_MS, type Size } from "../browser/canvas.ts";
 import type { Phase, Summary } from "../engine/types.ts";
@@ -7,7 +7,7 @@ import type { State } from "../player/frame-loop.ts";
 import { RiverPlayer, type ShowMode } from "../player/river-player.ts";
 import { displayFrames } from "../player/scheduler.ts";
 
-export interface PlateElements {
+export interface ViewportElements {
   /** Holds the picture and what stands under it; is told the river's shape. */
   sheet: HTMLElement;
   /** Has the river's shape. */
@@ -15,13 +15,13 @@ export interface PlateElements {
   canvas: HTMLCanvasElement;
 }
 
-export interface PlateEvents {
-  /** Something on the plate changed: the state, or in it the river. */
+export interface ViewportEvents {
+  /** Something on the viewport changed: the state, or in it the river. */
   changed(state: State, phase: Phase, summary: Summary): void;
   failed(error: unknown): void;
 }
 
-export class Plate {
+export class RiverViewport {
   #resizing: ReturnType<typeof setTimeout> | undefined;
   readonly #observer = new ResizeObserver(() => this.#resizeSoon());
   readonly #player: RiverPlayer;
@@ -29,9 +29,9 @@ export class Plate {
   /** Puts a river on the canvas at tick 0. Throws what the core throws. */
   constructor(
     core: Core,
-    private readonly elements: PlateElements,
+    private readonly elements: ViewportElements,
     link: string,
-    events: PlateEvents,
+    events: ViewportEvents,
   ) {
     this.#player = new RiverPlayer(core, elements.canvas, link, displayFrames, {
       ...events,
@@ -41,7 +41,7 @@ export class Plate {
     document.addEventListener("visibilitychange", () => this.#followVisibility());
   }
 
-  /** The link of the river that is on the plate. */
+  /** The link of the river that is on the viewport. */
   get link(): string {
     return this.#player.link;
   }
