@@ -20,7 +20,7 @@ function workerBeside(): Plugin {
     name: "worker-beside",
     enforce: "pre",
     transform: {
-      filter: { id: /\/widget\/rooms\.ts$/ },
+      filter: { id: /\/widget\/backend\.ts$/ },
       handler: (code) => code.replace('new URL("./worker.ts"', 'new URL(/* @vite-ignore */ "./worker.js"'),
     },
   };

@@ -1,6 +1,6 @@
 /**
  * The engine is asked for as soon as the page is there, and not only when its script has arrived and been read: on a slow line
- * two waits become one. Asked for just as src/wasm-module.ts does, or the browser would fetch it twice.
+ * two waits become one. Asked for just as src/engine/wasm-module.ts does, or the browser would fetch it twice.
  */
 
 import type { Plugin } from "vite";

@@ -11,7 +11,7 @@ const FOLDER = new URL("../dist-widget/", import.meta.url);
 
 /** What a page fetches for a first river: with a worker, and without. */
 const EMBED = ["river-seed.js", "worker.js", "riverseed_bg.wasm"];
-const EMBED_HERE = ["river-seed.js", "tag-here.js", "riverseed_bg.wasm"];
+const EMBED_HERE = ["river-seed.js", "tag-page-backend.js", "riverseed_bg.wasm"];
 
 // The element was 6,000: giving up what never answers, and opening anew what answers no more, took 600.
 const LIMITS = [

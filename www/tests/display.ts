@@ -1,6 +1,6 @@
 /** A display whose frames come sixty a second and whose clock nothing but frames moves: work takes no time. */
 
-import type { Frames } from "../src/growth.ts";
+import type { Frames } from "../src/player/frame-loop.ts";
 
 export class Display implements Frames {
   /** How many frames have been. */

@@ -2,8 +2,8 @@
 
 import "./embed.css";
 import "../widget/define.ts";
-import { el } from "../dom.ts";
-import { linkOf } from "../link.ts";
+import { linkOf } from "../browser/address.ts";
+import { el } from "../browser/dom.ts";
 import { aspectOf } from "../widget/attributes.ts";
 import { Heights } from "./heights.ts";
 import { HostPage } from "./host-page.ts";

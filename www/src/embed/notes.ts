@@ -1,8 +1,8 @@
 /** What embed.html says when something is wrong: in the river's place, or over the river. */
 
-import { advice } from "../advice.ts";
-import { el } from "../dom.ts";
-import { PageError } from "../errors.ts";
+import { el } from "../browser/dom.ts";
+import { advice } from "../engine/advice.ts";
+import { PageError } from "../engine/errors.ts";
 import type { ErrorDetail } from "../widget/events.ts";
 
 /** In the river's place: what happened, what can be done, and its name for whoever runs the page. */

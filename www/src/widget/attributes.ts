@@ -1,31 +1,13 @@
-/**
- * The element's attributes and the properties that mirror them. The parameters' keys are known here before the engine is,
- * since a browser asks an element's class what to observe; a unit test holds the list to the core's table.
- */
+/** The element's attributes and the properties that mirror them. */
 
-import { linkText } from "../link.ts";
-
-/** Parameters whose values are numbers, and those whose values are text. */
-// biome-ignore format: a list of words
-export const NUMBERS = [
-  "edition", "aspect", "sea", "rough", "mouths", "apart", "sensitivity", "attractors", "reach", "kill", "step", "momentum",
-  "curl", "stretch", "trim", "simplify", "width", "vary", "meander-rounds", "meander-strength", "meander-mix", "gentle",
-  "great", "flat", "neck", "buffer", "taper",
-] as const;
-export const TEXTS = ["seed", "land", "outline", "sides", "shores", "growth", "scatter", "meander", "style"] as const;
-
-/** Keys that mean something else in HTML carry a prefix as attributes. */
-const PREFIXED: ReadonlySet<string> = new Set(["style", "width"]);
+import { attributeOf, NUMBERS, TEXTS } from "../engine/attribute-names.ts";
+import { linkText } from "../engine/link-text.ts";
 
 /** How the element behaves, which is no part of the recipe. */
 const BEHAVIOUR = ["recipe", "animate", "loading", "theme", "alt", "wasm-url"] as const;
 
 /** The shapes a river may have, and the one it has if nothing is said: the box has it before the engine is there. */
 export const ASPECT = { min: 0.25, max: 4, default: 1.6 };
-
-export function attributeOf(key: string): string {
-  return PREFIXED.has(key) ? `river-${key}` : key;
-}
 
 export const OBSERVED = [...[...NUMBERS, ...TEXTS].map(attributeOf), ...BEHAVIOUR, "controls", "aria-label", "lang"];
 

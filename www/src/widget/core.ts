@@ -1,5 +1,5 @@
 /** The river engine without the element, for whoever wants rivers and draws them in a way of their own. */
 
-export type * from "../../pkg/riverseed.js";
-export { named, PageError } from "../errors.ts";
-export { type Core, type Engine, load } from "../wasm.ts";
+export { named, PageError } from "../engine/errors.ts";
+export type * from "../engine/types.ts";
+export { type Core, type Engine, load } from "../engine/wasm.ts";

@@ -3,19 +3,20 @@
  * it does nothing, on a server as well.
  */
 
-import { RESIZE_PAUSE_MS } from "../canvas.ts";
-import { DARK_PAGES } from "../dark-pages.ts";
-import { isRecoverable, named, PageError } from "../errors.ts";
-import type { State } from "../growth.ts";
-import type { How } from "../picture.ts";
+import { RESIZE_PAUSE_MS } from "../browser/canvas.ts";
+import { DARK_PAGES } from "../browser/dark-pages.ts";
+import { isRecoverable, named, PageError } from "../engine/errors.ts";
+import type { Reading, RiverRequest } from "../engine/reading.ts";
+import type { State } from "../player/frame-loop.ts";
+import type { ShowMode } from "../player/river-player.ts";
 import { ASPECT, aspectOf, linkOf, OBSERVED, type Properties, reflect, upgrade } from "./attributes.ts";
+import { importPageBackend } from "./backend.ts";
 import type { RiverSeedEventMap } from "./events.ts";
-import { watch } from "./nearness.ts";
-import type { FileOrder, News, Reading, Standing, Wish } from "./orders.ts";
-import { importHere } from "./rooms.ts";
+import type { FileRequest, Report, Status } from "./protocol.ts";
+import { type Client, renderHost } from "./render-host.ts";
 import { countIn, ENGLISH, type Strings, type Told } from "./strings.ts";
 import { type Does, View } from "./view.ts";
-import { type Member, workshop } from "./workshop.ts";
+import { watch } from "./visibility.ts";
 
 /** What stands in for the browser's class where there is none. */
 const Base = globalThis.HTMLElement ?? (class {} as typeof HTMLElement);
@@ -36,7 +37,7 @@ export class RiverSeed extends Base {
   static readonly observedAttributes: readonly string[] = OBSERVED;
 
   #strings: Strings = ENGLISH;
-  /** Its number in the workshop, while it has a river there. */
+  /** Its number at the render host, while it has a river there. */
   #id: number | undefined;
   /** From coming into a document to leaving it. */
   #life: AbortController | undefined;
@@ -51,11 +52,11 @@ export class RiverSeed extends Base {
   #asked: "play" | "pause" | "still" | undefined;
   #resizing: ReturnType<typeof setTimeout> | undefined;
   #aspect = ASPECT.default;
-  #wish: Wish | undefined;
+  #request: RiverRequest | undefined;
   #reading: Reading | undefined;
-  #standing: Standing | undefined;
+  #status: Status | undefined;
   readonly #view = new View(this.attachShadow({ mode: "open" }), () => this.#press());
-  readonly #member: Member = { hear: (news) => this.#hear(news), moved: () => this.#move() };
+  readonly #client: Client = { hear: (report) => this.#hear(report), moved: () => this.#move() };
 
   connectedCallback(): void {
     // Somebody moved it.
@@ -104,7 +105,7 @@ export class RiverSeed extends Base {
       this.play();
     } else {
       this.#asked = "play";
-      workshop.send(this.#id, { do: "replay" });
+      renderHost.send(this.#id, { do: "replay" });
     }
   }
 
@@ -122,7 +123,7 @@ export class RiverSeed extends Base {
   #ask(what: "play" | "pause"): void {
     this.#asked = what;
     if (this.#id === undefined) this.#beginIfDue();
-    else workshop.send(this.#id, { do: what });
+    else renderHost.send(this.#id, { do: what });
   }
 
   // ---- what it is asked for
@@ -145,17 +146,17 @@ export class RiverSeed extends Base {
     return matchMedia(DARK_PAGES).matches;
   }
 
-  get #wishNow(): Wish {
+  get #requestNow(): RiverRequest {
     return { text: linkOf(this), isDark: this.#isDark };
   }
 
   /** A river that has been seen to its end is not grown before the reader's eyes again. */
-  get #how(): How {
-    return this.#isStill || (this.#standing?.state === "finished" && !this.#isShown) ? "still" : "watch";
+  get #how(): ShowMode {
+    return this.#isStill || (this.#status?.state === "finished" && !this.#isShown) ? "still" : "watch";
   }
 
-  #file(order: Omit<FileOrder, "wasmUrl">): Promise<Blob> {
-    return workshop.file(this.#wishNow, { ...order, wasmUrl: this.#wasmUrl });
+  #file(file: Omit<FileRequest, "wasmUrl">): Promise<Blob> {
+    return renderHost.file(this.#requestNow, { ...file, wasmUrl: this.#wasmUrl });
   }
 
   // ---- its life
@@ -186,18 +187,18 @@ export class RiverSeed extends Base {
 
   /** Brings everything in line with the attributes. */
   #follow(): void {
-    const before = this.#wish;
-    const wish = this.#wishNow;
-    const isNew = wish.text !== before?.text || wish.isDark !== before.isDark;
-    this.#wish = wish;
+    const before = this.#request;
+    const request = this.#requestNow;
+    const isNew = request.text !== before?.text || request.isDark !== before.isDark;
+    this.#request = request;
     // What failed with one recipe may do with another.
     if (isNew && this.#hasFailed) this.#hasBegun = this.#hasFailed = false;
-    if (isNew) this.#shape(aspectOf(wish.text));
+    if (isNew) this.#shape(aspectOf(request.text));
     this.#describe();
     // What stood there before is of another river.
-    if (isNew && this.#id === undefined) this.#standing = undefined;
+    if (isNew && this.#id === undefined) this.#status = undefined;
     if (isNew && this.#id !== undefined) {
-      workshop.send(this.#id, { do: "show", wish, how: this.#how, size: this.#view.fit() });
+      renderHost.send(this.#id, { do: "show", request, how: this.#how, size: this.#view.fit() });
     }
     this.#finishIfStill();
     this.#beginIfDue();
@@ -217,8 +218,8 @@ export class RiverSeed extends Base {
 
   async #enter(signal: AbortSignal): Promise<void> {
     try {
-      const id = await workshop.enter(this.#member, this.#wasmUrl);
-      if (signal.aborted) workshop.leave(id);
+      const id = await renderHost.enter(this.#client, this.#wasmUrl);
+      if (signal.aborted) renderHost.leave(id);
       else this.#open(id);
     } catch (thrown) {
       if (!signal.aborted) this.#fail(named(thrown));
@@ -229,8 +230,8 @@ export class RiverSeed extends Base {
     const canvas = this.#view.prepare();
     const size = this.#view.fit();
     const how = this.#asked === "play" ? "watch" : this.#asked === "still" ? "still" : this.#how;
-    workshop.send(id, { do: "open", canvas, wish: this.#wishNow, how, size });
-    if (this.#asked === "pause") workshop.send(id, { do: "pause" });
+    renderHost.send(id, { do: "open", canvas, request: this.#requestNow, how, size });
+    if (this.#asked === "pause") renderHost.send(id, { do: "pause" });
     this.#id = id;
     this.#rest();
   }
@@ -241,7 +242,7 @@ export class RiverSeed extends Base {
    */
   #move(): void {
     this.#id = undefined;
-    const state = this.#standing?.state;
+    const state = this.#status?.state;
     this.#asked ??= state === "finished" ? "still" : state === "paused" ? "pause" : undefined;
     if (this.#life) void this.#enter(this.#life.signal);
   }
@@ -255,7 +256,7 @@ export class RiverSeed extends Base {
 
   /** Gives up the river and its canvas. */
   #close(): void {
-    if (this.#id !== undefined) workshop.leave(this.#id);
+    if (this.#id !== undefined) renderHost.leave(this.#id);
     this.#id = undefined;
     this.#hasBegun = this.#hasFailed;
     this.#isShown = false;
@@ -265,12 +266,12 @@ export class RiverSeed extends Base {
   /** Off the screen and in a hidden tab nothing grows. */
   #rest(): void {
     if (this.#id === undefined) return;
-    workshop.send(this.#id, { do: this.#isNear && !document.hidden ? "wake" : "rest" });
+    renderHost.send(this.#id, { do: this.#isNear && !document.hidden ? "wake" : "rest" });
   }
 
   #finishIfStill(): void {
-    if (this.#id !== undefined && this.#isStill && this.#standing?.state === "growing") {
-      workshop.send(this.#id, { do: "finish" });
+    if (this.#id !== undefined && this.#isStill && this.#status?.state === "growing") {
+      renderHost.send(this.#id, { do: "finish" });
     }
   }
 
@@ -280,20 +281,20 @@ export class RiverSeed extends Base {
     clearTimeout(this.#resizing);
     this.#resizing = setTimeout(() => {
       if (this.#id === undefined || signal.aborted) return;
-      workshop.send(this.#id, { do: "resize", size: this.#view.fit() });
+      renderHost.send(this.#id, { do: "resize", size: this.#view.fit() });
     }, RESIZE_PAUSE_MS);
   }
 
   // ---- what it hears
 
-  #hear(news: News): void {
-    if (news.is === "failed") this.#fail(new PageError(news.code, news.message));
-    if (news.is === "shown") this.#show(news.reading, news);
+  #hear(report: Report): void {
+    if (report.is === "failed") this.#fail(new PageError(report.code, report.message));
+    if (report.is === "shown") this.#show(report.reading, report);
   }
 
-  #show(reading: Reading, { state, phase, summary }: Standing): void {
-    const before = this.#standing?.state;
-    this.#standing = { state, phase, summary };
+  #show(reading: Reading, { state, phase, summary }: Status): void {
+    const before = this.#status?.state;
+    this.#status = { state, phase, summary };
     this.#reading = reading;
     this.#asked = undefined;
     if (reading.aspect !== this.#aspect) this.#shape(reading.aspect);
@@ -302,7 +303,7 @@ export class RiverSeed extends Base {
     this.#describe();
     if (state !== "finished") this.#emit("progress", { phase, summary });
     else if (before !== "finished") {
-      if (this.getAttribute("alt") !== "") this.#view.say(this.#strings.finished(this.#told(reading, this.#standing)));
+      if (this.getAttribute("alt") !== "") this.#view.say(this.#strings.finished(this.#told(reading, this.#status)));
       this.#emit("complete", { link: reading.link, summary });
     }
   }
@@ -318,7 +319,7 @@ export class RiverSeed extends Base {
   #fail(error: PageError): void {
     if (!isRecoverable(error) || !this.#isShown) {
       this.#hasFailed = true;
-      this.#standing = undefined;
+      this.#status = undefined;
       this.#close();
       this.#shape(this.#aspect);
       this.#view.note(this.#strings.failed);
@@ -330,7 +331,7 @@ export class RiverSeed extends Base {
   async #report(error: PageError): Promise<void> {
     const { code, message } = error;
     // Fetched when it is needed; if it does not arrive either, the name has to do.
-    const advice = await importHere().then(
+    const advice = await importPageBackend().then(
       ({ advice }) => advice(error).text,
       () => "",
     );
@@ -341,27 +342,27 @@ export class RiverSeed extends Base {
 
   /** The picture's name and the button. */
   #describe(): void {
-    const standing = this.#standing;
+    const status = this.#status;
     const reading = this.#reading;
-    if (!standing || !reading) return;
+    if (!status || !reading) return;
     const name = this.getAttribute("aria-label") ?? this.getAttribute("alt");
-    this.#view.name(name ?? this.#strings.alternative(this.#told(reading, standing)));
+    this.#view.name(name ?? this.#strings.alternative(this.#told(reading, status)));
     const isAsked = this.hasAttribute("controls");
-    const isMoving = standing.state === "growing" || standing.state === "paused";
+    const isMoving = status.state === "growing" || status.state === "paused";
     const does =
       this.#isShown && (isAsked || isMoving || this.getAttribute("animate") !== "none")
-        ? DOES[standing.state]
+        ? DOES[status.state]
         : undefined;
     const isQuiet = !isAsked && !isMoving;
     this.#view.button(does, does ? this.#strings[does] : "", { isQuiet, isDark: this.#isDark });
   }
 
-  #told({ seed }: Reading, standing: Standing): Told {
-    return { ...standing, seed, count: countIn(this) };
+  #told({ seed }: Reading, status: Status): Told {
+    return { ...status, seed, count: countIn(this) };
   }
 
   #press(): void {
-    const does = this.#standing && DOES[this.#standing.state];
+    const does = this.#status && DOES[this.#status.state];
     if (does === "replay") this.restart();
     else if (does) this[does]();
   }

@@ -1,7 +1,7 @@
 /** The element's events. None bubbles: they are about this element and nothing around it. */
 
-import type { Notice, Phase, Summary } from "../../pkg/riverseed.js";
-import type { Code } from "../errors.ts";
+import type { Code } from "../engine/errors.ts";
+import type { Notice, Phase, Summary } from "../engine/types.ts";
 
 /** The river is seen for the first time. */
 export interface ReadyDetail {

@@ -1,11 +1,11 @@
 /** What a widget says, in English until its author says otherwise. */
 
-import type { Count } from "../words.ts";
-import { alternative, sizeOf } from "../words.ts";
-import type { Standing } from "./orders.ts";
+import type { Count } from "../browser/count.ts";
+import { alternative, sizeOf } from "../player/summary-text.ts";
+import type { Status } from "./protocol.ts";
 
 /** A river as it stands, for a sentence about it. */
-export interface Told extends Standing {
+export interface Told extends Status {
   seed: string;
   /** Writes a number as the element's language does. */
   count: Count;

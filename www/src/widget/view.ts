@@ -1,7 +1,7 @@
 /** What is to be seen of a widget: what its author put there until there is a river, the canvas, the button, and what is said. */
 
-import { type Fit, fitOf, type Size } from "../canvas.ts";
-import { el, setText } from "../dom.ts";
+import { type Fit, fitOf, type Size } from "../browser/canvas.ts";
+import { el, setText } from "../browser/dom.ts";
 import { sharedSheet } from "./sheet.ts";
 
 /** What the button does next. */

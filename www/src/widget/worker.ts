@@ -1,32 +1,24 @@
-/** The studio in a worker: where it is, growing rivers never keeps the page from answering. */
+/** The renderer in a worker: where it is, growing rivers never keeps the page from answering. */
 
-import { named } from "../errors.ts";
-import { PAINTING_SILENCE_MS } from "../time-limits.ts";
-import { load } from "../wasm.ts";
-import type { News, Order, Ping, Pong } from "./orders.ts";
-import { Studio } from "./studio.ts";
+import { named } from "../engine/errors.ts";
+import { PAINTING_SILENCE_MS } from "../engine/time-limits.ts";
+import { load } from "../engine/wasm.ts";
+import type { Command, Init, InitReply, Ping, Pong, Report } from "./protocol.ts";
+import { Renderer } from "./renderer.ts";
 
-/** The first message says where the engine is; what comes before it has arrived waits. */
-export interface Hello {
-  wasmUrl: string | undefined;
-}
+const post = (message: Report | InitReply | Pong): void => self.postMessage(message);
 
-/** The worker's answers to it: while the engine is coming, and one at the end. No canvas is handed over before. */
-export type Answer = { is: "coming" } | { is: "open" } | { is: "shut"; code: string; message: string };
+self.addEventListener("message", ({ data }: MessageEvent<Init>) => void open(data), { once: true });
 
-const post = (message: News | Answer | Pong): void => self.postMessage(message);
-
-self.addEventListener("message", ({ data }: MessageEvent<Hello>) => void open(data), { once: true });
-
-async function open({ wasmUrl }: Hello): Promise<void> {
+async function open({ wasmUrl }: Init): Promise<void> {
   try {
     const coming = (): void => post({ is: "coming" });
     coming();
     const painting = (): void => post({ id: 0, is: "alive", isAtWork: true, silenceMs: PAINTING_SILENCE_MS });
-    const studio = new Studio(await load(wasmUrl, coming), post, painting);
-    self.addEventListener("message", ({ data }: MessageEvent<Order | Ping>) => {
-      if (data.do === "ping") post({ id: data.id, is: "alive", isAtWork: studio.isAtWork });
-      else studio.take(data);
+    const renderer = new Renderer(await load(wasmUrl, coming), post, painting);
+    self.addEventListener("message", ({ data }: MessageEvent<Command | Ping>) => {
+      if (data.do === "ping") post({ id: data.id, is: "alive", isAtWork: renderer.isAtWork });
+      else renderer.take(data);
     });
     post({ is: "open" });
   } catch (thrown) {

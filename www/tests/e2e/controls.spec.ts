@@ -1,5 +1,5 @@
 import { expect, type Locator, type Page, test } from "@playwright/test";
-import { isAdjustable } from "../../src/controls.ts";
+import { isAdjustable } from "../../src/controls/controls.ts";
 import { engine } from "../core.ts";
 import {
   address,

@@ -93,7 +93,7 @@ test("a coast drawn with the mouse is in the link, and the link draws the same p
   const before = await shown(page);
   await draw(page, BLOB);
   await expectAddress(page, "land", "drawn");
-  await expect(page.locator("#told")).toContainText("1 coast, ");
+  await expect(page.locator("#drawing-status")).toContainText("1 coast, ");
   await expectPictureOfAddress(page);
   const drawn = await shown(page);
   expect(drawn.sha256).not.toBe(before.sha256);
@@ -222,10 +222,10 @@ test("what is too small for a land is said, and stays to be drawn on", async ({ 
     [0.52, 0.5],
     [0.51, 0.53],
   ]);
-  await expect(page.locator("#told")).toContainText("too small");
+  await expect(page.locator("#drawing-status")).toContainText("too small");
   await expect(page.locator("#sketch path")).toHaveCount(1);
   await draw(page, BLOB);
-  await expect(page.locator("#told")).toContainText("2 coasts, ");
+  await expect(page.locator("#drawing-status")).toContainText("2 coasts, ");
   await expectAddress(page, "land", "drawn");
 });
 
@@ -255,7 +255,7 @@ test("a picture is traced: its coast, its ridge and its shape are the map's, and
   await expectAddress(page, "aspect", "2");
   expect(linesIn(page).coasts).toHaveLength(1);
   expect(linesIn(page).ridges).toHaveLength(1);
-  await expect(page.locator("#told")).toContainText("Kept of the picture: 1 coast and 1 ridge, ");
+  await expect(page.locator("#drawing-status")).toContainText("Kept of the picture: 1 coast and 1 ridge, ");
   await expect(page.locator("#sketch path")).toHaveCount(2);
   await expectPictureOfAddress(page);
 });
@@ -266,7 +266,7 @@ test("what a picture has too much of is said, and a long one is not squeezed", a
   await openFinished(page, SMALL);
   await choose(page, islands);
   await expectAddress(page, "aspect", "4");
-  await expect(page.locator("#told")).toContainText(
+  await expect(page.locator("#drawing-status")).toContainText(
     /Kept of the picture: \d+ of 80 coasts, \d+ points\..* goes on beyond/,
   );
 });

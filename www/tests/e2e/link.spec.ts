@@ -1,5 +1,5 @@
 import { expect, type Page, test } from "@playwright/test";
-import { WRITE_EVERY_MS } from "../../src/link.ts";
+import { WRITE_EVERY_MS } from "../../src/browser/address.ts";
 import { engine, pictureOf } from "../core.ts";
 import {
   address,
@@ -134,7 +134,7 @@ test("a link in the fragment, and going back, change the picture without a reloa
   await expect.poll(() => new URL(page.url()).hash).toBe("");
   await page.goBack();
   await expect(page.locator("#title")).toHaveText("first");
-  // The title changes at once, the plate with the next frame: until then it is still "finished" with the other river.
+  // The title changes at once, the viewport with the next frame: until then it is still "finished" with the other river.
   await expect.poll(() => shown(page)).toEqual(first);
 });
 

@@ -108,12 +108,12 @@ export async function expectPictureOfAddress(page: Page): Promise<void> {
     .toBe(true);
 }
 
-/** Notes every state the plate goes through, from the first. Call before `goto`. */
+/** Notes every state the viewport goes through, from the first. Call before `goto`. */
 export function recordStates(page: Page): Promise<() => Promise<string[]>> {
   return record(page, "state");
 }
 
-/** Notes every phase of a river that the plate shows, from the first. Call before `goto`. */
+/** Notes every phase of a river that the viewport shows, from the first. Call before `goto`. */
 export function recordPhases(page: Page): Promise<() => Promise<string[]>> {
   return record(page, "phase");
 }

@@ -1,5 +1,5 @@
 import { expect, test } from "@playwright/test";
-import { linkOf } from "../../src/link.ts";
+import { linkOf } from "../../src/browser/address.ts";
 import { engine } from "../core.ts";
 import { openSlowly } from "./states.ts";
 

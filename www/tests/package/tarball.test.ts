@@ -44,7 +44,7 @@ test("no file is missing, and none is there that nobody asks for", () => {
 });
 
 test("its changelog, its licences and the notices of others are the project's, to the letter", () => {
-  for (const name of PAPERS.filter((name) => name !== "README.md")) {
+  for (const name of DOCUMENTS.filter((name) => name !== "README.md")) {
     const ours = readFileSync(new URL(`../../../${name}`, import.meta.url), "utf8");
     expect(bytes(name).toString(), name).toBe(ours);
   }

@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
-import { advice } from "../../src/advice.ts";
-import { type Code, isRecoverable, named, PageError } from "../../src/errors.ts";
+import { advice } from "../../src/engine/advice.ts";
+import { type Code, isRecoverable, named, PageError } from "../../src/engine/errors.ts";
 import { engine } from "../core.ts";
 
 const CODES: Code[] = [

@@ -3,8 +3,8 @@ import { expect, test } from "vitest";
 import { browserslist } from "../../package.json";
 import { floor } from "../../scripts/browsers.mjs";
 import { newerThanFloor } from "../../scripts/newer.mjs";
-import { advice } from "../../src/advice.ts";
-import { PageError } from "../../src/errors.ts";
+import { advice } from "../../src/engine/advice.ts";
+import { PageError } from "../../src/engine/errors.ts";
 
 const { chrome, edge, firefox, safari, ios } = floor();
 const IN_WORDS = `Chrome and Edge ${chrome}, Firefox ${firefox}, Safari ${safari}`;

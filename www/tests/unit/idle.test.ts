@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { isAdjustable } from "../../src/controls.ts";
+import { isAdjustable } from "../../src/controls/controls.ts";
 import { engine, parameter, pictureOf } from "../core.ts";
 
 /** What decides whether others do something; coarse and soon done, since every value of every key is drawn. */

@@ -1,5 +1,6 @@
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
-import { AddressBar, addressOf, linkOf, linkText, WRITE_EVERY_MS } from "../../src/link.ts";
+import { AddressBar, addressOf, linkOf, WRITE_EVERY_MS } from "../../src/browser/address.ts";
+import { linkText } from "../../src/engine/link-text.ts";
 
 beforeEach(() => {
   vi.useFakeTimers();

@@ -2,7 +2,7 @@
 
 import { expect, test } from "vitest";
 import type { River } from "../../pkg/riverseed.js";
-import { Growth } from "../../src/growth.ts";
+import { FrameLoop } from "../../src/player/frame-loop.ts";
 import { differing, engine, pixelsOf } from "../core.ts";
 import { Display } from "../display.ts";
 
@@ -18,7 +18,7 @@ function framesOf(
   const river = new engine.River(engine.readLink(link).link);
   river.resize(width, height);
   const display = new Display();
-  const growth = new Growth(river, display, {
+  const loop = new FrameLoop(river, display, {
     draw: () => seen(river, display.count),
     ready: () => {},
     changed: () => {},
@@ -26,8 +26,8 @@ function framesOf(
       throw error;
     },
   });
-  growth.watch();
-  while (growth.state !== "finished" && display.count < 4 * LONGEST) display.frame();
+  loop.watch();
+  while (loop.state !== "finished" && display.count < 4 * LONGEST) display.frame();
   river.free();
   return display.count;
 }

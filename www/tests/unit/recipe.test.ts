@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
-import { isAdjustable } from "../../src/controls.ts";
-import { isShown, unaskedChanges } from "../../src/presets.ts";
-import { Recipe } from "../../src/recipe.ts";
+import { isAdjustable } from "../../src/controls/controls.ts";
+import { isShown, unaskedChanges } from "../../src/controls/presets.ts";
+import { Recipe } from "../../src/engine/recipe.ts";
 import { engine } from "../core.ts";
 
 const table = engine.parameters();

@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
-import { pathText } from "../../src/overlay.ts";
-import { pointsOf, Sketch, tally } from "../../src/sketch.ts";
+import { pathText } from "../../src/land/overlay.ts";
+import { pointsOf, Sketch, tally } from "../../src/land/sketch.ts";
 import { engine } from "../core.ts";
 import { tools } from "../tools.ts";
 

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { elementSnippet, iframeSnippet, markdownSnippet, type Shared, titleOf } from "../../src/snippets.ts";
+import { elementSnippet, iframeSnippet, markdownSnippet, type Shared, titleOf } from "../../src/share/snippets.ts";
 
 const shared = (link: string): Shared => ({
   link,

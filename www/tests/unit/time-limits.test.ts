@@ -1,7 +1,7 @@
 import { readFileSync } from "node:fs";
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
-import { DOWNLOAD_SILENCE_MS, limited, watch } from "../../src/time-limits.ts";
-import { start } from "../../src/wasm-module.ts";
+import { DOWNLOAD_SILENCE_MS, limited, watch } from "../../src/engine/time-limits.ts";
+import { start } from "../../src/engine/wasm-module.ts";
 
 // Only what the watch counts with: streams and promises go on by themselves.
 beforeEach(() => void vi.useFakeTimers({ toFake: ["setInterval", "clearInterval"] }));

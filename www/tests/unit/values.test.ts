@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 import type { Parameter } from "../../pkg/riverseed.js";
+import { count } from "../../src/browser/count.ts";
 import {
-  count,
   LOG_STEPS,
   logStep,
   numberText,
@@ -13,7 +13,7 @@ import {
   sidesText,
   spoken,
   textAt,
-} from "../../src/values.ts";
+} from "../../src/controls/values.ts";
 import { engine } from "../core.ts";
 
 const linear: Range = { min: 0, max: 2, step: 0.01, isLog: false };

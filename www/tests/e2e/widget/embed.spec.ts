@@ -6,7 +6,7 @@ import { canonical, expectPicture, heard, listen, post, STRICT } from "./post.ts
 const ATTRIBUTES = 'seed="rimu" attractors="400" animate="none"';
 const LINK = canonical("seed=rimu&attractors=400");
 
-/** Where the studio was. */
+/** Where the renderer was. */
 function workers(page: Page): string[] {
   return page.workers().map((worker) => worker.url());
 }

@@ -8,7 +8,7 @@ import { canonical, expectPicture, type Heard, heard, listen, post } from "./pos
 
 const ENGINE = "/widget/riverseed_bg.wasm";
 const WORKER = "/widget/worker.js";
-const HERE = "/widget/tag-here.js";
+const HERE = "/widget/tag-page-backend.js";
 const SCRIPT = { "content-type": "text/javascript" };
 
 type RiverSeed = HTMLElementTagNameMap["river-seed"];

@@ -1,5 +1,6 @@
 import { expect, test } from "vitest";
-import { ASPECT, aspectOf, attributeOf, linkOf, NUMBERS, OBSERVED, TEXTS } from "../../../src/widget/attributes.ts";
+import { attributeOf, NUMBERS, TEXTS } from "../../../src/engine/attribute-names.ts";
+import { ASPECT, aspectOf, linkOf, OBSERVED } from "../../../src/widget/attributes.ts";
 import { RiverSeed } from "../../../src/widget/element.ts";
 import { engine, parameter } from "../../core.ts";
 

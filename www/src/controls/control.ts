@@ -1,0 +1,128 @@
+/** One control for one row of the parameter table: its label, the value, what it does, and the way back to the default. */
+
+import { el, setText, setValue } from "../browser/dom.ts";
+import type { Parameter } from "../engine/types.ts";
+import { type Change, type Field, fieldId, helpId } from "./field.ts";
+import { numberControl } from "./number.ts";
+import { rangeOf, sidesOf, sidesText } from "./values.ts";
+
+export interface Control {
+  readonly element: HTMLElement;
+  /**
+   * Shows a value and its default, both as link text, and why it does nothing, if so: it is kept, and cannot be changed.
+   */
+  show(text: string, fallback: string, idle: string | undefined): void;
+}
+
+export function control(parameter: Parameter, change: Change): Control {
+  const field = fieldFor(parameter, change);
+  const reset = new ResetButton(parameter, (fallback) => {
+    change(parameter.key, fallback);
+    field.focus();
+  });
+  const help = el("p", { class: "help", id: helpId(parameter) }, parameter.help);
+  const head = el("div", { class: "control-head" }, field.label, reset.element, ...(field.aside ? [field.aside] : []));
+  // A fieldset can be disabled with all that is in it; to a screen reader it is no group.
+  const element = el("fieldset", {
+    role: "none",
+    class: `control control-${parameter.kind}`,
+    "data-key": parameter.key,
+  });
+  field.element.classList.add("field");
+  element.append(head, field.element, help);
+  return {
+    element,
+    show(text, fallback, idle) {
+      element.disabled = idle !== undefined;
+      setText(help, idle ?? parameter.help);
+      reset.show(fallback, text !== fallback && idle === undefined);
+      field.show(text);
+    },
+  };
+}
+
+function fieldFor(parameter: Parameter, change: Change): Field {
+  const range = rangeOf(parameter);
+  if (range) return numberControl(parameter, range, change);
+  if (parameter.kind === "choice") return choiceControl(parameter, change);
+  if (parameter.kind === "sides") return sidesControl(parameter, change);
+  return textControl(parameter, change);
+}
+
+/** The way back to the default, which is another one on dark pages. */
+class ResetButton {
+  readonly element: HTMLButtonElement;
+  #fallback = "";
+
+  constructor(
+    private readonly parameter: Parameter,
+    reset: (fallback: string) => void,
+  ) {
+    this.element = el("button", { type: "button", class: "reset", "data-reset": parameter.key }, "reset");
+    this.element.addEventListener("click", () => reset(this.#fallback));
+  }
+
+  show(fallback: string, isNeeded: boolean): void {
+    this.#fallback = fallback;
+    this.element.hidden = !isNeeded;
+    this.element.title = `Reset ${this.parameter.label} to ${fallback}`;
+    this.element.setAttribute("aria-label", this.element.title);
+  }
+}
+
+function choiceControl(parameter: Parameter, change: Change): Field {
+  const attributes = { id: fieldId(parameter), "aria-describedby": helpId(parameter) };
+  const options = (parameter.choices ?? []).map(({ value, label }) => el("option", { value }, label));
+  const element = el("select", attributes, ...options);
+  element.addEventListener("change", () => change(parameter.key, element.value));
+  return {
+    element,
+    label: el("label", { for: fieldId(parameter) }, parameter.label),
+    show: (text) => setValue(element, text),
+    focus: () => element.focus(),
+  };
+}
+
+function textControl(parameter: Parameter, change: Change): Field {
+  const attributes = { type: "text", id: fieldId(parameter), "aria-describedby": helpId(parameter) };
+  const element = el("input", attributes);
+  if (parameter.maxLength !== undefined) element.maxLength = parameter.maxLength;
+  element.addEventListener("change", () => change(parameter.key, element.value));
+  return {
+    element,
+    label: el("label", { for: fieldId(parameter) }, parameter.label),
+    show: (text) => setValue(element, text),
+    focus: () => element.focus(),
+  };
+}
+
+function sidesControl(parameter: Parameter, change: Change): Field {
+  const boxes = (parameter.choices ?? []).map(({ value, label }) => {
+    const box = el("input", { type: "checkbox", value });
+    return { box, element: el("label", { class: "side" }, box, label) };
+  });
+  const label = el("span", { id: fieldId(parameter) }, parameter.label);
+  const attributes = {
+    class: "sides",
+    role: "group",
+    "aria-labelledby": label.id,
+    "aria-describedby": helpId(parameter),
+  };
+  const element = el("div", attributes, ...boxes.map((side) => side.element));
+  element.addEventListener("change", (event) => {
+    const chosen = new Set(boxes.filter(({ box }) => box.checked).map(({ box }) => box.value));
+    const last = event.target;
+    // The rivers must end somewhere: the last side stays, and the box says so by not letting go.
+    if (chosen.size === 0 && last instanceof HTMLInputElement) last.checked = true;
+    else change(parameter.key, sidesText(chosen, parameter));
+  });
+  return {
+    element,
+    label,
+    show(text) {
+      const sides = sidesOf(text);
+      for (const { box } of boxes) box.checked = sides.includes(box.value);
+    },
+    focus: () => boxes[0]?.box.focus(),
+  };
+}

@@ -1,0 +1,56 @@
+/** All controls of the recipe but the seed, generated from the parameter table, under the table's own headings. */
+
+import { el } from "../browser/dom.ts";
+import type { Parameter } from "../engine/types.ts";
+import { type Control, control } from "./control.ts";
+import type { Disclosures } from "./disclosure.ts";
+import type { Change } from "./field.ts";
+import { type Group, group } from "./group.ts";
+import { rangeOf } from "./values.ts";
+
+export interface Controls {
+  readonly element: HTMLElement;
+  show(values: Values): void;
+}
+
+/** By key: the values on show, those that a page has if nothing is said, and why some do nothing. */
+export interface Values {
+  values: ReadonlyMap<string, string>;
+  defaults: ReadonlyMap<string, string>;
+  idle: ReadonlyMap<string, string>;
+}
+
+/** A parameter with one possible value (the edition) has nothing to set; the seed has a box of its own, an outline is drawn. */
+export function isAdjustable(parameter: Parameter): boolean {
+  const range = rangeOf(parameter);
+  return parameter.key !== "seed" && parameter.kind !== "outline" && !(range && range.min === range.max);
+}
+
+export function controls(table: readonly Parameter[], change: Change, disclosures: Disclosures): Controls {
+  const made = new Map<string, Control>();
+  const groups: Group[] = [];
+  for (const [heading, parameters] of grouped(table.filter(isAdjustable))) {
+    for (const parameter of parameters) made.set(parameter.key, control(parameter, change));
+    groups.push(group(heading, parameters, made, disclosures));
+  }
+  return {
+    element: el("div", { class: "groups" }, ...groups.map(({ element }) => element)),
+    show({ values, defaults, idle }) {
+      for (const [key, one] of made) {
+        const text = values.get(key);
+        if (text !== undefined) one.show(text, defaults.get(key) ?? "", idle.get(key));
+      }
+      for (const one of groups) one.show(values, defaults);
+    },
+  };
+}
+
+function grouped(table: readonly Parameter[]): Map<string, Parameter[]> {
+  const groups = new Map<string, Parameter[]>();
+  for (const parameter of table) {
+    const members = groups.get(parameter.group);
+    if (members) members.push(parameter);
+    else groups.set(parameter.group, [parameter]);
+  }
+  return groups;
+}

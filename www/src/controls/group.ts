@@ -1,0 +1,51 @@
+/** Controls under one heading, which fold away; folded, the heading still says how many of them are not as at first. */
+
+import { el, setText } from "../browser/dom.ts";
+import type { Parameter } from "../engine/types.ts";
+import type { Control } from "./control.ts";
+import type { Disclosures } from "./disclosure.ts";
+
+/** Open until somebody says otherwise: the panel begins so short that all its headings are seen, and some of its controls. */
+const OPEN_AT_FIRST = new Set(["Meanders"]);
+
+/** Seldom wanted: these stand under “More” at the end of their group. */
+const RARE = new Set(["flat", "neck", "buffer", "taper"]);
+
+export interface Group {
+  readonly element: HTMLElement;
+  show(values: ReadonlyMap<string, string>, defaults: ReadonlyMap<string, string>): void;
+}
+
+export function group(
+  heading: string,
+  parameters: readonly Parameter[],
+  made: ReadonlyMap<string, Control>,
+  disclosures: Disclosures,
+): Group {
+  const changed = el("span", { class: "changed" });
+  const summary = el("summary", {}, el("h2", {}, heading), " ", changed);
+  const controlsOf = (some: readonly Parameter[]): HTMLElement[] =>
+    some.flatMap(({ key }) => made.get(key)?.element ?? []);
+  const [rare, usual] = [true, false].map((is) => controlsOf(parameters.filter(({ key }) => RARE.has(key) === is)));
+  const members = el("div", { class: "members" }, ...(usual ?? []));
+  if (rare && rare.length > 0) members.append(more(heading, rare, disclosures));
+  const element = disclosures.details(heading, OPEN_AT_FIRST.has(heading), { class: "group" }, summary, members);
+  return {
+    element,
+    show(values, defaults) {
+      const count = parameters.filter(({ key }) => values.get(key) !== defaults.get(key)).length;
+      setText(changed, count === 0 ? "" : `${count} changed`);
+    },
+  };
+}
+
+function more(heading: string, rare: HTMLElement[], disclosures: Disclosures): HTMLElement {
+  const summary = el("summary", {}, "More", el("span", { class: "unseen" }, ` of ${heading}`));
+  return disclosures.details(
+    `${heading}, more`,
+    false,
+    { class: "more" },
+    summary,
+    el("div", { class: "members" }, ...rare),
+  );
+}

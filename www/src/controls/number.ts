@@ -1,0 +1,75 @@
+/** The control of a number: a slider to feel one's way, and a field for those who know the value they want. */
+
+import { el, setValue } from "../browser/dom.ts";
+import type { Parameter } from "../engine/types.ts";
+import { type Change, type Field, fieldId, helpId } from "./field.ts";
+import { LOG_STEPS, logStep, position, type Range, share, spoken, textAt } from "./values.ts";
+
+/** What one key press changes on a logarithmic slider. */
+const KEY_SHARE: Record<string, [direction: 1 | -1, share: number]> = {
+  ArrowRight: [1, 0.02],
+  ArrowUp: [1, 0.02],
+  ArrowLeft: [-1, 0.02],
+  ArrowDown: [-1, 0.02],
+  PageUp: [1, 0.25],
+  PageDown: [-1, 0.25],
+};
+
+export function numberControl(parameter: Parameter, range: Range, change: Change): Field {
+  const slider = sliderFor(parameter, range);
+  const exact = exactField(parameter);
+  const told = (text: string) => change(parameter.key, text);
+  let shown = parameter.default;
+
+  slider.addEventListener("input", () => told(textAt(slider.valueAsNumber, range)));
+  if (range.isLog) slider.addEventListener("keydown", (event) => stepByKey(event, Number(shown), range, told));
+  exact.addEventListener("change", () => told(exact.value));
+
+  return {
+    element: slider,
+    label: el("label", { for: slider.id }, parameter.label),
+    aside: unitAside(exact, parameter.unit),
+    show(text) {
+      shown = text;
+      setValue(exact, text);
+      showOnSlider(slider, text, range, parameter.unit);
+    },
+    focus: () => slider.focus(),
+  };
+}
+
+function sliderFor(parameter: Parameter, range: Range): HTMLInputElement {
+  const [min, max, step] = range.isLog ? [0, LOG_STEPS, 1] : [range.min, range.max, range.step];
+  return el("input", { type: "range", id: fieldId(parameter), min, max, step, "aria-describedby": helpId(parameter) });
+}
+
+function exactField({ key, label }: Parameter): HTMLInputElement {
+  return el("input", {
+    type: "text",
+    class: "exact",
+    id: `exact-${key}`,
+    inputmode: "decimal",
+    autocomplete: "off",
+    "aria-label": `${label}, exact value`,
+  });
+}
+
+function unitAside(exact: HTMLInputElement, unit: string | undefined): HTMLElement {
+  return el("span", { class: "value" }, exact, ...(unit ? [el("span", { class: "unit" }, unit)] : []));
+}
+
+function showOnSlider(slider: HTMLInputElement, text: string, range: Range, unit: string | undefined): void {
+  const value = Number(text);
+  // A slider that already stands for this value is left where the finger has it, between two roundings.
+  if (textAt(slider.valueAsNumber, range) !== text) setValue(slider, String(position(value, range)));
+  slider.style.setProperty("--share", String(share(value, range)));
+  slider.setAttribute("aria-valuetext", spoken(text, unit));
+}
+
+/** A step of a thousandth of the way is too little at the low end, where it would round to the value it came from. */
+function stepByKey(event: KeyboardEvent, value: number, range: Range, told: (text: string) => void): void {
+  const step = KEY_SHARE[event.key];
+  if (!step || event.altKey || event.ctrlKey || event.metaKey) return;
+  event.preventDefault();
+  told(logStep(value, ...step, range));
+}

@@ -1,0 +1,63 @@
+/** The presets: named sets of values, from the core. Pressing one sets what it names and nothing else; all name the same keys. */
+
+import { el } from "../browser/dom.ts";
+import type { Parameter, Preset } from "../engine/types.ts";
+import { inWords } from "./values.ts";
+
+/** Whether the values on show are this preset's. */
+export function isShown({ values }: Preset, shown: ReadonlyMap<string, string>): boolean {
+  return values.every(([key, value]) => shown.get(key) === value);
+}
+
+/**
+ * What pressing a preset changes although all presets have it in common, in words: people press one for what tells the presets
+ * from each other, and would miss the rest. Nothing if there is no such change.
+ */
+export function unaskedChanges(
+  preset: Preset,
+  all: readonly Preset[],
+  table: readonly Parameter[],
+  before: ReadonlyMap<string, string>,
+): string | undefined {
+  const [first, ...others] = all.map(({ values }) => new Map(values));
+  const isCommon = (key: string) => others.every((values) => values.get(key) === first?.get(key));
+  const after = new Map(preset.values);
+  const changes = table.flatMap((parameter) => {
+    const [was, is] = [before.get(parameter.key), after.get(parameter.key)];
+    if (was === undefined || is === undefined || was === is || !isCommon(parameter.key)) return [];
+    return `${parameter.label} from ${inWords(parameter, was)} to ${inWords(parameter, is)}`;
+  });
+  return changes.length === 0 ? undefined : `“${preset.label}” also changed ${changes.join(", ")}.`;
+}
+
+export interface Presets {
+  readonly element: HTMLElement;
+  show(values: ReadonlyMap<string, string>): void;
+  /** Puts the focus on the preset that was pressed last. */
+  focus(): void;
+}
+
+export function presets(all: readonly Preset[], choose: (preset: Preset) => void): Presets {
+  let last: HTMLButtonElement | undefined;
+  const made = all.map((preset) => {
+    const attributes = { type: "button", class: "preset", "aria-pressed": "false", title: preset.help };
+    const button = el("button", attributes, preset.label);
+    button.addEventListener("click", () => {
+      last = button;
+      choose(preset);
+    });
+    return { preset, button };
+  });
+  const help = el("p", { class: "help" });
+  const buttons = el("div", { class: "preset-buttons" }, ...made.map(({ button }) => button));
+  const element = el("div", { class: "presets", role: "group", "aria-label": "Presets" }, buttons, help);
+  return {
+    element,
+    show(shown) {
+      const current = made.find(({ preset }) => isShown(preset, shown));
+      for (const one of made) one.button.setAttribute("aria-pressed", String(one === current));
+      help.textContent = current?.preset.help ?? "Ways of growing: choose one, then change what you like.";
+    },
+    focus: () => last?.focus({ preventScroll: true }),
+  };
+}

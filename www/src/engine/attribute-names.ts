@@ -1,0 +1,20 @@
+/**
+ * The parameters as attributes. Their keys are known here before the engine is, since a browser asks an element's class what to
+ * observe; a unit test holds the lists to the core's table.
+ */
+
+/** Parameters whose values are numbers, and those whose values are text. */
+// biome-ignore format: a list of words
+export const NUMBERS = [
+  "edition", "aspect", "sea", "rough", "mouths", "apart", "sensitivity", "attractors", "reach", "kill", "step", "momentum",
+  "curl", "stretch", "trim", "simplify", "width", "vary", "meander-rounds", "meander-strength", "meander-mix", "gentle",
+  "great", "flat", "neck", "buffer", "taper",
+] as const;
+export const TEXTS = ["seed", "land", "outline", "sides", "shores", "growth", "scatter", "meander", "style"] as const;
+
+/** Keys that mean something else in HTML carry a prefix as attributes. */
+const PREFIXED: ReadonlySet<string> = new Set(["style", "width"]);
+
+export function attributeOf(key: string): string {
+  return PREFIXED.has(key) ? `river-${key}` : key;
+}

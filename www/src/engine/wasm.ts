@@ -1,0 +1,24 @@
+/** The river engine: the wasm module that the page opens with. */
+
+import init, * as engine from "../../pkg/riverseed.js";
+import wasmUrl from "../../pkg/riverseed_bg.wasm?url";
+import { once, start } from "./wasm-module.ts";
+
+export type Engine = typeof engine;
+
+export interface Core {
+  readonly engine: Engine;
+  readonly memory: WebAssembly.Memory;
+}
+
+/** From where it lies beside the script, unless its first caller knows better. */
+export const load: (url?: string, progress?: () => void) => Promise<Core> = once((url = wasmUrl, progress) =>
+  start(
+    url,
+    async (compiled) => {
+      const { memory } = await init({ module_or_path: compiled });
+      return { engine, memory };
+    },
+    progress,
+  ),
+);

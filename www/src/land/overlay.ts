@@ -1,0 +1,35 @@
+/** Lines over the picture, in fractions of its width and height. */
+
+import type { Lines } from "../engine/types.ts";
+import { type Line, pointsOf } from "./sketch.ts";
+
+const SVG = "http://www.w3.org/2000/svg";
+
+/** Shows what is kept of a drawing, and lines as the pen left them. */
+export function showLines(sheet: SVGSVGElement, kept: Lines, raw: readonly Line[]): void {
+  sheet.replaceChildren(
+    ...kept.coasts.map((line) => path(line, "coast", true)),
+    ...kept.ridges.map((line) => path(line, "ridge", false)),
+    ...pointsOf(raw, "coast").map((line) => path(line, "coast raw", false)),
+    ...pointsOf(raw, "ridge").map((line) => path(line, "ridge raw", false)),
+  );
+}
+
+function path(points: Float32Array, name: string, isClosed: boolean): SVGPathElement {
+  const element = document.createElementNS(SVG, "path");
+  element.setAttribute("class", name);
+  element.setAttribute("d", pathText(points, isClosed));
+  // The sheet is stretched to the map's shape; its lines are not.
+  element.setAttribute("vector-effect", "non-scaling-stroke");
+  return element;
+}
+
+export function pathText(points: Float32Array, isClosed: boolean): string {
+  const places: string[] = [];
+  for (let i = 0; i + 1 < points.length; i += 2) places.push(`${fraction(points[i])} ${fraction(points[i + 1])}`);
+  return places.length === 0 ? "" : `M${places.join("L")}${isClosed ? "Z" : ""}`;
+}
+
+function fraction(x = 0): string {
+  return String(Number(x.toFixed(4)));
+}

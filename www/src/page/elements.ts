@@ -1,0 +1,53 @@
+/** The elements that index.html gives the page to fill. */
+
+import { find } from "../browser/dom.ts";
+
+export const elements = {
+  sheet: find("#sheet", HTMLElement),
+  frame: find("#frame", HTMLElement),
+  canvas: find("#canvas", HTMLCanvasElement),
+  facade: find("#facade", HTMLElement),
+  failure: find("#failure", HTMLElement),
+  notices: find("#notices", HTMLElement),
+  title: find("#title", HTMLElement),
+  caption: find("#caption", HTMLElement),
+  announcement: find("#announcement", HTMLElement),
+  seedForm: find("#seed-form", HTMLFormElement),
+  seed: find("#seed", HTMLInputElement),
+  dice: find("#dice", HTMLButtonElement),
+  download: find("#download", HTMLButtonElement),
+  formats: find("#formats", HTMLElement),
+  copy: find("#copy", HTMLButtonElement),
+  reset: find("#reset", HTMLButtonElement),
+  shared: find("#shared", HTMLElement),
+  sharing: {
+    dialog: find("#sharing", HTMLDialogElement),
+    open: find("#share", HTMLButtonElement),
+    close: find("#sharing-close", HTMLButtonElement),
+    forms: find("#sharing-forms", HTMLElement),
+    status: find("#sharing-status", HTMLElement),
+  },
+  seedHelp: find("#seed-help", HTMLElement),
+  transport: {
+    play: find("#play", HTMLButtonElement),
+    restart: find("#restart", HTMLButtonElement),
+    speed: find("#speed", HTMLInputElement),
+    speedShown: find("#speed-shown", HTMLElement),
+  },
+  drawing: {
+    stage: find("#sheet", HTMLElement),
+    draw: find("#draw", HTMLButtonElement),
+    sketch: find("#sketch", SVGSVGElement),
+    tools: find("#tools", HTMLElement),
+    status: find("#drawing-status", HTMLElement),
+    coast: find("#tool-coast", HTMLButtonElement),
+    ridge: find("#tool-ridge", HTMLButtonElement),
+    undo: find("#undo", HTMLButtonElement),
+    clear: find("#clear", HTMLButtonElement),
+    import: find("#import", HTMLButtonElement),
+    picture: find("#picture", HTMLInputElement),
+    done: find("#done", HTMLButtonElement),
+  },
+  presets: find("#presets", HTMLElement),
+  controls: find("#controls", HTMLElement),
+};

@@ -1,0 +1,289 @@
+/** The page: puts the parts together. The recipe says what is shown; everything else follows it. */
+
+import "../style/page.css";
+import { AddressBar, addressOf, linkOf, replaceAddress } from "../browser/address.ts";
+import { count } from "../browser/count.ts";
+import { DARK_PAGES } from "../browser/dark-pages.ts";
+import { setText } from "../browser/dom.ts";
+import { type Controls, controls } from "../controls/controls.ts";
+import { Disclosures } from "../controls/disclosure.ts";
+import { type Presets, presets, unaskedChanges } from "../controls/presets.ts";
+import { SeedBox } from "../controls/seed.ts";
+import { isRecoverable, named } from "../engine/errors.ts";
+import { Recipe } from "../engine/recipe.ts";
+import { defaultsOf } from "../engine/scheme.ts";
+import { loadTools } from "../engine/tools.ts";
+import type { Parameter, Phase, Preset, Summary } from "../engine/types.ts";
+import { type Core, load } from "../engine/wasm.ts";
+import { Drawing } from "../land/drawing.ts";
+import { listenForImages } from "../land/image-drop.ts";
+import { pixelsOf } from "../land/image-file.ts";
+import type { State } from "../player/frame-loop.ts";
+import type { ShowMode } from "../player/river-player.ts";
+import { alternative, caption, sentence } from "../player/summary-text.ts";
+import { Downloads } from "../share/downloads.ts";
+import { copy } from "../share/share.ts";
+import { ShareDialog } from "../share/share-dialog.ts";
+import { elements } from "./elements.ts";
+import { Announcer, showFailure, showNotices, undoable } from "./status.ts";
+import { Transport } from "./transport.ts";
+import { RiverViewport } from "./viewport.ts";
+
+const prefersStill = window.matchMedia("(prefers-reduced-motion: reduce)");
+const prefersDark = window.matchMedia(DARK_PAGES);
+
+class Page {
+  readonly #table: readonly Parameter[];
+  readonly #recipe: Recipe;
+  readonly #controls: Controls;
+  readonly #presets: Presets;
+  readonly #seedBox: SeedBox;
+  readonly #viewport: RiverViewport;
+  readonly #transport: Transport;
+  readonly #drawing: Drawing;
+  readonly #address = new AddressBar(replaceAddress);
+  readonly #announcer = new Announcer(elements.announcement);
+  /** What the last presets changed unasked, and the recipe from before them, to which Undo leads back. */
+  #presetUndo: { message: string; link: string; values: ReadonlyMap<string, string> } | undefined;
+
+  constructor(private readonly core: Core) {
+    const { engine } = core;
+    this.#table = engine.parameters();
+    this.#recipe = new Recipe(
+      (text) => engine.readLink(text),
+      () => prefersDark.matches,
+    );
+    this.#recipe.open(linkOf(location));
+    const disclosures = new Disclosures(() => localStorage);
+    this.#controls = controls(this.#table, (key, text) => this.#choose(key, text), disclosures);
+    this.#presets = presets(engine.presets(), (preset) => this.#press(preset));
+    this.#seedBox = new SeedBox(elements.seedForm, elements.seed, (seed) => this.#set([["seed", seed]], "watch"));
+    describeSeed(this.#table);
+    this.#viewport = new RiverViewport(core, elements, this.#recipe.shown, {
+      changed: (state, phase, summary) => this.#follow(state, phase, summary),
+      failed: (error) => this.#fail(error),
+    });
+    this.#transport = this.#makeTransport();
+    this.#drawing = new Drawing(elements.drawing, engine, {
+      drawn: (outline) => this.#set(drawn(outline), "settle"),
+      failed: (error) => this.#fail(error),
+    });
+    elements.presets.replaceChildren(this.#presets.element);
+    elements.controls.replaceChildren(this.#controls.element);
+    this.#listen();
+  }
+
+  /** Shows the first river. */
+  start(): void {
+    elements.facade.hidden = true;
+    this.#transport.enable();
+    const { dice, download, copy, reset, sharing, drawing } = elements;
+    for (const button of [dice, download, sharing.open, copy, reset, drawing.draw]) button.disabled = false;
+    this.#showRecipe();
+    this.#viewport.start(this.#how("watch"));
+  }
+
+  #makeTransport(): Transport {
+    return new Transport(elements.transport, {
+      toggle: () => this.#viewport.toggle(),
+      restart: () => this.#viewport.replay(),
+      speed: (speed) => {
+        this.#viewport.speed = speed;
+      },
+    });
+  }
+
+  #listen(): void {
+    elements.dice.addEventListener("click", () => this.#throwDice());
+    elements.reset.addEventListener("click", () => this.#open(`seed=${encodeURIComponent(this.#recipe.seed)}`));
+    const downloads = new Downloads(elements, this.core, this.#recipe, (error) => this.#fail(error));
+    new ShareDialog(elements.sharing, this.#recipe, (say) => void downloads.save("png", say));
+    elements.copy.addEventListener("click", () => void this.#copyLink());
+    elements.drawing.draw.addEventListener("click", () => this.#showDrawing());
+    listenForImages(elements.drawing, (file) => void this.#trace(file));
+    // Not hashchange as well: it follows the popstate of another fragment, whose link would be opened twice.
+    window.addEventListener("popstate", () => this.#followAddress());
+    prefersDark.addEventListener("change", () => this.#attempt(() => this.#show("settle")));
+    window.addEventListener("pagehide", () => this.#address.flush());
+  }
+
+  /** Turns a picture of a land into the land. */
+  async #trace(file: Blob): Promise<void> {
+    try {
+      const tools = await loadTools();
+      const { rgba, width, height } = await pixelsOf(file, tools.longestTracedSide());
+      const traced = tools.traceImage(rgba, width, height);
+      this.#drawing.take(traced);
+      this.#set([["aspect", traced.aspect.toFixed(2)]], "settle");
+    } catch (thrown) {
+      const error = named(thrown);
+      if (isRecoverable(error)) this.#note(error.message);
+      else this.#fail(error);
+    }
+  }
+
+  /** A land that was drawn before is there again when the tool is opened. */
+  #showDrawing(): void {
+    const outline = this.#recipe.values.get("outline") ?? "";
+    if (outline !== "" && this.#recipe.values.get("land") !== "drawn") this.#set(drawn(outline), "settle");
+  }
+
+  /** A control has another value. Whoever chooses a drawn land has to draw one. */
+  #choose(key: string, text: string): void {
+    this.#set([[key, text]], "settle");
+    if (key === "land" && text === "drawn" && this.#recipe.values.get("outline") === "") this.#drawing.open();
+  }
+
+  /** A preset is pressed. What it changes unasked is said, with the way back to before it, or to before the first of several. */
+  #press(preset: Preset): void {
+    const { engine } = this.core;
+    const before = this.#presetUndo ?? { link: this.#recipe.link, values: this.#recipe.values };
+    const message = unaskedChanges(preset, engine.presets(), this.#table, before.values);
+    this.#set(preset.values, "watch");
+    this.#presetUndo = message === undefined ? undefined : { ...before, message };
+    this.#showNotices();
+  }
+
+  /** Back to the recipe from before the presets. */
+  #undoPresets(link: string): void {
+    this.#open(link);
+    this.#presets.focus();
+  }
+
+  #throwDice(): void {
+    this.#attempt(() => {
+      const seed = this.core.engine.freshSeed();
+      this.#seedBox.replace(seed);
+      this.#set([["seed", seed]], "watch");
+    });
+  }
+
+  /** Changes some values of what is shown. */
+  #set(values: Iterable<readonly [key: string, value: string]>, how: ShowMode): void {
+    this.#attempt(() => {
+      this.#presetUndo = undefined;
+      this.#recipe.set(values);
+      this.#show(how);
+    });
+  }
+
+  /** Shows another link in place of everything. */
+  #open(link: string): void {
+    this.#attempt(() => {
+      this.#presetUndo = undefined;
+      this.#recipe.open(link);
+      this.#seedBox.replace(this.#recipe.seed);
+      this.#show("watch");
+    });
+  }
+
+  /** Whatever asks the engine for something in answer to a person: if it fails, that is said. */
+  #attempt(work: () => void): void {
+    try {
+      work();
+    } catch (error) {
+      this.#fail(error);
+    }
+  }
+
+  /** The address changed under the page: somebody pasted a link over it, or went back to one. */
+  #followAddress(): void {
+    const link = linkOf(location);
+    if (link !== this.#recipe.link) this.#open(link);
+  }
+
+  #show(how: ShowMode): void {
+    this.#showRecipe();
+    this.#viewport.show(this.#recipe.shown, this.#how(how));
+  }
+
+  #how(how: ShowMode): ShowMode {
+    return prefersStill.matches ? "still" : how;
+  }
+
+  #showRecipe(): void {
+    const { link, values, idle, seed } = this.#recipe;
+    this.#address.show(link);
+    this.#controls.show({ values, idle, defaults: defaultsOf(this.#table, prefersDark.matches) });
+    this.#presets.show(values);
+    this.#seedBox.show(seed);
+    this.#drawing.show(values.get("outline") ?? "");
+    elements.title.textContent = seed;
+    document.title = seed === "" ? "Riverseed" : `${seed} · Riverseed`;
+    this.#showNotices();
+  }
+
+  #showNotices(): void {
+    const { message, link } = this.#presetUndo ?? { message: undefined, link: "" };
+    const undo = message === undefined ? [] : [undoable(message, "Undo", () => this.#undoPresets(link))];
+    showNotices(elements.notices, [...this.#recipe.notices.values(), ...undo], () => {
+      this.#recipe.dismissNotices();
+      this.#presetUndo = undefined;
+      this.#showNotices();
+    });
+  }
+
+  /** The viewport changed: the caption, the text alternative and the announcement follow. */
+  #follow(state: State, phase: Phase, summary: Summary): void {
+    this.#transport.show(state);
+    elements.frame.dataset["state"] = state;
+    elements.frame.dataset["phase"] = phase;
+    caption(state, phase, summary).forEach((line, i) => {
+      setText(elements.caption.children[i], line);
+    });
+    elements.canvas.setAttribute("aria-label", alternative(this.#recipe.seed, phase, summary, count));
+    if (state === "finished") this.#announcer.say(`Finished: ${sentence(summary)}`);
+    else this.#announcer.hush();
+  }
+
+  #fail(thrown: unknown): void {
+    const error = named(thrown);
+    if (isRecoverable(error)) {
+      // The core kept the river it had, so the page goes back to that one's values.
+      this.#recipe.restore(this.#viewport.link);
+      this.#showRecipe();
+      this.#note(error.message);
+    } else {
+      this.#viewport.close();
+      fail(error);
+    }
+  }
+
+  #note(message: string): void {
+    showNotices(elements.notices, [message], () => this.#showNotices());
+  }
+
+  async #copyLink(): Promise<void> {
+    this.#address.flush();
+    const address = addressOf(this.#recipe.link, location.href);
+    elements.shared.textContent = (await copy(address)) ? "Link copied." : `Copy this link: ${address}`;
+  }
+}
+
+/** The values of a drawn land. */
+function drawn(outline: string): [key: string, value: string][] {
+  return [
+    ["land", "drawn"],
+    ["outline", outline],
+  ];
+}
+
+/** What the table says of the seed, for the box that index.html has. */
+function describeSeed(table: readonly Parameter[]): void {
+  const seed = table.find(({ key }) => key === "seed");
+  if (!seed) return;
+  if (seed.maxLength !== undefined) elements.seed.maxLength = seed.maxLength;
+  elements.seedHelp.textContent = seed.help;
+}
+
+/** A failure that leaves no picture: said in its place, once also on the console for whoever runs the site. */
+function fail(thrown: unknown): void {
+  const error = named(thrown);
+  console.warn(`riverseed: ${error.code}: ${error.message}`);
+  elements.facade.hidden = true;
+  showFailure(elements.failure, error);
+}
+
+load()
+  .then((core) => new Page(core).start())
+  .catch(fail);

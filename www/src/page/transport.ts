@@ -1,0 +1,77 @@
+/** Play, pause, again, and how fast. */
+
+import { setText, setValue } from "../browser/dom.ts";
+import type { State } from "../player/frame-loop.ts";
+
+/** The places of the speed slider, in times the ordinary speed. */
+const SPEEDS = [0.25, 0.5, 1, 2, 4, 8, Number.POSITIVE_INFINITY];
+const ORDINARY = SPEEDS.indexOf(1);
+
+const NAMES = new Map([
+  [0.25, "¼×"],
+  [0.5, "½×"],
+  [Number.POSITIVE_INFINITY, "instant"],
+]);
+
+export function speedName(speed: number): string {
+  return NAMES.get(speed) ?? `${speed}×`;
+}
+
+const LABELS: Record<State, string> = { growing: "Pause", settling: "Pause", paused: "Play", finished: "Replay" };
+
+export interface TransportElements {
+  play: HTMLButtonElement;
+  restart: HTMLButtonElement;
+  speed: HTMLInputElement;
+  speedShown: HTMLElement;
+}
+
+export interface TransportEvents {
+  toggle(): void;
+  restart(): void;
+  speed(speed: number): void;
+}
+
+export class Transport {
+  constructor(
+    private readonly elements: TransportElements,
+    private readonly events: TransportEvents,
+  ) {
+    elements.speed.max = String(SPEEDS.length - 1);
+    setValue(elements.speed, String(ORDINARY));
+    elements.play.addEventListener("click", () => events.toggle());
+    elements.restart.addEventListener("click", () => events.restart());
+    elements.speed.addEventListener("input", () => this.#setSpeed());
+    document.addEventListener("keydown", (event) => this.#onKey(event));
+    this.#setSpeed();
+  }
+
+  show(state: State): void {
+    const { play } = this.elements;
+    const runs = state === "growing" || state === "settling";
+    play.dataset["icon"] = runs ? "pause" : "play";
+    setText(play.querySelector("span") ?? undefined, LABELS[state]);
+  }
+
+  enable(): void {
+    for (const element of [this.elements.play, this.elements.restart, this.elements.speed]) element.disabled = false;
+  }
+
+  #setSpeed(): void {
+    const { speed: slider, speedShown } = this.elements;
+    const speed = SPEEDS[slider.valueAsNumber] ?? 1;
+    speedShown.textContent = speedName(speed);
+    slider.setAttribute("aria-valuetext", speedName(speed));
+    slider.style.setProperty("--share", String(slider.valueAsNumber / (SPEEDS.length - 1)));
+    this.events.speed(speed);
+  }
+
+  /** Space plays and pauses, unless it already means something where the focus is. */
+  #onKey(event: KeyboardEvent): void {
+    if (event.key !== " " || event.defaultPrevented || event.altKey || event.ctrlKey || event.metaKey) return;
+    if (event.target instanceof Element && event.target.closest("button, a, input, select, textarea, summary, dialog"))
+      return;
+    event.preventDefault();
+    this.events.toggle();
+  }
+}

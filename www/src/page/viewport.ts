@@ -1,0 +1,96 @@
+/** The viewport: the picture's place on the page, which has the river's shape and follows the window. */
+
+import { backingSize, observeSize, RESIZE_PAUSE_MS, type Size } from "../browser/canvas.ts";
+import type { Phase, Summary } from "../engine/types.ts";
+import type { Core } from "../engine/wasm.ts";
+import type { State } from "../player/frame-loop.ts";
+import { RiverPlayer, type ShowMode } from "../player/river-player.ts";
+import { displayFrames } from "../player/scheduler.ts";
+
+export interface ViewportElements {
+  /** Holds the picture and what stands under it; is told the river's shape. */
+  sheet: HTMLElement;
+  /** Has the river's shape. */
+  frame: HTMLElement;
+  canvas: HTMLCanvasElement;
+}
+
+export interface ViewportEvents {
+  /** Something on the viewport changed: the state, or in it the river. */
+  changed(state: State, phase: Phase, summary: Summary): void;
+  failed(error: unknown): void;
+}
+
+export class RiverViewport {
+  #resizing: ReturnType<typeof setTimeout> | undefined;
+  readonly #observer = new ResizeObserver(() => this.#resizeSoon());
+  readonly #player: RiverPlayer;
+
+  /** Puts a river on the canvas at tick 0. Throws what the core throws. */
+  constructor(
+    core: Core,
+    private readonly elements: ViewportElements,
+    link: string,
+    events: ViewportEvents,
+  ) {
+    this.#player = new RiverPlayer(core, elements.canvas, link, displayFrames, {
+      ...events,
+      sizeFor: (aspect) => this.#sizeFor(aspect),
+    });
+    observeSize(this.#observer, elements.frame);
+    document.addEventListener("visibilitychange", () => this.#followVisibility());
+  }
+
+  /** The link of the river that is on the viewport. */
+  get link(): string {
+    return this.#player.link;
+  }
+
+  get state(): State {
+    return this.#player.state;
+  }
+
+  set speed(speed: number) {
+    this.#player.speed = speed;
+  }
+
+  toggle(): void {
+    this.#player.toggle();
+  }
+
+  replay(): void {
+    this.#player.replay();
+  }
+
+  /** Shows the first river. */
+  start(how: ShowMode): void {
+    this.#player.start(how);
+  }
+
+  show(link: string, how: ShowMode): void {
+    this.#player.show(link, how);
+  }
+
+  /** After a failure that leaves the engine in an unknown state, nothing of it is called again. */
+  close(): void {
+    this.#player.close();
+    this.#observer.disconnect();
+    clearTimeout(this.#resizing);
+  }
+
+  /** Makes the frame the river's shape, and the picture the frame's size. */
+  #sizeFor(aspect: number): Size {
+    this.elements.sheet.style.setProperty("--aspect", String(aspect));
+    return backingSize(this.elements.frame.getBoundingClientRect(), window.devicePixelRatio);
+  }
+
+  #resizeSoon(): void {
+    clearTimeout(this.#resizing);
+    this.#resizing = setTimeout(() => this.#player.resize(), RESIZE_PAUSE_MS);
+  }
+
+  #followVisibility(): void {
+    if (document.hidden) this.#player.rest();
+    else this.#player.wake();
+  }
+}

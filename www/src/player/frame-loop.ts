@@ -1,0 +1,280 @@
+/**
+ * The frame loop: how far to go before the next picture. It knows the time and nothing of pixels; what grows and meanders
+ * is the same to the bit however the work is sliced.
+ */
+
+import type { Phase } from "../engine/types.ts";
+
+/** At 1x a tree grows up in this time, whatever its shape and however fine it is. */
+export const GROWTH_SECONDS = 2;
+/** At 1x rivers meander at this pace, or a round at most every other frame; many rounds share the time there is for all. */
+export const ROUNDS_PER_SECOND = 40;
+export const MEANDER_SECONDS = 1.2;
+/** What steps may take of a frame that animates: painting, and the rest of the page, need the other 10 ms. */
+export const FRAME_BUDGET_MS = 6;
+/** What they may take of a frame when somebody waits for the finished river. */
+export const SETTLE_BUDGET_MS = 10;
+/** After steps that took longer than this, painting is left to the next frame: one callback with both would be felt. */
+export const LONG_STEPS_MS = 20;
+/** While somebody waits for a river that takes longer than this, it is shown so often: each picture delays the end. */
+export const SETTLE_QUIET_MS = 250;
+/** After a pause in frames (a hidden tab, a busy machine) it goes on from where it was, it does not catch up. */
+const LONGEST_STEP_MS = 100;
+
+/** What grows: the core's river, or a stand-in in a test. */
+export interface Growing {
+  readonly phase: Phase;
+  /** How far the phase has come, from 0 to 1. */
+  readonly progress: number;
+  /** How many rounds rivers meander in all. */
+  readonly rounds: number;
+  advance(steps: number): boolean;
+  restart(): void;
+}
+
+export interface Frames {
+  request(callback: (now: number) => void): number;
+  cancel(handle: number): void;
+  now(): number;
+}
+
+/**
+ * growing: animated, meanders too; paused: animated, held; settling: to the end as fast as the page bears; finished: nothing to do.
+ */
+export type State = "growing" | "paused" | "settling" | "finished";
+
+export interface Audience {
+  /** Show what there is. */
+  draw(): void;
+  /** Something was shown that may give way to another recipe. */
+  ready(): void;
+  changed(state: State): void;
+  failed(error: unknown): void;
+}
+
+/** How a phase is spread over its time; times and shares run from 0 to 1. */
+interface Pace {
+  seconds: number;
+  shareAt(time: number): number;
+  timeAt(share: number): number;
+}
+
+/** Fast at first, so that there is soon something to be seen: after half of the time four fifths have grown. */
+const EASE = 2.5;
+const GROWING: Pace = {
+  seconds: GROWTH_SECONDS,
+  shareAt: (time) => 1 - (1 - time) ** EASE,
+  timeAt: (share) => 1 - (1 - share) ** (1 / EASE),
+};
+
+export class FrameLoop {
+  #speed = 1;
+  #state: State = "paused";
+  #handle: number | undefined;
+  #last: number | undefined;
+  /** The phase that is being animated, and the seconds, at 1x, that it has been. */
+  #paced: Phase | undefined;
+  #spent = 0;
+  #shownAt = 0;
+  #redraw = false;
+  #isResting = false;
+  /** While settling: whether the tree is worth a picture before it becomes rivers, and whether any grown one was shown. */
+  #showsTree = false;
+  #isShown = false;
+  /** The next frame paints and makes no steps: those of the last one took too long. */
+  #paintsNext = false;
+
+  constructor(
+    private readonly river: Growing,
+    private readonly frames: Frames,
+    private readonly audience: Audience,
+  ) {}
+
+  get state(): State {
+    return this.#state;
+  }
+
+  /** Times the ordinary speed; `Infinity` grows as fast as the budget allows. */
+  set speed(speed: number) {
+    this.#speed = speed;
+    // From where it stands, however fast it came there.
+    this.#paced = undefined;
+  }
+
+  /** Whether another recipe would throw away what nobody has seen yet. */
+  get isBusy(): boolean {
+    return this.#state === "settling" && !this.#isShown;
+  }
+
+  /** Animates a river from where it stands. */
+  watch(): void {
+    this.#enter("growing");
+  }
+
+  /** Goes on; a finished river starts again. */
+  play(): void {
+    if (this.#state === "finished") this.river.restart();
+    this.watch();
+  }
+
+  pause(): void {
+    if (this.#runs) this.#enter("paused");
+  }
+
+  toggle(): void {
+    if (this.#runs) this.pause();
+    else this.play();
+  }
+
+  /** Animates from the mouths again. */
+  replay(): void {
+    this.river.restart();
+    this.watch();
+  }
+
+  /** To the finished river without animation, in slices; if asked for, the grown tree is shown on the way. */
+  settle(showsTree: boolean): void {
+    this.#shownAt = this.frames.now();
+    this.#showsTree = showsTree;
+    this.#isShown = false;
+    this.#enter("settling");
+  }
+
+  /** One more picture, whatever the state: something late changed. */
+  redraw(): void {
+    this.#redraw = true;
+    this.#wake();
+  }
+
+  /** No more steps until it is seen again. A picture that is due is still painted. */
+  rest(): void {
+    this.#isResting = true;
+    this.#last = undefined;
+    if (!this.#redraw) this.halt();
+  }
+
+  wake(): void {
+    this.#isResting = false;
+    this.#goOn();
+  }
+
+  /** No more frames, unless something is asked for again. */
+  halt(): void {
+    if (this.#handle !== undefined) this.frames.cancel(this.#handle);
+    this.#handle = undefined;
+    this.#last = undefined;
+  }
+
+  #goOn(): void {
+    if (this.#redraw || this.#isStepping) this.#wake();
+  }
+
+  get #runs(): boolean {
+    return this.#state === "growing" || this.#state === "settling";
+  }
+
+  get #isStepping(): boolean {
+    return this.#runs && !this.#isResting;
+  }
+
+  #enter(state: State): void {
+    this.#last = undefined;
+    this.#paced = undefined;
+    this.#redraw = true;
+    this.#paintsNext = false;
+    this.#become(state);
+    this.#wake();
+  }
+
+  #become(state: State): void {
+    if (state === this.#state) return;
+    this.#state = state;
+    this.audience.changed(state);
+  }
+
+  #wake(): void {
+    this.#handle ??= this.frames.request((now) => this.#frame(now));
+  }
+
+  #frame(now: number): void {
+    this.#handle = undefined;
+    try {
+      this.#step(now);
+    } catch (error) {
+      this.halt();
+      this.audience.failed(error);
+    }
+  }
+
+  #step(now: number): void {
+    const began = this.frames.now();
+    const before = this.river.phase;
+    if (this.#isStepping && before !== "finished" && !this.#paintsNext) this.#proceed(now, before);
+    const shows = this.#paintsNext || this.#isWorthShowing(now, before);
+    this.#paintsNext = shows && !this.#paintsNext && this.frames.now() - began > LONG_STEPS_MS;
+    if (shows && !this.#paintsNext) this.#show(now);
+    this.#goOn();
+  }
+
+  /** Whether there is a picture to be painted. Of a river that settles, seldom. */
+  #isWorthShowing(now: number, before: Phase): boolean {
+    const { phase } = this.river;
+    if (this.#state !== "settling" || phase === "finished") return true;
+    const isGrown = before === "growing" && phase !== before;
+    return (isGrown && this.#showsTree) || now - this.#shownAt >= SETTLE_QUIET_MS;
+  }
+
+  #show(now: number): void {
+    const { phase } = this.river;
+    this.#redraw = false;
+    this.#shownAt = now;
+    this.#isShown = phase !== "growing";
+    this.audience.draw();
+    if (this.#runs && phase === "finished") this.#become("finished");
+    if (!this.isBusy) this.audience.ready();
+  }
+
+  /** Makes the steps that are due, within the budget. */
+  #proceed(now: number, phase: Phase): void {
+    if (this.#state === "settling") {
+      this.#advance(phase, 1, SETTLE_BUDGET_MS);
+      return;
+    }
+    const elapsed = this.#last === undefined ? 0 : Math.min(now - this.#last, LONGEST_STEP_MS);
+    this.#last = now;
+    this.#animate(phase, (elapsed * this.#speed) / 1000);
+  }
+
+  /** Goes on by so many seconds of the animation. What does not fit makes it longer, rather than falling ever further behind. */
+  #animate(phase: Phase, seconds: number): void {
+    const pace = this.#paceOf(phase);
+    if (this.#paced !== phase) {
+      this.#paced = phase;
+      this.#spent = pace.seconds * pace.timeAt(this.river.progress);
+    }
+    const spent = this.#spent + seconds;
+    const share = spent < pace.seconds ? pace.shareAt(spent / pace.seconds) : 1;
+    if (this.#advance(phase, share, FRAME_BUDGET_MS)) this.#spent = spent;
+  }
+
+  #paceOf(phase: Phase): Pace {
+    if (phase === "growing") return GROWING;
+    const seconds = phase === "meandering" ? Math.min(MEANDER_SECONDS, this.river.rounds / ROUNDS_PER_SECOND) : 0;
+    return { seconds, shareAt: (time) => time, timeAt: (share) => share };
+  }
+
+  /**
+   * Steps until so much of the phase is done, 1 for its end; returns whether there was time for them. One step at a time: a step
+   * is far longer than asking the clock, and the longest bounds how late a frame can be. Another phase begins with another frame,
+   * so that its first picture is seen.
+   */
+  #advance(phase: Phase, share: number, budgetMs: number): boolean {
+    const end = this.frames.now() + budgetMs;
+    const isDue = (): boolean => this.river.phase === phase && (share === 1 || this.river.progress < share);
+    while (isDue()) {
+      this.river.advance(1);
+      if (this.frames.now() >= end) return !isDue();
+    }
+    return true;
+  }
+}

@@ -1,0 +1,218 @@
+/**
+ * A river on a canvas: grows and draws it, and says how far it is. It knows no document, so that it works in a worker as well.
+ */
+
+import type { Size } from "../browser/canvas.ts";
+import type { Phase, River, Summary } from "../engine/types.ts";
+import type { Core } from "../engine/wasm.ts";
+import { Blitter } from "./blit.ts";
+import { FrameLoop, type Frames, type State } from "./frame-loop.ts";
+
+export type Canvas = HTMLCanvasElement | OffscreenCanvas;
+
+/**
+ * watch: see it grow and meander; settle: as soon as may be, for a slider that is being dragged: the tree when it is grown,
+ * then its finished rivers; still: nothing but finished rivers.
+ */
+export type ShowMode = "watch" | "settle" | "still";
+
+export interface PlayerEvents {
+  /** The canvas is about to hold a river of this shape: how many pixels should it have? None if it is not shown. */
+  sizeFor(aspect: number): Size;
+  /** The river of the link that was shown last has taken the place of the one before. */
+  replaced?(): void;
+  /** Something of the picture changed: the state, or in it the river. */
+  changed(state: State, phase: Phase, summary: Summary): void;
+  failed(error: unknown): void;
+}
+
+/** While the river grows or meanders its numbers are read this often: counting all its sources is not free, and nobody reads faster. */
+const COUNT_EVERY_MS = 250;
+
+export class RiverPlayer {
+  #wanted: { link: string; how: ShowMode } | undefined;
+  #link: string;
+  #applying: number | undefined;
+  #counted = Number.NEGATIVE_INFINITY;
+  #told: Phase | undefined;
+  #canRun = true;
+  readonly #river: River;
+  readonly #loop: FrameLoop;
+  readonly #blitter: Blitter;
+
+  /** Puts a river on the canvas at tick 0. Throws what the core throws. */
+  constructor(
+    core: Core,
+    private readonly canvas: Canvas,
+    link: string,
+    private readonly frames: Frames,
+    private readonly events: PlayerEvents,
+  ) {
+    this.#blitter = new Blitter(contextOf(canvas), core.memory);
+    this.#river = new core.engine.River(link);
+    this.#link = link;
+    this.#loop = new FrameLoop(this.#river, frames, {
+      draw: () => this.#draw(),
+      ready: () => this.#followWish(),
+      changed: () => this.#tell(),
+      failed: (error) => events.failed(error),
+    });
+  }
+
+  /** The link of the river that is on the canvas. */
+  get link(): string {
+    return this.#link;
+  }
+
+  get state(): State {
+    return this.#loop.state;
+  }
+
+  set speed(speed: number) {
+    this.#loop.speed = speed;
+  }
+
+  /** Shows the first river. */
+  start(how: ShowMode): void {
+    this.#attempt(() => {
+      this.#fit();
+      this.#grow(how);
+    });
+  }
+
+  toggle(): void {
+    this.#attempt(() => this.#loop.toggle());
+  }
+
+  play(): void {
+    this.#attempt(() => this.#loop.play());
+  }
+
+  pause(): void {
+    this.#attempt(() => this.#loop.pause());
+  }
+
+  replay(): void {
+    this.#attempt(() => this.#loop.replay());
+  }
+
+  /** To the finished river without animation, whatever it is doing. */
+  finish(): void {
+    if (this.state !== "finished") this.#attempt(() => this.#loop.settle(false));
+  }
+
+  /** Nobody sees it: no steps until somebody does. */
+  rest(): void {
+    this.#attempt(() => this.#loop.rest());
+  }
+
+  wake(): void {
+    this.#attempt(() => this.#loop.wake());
+  }
+
+  /**
+   * Shows another recipe. While a dragged slider's river still settles unseen, only the latest of the links that come in
+   * is remembered: otherwise each new value would throw the work for the last away, and none would ever be seen.
+   */
+  show(link: string, how: ShowMode): void {
+    this.#wanted = { link, how };
+    if (how === "watch" || !this.#loop.isBusy) this.#applying ??= this.frames.request(() => this.#applyNow());
+  }
+
+  /** Gives the canvas the size it should have; the river stays the same. */
+  resize(): void {
+    this.#attempt(() => this.#fit());
+  }
+
+  /** Stops for good. The river is not freed: after a failure nothing of the engine may be called. */
+  close(): void {
+    this.#canRun = false;
+    this.#loop.halt();
+  }
+
+  /** Stops for good and gives the river's memory back. */
+  free(): void {
+    if (!this.#canRun) return;
+    this.close();
+    this.#river.free();
+  }
+
+  #applyNow(): void {
+    if (this.#applying !== undefined) this.frames.cancel(this.#applying);
+    this.#applying = undefined;
+    this.#attempt(() => this.#apply());
+  }
+
+  #apply(): void {
+    const wanted = this.#wanted;
+    if (!wanted) return;
+    this.#wanted = undefined;
+    const stage = this.#river.change(wanted.link);
+    this.#link = wanted.link;
+    this.events.replaced?.();
+    if (stage === "none") return;
+    this.#fit();
+    if (stage === "land" || stage === "grow") this.#grow(wanted.how);
+    else if (stage === "paint" || this.#river.phase === "growing") this.#loop.redraw();
+    else this.#loop.settle(false);
+  }
+
+  #grow(how: ShowMode): void {
+    if (how === "watch") this.#loop.watch();
+    else this.#loop.settle(how === "settle");
+  }
+
+  #paint(): void {
+    if (this.#river.paint()) this.#blitter.blit(this.#river);
+  }
+
+  #draw(): void {
+    this.#paint();
+    const still = this.state === "finished" || this.state === "paused";
+    const isNews = still || this.#told !== this.#river.phase;
+    if (isNews || this.frames.now() - this.#counted >= COUNT_EVERY_MS) this.#tell();
+  }
+
+  #tell(): void {
+    this.#counted = this.frames.now();
+    this.#told = this.#river.phase;
+    this.events.changed(this.state, this.#told, this.#river.summary());
+  }
+
+  /** At once, not in the next frame: what follows a pen or a slider is seen twice as often. */
+  #followWish(): void {
+    if (this.#wanted) this.#applyNow();
+  }
+
+  #fit(): void {
+    const { canvas } = this;
+    const river = this.#river;
+    const { width, height } = this.events.sizeFor(river.aspect);
+    if (width === 0 || height === 0) return;
+    const same = width === river.width && height === river.height;
+    if (same && width === canvas.width && height === canvas.height) return;
+    river.resize(width, height);
+    // Setting its size empties a canvas, so it is filled again before the browser can show that.
+    canvas.width = width;
+    canvas.height = height;
+    this.#paint();
+  }
+
+  /** Whatever is asked after the end is passed over. */
+  #attempt(work: () => void): void {
+    if (!this.#canRun) return;
+    try {
+      work();
+    } catch (error) {
+      this.events.failed(error);
+    }
+  }
+}
+
+/** What is put on a canvas without mixing it with what was there. */
+export function contextOf(canvas: Canvas): CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D {
+  // Both kinds of canvas take the same, which their types do not say of the two together.
+  const context = (canvas as OffscreenCanvas).getContext("2d", { alpha: false });
+  if (!context) throw new Error("this browser gives no 2D canvas");
+  return context;
+}

@@ -1,0 +1,67 @@
+/** When pictures are painted: the display's own frames, and how many rivers share them. */
+
+import type { Frames } from "./frame-loop.ts";
+
+/** The display's. Workers of some browsers have none: there a timer stands in. */
+export const displayFrames: Frames = {
+  now: () => performance.now(),
+  request: (callback) =>
+    "requestAnimationFrame" in globalThis
+      ? requestAnimationFrame(callback)
+      : Number(setTimeout(() => callback(performance.now()), 16)),
+  cancel: (handle) => {
+    if ("cancelAnimationFrame" in globalThis) cancelAnimationFrame(handle);
+    else clearTimeout(handle);
+  },
+};
+
+/** What all rivers of a thread together may take of a frame, in ms, before the next of them has to wait for the next. */
+export const SHARE_MS = 8;
+
+/** One display for many rivers: each has its turn, in the order of asking, and those that come too late go first next time. */
+export class SharedScheduler implements Frames {
+  readonly #waiting = new Map<number, (now: number) => void>();
+  #last = 0;
+  #isAsked = false;
+
+  constructor(private readonly display: Frames) {}
+
+  now(): number {
+    return this.display.now();
+  }
+
+  /** Whether some river waits for its turn. */
+  get isAwaited(): boolean {
+    return this.#waiting.size > 0;
+  }
+
+  request(callback: (now: number) => void): number {
+    this.#waiting.set(++this.#last, callback);
+    this.#ask();
+    return this.#last;
+  }
+
+  cancel(handle: number): void {
+    this.#waiting.delete(handle);
+  }
+
+  #ask(): void {
+    if (this.#isAsked) return;
+    this.#isAsked = true;
+    this.display.request((now) => this.#frame(now));
+  }
+
+  #frame(now: number): void {
+    this.#isAsked = false;
+    const end = this.now() + SHARE_MS;
+    const last = this.#last;
+    for (const [handle, callback] of this.#waiting) {
+      // Whoever asks in this frame wants the next.
+      if (handle > last) break;
+      this.#waiting.delete(handle);
+      callback(now);
+      if (this.now() >= end) break;
+    }
+    if (this.#waiting.size > 0) this.#ask();
+  }
+}

@@ -1,0 +1,65 @@
+/** A river in words: the caption, the picture's text alternative, the sentence of the finished state. */
+
+import { type Count, count } from "../browser/count.ts";
+import type { Phase, Summary } from "../engine/types.ts";
+import type { State } from "./frame-loop.ts";
+
+function counted(value: number, one: string, many: string, written: Count): string {
+  return `${written(value)} ${value === 1 ? one : many}`;
+}
+
+function oxbowsOf(summary: Summary, written: Count): string {
+  return counted(summary.oxbows, "oxbow lake", "oxbow lakes", written);
+}
+
+/** The network's size in words. */
+export function sizeOf(summary: Summary, written: Count): string {
+  const rivers = counted(summary.mouths, "river", "rivers", written);
+  const sources = counted(summary.sources, "source", "sources", written);
+  const oxbows = summary.oxbows === 0 ? "" : `, ${oxbowsOf(summary, written)}`;
+  return `${rivers}, ${sources}, Strahler order ${written(summary.order)}${oxbows}`;
+}
+
+/** What the search left: how many nodes grew, how many attractors nothing reached, and why it ended early, if it did. */
+export function remainderOf(summary: Summary): string {
+  const nodes = counted(summary.nodes, "node", "nodes", count);
+  // A Brownian tree has no attractors.
+  const unreached =
+    summary.attractors === 0
+      ? ""
+      : `; ${count(summary.unreached)} of ${counted(summary.attractors, "attractor", "attractors", count)} unreached`;
+  const stopped = summary.stopped ? ` ${summary.stopped}` : "";
+  return `${nodes}${unreached}.${stopped}`;
+}
+
+/** The sentence of the finished state. */
+export function sentence(summary: Summary): string {
+  return `${sizeOf(summary, count)}. ${remainderOf(summary)}`;
+}
+
+/** The text alternative of the picture; it has a size once it is finished. */
+export function alternative(seed: string, phase: Phase, summary: Summary, written: Count): string {
+  const size = phase === "finished" ? sizeOf(summary, written) : `still ${doing(phase)}`;
+  return `River network grown from the seed “${seed}”: ${size}.`;
+}
+
+/** The step between growing and meandering is too short to be spoken of. */
+function doing(phase: Phase): string {
+  return phase === "meandering" ? "meandering" : "growing";
+}
+
+/** The two lines under the picture, in every state two, so that nothing jumps when growth ends. */
+export function caption(state: State, phase: Phase, summary: Summary): [string, string] {
+  if (state === "finished") return [sizeOf(summary, count), remainderOf(summary)];
+  return [state === "paused" ? `Paused while ${doing(phase)}` : headed(doing(phase)), progressOf(phase, summary)];
+}
+
+function headed(word: string): string {
+  return word.charAt(0).toUpperCase() + word.slice(1);
+}
+
+function progressOf(phase: Phase, summary: Summary): string {
+  if (phase !== "meandering") return `${counted(summary.nodes, "node", "nodes", count)} so far`;
+  const oxbows = summary.oxbows === 0 ? "" : `, ${oxbowsOf(summary, count)}`;
+  return `${counted(summary.rounds, "round", "rounds", count)} so far${oxbows}`;
+}

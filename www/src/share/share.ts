@@ -1,0 +1,26 @@
+/** Taking rivers along: as a file, as a link. */
+
+import { el } from "../browser/dom.ts";
+
+/** A file name from a seed: letters and digits of any script, the rest as hyphens. */
+export function fileName(seed: string, ending: string): string {
+  const word = seed.replace(/[^\p{L}\p{N}]+/gu, "-").replace(/^-|-$/g, "");
+  return word === "" ? `riverseed.${ending}` : `riverseed-${word}.${ending}`;
+}
+
+export function save(blob: Blob, name: string): void {
+  const url = URL.createObjectURL(blob);
+  el("a", { href: url, download: name }).click();
+  // The download has its own hold on the blob once it began; one task later is soon enough in every browser.
+  setTimeout(() => URL.revokeObjectURL(url), 10_000);
+}
+
+/** Copies text. False where the browser does not let the page: without https, or when the person says no. */
+export async function copy(text: string): Promise<boolean> {
+  try {
+    await navigator.clipboard.writeText(text);
+    return true;
+  } catch {
+    return false;
+  }
+}

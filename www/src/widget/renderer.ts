@@ -1,0 +1,54 @@
+/** Where the rivers of all widgets are grown and drawn, each on its canvas: in a worker, or on the page itself. */
+
+import { named } from "../engine/errors.ts";
+import { type RiverRequest, read } from "../engine/reading.ts";
+import type { Core } from "../engine/wasm.ts";
+import { pngOf, svgOf } from "../player/files.ts";
+import { displayFrames, SharedScheduler } from "../player/scheduler.ts";
+import type { Command, FileRequest, Report } from "./protocol.ts";
+import { Scene } from "./scene.ts";
+
+/** The tools' wasm module, as the package has it. */
+const TOOLS = "riverseed_tools_bg.wasm";
+
+export class Renderer {
+  readonly #scenes = new Map<number, Scene>();
+  readonly #scheduler = new SharedScheduler(displayFrames);
+  #filesInTheMaking = 0;
+
+  constructor(
+    private readonly core: Core,
+    private readonly tell: (report: Report) => void,
+    /** A picture for a file is about to be painted, in one step. */
+    private readonly painting: () => void = () => {},
+  ) {}
+
+  /** Whether there will be a report without another command. */
+  get isAtWork(): boolean {
+    return this.#scheduler.isAwaited || this.#filesInTheMaking > 0;
+  }
+
+  take(command: Command): void {
+    const { id } = command;
+    if (command.do === "file") void this.#file(id, command.request, command);
+    else if (command.do === "open") this.#scenes.set(id, new Scene(this.core, this.#scheduler, command, this.tell));
+    else this.#scenes.get(id)?.take(command);
+    if (command.do === "close") this.#scenes.delete(id);
+  }
+
+  async #file(id: number, request: RiverRequest, { format, longSide, wasmUrl }: FileRequest): Promise<void> {
+    this.#filesInTheMaking++;
+    try {
+      const { link } = read(this.core.engine, request);
+      const blob = await (format === "svg"
+        ? svgOf(link, wasmUrl && new URL(TOOLS, wasmUrl).href)
+        : pngOf(this.core, link, longSide, this.painting));
+      this.tell({ id, is: "file", blob });
+    } catch (thrown) {
+      const { code, message } = named(thrown);
+      this.tell({ id, is: "failed", code, message });
+    } finally {
+      this.#filesInTheMaking--;
+    }
+  }
+}

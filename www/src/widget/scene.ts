@@ -1,0 +1,106 @@
+/** One widget's river on its canvas, wherever that is drawn. */
+
+import type { Size } from "../browser/canvas.ts";
+import { isRecoverable, named } from "../engine/errors.ts";
+import { type Reading, type RiverRequest, read } from "../engine/reading.ts";
+import type { Core } from "../engine/wasm.ts";
+import type { Frames } from "../player/frame-loop.ts";
+import { RiverPlayer } from "../player/river-player.ts";
+import type { Command, Report } from "./protocol.ts";
+
+type Opening = Extract<Command, { do: "open" }>;
+
+export class Scene {
+  #size: Size;
+  #player: RiverPlayer | undefined;
+  /** Of the river on the canvas, and of one that waits to take its place. */
+  #reading: Reading | undefined;
+  #next: Reading | undefined;
+  /** What came before the river was planted. */
+  #early: Command[] = [];
+  #isOver = false;
+
+  constructor(
+    private readonly core: Core,
+    private readonly frames: Frames,
+    private readonly opening: Opening,
+    private readonly tell: (report: Report) => void,
+  ) {
+    this.#size = opening.size;
+    // In its turn: planting twenty rivers at once would hold up the page.
+    frames.request(() => this.#attempt(() => this.#open()));
+  }
+
+  take(command: Command): void {
+    const player = this.#player;
+    if (command.do === "close") this.#close();
+    else if (player) this.#attempt(() => this.#follow(command, player));
+    else this.#early.push(command);
+  }
+
+  #open(): void {
+    if (this.#isOver) return;
+    const { canvas, request, how } = this.opening;
+    this.#reading = this.#read(request);
+    const player = new RiverPlayer(this.core, canvas, this.#reading.link, this.frames, {
+      sizeFor: () => this.#size,
+      replaced: () => {
+        this.#reading = this.#next;
+      },
+      changed: (state, phase, summary) => {
+        if (this.#reading)
+          this.tell({ id: this.opening.id, is: "shown", reading: this.#reading, state, phase, summary });
+      },
+      failed: (thrown) => this.#fail(thrown),
+    });
+    this.#player = player;
+    player.start(how);
+    for (const command of this.#early) this.#follow(command, player);
+    this.#early = [];
+  }
+
+  #follow(command: Command, player: RiverPlayer): void {
+    switch (command.do) {
+      case "show":
+        this.#size = command.size;
+        player.show(this.#read(command.request).link, command.how);
+        break;
+      case "resize":
+        this.#size = command.size;
+        player.resize();
+        break;
+      case "play":
+      case "pause":
+      case "replay":
+      case "finish":
+      case "rest":
+      case "wake":
+        player[command.do]();
+    }
+  }
+
+  #read(request: RiverRequest): Reading {
+    this.#next = read(this.core.engine, request);
+    return this.#next;
+  }
+
+  #attempt(work: () => void): void {
+    try {
+      work();
+    } catch (thrown) {
+      this.#fail(thrown);
+    }
+  }
+
+  #fail(thrown: unknown): void {
+    const error = named(thrown);
+    // After a trap nothing more is asked of the river, not even to go.
+    if (!isRecoverable(error)) this.#player?.close();
+    this.tell({ id: this.opening.id, is: "failed", code: error.code, message: error.message });
+  }
+
+  #close(): void {
+    this.#isOver = true;
+    this.#player?.free();
+  }
+}

@@ -1,0 +1,383 @@
+import { expect, test } from "vitest";
+import type { Phase } from "../../pkg/riverseed.js";
+import {
+  FRAME_BUDGET_MS,
+  FrameLoop,
+  GROWTH_SECONDS,
+  type Growing,
+  LONG_STEPS_MS,
+  MEANDER_SECONDS,
+  ROUNDS_PER_SECOND,
+  SETTLE_BUDGET_MS,
+  SETTLE_QUIET_MS,
+  type State,
+} from "../../src/player/frame-loop.ts";
+
+/** A display and a clock that only move when told; a step takes as long as a test says. */
+class Stage implements Growing {
+  time = 1000;
+  /** Steps of any kind. */
+  ticks = 0;
+  drawn: number[] = [];
+  phases: Phase[] = [];
+  ready = 0;
+  states: State[] = [];
+  failures: unknown[] = [];
+  restarts = 0;
+  cost = 0;
+  #callbacks = new Map<number, (now: number) => void>();
+  #handles = 0;
+  readonly loop: FrameLoop;
+
+  /** Grows until its last tick; with rounds, it is then made into rivers and meanders for so many. */
+  constructor(
+    readonly lastTick = 600,
+    readonly meanders?: number,
+  ) {
+    const frames = {
+      now: () => this.time,
+      request: (callback: (now: number) => void) => {
+        this.#callbacks.set(++this.#handles, callback);
+        return this.#handles;
+      },
+      cancel: (handle: number) => void this.#callbacks.delete(handle),
+    };
+    this.loop = new FrameLoop(this, frames, {
+      draw: () => {
+        this.drawn.push(this.ticks);
+        this.phases.push(this.phase);
+      },
+      ready: () => void this.ready++,
+      changed: (state) => void this.states.push(state),
+      failed: (error) => void this.failures.push(error),
+    });
+  }
+
+  get phase(): Phase {
+    if (this.ticks < this.lastTick) return "growing";
+    if (this.meanders === undefined || this.ticks > this.lastTick + this.meanders) return "finished";
+    return this.ticks === this.lastTick ? "shaping" : "meandering";
+  }
+
+  get progress(): number {
+    if (this.phase === "growing") return this.ticks / this.lastTick;
+    return this.phase === "meandering" ? (this.ticks - this.lastTick - 1) / this.rounds : 0;
+  }
+
+  get rounds(): number {
+    return this.meanders ?? 0;
+  }
+
+  advance(ticks: number): boolean {
+    expect(this.phase).not.toBe("finished");
+    this.ticks += ticks;
+    this.time += this.cost;
+    return this.phase !== "finished";
+  }
+
+  restart(): void {
+    this.ticks = 0;
+    this.restarts++;
+  }
+
+  get waiting(): number {
+    return this.#callbacks.size;
+  }
+
+  /** Frames at a steady rate; a frame that works longer than its time makes the next one late. */
+  frames(count: number, everyMs = 1000 / 60): void {
+    for (let i = 0; i < count; i++) {
+      const due = this.time + everyMs;
+      const callbacks = [...this.#callbacks.values()];
+      this.#callbacks.clear();
+      for (const callback of callbacks) callback(this.time);
+      this.time = Math.max(this.time, due);
+    }
+  }
+}
+
+/** How many seconds of frames at a rate pass before it has grown up. */
+function secondsToGrow(stage: Stage, rate: number): number {
+  let frames = 0;
+  for (; stage.phase === "growing"; frames++) stage.frames(1, 1000 / rate);
+  // The first frame shows how it begins.
+  return (frames - 1) / rate;
+}
+
+test("at 1x a tree grows up in the stated time, however many ticks it takes and at any display rate", () => {
+  for (const [rate, ticks] of [24, 60, 144].flatMap((rate) =>
+    [150, 600, 6_000].map((ticks) => [rate, ticks] as const),
+  )) {
+    const stage = new Stage(ticks);
+    stage.loop.play();
+    const seconds = secondsToGrow(stage, rate);
+    expect(seconds).toBeLessThanOrEqual(GROWTH_SECONDS + 3 / rate);
+    // The last of few ticks is due a little earlier.
+    expect(seconds).toBeGreaterThan(0.8 * GROWTH_SECONDS);
+  }
+});
+
+test("speed divides the time", () => {
+  for (const speed of [0.25, 4, 8]) {
+    const stage = new Stage();
+    stage.loop.speed = speed;
+    stage.loop.play();
+    const seconds = speed * secondsToGrow(stage, 60);
+    expect(seconds).toBeLessThanOrEqual(GROWTH_SECONDS + (3 * speed) / 60);
+    expect(seconds).toBeGreaterThan(0.8 * GROWTH_SECONDS);
+  }
+});
+
+test("growth is fast at first: four fifths after a second, and every frame has its share", () => {
+  const stage = new Stage(6_000);
+  stage.loop.play();
+  stage.frames(61);
+  expect(stage.progress).toBeCloseTo(0.82, 1);
+  const steps = stage.drawn.slice(1).map((ticks, i) => ticks - (stage.drawn[i] ?? 0));
+  for (const [i, step] of steps.entries()) expect(step).toBeLessThanOrEqual(steps[i - 1] ?? step);
+});
+
+test("another speed on the way changes the pace, and jumps nowhere", () => {
+  const stage = new Stage();
+  stage.loop.speed = Number.POSITIVE_INFINITY;
+  stage.cost = 1;
+  stage.loop.play();
+  stage.frames(20);
+  const before = stage.ticks;
+  stage.cost = 0;
+  stage.loop.speed = 1;
+  stage.frames(2);
+  expect(stage.ticks - before).toBeLessThanOrEqual(2 * mostInAFrame(stage));
+});
+
+/** What is due in one frame at 1x, at first, when that is most. */
+function mostInAFrame(stage: Stage): number {
+  return Math.ceil((2.5 * stage.lastTick) / GROWTH_SECONDS / 60) + 1;
+}
+
+test("instant speed uses each frame's budget and is still drawn as it grows", () => {
+  const stage = new Stage(300);
+  stage.cost = 0.1;
+  stage.loop.speed = Number.POSITIVE_INFINITY;
+  stage.loop.play();
+  stage.frames(4);
+  expect(stage.ticks).toBeGreaterThanOrEqual(4 * (FRAME_BUDGET_MS / stage.cost) - 4);
+  expect(stage.drawn.length).toBe(4);
+  stage.frames(20);
+  expect(stage.states).toEqual(["growing", "finished"]);
+});
+
+test("no frame grows longer than its budget and one tick", () => {
+  const stage = new Stage();
+  stage.cost = 4;
+  stage.loop.speed = 8;
+  stage.loop.play();
+  for (let i = 0; i < 100; i++) {
+    const before = stage.ticks;
+    stage.frames(1);
+    expect((stage.ticks - before) * stage.cost).toBeLessThan(FRAME_BUDGET_MS + stage.cost);
+  }
+});
+
+test("work that does not fit makes growth slower, never a burst later", () => {
+  const stage = new Stage(6_000);
+  stage.cost = 6;
+  stage.loop.speed = 8;
+  stage.loop.play();
+  stage.frames(200);
+  stage.cost = 0;
+  const before = stage.ticks;
+  stage.frames(1);
+  expect(stage.ticks - before).toBeLessThanOrEqual(8 * mostInAFrame(stage));
+});
+
+test("a tab that was away for a minute goes on from where it was", () => {
+  const stage = new Stage();
+  stage.loop.play();
+  stage.frames(10);
+  stage.time += 60_000;
+  const before = stage.ticks;
+  stage.frames(1);
+  expect(stage.ticks - before).toBeLessThanOrEqual(6 * mostInAFrame(stage));
+});
+
+test("paused means no growth and no frames", () => {
+  const stage = new Stage();
+  stage.loop.play();
+  stage.frames(30);
+  stage.loop.pause();
+  stage.frames(1);
+  const { ticks } = stage;
+  stage.frames(30);
+  expect(stage.ticks).toBe(ticks);
+  expect(stage.waiting).toBe(0);
+  stage.loop.play();
+  stage.frames(30);
+  expect(stage.ticks).toBeGreaterThan(ticks);
+  expect(stage.restarts).toBe(0);
+});
+
+test("a finished river asks for no more frames, and playing it starts again", () => {
+  const stage = new Stage(50);
+  stage.loop.play();
+  stage.frames(600);
+  expect(stage.loop.state).toBe("finished");
+  expect(stage.waiting).toBe(0);
+  expect(stage.drawn.at(-1)).toBe(stage.lastTick);
+  stage.loop.toggle();
+  expect(stage.restarts).toBe(1);
+  expect(stage.loop.state).toBe("growing");
+});
+
+test("settling shows nothing but the finished river, if that is soon", () => {
+  const stage = new Stage(200);
+  stage.cost = 0.2;
+  stage.loop.settle(false);
+  stage.frames(20);
+  expect(stage.loop.state).toBe("finished");
+  expect(stage.drawn).toEqual([200]);
+});
+
+test("settling takes turns with the page, and shows what there is now and then once it takes long", () => {
+  const stage = new Stage(10_000);
+  stage.cost = 1;
+  stage.loop.settle(false);
+  stage.frames(1);
+  expect(stage.ticks).toBe(SETTLE_BUDGET_MS);
+  stage.frames(Math.ceil((4 * SETTLE_QUIET_MS) / (1000 / 60)));
+  expect(stage.drawn.length).toBeGreaterThanOrEqual(3);
+  expect(stage.drawn.length).toBeLessThanOrEqual(4);
+  expect(stage.loop.state).toBe("settling");
+});
+
+test("a redraw is drawn once, and grows nothing", () => {
+  const stage = new Stage(10);
+  stage.loop.settle(false);
+  stage.frames(2);
+  stage.loop.redraw();
+  stage.loop.redraw();
+  stage.frames(5);
+  expect(stage.drawn).toEqual([10, 10]);
+  expect(stage.loop.state).toBe("finished");
+});
+
+test("at rest nothing is drawn; waking goes on", () => {
+  const stage = new Stage();
+  stage.loop.play();
+  stage.frames(5);
+  stage.loop.rest();
+  expect(stage.waiting).toBe(0);
+  const { ticks } = stage;
+  stage.time += 5000;
+  stage.loop.wake();
+  stage.frames(60);
+  expect(stage.ticks - ticks).toBeLessThanOrEqual(0.9 * stage.lastTick);
+  expect(stage.ticks).toBeGreaterThan(ticks);
+});
+
+test("at rest what is due to be drawn is drawn, and nothing grows", () => {
+  const stage = new Stage();
+  stage.loop.watch();
+  stage.loop.rest();
+  stage.frames(5);
+  expect(stage.drawn).toEqual([0]);
+  stage.loop.redraw();
+  stage.frames(5);
+  expect(stage.drawn).toEqual([0, 0]);
+  expect(stage.waiting).toBe(0);
+  stage.loop.wake();
+  stage.frames(30);
+  expect(stage.ticks).toBeGreaterThan(0);
+});
+
+test("a failure is told once and stops the loop", () => {
+  const stage = new Stage();
+  stage.advance = () => {
+    throw new Error("unreachable");
+  };
+  stage.loop.settle(false);
+  stage.frames(5);
+  expect(stage.failures).toHaveLength(1);
+  expect(stage.waiting).toBe(0);
+});
+
+test("growth is followed by meandering, animated at its own pace", () => {
+  const stage = new Stage(10, ROUNDS_PER_SECOND);
+  stage.loop.watch();
+  while (stage.phase !== "meandering") stage.frames(1);
+  stage.frames(30);
+  const rounds = stage.ticks - stage.lastTick - 1;
+  expect(Math.abs(rounds - ROUNDS_PER_SECOND / 2)).toBeLessThanOrEqual(2);
+  stage.frames(60);
+  expect(stage.states).toEqual(["growing", "finished"]);
+  expect(new Set(stage.phases)).toEqual(new Set(["growing", "shaping", "meandering", "finished"]));
+});
+
+test("speed multiplies rounds, too", () => {
+  const stage = new Stage(1, ROUNDS_PER_SECOND);
+  stage.loop.speed = 4;
+  stage.loop.watch();
+  while (stage.phase !== "meandering") stage.frames(1);
+  const before = stage.ticks;
+  stage.frames(9);
+  expect(Math.abs(stage.ticks - before - (4 * 9 * ROUNDS_PER_SECOND) / 60)).toBeLessThanOrEqual(5);
+});
+
+test("many rounds share the time that there is for meandering", () => {
+  const stage = new Stage(1, 400);
+  stage.loop.watch();
+  while (stage.phase !== "meandering") stage.frames(1);
+  stage.frames(60 * MEANDER_SECONDS + 3);
+  expect(stage.loop.state).toBe("finished");
+});
+
+test("a settling river that was grown shows its tree on the way, if it is asked to, and then gives way to another", () => {
+  const stage = new Stage(20, 30);
+  stage.cost = 1;
+  stage.loop.settle(true);
+  while (stage.phase === "growing") {
+    expect(stage.loop.isBusy).toBe(true);
+    stage.frames(1);
+  }
+  expect(stage.drawn).toEqual([20]);
+  expect([stage.loop.isBusy, stage.ready]).toEqual([false, 1]);
+  stage.frames(10);
+  expect(stage.drawn).toEqual([20, 51]);
+  expect(stage.loop.state).toBe("finished");
+});
+
+test("a settling river that is not asked to shows nothing but its end", () => {
+  const stage = new Stage(20, 30);
+  stage.cost = 1;
+  stage.loop.settle(false);
+  stage.frames(3);
+  expect(stage.loop.isBusy).toBe(true);
+  stage.frames(10);
+  expect(stage.drawn).toEqual([51]);
+  expect([stage.loop.isBusy, stage.ready]).toEqual([false, 1]);
+});
+
+test("a river that settles for long gives way once anything grown was shown", () => {
+  const stage = new Stage(0, 10_000);
+  stage.cost = 1;
+  stage.loop.settle(false);
+  while (stage.drawn.length === 0) stage.frames(1);
+  expect(stage.phases).toEqual(["meandering"]);
+  expect(stage.loop.isBusy).toBe(false);
+});
+
+test("long steps and painting take turns", () => {
+  const stage = new Stage(3, 5);
+  stage.cost = LONG_STEPS_MS + 1;
+  stage.loop.speed = Number.POSITIVE_INFINITY;
+  stage.loop.watch();
+  for (let i = 0; i < 40; i++) {
+    const before = [stage.ticks, stage.drawn.length] as const;
+    stage.frames(1);
+    const worked = stage.ticks - before[0];
+    const drew = stage.drawn.length - before[1];
+    expect(worked + drew).toBeLessThanOrEqual(1);
+  }
+  expect(stage.drawn).toEqual([1, 2, 3, 4, 5, 6, 7, 8, 9]);
+  expect(stage.loop.state).toBe("finished");
+});
