@@ -55,3 +55,8 @@ pub mod tree;
 #[cfg(target_arch = "wasm32")]
 pub mod web;
 pub mod work;
+
+/// The README's example is compiled and run with the tests.
+#[cfg(all(doctest, feature = "tools"))]
+#[doc = include_str!("../README.md")]
+pub struct Readme;
