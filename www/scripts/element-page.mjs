@@ -18,7 +18,7 @@ export function withTables(text, parameters) {
   return text.replace(PLACE, (_, begin, name, end) => `${begin}\n${tables[name]}\n\n${end}`);
 }
 
-const PLACE = /(<!-- table: (\w+) -->\n)[^]*?(<!-- end -->)/g;
+const PLACE = /(<!-- table: (\w+) -->\n)[\s\S]*?(<!-- end -->)/g;
 
 function tablesOf({ attributes, members, events, cssParts, cssProperties }) {
   return {
