@@ -62,7 +62,7 @@ test-scripts: ## what set-up, builds and checks decide, with stand-ins for apt, 
 .PHONY: test-rust
 test-rust: ## the core, natively
 	@$(setup) rust
-	$(run) cargo test
+	$(run) cargo test --all-features
 	scripts/crate.sh verify
 
 .PHONY: test-wasm
@@ -70,7 +70,7 @@ test-wasm: ## the core as wasm, in headless Chromium: the same pictures to the b
 	@$(setup) rust wasm browser
 	@mkdir -p target
 	@$(run) bash -c 'sed "s|\$$CHROME|$$CHROME|" scripts/webdriver.json' > target/webdriver.json
-	$(wasm) cargo test $(wasm32) --features tools $(WASM_TESTS:%=--test %)
+	$(wasm) cargo test $(wasm32) --features files $(WASM_TESTS:%=--test %)
 
 .PHONY: test-page
 test-page: wasm ## the TypeScript, without a browser
@@ -111,10 +111,10 @@ check: widget ## format, lints, types, documentation, weights and licences: not 
 	$(run) cargo clippy --quiet --all-targets --all-features -- -D warnings
 	CUSTOM_LIBFUZZER_PATH=target/unlinked $(run) cargo clippy --quiet --locked --manifest-path fuzz/Cargo.toml --target-dir target -- -D warnings
 	$(wasm) cargo clippy --quiet --lib --examples $(wasm32) -- -D warnings
-	$(wasm) cargo clippy --quiet --lib $(WASM_TESTS:%=--test %) $(wasm32) --features tools -- -D warnings
+	$(wasm) cargo clippy --quiet --lib $(WASM_TESTS:%=--test %) $(wasm32) --features files -- -D warnings
 	RUSTDOCFLAGS="-D warnings" $(run) cargo doc --quiet --no-deps --all-features
 	RUSTDOCFLAGS="-D warnings" $(wasm) cargo doc --quiet --no-deps --lib $(wasm32)
-	RUSTDOCFLAGS="-D warnings" $(wasm) cargo doc --quiet --no-deps --lib $(wasm32) --features tools
+	RUSTDOCFLAGS="-D warnings" $(wasm) cargo doc --quiet --no-deps --lib $(wasm32) --features files
 	scripts/crate.sh pack
 	$(npm) types
 	$(npm) lint
@@ -135,7 +135,7 @@ FILES ?= src/export/**/*.rs src/session.rs src/recipe/**/*.rs
 .PHONY: mutants
 mutants: ## break files, session and recipes in small ways, and list what no fast test sees; FILES=src/session.rs only there
 	@$(setup) mutants
-	PROPTEST_CASES=10 $(run) cargo mutants --colors never $(FILES:%=--file '%')
+	PROPTEST_CASES=10 $(run) cargo mutants --colors never --all-features $(FILES:%=--file '%')
 
 # ---- measure and tend it
 
@@ -154,16 +154,16 @@ notices: ## write THIRD-PARTY.txt, the notices of the crates that are handed out
 goldens: ## draw the golden pictures and digests anew; then look at them and say in the commit why they changed
 	@$(setup) rust
 	@echo "A run that refreshes goldens fails on purpose; the run after it must pass."
-	-@RIVERSEED_REFRESH=1 $(run) cargo test --quiet --no-fail-fast $(GOLDEN_TESTS:%=--test %)
-	@$(run) cargo test --quiet $(GOLDEN_TESTS:%=--test %)
+	-@RIVERSEED_REFRESH=1 $(run) cargo test --all-features --quiet --no-fail-fast $(GOLDEN_TESTS:%=--test %)
+	@$(run) cargo test --all-features --quiet $(GOLDEN_TESTS:%=--test %)
 	@git status --short tests
 
 .PHONY: docs
 docs: wasm ## write what is generated in docs/ again: the parameters, the JSON form, the tables of the element
 	@echo "A run that writes pages fails on purpose; the run after it must pass."
-	-@RIVERSEED_REFRESH=1 $(run) cargo test --quiet --no-fail-fast --test documents --test schema
+	-@RIVERSEED_REFRESH=1 $(run) cargo test --all-features --quiet --no-fail-fast --test documents --test schema
 	@$(npm) element-page
-	@$(run) cargo test --quiet --test documents --test schema
+	@$(run) cargo test --all-features --quiet --test documents --test schema
 	@git status --short docs
 
 .PHONY: clean

@@ -38,7 +38,7 @@ fn bent(course: &[&Vertex], i: usize) -> f32 {
 
 fn bend(part: &[&Vertex], bent: &[f32]) -> Option<Bend> {
     let width = part.iter().map(|vertex| vertex.width()).sum::<f32>() / part.len() as f32;
-    let free = part.iter().filter(|vertex| vertex.sway > 0.7).count() * 4 > part.len() * 3;
+    let free = part.iter().filter(|vertex| vertex.mobility > 0.7).count() * 4 > part.len() * 3;
     let straight = part.first()?.at.distance(part.last()?.at);
     let steps = part.windows(2).map(|pair| pair[1].at - pair[0].at).collect::<Vec<Vec2>>();
     let turn: f32 = steps.windows(2).map(|pair| pair[0].angle_to(pair[1])).sum();

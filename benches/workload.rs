@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 use bends::Bend;
 use glam::Vec2;
 use riverseed::domain::Domain;
-use riverseed::grow::{Brownian, Colonize, Field, Growth, Parameters};
+use riverseed::grow::{Brownian, Colonize, Field, Growth, Settings};
 use riverseed::land::Land;
 use riverseed::network::{self, Meander, NONE, Network, River, Shaping, Vertex};
 use riverseed::paint::{Coverage, Pen, View, Widths};
@@ -97,14 +97,14 @@ fn recipe(link: &str) -> Option<Recipe> {
     link::read(&plain::plain(link)).ok()
 }
 
-fn parameters(attractors: &str, reach: &str) -> Option<Parameters> {
+fn parameters(attractors: &str, reach: &str) -> Option<Settings> {
     let mut recipe = recipe(BARE)?;
     recipe.set(Key::Attractors, attractors).ok()?;
     recipe.set(Key::Reach, reach).ok()?;
-    Some(Parameters::of(&recipe))
+    Some(Settings::of(&recipe))
 }
 
-fn grown(parameters: &Parameters) -> Option<Colonize> {
+fn grown(parameters: &Settings) -> Option<Colonize> {
     let mut growth = Colonize::new(parameters.clone()).ok()?;
     while growth.tick() {}
     Some(growth)
@@ -125,7 +125,7 @@ fn shaping(kind: &str) -> Option<Repetition> {
 /// Growth on a land that is there already; the number of nodes.
 fn growth_on(kind: &str, attractors: &str) -> Option<Repetition> {
     let land = if kind == "drawn" { DRAWN.to_owned() } else { format!("land={kind}") };
-    let parameters = Parameters::of(&recipe(&format!("{BARE}&{land}&attractors={attractors}"))?);
+    let parameters = Settings::of(&recipe(&format!("{BARE}&{land}&attractors={attractors}"))?);
     Some(Box::new(move || grown(&parameters).map_or(0, |growth| growth.tree().len() as u32)))
 }
 
@@ -144,9 +144,9 @@ fn equal_variants() -> u32 {
 }
 
 fn equals_twin(link: &str) -> Option<bool> {
-    let growth = grown(&Parameters::of(&recipe(link)?))?;
+    let growth = grown(&Settings::of(&recipe(link)?))?;
     let tree = growth.tree();
-    let twin = twin::grow(growth.parameters());
+    let twin = twin::grow(growth.settings());
     let bits = |at: Vec2| [at.x.to_bits(), at.y.to_bits()];
     let is_same = |(i, (node, tick)): (usize, (&twin::Black, u32))| {
         let ours = (bits(tree.at[i]), tree.parent[i], tree.drained[i], tick);
@@ -195,12 +195,12 @@ fn shaping_of_rivers() -> Option<Repetition> {
 /// The rivers of a tree on a plain rectangle, before they are shaped.
 fn unshaped(recipe: &Recipe, growth: &Growth) -> Option<Shaping> {
     let pruned = prune::trim(growth.tree(), &Hydrology::of(growth.tree()), Trim::of(recipe));
-    let parameters = network::Parameters::new(recipe, None, growth.stream_spacing(), growth.everything());
+    let parameters = network::Settings::new(recipe, None, growth.stream_spacing(), growth.total_discharge());
     Shaping::new(&pruned.tree, growth.may_cross(), parameters).ok()
 }
 
 fn all_grown(recipe: &Recipe) -> Option<Growth> {
-    let mut growth = Growth::new(Parameters::of(recipe)).ok()?;
+    let mut growth = Growth::new(Settings::of(recipe)).ok()?;
     while growth.tick() {}
     Some(growth)
 }
@@ -216,12 +216,12 @@ fn half_meandered(maps: u32) -> Option<Meander> {
         shaping.step();
     }
     let meander = shaping.meander()?;
-    Some(Meander::of(side_by_side(meander.network(), maps, meander.parameters().domain.size), wide(meander, maps)))
+    Some(Meander::of(side_by_side(meander.network(), maps, meander.settings().domain.size), wide(meander, maps)))
 }
 
 /// The parameters for so many maps from west to east.
-fn wide(meander: &Meander, maps: u32) -> network::Parameters {
-    let mut parameters = meander.parameters().clone();
+fn wide(meander: &Meander, maps: u32) -> network::Settings {
+    let mut parameters = meander.settings().clone();
     parameters.domain.size.x *= maps as f32;
     parameters
 }
@@ -236,7 +236,7 @@ fn side_by_side(network: &Network, maps: u32, size: Vec2) -> Network {
         all.rivers.extend(network.rivers.iter().map(|river| River {
             start: river.start + first,
             end: river.end + first,
-            joins: moved(river.joins, first),
+            junction: moved(river.junction, first),
             parent: moved(river.parent, rivers),
             ..*river
         }));
@@ -262,8 +262,8 @@ fn round(maps: u32) -> Option<Repetition> {
 fn all_pairs() -> Option<Repetition> {
     let meander = half_meandered(1)?;
     let network = meander.network().clone();
-    let reach = meander.reach(&network.downstream(), &meander.pace());
-    Some(Box::new(move || pairs::survey(&network, &reach, meander.caps()).1.len() as u32))
+    let reach = meander.reach(&network.downstream(), &meander.step_scale());
+    Some(Box::new(move || pairs::measure(&network, &reach, meander.caps()).1.len() as u32))
 }
 
 /// A quantile, in percent, of a measure of the free bends of twenty maps, in hundredths.
@@ -326,7 +326,7 @@ fn segments() -> Option<Vec<Segment>> {
 fn segments_of(tree: &Tree, domain: &Domain) -> Option<Vec<Segment>> {
     let view = View::new(domain, SIDE, SIDE).ok()?;
     let hydrology = Hydrology::of(tree);
-    let pen = Pen::new(view, Widths::ByDischarge { full: 12.0, everything: hydrology.discharge[0] });
+    let pen = Pen::new(view, Widths::ByDischarge { full: 12.0, total_discharge: hydrology.discharge[0] });
     let radius = |node: usize| f32::from(pen.radius(hydrology.depth[node], hydrology.discharge[node])) / 16.0;
     let segment = |child: usize| {
         let node = tree.parent_of(child)?;

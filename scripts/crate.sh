@@ -13,9 +13,9 @@ source scripts/env.sh
 limit_kb=350 # of a download, today 325
 
 case ${1-} in
-  pack) command=(cargo package --offline --no-verify) ;;
-  verify) command=(cargo package --offline) ;;
-  publish) command=(cargo publish --dry-run) ;;
+  pack) command=(cargo package --offline --no-verify --all-features) ;;
+  verify) command=(cargo package --offline --all-features) ;;
+  publish) command=(cargo publish --dry-run --all-features) ;;
   *) sed -n '2,8s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
 esac
 

@@ -27,7 +27,7 @@ properties_of() {
 # A line for each property: the program it is in, what cargo calls that, its name.
 list_properties() {
   local build program file of
-  build=$(cargo test --no-run 2>&1) || { echo "$build" >&2; return 1; }
+  build=$(cargo test --all-features --no-run 2>&1) || { echo "$build" >&2; return 1; }
   sed -n 's/^ *Executable \(unittests \)\?\([^ ]*\) (\(.*\))$/\3 \2/p' <<<"$build" | while read -r program file; do
     case $file in
       src/lib.rs) of=--lib; file=$(grep -rl 'proptest! {' src) || continue ;;
@@ -52,7 +52,7 @@ try() {
   fi
   printf 'FAILED %s\n' "$5"
   sed -n '/minimal failing input/,/^\t*successes/{/successes/!p}' "$log"
-  printf '  again: PROPTEST_RNG_SEED=%s scripts/env.sh cargo test %s %s\n' "$1" "$4" "$5"
+  printf '  again: PROPTEST_RNG_SEED=%s scripts/env.sh cargo test --all-features %s %s\n' "$1" "$4" "$5"
   mv "$log" "${log%.log}.failed"
 }
 export -f try
@@ -61,7 +61,7 @@ rm -rf "$logs"
 mkdir -p "$logs"
 touch "$logs/passed"
 list_properties >"$logs/properties"
-[[ -s $logs/properties ]] || { echo "Not one property was found among what 'cargo test --no-run' built." >&2; exit 1; }
+[[ -s $logs/properties ]] || { echo "Not one property was found among what 'cargo test --all-features --no-run' built." >&2; exit 1; }
 if (($#)); then
   grep -E " ($(IFS='|'; echo "$*"))\$" "$logs/properties" >"$logs/chosen" || { echo "No property is called that." >&2; exit 2; }
   mv "$logs/chosen" "$logs/properties"

@@ -50,11 +50,18 @@ pub fn digest(recipe: &Recipe) -> Result<String, DigestError> {
     hash.words(hydrology.magnitude);
     hash.words(hydrology.discharge);
     if let Some(network) = session.network() {
-        hash.words(network.rivers.iter().flat_map(|river| [river.start, river.end, river.joins, river.parent]));
+        hash.words(network.rivers.iter().flat_map(|river| [river.start, river.end, river.junction, river.parent]));
         let vertices = network.vertices.iter().chain(network.oxbows.iter().flat_map(|oxbow| &oxbow.vertices));
         vertices.for_each(|vertex| {
-            let Vertex { at, discharge, left, right, sway } = *vertex;
-            hash.words([at.x.to_bits(), at.y.to_bits(), discharge, left.to_bits(), right.to_bits(), sway.to_bits()]);
+            let Vertex { at, discharge, left, right, mobility } = *vertex;
+            hash.words([
+                at.x.to_bits(),
+                at.y.to_bits(),
+                discharge,
+                left.to_bits(),
+                right.to_bits(),
+                mobility.to_bits(),
+            ]);
         });
     }
     hash.bytes(picture.pixmap().data());

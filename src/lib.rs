@@ -13,35 +13,53 @@
 //! hash-map order.
 //!
 //! ```
-//! use riverseed::{grow::{Colonize, Parameters}, prune, recipe::link, tree::Hydrology};
+//! use riverseed::{Recipe, Session, export};
 //!
-//! let recipe = link::read("seed=kauri&preset=trimmed-curl")?;
-//! let mut growth = Colonize::new(Parameters::of(&recipe))?;
-//! while growth.tick() {}
-//! let hydrology = Hydrology::of(growth.tree());
-//! let rivers = prune::trim(growth.tree(), &hydrology, prune::Trim::of(&recipe));
-//! assert_eq!(rivers.hydrology.discharge[0], hydrology.discharge[0]);
+//! let recipe: Recipe = "seed=kauri&land=island".parse()?;
+//! let mut session = Session::new(recipe)?;
+//! let rivers = &session.finish()?.rivers;
+//! println!("{} rivers, the greatest of order {:?}", rivers.len(), rivers.iter().map(|river| river.order).max());
+//! # #[cfg(feature = "files")]
+//! std::fs::write(std::env::temp_dir().join("kauri.svg"), export::svg::svg(&session)?)?;
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! [`session::Session`] holds a recipe with all its stages, for whoever shows it and changes it.
+//! A [`Session`] holds a recipe with what each stage has made of it, for whoever shows it while it grows and changes it; a
+//! [`Picture`] is its pixels. Whoever has a tree from elsewhere makes rivers of it by [`network::Shaping`].
+//!
+//! # Features
+//!
+//! - `files` (default): SVG, GeoJSON and JSON as plain data, tracing of pictures, digests.
+//! - `json`: JSON and GeoJSON as text, and recipes in JSON.
+//! - `png`: PNG, written and read.
+//! - `cli`: the program `riverseed`, with all of these.
 
+pub use glam;
+pub use tiny_skia;
+
+pub use land::Land;
+pub use network::{Network, Oxbow, River, Vertex};
+pub use picture::Picture;
+pub use recipe::{GrowthMethod, Key, LandKind, MeanderModel, Recipe, RecipeError, Scatter, Sides, Style, Value};
+pub use session::{Phase, Session, SessionError, Summary};
+pub use tree::Tree;
+
+#[doc(hidden)]
 pub mod dice;
-#[cfg(feature = "tools")]
+#[cfg(feature = "files")]
 pub mod digest;
 pub mod domain;
-#[cfg(feature = "tools")]
+#[cfg(feature = "files")]
 pub mod export;
+mod geometry;
 pub mod grow;
 #[cfg(feature = "png")]
 pub mod import;
 pub mod land;
 mod memory;
 pub mod network;
-mod order;
 pub mod paint;
 pub mod picture;
-mod plane;
 #[cfg(test)]
 #[path = "../tests/common/property.rs"]
 mod property;
@@ -50,13 +68,15 @@ pub mod random;
 pub mod recipe;
 pub mod session;
 mod simplify;
-mod thin;
+mod skeletonize;
+mod sort;
 pub mod tree;
 #[cfg(target_arch = "wasm32")]
-pub mod web;
+mod web;
+#[doc(hidden)]
 pub mod work;
 
 /// The README's example is compiled and run with the tests.
-#[cfg(all(doctest, feature = "tools"))]
+#[cfg(all(doctest, feature = "files"))]
 #[doc = include_str!("../README.md")]
 pub struct Readme;

@@ -7,7 +7,7 @@
 pub(crate) struct Refused;
 
 /// Whether so many bytes are to be had. They are given back at once: what asks for them next finds them there.
-pub(crate) fn is_to_be_had(bytes: usize) -> bool {
+pub(crate) fn can_allocate(bytes: usize) -> bool {
     is_allowed(bytes) && Vec::<u8>::new().try_reserve_exact(bytes).is_ok()
 }
 
@@ -66,7 +66,7 @@ mod tests {
 
     #[test]
     fn more_than_there_can_be_is_refused_and_less_is_given() {
-        assert!(is_to_be_had(1000) && !is_to_be_had(usize::MAX) && !is_to_be_had(isize::MAX as usize));
+        assert!(can_allocate(1000) && !can_allocate(usize::MAX) && !can_allocate(isize::MAX as usize));
         let mut list = vec![1u64];
         assert_eq!(reserve(&mut list, usize::MAX / 2), Err(Refused));
         assert_eq!(lengthen(&mut list, isize::MAX as usize, 2), Err(Refused));
@@ -77,7 +77,7 @@ mod tests {
     fn limit_of_a_test_counts_what_a_list_has_already() {
         let mut list = vec![0u64; 10];
         with_lists_up_to(100, || {
-            assert!(is_to_be_had(100) && !is_to_be_had(101));
+            assert!(can_allocate(100) && !can_allocate(101));
             assert_eq!((reserve(&mut list, 2), reserve(&mut list, 3)), (Ok(()), Err(Refused)));
         });
         assert_eq!(reserve(&mut list, 3), Ok(()));

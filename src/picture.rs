@@ -14,9 +14,9 @@ use crate::session::Session;
 /// The picture of one session.
 ///
 /// ```
-/// use riverseed::{picture::Picture, recipe::link, session::Session};
+/// use riverseed::{Picture, Session};
 ///
-/// let mut session = Session::new(link::read("seed=kauri&curl=0.6")?)?;
+/// let mut session = Session::new("seed=kauri&curl=0.6".parse()?)?;
 /// let mut picture = Picture::new(300, 200)?;
 /// while session.advance(10)? {
 ///     picture.paint(&session); // only what is new
@@ -54,8 +54,8 @@ impl Picture {
             tree: growth.tree(),
             finished: growth.ending().is_some(),
             trim: Trim::of(recipe),
-            everything: growth.everything(),
-            full_width: recipe.number(Key::Width),
+            total_discharge: growth.total_discharge(),
+            max_width: recipe.number(Key::Width),
             land,
             style: recipe.get(),
         })
@@ -67,10 +67,10 @@ impl Picture {
             (*generation == now.0, *domain == now.1 && is_same(land.as_ref(), now.2.as_ref()))
         });
         if !is_on_same_land {
-            self.painter.leave_land(&now.1);
+            self.painter.invalidate_ground(&now.1);
         }
         if !is_same {
-            self.painter.start_over();
+            self.painter.reset();
         }
         self.shown = Some(now);
     }

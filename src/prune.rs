@@ -17,7 +17,7 @@ pub struct Trim {
     /// The paper's t, in nodes: a side branch that is less deep goes.
     pub nodes: u32,
     /// Whether basins are side branches of the sea.
-    pub with_basins: bool,
+    pub treats_sea_as_fork: bool,
 }
 
 impl Trim {
@@ -27,9 +27,9 @@ impl Trim {
         if recipe.get::<GrowthMethod>() == GrowthMethod::Brownian {
             // A node of space colonization is a step, 4.9 units with 6,000 attractors on a rectangle; of a Brownian tree,
             // 1.1 units on average.
-            Self { nodes: nodes * 9 / 2, with_basins: true }
+            Self { nodes: nodes * 9 / 2, treats_sea_as_fork: true }
         } else {
-            Self { nodes, with_basins: false }
+            Self { nodes, treats_sea_as_fork: false }
         }
     }
 }
@@ -58,7 +58,7 @@ pub fn trim(tree: &Tree, hydrology: &Hydrology, trim: Trim) -> Pruned {
 
 /// Whether each node stays. A parent stands before its children, so one pass lets a removal take all upstream of it.
 pub fn stays(tree: &Tree, depth: &[u32], trim: Trim) -> Vec<bool> {
-    let sea = if trim.with_basins { depth.iter().max().map_or(0, |deepest| deepest + 1) } else { 0 };
+    let sea = if trim.treats_sea_as_fork { depth.iter().max().map_or(0, |deepest| deepest + 1) } else { 0 };
     let mut stays = vec![true; tree.len()];
     for node in 0..tree.len() {
         let (parent_stays, below) = tree.parent_of(node).map_or((true, sea), |parent| (stays[parent], depth[parent]));

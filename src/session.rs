@@ -27,12 +27,13 @@ pub enum SessionError {
 /// A recipe with what its stages have made of it so far: land, tree, rivers.
 ///
 /// ```
-/// use riverseed::{recipe::link, session::Session};
+/// use riverseed::Session;
 ///
-/// let mut session = Session::new(link::read("seed=kauri&curl=0.6")?)?;
-/// while session.advance(10)? {}
-/// let rivers = &session.network().expect("it is finished").rivers;
-/// assert!(rivers.len() > 100);
+/// let mut session = Session::new("seed=kauri&curl=0.6".parse()?)?;
+/// while session.advance(10)? {
+///     println!("{:?}: {:.0} %", session.phase(), session.progress() * 100.0);
+/// }
+/// assert!(session.finish()?.rivers.len() > 100);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug)]
@@ -135,7 +136,7 @@ impl Session {
             self.shaping = None;
         }
         if stage == Some(Stage::Shape) && self.shaping.is_some() {
-            let parameters = self.network_parameters();
+            let parameters = self.network_settings();
             self.shaping.iter_mut().for_each(|shaping| shaping.change(parameters.clone()));
         }
         self.generation += u64::from(stage.is_some());
@@ -176,6 +177,17 @@ impl Session {
         Ok(true)
     }
 
+    /// Goes on to the end, and returns the finished rivers.
+    ///
+    /// # Errors
+    /// As [`Session::advance`].
+    pub fn finish(&mut self) -> Result<&Network, SessionError> {
+        static NONE_AT_ALL: Network = Network { vertices: Vec::new(), rivers: Vec::new(), oxbows: Vec::new() };
+        while self.advance(u32::MAX)? {}
+        // What is finished has a network, if an empty one.
+        Ok(self.network().unwrap_or(&NONE_AT_ALL))
+    }
+
     fn step(&mut self) -> Result<bool, SessionError> {
         if self.growth.ending().is_none() {
             self.growth.tick();
@@ -197,7 +209,7 @@ impl Session {
         const BYTES_A_NODE: usize = 64;
         ask_for_memory(self.tree().len(), BYTES_A_NODE)?;
         let Pruned { tree, .. } = self.pruned();
-        Shaping::new(&tree, self.growth.may_cross(), self.network_parameters())
+        Shaping::new(&tree, self.growth.may_cross(), self.network_settings())
     }
 
     /// Whether there is nothing more to do.
@@ -221,7 +233,7 @@ impl Session {
     pub fn progress(&self) -> f32 {
         match (self.phase(), self.meander()) {
             (Phase::Growing, _) => self.growth.progress(),
-            (Phase::Meandering, Some(meander)) => meander.rounds() as f32 / meander.parameters().rounds.max(1) as f32,
+            (Phase::Meandering, Some(meander)) => meander.rounds() as f32 / meander.settings().rounds.max(1) as f32,
             _ => 0.0,
         }
     }
@@ -241,9 +253,9 @@ impl Session {
     }
 
     /// How the rivers of this recipe are made of its tree.
-    pub fn network_parameters(&self) -> network::Parameters {
+    pub fn network_settings(&self) -> network::Settings {
         let growth = &self.growth;
-        network::Parameters::new(&self.recipe, self.land.clone(), growth.stream_spacing(), growth.everything())
+        network::Settings::new(&self.recipe, self.land.clone(), growth.stream_spacing(), growth.total_discharge())
     }
 
     /// The untrimmed tree, as far as it has grown.
@@ -281,7 +293,7 @@ impl Session {
         let Network { rivers, oxbows, .. } = meander.network();
         Summary {
             nodes: shaping.nodes(),
-            mouths: rivers.iter().filter(|river| river.joins == NONE).count() as u32,
+            mouths: rivers.iter().filter(|river| river.junction == NONE).count() as u32,
             sources: rivers.len() as u32,
             order: rivers.iter().map(|river| river.order).max().unwrap_or(0),
             rounds: meander.rounds(),
@@ -293,7 +305,7 @@ impl Session {
 
 /// Begins the growth of a recipe on its land.
 fn plant(recipe: &Recipe, land: &Option<Arc<Land>>) -> Result<Growth, GrowError> {
-    Growth::new(grow::Parameters::new(recipe, land.clone()))
+    Growth::new(grow::Settings::new(recipe, land.clone()))
 }
 
 #[cfg(test)]

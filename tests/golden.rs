@@ -1,8 +1,9 @@
 //! Golden pictures, compared pixel for pixel. Each is also an example of a link and what it draws.
 //!
-//! `RIVERSEED_REFRESH=1 cargo test --test golden` draws them anew and then fails. After a mismatch,
+//! `RIVERSEED_REFRESH=1 cargo test --all-features --test golden` draws them anew and then fails. After a mismatch,
 //! `target/golden` holds expected, difference and actual side by side.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
+#![cfg(feature = "png")]
 
 mod common;
 

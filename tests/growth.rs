@@ -8,20 +8,20 @@ use common::property::large;
 use common::{random_link, twin};
 use glam::Vec2;
 use proptest::prelude::*;
-use riverseed::grow::{Colonize, Ending, Growth, Parameters, scatter};
+use riverseed::grow::{Colonize, Ending, Growth, Settings, scatter};
 use riverseed::land::Cell;
 use riverseed::recipe::{link, preset::PRESETS};
 use riverseed::tree::Tree;
 
-fn parameters(link: &str) -> Parameters {
-    Parameters::of(&link::read(&plain(link)).unwrap())
+fn parameters(link: &str) -> Settings {
+    Settings::of(&link::read(&plain(link)).unwrap())
 }
 
 fn grown(link: &str) -> Colonize {
     grown_by(parameters(link))
 }
 
-fn grown_by(parameters: Parameters) -> Colonize {
+fn grown_by(parameters: Settings) -> Colonize {
     let mut growth = Colonize::new(parameters).unwrap();
     while growth.tick() {}
     growth
@@ -30,7 +30,7 @@ fn grown_by(parameters: Parameters) -> Colonize {
 fn assert_equals_twin(link: &str) {
     let growth = grown(link);
     let tree = growth.tree();
-    let twin = twin::grow(growth.parameters());
+    let twin = twin::grow(growth.settings());
     for (i, (node, tick)) in twin.iter().zip(tree.ticks()).enumerate() {
         let ours = (tree.at[i], tree.parent[i], tick, tree.drained[i]);
         assert_eq!(ours, (node.at, node.parent, node.tick, node.drained), "node {i} of {link}");
@@ -55,7 +55,7 @@ fn a_river_that_nothing_reaches_runs_straight_inland() {
         let link = format!("seed={seed}&attractors=100&mouths=64&sides=nesw&reach=2.1&step=0.2&curl=1");
         assert_equals_twin(&link);
         let growth = grown(&link);
-        let (parameters, tree) = (growth.parameters(), growth.tree());
+        let (parameters, tree) = (growth.settings(), growth.tree());
         let attractors = scatter(parameters);
         let is_reached = |at| attractors.iter().any(|&a| a.distance(at) < parameters.reach * 0.999);
         let children_of = |node: usize| tree.parent.iter().filter(move |&&parent| parent == node as u32).count();
@@ -106,7 +106,7 @@ fn no_preset_and_no_default_runs_dry() {
     for base in bases.chain(["attractors=3000".into(), plain("mouths=1&attractors=3000")]) {
         for (seed, mouths) in (0..150).flat_map(|seed| [(seed, 1), (seed, 3)]) {
             let link = format!("seed=w{seed}&{}", base.replace("mouths=1", &format!("mouths={mouths}")));
-            let unreached = grown_by(Parameters::of(&link::read(&link).unwrap())).unreached();
+            let unreached = grown_by(Settings::of(&link::read(&link).unwrap())).unreached();
             assert!(unreached < 300, "{link} leaves {unreached} of 3000 unreached");
         }
     }
@@ -157,7 +157,7 @@ fn mouths_lie_on_the_chosen_shores() {
         for (shores, way) in [("n", Vec2::NEG_Y), ("e", Vec2::X), ("s", Vec2::Y), ("w", Vec2::NEG_X)] {
             let link = format!("land={kind}&seed={seed}&shores={shores}&mouths=5&attractors=1000&rough=0.2");
             let growth = grown(&link);
-            let (tree, centre) = (growth.tree(), growth.parameters().domain.size / 2.0);
+            let (tree, centre) = (growth.tree(), growth.settings().domain.size / 2.0);
             for mouth in (0..tree.len()).filter(|&node| tree.parent_of(node).is_none()) {
                 assert!((tree.at[mouth] - centre).dot(way) > 0.0, "{link}: {}", tree.at[mouth]);
             }
@@ -189,7 +189,7 @@ fn a_grid_has_one_attractor_in_every_cell_of_its_row() {
 }
 
 /// Parents stand first, no step is longer than it should be, everything lies in the domain, and all is finite.
-fn check_tree(tree: &Tree, parameters: &Parameters) -> Result<(), TestCaseError> {
+fn check_tree(tree: &Tree, parameters: &Settings) -> Result<(), TestCaseError> {
     for node in 0..tree.len() {
         prop_assert!(parameters.domain.contains(tree.at[node]) && is_land(parameters, tree.at[node]));
         if let Some(parent) = tree.parent_of(node) {
@@ -209,9 +209,9 @@ fn check_tree(tree: &Tree, parameters: &Parameters) -> Result<(), TestCaseError>
 fn check_growth(link: &str) -> Result<(), TestCaseError> {
     let growth = grown(link);
     prop_assert_eq!(growth.ending(), Some(Ending::Complete), "{}", link);
-    check_tree(growth.tree(), growth.parameters())?;
+    check_tree(growth.tree(), growth.settings())?;
     let drained: u32 = growth.tree().drained.iter().sum();
-    let all = scatter(growth.parameters()).len() as u32;
+    let all = scatter(growth.settings()).len() as u32;
     prop_assert!((all - growth.unreached()..=all).contains(&drained));
     Ok(())
 }
@@ -250,8 +250,8 @@ fn recipes_that_once_failed_grow_as_promised() {
     }
 }
 
-fn is_land(parameters: &Parameters, point: Vec2) -> bool {
-    parameters.land().is_none_or(|land| land.at(point) == Cell::Available)
+fn is_land(parameters: &Settings, point: Vec2) -> bool {
+    parameters.land().is_none_or(|land| land.at(point) == Cell::Land)
 }
 
 /// An island whose ridge, drawn twice, shuts all its land off from its coast.
@@ -291,7 +291,7 @@ fn no_river_of_either_growth_crosses_a_ridge() {
         let link = format!("seed={seed}&growth={growth}&sensitivity=40&land=valley&rough=1&attractors=1500");
         let mut grown = Growth::new(parameters(&link)).unwrap();
         while grown.tick() {}
-        let (tree, land) = (grown.tree(), grown.parameters().land().unwrap().clone());
+        let (tree, land) = (grown.tree(), grown.settings().land().unwrap().clone());
         let ridges: Vec<&[Vec2]> = land.ridges().iter().flat_map(|ridge| ridge.windows(2)).collect();
         assert!(tree.len() > 100 && !ridges.is_empty(), "{link}");
         for node in 0..tree.len() {

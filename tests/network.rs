@@ -8,19 +8,19 @@ use common::property::{cases, large};
 use common::{pairs, random_link};
 use glam::Vec2;
 use proptest::prelude::*;
-use riverseed::grow::{Growth, Parameters};
+use riverseed::grow::{Growth, Settings};
 use riverseed::land::Land;
-use riverseed::network::{self, Guard, Meander, NONE, Network, Shaping, hydrology, meet};
+use riverseed::network::{self, ClearanceGrid, Meander, NONE, Network, Shaping, hydrology, meet};
 use riverseed::prune;
 use riverseed::recipe::{Recipe, link};
 use riverseed::tree::Hydrology;
 
 fn shaped(recipe: &Recipe) -> Meander {
     let land = Land::of(recipe);
-    let mut growth = Growth::new(Parameters::new(recipe, land.clone())).unwrap();
+    let mut growth = Growth::new(Settings::new(recipe, land.clone())).unwrap();
     while growth.tick() {}
     let pruned = prune::trim(growth.tree(), &Hydrology::of(growth.tree()), prune::Trim::of(recipe));
-    let parameters = network::Parameters::new(recipe, land, growth.stream_spacing(), growth.everything());
+    let parameters = network::Settings::new(recipe, land, growth.stream_spacing(), growth.total_discharge());
     let mut shaping = Shaping::new(&pruned.tree, growth.may_cross(), parameters).unwrap();
     while shaping.meander().is_none() {
         shaping.step();
@@ -55,10 +55,10 @@ fn check_rivers(network: &Network) {
         assert_eq!(river.start, end, "rivers stand one after the other");
         assert!(river.end > river.start, "river {number} has a vertex of its own");
         end = river.end;
-        assert_eq!(river.joins == NONE, river.parent == NONE);
-        if river.joins != NONE {
+        assert_eq!(river.junction == NONE, river.parent == NONE);
+        if river.junction != NONE {
             let parent = network.rivers[river.parent as usize];
-            assert!(parent.own().contains(&(river.joins as usize)), "river {number} ends on its parent");
+            assert!(parent.vertex_range().contains(&(river.junction as usize)), "river {number} ends on its parent");
         }
         let to_the_sea =
             std::iter::successors(Some(*river), |river| network.rivers.get(river.parent as usize).copied());
@@ -106,7 +106,7 @@ fn check_vertices(network: &Network, size: Vec2) {
             "{vertex:?}"
         );
         assert!(vertex.left.is_finite() && vertex.right.is_finite() && vertex.left >= 0.0 && vertex.right >= 0.0);
-        assert!((0.0..=1.0).contains(&vertex.sway), "{vertex:?}");
+        assert!((0.0..=1.0).contains(&vertex.mobility), "{vertex:?}");
     }
     for river in &network.rivers {
         let discharges: Vec<u32> = network.course(river).map(|vertex| vertex.discharge).collect();
@@ -118,25 +118,25 @@ fn check_vertices(network: &Network, size: Vec2) {
 fn check_widths(network: &Network) {
     let junctions = network.junctions();
     for river in &network.rivers {
-        let own = &network.vertices[river.own()];
+        let own = &network.vertices[river.vertex_range()];
         assert!(own[0].width() == 0.0, "a source has no width");
         let mut least = 0.0f32;
-        for (vertex, is_junction) in own.iter().zip(&junctions[river.own()]) {
+        for (vertex, is_junction) in own.iter().zip(&junctions[river.vertex_range()]) {
             assert!(
                 vertex.width() >= least * 0.9999,
                 "{} is less than {least}: {:?}",
                 vertex.width(),
                 own.iter()
-                    .zip(&junctions[river.own()])
-                    .map(|(v, j)| (v.width(), v.discharge, *j, v.sway))
+                    .zip(&junctions[river.vertex_range()])
+                    .map(|(v, j)| (v.width(), v.discharge, *j, v.mobility))
                     .collect::<Vec<_>>()
             );
             if *is_junction {
                 least = vertex.width();
             }
         }
-        if river.joins != NONE {
-            let (last, junction) = (own.last().unwrap(), network.vertices[river.joins as usize]);
+        if river.junction != NONE {
+            let (last, junction) = (own.last().unwrap(), network.vertices[river.junction as usize]);
             assert!(junction.width() >= last.width() * 0.9999, "{river:?}: {:?} then {junction:?}", own.last());
         }
     }
@@ -152,16 +152,16 @@ proptest! {
         (0..rounds).for_each(|_| {
             meander.round();
         });
-        let (network, parameters) = (meander.network(), meander.parameters());
+        let (network, parameters) = (meander.network(), meander.settings());
         // All pairs of more take a while.
         prop_assume!(network.vertices.len() < 4000);
         let downstream = network.downstream();
-        let reach = meander.reach(&downstream, &meander.pace());
-        let mut guard = Guard::new(&parameters.domain, parameters.spacing);
+        let reach = meander.reach(&downstream, &meander.step_scale());
+        let mut guard = ClearanceGrid::new(&parameters.domain, parameters.spacing);
         let mut near = Vec::new();
-        let clearance = guard.survey(network, &downstream, &reach, meander.caps(), &mut |pair| near.push(pair));
+        let clearance = guard.measure(network, &downstream, &reach, meander.caps(), &mut |pair| near.push(pair));
         near.sort_by_key(|pair| (pair.first, pair.second));
-        prop_assert_eq!((clearance, near), pairs::survey(network, &reach, meander.caps()));
+        prop_assert_eq!((clearance, near), pairs::measure(network, &reach, meander.caps()));
     }
 }
 
@@ -173,7 +173,7 @@ fn check_land(network: &Network, land: &Land, when: &str) {
         let (from, to) = (vertex.at, network.vertices[below as usize].at);
         let crosses = ridges.iter().any(|ridge| meet((from, to), (ridge[0], ridge[1])));
         assert!(!crosses, "{when}: {from} to {to} crosses a ridge");
-        let inland = (0..=8).map(|part| land.relief().height(from.lerp(to, part as f32 / 8.0)));
+        let inland = (0..=8).map(|part| land.coast_distance().height(from.lerp(to, part as f32 / 8.0)));
         let least = inland.fold(f32::INFINITY, f32::min);
         assert!(least > -OVER_THE_COAST, "{when}: {from} to {to} runs in the sea, {least} from the coast");
     }
@@ -204,7 +204,7 @@ proptest! {
 /// Looks at a network in its first rounds, in every so manieth, and in its last.
 fn check_network(link: &str, every: u32) {
     let mut meander = shaped(&link::read(link).unwrap());
-    let size = meander.parameters().domain.size;
+    let size = meander.settings().domain.size;
     loop {
         let network = meander.network();
         let rounds = meander.rounds();
@@ -219,12 +219,12 @@ fn check_network(link: &str, every: u32) {
             break;
         }
     }
-    check_elevations(meander.network(), meander.parameters().everything);
+    check_elevations(meander.network(), meander.settings().total_discharge);
 }
 
 /// Every river falls, down to the sea.
-fn check_elevations(network: &Network, everything: u32) {
-    let elevations = hydrology::elevations(network, everything);
+fn check_elevations(network: &Network, total_discharge: u32) {
+    let elevations = hydrology::elevations(network, total_discharge);
     for (i, &below) in network.downstream().iter().enumerate() {
         match elevations.get(below as usize) {
             Some(below) => assert!(elevations[i] > *below),

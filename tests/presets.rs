@@ -1,7 +1,7 @@
 //! The paper's presets are its patterns, whatever the table's defaults are.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
-use riverseed::grow::{Colonize, Parameters};
+use riverseed::grow::{Colonize, Settings};
 use riverseed::prune::{Trim, trim};
 use riverseed::recipe::preset::{PRESETS, Preset};
 use riverseed::recipe::{Key, Recipe, link, table::TABLE};
@@ -36,7 +36,7 @@ const TREES: [(&str, u64); 6] = [
 const GROUND: &str = "seed=kauri&aspect=1.5&land=rectangle&sides=s&mouths=3&attractors=6000";
 
 fn tree(recipe: &Recipe) -> u64 {
-    let mut growth = Colonize::new(Parameters::of(recipe)).unwrap();
+    let mut growth = Colonize::new(Settings::of(recipe)).unwrap();
     while growth.tick() {}
     let trimmed = trim(growth.tree(), &Hydrology::of(growth.tree()), Trim::of(recipe)).tree;
     let places = trimmed.at.iter().flat_map(|at| [at.x.to_bits(), at.y.to_bits()]);
@@ -62,7 +62,7 @@ fn presets_name_all_that_they_do_not_leave_to_their_user() {
     for preset in PRESETS {
         let recipe = link::read(&format!("land=island&preset={}", preset.name)).unwrap();
         for key in TABLE.iter().map(|parameter| parameter.key) {
-            let is_idle = recipe.idle_reason(key).is_some();
+            let is_idle = recipe.inactive_reason(key).is_some();
             assert!(names(preset, key) || LEFT.contains(&key) || is_idle, "{} rests on {key:?}", preset.name);
             assert!(!(names(preset, key) && LEFT.contains(&key)), "{} takes {key:?} away", preset.name);
         }

@@ -7,19 +7,19 @@ use common::plain::plain;
 use common::property::cases;
 use common::random_link;
 use proptest::prelude::*;
-use riverseed::grow::{Colonize, Growth, Parameters};
+use riverseed::grow::{Colonize, Growth, Settings};
 use riverseed::prune::{Trim, trim};
 use riverseed::recipe::link;
 use riverseed::tree::{Hydrology, Tree};
 
 fn grown(link: &str) -> Tree {
-    let mut growth = Colonize::new(Parameters::of(&link::read(&plain(link)).unwrap())).unwrap();
+    let mut growth = Colonize::new(Settings::of(&link::read(&plain(link)).unwrap())).unwrap();
     while growth.tick() {}
     growth.tree().clone()
 }
 
 fn nodes(nodes: u32) -> Trim {
-    Trim { nodes, with_basins: false }
+    Trim { nodes, treats_sea_as_fork: false }
 }
 
 /// Depth by its recursive definition, from the children down.
@@ -109,7 +109,7 @@ fn trimming_takes_most_short_branches() {
 
 fn brownian(link: &str) -> (Tree, Trim) {
     let recipe = link::read(&plain(&format!("growth=brownian&land=island&sensitivity=20&{link}"))).unwrap();
-    let mut growth = Growth::new(Parameters::of(&recipe)).unwrap();
+    let mut growth = Growth::new(Settings::of(&recipe)).unwrap();
     while growth.tick() {}
     (growth.tree().clone(), Trim::of(&recipe))
 }

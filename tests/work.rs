@@ -35,7 +35,7 @@ fn most_steps(recipe: &str) -> (BTreeMap<String, u64>, u64) {
 /// What a step may take at most: a map of land is a million cells and more, whatever grows on it; and rivers meander the longer
 /// the more of them there are, by attractors or by cells of a Brownian tree.
 fn bound(session: &Session) -> u64 {
-    8_000_000 + 250 * u64::from(session.growth().everything())
+    8_000_000 + 250 * u64::from(session.growth().total_discharge())
 }
 
 /// No step of a recipe takes more than the bound.

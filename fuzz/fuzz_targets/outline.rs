@@ -23,7 +23,7 @@ fuzz_target!(|text: &str| {
     // There is none where nothing is drawn, or no water, or next to no land.
     let Some(land) = Land::of(&recipe) else { return };
     for (x, y) in (0..=10).flat_map(|x| (0..=10).map(move |y| (x, y))) {
-        let height = land.relief().height((x as f32 * 120.0, y as f32 * 80.0).into());
+        let height = land.coast_distance().height((x as f32 * 120.0, y as f32 * 80.0).into());
         assert!(height.is_finite(), "{height} at {x}, {y}");
     }
 });

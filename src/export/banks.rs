@@ -9,8 +9,8 @@ use std::ops::Range;
 use glam::Vec2;
 
 use super::rings::{GridPoint, simple_ring};
+use crate::geometry::direction;
 use crate::network::{Network, Oxbow, Place, River};
-use crate::plane::direction;
 
 /// How far from the middle banks may come, when they cross where they are.
 const SHARES: [f32; 4] = [1.0, 0.5, 0.25, 0.1];
@@ -143,7 +143,7 @@ mod tests {
             right: width / 2.0,
             ..Vertex::default()
         };
-        let river = River { start: 0, end: points.len() as u32, joins: NONE, parent: NONE, order: 1, magnitude: 1 };
+        let river = River { start: 0, end: points.len() as u32, junction: NONE, parent: NONE, order: 1, magnitude: 1 };
         (Network { vertices: points.iter().map(vertex).collect(), rivers: vec![river], oxbows: vec![] }, river)
     }
 

@@ -23,8 +23,8 @@ use crate::session::Session;
 pub fn collection(session: &Session) -> Result<Value<'_>, ExportError> {
     const BYTES_A_VERTEX: usize = 16;
     let network = rivers(session, BYTES_A_VERTEX)?;
-    let parameters = session.network_parameters();
-    let elevations = hydrology::elevations(network, parameters.everything);
+    let parameters = session.network_settings();
+    let elevations = hydrology::elevations(network, parameters.total_discharge);
     let features = Features { network, domain: session.domain(), elevations };
     let mut lakes = Vec::new();
     for (id, oxbow) in (0..).zip(&network.oxbows) {
@@ -65,8 +65,9 @@ struct Features<'a> {
 impl<'a> Features<'a> {
     fn river(&self, id: u32) -> Value<'a> {
         let (network, river) = (self.network, &self.network.rivers[id as usize]);
-        let junction = (river.joins != NONE).then_some(river.joins as usize);
-        let mut line: Vec<[f64; 3]> = river.own().chain(junction).map(|vertex| self.position(vertex)).collect();
+        let junction = (river.junction != NONE).then_some(river.junction as usize);
+        let mut line: Vec<[f64; 3]> =
+            river.vertex_range().chain(junction).map(|vertex| self.position(vertex)).collect();
         if let [only] = line[..] {
             line.push(only); // A line has two positions at least.
         }

@@ -20,7 +20,7 @@ pub fn network(session: &Session, with_attractors: bool) -> Result<Value<'_>, Ex
     /// Of the nodes' columns, about two nodes a vertex.
     const BYTES_A_VERTEX: usize = 64;
     let network = rivers(session, BYTES_A_VERTEX)?;
-    let parameters = session.growth().parameters();
+    let parameters = session.growth().settings();
     let mut domain = Members::default();
     domain.single("width", session.domain().size.x).single("height", session.domain().size.y);
     let mut form = Members::default();
@@ -67,8 +67,8 @@ pub fn recipe<'a>(recipe: &Recipe) -> Value<'a> {
 
 /// The values used, lengths in domain units.
 fn resolved<'a>(session: &Session) -> Members<'a> {
-    let grown = session.growth().parameters();
-    let shaped = session.network_parameters();
+    let grown = session.growth().settings();
+    let shaped = session.network_settings();
     let mut members = Members::default();
     members
         .single("spacing", grown.spacing)
@@ -80,8 +80,8 @@ fn resolved<'a>(session: &Session) -> Members<'a> {
         .whole("stretch", grown.stretch)
         .single("sensitivity", grown.sensitivity)
         .whole("trim", Trim::of(session.recipe()).nodes)
-        .single("width", shaped.full_width)
-        .whole("everything", shaped.everything)
+        .single("width", shaped.max_width)
+        .whole("everything", shaped.total_discharge)
         .single("vertex-spacing", shaped.spacing)
         .single("simplify", shaped.simplify)
         .single("vary", shaped.vary)

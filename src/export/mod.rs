@@ -39,7 +39,7 @@ fn rivers(session: &Session, bytes_a_vertex: usize) -> Result<&Network, ExportEr
     let network = session.network().ok_or(ExportError::Unfinished)?;
     let vertices = network.vertices.len() + network.oxbows.iter().map(|oxbow| oxbow.vertices.len()).sum::<usize>();
     let bytes = vertices * bytes_a_vertex;
-    if !memory::is_to_be_had(bytes) {
+    if !memory::can_allocate(bytes) {
         return Err(ExportError::OutOfMemory { megabytes: (bytes / 1_000_000) as u32 + 1 });
     }
     Ok(network)

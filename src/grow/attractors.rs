@@ -8,7 +8,7 @@ use glam::Vec2;
 use wide::f32x4;
 
 use super::pull::{Pull, Pulls};
-use super::{GrowError, Parameters, scatter};
+use super::{GrowError, Settings, scatter};
 use crate::land::Land;
 use crate::memory::{self, Refused};
 use crate::work;
@@ -99,27 +99,27 @@ pub(super) struct Attractors {
 
 impl Attractors {
     /// Scatters the attractors of a recipe and sorts them into cells.
-    pub fn new(parameters: &Parameters) -> Result<Self, GrowError> {
-        let places = scatter(parameters);
-        let cell = parameters.reach / cells_a_reach(parameters) as f32 * OVER_ROUNDING;
+    pub fn new(settings: &Settings) -> Result<Self, GrowError> {
+        let places = scatter(settings);
+        let cell = settings.reach / cells_a_reach(settings) as f32 * OVER_ROUNDING;
         let count = |length: f32| ((length / cell) as i32 + 1).max(1);
-        let (columns, rows) = (count(parameters.domain.size.x), count(parameters.domain.size.y));
+        let (columns, rows) = (count(settings.domain.size.x), count(settings.domain.size.y));
         let mut this = Self {
             blocks: Vec::new(),
             pulls: Vec::new(),
             doomed: Vec::new(),
             hits: Vec::new(),
             first_block: vec![0; (columns * rows) as usize + 5],
-            farthest: vec![parameters.reach * parameters.reach * OVER_ROUNDING; (columns * rows) as usize + 4],
+            farthest: vec![settings.reach * settings.reach * OVER_ROUNDING; (columns * rows) as usize + 4],
             columns,
             rows,
             cell,
-            reach: parameters.reach,
-            squared_kill: parameters.kill * parameters.kill,
+            reach: settings.reach,
+            squared_kill: settings.kill * settings.kill,
             count: places.len() as u32,
-            cells_a_reach: cells_a_reach(parameters),
+            cells_a_reach: cells_a_reach(settings),
         };
-        this.fill(&places).map_err(|_| GrowError::out_of_memory(parameters))?;
+        this.fill(&places).map_err(|_| GrowError::out_of_memory(settings))?;
         Ok(this)
     }
 
@@ -335,9 +335,9 @@ fn next(lanes: &mut u32) -> usize {
 
 /// How many cells go into the reach: so that a cell is near three spacings wide. Nine attractors a cell are enough to
 /// share the cost of looking at it, and not so many that most are out of reach.
-fn cells_a_reach(parameters: &Parameters) -> i32 {
+fn cells_a_reach(settings: &Settings) -> i32 {
     const SPACINGS: f32 = 4.0;
-    (parameters.reach / (SPACINGS * parameters.spacing)).ceil().max(1.0) as i32
+    (settings.reach / (SPACINGS * settings.spacing)).ceil().max(1.0) as i32
 }
 
 /// How far 0 lies outside intervals around some middles, squared. `max(distance, 0)` is written so because wasm has no

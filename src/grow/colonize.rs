@@ -12,8 +12,8 @@ use glam::Vec2;
 use super::attractors::{Attractors, NO_NODE};
 use super::changed::Changed;
 use super::driest::Search;
-use super::heading::{heading, is_twin};
-use super::{BYTES_AN_ATTRACTOR, GrowError, Mouth, Parameters, Pull, mouths, shores};
+use super::heading::{heading, is_duplicate};
+use super::{BYTES_AN_ATTRACTOR, GrowError, Mouth, Pull, Settings, mouths, shores};
 use crate::land::Shore;
 use crate::memory::{self, Refused};
 use crate::tree::{NO_PARENT, Tree};
@@ -33,7 +33,7 @@ pub enum Ending {
 /// Growth in progress.
 #[derive(Clone, Debug)]
 pub struct Colonize {
-    parameters: Parameters,
+    settings: Settings,
     attractors: Attractors,
     tree: Tree,
     shoots: Shoots,
@@ -42,7 +42,7 @@ pub struct Colonize {
     /// Room for one tick's work, kept between ticks.
     trying: Vec<u32>,
     /// Rivers that no attractor has reached yet.
-    pilots: Vec<Pilot>,
+    pilots: Vec<StraightTip>,
     /// Where rivers reach the sea.
     mouths: Vec<Vec2>,
     /// For a mouth more, once one has been searched for.
@@ -70,7 +70,7 @@ struct Shoots {
 
 /// The end of a river that nothing pulls yet: it runs straight inland.
 #[derive(Clone, Copy, Debug)]
-struct Pilot {
+struct StraightTip {
     tip: u32,
     inland: Vec2,
 }
@@ -80,11 +80,11 @@ impl Colonize {
     ///
     /// # Errors
     /// If the memory is not to be had.
-    pub fn new(parameters: Parameters) -> Result<Self, GrowError> {
-        if !memory::is_to_be_had(parameters.attractors as usize * BYTES_AN_ATTRACTOR) {
-            return Err(GrowError::out_of_memory(&parameters));
+    pub fn new(settings: Settings) -> Result<Self, GrowError> {
+        if !memory::can_allocate(settings.attractors as usize * BYTES_AN_ATTRACTOR) {
+            return Err(GrowError::out_of_memory(&settings));
         }
-        let attractors = Attractors::new(&parameters)?;
+        let attractors = Attractors::new(&settings)?;
         let mut this = Self {
             mouths: Vec::new(),
             search: None,
@@ -95,14 +95,14 @@ impl Colonize {
             changed: Changed::default(),
             trying: Vec::new(),
             pilots: Vec::new(),
-            node_limit: MOST_NODES_PER_ATTRACTOR * parameters.attractors as usize + MOST_NODES_BESIDES,
+            node_limit: MOST_NODES_PER_ATTRACTOR * settings.attractors as usize + MOST_NODES_BESIDES,
             ending: None,
-            parameters,
+            settings,
         };
         // A usual tree's memory at once, so that no frame waits for a long array to move.
-        this.reserve(this.usual_nodes()).map_err(|_| GrowError::out_of_memory(&this.parameters))?;
+        this.reserve(this.usual_nodes()).map_err(|_| GrowError::out_of_memory(&this.settings))?;
         this.tree.tick_starts.push(0);
-        for mouth in mouths(&this.parameters) {
+        for mouth in mouths(&this.settings) {
             this.plant(mouth);
         }
         this.capture_from(0);
@@ -112,8 +112,8 @@ impl Colonize {
     /// Plants a mouth and its stem, the start nodes of the paper: about a spacing straight inland, so that no river
     /// leaves along the coast.
     fn plant(&mut self, Mouth { at, inland }: Mouth) {
-        let mut pilot = Pilot { tip: self.add(at, NO_PARENT), inland };
-        for _ in 0..stem_nodes(&self.parameters) {
+        let mut pilot = StraightTip { tip: self.add(at, NO_PARENT), inland };
+        for _ in 0..stem_nodes(&self.settings) {
             pilot.tip = self.extend(pilot).unwrap_or(pilot.tip);
         }
         self.pilots.push(pilot);
@@ -136,14 +136,14 @@ impl Colonize {
             }
         }
         if self.tree.len() == born_from && self.ending.is_none() {
-            self.water_the_rest();
+            self.seed_unreached_land();
         }
         if self.is_searching() {
             self.tree.tick_starts.pop();
             return true;
         }
         if self.tree.len() == born_from && self.is_dry() {
-            self.run_on();
+            self.extend_last_tip();
         }
         self.capture_from(born_from);
         self.use_up();
@@ -174,10 +174,10 @@ impl Colonize {
         let Some(pull) = self.shoots.pull[index].direction() else { return };
         let at = self.tree.at[index];
         let came_from = self.tree.parent_of(index).map(|parent| self.tree.at[parent]);
-        let bent = heading(&self.parameters, at, came_from, pull, self.shoots.from_mouth[index], tick);
+        let bent = heading(&self.settings, at, came_from, pull, self.shoots.from_mouth[index], tick);
         // A bend that would leave the land is not made: a river beside the coast must not fall silent for it.
-        let straight = at + pull * self.parameters.step;
-        let child = [bent, straight].into_iter().find(|&child| self.parameters.allows(at, child));
+        let straight = at + pull * self.settings.step;
+        let child = [bent, straight].into_iter().find(|&child| self.settings.allows(at, child));
         if let Some(child) = child
             && !self.has_twin(index, child)
         {
@@ -191,8 +191,8 @@ impl Colonize {
         for (node, attractor) in self.attractors.nearest_by_owner() {
             let at = self.tree.at[node as usize];
             if let Some(pull) = Pull::toward(at, attractor).direction() {
-                let child = at + pull * self.parameters.step;
-                if self.parameters.allows(at, child) && !self.has_twin(node as usize, child) {
+                let child = at + pull * self.settings.step;
+                if self.settings.allows(at, child) && !self.has_twin(node as usize, child) {
                     self.add(child, node);
                 }
             }
@@ -202,7 +202,7 @@ impl Colonize {
     fn has_twin(&self, node: usize, child: Vec2) -> bool {
         let mut sibling = self.shoots.youngest[node];
         while sibling != NO_NODE {
-            if is_twin(child, self.tree.at[sibling as usize], self.parameters.step) {
+            if is_duplicate(child, self.tree.at[sibling as usize], self.settings.step) {
                 return true;
             }
             sibling = self.shoots.elder[sibling as usize];
@@ -229,10 +229,10 @@ impl Colonize {
     /// Step 2 of the paper, for new nodes only: attractors that are now nearer to one of them change hands.
     fn capture_from(&mut self, first: usize) {
         self.changed.grow(self.tree.len());
-        let Self { parameters, attractors, tree, shoots, changed, .. } = self;
+        let Self { settings, attractors, tree, shoots, changed, .. } = self;
         for node in first..tree.len() {
             let at = tree.at[node];
-            let gained = attractors.capture(node as u32, at, parameters.hidden_from(at), |owner, pull| {
+            let gained = attractors.capture(node as u32, at, settings.hidden_from(at), |owner, pull| {
                 shoots.pull[owner as usize].subtract(pull);
                 changed.insert(owner);
             });
@@ -258,14 +258,14 @@ impl Colonize {
             if self.attractors.within_reach(self.tree.at[pilot.tip as usize]).next().is_none()
                 && let Some(tip) = self.extend(pilot)
             {
-                self.pilots.push(Pilot { tip, ..pilot });
+                self.pilots.push(StraightTip { tip, ..pilot });
             }
         }
     }
 
     /// When all has fallen silent and land is left over that no river sees: a mouth more, where it sees the most of it. It takes what
     /// it sees, so there is an end to them.
-    fn water_the_rest(&mut self) {
+    fn seed_unreached_land(&mut self) {
         /// One in so many attractors out of sight is a patch that shows.
         const PATCH: u32 = 50;
         let is_patch = |lost: u32| lost > self.attractors.count() / PATCH;
@@ -279,16 +279,16 @@ impl Colonize {
     /// The place on a coast from which the most attractors are in reach that no node has, apart from all mouths; the first of
     /// equals. `None` also while the search for it is under way.
     fn driest_shore(&mut self) -> Option<Shore> {
-        let Self { parameters, attractors, mouths, search, .. } = self;
+        let Self { settings, attractors, mouths, search, .. } = self;
         let seen_from = |shore: Vec2| {
             work::count(mouths.len());
-            if mouths.iter().any(|mouth| mouth.distance(shore) <= parameters.apart) {
+            if mouths.iter().any(|mouth| mouth.distance(shore) <= settings.apart) {
                 return 0;
             }
-            let is_lost = |&(owner, place): &(u32, Vec2)| owner == NO_NODE && parameters.sees(shore, place);
+            let is_lost = |&(owner, place): &(u32, Vec2)| owner == NO_NODE && settings.sees(shore, place);
             attractors.within_reach(shore).filter(is_lost).count() as u32
         };
-        search.get_or_insert_with(|| Box::new(Search::among(shores(parameters)))).go_on(seen_from)
+        search.get_or_insert_with(|| Box::new(Search::among(shores(settings)))).go_on(seen_from)
     }
 
     fn is_searching(&self) -> bool {
@@ -302,21 +302,21 @@ impl Colonize {
 
     /// When a tree has died out among attractors that are all beyond its reach: its last node runs straight on, like a
     /// root that nothing reaches.
-    fn run_on(&mut self) {
+    fn extend_last_tip(&mut self) {
         let Some(tip) = self.tree.len().checked_sub(1) else { return };
         let Some(parent) = self.tree.parent_of(tip) else { return };
-        let onward = (self.tree.at[tip] - self.tree.at[parent]) / self.parameters.step;
-        let pilot = Pilot { tip: tip as u32, inland: onward };
+        let onward = (self.tree.at[tip] - self.tree.at[parent]) / self.settings.step;
+        let pilot = StraightTip { tip: tip as u32, inland: onward };
         if let Some(tip) = self.extend(pilot) {
-            self.pilots.push(Pilot { tip, ..pilot });
+            self.pilots.push(StraightTip { tip, ..pilot });
         }
     }
 
     /// Adds a node straight inland; `None` where the land ends.
-    fn extend(&mut self, Pilot { tip, inland }: Pilot) -> Option<u32> {
+    fn extend(&mut self, StraightTip { tip, inland }: StraightTip) -> Option<u32> {
         let from = self.tree.at[tip as usize];
-        let at = from + inland * self.parameters.step;
-        self.parameters.allows(from, at).then(|| self.add(at, tip))
+        let at = from + inland * self.settings.step;
+        self.settings.allows(from, at).then(|| self.add(at, tip))
     }
 
     /// Attractors that pull to the end, but were never come near to, drain to their nearest node all the same.
@@ -334,9 +334,9 @@ impl Colonize {
         &self.tree
     }
 
-    /// The parameters it grows by.
-    pub fn parameters(&self) -> &Parameters {
-        &self.parameters
+    /// The settings it grows by.
+    pub fn settings(&self) -> &Settings {
+        &self.settings
     }
 
     /// How growth ended; `None` while it goes on.
@@ -379,13 +379,13 @@ impl Colonize {
     /// About how many nodes a tree has, rather too many: by trials over reach 2.4 to 10, kill 0.5 to 2 and step 0.2 to 1
     /// the number goes with kill^−½ and step^−¾ (both in spacings).
     fn usual_nodes(&self) -> usize {
-        let Parameters { attractors, spacing, kill, step, .. } = self.parameters;
+        let Settings { attractors, spacing, kill, step, .. } = self.settings;
         let (kill, step) = (kill / spacing, (step / spacing).sqrt());
         (0.65 * attractors as f32 / (kill.sqrt() * step * step.sqrt())) as usize
     }
 }
 
 /// How many nodes of a stem make about a spacing.
-pub fn stem_nodes(parameters: &Parameters) -> u32 {
-    ((parameters.spacing / parameters.step + 0.5) as u32).max(1)
+pub fn stem_nodes(settings: &Settings) -> u32 {
+    ((settings.spacing / settings.step + 0.5) as u32).max(1)
 }

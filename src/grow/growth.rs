@@ -1,13 +1,13 @@
 //! Growth by whichever procedure a recipe asks for.
 
-use super::{Brownian, Colonize, Ending, Field, GrowError, Parameters};
+use super::{Brownian, Colonize, Ending, Field, GrowError, Settings};
 use crate::recipe::GrowthMethod;
 use crate::tree::Tree;
 
 /// Growth in progress: a stepper, whatever the procedure.
 #[derive(Clone, Debug)]
 pub struct Growth {
-    parameters: Parameters,
+    settings: Settings,
     grower: Grower,
 }
 
@@ -22,16 +22,16 @@ impl Growth {
     ///
     /// # Errors
     /// If the memory is not to be had.
-    pub fn new(parameters: Parameters) -> Result<Self, GrowError> {
-        let grower = match parameters.method {
-            GrowthMethod::Colonize => Grower::Colonize(Colonize::new(parameters.clone())?),
+    pub fn new(settings: Settings) -> Result<Self, GrowError> {
+        let grower = match settings.method {
+            GrowthMethod::Colonize => Grower::Colonize(Colonize::new(settings.clone())?),
             GrowthMethod::Brownian => {
-                let field = Field::of(&parameters);
-                let sensitivity = parameters.sensitivity / field.side();
-                Grower::Brownian(Brownian::new(field, parameters.seed, sensitivity)?)
+                let field = Field::of(&settings);
+                let sensitivity = settings.sensitivity / field.side();
+                Grower::Brownian(Brownian::new(field, settings.seed, sensitivity)?)
             }
         };
-        Ok(Self { parameters, grower })
+        Ok(Self { settings, grower })
     }
 
     /// Grows by one tick. Returns whether there is more to grow: if not, [`Growth::failure`] tells of a tree that is not
@@ -51,9 +51,9 @@ impl Growth {
         }
     }
 
-    /// The parameters it grows by.
-    pub fn parameters(&self) -> &Parameters {
-        &self.parameters
+    /// The settings it grows by.
+    pub fn settings(&self) -> &Settings {
+        &self.settings
     }
 
     /// How growth ended; `None` while it goes on.
@@ -67,7 +67,7 @@ impl Growth {
     /// Why growth stopped before its end: the memory for more nodes was not to be had.
     pub fn failure(&self) -> Option<GrowError> {
         (self.ending() == Some(Ending::OutOfMemory)).then(|| match &self.grower {
-            Grower::Colonize(_) => GrowError::out_of_memory(&self.parameters),
+            Grower::Colonize(_) => GrowError::out_of_memory(&self.settings),
             Grower::Brownian(growth) => growth.out_of_memory(),
         })
     }
@@ -97,24 +97,24 @@ impl Growth {
     }
 
     /// The discharge of a river that drains everything: known before growth begins, for a Brownian tree nearly.
-    pub fn everything(&self) -> u32 {
+    pub fn total_discharge(&self) -> u32 {
         match &self.grower {
             Grower::Colonize(growth) => growth.attractors(),
-            Grower::Brownian(growth) => growth.everything(),
+            Grower::Brownian(growth) => growth.total_discharge(),
         }
     }
 
     /// About how far apart streams lie, in units: the distance between attractors, or the sensitivity.
     pub fn stream_spacing(&self) -> f32 {
-        match self.parameters.method {
-            GrowthMethod::Colonize => self.parameters.spacing,
-            GrowthMethod::Brownian => self.parameters.sensitivity,
+        match self.settings.method {
+            GrowthMethod::Colonize => self.settings.spacing,
+            GrowthMethod::Brownian => self.settings.sensitivity,
         }
     }
 
     /// Whether steps of the tree may cross each other: the strands of a Brownian tree never touch.
     pub fn may_cross(&self) -> bool {
-        match self.parameters.method {
+        match self.settings.method {
             GrowthMethod::Colonize => true,
             GrowthMethod::Brownian => false,
         }
@@ -130,6 +130,6 @@ impl Growth {
 
     /// How much of everything is drained so far, from 0 to 1; of a Brownian tree, about so.
     pub fn progress(&self) -> f32 {
-        (self.drained() as f32 / self.everything().max(1) as f32).min(1.0)
+        (self.drained() as f32 / self.total_discharge().max(1) as f32).min(1.0)
     }
 }

@@ -2,7 +2,7 @@
 
 use glam::Vec2;
 
-use super::Parameters;
+use super::Settings;
 use crate::random::{Key, Purpose};
 
 /// Where the child of a node comes to lie.
@@ -13,7 +13,7 @@ use crate::random::{Key, Purpose};
 ///   branch bends in regular stretches, whatever grew elsewhere.
 /// * `tick`: with the node's place, the identity that the curl's random angle is drawn by.
 pub fn heading(
-    parameters: &Parameters,
+    settings: &Settings,
     node: Vec2,
     came_from: Option<Vec2>,
     pull: Vec2,
@@ -21,21 +21,21 @@ pub fn heading(
     tick: u32,
 ) -> Vec2 {
     let mut direction = pull;
-    if parameters.momentum > 0.0
+    if settings.momentum > 0.0
         && let Some(parent) = came_from
     {
-        direction = with_momentum(direction, (node - parent) / parameters.step, parameters.momentum);
+        direction = with_momentum(direction, (node - parent) / settings.step, settings.momentum);
     }
-    if parameters.curl > 0.0 {
-        direction = with_curl(parameters, direction, node, nodes_from_mouth, tick);
+    if settings.curl > 0.0 {
+        direction = with_curl(settings, direction, node, nodes_from_mouth, tick);
     }
-    node + direction * parameters.step
+    node + direction * settings.step
 }
 
 /// Whether a child would lie on one that is there already, within an eighth of a step: such twins would pass for
 /// a confluence and double the stream order.
 #[inline]
-pub fn is_twin(child: Vec2, sibling: Vec2, step: f32) -> bool {
+pub fn is_duplicate(child: Vec2, sibling: Vec2, step: f32) -> bool {
     const NEAR: f32 = 1.0 / 8.0;
     let gap = child - sibling;
     gap.x * gap.x + gap.y * gap.y < (NEAR * step) * (NEAR * step)
@@ -51,10 +51,10 @@ fn with_momentum(v2: Vec2, v1: Vec2, k: f32) -> Vec2 {
 }
 
 /// Turns a direction by a random angle in [0, θ_c), clockwise in the first stretch, then in turn.
-fn with_curl(parameters: &Parameters, direction: Vec2, node: Vec2, nodes_from_mouth: u32, tick: u32) -> Vec2 {
-    let chance = curl_key(parameters).unit([node.x.to_bits(), node.y.to_bits(), tick]);
-    let (sine, cosine) = sine_and_cosine(parameters.curl * chance);
-    let clockwise = (nodes_from_mouth / parameters.stretch).is_multiple_of(2);
+fn with_curl(settings: &Settings, direction: Vec2, node: Vec2, nodes_from_mouth: u32, tick: u32) -> Vec2 {
+    let chance = curl_key(settings).unit([node.x.to_bits(), node.y.to_bits(), tick]);
+    let (sine, cosine) = sine_and_cosine(settings.curl * chance);
+    let clockwise = (nodes_from_mouth / settings.stretch).is_multiple_of(2);
     direction.rotate(Vec2::new(cosine, if clockwise { sine } else { -sine }))
 }
 
@@ -80,8 +80,8 @@ const fn series(first: u32) -> [f64; 12] {
     factors
 }
 
-fn curl_key(parameters: &Parameters) -> Key {
-    parameters.seed.key(Purpose::Curl)
+fn curl_key(settings: &Settings) -> Key {
+    settings.seed.key(Purpose::Curl)
 }
 
 #[cfg(test)]
@@ -89,21 +89,21 @@ mod tests {
     use super::*;
     use crate::recipe::link;
 
-    fn parameters(link: &str) -> Parameters {
-        Parameters::of(&link::read(link).unwrap())
+    fn settings(link: &str) -> Settings {
+        Settings::of(&link::read(link).unwrap())
     }
 
     /// The angle of the child of a node at the origin that came straight east and is pulled by `angle`.
-    fn turn(parameters: &Parameters, angle: f32, nodes_from_mouth: u32) -> f32 {
+    fn turn(settings: &Settings, angle: f32, nodes_from_mouth: u32) -> f32 {
         let pull = Vec2::new(libm::cosf(angle), libm::sinf(angle));
-        let parent = Vec2::NEG_X * parameters.step;
-        let child = heading(parameters, Vec2::ZERO, Some(parent), pull, nodes_from_mouth, 5);
+        let parent = Vec2::NEG_X * settings.step;
+        let child = heading(settings, Vec2::ZERO, Some(parent), pull, nodes_from_mouth, 5);
         libm::atan2f(child.y, child.x)
     }
 
     #[test]
     fn plain_growth_follows_the_pull() {
-        assert!((turn(&parameters("curl=0"), 0.5, 3) - 0.5).abs() < 1e-5);
+        assert!((turn(&settings("curl=0"), 0.5, 3) - 0.5).abs() < 1e-5);
     }
 
     #[test]
@@ -121,16 +121,16 @@ mod tests {
         for (k, degrees) in [(0.2f32, 20.0f32), (0.4, 30.0), (0.5, 10.0)] {
             let theta = degrees.to_radians();
             let expected = libm::atan2f(libm::sinf(theta), libm::cosf(theta) - k);
-            let found = turn(&parameters(&format!("curl=0&momentum={k}")), theta, 3);
+            let found = turn(&settings(&format!("curl=0&momentum={k}")), theta, 3);
             assert!((found - expected).abs() < 1e-5, "k {k}, {degrees}°: {found} is not {expected}");
         }
     }
 
     #[test]
     fn curl_turns_at_most_its_angle_and_changes_sides_each_stretch() {
-        let parameters = parameters("curl=0.8&stretch=3");
+        let settings = settings("curl=0.8&stretch=3");
         for nodes in 0..12 {
-            let turned = turn(&parameters, 0.0, nodes);
+            let turned = turn(&settings, 0.0, nodes);
             let side = if (nodes / 3) % 2 == 0 { 1.0 } else { -1.0 };
             assert!((0.0..0.8).contains(&(turned * side)), "{nodes}: {turned}");
         }

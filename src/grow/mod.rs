@@ -12,17 +12,25 @@ mod driest;
 mod growth;
 mod heading;
 mod mouths;
-mod parameters;
 mod pull;
 mod scatter;
+mod settings;
 
-pub use brownian::{Brownian, Field, Order};
-pub use colonize::{Colonize, Ending, stem_nodes};
+pub use brownian::Brownian;
+#[doc(hidden)]
+pub use brownian::{Field, Order};
+#[doc(hidden)]
+pub use colonize::stem_nodes;
+pub use colonize::{Colonize, Ending};
 pub use growth::Growth;
-pub use mouths::{Mouth, mouths, shores};
-pub use parameters::Parameters;
+pub use mouths::Mouth;
+#[doc(hidden)]
+pub use mouths::{mouths, shores};
+#[doc(hidden)]
 pub use pull::Pull;
+#[doc(hidden)]
 pub use scatter::scatter;
+pub use settings::Settings;
 
 use thiserror::Error;
 
@@ -50,9 +58,9 @@ pub enum GrowError {
 const BYTES_AN_ATTRACTOR: usize = 140;
 
 impl GrowError {
-    /// The error for parameters that ask for too much.
-    fn out_of_memory(parameters: &Parameters) -> Self {
-        let attractors = parameters.attractors;
+    /// The error for settings that ask for too much.
+    fn out_of_memory(settings: &Settings) -> Self {
+        let attractors = settings.attractors;
         Self::OutOfMemory { attractors, megabytes: (attractors as usize * BYTES_AN_ATTRACTOR / 1_000_000) as u32 + 1 }
     }
 

@@ -2,7 +2,7 @@
 
 use glam::Vec2;
 
-use super::Parameters;
+use super::Settings;
 use crate::land::{Land, Region, Shore};
 use crate::random::{Purpose, Stream};
 use crate::recipe::Sides;
@@ -21,17 +21,17 @@ pub struct Mouth {
 const STRAY: f32 = 0.7;
 
 /// Places the mouths of a recipe: along the sides of a plain rectangle, else on the coasts of the regions that have any.
-pub fn mouths(parameters: &Parameters) -> Vec<Mouth> {
-    let Some(land) = &parameters.land else { return on_sides(parameters) };
-    let mut chance = parameters.seed.stream(Purpose::Mouths);
-    let regions = land.regions().iter().zip(&parameters.basins);
-    let chosen = |region| chosen_shores(region, parameters.shores);
-    regions.flat_map(|(region, &count)| on_coast(land, &chosen(region), count, parameters.apart, &mut chance)).collect()
+pub fn mouths(settings: &Settings) -> Vec<Mouth> {
+    let Some(land) = &settings.land else { return on_sides(settings) };
+    let mut chance = settings.seed.stream(Purpose::Mouths);
+    let regions = land.regions().iter().zip(&settings.basins);
+    let chosen = |region| chosen_shores(region, settings.shores);
+    regions.flat_map(|(region, &count)| on_coast(land, &chosen(region), count, settings.apart, &mut chance)).collect()
 }
 
 /// The places where rivers may reach the sea; none on a plain rectangle, which has a border and no coast.
-pub fn shores(parameters: &Parameters) -> impl Iterator<Item = Shore> {
-    parameters.watered().flat_map(|region| chosen_shores(region, parameters.shores))
+pub fn shores(settings: &Settings) -> impl Iterator<Item = Shore> {
+    settings.watered().flat_map(|region| chosen_shores(region, settings.shores))
 }
 
 /// The shores of a region that lie on some sides as seen from the middle of its coast: so the north shore of an island looks north,
@@ -77,12 +77,12 @@ fn on_coast(land: &Land, coast: &[Shore], count: u32, apart: f32, chance: &mut S
 }
 
 /// Places mouths along the chosen sides, one in each equal share of their common length, so that they keep apart.
-fn on_sides(parameters: &Parameters) -> Vec<Mouth> {
-    let coast = coast(parameters);
+fn on_sides(settings: &Settings) -> Vec<Mouth> {
+    let coast = coast(settings);
     let length: f32 = coast.iter().map(|side| side.length).sum();
-    let share = length / parameters.mouths as f32;
-    let mut chance = parameters.seed.stream(Purpose::Mouths);
-    (0..parameters.mouths)
+    let share = length / settings.mouths as f32;
+    let mut chance = settings.seed.stream(Purpose::Mouths);
+    (0..settings.mouths)
         .map(|i| {
             let stray = (chance.unit() - 0.5) * STRAY;
             along(&coast, (i as f32 + 0.5 + stray) * share)
@@ -97,10 +97,10 @@ struct Side {
     length: f32,
 }
 
-fn coast(parameters: &Parameters) -> Vec<Side> {
-    let Vec2 { x: width, y: height } = parameters.domain.size;
+fn coast(settings: &Settings) -> Vec<Side> {
+    let Vec2 { x: width, y: height } = settings.domain.size;
     let side = |initial: char, start: Vec2, direction: Vec2, length: f32| {
-        parameters.sides.contains(initial).then_some(Side { start, direction, length })
+        settings.sides.contains(initial).then_some(Side { start, direction, length })
     };
     [
         side('n', Vec2::ZERO, Vec2::X, width),
@@ -140,9 +140,9 @@ mod tests {
     fn mouths_lie_on_the_chosen_sides_and_look_inland() {
         for sides in ["n", "e", "s", "w", "ns", "nesw"] {
             let recipe = link::read(&format!("land=rectangle&mouths=9&sides={sides}")).unwrap();
-            let parameters = Parameters::of(&recipe);
-            let size = parameters.domain.size;
-            for mouth in mouths(&parameters) {
+            let settings = Settings::of(&recipe);
+            let size = settings.domain.size;
+            for mouth in mouths(&settings) {
                 let gap = |side| match side {
                     'n' => mouth.at.y,
                     'e' => size.x - mouth.at.x,
@@ -150,7 +150,7 @@ mod tests {
                     _ => mouth.at.x,
                 };
                 assert!(sides.chars().any(|side| gap(side) == 0.0), "{sides}: {mouth:?}");
-                assert!(parameters.domain.contains(mouth.at + mouth.inland), "{sides}: {mouth:?}");
+                assert!(settings.domain.contains(mouth.at + mouth.inland), "{sides}: {mouth:?}");
             }
         }
     }
@@ -161,10 +161,10 @@ mod tests {
             let (mut at_mouths, mut along_coasts) = (Vec::new(), Vec::new());
             for seed in 0..8 {
                 let link = format!("land={kind}&rough=1&sea=0.4&mouths=6&apart=0&shores=nesw&seed={seed}");
-                let parameters = Parameters::of(&link::read(&link).unwrap());
-                let land = parameters.land.as_ref().unwrap();
-                at_mouths.extend(mouths(&parameters).iter().map(|mouth| land.shelter(mouth.at)));
-                along_coasts.extend(shores(&parameters).map(|shore| land.shelter(shore.at)));
+                let settings = Settings::of(&link::read(&link).unwrap());
+                let land = settings.land.as_ref().unwrap();
+                at_mouths.extend(mouths(&settings).iter().map(|mouth| land.shelter(mouth.at)));
+                along_coasts.extend(shores(&settings).map(|shore| land.shelter(shore.at)));
             }
             let mean = |shelters: &[f32]| shelters.iter().sum::<f32>() / shelters.len() as f32;
             let (mouths, coasts) = (mean(&at_mouths), mean(&along_coasts));
@@ -174,9 +174,9 @@ mod tests {
 
     /// Where a grown tree's rivers reach the sea, region by region.
     fn grown_mouths(link: &str) -> Vec<Vec<Vec2>> {
-        let mut growth = Colonize::new(Parameters::of(&link::read(link).unwrap())).unwrap();
+        let mut growth = Colonize::new(Settings::of(&link::read(link).unwrap())).unwrap();
         while growth.tick() {}
-        let (tree, land) = (growth.tree(), growth.parameters().land.as_ref().unwrap());
+        let (tree, land) = (growth.tree(), growth.settings().land.as_ref().unwrap());
         let roots: Vec<Vec2> = (0..tree.len()).filter(|&i| tree.parent[i] == NO_PARENT).map(|i| tree.at[i]).collect();
         let is_of = |region: &Region, root: &Vec2| region.shores.iter().any(|shore| shore.at == *root);
         let of_region = |region| roots.iter().filter(|root| is_of(region, root)).copied().collect();

@@ -2,28 +2,28 @@
 
 use glam::Vec2;
 
-use super::Parameters;
-use crate::land::{Cells, Land, SIDE};
+use super::Settings;
+use crate::land::{CELL_SIZE, Cells, Land};
 use crate::random::{Purpose, Stream};
 use crate::recipe::Scatter;
 use crate::work;
 
 /// Places the attractors, in the order of their drawing: one more leaves all others where they are, unless on a grid.
-pub fn scatter(parameters: &Parameters) -> Vec<Vec2> {
-    let mut chance = parameters.seed.stream(Purpose::Attractors);
-    match (&parameters.land, parameters.scatter) {
+pub fn scatter(settings: &Settings) -> Vec<Vec2> {
+    let mut chance = settings.seed.stream(Purpose::Attractors);
+    match (&settings.land, settings.scatter) {
         (None, Scatter::Random) => {
-            let anywhere = |_| Vec2::new(chance.unit(), chance.unit()) * parameters.domain.size;
-            (0..parameters.attractors).map(anywhere).collect()
+            let anywhere = |_| Vec2::new(chance.unit(), chance.unit()) * settings.domain.size;
+            (0..settings.attractors).map(anywhere).collect()
         }
-        (None, Scatter::Grid) => on_grid(parameters, parameters.attractors, |_| true, &mut chance),
-        (Some(land), Scatter::Random) => on_land(parameters, land, &mut chance),
+        (None, Scatter::Grid) => on_grid(settings, settings.attractors, |_| true, &mut chance),
+        (Some(land), Scatter::Random) => on_land(settings, land, &mut chance),
         (Some(land), Scatter::Grid) => {
             // As fine a grid as puts about so many cells on the land.
-            let size = parameters.domain.size;
-            let cells = (size.x * size.y / (parameters.spacing * parameters.spacing)) as u32;
-            let watered = Watered::of(parameters, land);
-            on_grid(parameters, cells.max(1), |place| watered.holds(place), &mut chance)
+            let size = settings.domain.size;
+            let cells = (size.x * size.y / (settings.spacing * settings.spacing)) as u32;
+            let watered = Watered::of(settings, land);
+            on_grid(settings, cells.max(1), |place| watered.holds(place), &mut chance)
         }
     }
 }
@@ -35,10 +35,10 @@ struct Watered {
 }
 
 impl Watered {
-    fn of(parameters: &Parameters, land: &Land) -> Self {
+    fn of(settings: &Settings, land: &Land) -> Self {
         let columns = land.columns() as usize;
         let mut cells = vec![false; columns * land.rows() as usize];
-        for run in parameters.watered().flat_map(|region| &region.runs) {
+        for run in settings.watered().flat_map(|region| &region.runs) {
             let row = run.row as usize * columns;
             cells[row + run.start as usize..row + run.end as usize].fill(true);
         }
@@ -47,28 +47,28 @@ impl Watered {
 
     /// Whether a point of the domain lies in such a cell; on its far borders none does.
     fn holds(&self, place: Vec2) -> bool {
-        let (column, row) = ((place.x / SIDE) as usize, (place.y / SIDE) as usize);
+        let (column, row) = ((place.x / CELL_SIZE) as usize, (place.y / CELL_SIZE) as usize);
         column < self.columns && self.cells.get(row * self.columns + column) == Some(&true)
     }
 }
 
 /// Anywhere in cells of land, each as likely as any other.
-fn on_land(parameters: &Parameters, land: &Land, chance: &mut Stream) -> Vec<Vec2> {
-    let cells = Cells::of(parameters.watered());
+fn on_land(settings: &Settings, land: &Land, chance: &mut Stream) -> Vec<Vec2> {
+    let cells = Cells::of(settings.watered());
     let anywhere = |_| {
         let cell = (chance.unit() * cells.count() as f32) as u32;
         let within = Vec2::new(chance.unit(), chance.unit());
         cells.cell(cell).map(|(column, row)| land.point(column, row, within))
     };
-    (0..parameters.attractors).filter_map(anywhere).collect()
+    (0..settings.attractors).filter_map(anywhere).collect()
 }
 
 /// One at random in each cell of a grid over the domain, those left out that are not wanted.
-fn on_grid(parameters: &Parameters, cells: u32, is_wanted: impl Fn(Vec2) -> bool, chance: &mut Stream) -> Vec<Vec2> {
-    let size = parameters.domain.size;
-    let rows = ((size.y / parameters.spacing).round() as u32).clamp(1, cells);
+fn on_grid(settings: &Settings, cells: u32, is_wanted: impl Fn(Vec2) -> bool, chance: &mut Stream) -> Vec<Vec2> {
+    let size = settings.domain.size;
+    let rows = ((size.y / settings.spacing).round() as u32).clamp(1, cells);
     let first_of = |row: u32| (u64::from(row) * u64::from(cells) / u64::from(rows)) as u32;
-    let mut places = Vec::with_capacity(parameters.attractors as usize);
+    let mut places = Vec::with_capacity(settings.attractors as usize);
     work::count(cells as usize);
     for row in 0..rows {
         let columns = first_of(row + 1) - first_of(row);

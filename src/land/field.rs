@@ -1,15 +1,16 @@
-//! Land as growth and painting ask for it: the relief, the grid of cells made of it, its regions and its ridges.
+//! Land as growth and painting ask for it: the coast distances, the grid of cells made of it, its regions and its ridges.
 
 use std::sync::Arc;
 
 use glam::Vec2;
 
-use super::grid::{Cell, Grid, SIDE};
+use super::cell::{CELL_SIZE, Cell};
+use super::coast_distance::CoastDistance;
+use super::grid::Grid;
 use super::kinds::Shape;
 use super::obstacles::Obstacles;
 use super::outline::Drawing;
 use super::regions::{Region, regions_of};
-use super::relief::Relief;
 use crate::domain::Domain;
 use crate::random::Seed;
 use crate::recipe::{Key, LandKind, Outline, Recipe};
@@ -21,7 +22,7 @@ pub(super) const LEAST_DRAWN: f32 = 0.01;
 /// Which cells are land, on the whole domain.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Land {
-    relief: Relief,
+    coast_distance: CoastDistance,
     grid: Grid,
     regions: Vec<Region>,
     ridges: Vec<Vec<Vec2>>,
@@ -56,35 +57,35 @@ impl Land {
         if shape.kind == LandKind::Drawn {
             return Self::drawn(&shape, recipe.outline()?).map(Arc::new);
         }
-        Some(Arc::new(Self::new(&shape.domain, shape.relief()?, shape.ridges())))
+        Some(Arc::new(Self::new(&shape.domain, shape.coast_distance()?, shape.ridges())))
     }
 
     /// The land of an outline; `None` if it is nearly all water, or all land.
     fn drawn(shape: &Shape, outline: &Outline) -> Option<Self> {
         let drawing = Drawing::of(outline, shape);
-        let this = Self::new(&shape.domain, drawing.relief(&shape.domain), drawing.ridges);
+        let this = Self::new(&shape.domain, drawing.coast_distance(&shape.domain), drawing.ridges);
         (LEAST_DRAWN..1.0).contains(&this.grid.share_of_land()).then_some(this)
     }
 
     /// Land above the sea, cut by ridges.
-    pub(crate) fn new(domain: &Domain, relief: Relief, ridges: Vec<Vec<Vec2>>) -> Self {
-        let mut grid = Grid::above_water(domain, &relief);
+    pub(crate) fn new(domain: &Domain, coast_distance: CoastDistance, ridges: Vec<Vec<Vec2>>) -> Self {
+        let mut grid = Grid::above_water(domain, &coast_distance);
         work::count(grid.cells.len());
         let raised = grid.raise(&ridges);
         let mut regions = regions_of(&grid.runs);
-        regions.iter_mut().for_each(|region| region.shores = grid.shores(region, &relief));
+        regions.iter_mut().for_each(|region| region.shores = grid.shores(region, &coast_distance));
         let borders = grid.borders();
         let hides = match (regions.len(), raised.len()) {
             (0..=1, 0) => Hides::Nothing,
             (0..=1, _) => Hides::Ridges(grid.obstacles(&raised)),
             _ => Hides::Borders,
         };
-        Self { relief, grid, regions, ridges, borders, hides }
+        Self { coast_distance, grid, regions, ridges, borders, hides }
     }
 
     /// The height of every point.
-    pub fn relief(&self) -> &Relief {
-        &self.relief
+    pub fn coast_distance(&self) -> &CoastDistance {
+        &self.coast_distance
     }
 
     /// Land that hangs together, the largest first.
@@ -97,13 +98,13 @@ impl Land {
         const FAR: f32 = 30.0;
         const AROUND: [(f32, f32); 8] =
             [(1.0, 0.0), (0.7, 0.7), (0.0, 1.0), (-0.7, 0.7), (-1.0, 0.0), (-0.7, -0.7), (0.0, -1.0), (0.7, -0.7)];
-        let land = |way: (f32, f32)| (self.relief.height(at + Vec2::from(way) * FAR) / FAR).clamp(-1.0, 1.0);
+        let land = |way: (f32, f32)| (self.coast_distance.height(at + Vec2::from(way) * FAR) / FAR).clamp(-1.0, 1.0);
         AROUND.into_iter().map(land).sum::<f32>() / AROUND.len() as f32
     }
 
     /// Whether a point lies in a region.
     pub fn is_in(&self, region: &Region, point: Vec2) -> bool {
-        let cell = (point / SIDE).floor();
+        let cell = (point / CELL_SIZE).floor();
         cell.min_element() >= 0.0 && region.contains(cell.x as u32, cell.y as u32)
     }
 
@@ -114,14 +115,14 @@ impl Land {
 
     /// The cell of a point; water outside the domain.
     pub fn at(&self, point: Vec2) -> Cell {
-        self.cell((point.x / SIDE).floor() as i32, (point.y / SIDE).floor() as i32)
+        self.cell((point.x / CELL_SIZE).floor() as i32, (point.y / CELL_SIZE).floor() as i32)
     }
 
     /// Whether a river can run straight from one point of the domain to another: over land all the way, the ends
     /// included.
     #[inline]
     pub fn allows(&self, from: Vec2, to: Vec2) -> bool {
-        let (from, to) = (from / SIDE, to / SIDE);
+        let (from, to) = (from / CELL_SIZE, to / CELL_SIZE);
         let room = self.borders.room(from);
         (to - from).length_squared() <= room * room || self.borders.let_pass(from, to)
     }
@@ -129,19 +130,19 @@ impl Land {
     /// Whether all that lies within a distance of a point of the domain, north, south, east and west, is land.
     #[inline]
     pub fn is_all_land(&self, at: Vec2, distance: f32) -> bool {
-        self.borders.has_room(at / SIDE, distance / SIDE)
+        self.borders.has_room(at / CELL_SIZE, distance / CELL_SIZE)
     }
 
     /// Whether a point of the domain surely sees all land within a distance.
     #[inline]
     pub fn sees_all(&self, at: Vec2, distance: f32) -> bool {
-        self.hiding().is_none_or(|hiding| hiding.has_room(at / SIDE, distance / SIDE))
+        self.hiding().is_none_or(|hiding| hiding.has_room(at / CELL_SIZE, distance / CELL_SIZE))
     }
 
     /// Whether neither a ridge lies between two points, nor, where there are several regions, water: what grows in one of
     /// them is nothing to the others.
     pub fn sees(&self, from: Vec2, to: Vec2) -> bool {
-        self.hiding().is_none_or(|hiding| hiding.let_pass(from / SIDE, to / SIDE))
+        self.hiding().is_none_or(|hiding| hiding.let_pass(from / CELL_SIZE, to / CELL_SIZE))
     }
 
     #[inline]
@@ -156,7 +157,7 @@ impl Land {
     /// A point of a cell: `within` runs from 0 to 1 in each of its directions. Where the cell reaches over the border of the
     /// domain, the point comes to the border.
     pub fn point(&self, column: u32, row: u32, within: Vec2) -> Vec2 {
-        ((Vec2::new(column as f32, row as f32) + within) * SIDE).min(self.grid.size)
+        ((Vec2::new(column as f32, row as f32) + within) * CELL_SIZE).min(self.grid.size)
     }
 
     /// How many columns of cells there are; the last may reach over the border of the domain.
@@ -190,8 +191,8 @@ mod tests {
         for kind in ["island", "continent", "archipelago", "valley", "basin"] {
             for sea in [0.1f32, 0.4, 0.8] {
                 let land = land(&format!("land={kind}&sea={sea}&rough=0.5"));
-                let with_ponds = Grid::above_water(&Domain::with_aspect(1.5), &land.relief).cells;
-                let water = with_ponds.iter().filter(|&&cell| cell == Cell::Unavailable).count();
+                let with_ponds = Grid::above_water(&Domain::with_aspect(1.5), &land.coast_distance).cells;
+                let water = with_ponds.iter().filter(|&&cell| cell == Cell::Water).count();
                 let share = water as f32 / land.grid.cells.len() as f32;
                 // Ponds are filled.
                 assert!((share - sea).abs() < 0.06, "{kind}: {share} is not {sea}");
@@ -201,7 +202,7 @@ mod tests {
 
     #[test]
     fn frame_cuts_neither_islands_nor_lakes() {
-        let kinds = [("island", Cell::Unavailable), ("archipelago", Cell::Unavailable), ("basin", Cell::Available)];
+        let kinds = [("island", Cell::Water), ("archipelago", Cell::Water), ("basin", Cell::Land)];
         for ((kind, around), seed) in kinds.into_iter().flat_map(|kind| (0..12).map(move |seed| (kind, seed))) {
             for sea in [0.3, 0.5, 0.7] {
                 let land = land(&format!("land={kind}&seed={seed}&rough=1&sea={sea}"));
@@ -221,7 +222,11 @@ mod tests {
             let size = Domain::with_aspect(1.5).size;
             for angle in (0..60).map(|i| i as f32 / 60.0 * std::f32::consts::TAU) {
                 let at = (Vec2::new(libm::cosf(angle), libm::sinf(angle)) * across + 1.0) * size / 2.0;
-                assert!(land.relief().height(at).abs() < 8.0, "{kind}: {} at {at}", land.relief().height(at));
+                assert!(
+                    land.coast_distance().height(at).abs() < 8.0,
+                    "{kind}: {} at {at}",
+                    land.coast_distance().height(at)
+                );
             }
         }
     }
@@ -241,9 +246,9 @@ mod tests {
     #[test]
     fn no_line_slips_through_a_diagonal_ridge() {
         let domain = Domain::with_aspect(1.0);
-        let (columns, rows) = Relief::corners(&domain);
-        let relief = Relief::of_coast(&domain, &[], &vec![true; columns * rows]);
-        let land = Land::new(&domain, relief, vec![vec![Vec2::new(300.0, 100.0), Vec2::new(601.0, 401.0)]]);
+        let (columns, rows) = CoastDistance::corners(&domain);
+        let coast_distance = CoastDistance::of_coast(&domain, &[], &vec![true; columns * rows]);
+        let land = Land::new(&domain, coast_distance, vec![vec![Vec2::new(300.0, 100.0), Vec2::new(601.0, 401.0)]]);
         assert!(!land.sees(Vec2::new(500.0, 200.0), Vec2::new(400.0, 300.0)));
         assert!(land.sees(Vec2::new(500.0, 200.0), Vec2::new(600.0, 100.0)));
     }

@@ -4,27 +4,13 @@ use std::ops::Range;
 
 use glam::Vec2;
 
+use super::cell::{CELL_SIZE, Cell};
+use super::coast_distance::CoastDistance;
 use super::obstacles::Obstacles;
 use super::regions::{Region, Run, Shore, without};
-use super::relief::Relief;
 use super::walk::walk;
 use crate::domain::Domain;
-use crate::order;
-
-/// What a cell is to rivers.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[repr(u8)]
-pub enum Cell {
-    /// Land.
-    Available,
-    /// Water: rivers end here.
-    Unavailable,
-    /// A ridge: no river crosses it.
-    Illegal,
-}
-
-/// The side of a cell, in units: far less than a step of a river at the default number of attractors.
-pub const SIDE: f32 = 1.0;
+use crate::sort;
 
 /// Cells, row by row.
 #[derive(Clone, Debug, PartialEq)]
@@ -40,25 +26,25 @@ pub(super) struct Grid {
     pub size: Vec2,
 }
 
-/// How many cells go into an interval of the relief's lattice.
-const CELLS: usize = (Relief::SPACING / SIDE) as usize;
+/// How many cells go into an interval of the lattice of coast distances.
+const CELLS: usize = (CoastDistance::SPACING / CELL_SIZE) as usize;
 
 impl Grid {
     /// The cells whose middles lie above water.
-    pub fn above_water(domain: &Domain, relief: &Relief) -> Self {
-        let count = |length: f32| (length / SIDE).ceil() as usize;
+    pub fn above_water(domain: &Domain, coast_distance: &CoastDistance) -> Self {
+        let count = |length: f32| (length / CELL_SIZE).ceil() as usize;
         let (columns, rows) = (count(domain.size.x), count(domain.size.y));
         let mut heights = vec![0.0; columns.div_ceil(CELLS) + 1];
         let mut runs = Vec::new();
         for row in 0..rows {
             let y = ((row % CELLS) as f32 + 0.5) / CELLS as f32;
-            relief.corners_between(row / CELLS, y, &mut heights);
+            coast_distance.corners_between(row / CELLS, y, &mut heights);
             land_of_row(row as u32, columns, &heights, &mut runs);
         }
-        let mut cells = vec![Cell::Unavailable; columns * rows];
+        let mut cells = vec![Cell::Water; columns * rows];
         for Run { row, start, end, .. } in &runs {
             let first = *row as usize * columns;
-            cells[first + *start as usize..first + *end as usize].fill(Cell::Available);
+            cells[first + *start as usize..first + *end as usize].fill(Cell::Land);
         }
         let land = runs.iter().map(|run| run.end - run.start).sum();
         Self { cells, runs, land, columns: columns as i32, rows: rows as i32, size: domain.size }
@@ -73,16 +59,16 @@ impl Grid {
     pub fn raise(&mut self, ridges: &[Vec<Vec2>]) -> Vec<usize> {
         let mut raised = Vec::new();
         for pair in ridges.iter().flat_map(|ridge| ridge.windows(2)) {
-            for (column, row) in walk(pair[0] / SIDE, pair[1] / SIDE) {
+            for (column, row) in walk(pair[0] / CELL_SIZE, pair[1] / CELL_SIZE) {
                 if let Some(i) = self.index(column, row)
-                    && self.cells[i] == Cell::Available
+                    && self.cells[i] == Cell::Land
                 {
-                    self.cells[i] = Cell::Illegal;
+                    self.cells[i] = Cell::Ridge;
                     raised.push(i);
                 }
             }
         }
-        let order = order::ascending(raised.iter().map(|&i| i as u32));
+        let order = sort::argsort(raised.iter().map(|&i| i as u32));
         let raised: Vec<usize> = order.into_iter().map(|i| raised[i]).collect();
         self.runs = without(&self.runs, &raised, self.columns as usize);
         raised
@@ -104,15 +90,15 @@ impl Grid {
     }
 
     /// All cells of a region beside the sea.
-    pub fn shores(&self, region: &Region, relief: &Relief) -> Vec<Shore> {
+    pub fn shores(&self, region: &Region, coast_distance: &CoastDistance) -> Vec<Shore> {
         let mut shores = Vec::new();
-        let is_water = |cells: &[Cell], column: usize| cells.get(column) == Some(&Cell::Unavailable);
+        let is_water = |cells: &[Cell], column: usize| cells.get(column) == Some(&Cell::Water);
         for run in &region.runs {
             let (row, start, end) = (run.row as usize, run.start as usize, run.end as usize);
             let (above, here, below) = (self.row(row.wrapping_sub(1)), self.row(row), self.row(row + 1));
             let mut add = |column: usize| {
                 let at = middle(column as i32, row as i32).min(self.size);
-                shores.push(Shore { at, inland: relief.slope(at).normalize_or(Vec2::NEG_Y) });
+                shores.push(Shore { at, inland: coast_distance.slope(at).normalize_or(Vec2::NEG_Y) });
             };
             let (west, east) = (is_water(here, start.wrapping_sub(1)), is_water(here, end));
             let is_end = |column: usize| (column == start && west) || (column + 1 == end && east);
@@ -138,7 +124,7 @@ impl Grid {
     /// A cell by its place; water outside.
     #[inline]
     pub fn cell(&self, column: i32, row: i32) -> Cell {
-        self.index(column, row).map_or(Cell::Unavailable, |i| self.cells[i])
+        self.index(column, row).map_or(Cell::Water, |i| self.cells[i])
     }
 
     #[inline]
@@ -155,7 +141,7 @@ const MANY: usize = 32;
 #[inline(never)] // two copies of a vectorised loop weigh more than a call
 fn has_water(row: &[Cell], columns: &Range<usize>) -> bool {
     let cells = row.get(columns.clone()).unwrap_or_default();
-    cells.iter().fold(false, |any, &cell| any | (cell == Cell::Unavailable))
+    cells.iter().fold(false, |any, &cell| any | (cell == Cell::Water))
 }
 
 /// Adds the stretches of a row's cells that lie above water. From one lattice corner to the next the height is linear,
@@ -185,7 +171,7 @@ fn land_of_row(row: u32, columns: usize, heights: &[f32], runs: &mut Vec<Run>) {
 }
 
 fn middle(column: i32, row: i32) -> Vec2 {
-    (Vec2::new(column as f32, row as f32) + 0.5) * SIDE
+    (Vec2::new(column as f32, row as f32) + 0.5) * CELL_SIZE
 }
 
 #[cfg(test)]
@@ -197,10 +183,10 @@ mod tests {
     #[test]
     fn cells_are_land_where_the_relief_is_above_0() {
         let land = Land::of(&link::read("land=archipelago&sea=0.5&rough=1&aspect=1.7").unwrap()).unwrap();
-        let grid = Grid::above_water(&Domain::with_aspect(1.7), land.relief());
+        let grid = Grid::above_water(&Domain::with_aspect(1.7), land.coast_distance());
         for (column, row) in (0..grid.columns).flat_map(|column| (0..grid.rows).map(move |row| (column, row))) {
-            let height = land.relief().height(middle(column, row));
-            let is_land = grid.cell(column, row) == Cell::Available;
+            let height = land.coast_distance().height(middle(column, row));
+            let is_land = grid.cell(column, row) == Cell::Land;
             assert!(height.abs() < 1e-3 || is_land == (height > 0.0), "{column}, {row}: {height}");
         }
     }

@@ -3,7 +3,7 @@
 use fastnoise_lite::{CellularReturnType, FastNoiseLite, FractalType, NoiseType};
 use glam::{Vec2, Vec2Swizzles};
 
-use super::Relief;
+use super::CoastDistance;
 use crate::domain::Domain;
 use crate::random::{Purpose, Seed};
 use crate::recipe::{LandKind, Sides};
@@ -22,9 +22,9 @@ pub(super) struct Shape {
 }
 
 impl Shape {
-    /// The relief of the shape; `None` for the plain rectangle, and for a drawn land, which
-    /// has its relief from its outline.
-    pub fn relief(&self) -> Option<Relief> {
+    /// The coast distances of the shape; `None` for the plain rectangle, and for a drawn land, which has them from its
+    /// outline.
+    pub fn coast_distance(&self) -> Option<CoastDistance> {
         if matches!(self.kind, LandKind::Rectangle | LandKind::Drawn) {
             return None;
         }
@@ -36,7 +36,7 @@ impl Shape {
             let bend = (coarse.get_noise_2d(x, y) + 0.35 * fine.get_noise_2d(x, y)) * self.rough;
             self.plain(point, bend, &coarse, &islands) + bend * self.span() * strength
         };
-        Some(Relief::with_sea(&self.domain, self.sea, height))
+        Some(CoastDistance::with_sea(&self.domain, self.sea, height))
     }
 
     /// The height of the shape without its bends, in units; where it comes near the border, it bends all the same.
@@ -46,7 +46,7 @@ impl Shape {
             LandKind::Rectangle | LandKind::Drawn => self.span(),
             LandKind::Island => -from_centre - self.moat(point, -bend),
             LandKind::Basin => from_centre + self.moat(point, bend),
-            LandKind::Continent | LandKind::Valley => self.coast_distance(point),
+            LandKind::Continent | LandKind::Valley => self.side_distance(point),
             LandKind::Archipelago => {
                 // The gap between the distances to the nearest and the next of some scattered centres: 0 midway, so that
                 // straits lie there however low the sea is.
@@ -70,14 +70,14 @@ impl Shape {
         let ridge = |(number, first): (u32, f32)| {
             let start = aside * (first + 0.2 * place.unit([4, number, 0]));
             let point = |i| (start + inland * (i as f32 / 64.0)) * across;
-            let sway = |at: Vec2| wobble.get_noise_2d(at.x, at.y) * (0.2 + 0.6 * self.rough) * self.span() * 0.2;
-            (0..=64).map(|i| point(i) + aside * sway(point(i))).collect()
+            let mobility = |at: Vec2| wobble.get_noise_2d(at.x, at.y) * (0.2 + 0.6 * self.rough) * self.span() * 0.2;
+            (0..=64).map(|i| point(i) + aside * mobility(point(i))).collect()
         };
         [(0, 0.17), (1, 0.63)].map(ridge).into()
     }
 
     /// The distance to the nearest side that has the sea.
-    fn coast_distance(&self, point: Vec2) -> f32 {
+    fn side_distance(&self, point: Vec2) -> f32 {
         let far = self.domain.size - point;
         [('n', point.y), ('e', far.x), ('s', far.y), ('w', point.x)]
             .into_iter()

@@ -1,15 +1,17 @@
 //! Land: where rivers may run.
 //!
-//! A [`Relief`] says of every point of the domain how far inland it lies; a [`Land`] is the field of cells made of it,
+//! A [`CoastDistance`] says of every point of the domain how far inland it lies; a [`Land`] is the field of cells made of it,
 //! each Available (land), Unavailable (water) or Illegal (a ridge that no river may cross), as in seed document 2.
 //!
 //! A drawn land comes from an [`Outline`](crate::recipe::Outline), which hand-drawn lines
-//! ([`of_strokes`](crate::recipe::Outline::of_strokes)) or a picture (`trace`, of the feature `tools`) are turned into.
+//! ([`from_polylines`](crate::recipe::Outline::from_polylines)) or a picture (`trace`, of the feature `tools`) are turned into.
 //!
-//! Growth asks the field, painting what is shown of the relief ([`Shown`]): so the coast is smooth at any size, and rivers
+//! Growth asks the field, painting smoothed coast distances ([`SmoothedDistance`]): so the coast is smooth at any size, and rivers
 //! end at it.
 
-#[cfg(feature = "tools")]
+mod cell;
+mod coast_distance;
+#[cfg(feature = "files")]
 mod contours;
 mod field;
 mod grid;
@@ -17,17 +19,19 @@ mod kinds;
 mod obstacles;
 mod outline;
 mod regions;
-mod relief;
-mod shown;
+mod smoothed_distance;
 mod strokes;
-#[cfg(feature = "tools")]
+#[cfg(feature = "files")]
 pub mod trace;
 mod walk;
 
+pub use cell::{CELL_SIZE, Cell};
+pub use coast_distance::CoastDistance;
 pub use field::Land;
-pub use grid::{Cell, SIDE};
-pub use regions::{Cells, Region, Run, Shore};
-pub use relief::Relief;
-pub use shown::Shown;
-pub(crate) use shown::{Across, Parabola};
+#[doc(hidden)]
+pub use regions::{Cells, Run};
+pub use regions::{Region, Shore};
+#[doc(hidden)]
+pub use smoothed_distance::SmoothedDistance;
+pub(crate) use smoothed_distance::{Across, Parabola};
 pub use strokes::DrawError;

@@ -1,9 +1,9 @@
-//! The land of a drawn outline: its coasts and ridges in units, roughened, and the relief that they make.
+//! The land of a drawn outline: its coasts and ridges in units, roughened, and the coast distances that they make.
 
 use glam::Vec2;
 
+use super::coast_distance::{CoastDistance, Piece};
 use super::kinds::Shape;
-use super::relief::{Piece, Relief};
 use crate::domain::Domain;
 use crate::recipe::{GridPoint, Outline};
 
@@ -62,12 +62,12 @@ impl Drawing {
         self.coasts.iter().flat_map(|ring| ring.iter().copied().zip(ring.iter().copied().cycle().skip(1)))
     }
 
-    /// The relief of the coasts: land is what lies within an odd number of them.
-    pub fn relief(&self, domain: &Domain) -> Relief {
+    /// The distances from the coasts: land is what lies within an odd number of them.
+    pub fn coast_distance(&self, domain: &Domain) -> CoastDistance {
         let coast: Vec<Piece> = self.edges().map(|(a, b)| [a, b]).collect();
         let mut crossings = Crossings::over(domain);
         coast.iter().for_each(|[a, b]| crossings.add(*a, *b));
-        Relief::of_coast(domain, &coast, &crossings.into_land())
+        CoastDistance::of_coast(domain, &coast, &crossings.into_land())
     }
 }
 
@@ -122,7 +122,7 @@ fn divided(line: &[Vec2], piece: f32, is_closed: bool) -> Vec<Vec2> {
     points
 }
 
-/// Where edges of coasts cross the rows of a relief's lattice.
+/// Where edges of coasts cross the rows of the lattice.
 struct Crossings {
     /// Whether an odd number of edges lie between this corner and the one to the west of it.
     flips: Vec<bool>,
@@ -132,7 +132,7 @@ struct Crossings {
 
 impl Crossings {
     fn over(domain: &Domain) -> Self {
-        let (columns, rows) = Relief::corners(domain);
+        let (columns, rows) = CoastDistance::corners(domain);
         Self { flips: vec![false; columns * rows], columns, rows }
     }
 
@@ -141,7 +141,7 @@ impl Crossings {
     fn add(&mut self, a: Vec2, b: Vec2) {
         let (upper, lower) = if a.y <= b.y { (a, b) } else { (b, a) };
         for row in first(upper.y, self.rows)..first(lower.y, self.rows) {
-            let share = (row as f32 * Relief::SPACING - upper.y) / (lower.y - upper.y);
+            let share = (row as f32 * CoastDistance::SPACING - upper.y) / (lower.y - upper.y);
             let column = first(upper.x + (lower.x - upper.x) * share, self.columns);
             if column < self.columns {
                 self.flips[row * self.columns + column] ^= true;
@@ -162,7 +162,7 @@ impl Crossings {
 
 /// The first lattice line at or beyond a coordinate, or as many as there are.
 fn first(x: f32, lines: usize) -> usize {
-    ((x / Relief::SPACING).ceil().max(0.0) as usize).min(lines)
+    ((x / CoastDistance::SPACING).ceil().max(0.0) as usize).min(lines)
 }
 
 #[cfg(test)]
@@ -193,7 +193,7 @@ mod tests {
         for (at, height) in
             [((450.0, 500.0), 250.0), ((500.0, 230.0), 30.0), ((500.0, 180.0), -20.0), ((170.0, 160.0), -50.0)]
         {
-            assert!((land.relief().height(at.into()) - height).abs() < 1.0, "{at:?}: {height}");
+            assert!((land.coast_distance().height(at.into()) - height).abs() < 1.0, "{at:?}: {height}");
         }
     }
 
@@ -201,8 +201,8 @@ mod tests {
     fn coast_within_a_coast_is_a_lake() {
         let lake: &[(f32, f32)] = &[(0.4, 0.4), (0.6, 0.4), (0.5, 0.6)];
         let land = Land::of(&recipe(&[SQUARE, lake], &[])).unwrap();
-        assert_eq!(land.at(Vec2::new(500.0, 450.0)), Cell::Unavailable);
-        assert_eq!(land.at(Vec2::new(300.0, 450.0)), Cell::Available);
+        assert_eq!(land.at(Vec2::new(500.0, 450.0)), Cell::Water);
+        assert_eq!(land.at(Vec2::new(300.0, 450.0)), Cell::Land);
     }
 
     #[test]
@@ -211,15 +211,15 @@ mod tests {
         let land = Land::of(&recipe(&[half], &[])).unwrap();
         assert!(land.regions()[0].shores.iter().all(|shore| (shore.at.y - 500.0).abs() < 4.0));
         for at in [(0.0, 0.0), (0.0, 300.0), (999.0, 0.0)] {
-            assert!(land.relief().height(at.into()) > 150.0, "{at:?}");
+            assert!(land.coast_distance().height(at.into()) > 150.0, "{at:?}");
         }
     }
 
     #[test]
     fn ridges_are_illegal_land() {
         let land = Land::of(&recipe(&[SQUARE], &[&[(0.1, 0.5), (0.9, 0.5)]])).unwrap();
-        assert_eq!(land.at(Vec2::new(500.0, 500.0)), Cell::Illegal);
-        assert_eq!(land.at(Vec2::new(150.0, 500.0)), Cell::Unavailable);
+        assert_eq!(land.at(Vec2::new(500.0, 500.0)), Cell::Ridge);
+        assert_eq!(land.at(Vec2::new(150.0, 500.0)), Cell::Water);
         assert!(!land.allows(Vec2::new(500.0, 450.0), Vec2::new(510.0, 550.0)));
     }
 
@@ -272,8 +272,8 @@ mod tests {
         ) {
             let ring: Vec<Vec2> = ring.into_iter().map(|point| Vec2::from(point) * 1000.0).collect();
             let drawing = Drawing { coasts: vec![ring], ridges: vec![] };
-            // At a corner of the lattice the relief is exact.
-            let at = (Vec2::from(at) / Relief::SPACING).floor() * Relief::SPACING;
+            // At a corner of the lattice the distance is exact.
+            let at = (Vec2::from(at) / CoastDistance::SPACING).floor() * CoastDistance::SPACING;
             let nearest = |(a, b): (Vec2, Vec2)| {
                 let along = b - a;
                 let share = ((at - a).dot(along) / along.length_squared().max(1e-12)).clamp(0.0, 1.0);
@@ -284,7 +284,7 @@ mod tests {
                 (a.y > at.y) != (b.y > at.y) && at.x > a.x + (b.x - a.x) * (at.y - a.y) / (b.y - a.y)
             });
             let is_land = crossings.count() % 2 == 1;
-            let height = drawing.relief(&Domain::with_aspect(1.0)).height(at);
+            let height = drawing.coast_distance(&Domain::with_aspect(1.0)).height(at);
             // Handed on from corner to corner, a distance may be a little too long.
             prop_assert!((-0.01..2.0).contains(&(height.abs() - distance)), "{} is not {}", height, distance);
             prop_assert!(distance < 0.01 || is_land == (height > 0.0));

@@ -3,8 +3,8 @@
 
 use glam::Vec2;
 
-use super::grid::Cell;
-use crate::order;
+use super::cell::Cell;
+use crate::sort;
 
 /// A row's cells `start..end`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -95,7 +95,7 @@ pub(super) fn regions(cells: &[Cell], kind: Cell, columns: usize) -> Vec<Region>
 
 /// The regions that runs make, which come row by row and do not touch in their rows; in the same order.
 pub(super) fn regions_of(runs: &[Run]) -> Vec<Region> {
-    let mut joined = Joined((0..runs.len() as u32).collect());
+    let mut joined = UnionFind((0..runs.len() as u32).collect());
     let mut above = 0;
     for (i, run) in runs.iter().enumerate() {
         while above < i
@@ -141,7 +141,7 @@ pub(super) fn without(runs: &[Run], cells: &[usize], columns: usize) -> Vec<Run>
     left
 }
 
-fn gather(runs: &[Run], joined: &mut Joined) -> Vec<Region> {
+fn gather(runs: &[Run], joined: &mut UnionFind) -> Vec<Region> {
     let mut regions: Vec<Region> = Vec::new();
     let mut number = vec![u32::MAX; runs.len()];
     for (i, run) in (0..).zip(runs) {
@@ -154,14 +154,14 @@ fn gather(runs: &[Run], joined: &mut Joined) -> Vec<Region> {
         region.runs.push(Run { before: region.cells, ..*run });
         region.cells += run.end - run.start;
     }
-    let largest_first = order::ascending(regions.iter().map(|region| !region.cells));
+    let largest_first = sort::argsort(regions.iter().map(|region| !region.cells));
     largest_first.into_iter().map(|i| std::mem::take(&mut regions[i])).collect()
 }
 
 /// Runs that hang together: each knows an earlier one, the first of all knows itself (Tarjan 1975).
-struct Joined(Vec<u32>);
+struct UnionFind(Vec<u32>);
 
-impl Joined {
+impl UnionFind {
     fn first(&mut self, mut run: u32) -> u32 {
         while self.0[run as usize] != run {
             let earlier = self.0[self.0[run as usize] as usize];
@@ -190,7 +190,7 @@ mod tests {
         for start in 0..cells.len() {
             let (mut region, mut next) = (Vec::new(), vec![start]);
             while let Some(i) = next.pop() {
-                if cells[i] != Cell::Available || std::mem::replace(&mut seen[i], true) {
+                if cells[i] != Cell::Land || std::mem::replace(&mut seen[i], true) {
                     continue;
                 }
                 region.push(i);
@@ -212,9 +212,9 @@ mod tests {
 
         #[test]
         fn regions_are_what_a_flood_reaches(land in proptest::collection::vec(0u8..5, 1..400), columns in 1usize..25) {
-            let cells: Vec<Cell> = land.iter().map(|&c| if c < 3 { Cell::Available } else { Cell::Unavailable }).collect();
+            let cells: Vec<Cell> = land.iter().map(|&c| if c < 3 { Cell::Land } else { Cell::Water }).collect();
             let cells = &cells[..cells.len() / columns * columns];
-            let ours: Vec<Vec<usize>> = regions(cells, Cell::Available, columns)
+            let ours: Vec<Vec<usize>> = regions(cells, Cell::Land, columns)
                 .iter()
                 .map(|region| {
                     let cells = Cells::of(std::iter::once(region));

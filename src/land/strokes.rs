@@ -5,9 +5,9 @@ use thiserror::Error;
 
 use super::field::LEAST_DRAWN;
 use crate::domain::AREA;
-use crate::order;
 use crate::recipe::{GridPoint, LONGEST_OUTLINE, LineKind, Outline, OutlineError};
 use crate::simplify::significance;
+use crate::sort;
 
 /// A point is left out that stands for less than this, in square units: the width of a drawn coast hides it.
 const LEAST_AREA: f32 = 8.0;
@@ -42,7 +42,7 @@ impl Outline {
     ///
     /// # Errors
     /// If what is left is no land, or all of it.
-    pub fn of_strokes(coasts: Vec<Vec<Vec2>>, ridges: Vec<Vec<Vec2>>) -> Result<Self, DrawError> {
+    pub fn from_polylines(coasts: Vec<Vec<Vec2>>, ridges: Vec<Vec<Vec2>>) -> Result<Self, DrawError> {
         if !coasts.iter().chain(&ridges).flatten().all(|point| point.is_finite()) {
             return Err(DrawError::NotANumber);
         }
@@ -96,7 +96,7 @@ impl Line {
 
 /// Leaves the largest lines, so few that there is room for their shapes too, in their order.
 fn keep_largest(lines: &mut Vec<Line>) {
-    let order = order::ascending(lines.iter().map(|line| !line.size.to_bits()));
+    let order = sort::argsort(lines.iter().map(|line| !line.size.to_bits()));
     let mut length = 0;
     let mut is_kept = vec![false; lines.len()];
     for i in order {
@@ -113,7 +113,7 @@ fn least_area(lines: &[Line]) -> f32 {
     let room = LONGEST_OUTLINE.saturating_sub(fewest) / 4;
     let areas: Vec<f32> = lines.iter().flat_map(|line| &line.areas).copied().filter(|a| a.is_finite()).collect();
     let above = areas.len().saturating_sub(room + 1);
-    if areas.len() > room { order::sorted(&areas)[above].max(LEAST_AREA) } else { LEAST_AREA }
+    if areas.len() > room { sort::sorted(&areas)[above].max(LEAST_AREA) } else { LEAST_AREA }
 }
 
 /// Whether there are both land and water, by counting on some rows across the domain.
@@ -136,7 +136,7 @@ fn land_on_row(coasts: &[Vec<GridPoint>], y: f32) -> f32 {
         let crossing = edges.filter(|(a, b)| (a.y > y) != (b.y > y));
         crossings.extend(crossing.map(|(a, b)| a.x + (b.x - a.x) * (y - a.y) / (b.y - a.y)));
     }
-    order::sorted(&crossings).chunks_exact(2).map(|pair| pair[1] - pair[0]).sum()
+    sort::sorted(&crossings).chunks_exact(2).map(|pair| pair[1] - pair[0]).sum()
 }
 
 #[cfg(test)]
@@ -151,12 +151,12 @@ mod tests {
     }
 
     fn refusal(coasts: Vec<Vec<Vec2>>, ridges: Vec<Vec<Vec2>>) -> DrawError {
-        Outline::of_strokes(coasts, ridges).unwrap_err()
+        Outline::from_polylines(coasts, ridges).unwrap_err()
     }
 
     #[test]
     fn a_circle_keeps_its_area_and_costs_no_more_than_it_needs() {
-        let outline = Outline::of_strokes(vec![circle(Vec2::splat(0.5), 0.3, 2000)], vec![]).unwrap();
+        let outline = Outline::from_polylines(vec![circle(Vec2::splat(0.5), 0.3, 2000)], vec![]).unwrap();
         let area: f32 = (0..500).map(|i| land_on_row(outline.coasts(), (i as f32 + 0.5) / 500.0) / 500.0).sum();
         assert!((area / (std::f32::consts::PI * 0.09) - 1.0).abs() < 0.01, "{area}");
         assert!((40..200).contains(&outline.coasts()[0].len()), "{}", outline.coasts()[0].len());
@@ -181,7 +181,7 @@ mod tests {
             let centre = Vec2::new((i % 10) as f32, (i / 10) as f32) / 10.0 + 0.05;
             circle(centre, 0.02 + 0.0002 * i as f32, 30)
         });
-        let outline = Outline::of_strokes(islands.collect(), vec![]).unwrap();
+        let outline = Outline::from_polylines(islands.collect(), vec![]).unwrap();
         assert!((30..80).contains(&outline.coasts().len()), "{}", outline.coasts().len());
         assert!(outline.coasts().iter().flatten().all(|point| point.fraction().y > 0.4));
     }
@@ -198,7 +198,7 @@ mod tests {
             let lines = |lines: Vec<Vec<(i16, i16)>>| -> Vec<Vec<Vec2>> {
                 lines.into_iter().map(|line| line.into_iter().map(thousandths).collect()).collect()
             };
-            if let Ok(outline) = Outline::of_strokes(lines(coasts), lines(ridges)) {
+            if let Ok(outline) = Outline::from_polylines(lines(coasts), lines(ridges)) {
                 let text = outline.to_string();
                 prop_assert!(text.len() <= LONGEST_OUTLINE);
                 prop_assert_eq!(Outline::parse(&text), Ok(outline));

@@ -64,7 +64,7 @@ fn courses(tree: &Tree) -> Network {
         network.rivers.push(River {
             start,
             end: network.vertices.len() as u32,
-            joins: place.get(parent as usize).copied().unwrap_or(NONE),
+            junction: place.get(parent as usize).copied().unwrap_or(NONE),
             parent: river_of.get(parent as usize).copied().unwrap_or(NONE),
             order: hydrology.order[lowest],
             magnitude: hydrology.magnitude[lowest],
@@ -106,11 +106,12 @@ mod tests {
             tick_starts: vec![0, 1],
         };
         let network = courses(&tree);
-        let own =
-            |river: usize| network.vertices[network.rivers[river].own()].iter().map(|v| v.at.x).collect::<Vec<_>>();
+        let own = |river: usize| {
+            network.vertices[network.rivers[river].vertex_range()].iter().map(|v| v.at.x).collect::<Vec<_>>()
+        };
         assert_eq!((own(0), own(1)), (vec![2.0, 1.0, 0.0], vec![4.0, 3.0]));
-        assert_eq!((network.rivers[0].joins, network.rivers[0].parent), (NONE, NONE));
-        assert_eq!((network.rivers[1].joins, network.rivers[1].parent), (1, 0));
+        assert_eq!((network.rivers[0].junction, network.rivers[0].parent), (NONE, NONE));
+        assert_eq!((network.rivers[1].junction, network.rivers[1].parent), (1, 0));
         assert_eq!(network.vertices[2].discharge, 16);
         assert_eq!(network.rivers[1].magnitude, 1);
     }

@@ -2,7 +2,7 @@
 
 use glam::Vec2;
 
-use crate::plane::{least, length, most};
+use crate::geometry::{fast_max, fast_min, length};
 
 /// The curvature at the middle one of three points on a line: positive where the line turns toward the right-hand side of
 /// a screen whose y runs down, 0 where it is straight or where points coincide.
@@ -12,7 +12,7 @@ use crate::plane::{least, length, most};
 pub fn curvature(a: Vec2, b: Vec2, c: Vec2) -> f32 {
     let (ab, bc, ca) = (b - a, c - b, a - c);
     let lengths = length(ab) * length(bc) * length(ca);
-    let shorter = least(length(ab), length(bc));
+    let shorter = fast_min(length(ab), length(bc));
     if shorter <= 0.0 {
         return 0.0;
     }
@@ -22,7 +22,7 @@ pub fn curvature(a: Vec2, b: Vec2, c: Vec2) -> f32 {
         return if cross < 0.0 { -sharpest } else { sharpest };
     }
     // Not `clamp`, whose panic would print its limits: the tables for that are 7 kB of the page's download.
-    most(least(2.0 * cross / lengths, sharpest), -sharpest)
+    fast_max(fast_min(2.0 * cross / lengths, sharpest), -sharpest)
 }
 
 #[cfg(test)]

@@ -1,26 +1,26 @@
 //! Vertices at even spacing along a course, without moving its line.
 
-use super::parameters::Parameters;
+use super::settings::Settings;
 use super::{NONE, Network, Vertex};
-use crate::plane::distance;
+use crate::geometry::distance;
 
 /// Puts vertices between those of a network, so that neighbours lie at most one and a half steps apart, and at
 /// least two thirds of one where the course has room. Returns for each vertex where it lies between two old ones: the upper one's
 /// place among the old vertices, and the share of the way to the next.
-pub(super) fn divide(network: &Network, parameters: &Parameters) -> (Network, Vec<(u32, f32)>) {
+pub(super) fn divide(network: &Network, settings: &Settings) -> (Network, Vec<(u32, f32)>) {
     let downstream = network.downstream();
     let mut place = vec![NONE; network.vertices.len()];
     let mut divided = Network { rivers: network.rivers.clone(), ..Network::default() };
     let mut origin = Vec::new();
     for river in &mut divided.rivers {
-        let own = river.own();
+        let own = river.vertex_range();
         river.start = divided.vertices.len() as u32;
         for i in own {
             place[i] = divided.vertices.len() as u32;
             divided.vertices.push(network.vertices[i]);
             origin.push((i as u32, 0.0));
             let Some(next) = network.vertices.get(downstream[i] as usize) else { continue };
-            let step = parameters.step(2.0 * parameters.half_width(network.vertices[i].discharge));
+            let step = settings.step(2.0 * settings.half_width(network.vertices[i].discharge));
             let pieces = pieces(distance(network.vertices[i].at, next.at), step);
             for piece in 1..pieces {
                 let share = piece as f32 / pieces as f32;
@@ -31,7 +31,7 @@ pub(super) fn divide(network: &Network, parameters: &Parameters) -> (Network, Ve
         river.end = divided.vertices.len() as u32;
     }
     for river in &mut divided.rivers {
-        river.joins = place.get(river.joins as usize).copied().unwrap_or(NONE);
+        river.junction = place.get(river.junction as usize).copied().unwrap_or(NONE);
     }
     (divided, origin)
 }
@@ -49,25 +49,25 @@ pub(super) fn between(upper: &Vertex, lower: &Vertex, share: f32) -> Vertex {
         discharge: upper.discharge,
         left: mix(upper.left, lower.left),
         right: mix(upper.right, lower.right),
-        sway: mix(upper.sway, lower.sway),
+        mobility: mix(upper.mobility, lower.mobility),
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::samples::{parameters, river, straight};
+    use super::super::samples::{river, settings, straight};
     use super::*;
-    use crate::plane::height;
+    use crate::geometry::height;
     use glam::Vec2;
 
     #[test]
     fn vertices_come_to_lie_about_a_step_apart_on_the_same_line() {
         let points = [(0.0, 0.0), (0.6, 0.0), (30.0, 17.3), (31.9, 17.0), (90.0, 80.0)].map(Vec2::from);
-        let parameters = parameters();
+        let settings = settings();
         let network = river(&points, 1.0);
-        let (divided, origin) = divide(&network, &parameters);
+        let (divided, origin) = divide(&network, &settings);
         assert_eq!(divided.vertices.len(), origin.len());
-        let step = parameters.step(2.0 * parameters.half_width(100));
+        let step = settings.step(2.0 * settings.half_width(100));
         for (i, pair) in divided.vertices.windows(2).enumerate() {
             let (upper, share) = origin[i];
             let (a, b) = (points[upper as usize], points[upper as usize + 1]);
@@ -82,10 +82,10 @@ mod tests {
     fn junctions_are_followed() {
         let network =
             river(&straight((0.0, 0.0), (40.0, 0.0), 4), 1.0).with_arm(&straight((20.0, 30.0), (20.0, 10.0), 2), 2, 10);
-        let (divided, _) = divide(&network, &parameters());
+        let (divided, _) = divide(&network, &settings());
         let arm = divided.rivers[1];
-        assert_eq!(divided.vertices[arm.joins as usize].at, Vec2::new(20.0, 0.0));
-        let last = divided.vertices[arm.own()].last().unwrap();
+        assert_eq!(divided.vertices[arm.junction as usize].at, Vec2::new(20.0, 0.0));
+        let last = divided.vertices[arm.vertex_range()].last().unwrap();
         assert!(last.at.y > 0.0 && last.at.y < 2.0, "the way to the junction is divided, too");
     }
 }

@@ -4,7 +4,7 @@
 //! slopes summed from the mouth up are elevations that always fall toward the sea.
 
 use super::{NONE, Network};
-use crate::plane::distance;
+use crate::geometry::distance;
 
 /// The slope at the mouth of a river that drains everything: that of lower rivers, a few units in ten thousand.
 const LEAST_SLOPE: f32 = 3e-4;
@@ -16,7 +16,7 @@ pub fn slope(share: f32) -> f32 {
 }
 
 /// The elevation of each vertex over the sea, in units; 0 at mouths. It falls along every river.
-pub fn elevations(network: &Network, everything: u32) -> Vec<f32> {
+pub fn elevations(network: &Network, total_discharge: u32) -> Vec<f32> {
     let downstream = network.downstream();
     let mut elevations = vec![f32::NAN; network.vertices.len()];
     let mut upward = Vec::new();
@@ -32,7 +32,7 @@ pub fn elevations(network: &Network, everything: u32) -> Vec<f32> {
             elevations[i as usize] = match network.vertices.get(downstream[i as usize] as usize) {
                 None => 0.0,
                 Some(next) => {
-                    let fall = slope(vertex.discharge as f32 / everything as f32) * distance(vertex.at, next.at);
+                    let fall = slope(vertex.discharge as f32 / total_discharge as f32) * distance(vertex.at, next.at);
                     // However short the way, a river falls.
                     let below = elevations[downstream[i as usize] as usize];
                     (below + fall).max(below.next_up())

@@ -9,33 +9,36 @@
 //! ```
 //!
 //! No two rivers cross, at any time. The courses do not (`uncross.rs`); a vertex goes only if its triangle holds no other
-//! (`ranking.rs`); and what moves, moves by less than half of the way to the nearest other line (by the [`Guard`]), so two lines
+//! (`ranking.rs`); and what moves, moves by less than half of the way to the nearest other line (by the [`ClearanceGrid`]), so two lines
 //! can never meet, whatever moves them.
 
+mod centerline;
+mod clearance;
 mod courses;
 mod curvature;
 mod evenly;
-mod guard;
 pub mod hydrology;
 pub mod meander;
-mod middle;
 mod orders;
-mod parameters;
 mod ranking;
 #[cfg(test)]
 mod samples;
+mod settings;
 mod shaping;
 mod smooth;
 mod uncross;
 mod width;
 
-pub use crate::plane::{gap, meet};
+#[doc(hidden)]
+pub use crate::geometry::{gap, meet};
+pub use centerline::Place;
+#[doc(hidden)]
+pub use clearance::{ClearanceGrid, NearbyPair};
 pub use courses::Courses;
+#[doc(hidden)]
 pub use curvature::curvature;
-pub use guard::{Guard, Near};
 pub use meander::Meander;
-pub use middle::Place;
-pub use parameters::Parameters;
+pub use settings::Settings;
 pub(crate) use shaping::ask_for_memory;
 pub use shaping::{ShapeError, Shaping};
 
@@ -43,7 +46,7 @@ use std::ops::Range;
 
 use glam::Vec2;
 
-use crate::plane::distance;
+use crate::geometry::distance;
 
 /// No vertex, no river.
 pub const NONE: u32 = u32::MAX;
@@ -60,7 +63,7 @@ pub struct Vertex {
     /// How far the right bank is.
     pub right: f32,
     /// How freely it meanders, from 0, where it stays, to 1.
-    pub sway: f32,
+    pub mobility: f32,
 }
 
 impl Vertex {
@@ -79,7 +82,7 @@ pub struct River {
     /// The vertex after its own last one. That is its mouth, if it joins no other river.
     pub end: u32,
     /// The vertex at which it joins another river; [`NONE`] if it reaches the sea.
-    pub joins: u32,
+    pub junction: u32,
     /// The river it joins; [`NONE`] if it reaches the sea.
     pub parent: u32,
     /// Strahler's order at its end.
@@ -91,7 +94,7 @@ pub struct River {
 impl River {
     /// The positions of its own vertices.
     #[inline]
-    pub fn own(&self) -> Range<usize> {
+    pub fn vertex_range(&self) -> Range<usize> {
         self.start as usize..self.end as usize
     }
 }
@@ -150,29 +153,29 @@ impl Network {
     pub fn downstream(&self) -> Vec<u32> {
         let mut downstream: Vec<u32> = (1..=self.vertices.len() as u32).collect();
         for river in self.rivers.iter().filter(|river| river.end > river.start) {
-            downstream[river.end as usize - 1] = river.joins;
+            downstream[river.end as usize - 1] = river.junction;
         }
         downstream
     }
 
     /// A river's course: its own vertices, then the junction if it ends in one.
     pub fn course(&self, river: &River) -> impl DoubleEndedIterator<Item = &Vertex> + Clone {
-        let junction = (river.joins != NONE).then(|| &self.vertices[river.joins as usize]);
-        self.vertices[river.own()].iter().chain(junction)
+        let junction = (river.junction != NONE).then(|| &self.vertices[river.junction as usize]);
+        self.vertices[river.vertex_range()].iter().chain(junction)
     }
 
     /// For each vertex, whether a river joins another there.
     pub fn junctions(&self) -> Vec<bool> {
         let mut is_junction = vec![false; self.vertices.len()];
-        for river in self.rivers.iter().filter(|river| river.joins != NONE) {
-            is_junction[river.joins as usize] = true;
+        for river in self.rivers.iter().filter(|river| river.junction != NONE) {
+            is_junction[river.junction as usize] = true;
         }
         is_junction
     }
 
     /// The discharge of a river at its end; 0 if it has no vertices.
     pub fn discharge(&self, river: &River) -> u32 {
-        self.vertices[river.own()].last().map_or(0, |vertex| vertex.discharge)
+        self.vertices[river.vertex_range()].last().map_or(0, |vertex| vertex.discharge)
     }
 
     /// The length of a river, in units.

@@ -1,12 +1,12 @@
 //! Strahler's orders and Shreve's magnitudes of rivers.
 
 use super::{NONE, Network, River};
-use crate::order;
+use crate::sort;
 
 /// Counts all rivers' orders and magnitudes. Those of the tree stand until rivers join others than they did.
 pub(super) fn count(network: &mut Network) {
     let rivers = &mut network.rivers;
-    let arms = order::ascending(rivers.iter().map(|river| river.joins));
+    let arms = sort::argsort(rivers.iter().map(|river| river.junction));
     let mut awaited = vec![0u32; rivers.len()];
     for river in rivers.iter() {
         if let Some(awaited) = awaited.get_mut(river.parent as usize) {
@@ -16,8 +16,8 @@ pub(super) fn count(network: &mut Network) {
     let mut ready: Vec<u32> = (0..rivers.len() as u32).filter(|&river| awaited[river as usize] == 0).collect();
     while let Some(number) = ready.pop() {
         let river = rivers[number as usize];
-        let first = arms.partition_point(|&arm| rivers[arm].joins < river.start);
-        let own = arms[first..].iter().map(|&arm| &rivers[arm]).take_while(|arm| arm.joins < river.end);
+        let first = arms.partition_point(|&arm| rivers[arm].junction < river.start);
+        let own = arms[first..].iter().map(|&arm| &rivers[arm]).take_while(|arm| arm.junction < river.end);
         let (order, magnitude) = fed_by(own);
         rivers[number as usize] = River { order, magnitude, ..river };
         if let Some(awaited) = awaited.get_mut(river.parent as usize) {
@@ -36,8 +36,8 @@ fn fed_by<'a>(arms: impl Iterator<Item = &'a River>) -> (u8, u32) {
     // At the vertex that was looked at last: the highest order that came to it, and how many times.
     let (mut vertex, mut highest, mut times) = (NONE, 0, 0);
     for arm in arms {
-        if arm.joins != vertex {
-            (vertex, highest, times) = (arm.joins, order, 1);
+        if arm.junction != vertex {
+            (vertex, highest, times) = (arm.junction, order, 1);
         }
         if arm.order > highest {
             (highest, times) = (arm.order, 0);
@@ -57,10 +57,10 @@ mod tests {
     /// Rivers of so many vertices each, which join a vertex of another one.
     fn network(rivers: &[(u32, u32, u32)]) -> Network {
         let mut start = 0;
-        let river = |&(length, joins, parent): &(u32, u32, u32)| {
+        let river = |&(length, junction, parent): &(u32, u32, u32)| {
             let own = start..start + length;
             start = own.end;
-            River { start: own.start, end: own.end, joins, parent, order: 0, magnitude: 0 }
+            River { start: own.start, end: own.end, junction, parent, order: 0, magnitude: 0 }
         };
         let rivers: Vec<River> = rivers.iter().map(river).collect();
         Network { vertices: vec![Vertex::default(); start as usize], rivers, oxbows: vec![] }

@@ -9,8 +9,8 @@ use glam::Vec2;
 
 use super::smooth::LEAST_CLEARANCE;
 use super::{NONE, Network};
+use crate::geometry::{height, is_in_triangle};
 use crate::land::Land;
-use crate::plane::{height, is_in_triangle};
 use crate::simplify::Lines;
 use crate::work;
 
@@ -54,7 +54,7 @@ pub(super) fn simplified(network: &Network, ranking: &[u32], share: f32) -> Netw
     simplified.vertices = network.vertices.iter().zip(&stays).filter(|(_, stays)| **stays).map(|(v, _)| *v).collect();
     for river in &mut simplified.rivers {
         (river.start, river.end) = (place[river.start as usize], place[river.end as usize]);
-        river.joins = place.get(river.joins as usize).copied().unwrap_or(NONE);
+        river.junction = place.get(river.junction as usize).copied().unwrap_or(NONE);
     }
     simplified
 }
@@ -147,7 +147,7 @@ mod tests {
         let ranking = rank(&network, None);
         let left = simplified(&network, &ranking, 1.0);
         assert_eq!(places(&left), [(0.0, 0.0), (40.0, 0.0), (80.0, 0.0), (30.0, 50.0)].map(Vec2::from));
-        assert_eq!((left.rivers[1].start, left.rivers[1].joins), (3, 1));
+        assert_eq!((left.rivers[1].start, left.rivers[1].junction), (3, 1));
     }
 
     #[test]

@@ -2,34 +2,34 @@
 
 use glam::Vec2;
 
-use super::{NONE, Network, Parameters, River, Vertex};
+use super::{NONE, Network, River, Settings, Vertex};
 use crate::recipe::link;
 
-/// The parameters of a plain rectangle, vertices a unit apart.
-pub(super) fn parameters() -> Parameters {
+/// The settings of a plain rectangle, vertices a unit apart.
+pub(super) fn settings() -> Settings {
     let recipe =
         link::read("land=rectangle&mouths=3&attractors=100&curl=0&trim=4&width=14&vary=0&meander-rounds=24&great=1")
             .unwrap();
-    Parameters { spacing: 1.0, hairline: 0.1, buffer: 0.5, ..Parameters::new(&recipe, None, 100.0, 100) }
+    Settings { spacing: 1.0, hairline: 0.1, buffer: 0.5, ..Settings::new(&recipe, None, 100.0, 100) }
 }
 
 /// A river through some points, as wide everywhere, that moves freely.
 pub(super) fn river(points: &[Vec2], width: f32) -> Network {
     let half = width * 0.5;
-    let vertex = |&at: &Vec2| Vertex { at, discharge: 100, left: half, right: half, sway: 1.0 };
-    let river = River { start: 0, end: points.len() as u32, joins: NONE, parent: NONE, order: 1, magnitude: 1 };
+    let vertex = |&at: &Vec2| Vertex { at, discharge: 100, left: half, right: half, mobility: 1.0 };
+    let river = River { start: 0, end: points.len() as u32, junction: NONE, parent: NONE, order: 1, magnitude: 1 };
     Network { vertices: points.iter().map(vertex).collect(), rivers: vec![river], oxbows: vec![] }
 }
 
 impl Network {
     /// The same with another river, which joins the first at one of its vertices.
-    pub(super) fn with_arm(mut self, points: &[Vec2], joins: u32, discharge: u32) -> Self {
+    pub(super) fn with_arm(mut self, points: &[Vec2], junction: u32, discharge: u32) -> Self {
         let start = self.vertices.len() as u32;
         let width = self.vertices[0].width() * 0.5;
         let arm = river(points, width).vertices.into_iter().map(|vertex| Vertex { discharge, ..vertex });
         self.vertices.extend(arm);
         let end = self.vertices.len() as u32;
-        self.rivers.push(River { start, end, joins, parent: 0, order: 1, magnitude: 1 });
+        self.rivers.push(River { start, end, junction, parent: 0, order: 1, magnitude: 1 });
         self.rivers[0].magnitude += 1;
         self
     }

@@ -5,7 +5,7 @@ use thiserror::Error;
 
 use super::courses::Courses;
 use super::meander::{Meander, smooth_courses, thin_out};
-use super::{Network, Parameters};
+use super::{Network, Settings};
 use crate::memory;
 use crate::tree::Tree;
 
@@ -26,7 +26,7 @@ pub enum ShapeError {
 /// A tree on its way to rivers.
 #[derive(Clone, Debug)]
 pub struct Shaping {
-    parameters: Parameters,
+    settings: Settings,
     /// How many nodes the tree has.
     nodes: u32,
     state: State,
@@ -53,28 +53,28 @@ impl Shaping {
     ///
     /// # Errors
     /// If the memory for its rivers is not to be had.
-    pub fn new(tree: &Tree, may_cross: bool, parameters: Parameters) -> Result<Self, ShapeError> {
+    pub fn new(tree: &Tree, may_cross: bool, settings: Settings) -> Result<Self, ShapeError> {
         /// By trials with less and less memory, rivers of 300,000 attractors take 200 to 235 at most.
         const BYTES_A_NODE: usize = 256;
         ask_for_memory(tree.len(), BYTES_A_NODE)?;
         let state = State::Courses(Courses::unranked(tree, may_cross));
-        Ok(Self { parameters, nodes: tree.len() as u32, state })
+        Ok(Self { settings, nodes: tree.len() as u32, state })
     }
 
     /// Makes a step. Returns whether there is more to do.
     pub fn step(&mut self) -> bool {
         self.state = match std::mem::take(&mut self.state) {
             State::Between => State::Between,
-            State::Courses(network) => State::Ranked(Courses::ranked(network, self.parameters.land.as_deref())),
+            State::Courses(network) => State::Ranked(Courses::ranked(network, self.settings.land.as_deref())),
             State::Ranked(courses) => {
-                let network = smooth_courses(&courses, &self.parameters);
+                let network = smooth_courses(&courses, &self.settings);
                 State::Smooth(courses, network, THINNINGS)
             }
             State::Smooth(courses, mut network, times) => {
-                if times > 0 && thin_out(&mut network, &self.parameters) {
+                if times > 0 && thin_out(&mut network, &self.settings) {
                     State::Smooth(courses, network, times - 1)
                 } else {
-                    State::Rivers(courses, Box::new(Meander::along(network, self.parameters.clone())))
+                    State::Rivers(courses, Box::new(Meander::along(network, self.settings.clone())))
                 }
             }
             State::Rivers(courses, mut meander) => {
@@ -85,11 +85,11 @@ impl Shaping {
         !self.is_finished()
     }
 
-    /// Goes over to other parameters of the same tree on the same land. If there are rivers, there are others then, which
+    /// Goes over to other settings of the same tree on the same land. If there are rivers, there are others then, which
     /// have not meandered yet.
-    pub fn change(&mut self, parameters: Parameters) {
+    pub fn change(&mut self, settings: Settings) {
         let had_rivers = self.meander().is_some();
-        self.parameters = parameters;
+        self.settings = settings;
         self.state = match std::mem::take(&mut self.state) {
             State::Smooth(courses, ..) | State::Rivers(courses, _) => State::Ranked(courses),
             state => state,
@@ -125,9 +125,9 @@ impl Shaping {
         }
     }
 
-    /// The parameters that rivers are made by.
-    pub fn parameters(&self) -> &Parameters {
-        &self.parameters
+    /// The settings that rivers are made by.
+    pub fn settings(&self) -> &Settings {
+        &self.settings
     }
 
     /// How many nodes the tree has.
@@ -142,7 +142,7 @@ impl Shaping {
 /// If it is not to be had.
 pub(crate) fn ask_for_memory(nodes: usize, bytes_a_node: usize) -> Result<(), ShapeError> {
     let bytes = nodes * bytes_a_node;
-    if memory::is_to_be_had(bytes) {
+    if memory::can_allocate(bytes) {
         return Ok(());
     }
     Err(ShapeError::OutOfMemory { nodes: nodes as u32, megabytes: (bytes / 1_000_000) as u32 + 1 })

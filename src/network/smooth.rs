@@ -6,11 +6,11 @@
 
 use glam::Vec2;
 
-use super::guard::Guard;
-use super::parameters::Parameters;
+use super::clearance::ClearanceGrid;
+use super::settings::Settings;
 use super::{NONE, Network};
+use crate::geometry::{distance, fast_max, fast_min};
 use crate::land::Land;
-use crate::plane::{distance, least, most};
 
 /// How often vertices are moved toward the smooth line: most are there after two or three.
 const ROUNDS: u32 = 6;
@@ -20,13 +20,13 @@ const ROUNDS: u32 = 6;
 pub(super) const SHARE_OF_CLEARANCE: f32 = 0.3;
 
 /// Smooths a network that [`super::evenly::divide`] has made of a coarser one.
-pub(super) fn smooth(network: &mut Network, coarse: &Network, origin: &[(u32, f32)], parameters: &Parameters) {
-    let (land, spacing) = (parameters.land.as_deref(), parameters.spacing);
+pub(super) fn smooth(network: &mut Network, coarse: &Network, origin: &[(u32, f32)], settings: &Settings) {
+    let (land, spacing) = (settings.land.as_deref(), settings.spacing);
     let mut targets = targets(coarse, origin);
     let downstream = network.downstream();
-    let mut guard = Guard::new(&parameters.domain, spacing);
+    let mut guard = ClearanceGrid::new(&settings.domain, spacing);
     for (target, vertex) in targets.iter_mut().zip(&network.vertices) {
-        let step = parameters.step(2.0 * parameters.half_width(vertex.discharge));
+        let step = settings.step(2.0 * settings.half_width(vertex.discharge));
         if !has_room(land, vertex.at, distance(vertex.at, *target) + 2.0 * step) {
             *target = vertex.at;
         }
@@ -39,7 +39,7 @@ pub(super) fn smooth(network: &mut Network, coarse: &Network, origin: &[(u32, f3
             break;
         }
         let caps = vec![spacing; reach.len()];
-        let clearance = guard.survey(network, &downstream, &reach, caps, &mut |_| {});
+        let clearance = guard.measure(network, &downstream, &reach, caps, &mut |_| {});
         let limits = limits(&clearance, &downstream);
         for ((vertex, &target), limit) in network.vertices.iter_mut().zip(&targets).zip(limits) {
             vertex.at = toward(vertex.at, target, limit);
@@ -52,7 +52,7 @@ pub(super) const LEAST_CLEARANCE: f32 = 0.02;
 
 /// The clearance that moving may use up.
 pub(super) fn room(clearance: f32) -> f32 {
-    most(clearance - LEAST_CLEARANCE, 0.0)
+    fast_max(clearance - LEAST_CLEARANCE, 0.0)
 }
 
 /// How far each vertex may move: by the least clearance of the segments that end in it.
@@ -60,7 +60,7 @@ pub(super) fn limits(clearance: &[f32], downstream: &[u32]) -> Vec<f32> {
     let mut limits: Vec<f32> = clearance.iter().map(|&clearance| room(clearance) * SHARE_OF_CLEARANCE).collect();
     for (&clearance, &below) in clearance.iter().zip(downstream) {
         if let Some(limit) = limits.get_mut(below as usize) {
-            *limit = least(*limit, room(clearance) * SHARE_OF_CLEARANCE);
+            *limit = fast_min(*limit, room(clearance) * SHARE_OF_CLEARANCE);
         }
     }
     limits
@@ -115,14 +115,14 @@ mod tests {
     use super::super::curvature::curvature;
     use super::super::evenly::divide;
     use super::super::ranking::{rank, simplified};
-    use super::super::samples::{parameters, places, river, sine_generated, sinuosity};
+    use super::super::samples::{places, river, settings, sine_generated, sinuosity};
     use super::*;
-    use crate::plane::meet;
+    use crate::geometry::meet;
 
     fn smoothed(coarse: &Network) -> Vec<Vec2> {
-        let parameters = parameters();
-        let (mut network, origin) = divide(coarse, &parameters);
-        smooth(&mut network, coarse, &origin, &parameters);
+        let settings = settings();
+        let (mut network, origin) = divide(coarse, &settings);
+        smooth(&mut network, coarse, &origin, &settings);
         places(&network)
     }
 
@@ -138,7 +138,7 @@ mod tests {
         let network = river(&corner, 1.0);
         let line = smoothed(&network);
         assert_eq!((line[0], line[line.len() - 1]), (corner[0], corner[2]));
-        let divided = places(&divide(&network, &parameters()).0);
+        let divided = places(&divide(&network, &settings()).0);
         assert!(sharpest(&line) < 0.85 * sharpest(&divided), "{} {}", sharpest(&divided), sharpest(&line));
         assert!(line.iter().all(|at| at.distance(corner[1]) > 0.9));
     }

@@ -8,7 +8,7 @@
 use glam::Vec2;
 
 use super::NONE;
-use crate::plane::{Segment, distance, height, meet, meeting};
+use crate::geometry::{Segment, distance, height, meet, meeting};
 use crate::tree::{NO_PARENT, Tree};
 use crate::work;
 

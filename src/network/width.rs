@@ -6,20 +6,20 @@
 
 use fastnoise_lite::FastNoiseLite;
 
-use super::parameters::Parameters;
+use super::settings::Settings;
 use super::{NONE, Network};
-use crate::plane::{distance, least, most};
+use crate::geometry::{distance, fast_max, fast_min};
 
 /// How many spacings a river takes to come from nothing to its width.
 const TAPER: f32 = 8.0;
 
 /// Gives every vertex its banks.
-pub(super) fn widen(network: &mut Network, parameters: &Parameters) {
-    let noise = parameters.width_noise();
+pub(super) fn widen(network: &mut Network, settings: &Settings) {
+    let noise = settings.width_noise();
     let mut floors = Floors(vec![(0.0, 0.0); network.vertices.len()]);
     // Tributaries stand after the rivers that they join.
     for number in (0..network.rivers.len()).rev() {
-        widen_river(network, number, parameters, &noise, &mut floors);
+        widen_river(network, number, settings, &noise, &mut floors);
     }
 }
 
@@ -29,7 +29,7 @@ struct Floors(Vec<(f32, f32)>);
 impl Floors {
     fn raise(&mut self, vertex: u32, half: f32) {
         if let Some((left, right)) = self.0.get_mut(vertex as usize) {
-            (*left, *right) = (most(*left, half), most(*right, half));
+            (*left, *right) = (fast_max(*left, half), fast_max(*right, half));
         }
     }
 }
@@ -40,64 +40,58 @@ pub(super) fn settle(network: &mut Network, river: usize, junction: u32, arm: f3
     let is_junction = network.junctions();
     let river = network.rivers[river];
     let above = network.vertices[(junction.max(river.start + 1) - 1) as usize];
-    let mut floor = (most(arm, above.left), most(arm, above.right));
+    let mut floor = (fast_max(arm, above.left), fast_max(arm, above.right));
     let below = junction as usize..river.end as usize;
     for (i, (vertex, &is_junction)) in network.vertices[below.clone()].iter_mut().zip(&is_junction[below]).enumerate() {
         if i > 0 && is_junction && vertex.left >= floor.0 && vertex.right >= floor.1 {
             return;
         }
-        (vertex.left, vertex.right) = (most(vertex.left, floor.0), most(vertex.right, floor.1));
+        (vertex.left, vertex.right) = (fast_max(vertex.left, floor.0), fast_max(vertex.right, floor.1));
         if is_junction {
             floor = (vertex.left, vertex.right);
         }
     }
     let last = network.vertices[river.end as usize - 1];
-    if river.joins != NONE {
-        settle(network, river.parent as usize, river.joins, last.width() * 0.5);
+    if river.junction != NONE {
+        settle(network, river.parent as usize, river.junction, last.width() * 0.5);
     }
 }
 
-fn widen_river(
-    network: &mut Network,
-    number: usize,
-    parameters: &Parameters,
-    noise: &FastNoiseLite,
-    floors: &mut Floors,
-) {
+fn widen_river(network: &mut Network, number: usize, settings: &Settings, noise: &FastNoiseLite, floors: &mut Floors) {
     let river = network.rivers[number];
     let (mut along, mut floor, mut last) = (0.0f32, (0.0f32, 0.0f32), (0.0f32, 0.0f32));
     let mut previous = None;
-    for i in river.own() {
+    for i in river.vertex_range() {
         let vertex = &mut network.vertices[i];
         along += previous.map_or(0.0, |at| distance(vertex.at, at));
         previous = Some(vertex.at);
-        let taper = least(along / (parameters.spacing * TAPER), 1.0).sqrt();
-        let half = parameters.half_width(vertex.discharge) * taper;
+        let taper = fast_min(along / (settings.spacing * TAPER), 1.0).sqrt();
+        let half = settings.half_width(vertex.discharge) * taper;
         let bank = |side: f32| {
             // Some ten widths to a bulge.
-            let place = along / (most(half, parameters.hairline) * 20.0) * 1.7;
-            half * (1.0 + parameters.vary * noise.get_noise_2d(place, number as f32 * 17.3 + side))
+            let place = along / (fast_max(half, settings.hairline) * 20.0) * 1.7;
+            half * (1.0 + settings.vary * noise.get_noise_2d(place, number as f32 * 17.3 + side))
         };
         let arms = floors.0[i];
         let is_junction = arms.0 > 0.0;
         if is_junction {
-            floor = (most(floor.0, most(arms.0, last.0)), most(floor.1, most(arms.1, last.1)));
+            floor = (fast_max(floor.0, fast_max(arms.0, last.0)), fast_max(floor.1, fast_max(arms.1, last.1)));
         }
-        (vertex.left, vertex.right) = (most(bank(0.0), floor.0), most(bank(71.0), floor.1));
+        (vertex.left, vertex.right) = (fast_max(bank(0.0), floor.0), fast_max(bank(71.0), floor.1));
         if is_junction {
             floor = (vertex.left, vertex.right);
         }
         last = (vertex.left, vertex.right);
     }
-    if river.joins != NONE {
+    if river.junction != NONE {
         // Both arms: what is below has to be as wide as the tributary, and on each side half of it.
-        floors.raise(river.joins, most((last.0 + last.1) * 0.5, f32::MIN_POSITIVE));
+        floors.raise(river.junction, fast_max((last.0 + last.1) * 0.5, f32::MIN_POSITIVE));
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::samples::{parameters, river, straight};
+    use super::super::samples::{river, settings, straight};
     use super::*;
     use crate::network::Vertex;
 
@@ -113,7 +107,7 @@ mod tests {
     }
 
     fn widened(mut network: Network, vary: f32) -> Network {
-        widen(&mut network, &Parameters { vary, everything: 100, full_width: 10.0, ..parameters() });
+        widen(&mut network, &Settings { vary, total_discharge: 100, max_width: 10.0, ..settings() });
         network
     }
 

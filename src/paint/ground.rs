@@ -7,7 +7,7 @@ use super::coverage::{Coverage, Rect};
 use super::palette::{Palette, mix};
 use super::ridges::ridges;
 use super::view::View;
-use crate::land::{Across, Land, Parabola, Relief, Shown};
+use crate::land::{Across, CoastDistance, Land, Parabola, SmoothedDistance};
 
 /// Widths of lines, in units.
 pub(crate) const RING_WIDTH: f32 = 1.1;
@@ -18,7 +18,7 @@ pub(crate) const RIVERS_END: f32 = COAST_WIDTH * 0.5;
 
 /// Paints the ground of a picture, row by row. In place of opacity there is how far rivers show on it.
 pub(super) fn ground(view: &View, land: &Land, palette: &Palette) -> Vec<[u8; 4]> {
-    let (shown, shades) = (Shown::of(land.relief()), Shades::new(view.scale, palette));
+    let (shown, shades) = (SmoothedDistance::of(land.coast_distance()), Shades::new(view.scale, palette));
     let (stretches, mut spans, mut spanned) = (stretches(view, &shown), Vec::new(), None);
     let mut pixels = Vec::with_capacity(view.width as usize * view.height as usize);
     for y in 0..view.height {
@@ -39,7 +39,7 @@ pub(super) fn ground(view: &View, land: &Land, palette: &Palette) -> Vec<[u8; 4]
     pixels
 }
 
-/// Pixels of a row around a column of the relief's corners: the height along them is a parabola.
+/// Pixels of a row around a column of the lattice's corners: the height along them is a parabola.
 #[derive(Clone, Copy)]
 struct Stretch {
     count: usize,
@@ -49,13 +49,13 @@ struct Stretch {
 }
 
 /// The stretches that make a row.
-fn stretches(view: &View, shown: &Shown) -> Vec<Stretch> {
+fn stretches(view: &View, shown: &SmoothedDistance) -> Vec<Stretch> {
     let (width, mut start) = (view.width as usize, 0);
     let mut stretches = Vec::new();
     while start < width {
         let (column, first) = shown.column(view.point(Vec2::splat(start as f32 + 0.5)).x);
         // The pixels whose middles are nearest to this column, before the picture's end.
-        let rest = (0.5 - first) * Relief::SPACING * view.scale;
+        let rest = (0.5 - first) * CoastDistance::SPACING * view.scale;
         let count = (rest.ceil().max(1.0) as usize).min(width - start);
         stretches.push(Stretch { count, column, first });
         start += count;
@@ -77,7 +77,7 @@ struct Shades {
     rings: &'static [(f32, f32)],
     /// How far from its middle a line can be seen, in units.
     margin: f32,
-    /// How far the next pixel is, in intervals of the relief.
+    /// How far the next pixel is, in intervals of the lattice.
     step: f32,
     /// The distances of the first and past the last, in units.
     first: f32,
@@ -96,12 +96,12 @@ impl Shades {
         let count = ((last - first) * per_unit) as usize + 1;
         let colour = |i: usize| shore(scale, palette, first + (i as f32 + 0.5) / per_unit);
         let (colours, end) = ((0..count).map(colour).collect(), first + count as f32 / per_unit);
-        let step = 1.0 / (Relief::SPACING * scale);
+        let step = 1.0 / (CoastDistance::SPACING * scale);
         Self { colours, rings: palette.rings, margin: COAST_WIDTH * 0.5 + 0.75 / scale, step, first, end, per_unit }
     }
 
     /// The spans of all rows that one row of corners is nearest to.
-    fn spans(&self, stretches: &[Stretch], shown: &Shown, row: usize) -> Vec<Span> {
+    fn spans(&self, stretches: &[Stretch], shown: &SmoothedDistance, row: usize) -> Vec<Span> {
         let mut spans = Vec::new();
         for stretch in stretches {
             // What lies between is nowhere lower or higher than these.
@@ -145,10 +145,10 @@ impl Shades {
         std::iter::once(0.0).chain(rings).find(|line| least - self.margin < *line && *line < most + self.margin)
     }
 
-    /// How far a line lies where it is so much higher: farther than that where the relief is flatter than a distance should be, as
+    /// How far a line lies where it is so much higher: farther than that where the field is flatter than a distance should be, as
     /// between two coasts. Lines would grow fat there. (`clamp` could panic, and would bring all that prints floats into the page.)
     fn apart(&self, higher: f32, rise: Vec2) -> f32 {
-        (higher * Relief::SPACING / rise.length().max(0.01)).max(-self.margin).min(self.margin)
+        (higher * CoastDistance::SPACING / rise.length().max(0.01)).max(-self.margin).min(self.margin)
     }
 
     fn at(&self, height: f32) -> [u8; 4] {
@@ -186,7 +186,7 @@ fn faded(way: f32) -> f32 {
 }
 
 /// Where there is so much of the farther colour: the reverse of `faded`.
-#[cfg(feature = "tools")]
+#[cfg(feature = "files")]
 pub(crate) fn way_to(share: f32) -> f32 {
     1.0 - (1.0 - share).sqrt()
 }
@@ -235,8 +235,8 @@ mod tests {
         let (from, to) = (Vec2::new(-50.0, 300.0), Vec2::new(1050.0, 620.0));
         let across = (to - from).perp().normalize();
         for width in [6.5, 9.0, 60.0] {
-            let relief = Relief::of_strait(&domain, from, to, width);
-            let pixels = ground(&view, &Land::new(&domain, relief, Vec::new()), &SKELETON);
+            let coast_distance = CoastDistance::of_strait(&domain, from, to, width);
+            let pixels = ground(&view, &Land::new(&domain, coast_distance, Vec::new()), &SKELETON);
             let strait = (0..1000).flat_map(|y| (300..700).map(move |x| (x, y)));
             let coast =
                 strait.map(|(x, y)| f32::from(pixels[y * 1000 + x][0]) / f32::from(SKELETON.coast[0])).sum::<f32>();

@@ -18,12 +18,16 @@ mod skeleton;
 mod strokes;
 mod view;
 
-pub use coverage::{Coverage, Rect};
+#[doc(hidden)]
+pub use coverage::Coverage;
+pub use coverage::Rect;
+#[doc(hidden)]
 pub use painter::{Painter, Progress, Rivers};
+#[doc(hidden)]
 pub use strokes::{Pen, Widths};
 pub use view::{LONGEST_SIDE, PaintError, View};
 
-#[cfg(feature = "tools")]
+#[cfg(feature = "files")]
 pub(crate) use painter::palette as palette_of;
 
 /// How a network is painted.

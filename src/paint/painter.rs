@@ -32,9 +32,9 @@ pub struct Progress<'a> {
     /// How it will be trimmed.
     pub trim: Trim,
     /// The discharge that would be everything a river can drain.
-    pub everything: u32,
+    pub total_discharge: u32,
     /// The width, in domain units, of a river that drains everything.
-    pub full_width: f32,
+    pub max_width: f32,
     /// The land; `None` if all of the domain is.
     pub land: Option<&'a Land>,
     /// The style.
@@ -83,7 +83,7 @@ impl Painter {
         const BYTES_A_PIXEL: usize = 10;
         let view = View::new(domain, width, height)?;
         let bytes = BYTES_A_PIXEL * width as usize * height as usize;
-        if !memory::is_to_be_had(bytes) {
+        if !memory::can_allocate(bytes) {
             return Err(PaintError::OutOfMemory { width, height, megabytes: (bytes / 1_000_000) as u32 + 1 });
         }
         let none = PaintError::Size { width, height };
@@ -99,13 +99,13 @@ impl Painter {
     }
 
     /// Forgets the ground: other land comes next, of a domain that may have another shape.
-    pub fn leave_land(&mut self, next: &Domain) {
+    pub fn invalidate_ground(&mut self, next: &Domain) {
         self.view = self.view.of(next);
         self.ground = None;
     }
 
     /// Forgets the picture: another tree, trim, width or style comes next.
-    pub fn start_over(&mut self) {
+    pub fn reset(&mut self) {
         self.coverage.clear();
         self.drawn.clear();
         self.flow = Flow::default();
@@ -218,7 +218,7 @@ pub(crate) fn palette(style: Style) -> &'static Palette {
 fn widths(progress: &Progress<'_>) -> Widths {
     match progress.style {
         Style::Ink | Style::Dark | Style::Map => {
-            Widths::ByDischarge { full: progress.full_width, everything: progress.everything }
+            Widths::ByDischarge { full: progress.max_width, total_discharge: progress.total_discharge }
         }
         Style::Skeleton => Widths::Even { width_px: skeleton::WIDTH_PX },
     }

@@ -59,13 +59,12 @@ fn heights(land: &Land, crest: &[Vec2]) -> Vec<f32> {
     const SADDLE: f32 = 0.45;
     let last = crest.len() - 1;
     // One that runs out of the picture, or round, has no end there.
-    let goes_on = |end: usize, before: usize| {
-        crest[0] == crest[last] || land.at(crest[end] * 2.0 - crest[before]) == Cell::Unavailable
-    };
+    let goes_on =
+        |end: usize, before: usize| crest[0] == crest[last] || land.at(crest[end] * 2.0 - crest[before]) == Cell::Water;
     let ends = [goes_on(0, last.min(2)), goes_on(last, last.saturating_sub(2))];
     let height = |(i, at): (usize, &Vec2)| {
         let from_end = |goes_on: bool, points: usize| if goes_on { RISE } else { points as f32 * PIECE };
-        let least = from_end(ends[0], i).min(from_end(ends[1], last - i)).min(land.relief().height(*at));
+        let least = from_end(ends[0], i).min(from_end(ends[1], last - i)).min(land.coast_distance().height(*at));
         let way = (i as f32 * PEAKS).fract();
         (least / RISE).clamp(0.0, 1.0).sqrt() * (SADDLE + (1.0 - SADDLE) * 4.0 * way * (1.0 - way))
     };
@@ -111,7 +110,7 @@ mod tests {
             for [(from, half_from), (to, half_to)] in &strokes {
                 assert!(near(*from) < 2.0, "{from} is off its ridge");
                 // Thin at the coast, and none beyond.
-                let shore = land.relief().height(*from).min(land.relief().height(*to));
+                let shore = land.coast_distance().height(*from).min(land.coast_distance().height(*to));
                 assert!(shore > 0.0 || half_from.max(*half_to) < 0.25, "{half_from} wide at {from}, {shore} inland");
             }
             let wide = |stroke: &&[End; 2]| stroke[0].1 > 0.8 * CREST;
@@ -139,7 +138,7 @@ mod tests {
         let highest = |part: &[f32]| part.iter().copied().fold(0.0, f32::max);
         let (seam, opposite) = (highest(&heights[..8]), highest(&heights[heights.len() / 2 - 10..][..20]));
         assert_eq!(crest.first(), crest.last());
-        assert!(land.relief().height(ring[0]) > RISE && opposite > 0.9, "{opposite}");
+        assert!(land.coast_distance().height(ring[0]) > RISE && opposite > 0.9, "{opposite}");
         // Peaks come and go: from saddle up, but nowhere less.
         assert!(heights[0] > 0.4 && heights[crest.len() - 1] > 0.4, "{} and {}", heights[0], heights[crest.len() - 1]);
         assert!(seam > 0.7, "{seam} where the ring begins, {opposite} opposite");

@@ -8,7 +8,7 @@ use tiny_skia::Pixmap;
 
 use super::coverage::{Coverage, Rect};
 use super::palette::opaque;
-use crate::thin::{IS_SET, thin};
+use crate::skeletonize::{IS_SET, thin};
 
 /// The width that rivers are drawn with before they are thinned: enough that no line has a gap.
 pub(super) const WIDTH_PX: f32 = 1.5;

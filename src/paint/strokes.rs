@@ -14,7 +14,7 @@ pub enum Widths {
         /// The width, in domain units, of a river that drains everything.
         full: f32,
         /// The discharge that counts as everything: all attractors of the recipe, or about all of a Brownian tree.
-        everything: u32,
+        total_discharge: u32,
     },
     /// All alike, in pixels.
     Even {
@@ -54,9 +54,9 @@ impl Pen {
     pub fn radius(&self, depth: u32, discharge: u32) -> u16 {
         let radius_px = match self.widths {
             Widths::Even { width_px } => width_px / 2.0,
-            Widths::ByDischarge { full, everything } => {
+            Widths::ByDischarge { full, total_discharge } => {
                 let hairline = HAIRLINE * self.view.scale + HAIRLINE_PX;
-                let share = discharge as f32 / everything as f32;
+                let share = discharge as f32 / total_discharge as f32;
                 let width = (full * self.view.scale * share.sqrt()).max(hairline);
                 let taper = (depth + 1).min(TAPER_NODES) as f32 / TAPER_NODES as f32;
                 width * taper.sqrt() / 2.0
@@ -116,7 +116,7 @@ mod tests {
     #[test]
     fn squared_widths_add_where_rivers_join() {
         let view = View::new(&Domain::with_aspect(1.0), 4000, 4000).unwrap();
-        let pen = Pen::new(view, Widths::ByDischarge { full: 20.0, everything: 10_000 });
+        let pen = Pen::new(view, Widths::ByDischarge { full: 20.0, total_discharge: 10_000 });
         let width = |discharge| f32::from(pen.radius(100, discharge));
         for (a, b) in [(2000, 3000), (500, 500), (100, 9000)] {
             let (arms, trunk) = (width(a) * width(a) + width(b) * width(b), width(a + b) * width(a + b));
@@ -127,7 +127,7 @@ mod tests {
     #[test]
     fn width_never_falls_with_depth_or_discharge() {
         let view = View::new(&Domain::with_aspect(1.0), 500, 500).unwrap();
-        let pen = Pen::new(view, Widths::ByDischarge { full: 20.0, everything: 10_000 });
+        let pen = Pen::new(view, Widths::ByDischarge { full: 20.0, total_discharge: 10_000 });
         for (depth, discharge) in (0..9).flat_map(|depth| (0..200).map(move |i| (depth, i * 50))) {
             let here = pen.radius(depth, discharge);
             assert!(pen.radius(depth + 1, discharge) >= here && pen.radius(depth, discharge + 50) >= here);

@@ -1,6 +1,6 @@
 //! The parameters that are one of some words, each declared once: a type, and the words, labels and help of its values.
 
-use super::parameter::Key;
+use super::key::Key;
 
 /// A value of a parameter that is one of some words.
 pub trait Choice: Copy + PartialEq + 'static {

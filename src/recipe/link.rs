@@ -3,8 +3,12 @@
 //! Defaults are left out, the edition never is. [`read`] is strict, for the command line and for tests; [`read_leniently`]
 //! is total, for pages: a shared link must never leave a blank page, so what is wrong is mended and said.
 
+use std::fmt;
+use std::str::FromStr;
+
 use super::error::{RecipeError, shown};
-use super::parameter::{Key, Kind};
+use super::key::Key;
+use super::parameter::Kind;
 use super::table::TABLE;
 use super::value::{Decimal, Value};
 use super::{Recipe, preset};
@@ -34,6 +38,22 @@ pub fn write(recipe: &Recipe) -> String {
         }
     }
     link.finish()
+}
+
+impl fmt::Display for Recipe {
+    /// Link text, as [`write()`] makes it.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&write(self))
+    }
+}
+
+impl FromStr for Recipe {
+    type Err = RecipeError;
+
+    /// Reads link text strictly, as [`read`] does.
+    fn from_str(link: &str) -> Result<Self, RecipeError> {
+        read(link)
+    }
 }
 
 /// Reads link text strictly. A leading `?` or `#` is allowed.

@@ -8,9 +8,10 @@
 
 pub mod choice;
 mod error;
-mod idle;
+mod inactive;
 #[cfg(feature = "json")]
 pub mod json;
+mod key;
 pub mod link;
 mod outline;
 mod parameter;
@@ -20,11 +21,12 @@ mod value;
 
 pub use choice::{Choice, GrowthMethod, LandKind, MeanderModel, Scatter, Style};
 pub use error::RecipeError;
+pub use key::Key;
 pub use outline::{GridPoint, LONGEST as LONGEST_OUTLINE, LineKind, Outline, OutlineError};
-pub use parameter::{Key, Kind, Parameter, Stage};
+pub use parameter::{Kind, Parameter, Stage};
 pub use value::{Decimal, Sides, Value};
 
-use parameter::COUNT;
+use key::COUNT;
 use table::TABLE;
 
 /// The number of the algorithm set that this crate draws. Once released, an edition's pictures never change.

@@ -2,8 +2,8 @@
 
 use super::choice::Word;
 use super::error::{RecipeError, shown};
+use super::key::Key;
 use super::outline::Outline;
-use super::table::TABLE;
 use super::value::{Decimal, Sides, Value};
 
 /// The stages that parameters belong to, in the order in which they run.
@@ -31,63 +31,6 @@ impl Stage {
             Self::Shape => "shape",
             Self::Paint => "paint",
         }
-    }
-}
-
-/// A parameter's place in the table.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[expect(missing_docs, reason = "each key is explained by its row of the table")]
-pub enum Key {
-    Seed,
-    Edition,
-    Aspect,
-    Land,
-    Outline,
-    Sea,
-    Rough,
-    Mouths,
-    Apart,
-    Sides,
-    Shores,
-    Growth,
-    Sensitivity,
-    Attractors,
-    Scatter,
-    Reach,
-    Kill,
-    Step,
-    Momentum,
-    Curl,
-    Stretch,
-    Trim,
-    Simplify,
-    Width,
-    Vary,
-    Meander,
-    MeanderRounds,
-    MeanderStrength,
-    MeanderMix,
-    Gentle,
-    Great,
-    Flat,
-    Neck,
-    Buffer,
-    Taper,
-    Style,
-}
-
-/// How many parameters there are.
-pub(super) const COUNT: usize = Key::Style as usize + 1;
-
-impl Key {
-    /// The row of this key.
-    pub fn parameter(self) -> &'static Parameter {
-        &TABLE[self as usize]
-    }
-
-    /// Finds a key by its name in links.
-    pub fn from_name(name: &str) -> Option<Self> {
-        TABLE.iter().find(|parameter| parameter.name == name).map(|parameter| parameter.key)
     }
 }
 

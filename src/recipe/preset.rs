@@ -1,7 +1,7 @@
 //! Presets: named sets of values. A preset is not another kind of parameter: a link that names one is written
 //! without it.
 
-use super::parameter::Key;
+use super::key::Key;
 
 /// A named set of values; what it leaves out keeps its default.
 #[derive(Clone, Copy, Debug)]

@@ -4,7 +4,8 @@
 //! Keys are added freely and never renamed: a shared link holds them.
 
 use super::choice::{Choice, GrowthMethod, LandKind, MeanderModel, Scatter, Style};
-use super::parameter::{COUNT, Key, Kind, Parameter, Stage};
+use super::key::{COUNT, Key};
+use super::parameter::{Kind, Parameter, Stage};
 use super::value::{Decimal, Sides};
 
 /// All parameters, in the order in which links and tables list them; row `i` is that of the key numbered `i`.
@@ -413,6 +414,18 @@ pub static TABLE: [Parameter; COUNT] = {
         },
     ]
 };
+
+impl Key {
+    /// The row of this key.
+    pub fn parameter(self) -> &'static Parameter {
+        &TABLE[self as usize]
+    }
+
+    /// Finds a key by its name in links.
+    pub fn from_name(name: &str) -> Option<Self> {
+        TABLE.iter().find(|parameter| parameter.name == name).map(|parameter| parameter.key)
+    }
+}
 
 #[cfg(test)]
 mod tests {

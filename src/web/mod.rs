@@ -1,6 +1,6 @@
 //! The only place that knows JavaScript: recipes, the parameter table and a river, for a page.
 
-#[cfg(feature = "tools")]
+#[cfg(feature = "files")]
 pub mod tools;
 
 use glam::Vec2;
@@ -84,7 +84,7 @@ export interface Summary {
   readonly rounds: number;
   /** Oxbow lakes that they have left. */
   readonly oxbows: number;
-  /** Whether everything is done, meandering too. */
+  /** Whether total_discharge is done, meandering too. */
   readonly finished: boolean;
   /** Why growth ended early; null if it did not. */
   readonly stopped: string | null;
@@ -125,7 +125,7 @@ pub fn presets() -> Array {
 pub fn read_link(text: &str) -> Object {
     let (recipe, notices) = link::read_leniently(text);
     let value = |parameter: &Parameter| pair(parameter.name, &parameter.text_of(recipe.value(parameter.key)));
-    let idle = |row: &Parameter| recipe.idle_reason(row.key).map(|reason| pair(row.name, reason));
+    let idle = |row: &Parameter| recipe.inactive_reason(row.key).map(|reason| pair(row.name, reason));
     let notice = |Notice { key, message }| object(&[("key", String::into(key)), ("message", String::into(message))]);
     object(&[
         ("link", link::write(&recipe).into()),
@@ -145,7 +145,7 @@ pub fn fresh_seed() -> Result<String, JsValue> {
 #[wasm_bindgen(js_name = outlineOf)]
 pub fn outline_of(coasts: Vec<Float32Array>, ridges: Vec<Float32Array>) -> Result<String, JsValue> {
     let lines = |lines: Vec<Float32Array>| lines.iter().map(points).collect();
-    let outline = Outline::of_strokes(lines(coasts), lines(ridges));
+    let outline = Outline::from_polylines(lines(coasts), lines(ridges));
     outline.map(|outline| outline.to_string()).map_err(|error| coded("no-land", &error.to_string()))
 }
 

@@ -41,7 +41,7 @@ pub fn grow(field: &Field, seed: Seed, sensitivity: f32) -> Vec<Node> {
             return literal.nodes;
         }
         step = (step / 2.0).floor().max(last);
-        if literal.cells.contains(&Cell::Illegal) {
+        if literal.cells.contains(&Cell::Ridge) {
             while literal.pass(step, true) > 0.0 {}
         }
     }
@@ -58,7 +58,7 @@ struct Literal {
 
 impl Literal {
     /// A pass of a step, or of the passes before its others that are for what coarser steps have left. Returns its impact.
-    fn pass(&mut self, step: f32, is_for_rest: bool) -> f32 {
+    fn pass(&mut self, step: f32, is_gap_filling: bool) -> f32 {
         let mut particles = Vec::new();
         for i in 0..(self.rows as f32 / step).ceil() as i32 {
             for j in 0..(self.columns as f32 / step).ceil() as i32 {
@@ -75,9 +75,9 @@ impl Literal {
         }
         let (mut on_land, mut drawn) = (0, 0);
         for particle in particles {
-            if self.cell(particle) == Some(Cell::Available) {
+            if self.cell(particle) == Some(Cell::Land) {
                 on_land += 1;
-                let is_born = !is_for_rest || self.is_left(particle, step);
+                let is_born = !is_gap_filling || self.is_left(particle, step);
                 drawn += u32::from(is_born && self.release(particle, step));
             }
         }
@@ -90,7 +90,7 @@ impl Literal {
             let (column, row) = (i as i32 % self.columns, i as i32 / self.columns);
             (column - x) * (column - x) + (row - y) * (row - y)
         };
-        let water = (0..self.cells.len()).filter(|&i| self.cells[i] == Cell::Unavailable);
+        let water = (0..self.cells.len()).filter(|&i| self.cells[i] == Cell::Water);
         let near = (step * step / 4.0).ceil() as i32;
         water.map(squared).min().is_some_and(|nearest| (4 * near..=64 * near).contains(&nearest))
     }
@@ -106,7 +106,7 @@ impl Literal {
             let ways = 2 * furthest as u32 + 1;
             x += (((bits & 0xffff) * ways) >> 16) as i32 - furthest;
             y += (((bits >> 16) * ways) >> 16) as i32 - furthest;
-            if self.cell((x, y)) != Some(Cell::Available) {
+            if self.cell((x, y)) != Some(Cell::Land) {
                 return false;
             }
             match self.look((x, y), step) {
@@ -133,11 +133,11 @@ impl Literal {
             let start = (row * self.columns + first) as usize;
             let end = (row * self.columns + (x + radius).min(self.columns - 1)) as usize;
             for (column, &cell) in (first..).zip(&self.cells[start..=end]) {
-                if cell == Cell::Available {
+                if cell == Cell::Land {
                     continue;
                 }
                 let squared = ((column - x) * (column - x) + (row - y) * (row - y)) as f32;
-                if cell == Cell::Illegal {
+                if cell == Cell::Ridge {
                     is_ridge |= squared < step * step / 4.0;
                 } else if squared <= near.0 {
                     let this = (squared, shuffled((row * self.columns + column) as u32));
@@ -168,12 +168,12 @@ impl Literal {
             let part = (drawn + 1) * 256;
             let exact = (from.0 + dx * part / length, from.1 + dy * part / length);
             let cell = (exact.0 >> 8, exact.1 >> 8);
-            if self.cell(cell) != Some(Cell::Available) || !self.touches_family_only(cell, before, parent) {
+            if self.cell(cell) != Some(Cell::Land) || !self.touches_family_only(cell, before, parent) {
                 break;
             }
             let from =
                 parent.unwrap_or_else(|| self.add(Node { cell: target, parent: NO_PARENT, exact: middle(target) }));
-            self.cells[(cell.1 * self.columns + cell.0) as usize] = Cell::Unavailable;
+            self.cells[(cell.1 * self.columns + cell.0) as usize] = Cell::Water;
             parent = Some(self.add(Node { cell, parent: from, exact }));
             before = cell;
             drawn += 1;
@@ -190,7 +190,7 @@ impl Literal {
     /// Whether all water around a cell belongs to the cell before it in the strand.
     fn touches_family_only(&self, (x, y): At, before: At, parent: Option<u32>) -> bool {
         let around = (y - 1..=y + 1).flat_map(|row| (x - 1..=x + 1).map(move |column| (column, row)));
-        let mut water = around.filter(|&at| at != before && self.cell(at) == Some(Cell::Unavailable));
+        let mut water = around.filter(|&at| at != before && self.cell(at) == Some(Cell::Water));
         let river = |at: &At| self.node_at.get(at).filter(|&&node| self.nodes[node as usize].parent != NO_PARENT);
         let is_from_sea = river(&before).is_none();
         water.all(|at| match (river(&at), parent) {

@@ -1,9 +1,9 @@
 //! The guard's survey, pair by pair: every segment against every other.
 
-use riverseed::network::{NONE, Near, Network, gap};
+use riverseed::network::{NONE, NearbyPair, Network, gap};
 
-/// What [`riverseed::network::Guard::survey`] says: the clearance of each segment, and the pairs near each other, in order.
-pub fn survey(network: &Network, reach: &[f32], caps: Vec<f32>) -> (Vec<f32>, Vec<Near>) {
+/// What [`riverseed::network::ClearanceGrid::measure`] says: the clearance of each segment, and the pairs near each other, in order.
+pub fn measure(network: &Network, reach: &[f32], caps: Vec<f32>) -> (Vec<f32>, Vec<NearbyPair>) {
     let downstream = network.downstream();
     let at = |i: usize| network.vertices[i].at;
     let mut clearance = caps;
@@ -21,7 +21,7 @@ pub fn survey(network: &Network, reach: &[f32], caps: Vec<f32>) -> (Vec<f32>, Ve
                 clearance[j] = clearance[j].min(distance);
             }
             if distance < reach[i].max(reach[j]) && i.abs_diff(j) > 3 {
-                near.push(Near { first: i as u32, second: j as u32, distance });
+                near.push(NearbyPair { first: i as u32, second: j as u32, distance });
             }
         }
     }

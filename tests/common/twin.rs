@@ -3,7 +3,7 @@
 //! crate are where things lie at the start, the fixed-point sum of pulls and the hash that random angles come from.
 
 use glam::Vec2;
-use riverseed::grow::{Mouth, Parameters, Pull, mouths, scatter, shores, stem_nodes};
+use riverseed::grow::{Mouth, Pull, Settings, mouths, scatter, shores, stem_nodes};
 use riverseed::random::Purpose;
 use riverseed::tree::NO_PARENT;
 
@@ -20,7 +20,7 @@ pub struct Black {
 }
 
 /// Grows by the numbered steps of the paper.
-pub fn grow(parameters: &Parameters) -> Vec<Black> {
+pub fn grow(parameters: &Settings) -> Vec<Black> {
     // Step 1: start nodes, and blue nodes spread over the space.
     let mut blue: Vec<Option<Vec2>> = scatter(parameters).into_iter().map(Some).collect();
     let (mut black, mut pilots) = start_nodes(parameters);
@@ -38,7 +38,7 @@ pub fn grow(parameters: &Parameters) -> Vec<Black> {
             pilots.push((black.len() + born.len() - 1, mouth.inland));
         }
         if born.is_empty() && blue.iter().flatten().count() > blue.len() / 2 {
-            born.extend(run_on(parameters, &black, tick));
+            born.extend(extend_last_tip(parameters, &black, tick));
             pilots.extend(born.first().map(|_| (black.len(), onward(parameters, &black))));
         }
         if born.is_empty() {
@@ -64,7 +64,7 @@ fn squared_distance(a: Vec2, b: Vec2) -> f32 {
 }
 
 /// The closest black node nearer than a distance, with no ridge between; the first of equals.
-fn closest(parameters: &Parameters, blue: Vec2, black: &[Black], distance: f32) -> Option<usize> {
+fn closest(parameters: &Settings, blue: Vec2, black: &[Black], distance: f32) -> Option<usize> {
     let mut best = (distance * distance, None);
     for (i, node) in black.iter().enumerate() {
         let squared = squared_distance(blue, node.at);
@@ -76,7 +76,7 @@ fn closest(parameters: &Parameters, blue: Vec2, black: &[Black], distance: f32) 
 }
 
 /// Step 2: the blue nodes of each black node.
-fn assign(parameters: &Parameters, blue: &[Option<Vec2>], black: &[Black]) -> Vec<Vec<u32>> {
+fn assign(parameters: &Settings, blue: &[Option<Vec2>], black: &[Black]) -> Vec<Vec<u32>> {
     let mut assigned = vec![Vec::new(); black.len()];
     for (i, blue) in (0u32..).zip(blue) {
         if let Some(node) = blue.and_then(|blue| closest(parameters, blue, black, parameters.reach)) {
@@ -88,7 +88,7 @@ fn assign(parameters: &Parameters, blue: &[Option<Vec2>], black: &[Black]) -> Ve
 
 /// Steps 3 and 4, for black nodes whose blue nodes are not those they last tried with.
 fn grow_all(
-    parameters: &Parameters,
+    parameters: &Settings,
     blue: &[Option<Vec2>],
     black: &mut [Black],
     assigned: &[Vec<u32>],
@@ -120,7 +120,7 @@ fn grow_all(
 
 /// When nothing grows any more: every black node that has blue nodes grows straight toward the nearest of them.
 fn reach_out(
-    parameters: &Parameters,
+    parameters: &Settings,
     blue: &[Option<Vec2>],
     black: &[Black],
     assigned: &[Vec<u32>],
@@ -143,7 +143,7 @@ fn reach_out(
 }
 
 /// When most blue nodes are left, but none is within reach of anything: the last black node runs straight on.
-fn run_on(parameters: &Parameters, black: &[Black], tick: u32) -> Option<Black> {
+fn extend_last_tip(parameters: &Settings, black: &[Black], tick: u32) -> Option<Black> {
     let last = black.last()?;
     black.get(last.parent as usize)?;
     let at = last.at + onward(parameters, black) * parameters.step;
@@ -151,20 +151,20 @@ fn run_on(parameters: &Parameters, black: &[Black], tick: u32) -> Option<Black> 
 }
 
 /// The direction the last black node was made in.
-fn onward(parameters: &Parameters, black: &[Black]) -> Vec2 {
+fn onward(parameters: &Settings, black: &[Black]) -> Vec2 {
     let last = &black[black.len() - 1];
     (last.at - black[last.parent as usize].at) / parameters.step
 }
 
 /// Whether a node has a child within an eighth of a step from here.
-fn has_twin(parameters: &Parameters, black: &[Black], parent: usize, at: Vec2) -> bool {
+fn has_twin(parameters: &Settings, black: &[Black], parent: usize, at: Vec2) -> bool {
     let eighth = parameters.step * 0.125;
     let mut children = black.iter().filter(|node| node.parent == parent as u32);
     children.any(|child| squared_distance(at, child.at) < eighth * eighth)
 }
 
 /// Section 4.2: u = v₂ − k·v₁, normalised, v₁ being the direction the node itself was made in.
-fn with_momentum(parameters: &Parameters, at: Vec2, came_from: Option<Vec2>, v2: Vec2) -> Vec2 {
+fn with_momentum(parameters: &Settings, at: Vec2, came_from: Option<Vec2>, v2: Vec2) -> Vec2 {
     let Some(parent) = came_from.filter(|_| parameters.momentum > 0.0) else { return v2 };
     let (v1_x, v1_y) = ((at.x - parent.x) / parameters.step, (at.y - parent.y) / parameters.step);
     let (x, y) = (v2.x - v1_x * parameters.momentum, v2.y - v1_y * parameters.momentum);
@@ -177,7 +177,7 @@ fn with_momentum(parameters: &Parameters, at: Vec2, came_from: Option<Vec2>, v2:
 }
 
 /// Section 4.3: turned by a random angle up to θ_c, to the right for the first c nodes of a branch, then to the left.
-fn curled(parameters: &Parameters, u: Vec2, node: &Black, tick: u32) -> Vec2 {
+fn curled(parameters: &Settings, u: Vec2, node: &Black, tick: u32) -> Vec2 {
     if parameters.curl == 0.0 {
         return u;
     }
@@ -191,7 +191,7 @@ fn curled(parameters: &Parameters, u: Vec2, node: &Black, tick: u32) -> Vec2 {
 }
 
 /// Step 5: blue nodes near a black node go, and drain into it.
-fn remove(parameters: &Parameters, blue: &mut [Option<Vec2>], black: &mut [Black]) {
+fn remove(parameters: &Settings, blue: &mut [Option<Vec2>], black: &mut [Black]) {
     for blue in blue {
         if let Some(node) = blue.and_then(|blue| closest(parameters, blue, black, parameters.kill)) {
             black[node].drained += 1;
@@ -201,7 +201,7 @@ fn remove(parameters: &Parameters, blue: &mut [Option<Vec2>], black: &mut [Black
 }
 
 /// The mouths, each with a stem of about a spacing straight inland, and where the stems end.
-fn start_nodes(parameters: &Parameters) -> (Vec<Black>, Vec<(usize, Vec2)>) {
+fn start_nodes(parameters: &Settings) -> (Vec<Black>, Vec<(usize, Vec2)>) {
     let (mut black, mut ends) = (Vec::new(), Vec::new());
     for mouth in mouths(parameters) {
         black.extend(stem(parameters, mouth, black.len() as u32, 0));
@@ -211,7 +211,7 @@ fn start_nodes(parameters: &Parameters) -> (Vec<Black>, Vec<(usize, Vec2)>) {
 }
 
 /// A mouth and its stem, whose nodes are numbered from the first on.
-fn stem(parameters: &Parameters, mouth: Mouth, first: u32, tick: u32) -> Vec<Black> {
+fn stem(parameters: &Settings, mouth: Mouth, first: u32, tick: u32) -> Vec<Black> {
     let mut stem = vec![node(mouth.at, NO_PARENT, tick, 0)];
     for i in 1..=stem_nodes(parameters) {
         let from = stem[stem.len() - 1].at;
@@ -225,7 +225,7 @@ fn stem(parameters: &Parameters, mouth: Mouth, first: u32, tick: u32) -> Vec<Bla
 
 /// When more than a fiftieth of the blue nodes is in reach of no black node: a mouth at the place on the coast that has the most
 /// of them in reach; the first of equals.
-fn mouth_for_the_rest(parameters: &Parameters, blue: &[Option<Vec2>], black: &[Black]) -> Option<Mouth> {
+fn mouth_for_the_rest(parameters: &Settings, blue: &[Option<Vec2>], black: &[Black]) -> Option<Mouth> {
     let is_lost = |blue: &Vec2| closest(parameters, *blue, black, parameters.reach).is_none();
     let lost: Vec<Vec2> = blue.iter().flatten().copied().filter(is_lost).collect();
     if lost.len() <= blue.len() / 50 {
@@ -247,7 +247,7 @@ fn mouth_for_the_rest(parameters: &Parameters, blue: &[Option<Vec2>], black: &[B
 
 /// A river that no blue node reaches runs straight inland until one does, or the land ends.
 fn run_inland(
-    parameters: &Parameters,
+    parameters: &Settings,
     blue: &[Option<Vec2>],
     black: &[Black],
     pilots: &mut Vec<(usize, Vec2)>,

@@ -7,8 +7,11 @@ use riverseed::session::Session;
 /// Strahler's order at the end of each river, from where rivers join each other alone.
 pub fn orders(network: &Network) -> Vec<u8> {
     fn of(network: &Network, river: &River) -> u8 {
-        let arms = network.rivers.iter().filter(|arm| arm.joins != NONE && river.own().contains(&(arm.joins as usize)));
-        let mut joining: Vec<(u32, u8)> = arms.map(|arm| (arm.joins, of(network, arm))).collect();
+        let arms = network
+            .rivers
+            .iter()
+            .filter(|arm| arm.junction != NONE && river.vertex_range().contains(&(arm.junction as usize)));
+        let mut joining: Vec<(u32, u8)> = arms.map(|arm| (arm.junction, of(network, arm))).collect();
         joining.sort_unstable();
         joining.chunk_by(|a, b| a.0 == b.0).fold(1, |order, arms| {
             let orders = || arms.iter().map(|(_, order)| *order).chain([order]);
@@ -40,7 +43,7 @@ pub fn mouth(network: &Network, river: u32) -> u32 {
 
 /// The vertices of a river, source first, the junction last if it ends in one.
 pub fn course(river: &River) -> Vec<usize> {
-    river.own().chain((river.joins != NONE).then_some(river.joins as usize)).collect()
+    river.vertex_range().chain((river.junction != NONE).then_some(river.junction as usize)).collect()
 }
 
 pub fn line(network: &Network, river: &River) -> Vec<DVec2> {
@@ -54,7 +57,7 @@ pub fn length(line: &[DVec2]) -> f64 {
 /// How high each vertex lies over the sea, in metres: slopes of 3 in 10,000 at the mouth of all water, steeper as discharge^-0.4.
 pub fn heights(session: &Session) -> Vec<f64> {
     const METRES_A_UNIT: f64 = 1113.2;
-    let (network, all) = (session.network().unwrap(), f64::from(session.network_parameters().everything));
+    let (network, all) = (session.network().unwrap(), f64::from(session.network_settings().total_discharge));
     let mut heights = vec![f64::NAN; network.vertices.len()];
     // A river stands before those that join it, but for what a cutoff has given to another.
     while heights.iter().any(|height| height.is_nan()) {
@@ -66,7 +69,7 @@ pub fn heights(session: &Session) -> Vec<f64> {
                 // Even a river that drains nothing drains a millionth.
                 let share = (f64::from(network.vertices[upper].discharge) / all).max(1e-6);
                 let slope = 3e-4 * libm::pow(share, -0.4);
-                if lower + 1 == river.end as usize && river.joins == NONE {
+                if lower + 1 == river.end as usize && river.junction == NONE {
                     heights[lower] = 0.0;
                 }
                 heights[upper] = heights[lower] + slope * way * METRES_A_UNIT;

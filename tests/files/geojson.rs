@@ -94,7 +94,7 @@ fn rivers_have_the_properties_that_they_are_said_to_have() {
             assert_eq!(properties["mouth"], mouth(network, id as u32));
             assert_eq!(properties["order"], orders[id]);
             assert_eq!(properties["magnitude"], magnitudes[id]);
-            assert_eq!(properties["discharge"], network.vertices[river.own()].last().unwrap().discharge);
+            assert_eq!(properties["discharge"], network.vertices[river.vertex_range()].last().unwrap().discharge);
             let line = line(network, river);
             let straight = line[0].distance(line[line.len() - 1]);
             let near = |name: &str, expected: f64, rounding: f64| {

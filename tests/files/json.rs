@@ -73,7 +73,7 @@ fn lengths_are_resolved() {
         if !is_brownian {
             near(&resolved["everything"], session.growth().attractors() as f32);
         }
-        assert_eq!(resolved["everything"], session.growth().everything());
+        assert_eq!(resolved["everything"], session.growth().total_discharge());
         assert_eq!(resolved["meander"], Key::Meander.parameter().text_of(recipe.value(Key::Meander)));
         let as_they_are = AS_THEY_ARE.split(' ').map(|name| Key::from_name(name).unwrap());
         as_they_are.for_each(|key| near(&resolved[key.parameter().name], recipe.number(key)));
@@ -155,7 +155,7 @@ fn rivers_and_lakes_are_the_network_s() {
             assert_eq!((written["id"].as_u64(), written["parent"].as_u64()), (Some(id as u64), some(river.parent)));
             assert_eq!((&written["order"], &written["magnitude"]), (&orders[id].into(), &magnitudes[id].into()));
             let course: Vec<_> = course(river).into_iter().map(|i| network.vertices[i]).collect();
-            assert_eq!(written["discharge"], network.vertices[river.own()].last().unwrap().discharge);
+            assert_eq!(written["discharge"], network.vertices[river.vertex_range()].last().unwrap().discharge);
             let expected = course.iter().map(|vertex| [vertex.at.x, vertex.at.y, vertex.left + vertex.right]);
             assert_eq!(points(&written["points"]), expected.collect::<Vec<_>>());
         }
@@ -176,7 +176,7 @@ fn attractors_are_those_that_were_scattered() {
     of_all(|session| {
         let attractors = &json(session)["attractors"];
         assert_eq!(names(attractors), ["x", "y"]);
-        let parameters = session.growth().parameters();
+        let parameters = session.growth().settings();
         let scattered = if session.growth().attractors() > 0 { scatter(parameters) } else { Vec::new() };
         assert_eq!(scattered.len() as u32, session.growth().attractors());
         assert_eq!(singles(&attractors["x"]), scattered.iter().map(|at| at.x).collect::<Vec<_>>());

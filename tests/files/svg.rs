@@ -30,7 +30,7 @@ fn data_are_what_the_network_says() {
             assert_eq!(data("parent"), some(river.parent));
             assert_eq!(data("order"), Some(orders[id as usize].into()));
             assert_eq!(data("magnitude"), Some(magnitudes[id as usize].into()));
-            let discharge = network.vertices[river.own()].last().unwrap().discharge;
+            let discharge = network.vertices[river.vertex_range()].last().unwrap().discharge;
             assert_eq!(data("discharge"), Some(discharge.into()));
             assert_eq!(all, 3 + usize::from(river.parent != NONE));
             assert_eq!(path.parent().unwrap().attribute("id"), Some(format!("order-{}", river.order).as_str()));

@@ -89,7 +89,7 @@ explore() { run on_machine env MINUTES="${minutes-2}" "$checkout/scripts/explore
   never_said "unrelated"
   local seed
   seed=$(sed -n 's/^property rivers_join seed= *//p' "$machine/calls")
-  said "PROPTEST_RNG_SEED=$seed scripts/env.sh cargo test --test=growth rivers_join"
+  said "PROPTEST_RNG_SEED=$seed scripts/env.sh cargo test --all-features --test=growth rivers_join"
   said "2 times a property held all of its cases, 1 times it did not"
   grep -q "unrelated" "$checkout/target/explore/rivers_join-$seed.failed"
 }
@@ -98,7 +98,7 @@ explore() { run on_machine env MINUTES="${minutes-2}" "$checkout/scripts/explore
   fails land_has_a_shore 101 "thread 'land_has_a_shore' panicked"
   explore
   ((status == 1))
-  said "scripts/env.sh cargo test --lib land_has_a_shore"
+  said "scripts/env.sh cargo test --all-features --lib land_has_a_shore"
 }
 
 @test "a property that time cuts off has neither held nor failed" {

@@ -263,7 +263,7 @@ fn write_network(output: Output, recipe: Recipe, form: Form, with_attractors: bo
 /// Tells of what was given and does nothing.
 fn say_what_is_idle(recipe: &Recipe, given: &[String]) {
     for name in given {
-        if let Some(reason) = Key::from_name(name).and_then(|key| recipe.idle_reason(key)) {
+        if let Some(reason) = Key::from_name(name).and_then(|key| recipe.inactive_reason(key)) {
             eprintln!("riverseed: '{name}' does nothing here: {reason}");
         }
     }
@@ -316,7 +316,7 @@ fn grow(recipe: Recipe, progress: &ProgressBar) -> Result<Session, Failure> {
     if is_undrawn(&session) {
         eprintln!("riverseed: land is 'drawn' but no outline shows both land and water; all of the map is land");
     }
-    progress.set_length(u64::from(session.growth().everything()));
+    progress.set_length(u64::from(session.growth().total_discharge()));
     progress.set_message("growing");
     while session.advance(16)? {
         progress.set_position(u64::from(session.growth().drained()));

@@ -4,7 +4,7 @@ use glam::Vec2;
 
 use super::path::Path;
 use super::text::Text;
-use crate::land::{Land, Shown};
+use crate::land::{Land, SmoothedDistance};
 use crate::paint::ground::{COAST_WIDTH, RING_WIDTH, RIVERS_END, way_to};
 use crate::paint::palette::{Colour, Palette, mix};
 use crate::paint::ridges;
@@ -19,7 +19,7 @@ pub(super) fn ground(out: &mut Text, size: Vec2, land: Option<&Land>, palette: &
         sheet(out, size, palette.plain);
         return;
     };
-    let shown = &Shown::of(land.relief());
+    let shown = &SmoothedDistance::of(land.coast_distance());
     out.text("<clipPath id=\"shore\"><path d=\"").text(&level(shown, -RIVERS_END, 1)).text("\"/></clipPath>\n");
     out.text("<g id=\"sea\">\n<rect");
     sheet(out, size, palette.deep);
@@ -48,7 +48,7 @@ fn sheet(out: &mut Text, size: Vec2, colour: Colour) {
 }
 
 /// All that lies higher than a level, in one colour. Every second point is enough for that.
-fn area(out: &mut Text, land: &Shown, height: f32, colour: Colour) {
+fn area(out: &mut Text, land: &SmoothedDistance, height: f32, colour: Colour) {
     out.text("<path fill=\"").colour(colour).text("\" d=\"").text(&level(land, height, 2)).text("\"/>\n");
 }
 
@@ -73,7 +73,7 @@ fn ridges(out: &mut Text, land: &Land, palette: &Palette) {
 
 /// The rings around all that lies higher than a level.
 #[inline(never)]
-fn level(land: &Shown, level: f32, every: usize) -> String {
+fn level(land: &SmoothedDistance, level: f32, every: usize) -> String {
     let mut path = Path::default();
     for ring in land.rings_above(level) {
         let points: Vec<Vec2> = ring.into_iter().step_by(every).collect();

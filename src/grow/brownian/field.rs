@@ -2,8 +2,8 @@
 
 use glam::Vec2;
 
-use crate::grow::Parameters;
-use crate::land::{Cell, Land, SIDE};
+use crate::grow::Settings;
+use crate::land::{CELL_SIZE, Cell, Land};
 use crate::recipe::Sides;
 
 /// Cells of land, water and ridges: seed document 2's field of availability. What lies beyond it is none of them, and
@@ -28,23 +28,26 @@ impl Field {
     }
 
     /// The field of a recipe. A plain rectangle gets the sea it lacks: a line of water cells along the chosen sides.
-    pub fn of(parameters: &Parameters) -> Self {
-        let size = parameters.domain.size;
-        let field = match &parameters.land {
+    pub fn of(settings: &Settings) -> Self {
+        let size = settings.domain.size;
+        let field = match &settings.land {
             Some(land) => Self::of_land(land),
-            None => {
-                Self::with_sea((size.x / SIDE).ceil() as i32, (size.y / SIDE).ceil() as i32, SIDE, parameters.sides)
-            }
+            None => Self::with_sea(
+                (size.x / CELL_SIZE).ceil() as i32,
+                (size.y / CELL_SIZE).ceil() as i32,
+                CELL_SIZE,
+                settings.sides,
+            ),
         };
         Self { size, ..field }
     }
 
     /// What ridges cut off from the sea is no land here: particles born there would count, and none can make a river.
     fn of_land(land: &Land) -> Self {
-        let mut this = Self::new(land.columns(), land.rows(), SIDE, |column, row| land.cell(column, row));
+        let mut this = Self::new(land.columns(), land.rows(), CELL_SIZE, |column, row| land.cell(column, row));
         for run in land.regions().iter().filter(|region| region.shores.is_empty()).flat_map(|region| &region.runs) {
             let first = run.row as usize * this.columns as usize;
-            this.cells[first + run.start as usize..first + run.end as usize].fill(Cell::Illegal);
+            this.cells[first + run.start as usize..first + run.end as usize].fill(Cell::Ridge);
         }
         this
     }
@@ -57,7 +60,7 @@ impl Field {
                 || (east && column == columns - 1)
                 || (south && row == rows - 1)
                 || (west && column == 0);
-            if is_sea { Cell::Unavailable } else { Cell::Available }
+            if is_sea { Cell::Water } else { Cell::Land }
         })
     }
 
@@ -83,7 +86,7 @@ impl Field {
 
     /// How many cells are land.
     pub fn available(&self) -> u32 {
-        self.cells.iter().filter(|&&cell| cell == Cell::Available).count() as u32
+        self.cells.iter().filter(|&&cell| cell == Cell::Land).count() as u32
     }
 
     /// What a place is; `None` outside.
@@ -114,7 +117,7 @@ impl Field {
     /// Turns land into water.
     pub(super) fn flood(&mut self, at: Place) {
         let index = self.index(at);
-        self.cells[index] = Cell::Unavailable;
+        self.cells[index] = Cell::Water;
     }
 
     /// A point given in cells, as a point of the domain.
@@ -175,15 +178,14 @@ mod tests {
     fn what_ridges_enclose_is_no_land_for_particles() {
         // A square of six tenths of a side, in it a ridge around two tenths.
         let outline = ".MzMzzMMzzMzMMzzM..ZmZmmZZmmZmZZmmZZmZm";
-        let parameters =
-            Parameters::of(&link::read(&format!("land=drawn&rough=0&aspect=1&outline={outline}")).unwrap());
-        let land = parameters.land.as_deref().unwrap();
-        let field = Field::of(&parameters);
+        let settings = Settings::of(&link::read(&format!("land=drawn&rough=0&aspect=1&outline={outline}")).unwrap());
+        let land = settings.land.as_deref().unwrap();
+        let field = Field::of(&settings);
         let [within, without] = [500, 300].map(|column| Place { column, row: 500 });
-        assert_eq!(land.cell(within.column, within.row), Cell::Available);
-        assert_eq!(field.cell(within), Some(Cell::Illegal));
-        assert_eq!(field.cell(without), Some(Cell::Available));
-        let watered: u32 = parameters.watered().map(|region| region.cells).sum();
+        assert_eq!(land.cell(within.column, within.row), Cell::Land);
+        assert_eq!(field.cell(within), Some(Cell::Ridge));
+        assert_eq!(field.cell(without), Some(Cell::Land));
+        let watered: u32 = settings.watered().map(|region| region.cells).sum();
         assert_eq!(field.available(), watered);
         assert!((watered as f32 / 320_000.0 - 1.0).abs() < 0.02, "{watered}");
     }

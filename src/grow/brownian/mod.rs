@@ -54,7 +54,7 @@ pub struct Brownian {
     pass: Pass,
     /// The last passes' step, in cells.
     sensitivity: f32,
-    everything: u32,
+    total_discharge: u32,
     chance: Stream,
     order: Order,
     ending: Option<Ending>,
@@ -74,7 +74,7 @@ pub enum Order {
 struct Pass {
     step: Step,
     /// Whether only land is seen to that coarser steps have left.
-    is_for_rest: bool,
+    is_gap_filling: bool,
     particles: Vec<Place>,
     /// How many particles have been taken, how many of them were born on land, and how many have made a river.
     taken: usize,
@@ -99,11 +99,11 @@ impl Brownian {
         let first = field.columns().min(field.rows()) as f32;
         let sensitivity = sensitivity.max(SHORTEST_STEP).min(first.max(SHORTEST_STEP));
         let cells = field.cells().len();
-        let everything = (field.available() as f32 * DENSITY / sensitivity) as u32;
+        let total_discharge = (field.available() as f32 * DENSITY / sensitivity) as u32;
         let mut chance = seed.stream(Purpose::Particles);
         let pass = Pass::new(&field, first.max(sensitivity), false, order, &mut chance);
         let strands = Strands::new(Water::new(field)).map_err(|_| GrowError::no_room_for(cells))?;
-        Ok(Self { strands, pass, sensitivity, everything, chance, order, ending: None })
+        Ok(Self { strands, pass, sensitivity, total_discharge, chance, order, ending: None })
     }
 
     /// Grows by one tick. Returns whether growth goes on.
@@ -148,7 +148,7 @@ impl Brownian {
     /// Goes over to the next pass; if there is none, growth is over.
     fn begin_pass(&mut self) {
         let step = self.pass.step.size;
-        let next = if self.pass.is_for_rest {
+        let next = if self.pass.is_gap_filling {
             Some((step, self.pass.fruitful > 0))
         } else {
             next_step(step, self.pass.impact(), self.sensitivity)
@@ -156,7 +156,9 @@ impl Brownian {
         };
         let field = &self.strands.water.field;
         match next {
-            Some((step, is_for_rest)) => self.pass = Pass::new(field, step, is_for_rest, self.order, &mut self.chance),
+            Some((step, is_gap_filling)) => {
+                self.pass = Pass::new(field, step, is_gap_filling, self.order, &mut self.chance)
+            }
             None => self.ending = Some(Ending::Complete),
         }
     }
@@ -177,8 +179,8 @@ impl Brownian {
     }
 
     /// About how many cells of river there will be: the discharge of a river that drains all land.
-    pub fn everything(&self) -> u32 {
-        self.everything
+    pub fn total_discharge(&self) -> u32 {
+        self.total_discharge
     }
 
     /// How growth ended; `None` while it goes on.
@@ -197,13 +199,13 @@ fn next_step(step: f32, impact: f32, sensitivity: f32) -> Option<f32> {
 }
 
 impl Pass {
-    fn new(field: &Field, size: f32, is_for_rest: bool, order: Order, chance: &mut Stream) -> Self {
+    fn new(field: &Field, size: f32, is_gap_filling: bool, order: Order, chance: &mut Stream) -> Self {
         let mut particles = spawn(field, size, chance);
         work::count(particles.len());
         if order == Order::Shuffled {
             shuffle(&mut particles, chance);
         }
-        Self { step: Step::of(size, is_for_rest), is_for_rest, particles, taken: 0, on_land: 0, fruitful: 0 }
+        Self { step: Step::of(size, is_gap_filling), is_gap_filling, particles, taken: 0, on_land: 0, fruitful: 0 }
     }
 
     /// Which share of the particles that were born on land has made a river.
@@ -262,7 +264,7 @@ mod tests {
 
     #[test]
     fn a_particle_is_born_in_each_square() {
-        let field = Field::new(90, 40, 1.0, |_, _| crate::land::Cell::Available);
+        let field = Field::new(90, 40, 1.0, |_, _| crate::land::Cell::Land);
         let particles = spawn(&field, 8.0, &mut Seed::from_text("kauri").stream(Purpose::Particles));
         let squares: Vec<(i32, i32)> = particles.iter().map(|at| (at.row / 8, at.column / 8)).collect();
         assert!(squares.is_sorted_by(|a, b| a < b) && (55..=60).contains(&squares.len()), "{}", squares.len());

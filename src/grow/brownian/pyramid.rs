@@ -183,7 +183,7 @@ mod tests {
             columns in 1i32..150, rows in 1i32..150, few in 0usize..40, limit in 1i32..20_000,
             places in proptest::collection::vec((0i32..150, 0i32..150), 60),
         ) {
-            let field = Field::new(columns, rows, 1.0, |_, _| Cell::Available);
+            let field = Field::new(columns, rows, 1.0, |_, _| Cell::Land);
             let mut pyramid = Pyramid::new(&field);
             let places: Vec<Place> =
                 places.into_iter().map(|(x, y)| Place { column: x % columns, row: y % rows }).collect();

@@ -94,8 +94,8 @@ impl Strands {
     /// Whether a cell is land and touches no water but its family's.
     fn has_room(&self, next: Place, tip: Tip) -> bool {
         let field = &self.water.field;
-        let is_water = |at: Place| field.cell(at) == Some(Cell::Unavailable);
-        field.cell(next) == Some(Cell::Available)
+        let is_water = |at: Place| field.cell(at) == Some(Cell::Water);
+        field.cell(next) == Some(Cell::Land)
             && next.around().into_iter().all(|at| at == tip.place || !is_water(at) || self.is_family(at, tip))
     }
 

@@ -23,10 +23,10 @@ pub(super) struct Step {
 impl Step {
     /// A step of so many cells. For the rest of coarser steps, particles are born from one to four steps away from water: from
     /// farther away, few would get there.
-    pub fn of(size: f32, is_for_rest: bool) -> Self {
+    pub fn of(size: f32, is_gap_filling: bool) -> Self {
         let stride = (size / 10.0) as i32 + 1;
         let near = (size * size / 4.0).ceil() as i32;
-        let births = if is_for_rest { (4 * near, 64 * near + 1) } else { (near, i32::MAX) };
+        let births = if is_gap_filling { (4 * near, 64 * near + 1) } else { (near, i32::MAX) };
         Self { size, near, births, stride, ways: 2 * stride as u32 + 1 }
     }
 
@@ -74,9 +74,9 @@ impl Water {
         let (mut shore, mut ridges) = (Pyramid::new(&field), None);
         for (place, &cell) in (0..).map(|i| field.place(i)).zip(field.cells()) {
             match cell {
-                Cell::Illegal => ridges.get_or_insert_with(|| Pyramid::new(&field)).insert(place),
-                Cell::Unavailable if is_beside_land(&field, place) => shore.insert(place),
-                Cell::Unavailable | Cell::Available => {}
+                Cell::Ridge => ridges.get_or_insert_with(|| Pyramid::new(&field)).insert(place),
+                Cell::Water if is_beside_land(&field, place) => shore.insert(place),
+                Cell::Water | Cell::Land => {}
             }
         }
         Self { field, shore, ridges }
@@ -91,7 +91,7 @@ impl Water {
     /// Whether a place is land.
     #[inline]
     pub fn is_land(&self, at: Place) -> bool {
-        self.field.cell(at) == Some(Cell::Available)
+        self.field.cell(at) == Some(Cell::Land)
     }
 
     /// Whether there are ridges at all.
@@ -158,5 +158,5 @@ impl Water {
 }
 
 fn is_beside_land(field: &Field, at: Place) -> bool {
-    at.beside().into_iter().any(|at| field.cell(at).is_some_and(|cell| cell != Cell::Unavailable))
+    at.beside().into_iter().any(|at| field.cell(at).is_some_and(|cell| cell != Cell::Water))
 }

@@ -1,6 +1,6 @@
 //! What a picture shows: how much of each block of pixels is land, and where ridges are.
 
-/// Pictures are traced at no more than this many blocks a side: finer than the relief that an outline makes.
+/// Pictures are traced at no more than this many blocks a side: finer than the lattice of coast distances that an outline makes.
 const MOST_BLOCKS: usize = 512;
 
 /// Blocks of a picture.

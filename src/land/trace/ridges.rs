@@ -4,7 +4,7 @@ use glam::Vec2;
 
 use super::areas;
 use super::ground::Ground;
-use crate::thin::thin;
+use crate::skeletonize::thin;
 
 /// Lines of fewer blocks are specks, or hairs that thinning left.
 const FEWEST: usize = 6;

@@ -8,9 +8,9 @@
 use glam::Vec2;
 
 use super::super::curvature::curvature;
-use super::super::parameters::Parameters;
+use super::super::settings::Settings;
 use super::super::{Network, River};
-use crate::plane::{direction, distance, most};
+use crate::geometry::{direction, distance, fast_max};
 
 /// A bend tighter than this pulls no more: curvature times width, a radius of two widths.
 const SHARPEST: f32 = 0.5;
@@ -30,14 +30,14 @@ const EASE: f32 = 0.4;
 const PACE: f32 = 1.2;
 
 /// The way that each vertex goes in this round.
-pub(super) fn moves(network: &Network, pace: &[f32], parameters: &Parameters) -> Vec<Vec2> {
+pub(super) fn moves(network: &Network, step_scale: &[f32], settings: &Settings) -> Vec<Vec2> {
     let mut moves = vec![Vec2::ZERO; network.vertices.len()];
     let mut course = Course::default();
     for river in &network.rivers {
-        if pace[river.own()].iter().any(|&pace| pace > 0.0) {
-            course.read(network, river, parameters);
+        if step_scale[river.vertex_range()].iter().any(|&step_scale| step_scale > 0.0) {
+            course.read(network, river, settings);
             course.smooth();
-            course.bend(&pace[river.own()], parameters, &mut moves[river.own()]);
+            course.bend(&step_scale[river.vertex_range()], settings, &mut moves[river.vertex_range()]);
         }
     }
     moves
@@ -59,12 +59,12 @@ pub(super) struct Course {
 
 impl Course {
     /// Reads a river, its junction included.
-    pub fn read(&mut self, network: &Network, river: &River, parameters: &Parameters) {
+    pub fn read(&mut self, network: &Network, river: &River, settings: &Settings) {
         self.at.clear();
         self.width.clear();
         for vertex in network.course(river) {
             self.at.push(vertex.at);
-            self.width.push(most(vertex.width(), parameters.spacing));
+            self.width.push(fast_max(vertex.width(), settings.spacing));
         }
         let count = self.at.len();
         self.step.clear();
@@ -74,7 +74,7 @@ impl Course {
         self.kink.clear();
         for i in 0..count {
             // Measured over about a width either way: nearer points would tell of noise.
-            let stride = ((self.width[i] / parameters.step(self.width[i])) as usize).max(1).min(i).min(count - 1 - i);
+            let stride = ((self.width[i] / settings.step(self.width[i])) as usize).max(1).min(i).min(count - 1 - i);
             let kappa = curvature(self.at[i - stride], self.at[i], self.at[i + stride]);
             let bend = kappa * self.width[i] / SHARPEST;
             self.bend.push(bend.clamp(-1.0, 1.0));
@@ -106,18 +106,18 @@ impl Course {
         }
     }
 
-    fn bend(&self, pace: &[f32], parameters: &Parameters, moves: &mut [Vec2]) {
-        for (i, (&pace, way)) in pace.iter().zip(moves).enumerate() {
-            if pace == 0.0 || i == 0 || i + 1 == self.at.len() {
+    fn bend(&self, step_scale: &[f32], settings: &Settings, moves: &mut [Vec2]) {
+        for (i, (&step_scale, way)) in step_scale.iter().zip(moves).enumerate() {
+            if step_scale == 0.0 || i == 0 || i + 1 == self.at.len() {
                 continue;
             }
             let (bend, tangent) = (self.bend[i], self.tangent(i));
             // A positive bend turns toward `perp`, so its outside is the other way.
             let outward = tangent.perp() * -bend;
             let onward = tangent * bend.abs();
-            let push = outward * parameters.mix + onward * (1.0 - parameters.mix);
-            let far = PACE * parameters.strength * self.width[i];
-            *way = (push * far + self.ease(i)) * pace;
+            let push = outward * settings.mix + onward * (1.0 - settings.mix);
+            let far = PACE * settings.strength * self.width[i];
+            *way = (push * far + self.ease(i)) * step_scale;
         }
     }
 }
@@ -129,15 +129,15 @@ fn share(step: f32, width: f32) -> f32 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::samples::{parameters, river, sine_generated, straight};
+    use super::super::super::samples::{river, settings, sine_generated, straight};
     use super::*;
 
     const PIECES: u32 = 60;
 
     /// The ways of a river's vertices, with its line. Its bends are about eleven widths long.
     fn ways(line: &[Vec2], mix: f32) -> Vec<Vec2> {
-        let parameters = Parameters { mix, strength: 1.0, ..parameters() };
-        moves(&river(line, 5.0), &vec![1.0; line.len()], &parameters)
+        let settings = Settings { mix, strength: 1.0, ..settings() };
+        moves(&river(line, 5.0), &vec![1.0; line.len()], &settings)
     }
 
     #[test]
@@ -173,7 +173,7 @@ mod tests {
     #[test]
     fn what_has_no_pace_stays() {
         let line = sine_generated(1.0, 60.0, 3, PIECES);
-        let still = moves(&river(&line, 5.0), &vec![0.0; line.len()], &parameters());
+        let still = moves(&river(&line, 5.0), &vec![0.0; line.len()], &settings());
         assert!(still.iter().all(|way| *way == Vec2::ZERO));
     }
 }

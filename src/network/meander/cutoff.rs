@@ -3,13 +3,13 @@
 //! A loop that other rivers join is not left whole: the uppermost of them takes over its bed from there on, as brooks
 //! do, and joins the river below the neck; the rest join that one. So no tributary is ever cut off.
 
-use super::super::guard::Near;
+use super::super::clearance::NearbyPair;
 use super::super::orders;
-use super::super::parameters::Parameters;
+use super::super::settings::Settings;
 use super::super::width::settle;
 use super::super::{NONE, Network, Oxbow, River, Vertex};
 use super::{NARROWEST, river_of};
-use crate::plane::{distance, most};
+use crate::geometry::{distance, fast_max};
 
 /// A neck: the vertices above and below the loop.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -20,25 +20,25 @@ pub(super) struct Cut {
 }
 
 /// Whether there is a loop between two segments of a river, and not only a bend.
-pub(super) fn is_loop(network: &Network, pair: &Near, parameters: &Parameters) -> bool {
+pub(super) fn is_loop(network: &Network, pair: &NearbyPair, settings: &Settings) -> bool {
     const LEAST: f32 = 6.0;
     let between = &network.vertices[pair.first as usize..=pair.second as usize];
     let length: f32 = between.windows(2).map(|pair| distance(pair[0].at, pair[1].at)).sum();
-    length > LEAST * most(between[0].width(), parameters.spacing)
+    length > LEAST * fast_max(between[0].width(), settings.spacing)
 }
 
 /// The necks to be cut: of each river's the one with the longest loop.
-pub(super) fn necks(network: &Network, near: &[Near], parameters: &Parameters) -> Vec<Cut> {
+pub(super) fn necks(network: &Network, near: &[NearbyPair], settings: &Settings) -> Vec<Cut> {
     let river_of = river_of(network);
     let mut necks: Vec<Option<Cut>> = vec![None; network.rivers.len()];
     for pair in near {
-        let &Near { first, second, distance } = pair;
+        let &NearbyPair { first, second, distance } = pair;
         let river = river_of[first as usize];
         let width = network.vertices[first as usize].width();
         let is_neck = river == river_of[second as usize]
-            && distance < parameters.neck * most(width, NARROWEST * parameters.spacing)
-            && is_loop(network, pair, parameters);
-        let moves = |i: u32| network.vertices[i as usize].sway > 0.0;
+            && distance < settings.neck * fast_max(width, NARROWEST * settings.spacing)
+            && is_loop(network, pair, settings);
+        let moves = |i: u32| network.vertices[i as usize].mobility > 0.0;
         if !is_neck || !(moves(first) || moves(second)) {
             continue;
         }
@@ -88,7 +88,7 @@ pub(super) fn cut(network: &mut Network, cuts: &[Cut], round: u32) {
         (old.start..old.end).filter(is_left).for_each(|i| take(i, network.vertices[i as usize]));
         if let Some(cut_off) = bed_of[number] {
             cut_off.bed(network, &old).for_each(|(i, vertex)| take(i, vertex));
-            river.joins = cut_off.cut.below;
+            river.junction = cut_off.cut.below;
         }
         river.end = vertices.len() as u32;
     }
@@ -98,7 +98,7 @@ pub(super) fn cut(network: &mut Network, cuts: &[Cut], round: u32) {
             river.parent = cut_off.heir.unwrap_or(NONE);
             moved.push(number);
         }
-        river.joins = place.get(river.joins as usize).copied().unwrap_or(NONE);
+        river.junction = place.get(river.junction as usize).copied().unwrap_or(NONE);
     }
     (network.vertices, network.rivers) = (vertices, rivers);
     if !moved.is_empty() {
@@ -106,8 +106,8 @@ pub(super) fn cut(network: &mut Network, cuts: &[Cut], round: u32) {
     }
     for river in moved {
         let river = network.rivers[river as usize];
-        let arm = network.vertices[river.own()].last().map_or(0.0, Vertex::width);
-        settle(network, river.parent as usize, river.joins, arm * 0.5);
+        let arm = network.vertices[river.vertex_range()].last().map_or(0.0, Vertex::width);
+        settle(network, river.parent as usize, river.junction, arm * 0.5);
     }
 }
 
@@ -121,31 +121,31 @@ struct Loop {
 
 impl Loop {
     fn of(network: &Network, cut: Cut) -> Self {
-        let joins = |river: &River| (cut.above + 1..cut.below).contains(&river.joins);
-        let size = |river: &River| network.vertices[river.own()].last().map_or(0, |vertex| vertex.discharge);
+        let joins = |river: &River| (cut.above + 1..cut.below).contains(&river.junction);
+        let size = |river: &River| network.vertices[river.vertex_range()].last().map_or(0, |vertex| vertex.discharge);
         let uppermost = (0u32..)
             .zip(&network.rivers)
             .filter(|(_, river)| joins(river))
-            .min_by_key(|(_, river)| (river.joins, u32::MAX - size(river)));
-        let (heir, taken_from) = uppermost.map_or((None, cut.below), |(heir, river)| (Some(heir), river.joins));
+            .min_by_key(|(_, river)| (river.junction, u32::MAX - size(river)));
+        let (heir, taken_from) = uppermost.map_or((None, cut.below), |(heir, river)| (Some(heir), river.junction));
         Self { cut, heir, taken_from }
     }
 
     /// Whether a river, as it was before, joined the part of the loop that has gone over to the heir.
     fn is_left_to_heir(&self, number: u32, river: &River) -> bool {
-        self.heir.is_some_and(|heir| heir != number) && (self.taken_from..self.cut.below).contains(&river.joins)
+        self.heir.is_some_and(|heir| heir != number) && (self.taken_from..self.cut.below).contains(&river.junction)
     }
 
     /// The bed that the heir takes over: it holds its water alone now.
     fn bed<'a>(&'a self, network: &'a Network, heir: &River) -> impl Iterator<Item = (u32, Vertex)> + 'a {
         let gone = network.vertices[self.cut.above as usize].discharge;
-        let last = network.vertices[heir.own()].last().copied().unwrap_or_default();
+        let last = network.vertices[heir.vertex_range()].last().copied().unwrap_or_default();
         (self.taken_from..self.cut.below).map(move |i| {
             let old = network.vertices[i as usize];
             let discharge = (old.discharge - gone).max(last.discharge);
             let narrower = (discharge as f32 / old.discharge.max(1) as f32).sqrt();
-            let (left, right) = (most(old.left * narrower, last.left), most(old.right * narrower, last.right));
-            (i, Vertex { discharge, left, right, sway: 0.0, ..old })
+            let (left, right) = (fast_max(old.left * narrower, last.left), fast_max(old.right * narrower, last.right));
+            (i, Vertex { discharge, left, right, mobility: 0.0, ..old })
         })
     }
 
@@ -158,7 +158,7 @@ impl Loop {
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::samples::{parameters, places, river, straight};
+    use super::super::super::samples::{places, river, settings, straight};
     use super::*;
     use glam::Vec2;
 
@@ -171,22 +171,22 @@ mod tests {
         river(&line, 1.0)
     }
 
-    fn near(first: u32, second: u32) -> Near {
-        Near { first, second, distance: 1.0 }
+    fn near(first: u32, second: u32) -> NearbyPair {
+        NearbyPair { first, second, distance: 1.0 }
     }
 
     #[test]
     fn a_loop_is_found_where_limbs_come_near_and_the_longest_is_taken() {
         let network = hairpin();
-        let parameters = Parameters { neck: 1.5, ..parameters() };
-        let cuts = necks(&network, &[near(30, 49), near(20, 59), near(38, 41)], &parameters);
+        let settings = Settings { neck: 1.5, ..settings() };
+        let cuts = necks(&network, &[near(30, 49), near(20, 59), near(38, 41)], &settings);
         assert_eq!(cuts.len(), 1);
         assert!(cuts[0].above <= 21 && cuts[0].below >= 59, "{cuts:?}");
         // Too far apart, too short, or both of it held: no neck.
-        assert!(necks(&network, &[Near { distance: 1.6, ..near(20, 59) }, near(38, 41)], &parameters).is_empty());
+        assert!(necks(&network, &[NearbyPair { distance: 1.6, ..near(20, 59) }, near(38, 41)], &settings).is_empty());
         let mut held = network;
-        held.vertices.iter_mut().for_each(|vertex| vertex.sway = 0.0);
-        assert!(necks(&held, &[near(20, 59)], &parameters).is_empty());
+        held.vertices.iter_mut().for_each(|vertex| vertex.mobility = 0.0);
+        assert!(necks(&held, &[near(20, 59)], &settings).is_empty());
     }
 
     #[test]
@@ -206,12 +206,15 @@ mod tests {
         let mut network = hairpin().with_arm(&straight((0.0, 60.0), (19.0, 60.0), 19), 30, 10);
         network.vertices[30..79].iter_mut().for_each(|vertex| vertex.discharge = 110);
         let (line, arm) = (places(&network), network.rivers[1]);
-        let (old_own, bed) = (line[arm.own()].to_vec(), &line[30..60]);
+        let (old_own, bed) = (line[arm.vertex_range()].to_vec(), &line[30..60]);
         cut(&mut network, &[Cut { river: 0, above: 20, below: 60 }], 1);
         let heir = network.rivers[1];
-        assert_eq!(places(&network)[heir.own()], [&old_own, bed].concat(), "it runs on in the old bed");
-        assert_eq!(network.vertices[heir.joins as usize].at, line[60], "and joins below the neck");
-        assert!(network.vertices[heir.own()].iter().all(|vertex| vertex.discharge == 10), "with its own water");
+        assert_eq!(places(&network)[heir.vertex_range()], [&old_own, bed].concat(), "it runs on in the old bed");
+        assert_eq!(network.vertices[heir.junction as usize].at, line[60], "and joins below the neck");
+        assert!(
+            network.vertices[heir.vertex_range()].iter().all(|vertex| vertex.discharge == 10),
+            "with its own water"
+        );
         let lake = &network.oxbows[0];
         assert_eq!(lake.vertices.last().unwrap().at, line[30], "only what is above it becomes a lake");
     }
@@ -227,7 +230,7 @@ mod tests {
         cut(&mut network, &[Cut { river: 0, above: 20, below: 60 }], 1);
         let [main, heir, other] = network.rivers[..] else { panic!("three rivers") };
         assert_eq!((heir.parent, other.parent), (0, 1));
-        assert_eq!(network.vertices[other.joins as usize].at, joined);
+        assert_eq!(network.vertices[other.junction as usize].at, joined);
         assert_eq!([main, heir, other].map(|river| (river.order, river.magnitude)), [(2, 3), (2, 2), (1, 1)]);
     }
 
@@ -238,11 +241,11 @@ mod tests {
         // Below the neck the river carries four times what the arm brings, and the arm has no banks to speak of.
         network.vertices[21..79].iter_mut().for_each(|vertex| vertex.discharge = 100);
         network.vertices[..=20].iter_mut().for_each(|vertex| vertex.discharge = 75);
-        network.vertices[arm.own()].iter_mut().for_each(|vertex| (vertex.left, vertex.right) = (0.1, 0.1));
+        network.vertices[arm.vertex_range()].iter_mut().for_each(|vertex| (vertex.left, vertex.right) = (0.1, 0.1));
         let old = network.vertices[40];
         cut(&mut network, &[Cut { river: 0, above: 20, below: 60 }], 1);
         let heir = network.rivers[1];
-        let bed = network.vertices[heir.own()].iter().find(|vertex| vertex.at == old.at).unwrap();
+        let bed = network.vertices[heir.vertex_range()].iter().find(|vertex| vertex.at == old.at).unwrap();
         let squared_width = |vertex: &Vertex| vertex.width() * vertex.width() / vertex.discharge as f32;
         assert_eq!((old.discharge, bed.discharge), (100, 25));
         assert!(
@@ -265,9 +268,9 @@ mod tests {
             let line = places(&network);
             cut(&mut network, &[Cut { river: 0, above: 20, below: 60 }], 1);
             let [heir, other] = if larger == 1 { [1, 2] } else { [2, 1] }.map(|river: usize| network.rivers[river]);
-            assert_eq!(network.vertices[heir.joins as usize].at, line[60], "the larger one runs on below the neck");
+            assert_eq!(network.vertices[heir.junction as usize].at, line[60], "the larger one runs on below the neck");
             assert_eq!(other.parent, larger, "and takes the smaller one in");
-            assert_eq!(network.vertices[other.joins as usize].at, line[30], "where both of them ended");
+            assert_eq!(network.vertices[other.junction as usize].at, line[30], "where both of them ended");
         }
     }
 }

@@ -8,7 +8,7 @@
 use glam::Vec2;
 
 use super::super::Network;
-use super::super::parameters::Parameters;
+use super::super::settings::Settings;
 use super::bend::Course;
 
 const OMEGA: f32 = -1.0;
@@ -21,26 +21,28 @@ const MEMORY: f32 = 1.4;
 const PACE: f32 = 0.66;
 
 /// The way that each vertex goes in this round.
-pub(super) fn moves(network: &Network, pace: &[f32], parameters: &Parameters) -> Vec<Vec2> {
+pub(super) fn moves(network: &Network, step_scale: &[f32], settings: &Settings) -> Vec<Vec2> {
     let mut moves = vec![Vec2::ZERO; network.vertices.len()];
     let mut course = Course::default();
     for river in &network.rivers {
-        if pace[river.own()].iter().all(|&pace| pace == 0.0) {
+        if step_scale[river.vertex_range()].iter().all(|&step_scale| step_scale == 0.0) {
             continue;
         }
-        course.read(network, river, parameters);
+        course.read(network, river, settings);
         let slackening = libm::powf(network.sinuosity(river), -2.0 / 3.0);
         let mut upstream = 0.0f32;
-        for (i, (&pace, way)) in pace[river.own()].iter().zip(&mut moves[river.own()]).enumerate() {
+        for (i, (&step_scale, way)) in
+            step_scale[river.vertex_range()].iter().zip(&mut moves[river.vertex_range()]).enumerate()
+        {
             let width = course.width[i];
             // The mean of what lies upstream, weighted by G, after another step.
             upstream += (course.bend[i] - upstream) * (1.0 - libm::expf(-course.step[i] / (MEMORY * width)));
-            if pace == 0.0 || i == 0 || i + 1 == course.at.len() {
+            if step_scale == 0.0 || i == 0 || i + 1 == course.at.len() {
                 continue;
             }
             let rate = (OMEGA * course.bend[i] + GAMMA * upstream) * slackening;
-            let outward = course.tangent(i).perp() * (-rate * PACE * parameters.strength * width);
-            *way = (outward + course.ease(i)) * pace;
+            let outward = course.tangent(i).perp() * (-rate * PACE * settings.strength * width);
+            *way = (outward + course.ease(i)) * step_scale;
         }
     }
     moves
@@ -48,14 +50,14 @@ pub(super) fn moves(network: &Network, pace: &[f32], parameters: &Parameters) ->
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::samples::{parameters, river, sine_generated};
+    use super::super::super::samples::{river, settings, sine_generated};
     use super::super::bend;
     use super::*;
 
     /// How far each vertex goes to the left, by a model.
-    fn sideways(line: &[Vec2], moves: impl Fn(&Network, &[f32], &Parameters) -> Vec<Vec2>) -> Vec<f32> {
-        let parameters = Parameters { mix: 1.0, strength: 1.0, ..parameters() };
-        let ways = moves(&river(line, 5.0), &vec![1.0; line.len()], &parameters);
+    fn sideways(line: &[Vec2], moves: impl Fn(&Network, &[f32], &Settings) -> Vec<Vec2>) -> Vec<f32> {
+        let settings = Settings { mix: 1.0, strength: 1.0, ..settings() };
+        let ways = moves(&river(line, 5.0), &vec![1.0; line.len()], &settings);
         (1..line.len() - 1).map(|i| ways[i].perp_dot((line[i + 1] - line[i - 1]).normalize())).collect()
     }
 

@@ -1,26 +1,26 @@
 //! Meanders: bends grow and travel in small rounds, necks are cut, and what is cut off stays as an oxbow lake.
 //!
 //! A round measures how near lines come to each other, cuts through necks, lets bends move by one of two models
-//! (`bend.rs`, `flow.rs`), each vertex as freely as its sway says (`sway.rs`) and as far as the guard allows, and spaces vertices
+//! (`bend.rs`, `flow.rs`), each vertex as freely as its mobility says (`mobility.rs`) and as far as the clearance grid allows, and spaces vertices
 //! evenly again. Vertices that come too near another river stay where they are from then on.
 
 mod bend;
 mod cutoff;
 mod flow;
+mod mobility;
 mod respace;
-mod sway;
 
 use glam::Vec2;
 
+use super::clearance::{ClearanceGrid, NearbyPair};
 use super::courses::Courses;
 use super::evenly::divide;
-use super::guard::{Guard, Near};
-use super::parameters::Parameters;
 use super::ranking::simplified;
+use super::settings::Settings;
 use super::smooth::{has_room, limits, smooth};
 use super::width::widen;
 use super::{NONE, Network, Vertex};
-use crate::plane::{length, most};
+use crate::geometry::{fast_max, length};
 use crate::recipe::MeanderModel;
 
 /// Clearances are measured up to this share of a step. Vertices move by less than a third of it in a round.
@@ -35,24 +35,24 @@ const NARROWEST: f32 = 0.5;
 /// A network on its way from courses to meandering rivers: a stepper of rounds.
 #[derive(Clone, Debug)]
 pub struct Meander {
-    parameters: Parameters,
+    settings: Settings,
     network: Network,
-    guard: Guard,
+    guard: ClearanceGrid,
     round: u32,
 }
 
 impl Meander {
     /// Round 0: courses that are smooth and thinned out, as wide as they will be.
-    pub(super) fn along(mut network: Network, parameters: Parameters) -> Self {
-        widen(&mut network, &parameters);
-        sway::give(&mut network, &parameters);
-        Self::of(network, parameters)
+    pub(super) fn along(mut network: Network, settings: Settings) -> Self {
+        widen(&mut network, &settings);
+        mobility::assign(&mut network, &settings);
+        Self::of(network, settings)
     }
 
-    /// Goes on with a network that has its widths and sway already, wherever it comes from.
-    pub fn of(network: Network, parameters: Parameters) -> Self {
-        let guard = Guard::new(&parameters.domain, parameters.spacing);
-        Self { parameters, network, guard, round: 0 }
+    /// Goes on with a network that has its widths and mobility already, wherever it comes from.
+    pub fn of(network: Network, settings: Settings) -> Self {
+        let guard = ClearanceGrid::new(&settings.domain, settings.spacing);
+        Self { settings, network, guard, round: 0 }
     }
 
     /// The network as it is.
@@ -60,9 +60,9 @@ impl Meander {
         &self.network
     }
 
-    /// The parameters it is made by.
-    pub fn parameters(&self) -> &Parameters {
-        &self.parameters
+    /// The settings it is made by.
+    pub fn settings(&self) -> &Settings {
+        &self.settings
     }
 
     /// How many rounds have been made.
@@ -76,60 +76,64 @@ impl Meander {
             return false;
         }
         self.round += 1;
-        let (mut downstream, mut pace) = (self.network.downstream(), self.pace());
-        let (mut clearance, mut near) = self.survey(&downstream, &pace);
+        let (mut downstream, mut step_scale) = (self.network.downstream(), self.step_scale());
+        let (mut clearance, mut near) = self.measure(&downstream, &step_scale);
         if self.cut_necks(&downstream, &near) {
-            (downstream, pace) = (self.network.downstream(), self.pace());
-            (clearance, near) = self.survey(&downstream, &pace);
+            (downstream, step_scale) = (self.network.downstream(), self.step_scale());
+            (clearance, near) = self.measure(&downstream, &step_scale);
         }
         if self.freeze(&near) {
-            sway::ease_off(&mut self.network, self.parameters.spacing);
+            mobility::ease_off(&mut self.network, self.settings.spacing);
         }
-        self.guard.erode(&mut self.network, &downstream, self.parameters.buffer);
-        self.move_bends(&downstream, &clearance, &pace);
-        respace::respace(&mut self.network, &clearance, &pace, &self.parameters);
+        self.guard.erode(&mut self.network, &downstream, self.settings.buffer);
+        self.move_bends(&downstream, &clearance, &step_scale);
+        respace::respace(&mut self.network, &clearance, &step_scale, &self.settings);
         !self.is_finished()
     }
 
     /// Whether there is no other round to make.
     pub fn is_finished(&self) -> bool {
-        self.parameters.model == MeanderModel::None || self.round >= self.parameters.rounds
+        self.settings.model == MeanderModel::None || self.round >= self.settings.rounds
     }
 
     /// How freely each vertex moves in this round. Rivers that meander but gently do so in every third round, thrice as
     /// far: nobody sees it, and a round takes half the time.
-    pub fn pace(&self) -> Vec<f32> {
+    pub fn step_scale(&self) -> Vec<f32> {
         const SELDOM: u32 = 3;
-        let mut pace = vec![0.0; self.network.vertices.len()];
+        let mut step_scale = vec![0.0; self.network.vertices.len()];
         for (number, river) in (0..).zip(&self.network.rivers) {
-            let own = &self.network.vertices[river.own()];
-            let is_gentle = own.iter().all(|vertex| vertex.sway * SELDOM as f32 <= 1.0);
+            let own = &self.network.vertices[river.vertex_range()];
+            let is_gentle = own.iter().all(|vertex| vertex.mobility * SELDOM as f32 <= 1.0);
             let times = match (is_gentle, (self.round + number) % SELDOM) {
                 (false, _) => 1.0,
                 (true, 0) => SELDOM as f32,
                 (true, _) => continue,
             };
-            pace[river.own()].iter_mut().zip(own).for_each(|(pace, vertex)| *pace = vertex.sway * times);
+            step_scale[river.vertex_range()]
+                .iter_mut()
+                .zip(own)
+                .for_each(|(step_scale, vertex)| *step_scale = vertex.mobility * times);
         }
-        pace
+        step_scale
     }
 
     /// How far each segment looks around for others: until banks could come too near each other, if it can move or is wide.
-    pub fn reach(&self, downstream: &[u32], pace: &[f32]) -> Vec<f32> {
-        let Parameters { spacing, buffer, neck, .. } = self.parameters;
+    pub fn reach(&self, downstream: &[u32], step_scale: &[f32]) -> Vec<f32> {
+        let Settings { spacing, buffer, neck, .. } = self.settings;
         let vertices = &self.network.vertices;
         let wide = WIDE * spacing;
-        let near =
-            |width: f32| most((width + most(width, wide)) * 0.5 + buffer, neck * most(width, NARROWEST * spacing));
+        let near = |width: f32| {
+            fast_max((width + fast_max(width, wide)) * 0.5 + buffer, neck * fast_max(width, NARROWEST * spacing))
+        };
         vertices
             .iter()
-            .zip(pace)
+            .zip(step_scale)
             .zip(downstream)
             .map(|((vertex, &moves), &lower)| {
                 let Some(below) = vertices.get(lower as usize) else { return 0.0 };
-                let width = most(vertex.width(), below.width());
-                if moves > 0.0 || pace[lower as usize] > 0.0 {
-                    most(near(width), CAP * self.parameters.step(width))
+                let width = fast_max(vertex.width(), below.width());
+                if moves > 0.0 || step_scale[lower as usize] > 0.0 {
+                    fast_max(near(width), CAP * self.settings.step(width))
                 } else if width > wide {
                     width + buffer
                 } else {
@@ -141,20 +145,20 @@ impl Meander {
 
     /// Up to which distance it matters how near the next line is: what moves need.
     pub fn caps(&self) -> Vec<f32> {
-        self.network.vertices.iter().map(|vertex| CAP * self.parameters.step(vertex.width())).collect()
+        self.network.vertices.iter().map(|vertex| CAP * self.settings.step(vertex.width())).collect()
     }
 
     /// The clearance of each segment, and the pairs that are near each other.
-    fn survey(&mut self, downstream: &[u32], pace: &[f32]) -> (Vec<f32>, Vec<Near>) {
-        let reach = self.reach(downstream, pace);
+    fn measure(&mut self, downstream: &[u32], step_scale: &[f32]) -> (Vec<f32>, Vec<NearbyPair>) {
+        let reach = self.reach(downstream, step_scale);
         let mut near = Vec::new();
-        let clearance = self.guard.survey(&self.network, downstream, &reach, self.caps(), &mut |pair| near.push(pair));
+        let clearance = self.guard.measure(&self.network, downstream, &reach, self.caps(), &mut |pair| near.push(pair));
         (clearance, near)
     }
 
     /// Cuts through the necks among some pairs, one a river. Returns whether there were any.
-    fn cut_necks(&mut self, downstream: &[u32], near: &[Near]) -> bool {
-        let necks = cutoff::necks(&self.network, near, &self.parameters);
+    fn cut_necks(&mut self, downstream: &[u32], near: &[NearbyPair]) -> bool {
+        let necks = cutoff::necks(&self.network, near, &self.settings);
         let cuts: Vec<_> = necks
             .into_iter()
             .filter(|cut| self.is_on_land(cut) && self.guard.is_free(&self.network, downstream, (cut.above, cut.below)))
@@ -169,23 +173,23 @@ impl Meander {
     /// Whether a river that breaks through a neck stays on land: a loop may run round a bay, or round the end of a ridge.
     fn is_on_land(&self, cut: &cutoff::Cut) -> bool {
         let [above, below] = [cut.above, cut.below].map(|i| self.network.vertices[i as usize].at);
-        self.parameters.land.as_ref().is_none_or(|land| land.allows(above, below))
+        self.settings.land.as_ref().is_none_or(|land| land.allows(above, below))
     }
 
     /// Lets no vertex move any more that has come too near another river, or so near its own that the neck should have
     /// been cut. Returns whether there are any that could until now.
-    fn freeze(&mut self, near: &[Near]) -> bool {
+    fn freeze(&mut self, near: &[NearbyPair]) -> bool {
         let river_of = river_of(&self.network);
         let mut any = false;
         for pair in near {
             if self.is_too_near(pair, &river_of) {
                 for upper in [pair.first, pair.second] {
                     let river = self.network.rivers[river_of[upper as usize] as usize];
-                    let lower = if upper + 1 < river.end { upper + 1 } else { river.joins };
+                    let lower = if upper + 1 < river.end { upper + 1 } else { river.junction };
                     for vertex in [upper, lower] {
                         if let Some(vertex) = self.network.vertices.get_mut(vertex as usize) {
-                            any |= vertex.sway > 0.0;
-                            vertex.sway = 0.0;
+                            any |= vertex.mobility > 0.0;
+                            vertex.mobility = 0.0;
                         }
                     }
                 }
@@ -194,14 +198,14 @@ impl Meander {
         any
     }
 
-    fn is_too_near(&self, pair: &Near, river_of: &[u32]) -> bool {
-        let Parameters { spacing, buffer, neck, .. } = self.parameters;
+    fn is_too_near(&self, pair: &NearbyPair, river_of: &[u32]) -> bool {
+        let Settings { spacing, buffer, neck, .. } = self.settings;
         let [a, b] = [pair.first, pair.second].map(|i| (i, river_of[i as usize]));
         let width = |i: u32| self.network.vertices[i as usize].width();
         let apart = (width(a.0) + width(b.0)) * 0.5 + buffer;
         if a.1 == b.1 {
-            return pair.distance < 0.5 * neck * most(width(a.0), NARROWEST * spacing)
-                && cutoff::is_loop(&self.network, pair, &self.parameters);
+            return pair.distance < 0.5 * neck * fast_max(width(a.0), NARROWEST * spacing)
+                && cutoff::is_loop(&self.network, pair, &self.settings);
         }
         pair.distance < apart && !self.is_about_to_join(a, b, apart) && !self.is_about_to_join(b, a, apart)
     }
@@ -209,59 +213,59 @@ impl Meander {
     /// Whether a river's segment is near another one because it is about to join it.
     fn is_about_to_join(&self, (i, tributary): (u32, u32), (j, river): (u32, u32), apart: f32) -> bool {
         let tributary = &self.network.rivers[tributary as usize];
-        let near = (2.0 * apart / self.parameters.spacing) as u32 + 3;
-        tributary.parent == river && tributary.end - i <= near && tributary.joins.abs_diff(j) <= near
+        let near = (2.0 * apart / self.settings.spacing) as u32 + 3;
+        tributary.parent == river && tributary.end - i <= near && tributary.junction.abs_diff(j) <= near
     }
 
-    fn move_bends(&mut self, downstream: &[u32], clearance: &[f32], pace: &[f32]) {
-        let moves = match self.parameters.model {
-            MeanderModel::Flow => flow::moves(&self.network, pace, &self.parameters),
-            _ => bend::moves(&self.network, pace, &self.parameters),
+    fn move_bends(&mut self, downstream: &[u32], clearance: &[f32], step_scale: &[f32]) {
+        let moves = match self.settings.model {
+            MeanderModel::Flow => flow::moves(&self.network, step_scale, &self.settings),
+            _ => bend::moves(&self.network, step_scale, &self.settings),
         };
         let limits = limits(clearance, downstream);
-        let Parameters { domain, land, .. } = &self.parameters;
+        let Settings { domain, land, .. } = &self.settings;
         for ((vertex, way), limit) in self.network.vertices.iter_mut().zip(moves).zip(limits) {
             if way == Vec2::ZERO {
                 continue;
             }
             let far = length(way);
-            let to = vertex.at + way * (limit / most(far, limit));
+            let to = vertex.at + way * (limit / fast_max(far, limit));
             // A segment may be one and a half spacings long, and both of its ends may move.
-            let step = self.parameters.step(vertex.width());
+            let step = self.settings.step(vertex.width());
             if domain.contains(to) && has_room(land.as_deref(), vertex.at, 2.0 * step) {
                 vertex.at = to;
             } else {
-                vertex.sway = 0.0;
+                vertex.mobility = 0.0;
             }
         }
     }
 }
 
 /// Courses simplified and smooth, without widths.
-pub(super) fn smooth_courses(courses: &Courses, parameters: &Parameters) -> Network {
-    let coarse = simplified(&courses.network, &courses.ranking, parameters.simplify);
-    let (mut network, origin) = divide(&coarse, parameters);
-    smooth(&mut network, &coarse, &origin, parameters);
+pub(super) fn smooth_courses(courses: &Courses, settings: &Settings) -> Network {
+    let coarse = simplified(&courses.network, &courses.ranking, settings.simplify);
+    let (mut network, origin) = divide(&coarse, settings);
+    smooth(&mut network, &coarse, &origin, settings);
     network
 }
 
 /// Takes out vertices that lie closer than they need, as those of a Brownian tree do, of which hardly any have been
 /// simplified away: half of them at a time. Returns whether there were enough of them to look again.
-pub(super) fn thin_out(network: &mut Network, parameters: &Parameters) -> bool {
+pub(super) fn thin_out(network: &mut Network, settings: &Settings) -> bool {
     let downstream = network.downstream();
     let is_close = |(vertex, &below): (&Vertex, &u32)| {
         let next = network.vertices.get(below as usize);
-        next.is_some_and(|next| vertex.at.distance_squared(next.at) < 0.25 * parameters.spacing * parameters.spacing)
+        next.is_some_and(|next| vertex.at.distance_squared(next.at) < 0.25 * settings.spacing * settings.spacing)
     };
     let close = network.vertices.iter().zip(&downstream).filter(|pair| is_close(*pair)).count();
     if close * 8 < downstream.len() {
         return false;
     }
-    let reach = vec![parameters.spacing; downstream.len()];
-    let mut guard = Guard::new(&parameters.domain, parameters.spacing);
-    let clearance = guard.survey(network, &downstream, &reach, reach.clone(), &mut |_| {});
+    let reach = vec![settings.spacing; downstream.len()];
+    let mut guard = ClearanceGrid::new(&settings.domain, settings.spacing);
+    let clearance = guard.measure(network, &downstream, &reach, reach.clone(), &mut |_| {});
     let everywhere = vec![1.0; downstream.len()];
-    respace::respace(network, &clearance, &everywhere, parameters);
+    respace::respace(network, &clearance, &everywhere, settings);
     true
 }
 
@@ -269,20 +273,20 @@ pub(super) fn thin_out(network: &mut Network, parameters: &Parameters) -> bool {
 fn river_of(network: &Network) -> Vec<u32> {
     let mut river_of = vec![NONE; network.vertices.len()];
     for (number, river) in network.rivers.iter().enumerate() {
-        river_of[river.own()].fill(number as u32);
+        river_of[river.vertex_range()].fill(number as u32);
     }
     river_of
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::samples::{parameters, places, river, sine_generated, sinuosity, straight};
+    use super::super::samples::{places, river, settings, sine_generated, sinuosity, straight};
     use super::*;
 
     /// A river of gentle bends, left to itself for some rounds.
     fn meandered(model: MeanderModel, rounds: u32) -> Network {
         let line = sine_generated(0.3, 44.0, 8, 44);
-        let mut meander = Meander::of(river(&line, 4.0), Parameters { model, rounds, strength: 0.6, ..parameters() });
+        let mut meander = Meander::of(river(&line, 4.0), Settings { model, rounds, strength: 0.6, ..settings() });
         while meander.round() {}
         assert_eq!(meander.rounds(), if model == MeanderModel::None { 0 } else { rounds });
         meander.network().clone()
@@ -310,10 +314,10 @@ mod tests {
         // Another river runs right beside the bends.
         let beside = straight((60.0, 394.0), (330.0, 394.0), 270);
         let network = river(&sine_generated(0.3, 44.0, 8, 44), 4.0).with_arm(&beside, 340, 20);
-        let mut meander = Meander::of(network, Parameters { rounds: 60, strength: 1.0, ..parameters() });
+        let mut meander = Meander::of(network, Settings { rounds: 60, strength: 1.0, ..settings() });
         while meander.round() {}
         let network = meander.network();
-        let [main, other] = [0, 1].map(|river| &network.vertices[network.rivers[river].own()]);
+        let [main, other] = [0, 1].map(|river| &network.vertices[network.rivers[river].vertex_range()]);
         let near = main[..main.len() - 20].iter().flat_map(|a| other.iter().map(move |b| a.at.distance(b.at)));
         let nearest = near.fold(f32::INFINITY, f32::min);
         assert!(nearest > 0.3, "{nearest}");
@@ -328,20 +332,20 @@ mod tests {
         }
         let gentle = |river: usize| river > 0;
         for (number, river) in network.rivers.clone().iter().enumerate() {
-            let sway = if gentle(number) { 0.3 } else { 1.0 };
-            network.vertices[river.own()].iter_mut().for_each(|vertex| vertex.sway = sway);
+            let mobility = if gentle(number) { 0.3 } else { 1.0 };
+            network.vertices[river.vertex_range()].iter_mut().for_each(|vertex| vertex.mobility = mobility);
         }
-        let mut meander = Meander::of(network, parameters());
+        let mut meander = Meander::of(network, settings());
         let mut moves = Vec::new();
         for round in 0..3 {
             meander.round = round;
-            let pace = meander.pace();
+            let step_scale = meander.step_scale();
             let rivers = &meander.network().rivers;
-            moves.push(rivers.iter().map(|river| pace[river.end as usize - 1]).collect::<Vec<f32>>());
+            moves.push(rivers.iter().map(|river| step_scale[river.end as usize - 1]).collect::<Vec<f32>>());
         }
         for river in 0..6 {
             let paces: Vec<f32> = moves.iter().map(|paces: &Vec<f32>| paces[river]).collect();
-            let resting = paces.iter().filter(|pace| **pace == 0.0).count();
+            let resting = paces.iter().filter(|step_scale| **step_scale == 0.0).count();
             if gentle(river) {
                 assert_eq!(resting, 2, "river {river} moves in one round of three: {paces:?}");
                 assert!((paces.iter().sum::<f32>() - 3.0 * 0.3).abs() < 1e-6, "thrice as far: {paces:?}");
@@ -349,7 +353,8 @@ mod tests {
                 assert_eq!(paces[..], [1.0; 3], "a great river moves in each round");
             }
         }
-        let at_work: Vec<usize> = moves.iter().map(|paces| paces.iter().filter(|pace| **pace > 0.0).count()).collect();
+        let at_work: Vec<usize> =
+            moves.iter().map(|paces| paces.iter().filter(|step_scale| **step_scale > 0.0).count()).collect();
         assert!(at_work.iter().all(|rivers| (2..=3).contains(rivers)), "gentle rivers share the rounds: {at_work:?}");
     }
 }

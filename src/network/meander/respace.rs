@@ -4,23 +4,23 @@
 //! of the clearance that moving has left over.
 
 use super::super::evenly::{between, pieces};
-use super::super::parameters::Parameters;
+use super::super::settings::Settings;
 use super::super::smooth::room;
 use super::super::{NONE, Network, Vertex};
-use crate::plane::{distance, height};
+use crate::geometry::{distance, height};
 
 /// With [`super::super::smooth::SHARE_OF_CLEARANCE`] it makes less than a half.
 const SHARE_OF_CLEARANCE: f32 = 0.15;
 
 /// Spaces vertices between half a step and one and a half, where that is possible.
-pub(super) fn respace(network: &mut Network, clearance: &[f32], pace: &[f32], parameters: &Parameters) {
+pub(super) fn respace(network: &mut Network, clearance: &[f32], step_scale: &[f32], settings: &Settings) {
     let is_junction = network.junctions();
     let downstream = network.downstream();
     let old = &network.vertices;
     let mut place = vec![NONE; old.len()];
     let mut vertices = Vec::with_capacity(old.len() + old.len() / 8);
     for river in &mut network.rivers {
-        let own = river.own();
+        let own = river.vertex_range();
         river.start = vertices.len() as u32;
         let mut last = NONE;
         for i in own.clone() {
@@ -33,37 +33,37 @@ pub(super) fn respace(network: &mut Network, clearance: &[f32], pace: &[f32], pa
                 // As wide as a tributary's last vertex is, its junction is known to be.
                 && i + 1 < own.end
                 // Of what stays the clearance is not known.
-                && pace[i] > 0.0
-                && distance(old[i].at, old[i - 1].at) < 0.5 * parameters.step(old[i].width())
+                && step_scale[i] > 0.0
+                && distance(old[i].at, old[i - 1].at) < 0.5 * settings.step(old[i].width())
                 && height(old[i].at, old[i - 1].at, old[below as usize].at)
                     <= SHARE_OF_CLEARANCE * room(clearance[i].min(clearance[i - 1]));
             if goes {
                 continue;
             }
             if last != NONE {
-                divide(&mut vertices, &old[last as usize], &old[i], parameters);
+                divide(&mut vertices, &old[last as usize], &old[i], settings);
             }
             place[i] = vertices.len() as u32;
             vertices.push(old[i]);
             last = i as u32;
         }
-        if let (Some(upper), Some(junction)) = (old.get(last as usize), old.get(river.joins as usize)) {
+        if let (Some(upper), Some(junction)) = (old.get(last as usize), old.get(river.junction as usize)) {
             // No wider for being near a wider river.
             let end = Vertex { at: junction.at, ..*upper };
-            divide(&mut vertices, upper, &end, parameters);
+            divide(&mut vertices, upper, &end, settings);
         }
         river.end = vertices.len() as u32;
     }
     for river in &mut network.rivers {
-        river.joins = place.get(river.joins as usize).copied().unwrap_or(NONE);
+        river.junction = place.get(river.junction as usize).copied().unwrap_or(NONE);
     }
     network.vertices = vertices;
 }
 
 /// Puts vertices between two if they are too far apart.
-fn divide(vertices: &mut Vec<Vertex>, upper: &Vertex, lower: &Vertex, parameters: &Parameters) {
+fn divide(vertices: &mut Vec<Vertex>, upper: &Vertex, lower: &Vertex, settings: &Settings) {
     let far = distance(upper.at, lower.at);
-    let step = parameters.step(upper.width());
+    let step = settings.step(upper.width());
     if far <= 1.5 * step {
         return;
     }
@@ -73,13 +73,13 @@ fn divide(vertices: &mut Vec<Vertex>, upper: &Vertex, lower: &Vertex, parameters
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::samples::{parameters, places, river, straight};
+    use super::super::super::samples::{places, river, settings, straight};
     use super::*;
     use glam::Vec2;
 
     fn respaced(mut network: Network, clearance: f32) -> Network {
-        let (clearance, pace) = (vec![clearance; network.vertices.len()], vec![1.0; network.vertices.len()]);
-        respace(&mut network, &clearance, &pace, &parameters());
+        let (clearance, step_scale) = (vec![clearance; network.vertices.len()], vec![1.0; network.vertices.len()]);
+        respace(&mut network, &clearance, &step_scale, &settings());
         network
     }
 
@@ -102,8 +102,8 @@ mod tests {
         let spaced = respaced(network, 1.0);
         let arm = spaced.rivers[1];
         assert!(spaced.rivers[0].end < 15, "vertices have gone");
-        assert_eq!(spaced.vertices[arm.joins as usize].at, Vec2::new(2.2, 0.0));
-        assert!(arm.own().len() > 7, "the way to the junction is divided");
+        assert_eq!(spaced.vertices[arm.junction as usize].at, Vec2::new(2.2, 0.0));
+        assert!(arm.vertex_range().len() > 7, "the way to the junction is divided");
     }
 
     #[test]

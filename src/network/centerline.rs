@@ -3,7 +3,7 @@
 use glam::Vec2;
 
 use super::{NONE, Network, Oxbow, River, Vertex};
-use crate::plane::direction;
+use crate::geometry::direction;
 
 /// How far beyond its last vertex a river reaches into the sea, in widths. A round end adds another half.
 const PAST_SHORE: f32 = 0.1;
@@ -23,7 +23,7 @@ impl Network {
     pub fn middle(&self, river: &River) -> Vec<Place> {
         let course: Vec<&Vertex> = self.course(river).collect();
         let last = course.len().wrapping_sub(1);
-        let is_tributary = river.joins != NONE;
+        let is_tributary = river.junction != NONE;
         let place = |(i, vertex): (usize, &&Vertex)| {
             let banks = if is_tributary && i == last { course[i.saturating_sub(1)] } else { vertex };
             between(vertex.at, banks, tangent(&course, i))
@@ -65,7 +65,7 @@ mod tests {
     #[test]
     fn middle_lies_toward_the_farther_bank_and_runs_past_the_shore() {
         let vertex = |x: f32| Vertex { at: Vec2::new(x, 0.0), left: 1.0, right: 3.0, ..Vertex::default() };
-        let river = River { start: 0, end: 3, joins: NONE, parent: NONE, order: 1, magnitude: 1 };
+        let river = River { start: 0, end: 3, junction: NONE, parent: NONE, order: 1, magnitude: 1 };
         let network = Network { vertices: [0.0, 10.0, 20.0].map(vertex).into(), rivers: vec![river], oxbows: vec![] };
         let line = network.middle(&river);
         assert_eq!(line[1], Place { at: Vec2::new(10.0, 1.0), half: 2.0 });

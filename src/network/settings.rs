@@ -5,14 +5,14 @@ use std::sync::Arc;
 use fastnoise_lite::{FastNoiseLite, FractalType, NoiseType};
 
 use crate::domain::Domain;
+use crate::geometry::{fast_max, fast_min};
 use crate::land::Land;
-use crate::plane::{least, most};
 use crate::random::{Purpose, Seed};
 use crate::recipe::{Key, MeanderModel, Recipe};
 
-/// The parameters of the network stage, resolved.
+/// The settings of the network stage, resolved.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Parameters {
+pub struct Settings {
     /// The seed's 64 bits.
     pub seed: Seed,
     /// The rectangle.
@@ -22,11 +22,11 @@ pub struct Parameters {
     /// About how far apart the vertices of a course are.
     pub spacing: f32,
     /// The discharge that counts as everything.
-    pub everything: u32,
+    pub total_discharge: u32,
     /// The least width of a stream: thin, but not too thin to be seen; less where streams lie close together.
     pub hairline: f32,
     /// The width of a river that drains everything.
-    pub full_width: f32,
+    pub max_width: f32,
     /// The share of the vertices that simplification takes out, of those that can go.
     pub simplify: f32,
     /// By what share of itself a bank's distance from the middle varies, at most.
@@ -53,8 +53,8 @@ pub struct Parameters {
     pub taper: f32,
 }
 
-impl Parameters {
-    /// The parameters of a recipe, for a tree on some land whose streams lie so many units apart, and of which a river that
+impl Settings {
+    /// The settings of a recipe, for a tree on some land whose streams lie so many units apart, and of which a river that
     /// drains everything would have this discharge.
     pub fn new(recipe: &Recipe, land: Option<Arc<Land>>, stream_spacing: f32, total_discharge: u32) -> Self {
         Self {
@@ -62,9 +62,9 @@ impl Parameters {
             domain: Domain::of(recipe),
             land,
             spacing: (stream_spacing * SPACING).clamp(LEAST_SPACING, MOST_SPACING),
-            everything: total_discharge.max(1),
-            hairline: least(HAIRLINE, stream_spacing * HAIRLINE_SHARE),
-            full_width: recipe.number(Key::Width),
+            total_discharge: total_discharge.max(1),
+            hairline: fast_min(HAIRLINE, stream_spacing * HAIRLINE_SHARE),
+            max_width: recipe.number(Key::Width),
             simplify: recipe.number(Key::Simplify) / 100.0,
             vary: recipe.number(Key::Vary),
             model: recipe.get(),
@@ -84,13 +84,13 @@ impl Parameters {
     #[inline]
     pub fn step(&self, width: f32) -> f32 {
         const A_WIDTH: f32 = 0.25;
-        most(self.spacing, width * A_WIDTH)
+        fast_max(self.spacing, width * A_WIDTH)
     }
 
     /// Half the width of a river of some discharge, before its banks vary.
     pub fn half_width(&self, discharge: u32) -> f32 {
-        let share = discharge as f32 / self.everything as f32;
-        most(self.full_width * share.sqrt(), self.hairline) * 0.5
+        let share = discharge as f32 / self.total_discharge as f32;
+        fast_max(self.max_width * share.sqrt(), self.hairline) * 0.5
     }
 
     /// Noise along courses, from -1 to 1.

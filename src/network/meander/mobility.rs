@@ -5,11 +5,11 @@
 //! is always held where it ends.
 
 use super::super::hydrology::slope;
-use super::super::parameters::Parameters;
+use super::super::settings::Settings;
 use super::super::{NONE, Network, Vertex};
-use crate::order;
-use crate::plane::{distance, least, most, smooth_step};
+use crate::geometry::{distance, fast_max, fast_min, smooth_step};
 use crate::recipe::MeanderModel;
+use crate::sort;
 
 /// No meandering within so many widths of what holds a river.
 const HELD: f32 = 1.0;
@@ -21,33 +21,33 @@ const EQUAL: f32 = 0.35;
 /// What sways less than this stands still: it would not be seen, and takes as long as the rest.
 const LEAST: f32 = 0.05;
 
-/// Gives every vertex its sway.
-pub(super) fn give(network: &mut Network, parameters: &Parameters) {
-    if parameters.model == MeanderModel::None {
+/// Gives every vertex its mobility.
+pub(super) fn assign(network: &mut Network, settings: &Settings) {
+    if settings.model == MeanderModel::None {
         return;
     }
-    let flat = flat_discharge(network, parameters);
-    let great = great_rivers(network, flat, parameters.great);
+    let flat = flat_discharge(network, settings);
+    let great = great_rivers(network, flat, settings.great);
     let holds = holds(network);
-    let noise = parameters.gentle_noise();
+    let noise = settings.gentle_noise();
     for (number, river) in network.rivers.clone().iter().enumerate() {
         let along = distances(network, number);
         let Some(&length) = along.last() else { continue };
-        let own = &mut network.vertices[river.own()];
-        let width: Vec<f32> = own.iter().map(|vertex| most(vertex.width(), parameters.spacing)).collect();
-        let ramp = |far: f32, width: f32| smooth_step((far / width - HELD) / most(parameters.taper - HELD, 0.1));
+        let own = &mut network.vertices[river.vertex_range()];
+        let width: Vec<f32> = own.iter().map(|vertex| fast_max(vertex.width(), settings.spacing)).collect();
+        let ramp = |far: f32, width: f32| smooth_step((far / width - HELD) / fast_max(settings.taper - HELD, 0.1));
         let flat_from = own.iter().position(|vertex| vertex.discharge >= flat).filter(|_| great.contains(&number));
         for (i, vertex) in own.iter_mut().enumerate() {
-            let gently = parameters.gentle * smooth_step(noise.get_noise_2d(vertex.at.x, vertex.at.y) * 1.25 + 0.25);
+            let gently = settings.gentle * smooth_step(noise.get_noise_2d(vertex.at.x, vertex.at.y) * 1.25 + 0.25);
             let fully =
                 flat_from.map_or(0.0, |from| if i < from { 0.0 } else { ramp(along[i] - along[from], width[i]) });
-            let sway = most(gently, fully) * ramp(along[i], width[i]) * ramp(length - along[i], width[i]);
-            vertex.sway = if sway < LEAST { 0.0 } else { sway };
+            let mobility = fast_max(gently, fully) * ramp(along[i], width[i]) * ramp(length - along[i], width[i]);
+            vertex.mobility = if mobility < LEAST { 0.0 } else { mobility };
         }
-        for (at, &hold) in holds[river.own()].iter().enumerate().filter(|(_, hold)| **hold > 0.0) {
+        for (at, &hold) in holds[river.vertex_range()].iter().enumerate().filter(|(_, hold)| **hold > 0.0) {
             let mut ease = |i: usize| {
                 let ramp = ramp((along[i] - along[at]).abs(), width[i]);
-                own[i].sway *= 1.0 - hold * (1.0 - ramp);
+                own[i].mobility *= 1.0 - hold * (1.0 - ramp);
                 ramp < 1.0
             };
             let _ = (at..width.len()).all(&mut ease);
@@ -56,15 +56,15 @@ pub(super) fn give(network: &mut Network, parameters: &Parameters) {
     }
 }
 
-/// Lets sway fall off toward vertices that have none, so that a river does not bend sharply round what holds it.
+/// Lets mobility fall off toward vertices that have none, so that a river does not bend sharply round what holds it.
 pub(super) fn ease_off(network: &mut Network, spacing: f32) {
     const WIDTHS: f32 = 5.0;
     let ease = |vertex: &mut Vertex, beside: &mut Vertex| {
-        let rise = distance(beside.at, vertex.at) / (WIDTHS * most(vertex.width(), spacing));
-        vertex.sway = least(vertex.sway, beside.sway + rise);
+        let rise = distance(beside.at, vertex.at) / (WIDTHS * fast_max(vertex.width(), spacing));
+        vertex.mobility = fast_min(vertex.mobility, beside.mobility + rise);
     };
     for river in &network.rivers {
-        let own = &mut network.vertices[river.own()];
+        let own = &mut network.vertices[river.vertex_range()];
         for i in 1..own.len() {
             let (before, rest) = own.split_at_mut(i);
             ease(&mut rest[0], &mut before[i - 1]);
@@ -77,10 +77,10 @@ pub(super) fn ease_off(network: &mut Network, spacing: f32) {
 }
 
 /// The least discharge of what counts as flat: the flattest share of all courses, whose vertices lie evenly.
-fn flat_discharge(network: &Network, parameters: &Parameters) -> u32 {
-    let slope = |discharge: u32| slope(discharge as f32 / parameters.everything as f32);
-    let by_slope = order::ascending(network.vertices.iter().map(|vertex| order::key(slope(vertex.discharge))));
-    let count = (by_slope.len() as f32 * parameters.flat) as usize;
+fn flat_discharge(network: &Network, settings: &Settings) -> u32 {
+    let slope = |discharge: u32| slope(discharge as f32 / settings.total_discharge as f32);
+    let by_slope = sort::argsort(network.vertices.iter().map(|vertex| sort::key(slope(vertex.discharge))));
+    let count = (by_slope.len() as f32 * settings.flat) as usize;
     match by_slope.get(..count).and_then(<[usize]>::last) {
         Some(&last) => network.vertices[last].discharge,
         None => u32::MAX,
@@ -90,22 +90,22 @@ fn flat_discharge(network: &Network, parameters: &Parameters) -> u32 {
 /// The rivers with the longest flat stretches.
 fn great_rivers(network: &Network, flat: u32, count: u32) -> Vec<usize> {
     let length = |river: &super::super::River| {
-        network.vertices[river.own()].iter().filter(|vertex| vertex.discharge >= flat).count() as u32
+        network.vertices[river.vertex_range()].iter().filter(|vertex| vertex.discharge >= flat).count() as u32
     };
     let lengths: Vec<u32> = network.rivers.iter().map(length).collect();
-    let by_length = order::ascending(lengths.iter().map(|&length| u32::MAX - length));
+    let by_length = sort::argsort(lengths.iter().map(|&length| u32::MAX - length));
     by_length.into_iter().take(count as usize).filter(|&river| lengths[river] > 0).collect()
 }
 
 /// How firmly each vertex is held by what joins there, from 0 to 1.
 fn holds(network: &Network) -> Vec<f32> {
     let mut holds = vec![0.0f32; network.vertices.len()];
-    for river in network.rivers.iter().filter(|river| river.joins != NONE) {
-        let Some(last) = network.vertices[river.own()].last() else { continue };
-        let below = network.vertices[river.joins as usize].discharge;
+    for river in network.rivers.iter().filter(|river| river.junction != NONE) {
+        let Some(last) = network.vertices[river.vertex_range()].last() else { continue };
+        let below = network.vertices[river.junction as usize].discharge;
         let share = last.discharge as f32 / below.max(1) as f32;
-        let hold = &mut holds[river.joins as usize];
-        *hold = most(*hold, smooth_step((share - BROOK) / (EQUAL - BROOK)));
+        let hold = &mut holds[river.junction as usize];
+        *hold = fast_max(*hold, smooth_step((share - BROOK) / (EQUAL - BROOK)));
     }
     holds
 }
@@ -125,48 +125,49 @@ fn distances(network: &Network, river: usize) -> Vec<f32> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::samples::{parameters, river, straight};
+    use super::super::super::samples::{river, settings, straight};
     use super::*;
     use crate::network::River;
 
     /// A river 400 units long, two wide, with an arm halfway that brings such a share of its water.
-    fn swaying(share: u32, parameters: &Parameters) -> (Network, River) {
+    fn swaying(share: u32, settings: &Settings) -> (Network, River) {
         let mut network = river(&straight((0.0, 400.0), (400.0, 400.0), 400), 2.0).with_arm(
             &straight((200.0, 100.0), (200.0, 399.0), 299),
             200,
             share,
         );
-        network.vertices.iter_mut().for_each(|vertex| vertex.sway = 0.0);
-        give(&mut network, parameters);
+        network.vertices.iter_mut().for_each(|vertex| vertex.mobility = 0.0);
+        assign(&mut network, settings);
         let main = network.rivers[0];
         (network, main)
     }
 
-    fn only_great(great: u32) -> Parameters {
-        Parameters { great, gentle: 0.0, flat: 1.0, taper: 6.0, everything: 100, ..parameters() }
+    fn only_great(great: u32) -> Settings {
+        Settings { great, gentle: 0.0, flat: 1.0, taper: 6.0, total_discharge: 100, ..settings() }
     }
 
     #[test]
     fn nothing_moves_at_sources_mouths_and_equal_junctions() {
-        let (network, main) = swaying(40, &Parameters { gentle: 1.0, ..only_great(2) });
-        let sway = |i: usize| network.vertices[i].sway;
+        let (network, main) = swaying(40, &Settings { gentle: 1.0, ..only_great(2) });
+        let mobility = |i: usize| network.vertices[i].mobility;
         for held in [0, 1, 200, main.end as usize - 1, main.end as usize, network.vertices.len() - 1] {
-            assert_eq!(sway(held), 0.0, "{held}");
+            assert_eq!(mobility(held), 0.0, "{held}");
         }
-        assert!(sway(100) > 0.9 && sway(300) > 0.9, "{} {}", sway(100), sway(300));
+        assert!(mobility(100) > 0.9 && mobility(300) > 0.9, "{} {}", mobility(100), mobility(300));
     }
 
     #[test]
     fn a_brook_does_not_hold_a_river() {
         let (network, _) = swaying(2, &only_great(1));
-        assert_eq!(network.vertices[200].sway, 1.0);
+        assert_eq!(network.vertices[200].mobility, 1.0);
     }
 
     #[test]
     fn as_many_rivers_meander_as_are_asked_for() {
         for great in 0..4 {
             let (network, _) = swaying(40, &only_great(great));
-            let moves = |river: &&River| network.vertices[river.own()].iter().any(|vertex| vertex.sway > 0.0);
+            let moves =
+                |river: &&River| network.vertices[river.vertex_range()].iter().any(|vertex| vertex.mobility > 0.0);
             assert_eq!(network.rivers.iter().filter(moves).count(), great.min(2) as usize);
         }
     }
@@ -175,18 +176,18 @@ mod tests {
     fn only_what_is_flat_meanders_fully() {
         let mut network = river(&straight((0.0, 400.0), (400.0, 400.0), 400), 2.0);
         network.vertices.iter_mut().enumerate().for_each(|(i, vertex)| vertex.discharge = i as u32 + 1);
-        give(&mut network, &Parameters { flat: 0.25, everything: 400, ..only_great(1) });
-        assert!(network.vertices[..300].iter().all(|vertex| vertex.sway == 0.0));
-        assert_eq!(network.vertices[350].sway, 1.0);
+        assign(&mut network, &Settings { flat: 0.25, total_discharge: 400, ..only_great(1) });
+        assert!(network.vertices[..300].iter().all(|vertex| vertex.mobility == 0.0));
+        assert_eq!(network.vertices[350].mobility, 1.0);
     }
 
     #[test]
     fn sway_falls_off_toward_what_is_held() {
         let mut network = river(&straight((0.0, 0.0), (60.0, 0.0), 60), 2.0);
-        network.vertices[30].sway = 0.0;
+        network.vertices[30].mobility = 0.0;
         ease_off(&mut network, 1.0);
-        let sway: Vec<f32> = network.vertices.iter().map(|vertex| vertex.sway).collect();
-        assert!(sway[30..45].is_sorted() && sway[15..=30].iter().rev().is_sorted());
-        assert!(sway[31] < 0.2 && sway[45] == 1.0 && sway[15] == 1.0);
+        let mobility: Vec<f32> = network.vertices.iter().map(|vertex| vertex.mobility).collect();
+        assert!(mobility[30..45].is_sorted() && mobility[15..=30].iter().rev().is_sorted());
+        assert!(mobility[31] < 0.2 && mobility[45] == 1.0 && mobility[15] == 1.0);
     }
 }

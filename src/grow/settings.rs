@@ -5,13 +5,13 @@ use std::sync::Arc;
 use glam::Vec2;
 
 use crate::domain::{AREA, Domain};
-use crate::land::{Land, Region, SIDE};
+use crate::land::{CELL_SIZE, Land, Region};
 use crate::random::Seed;
 use crate::recipe::{GrowthMethod, Key, LandKind, Recipe, Scatter, Sides};
 
-/// The parameters of growth, resolved: ratios turned into lengths.
+/// The settings of growth, resolved: ratios turned into lengths.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Parameters {
+pub struct Settings {
     /// The seed's 64 bits.
     pub seed: Seed,
     /// The rectangle.
@@ -60,7 +60,7 @@ const LEAST_AREA: f32 = AREA / 20.0;
 /// along its shore instead.
 const MOUTHS_OF_A_LAKE: u32 = 3;
 
-impl Parameters {
+impl Settings {
     /// Resolves a recipe, land and all.
     pub fn of(recipe: &Recipe) -> Self {
         Self::new(recipe, Land::of(recipe))
@@ -75,7 +75,7 @@ impl Parameters {
         let basins = land.as_ref().map(|land| share_out(land.regions(), asked)).unwrap_or_default();
         let area = match &land {
             None => AREA,
-            Some(land) => watered(Some(land), &basins).map(|region| region.cells as f32 * SIDE * SIDE).sum(),
+            Some(land) => watered(Some(land), &basins).map(|region| region.cells as f32 * CELL_SIZE * CELL_SIZE).sum(),
         };
         let spacing = (area.max(LEAST_AREA) / attractors as f32).sqrt();
         let attractors = attractors.min((area / (spacing * spacing)).round() as u32);
@@ -104,7 +104,7 @@ impl Parameters {
     }
 }
 
-impl Parameters {
+impl Settings {
     /// The land; for tests: a session has it, too.
     #[doc(hidden)]
     pub fn land(&self) -> Option<&Arc<Land>> {

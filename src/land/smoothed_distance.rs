@@ -1,24 +1,24 @@
-//! The relief as pictures show it: without facets, and calmer the farther it lies from any coast.
+//! Coast distances as pictures show them: without facets, and calmer the farther it lies from any coast.
 //!
 //! The heights of the corners are the control points of a surface of parabolas (a biquadratic B-spline). Such a surface
 //! smooths what it is given, so heights are sharpened before, near a coast: there it must stay where rivers end. Far from
 //! any coast they are blurred, for a distance has a crease wherever two coasts are equally near.
 
-use super::Relief;
+use super::CoastDistance;
 
 /// Control points of the heights, in units: positive on land, negative at sea.
 #[derive(Clone, Debug)]
-pub struct Shown {
+pub struct SmoothedDistance {
     heights: Vec<f32>,
     columns: usize,
     rows: usize,
 }
 
-impl Shown {
-    /// What a picture shows of a relief.
-    pub fn of(relief: &Relief) -> Self {
-        let (columns, rows) = relief.size();
-        let mut this = Self { heights: relief.heights().to_vec(), columns, rows };
+impl SmoothedDistance {
+    /// What a picture shows of coast distances.
+    pub fn of(coast_distance: &CoastDistance) -> Self {
+        let (columns, rows) = coast_distance.size();
+        let mut this = Self { heights: coast_distance.heights().to_vec(), columns, rows };
         [1, 2, 4].into_iter().for_each(|stride| this.soften(stride));
         this
     }
@@ -29,7 +29,7 @@ impl Shown {
         /// Undoes, but for a little, what the surface smooths.
         const SHARPEN: f32 = -0.25;
         let least = if stride == 1 { SHARPEN } else { 0.0 };
-        let per_far = 1.0 / (4.0 * Relief::SPACING * stride as f32);
+        let per_far = 1.0 / (4.0 * CoastDistance::SPACING * stride as f32);
         let (columns, rows) = ((1, self.columns), (self.columns, self.rows));
         for ((step, length), (aside, lines)) in [(columns, rows), (rows, columns)] {
             let before = self.heights.clone();
@@ -44,13 +44,13 @@ impl Shown {
     }
 
     /// How many columns and rows of control points there are.
-    #[cfg(feature = "tools")]
+    #[cfg(feature = "files")]
     pub(super) fn size(&self) -> (usize, usize) {
         (self.columns, self.rows)
     }
 
     /// A control point.
-    #[cfg(feature = "tools")]
+    #[cfg(feature = "files")]
     pub(super) fn control(&self, column: usize, row: usize) -> f32 {
         self.heights[row * self.columns + column]
     }
@@ -63,7 +63,7 @@ impl Shown {
             .flat_map(move |row| columns.map(|column| self.heights[row * self.columns + column]))
     }
 
-    /// The relief of one y.
+    /// The distances of one y.
     pub(crate) fn across(&self, y: f32) -> Across<'_> {
         let (row, t) = nearest(y, self.rows);
         let rows = beside(row, self.rows).map(|row| &self.heights[row * self.columns..][..self.columns]);
@@ -78,7 +78,7 @@ impl Shown {
     }
 }
 
-/// The relief of one y.
+/// The distances of one y.
 pub(crate) struct Across<'a> {
     /// The nearest row of corners, and how far beyond it this lies, in intervals.
     pub row: usize,
@@ -134,7 +134,7 @@ impl Parabola {
 
 /// The corner nearest to a coordinate, and how far beyond it that lies, in intervals.
 fn nearest(x: f32, corners: usize) -> (usize, f32) {
-    let x = x / Relief::SPACING;
+    let x = x / CoastDistance::SPACING;
     // What is less than 0 becomes 0.
     let index = ((x + 0.5) as usize).min(corners - 1);
     (index, (x - index as f32).clamp(-0.5, 0.5))
@@ -161,20 +161,20 @@ mod tests {
     }
 
     /// The height of a point and its rise to the east and the south, by the unit.
-    fn at(shown: &Shown, point: Vec2) -> (f32, Vec2) {
+    fn at(shown: &SmoothedDistance, point: Vec2) -> (f32, Vec2) {
         let ((column, x), across) = (shown.column(point.x), shown.across(point.y));
         let heights = Parabola::of(across.around(column));
-        (heights.at(x), Vec2::new(heights.rise(x), across.rise(column).at(x)) / Relief::SPACING)
+        (heights.at(x), Vec2::new(heights.rise(x), across.rise(column).at(x)) / CoastDistance::SPACING)
     }
 
     #[test]
     fn coast_is_shown_where_growth_sees_it() {
         for land in lands() {
-            let shown = Shown::of(land.relief());
+            let shown = SmoothedDistance::of(land.coast_distance());
             let (mut near, mut off) = (0, 0);
             for (column, row) in (0..land.columns()).flat_map(|c| (0..land.rows()).map(move |r| (c, r))) {
                 let point = Vec2::new(column as f32 + 0.5, row as f32 + 0.5);
-                let height = land.relief().height(point);
+                let height = land.coast_distance().height(point);
                 if height.abs() < 8.0 {
                     let is_off = (height > 0.0) != (at(&shown, point).0 > 0.0);
                     assert!(!is_off || height.abs() < 1.5, "{point}: {height} is shown as {}", at(&shown, point).0);
@@ -189,10 +189,10 @@ mod tests {
     #[test]
     fn surface_has_neither_steps_nor_facets() {
         for land in lands() {
-            let shown = Shown::of(land.relief());
+            let shown = SmoothedDistance::of(land.coast_distance());
             for i in 0..4000 {
                 // Across a border between two pieces, where they meet at a slant.
-                let border = Vec2::new((i % 97) as f32 + 0.5, (i % 61) as f32 + 0.5) * Relief::SPACING;
+                let border = Vec2::new((i % 97) as f32 + 0.5, (i % 61) as f32 + 0.5) * CoastDistance::SPACING;
                 let ((one, rise), (other, rise_there)) = (at(&shown, border - 0.01), at(&shown, border + 0.01));
                 assert!((one - other).abs() < 0.1, "{border}: {one}, {other}");
                 assert!(rise.distance(rise_there) < 0.02, "{border}: {rise}, {rise_there}");
@@ -204,13 +204,15 @@ mod tests {
     fn far_from_coasts_creases_are_gone() {
         let sharpest = |land: &Land, height: &dyn Fn(Vec2) -> f32| {
             let inside = (4..90).flat_map(|column| (4..90).map(move |row| Vec2::new(column as f32, row as f32)));
-            let far = inside.map(|at| at * Relief::SPACING).filter(|at| land.relief().height(*at).abs() > 60.0);
+            let far = inside
+                .map(|at| at * CoastDistance::SPACING)
+                .filter(|at| land.coast_distance().height(*at).abs() > 60.0);
             let bend = |at: Vec2| height(at - Vec2::X * 8.0) - 2.0 * height(at) + height(at + Vec2::X * 8.0);
             far.map(|at| bend(at).abs()).fold(0.0, f32::max)
         };
         for land in lands() {
-            let shown = Shown::of(land.relief());
-            let before = sharpest(&land, &|point| land.relief().height(point));
+            let shown = SmoothedDistance::of(land.coast_distance());
+            let before = sharpest(&land, &|point| land.coast_distance().height(point));
             let after = sharpest(&land, &|point| at(&shown, point).0);
             assert!(after < 0.4 * before.max(5.0), "{after} of {before}");
         }

@@ -11,12 +11,12 @@ use glam::Vec2;
 
 use super::Network;
 use crate::domain::Domain;
-use crate::plane::{distance, gap, least, meet, most};
+use crate::geometry::{distance, fast_max, fast_min, gap, meet};
 use crate::work;
 
 /// Two segments, each known by its upper vertex, and their distance.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Near {
+pub struct NearbyPair {
     /// The one that comes first.
     pub first: u32,
     /// The other.
@@ -27,7 +27,7 @@ pub struct Near {
 
 /// A grid of segments, used again from round to round.
 #[derive(Clone, Debug, Default)]
-pub struct Guard {
+pub struct ClearanceGrid {
     spacing: f32,
     side: f32,
     columns: usize,
@@ -35,7 +35,7 @@ pub struct Guard {
     /// Where each cell begins in `entries`.
     starts: Vec<u32>,
     entries: Vec<Entry>,
-    /// Half the length of the longest segment, and that over what its reach lets expect, see [`Guard::expected`].
+    /// Half the length of the longest segment, and that over what its reach lets expect, see [`ClearanceGrid::expected`].
     longest_half: f32,
     stretch: f32,
 }
@@ -57,7 +57,7 @@ struct Survey<'a> {
     downstream: &'a [u32],
 }
 
-impl Guard {
+impl ClearanceGrid {
     /// An empty grid for segments about as long as a spacing, or longer where rivers are wide.
     pub fn new(domain: &Domain, spacing: f32) -> Self {
         let side = spacing * 2.0;
@@ -69,13 +69,13 @@ impl Guard {
     /// if that is below its cap, else the cap itself. `reach` is how far each segment looks around, at least to its cap; one
     /// that can neither move nor matter to others beyond their caps looks nowhere, 0. Of each pair nearer than the
     /// farther of two reaches `tell` is told, unless they are near each other along one river.
-    pub fn survey(
+    pub fn measure(
         &mut self,
         network: &Network,
         downstream: &[u32],
         reach: &[f32],
         caps: Vec<f32>,
-        tell: &mut dyn FnMut(Near),
+        tell: &mut dyn FnMut(NearbyPair),
     ) -> Vec<f32> {
         self.enter(network, downstream, reach);
         let mut clearance = caps;
@@ -86,7 +86,7 @@ impl Guard {
         clearance
     }
 
-    fn look_around(&self, own: Entry, survey: Survey<'_>, clearance: &mut [f32], tell: &mut dyn FnMut(Near)) {
+    fn look_around(&self, own: Entry, survey: Survey<'_>, clearance: &mut [f32], tell: &mut dyn FnMut(NearbyPair)) {
         // A longer one has a longer reach, and looks itself.
         let radius = own.reach + own.half + self.stretch * self.expected(own.reach);
         let i = own.segment as usize;
@@ -103,7 +103,7 @@ impl Guard {
                 let j = other.segment as usize;
                 let are_neighbours = i.abs_diff(j) <= NEIGHBOURS;
                 // Of neighbours only the clearance matters.
-                let far = most(clearance[i], clearance[j]) + halves;
+                let far = fast_max(clearance[i], clearance[j]) + halves;
                 if !are_neighbours || off.dot(off) < far * far {
                     survey.measure(own, *other, are_neighbours, clearance, tell);
                 }
@@ -113,7 +113,7 @@ impl Guard {
 
     /// Half of what a segment with some reach is long at most, but for a factor: longer where rivers are wide.
     fn expected(&self, reach: f32) -> f32 {
-        most(self.spacing, reach)
+        fast_max(self.spacing, reach)
     }
 
     /// Whether a line from one vertex to another, across a neck, meets no segment of the last survey but those that end
@@ -132,7 +132,7 @@ impl Guard {
 
     /// Takes away of oxbow lakes what rivers of the last survey run over, or so near that no land is left between.
     pub fn erode(&self, network: &mut Network, downstream: &[u32], buffer: f32) {
-        let widest = network.vertices.iter().map(|vertex| vertex.width()).fold(0.0, most);
+        let widest = network.vertices.iter().map(|vertex| vertex.width()).fold(0.0, fast_max);
         let vertices = &network.vertices;
         for lake in network.oxbows.iter_mut().flat_map(|oxbow| &mut oxbow.vertices).filter(|lake| lake.width() > 0.0) {
             let radius = (lake.width() + widest) * 0.5 + buffer + self.longest_half;
@@ -159,8 +159,8 @@ impl Guard {
         for (segment, ((vertex, &below), &reach)) in (0..).zip(network.vertices.iter().zip(downstream).zip(reach)) {
             let Some(next) = network.vertices.get(below as usize) else { continue };
             let half = distance(vertex.at, next.at) * 0.5;
-            self.longest_half = most(self.longest_half, half);
-            self.stretch = most(self.stretch, half / self.expected(reach));
+            self.longest_half = fast_max(self.longest_half, half);
+            self.stretch = fast_max(self.stretch, half / self.expected(reach));
             let middle = (vertex.at + next.at) * 0.5;
             let cell = self.cell(middle);
             self.starts[cell as usize] += 1;
@@ -207,7 +207,7 @@ impl Survey<'_> {
         other: Entry,
         are_neighbours: bool,
         clearance: &mut [f32],
-        tell: &mut dyn FnMut(Near),
+        tell: &mut dyn FnMut(NearbyPair),
     ) {
         let (i, j) = (own.segment as usize, other.segment as usize);
         let (below_i, below_j) = (self.downstream[i], self.downstream[j]);
@@ -216,10 +216,14 @@ impl Survey<'_> {
         }
         let at = |i: usize| self.network.vertices[i].at;
         let distance = gap((at(i), at(below_i as usize)), (at(j), at(below_j as usize)));
-        clearance[i] = least(clearance[i], distance);
-        clearance[j] = least(clearance[j], distance);
+        clearance[i] = fast_min(clearance[i], distance);
+        clearance[j] = fast_min(clearance[j], distance);
         if !are_neighbours && distance < own.reach {
-            tell(Near { first: own.segment.min(other.segment), second: own.segment.max(other.segment), distance });
+            tell(NearbyPair {
+                first: own.segment.min(other.segment),
+                second: own.segment.max(other.segment),
+                distance,
+            });
         }
     }
 }

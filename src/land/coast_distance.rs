@@ -1,16 +1,16 @@
-//! The relief: how far inland every point of the domain lies.
+//! Coast distances: how far inland every point of the domain lies, a signed distance field.
 //!
 //! It is known at the corners of a coarse lattice and bilinear between: near enough for growth, which asks cells. Pictures
-//! show it without facets (`shown.rs`). All that is needed to make one is a coast, as line pieces, and which side of it is
+//! show it without facets (`smoothed_distance.rs`). All that is needed to make one is a coast, as line pieces, and which side of it is
 //! land.
 
 use glam::Vec2;
 
-use super::grid::Cell;
+use super::cell::Cell;
 use super::regions::{Region, Run, regions};
 use super::walk::walk;
 use crate::domain::Domain;
-use crate::order;
+use crate::sort;
 use crate::work;
 
 /// A straight piece of coast, from one end to the other.
@@ -21,13 +21,13 @@ const FARTHEST: f32 = 1e4;
 
 /// Distances from the coast at lattice corners, in units: positive on land, negative at sea.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Relief {
+pub struct CoastDistance {
     heights: Vec<f32>,
     columns: usize,
     rows: usize,
 }
 
-impl Relief {
+impl CoastDistance {
     /// The distance between lattice corners, in units: finer than any bend of a coast that is to be seen.
     pub const SPACING: f32 = 8.0;
 
@@ -36,7 +36,7 @@ impl Relief {
         let mut this = Self::sampled(domain, height);
         let level = quantile(&this.heights, share);
         this.heights.iter_mut().for_each(|height| *height -= level);
-        this.level_specks();
+        this.remove_islets_and_ponds();
         let coast = this.contour();
         this.measured(&coast)
     }
@@ -73,21 +73,16 @@ impl Relief {
 
     /// Sinks islets, and makes land of ponds: a map has no room for the rivers of the one, and those of the land around
     /// run through the other. Ponds are waters of under a hundredth of the domain, unless there is no other water.
-    fn level_specks(&mut self) {
+    fn remove_islets_and_ponds(&mut self) {
         const ISLET: u32 = 4;
         const LEVELLED: f32 = 1.0;
         let pond = self.heights.len() as u32 / 100;
-        for run in
-            self.regions(Cell::Available).iter().skip(1).filter(|land| land.cells < ISLET).flat_map(|land| &land.runs)
+        for run in self.regions(Cell::Land).iter().skip(1).filter(|land| land.cells < ISLET).flat_map(|land| &land.runs)
         {
             self.row(run).fill(-LEVELLED);
         }
-        for run in self
-            .regions(Cell::Unavailable)
-            .iter()
-            .skip(1)
-            .filter(|water| water.cells < pond)
-            .flat_map(|water| &water.runs)
+        for run in
+            self.regions(Cell::Water).iter().skip(1).filter(|water| water.cells < pond).flat_map(|water| &water.runs)
         {
             self.row(run).fill(LEVELLED);
         }
@@ -95,7 +90,7 @@ impl Relief {
 
     /// Corners of land, or of water, that hang together.
     fn regions(&self, kind: Cell) -> Vec<Region> {
-        let cell = |&height: &f32| if height > 0.0 { Cell::Available } else { Cell::Unavailable };
+        let cell = |&height: &f32| if height > 0.0 { Cell::Land } else { Cell::Water };
         regions(&self.heights.iter().map(cell).collect::<Vec<_>>(), kind, self.columns)
     }
 
@@ -175,13 +170,13 @@ impl Relief {
 }
 
 fn corner(i: usize, columns: usize) -> Vec2 {
-    Vec2::new((i % columns) as f32, (i / columns) as f32) * Relief::SPACING
+    Vec2::new((i % columns) as f32, (i / columns) as f32) * CoastDistance::SPACING
 }
 
 /// The lattice interval a coordinate lies in, and where in it.
 #[inline]
 fn lattice(x: f32, corners: usize) -> (usize, f32) {
-    let x = (x / Relief::SPACING).max(0.0).min((corners - 1) as f32);
+    let x = (x / CoastDistance::SPACING).max(0.0).min((corners - 1) as f32);
     let index = (x as usize).min(corners - 2);
     (index, x - index as f32)
 }
@@ -189,7 +184,7 @@ fn lattice(x: f32, corners: usize) -> (usize, f32) {
 /// The value below which the given share of some values lies.
 fn quantile(values: &[f32], share: f32) -> f32 {
     let index = (share * values.len().saturating_sub(1) as f32) as usize;
-    order::sorted(values).get(index).copied().unwrap_or(0.0)
+    sort::sorted(values).get(index).copied().unwrap_or(0.0)
 }
 
 /// Of every corner, the nearest piece of coast: known beside the coast and handed on from corner to corner, as in a
@@ -206,7 +201,7 @@ impl<'a> Nearest<'a> {
         let squared = vec![FARTHEST * FARTHEST; columns * rows];
         let mut this = Self { coast, piece: vec![u32::MAX; columns * rows], squared, columns };
         for (piece, [from, to]) in (0..).zip(coast) {
-            for (column, row) in walk(*from / Relief::SPACING, *to / Relief::SPACING) {
+            for (column, row) in walk(*from / CoastDistance::SPACING, *to / CoastDistance::SPACING) {
                 for (column, row) in [(column, row), (column + 1, row), (column, row + 1), (column + 1, row + 1)] {
                     if (0..columns as i32).contains(&column) && (0..rows as i32).contains(&row) {
                         this.propose(column as usize, row as usize, piece);
@@ -256,7 +251,7 @@ impl<'a> Nearest<'a> {
         }
         work::count(1);
         if let Some([from, to]) = self.coast.get(piece as usize) {
-            let corner = Vec2::new(column as f32, row as f32) * Relief::SPACING;
+            let corner = Vec2::new(column as f32, row as f32) * CoastDistance::SPACING;
             let squared = squared_distance(corner, *from, *to);
             if squared < self.squared[i] {
                 (self.squared[i], self.piece[i]) = (squared, piece);
@@ -284,7 +279,7 @@ mod tests {
         let centre = domain.size / 2.0;
         // A round island, first by its height, then by its coast.
         let cone = |point: Vec2| -(point - centre).length();
-        let by_height = Relief::with_sea(&domain, 0.6, cone);
+        let by_height = CoastDistance::with_sea(&domain, 0.6, cone);
         let radius = (0.4e6 / std::f32::consts::PI).sqrt();
         let at = |i: usize| {
             let angle = i as f32 / 200.0 * std::f32::consts::TAU;
@@ -293,19 +288,19 @@ mod tests {
         let coast: Vec<Piece> = (0..200).map(|i| [at(i), at(i + 1)]).collect();
         let is_land: Vec<bool> =
             (0..by_height.heights.len()).map(|i| (corner(i, by_height.columns) - centre).length() < radius).collect();
-        let by_coast = Relief::of_coast(&domain, &coast, &is_land);
+        let by_coast = CoastDistance::of_coast(&domain, &coast, &is_land);
         for i in 0..=1000 {
             let point = domain.size * Vec2::new(i as f32 / 1000.0, (i * 7 % 1000) as f32 / 1000.0);
             let exact = radius - (point - centre).length();
-            if exact > radius - 2.0 * Relief::SPACING {
+            if exact > radius - 2.0 * CoastDistance::SPACING {
                 continue; // bilinear, the very peak is rounded
             }
             // The level of the sea is known to a corner's worth of domain.
-            for (relief, tolerance) in [(&by_height, 5.0), (&by_coast, 1.5)] {
+            for (coast_distance, tolerance) in [(&by_height, 5.0), (&by_coast, 1.5)] {
                 assert!(
-                    (relief.height(point) - exact).abs() < tolerance,
+                    (coast_distance.height(point) - exact).abs() < tolerance,
                     "{point}: {} is not {exact}",
-                    relief.height(point)
+                    coast_distance.height(point)
                 );
             }
         }
@@ -321,11 +316,11 @@ mod tests {
             [from, from.lerp(toward, 0.05)]
         };
         let coast: Vec<Piece> = (0..40).map(|_| piece()).collect();
-        let (columns, rows) = Relief::corners(&domain);
-        let relief = Relief::of_coast(&domain, &coast, &vec![true; columns * rows]);
+        let (columns, rows) = CoastDistance::corners(&domain);
+        let coast_distance = CoastDistance::of_coast(&domain, &coast, &vec![true; columns * rows]);
         let mut far_off = 0;
-        for (i, height) in relief.heights.iter().enumerate() {
-            let exact = coast.iter().map(|[from, to]| squared_distance(corner(i, relief.columns), *from, *to));
+        for (i, height) in coast_distance.heights.iter().enumerate() {
+            let exact = coast.iter().map(|[from, to]| squared_distance(corner(i, coast_distance.columns), *from, *to));
             let exact = exact.fold(f32::INFINITY, f32::min).sqrt();
             assert!(height - exact > -0.01 && height - exact < 2.0, "{height} is not {exact}");
             far_off += u32::from(height - exact > 0.01);

@@ -2,7 +2,7 @@
 //! four kilobytes to the wasm file, and most of what there is to sort here is short.
 
 /// The positions of keys in ascending order of the keys; of equal ones, the earlier first.
-pub(crate) fn ascending(keys: impl IntoIterator<Item = u32>) -> Vec<usize> {
+pub(crate) fn argsort(keys: impl IntoIterator<Item = u32>) -> Vec<usize> {
     let keys: Vec<u32> = keys.into_iter().collect();
     let in_place = (0..keys.len()).collect();
     // From the least digit to the greatest: each leaves those equal in it as the lesser ones have put them.
@@ -30,7 +30,7 @@ fn by_digit(order: &[usize], keys: &[u32], shift: u32) -> Vec<usize> {
 
 /// The same of values that are copied out in ascending order.
 pub(crate) fn sorted(values: &[f32]) -> Vec<f32> {
-    ascending(values.iter().map(|&value| key(value))).into_iter().map(|i| values[i]).collect()
+    argsort(values.iter().map(|&value| key(value))).into_iter().map(|i| values[i]).collect()
 }
 
 /// A number's key: as `f32::total_cmp` orders numbers.
@@ -60,7 +60,7 @@ mod tests {
         fn equal_keys_keep_their_order(keys in proptest::collection::vec(0u32..5, 0..50)) {
             let mut expected: Vec<usize> = (0..keys.len()).collect();
             expected.sort_by_key(|&i| keys[i]);
-            prop_assert_eq!(ascending(keys), expected);
+            prop_assert_eq!(argsort(keys), expected);
         }
     }
 }

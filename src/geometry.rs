@@ -52,9 +52,9 @@ pub(crate) fn direction(vector: Vec2) -> Vec2 {
 /// The distance between two segments that do not cross.
 #[inline]
 pub fn gap((a, b): (Vec2, Vec2), (c, d): (Vec2, Vec2)) -> f32 {
-    let to_second = least(squared_distance(a, c, d), squared_distance(b, c, d));
-    let to_first = least(squared_distance(c, a, b), squared_distance(d, a, b));
-    least(to_second, to_first).sqrt()
+    let to_second = fast_min(squared_distance(a, c, d), squared_distance(b, c, d));
+    let to_first = fast_min(squared_distance(c, a, b), squared_distance(d, a, b));
+    fast_min(to_second, to_first).sqrt()
 }
 
 /// The squared distance of a point from a segment.
@@ -76,13 +76,13 @@ fn squared_distance(point: Vec2, a: Vec2, b: Vec2) -> f32 {
 
 /// `f32::min` is several jumps in wasm.
 #[inline]
-pub(crate) fn least(a: f32, b: f32) -> f32 {
+pub(crate) fn fast_min(a: f32, b: f32) -> f32 {
     if a < b { a } else { b }
 }
 
 /// The greater one, likewise.
 #[inline]
-pub(crate) fn most(a: f32, b: f32) -> f32 {
+pub(crate) fn fast_max(a: f32, b: f32) -> f32 {
     if a > b { a } else { b }
 }
 

@@ -1,7 +1,7 @@
 //! Which parameters do nothing in a recipe, and why: the one place where that is decided.
 
 use super::choice::{GrowthMethod, LandKind, MeanderModel, Style};
-use super::parameter::Key;
+use super::key::Key;
 use super::{Decimal, Recipe, Value};
 
 /// Why a parameter does nothing; `None` if it does something.
@@ -11,7 +11,7 @@ const STILL: &str = "Rivers do not meander here.";
 
 impl Recipe {
     /// Why a parameter does nothing in this recipe, in a sentence; `None` if it does something.
-    pub fn idle_reason(&self, key: Key) -> Option<&'static str> {
+    pub fn inactive_reason(&self, key: Key) -> Option<&'static str> {
         match key {
             Key::Seed | Key::Edition | Key::Aspect | Key::Land | Key::Growth => None,
             Key::Sea => self.no_coast().or_else(|| self.sea_is_drawn()),
@@ -123,7 +123,7 @@ mod tests {
     use crate::recipe::table::TABLE;
 
     fn reason(link: &str, key: Key) -> Option<&'static str> {
-        link::read(link).unwrap().idle_reason(key)
+        link::read(link).unwrap().inactive_reason(key)
     }
 
     #[test]
@@ -275,7 +275,7 @@ mod tests {
             for parameter in &TABLE {
                 let names = |(keys, _): &&(&str, &str)| keys.split(' ').any(|key| key == parameter.name);
                 let reason = expected.iter().find(names).map(|(_, reason)| *reason);
-                assert_eq!(recipe.idle_reason(parameter.key), reason, "{} with {over:?}", parameter.name);
+                assert_eq!(recipe.inactive_reason(parameter.key), reason, "{} with {over:?}", parameter.name);
             }
         }
     }

@@ -1,0 +1,18 @@
+//! Writes a recipe's rivers as SVG: `cargo run --example svg`, and open `rimu.svg`.
+
+use std::error::Error;
+use std::path::Path;
+
+use riverseed::{Recipe, Session, export};
+
+/// Writes the SVG into a folder.
+pub fn write(folder: &Path) -> Result<(), Box<dyn Error>> {
+    let recipe: Recipe = "seed=rimu&land=continent&sides=w&style=ink".parse()?;
+    let mut session = Session::new(recipe)?;
+    session.finish()?;
+    Ok(std::fs::write(folder.join("rimu.svg"), export::svg::svg(&session)?)?)
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    write(Path::new("."))
+}

@@ -1,0 +1,16 @@
+//! The cells that land is cut into.
+
+/// What a cell is to rivers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u8)]
+pub enum Cell {
+    /// Land.
+    Land,
+    /// Water: rivers end here.
+    Water,
+    /// A ridge: no river crosses it.
+    Ridge,
+}
+
+/// The side of a cell, in units: far less than a step of a river at the default number of attractors.
+pub const CELL_SIZE: f32 = 1.0;
