@@ -24,12 +24,11 @@ impl Trim {
     /// The trimming of a recipe.
     pub fn of(recipe: &Recipe) -> Self {
         let nodes = recipe.integer(Key::Trim);
-        if recipe.get::<GrowthMethod>() == GrowthMethod::Brownian {
+        match recipe.get() {
+            GrowthMethod::Colonize => Self { nodes, treats_sea_as_fork: false },
             // A node of space colonization is a step, 4.9 units with 6,000 attractors on a rectangle; of a Brownian tree,
             // 1.1 units on average.
-            Self { nodes: nodes * 9 / 2, treats_sea_as_fork: true }
-        } else {
-            Self { nodes, treats_sea_as_fork: false }
+            GrowthMethod::Brownian => Self { nodes: nodes * 9 / 2, treats_sea_as_fork: true },
         }
     }
 }

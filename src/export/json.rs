@@ -4,11 +4,11 @@ use glam::Vec2;
 
 use super::value::{Members, Value};
 use super::{ExportError, rivers};
-use crate::grow::{Ending, scatter};
+use crate::grow::Ending;
 use crate::network::{NONE, Network, Vertex};
 use crate::prune::{Pruned, Trim};
 use crate::recipe::table::TABLE;
-use crate::recipe::{self, GrowthMethod, Key, Recipe};
+use crate::recipe::{self, Key, Recipe};
 use crate::session::Session;
 use crate::tree::NO_PARENT;
 
@@ -20,7 +20,6 @@ pub fn network(session: &Session, with_attractors: bool) -> Result<Value<'_>, Ex
     /// Of the nodes' columns, about two nodes a vertex.
     const BYTES_A_VERTEX: usize = 64;
     let network = rivers(session, BYTES_A_VERTEX)?;
-    let parameters = session.growth().settings();
     let mut domain = Members::default();
     domain.single("width", session.domain().size.x).single("height", session.domain().size.y);
     let mut form = Members::default();
@@ -32,11 +31,7 @@ pub fn network(session: &Session, with_attractors: bool) -> Result<Value<'_>, Ex
         .value("rivers", Value::list(network.rivers.len(), |i| river(network, i as u32)))
         .value("oxbows", Value::list(network.oxbows.len(), |i| oxbow(network, i as u32)));
     if with_attractors {
-        let attractors = match parameters.method {
-            GrowthMethod::Colonize => scatter(parameters),
-            GrowthMethod::Brownian => Vec::new(),
-        };
-        form.object("attractors", columns(&attractors));
+        form.object("attractors", columns(&session.growth().scattered()));
     }
     Ok(form.into())
 }

@@ -1,6 +1,8 @@
 //! Growth by whichever procedure a recipe asks for.
 
-use super::{Brownian, Colonize, Ending, Field, GrowError, Settings};
+use glam::Vec2;
+
+use super::{Brownian, Colonize, Ending, Field, GrowError, Settings, scatter};
 use crate::recipe::GrowthMethod;
 use crate::tree::Tree;
 
@@ -85,6 +87,14 @@ impl Growth {
         match &self.grower {
             Grower::Colonize(growth) => growth.attractors(),
             Grower::Brownian(_) => 0,
+        }
+    }
+
+    /// Where attractors have been scattered, in the order of their drawing.
+    pub fn scattered(&self) -> Vec<Vec2> {
+        match &self.grower {
+            Grower::Colonize(_) => scatter(&self.settings),
+            Grower::Brownian(_) => Vec::new(),
         }
     }
 

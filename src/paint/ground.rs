@@ -225,7 +225,8 @@ fn lay_ridges(view: &View, land: &Land, palette: &Palette, pixels: &mut [[u8; 4]
 mod tests {
     use super::*;
     use crate::domain::Domain;
-    use crate::paint::palette::SKELETON;
+    use crate::paint::palette::palette;
+    use crate::recipe::Style;
 
     #[test]
     fn coasts_are_as_wide_along_a_strait_as_anywhere() {
@@ -236,10 +237,11 @@ mod tests {
         let across = (to - from).perp().normalize();
         for width in [6.5, 9.0, 60.0] {
             let coast_distance = CoastDistance::of_strait(&domain, from, to, width);
-            let pixels = ground(&view, &Land::new(&domain, coast_distance, Vec::new()), &SKELETON);
+            let pixels = ground(&view, &Land::new(&domain, coast_distance, Vec::new()), palette(Style::Skeleton));
             let strait = (0..1000).flat_map(|y| (300..700).map(move |x| (x, y)));
-            let coast =
-                strait.map(|(x, y)| f32::from(pixels[y * 1000 + x][0]) / f32::from(SKELETON.coast[0])).sum::<f32>();
+            let coast = strait
+                .map(|(x, y)| f32::from(pixels[y * 1000 + x][0]) / f32::from(palette(Style::Skeleton).coast[0]))
+                .sum::<f32>();
             let length = 2.0 * 400.0 / across.y.abs();
             // A line of a picture is half a pixel wider than asked for.
             assert!(

@@ -28,17 +28,4 @@ pub use strokes::{Pen, Widths};
 pub use view::{LONGEST_SIDE, PaintError, View};
 
 #[cfg(feature = "files")]
-pub(crate) use painter::palette as palette_of;
-
-/// How a network is painted.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Style {
-    /// Ink on paper, rivers as wide as their discharge asks.
-    Ink,
-    /// The same for pages with a dark scheme: light rivers on paper like the night.
-    Dark,
-    /// A coloured map: green lowland, blue rivers and sea.
-    Map,
-    /// White lines one pixel wide on black, as in the study of the paper (figure 6.1).
-    Skeleton,
-}
+pub(crate) use palette::{Lines, palette as palette_of};

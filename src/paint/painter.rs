@@ -9,7 +9,7 @@ use tiny_skia::Pixmap;
 use super::coverage::{Coverage, Rect};
 use super::flow::Flow;
 use super::ground::ground;
-use super::palette::{self, Palette};
+use super::palette::{Lines, palette};
 use super::rivers::draw_network;
 use super::strokes::{Pen, Widths};
 use super::view::{PaintError, View};
@@ -129,7 +129,8 @@ impl Painter {
             near_tip.iter().for_each(|&child| pen.draw(&mut self.coverage, tree, radii, child as usize));
         }
         self.is_finished = progress.finished;
-        if std::mem::take(&mut self.is_blank) || (progress.finished && progress.style == Style::Skeleton) {
+        if std::mem::take(&mut self.is_blank) || (progress.finished && palette(progress.style).lines == Lines::Skeleton)
+        {
             self.coverage.touch_all();
         }
         self.lay_ground(progress.land, progress.style);
@@ -144,7 +145,7 @@ impl Painter {
         self.round = Some(rivers.rounds);
         self.is_finished = true;
         self.coverage.clear();
-        draw_network(&mut self.coverage, &self.view, rivers.network, rivers.style);
+        draw_network(&mut self.coverage, &self.view, rivers.network, palette(rivers.style).lines);
         self.coverage.touch_all();
         self.lay_ground(rivers.land, rivers.style);
         self.compose(rivers.style)
@@ -189,15 +190,15 @@ impl Painter {
         let touched = self.coverage.take_touched();
         let around = touched.iter().copied().reduce(Rect::union)?;
         let ground = self.ground.as_ref().map(|(_, ground)| ground.as_slice());
-        match style {
-            Style::Ink | Style::Dark | Style::Map => {
+        match palette(style).lines {
+            Lines::Wide => {
                 ink::compose(&mut self.pixmap, &self.coverage, ground, palette(style), &touched);
             }
-            Style::Skeleton if self.is_finished => {
+            Lines::Skeleton if self.is_finished => {
                 skeleton::compose_thinned(&mut self.pixmap, &self.coverage, ground);
                 return Some(self.coverage.bounds());
             }
-            Style::Skeleton => {
+            Lines::Skeleton => {
                 touched.iter().for_each(|&rect| skeleton::compose(&mut self.pixmap, &self.coverage, ground, rect));
             }
         }
@@ -205,21 +206,9 @@ impl Painter {
     }
 }
 
-/// What a style paints with.
-pub(crate) fn palette(style: Style) -> &'static Palette {
-    match style {
-        Style::Ink => &palette::INK,
-        Style::Dark => &palette::DARK,
-        Style::Map => &palette::MAP,
-        Style::Skeleton => &palette::SKELETON,
-    }
-}
-
 fn widths(progress: &Progress<'_>) -> Widths {
-    match progress.style {
-        Style::Ink | Style::Dark | Style::Map => {
-            Widths::ByDischarge { full: progress.max_width, total_discharge: progress.total_discharge }
-        }
-        Style::Skeleton => Widths::Even { width_px: skeleton::WIDTH_PX },
+    match palette(progress.style).lines {
+        Lines::Wide => Widths::ByDischarge { full: progress.max_width, total_discharge: progress.total_discharge },
+        Lines::Skeleton => Widths::Even { width_px: skeleton::WIDTH_PX },
     }
 }

@@ -1,4 +1,6 @@
-//! The colours of the styles.
+//! The styles: their colours, and how they draw rivers. A style has a line in `palette` and a constant here.
+
+use crate::recipe::Style;
 
 /// A colour: red, green, blue.
 pub(crate) type Colour = [u8; 3];
@@ -21,22 +23,42 @@ pub(crate) struct Palette {
     pub river: Colour,
     /// Land where all of the domain is.
     pub plain: Colour,
+    pub lines: Lines,
+}
+
+/// How a style draws rivers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Lines {
+    /// As wide as they are, with the lakes that they have left.
+    Wide,
+    /// One pixel wide, without lakes.
+    Skeleton,
+}
+
+/// What a style paints with.
+pub(crate) fn palette(style: Style) -> &'static Palette {
+    match style {
+        Style::Ink => &INK,
+        Style::Dark => &DARK,
+        Style::Map => &MAP,
+        Style::Skeleton => &SKELETON,
+    }
 }
 
 /// Ink on paper.
-pub(super) static INK: Palette = Palette {
+static INK: Palette = Palette {
     rings: &[(7.0, 0.34), (16.0, 0.2), (28.0, 0.1)],
     ..even([0xf6, 0xf0, 0xe2], [0xdd, 0xe6, 0xe4], [0x4a, 0x62, 0x78], [0xa8, 0x93, 0x78], [0x1f, 0x3f, 0x66])
 };
 
 /// Ink's drawing on dark paper, for pages with a dark scheme.
-pub(super) static DARK: Palette = Palette {
+static DARK: Palette = Palette {
     rings: INK.rings,
     ..even([0x16, 0x1f, 0x2b], [0x0f, 0x15, 0x1e], [0x6d, 0x8c, 0xa6], [0x6e, 0x60, 0x4c], [0x9c, 0xc6, 0xe8])
 };
 
 /// A map as atlases colour it: green lowland, blue water.
-pub(super) static MAP: Palette = Palette {
+static MAP: Palette = Palette {
     lowland: [0xdc, 0xe6, 0xc8],
     inland: [0xf1, 0xea, 0xd3],
     deep: [0xa9, 0xcc, 0xdf],
@@ -45,7 +67,7 @@ pub(super) static MAP: Palette = Palette {
 };
 
 /// White on black, the coast dim.
-pub(super) static SKELETON: Palette = even([0; 3], [0; 3], [0x58; 3], [0x38; 3], [0xff; 3]);
+static SKELETON: Palette = Palette { lines: Lines::Skeleton, ..even([0; 3], [0; 3], [0x58; 3], [0x38; 3], [0xff; 3]) };
 
 impl Palette {
     /// The colour of each coverage by river, from bare plain land to river. Made for a picture: as a table for each style it
@@ -68,6 +90,7 @@ const fn even(land: Colour, water: Colour, coast: Colour, ridge: Colour, river: 
         ridge,
         river,
         plain: land,
+        lines: Lines::Wide,
     }
 }
 

@@ -4,19 +4,19 @@
 //! they sweep overlap without a seam, at bends as at junctions.
 
 use super::coverage::Coverage;
+use super::palette::Lines;
 use super::skeleton;
 use super::strokes::{Vertex, middle, parabola};
 use super::view::View;
 use crate::network::{self, Network, Place};
-use crate::recipe::Style;
 
 /// What is added to each bank, in pixels, so that a brook can be seen.
 const VISIBLE_PX: f32 = 0.2;
 
 /// Draws a network.
-pub(super) fn draw_network(coverage: &mut Coverage, view: &View, network: &Network, style: Style) {
+pub(super) fn draw_network(coverage: &mut Coverage, view: &View, network: &Network, lines: Lines) {
     let mut draw_line = |line: Vec<Vertex>| draw(coverage, &line);
-    if style == Style::Skeleton {
+    if lines == Lines::Skeleton {
         // The courses as they are: widths, and banks that vary, change nothing in a skeleton.
         let in_pixels = |vertex: &network::Vertex| (view.pixel(vertex.at), skeleton::WIDTH_PX * 0.5);
         network.rivers.iter().for_each(|river| draw_line(network.course(river).map(in_pixels).collect()));

@@ -15,8 +15,8 @@ use self::text::Text;
 use super::banks::{Banks, Width};
 use super::{ExportError, rivers};
 use crate::network::{NONE, Network, River};
-use crate::paint::palette_of;
-use crate::recipe::{Style, link};
+use crate::paint::{Lines, palette_of};
+use crate::recipe::link;
 use crate::session::Session;
 
 /// The map of a session's rivers as they are: the text of an SVG file.
@@ -41,8 +41,8 @@ pub fn svg(session: &Session) -> Result<String, ExportError> {
     // The shore is where rivers end; in a land without a sea nothing is clipped.
     let clip = if land.is_some() { "\" clip-path=\"url(#shore)" } else { "" };
     out.text("<g id=\"rivers").text(clip).text("\" fill=\"").colour(palette.river).text("\">\n");
-    draw_rivers(&mut out, network, width(style));
-    if style != Style::Skeleton {
+    draw_rivers(&mut out, network, width(palette.lines));
+    if palette.lines == Lines::Wide {
         out.text("</g>\n<g id=\"oxbows\" fill=\"").colour(palette.river).text("\">\n");
         draw_lakes(&mut out, network);
     }
@@ -53,10 +53,10 @@ pub fn svg(session: &Session) -> Result<String, ExportError> {
 /// What is added to each bank, in units, so that a brook can be seen: what a picture of a pixel a unit adds.
 const VISIBLE: f32 = 0.2;
 
-fn width(style: Style) -> Width {
-    match style {
-        Style::Skeleton => Width::Even { half: 0.5 },
-        Style::Ink | Style::Dark | Style::Map => Width::Own { more: VISIBLE },
+fn width(lines: Lines) -> Width {
+    match lines {
+        Lines::Skeleton => Width::Even { half: 0.5 },
+        Lines::Wide => Width::Own { more: VISIBLE },
     }
 }
 
