@@ -140,7 +140,7 @@ mutants: ## break files, session and recipes in small ways, and list what no fas
 # ---- measure and tend it
 
 .PHONY: bench
-bench: site widget ## the figures that the README quotes: natively, as wasm in Node, and in the page
+bench: site widget ## the figures of docs/benchmarks.md: natively, as wasm in Node, and in the page
 	@$(setup) browser
 	@$(run) node scripts/wasm.mjs figures
 	@$(run) node benches/run.mjs
@@ -157,6 +157,14 @@ goldens: ## draw the golden pictures and digests anew; then look at them and say
 	-@RIVERSEED_REFRESH=1 $(run) cargo test --all-features --quiet --no-fail-fast $(GOLDEN_TESTS:%=--test %)
 	@$(run) cargo test --all-features --quiet $(GOLDEN_TESTS:%=--test %)
 	@git status --short tests
+
+.PHONY: docs
+docs: wasm ## write what is generated in docs/ again: the parameters, the JSON form, the tables of the element
+	@echo "A run that writes pages fails on purpose; the run after it must pass."
+	-@RIVERSEED_REFRESH=1 $(run) cargo test --all-features --quiet --no-fail-fast --test documents --test schema
+	@$(npm) element-page
+	@$(run) cargo test --all-features --quiet --test documents --test schema
+	@git status --short docs
 
 .PHONY: clean
 clean: ## remove what was built here; tools in ~/.cache/riverseed and www/node_modules stay

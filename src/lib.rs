@@ -75,3 +75,8 @@ pub mod tree;
 mod web;
 #[doc(hidden)]
 pub mod work;
+
+/// The README's example is compiled and run with the tests.
+#[cfg(all(doctest, feature = "files"))]
+#[doc = include_str!("../README.md")]
+pub struct Readme;

@@ -332,10 +332,3 @@ fn digests_that_are_none_are_refused() {
         assert!(code == 1 && message.contains("no-digests.txt") && message.contains(reason), "{message}");
     }
 }
-
-#[test]
-fn readme_s_table_is_the_one_the_program_prints() {
-    let printed = String::from_utf8(riverseed(&["table"]).stdout).unwrap();
-    let readme = fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/README.md")).unwrap();
-    assert!(readme.contains(&printed), "put the output of `riverseed table` into README.md");
-}

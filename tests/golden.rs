@@ -178,5 +178,5 @@ fn readme_s_picture_is_what_its_link_draws() {
     let readme = include_str!("../README.md");
     assert!(readme.contains(&carried), "the README does not name the picture's link, {carried}");
     let drawn = rgb(&picture(link::read(&carried).unwrap(), 1000));
-    assert!(drawn == expected, "draw it anew: the command stands below it in the README");
+    assert!(drawn == expected, "draw it again: the command stands below it in the README");
 }

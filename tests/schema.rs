@@ -1,9 +1,9 @@
-//! The JSON Schema of a network's JSON form: what it says of recipes is the table of parameters, what the README says of the
-//! form is what it says. That networks are valid is a test of the page's (`www/tests/unit/schema.test.ts`), where a validator costs
+//! The JSON Schema of a network's JSON form: what it says of recipes is the table of parameters, what `docs/files.md` says of
+//! the form is what it says. That networks are valid is a test of the page's (`www/tests/unit/schema.test.ts`), where a validator costs
 //! little.
 //!
-//! `RIVERSEED_REFRESH=1 cargo test --all-features --test schema` writes the schema's part about recipes and the README's table anew, and then
-//! fails.
+//! `RIVERSEED_REFRESH=1 cargo test --all-features --test schema` writes the schema's part about recipes and the page's table again,
+//! and then fails.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 #![cfg(feature = "cli")]
 
@@ -14,7 +14,7 @@ use riverseed::recipe::{Kind, LONGEST_OUTLINE, Parameter, table::TABLE};
 use serde_json::{Map, Value, json};
 
 const SCHEMA: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/src/export/network.schema.json");
-const README: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/README.md");
+const PAGE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/files.md");
 
 /// Who holds this reads or writes the files alone: a refresh writes what the other test reads.
 static FILES: Mutex<()> = Mutex::new(());
@@ -71,7 +71,7 @@ fn the_schema_s_recipe_is_the_table_of_parameters() {
     );
 }
 
-/// What the README says of a member: its description, then its own members, each with what it holds.
+/// What the page says of a member: its description, then its own members, each with what it holds.
 fn told(member: &Value) -> String {
     let description = member["description"].as_str().unwrap();
     let own = if member["type"] == "array" { &member["items"]["properties"] } else { &member["properties"] };
@@ -84,21 +84,21 @@ fn told(member: &Value) -> String {
 }
 
 #[test]
-fn the_readme_s_table_of_members_is_the_schema_s() {
+fn the_table_of_members_in_the_page_about_files_is_the_schema_s() {
     const HEAD: &str = "| member | what it holds |\n| --- | --- |\n";
-    if !std::path::Path::new(README).exists() {
+    if !std::path::Path::new(PAGE).exists() {
         return;
     }
     let _files = files();
     let schema = schema();
     let members = schema["properties"].as_object().unwrap();
     let table: String = members.iter().map(|(name, member)| format!("| `{name}` | {} |\n", told(member))).collect();
-    let readme = fs::read_to_string(README).unwrap();
-    let (before, rest) = readme.split_once(HEAD).unwrap();
+    let page = fs::read_to_string(PAGE).unwrap();
+    let (before, rest) = page.split_once(HEAD).unwrap();
     let (found, after) = rest.split_once("\n\n").unwrap();
     if std::env::var_os("RIVERSEED_REFRESH").is_some() {
-        fs::write(README, format!("{before}{HEAD}{table}\n{after}")).unwrap();
-        panic!("the README's table is written anew: run without RIVERSEED_REFRESH");
+        fs::write(PAGE, format!("{before}{HEAD}{table}\n{after}")).unwrap();
+        panic!("the page's table is written again: run without RIVERSEED_REFRESH");
     }
     assert!(found == table.trim_end(), "write it anew: RIVERSEED_REFRESH=1 cargo test --all-features --test schema");
 }

@@ -1,4 +1,4 @@
-//! The JSON form of a network (design: one data form). Columns, full precision, stable names; the README explains them.
+//! The JSON form of a network: columns, full precision, stable names. `docs/files.md` explains them.
 
 use glam::Vec2;
 

@@ -1,6 +1,6 @@
 //! The parameter table: the one place where a parameter is named, ranged, explained and given its default.
 //!
-//! Links, attributes, command-line options, JSON, the page's controls and the README's table all come from here.
+//! Links, attributes, command-line options, JSON, the page's controls and `docs/parameters.md` all come from here.
 //! Keys are added freely and never renamed: a shared link holds them.
 
 use super::choice::{Choice, GrowthMethod, LandKind, MeanderModel, Scatter, Style};

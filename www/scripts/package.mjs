@@ -2,7 +2,7 @@
 // Packs the npm package: target/package/riverseed-<version>.tgz.
 //
 // The widget must have been built (npm run build:widget). What every file of the tarball is made from: the scripts and
-// .wasm files are dist-widget's; package.json, README and framework types are package/'s, with the version and the
+// .wasm files are dist-widget's; README is docs/element.md; package.json and framework types are package/'s, with the version and the
 // words of Cargo.toml; declarations come from the sources; custom-elements.json and the types of markup from the
 // parameter table; integrity.json from all that a page loads.
 
@@ -14,9 +14,8 @@ import { fileURLToPath } from "node:url";
 import { gzipSync } from "node:zlib";
 import { parse } from "smol-toml";
 import * as engine from "../pkg/riverseed.js";
-import { elementOf, manifest, markupTypes } from "./manifest.mjs";
+import { manifest, markupTypes } from "./manifest.mjs";
 import { reachable } from "./reachable.mjs";
-import { fill } from "./reading.mjs";
 
 process.chdir(join(dirname(fileURLToPath(import.meta.url)), ".."));
 const TARBALLS = "../target/package";
@@ -94,7 +93,7 @@ function description() {
 }
 
 function documents() {
-  writeFileSync(join(STAGE, "README.md"), fill(readFileSync("package/README.md", "utf8"), elementOf(own, table)));
+  cpSync("../docs/element.md", join(STAGE, "README.md"));
   for (const name of ["CHANGELOG.md", "LICENSE-APACHE", "LICENSE-MIT", "THIRD-PARTY.txt"])
     cpSync(`../${name}`, join(STAGE, name));
 }

@@ -4,6 +4,7 @@
 //! Exit codes: 0 done, 1 the work failed, 2 the call or the recipe is wrong.
 
 mod output;
+mod table;
 mod verify;
 
 use std::fs::File;
@@ -22,9 +23,7 @@ use riverseed::land::trace::{Traced, trace};
 use riverseed::paint::{LONGEST_SIDE, PaintError, View};
 use riverseed::picture::Picture;
 use riverseed::recipe::table::TABLE;
-use riverseed::recipe::{
-    GridPoint, Key, Kind, LONGEST_OUTLINE, LandKind, LineKind, Parameter, Recipe, RecipeError, json, link,
-};
+use riverseed::recipe::{GridPoint, Key, LandKind, LineKind, Parameter, Recipe, RecipeError, json, link};
 use riverseed::session::{Session, SessionError};
 use thiserror::Error;
 
@@ -34,7 +33,7 @@ fn main() -> ExitCode {
     let done = match command().get_matches().subcommand() {
         Some(("render", matches)) => render(matches),
         Some(("outline", matches)) => outline(matches),
-        Some(("table", _)) => print_table(),
+        Some(("table", _)) => table::print().map_err(Failure::from),
         Some(("verify", matches)) => verify::verify(matches.get_one::<PathBuf>("digests").map(PathBuf::as_path)),
         _ => Ok(()),
     };
@@ -99,7 +98,7 @@ fn command() -> Command {
         .arg_required_else_help(true)
         .subcommand(render_command())
         .subcommand(outline_command())
-        .subcommand(Command::new("table").about("Prints the parameter table as Markdown"))
+        .subcommand(Command::new("table").about("Prints a page of all parameters, as Markdown"))
         .subcommand(verify_command())
 }
 
@@ -386,29 +385,5 @@ fn say_what_is_kept(traced: &Traced) {
         eprintln!(
             "riverseed: the image is more elongated than 4:1; land on its long edges is extended to the edge of the map"
         );
-    }
-}
-
-fn print_table() -> Result<(), Failure> {
-    let mut out = io::stdout().lock();
-    writeln!(out, "| key | values | default | what it does |\n| --- | --- | --- | --- |")?;
-    for parameter in &TABLE {
-        let default = parameter.text_of(&parameter.default_value());
-        writeln!(out, "| `{}` | {} | {default} | {} |", parameter.name, values(parameter), parameter.help)?;
-    }
-    Ok(())
-}
-
-/// A parameter's range in words.
-fn values(parameter: &Parameter) -> String {
-    let unit = if parameter.unit.is_empty() { String::new() } else { format!(" {}", parameter.unit) };
-    match parameter.kind {
-        Kind::Text { longest, .. } => format!("text, at most {longest} characters"),
-        Kind::Integer { min, max, .. } if min == max => min.to_string(),
-        Kind::Integer { min, max, .. } => format!("{min} to {max}{unit}"),
-        Kind::Number { min, max, .. } => format!("{min} to {max}{unit}"),
-        Kind::Choice { choices } => choices.iter().map(|word| word.name).collect::<Vec<_>>().join(", "),
-        Kind::Sides { .. } => "some of n, e, s, w".into(),
-        Kind::Outline => format!("text, at most {LONGEST_OUTLINE} characters: see below"),
     }
 }

@@ -43,9 +43,10 @@ test("no file is missing, and none is there that nobody asks for", () => {
   expect([...wanted, ...DOCUMENTS].sort()).toEqual(files());
 });
 
-test("its changelog, its licences and the notices of others are the project's, to the letter", () => {
-  for (const name of DOCUMENTS.filter((name) => name !== "README.md")) {
-    const ours = readFileSync(new URL(`../../../${name}`, import.meta.url), "utf8");
+test("its changelog, licences and third-party notices are the project's, and its README is the element's page", () => {
+  for (const name of DOCUMENTS) {
+    const path = name === "README.md" ? "docs/element.md" : name;
+    const ours = readFileSync(new URL(`../../../${path}`, import.meta.url), "utf8");
     expect(bytes(name).toString(), name).toBe(ours);
   }
 });

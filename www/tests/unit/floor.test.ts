@@ -13,7 +13,7 @@ test("the browser floor is quoted as it is stated", () => {
   expect(edge).toBe(chrome);
   expect(ios).toBe(safari);
   expect(advice(new PageError("wasm-unsupported", "")).text).toContain(IN_WORDS);
-  for (const file of ["../README.md", "../.cargo/config.toml"])
+  for (const file of ["../README.md", "../docs/element.md", "../.cargo/config.toml"])
     expect(readFileSync(file, "utf8").replaceAll(/\n#? */g, " "), file).toContain(IN_WORDS);
 });
 

@@ -34,7 +34,7 @@ for (const [attributes, aspect] of [
 ] as const) {
   test(`nothing moves when the river comes: ${attributes || "the default"}`, async ({ page, blog }) => {
     const moved = await shifts(page);
-    // What the README recommends for the time before the script has come.
+    // What docs/element.md recommends for the time before the script has come.
     const style = `<style>river-seed:not(:defined) { display: block; aspect-ratio: ${aspect}; min-height: 0; overflow: hidden }</style>`;
     const body = `${style}<river-seed attractors="300" animate="none" ${attributes}>${FALLBACK}</river-seed>`;
     const events = await open(page, blog, body);

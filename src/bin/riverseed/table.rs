@@ -1,0 +1,125 @@
+//! `riverseed table`: the page of all parameters, `docs/parameters.md`, by group.
+
+use std::io::{self, Write};
+
+use riverseed::recipe::choice::Word;
+use riverseed::recipe::preset::{PRESETS, Preset};
+use riverseed::recipe::table::TABLE;
+use riverseed::recipe::{Kind, LONGEST_OUTLINE, Parameter};
+
+const INTRODUCTION: &str = "\
+# Parameters
+
+<!-- Written by `make docs` from the parameter table, src/recipe/table.rs: change it there. -->
+
+A recipe is a value for each of these parameters; a parameter that is left out has its default. The same keys are used in links
+(`seed=kauri&curl=0.6`), as command-line options (`--curl 0.6`), in JSON recipes, and as attributes of `<river-seed>`, where
+`style` and `width` are written `river-style` and `river-width`. The tables below follow the groups of the page's controls.
+
+Numbers keep four decimal places. Units of length:
+
+- a *unit* is a domain unit: the map's area is always a million square units, whatever its aspect;
+- a *spacing* is the mean distance between attractors, √(area of land / number of attractors);
+- a *width* is the width of the river at that point;
+- a *node* is one step of growth.
+";
+
+const NOTES: &str = "
+## Drawn land
+
+`land=drawn` reads coasts and ridges from `outline`. Each line starts with a dot for a coast or two dots for a ridge, followed by its
+points. A point is four base64url characters: two for its distance from the west edge, two for its distance from the north edge, each a
+whole number from 0 to 4095 across the domain. A point is on land if it is inside an odd number of coasts. Where a coast runs along the
+map's edge, the land continues beyond that edge.
+
+`riverseed outline` makes an outline from a PNG. White is land; black and transparent are water; a third colour, or a mid grey, is a
+ridge. A thin ridge becomes a line along its middle; a wide one becomes the outline of an area without rivers. The command reports how
+much of the image fitted into the outline. An image longer than 4:1 is centred on the map, and what touches its long edges is extended to
+the map's edge.
+
+## Trimming a Brownian tree
+
+`trim` counts nodes of space colonization, which are one `step` apart. A node of a Brownian tree is a cell of about 1 unit, so there each
+node of `trim` counts as 4.5 cells. That is about the length of a default step with 6,000 attractors on `land=rectangle`. In a Brownian
+tree, rivers that reach the sea on their own are trimmed too if they are shorter than that; the longest one always stays.
+
+## Limits
+
+Growth always ends. Space colonization makes at most 10 nodes per attractor, and 10,000 besides; a Brownian tree makes at most one node
+per cell of the land's grid. So the recipe limits how much memory is used.
+";
+
+/// Writes the page.
+pub fn print() -> io::Result<()> {
+    let mut out = io::stdout().lock();
+    out.write_all(INTRODUCTION.as_bytes())?;
+    for group in groups() {
+        write_group(&mut out, group)?;
+    }
+    write_presets(&mut out)?;
+    out.write_all(NOTES.as_bytes())
+}
+
+/// The groups, in the order of their first parameters.
+fn groups() -> Vec<&'static str> {
+    let mut groups = Vec::new();
+    for parameter in &TABLE {
+        if !groups.contains(&parameter.group) {
+            groups.push(parameter.group);
+        }
+    }
+    groups
+}
+
+fn write_group(out: &mut impl Write, group: &str) -> io::Result<()> {
+    let rows = || TABLE.iter().filter(|parameter| parameter.group == group);
+    writeln!(out, "\n## {group}\n\n| key | values | default | what it does |\n| --- | --- | --- | --- |")?;
+    for parameter in rows() {
+        let default = parameter.text_of(&parameter.default_value());
+        writeln!(out, "| `{}` | {} | {default} | {} |", parameter.name, values(parameter), parameter.help)?;
+    }
+    for parameter in rows() {
+        if let Kind::Choice { choices } = parameter.kind {
+            write_choices(out, parameter.name, choices)?;
+        }
+    }
+    Ok(())
+}
+
+fn write_choices(out: &mut impl Write, key: &str, choices: &[Word]) -> io::Result<()> {
+    writeln!(out, "\n| `{key}` | what it is |\n| --- | --- |")?;
+    choices.iter().try_for_each(|word| writeln!(out, "| `{}` | {} |", word.name, word.help))
+}
+
+fn write_presets(out: &mut impl Write) -> io::Result<()> {
+    writeln!(out, "\n## Presets\n")?;
+    writeln!(
+        out,
+        "`preset=NAME` in a link sets several parameters. It is read first, wherever it stands, so that other keys"
+    )?;
+    writeln!(out, "override it. Links that Riverseed writes contain the values, not the preset's name.\n")?;
+    writeln!(out, "| preset | how it looks | what it sets |\n| --- | --- | --- |")?;
+    PRESETS
+        .iter()
+        .try_for_each(|preset| writeln!(out, "| `{}` | {} | {} |", preset.name, preset.help, settings(preset)))
+}
+
+/// What a preset sets, as link text, each value on its own so that a line can break between them.
+fn settings(preset: &Preset) -> String {
+    let settings = preset.values.iter().map(|(key, value)| format!("`{}={value}`", key.parameter().name));
+    settings.collect::<Vec<_>>().join(" ")
+}
+
+/// A parameter's range in words.
+fn values(parameter: &Parameter) -> String {
+    let unit = if parameter.unit.is_empty() { String::new() } else { format!(" {}", parameter.unit) };
+    match parameter.kind {
+        Kind::Text { longest, .. } => format!("text, at most {longest} characters"),
+        Kind::Integer { min, max, .. } if min == max => min.to_string(),
+        Kind::Integer { min, max, .. } => format!("{min} to {max}{unit}"),
+        Kind::Number { min, max, .. } => format!("{min} to {max}{unit}"),
+        Kind::Choice { choices } => choices.iter().map(|word| word.name).collect::<Vec<_>>().join(", "),
+        Kind::Sides { .. } => "some of n, e, s, w".into(),
+        Kind::Outline => format!("text, at most {LONGEST_OUTLINE} characters: see [below](#drawn-land)"),
+    }
+}

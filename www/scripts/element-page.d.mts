@@ -1,0 +1,2 @@
+import type { Parameter } from "../pkg/riverseed.js";
+export function withTables(text: string, parameters: readonly Parameter[]): string;

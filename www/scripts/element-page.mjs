@@ -1,0 +1,59 @@
+// The tables of the element's page, docs/element.md, which is also the npm package's README: from the parameter table and
+// package/element.json.
+//
+//   node scripts/element-page.mjs    writes them again; a unit test fails when they are not current
+
+import { readFileSync, writeFileSync } from "node:fs";
+import { fileURLToPath } from "node:url";
+import * as engine from "../pkg/riverseed.js";
+import { elementOf } from "./manifest.mjs";
+
+const PAGE = new URL("../../docs/element.md", import.meta.url);
+const OWN = new URL("../package/element.json", import.meta.url);
+const WASM = new URL("../pkg/riverseed_bg.wasm", import.meta.url);
+
+/** The page with its tables, each of which stands between `<!-- table: attributes -->`, or another name, and `<!-- end -->`. */
+export function withTables(text, parameters) {
+  const tables = tablesOf(elementOf(JSON.parse(readFileSync(OWN, "utf8")), parameters));
+  return text.replace(PLACE, (_, begin, name, end) => `${begin}\n${tables[name]}\n\n${end}`);
+}
+
+const PLACE = /(<!-- table: (\w+) -->\n)[\s\S]*?(<!-- end -->)/g;
+
+function tablesOf({ attributes, members, events, cssParts, cssProperties }) {
+  return {
+    attributes: table(["attribute", "values", "default", "what it does"], attributes, (one) => [
+      `\`${one.name}\``,
+      one.type.text.replaceAll('"', "").replaceAll(" | ", ", "),
+      one.default?.replaceAll('"', "") ?? "",
+      one.description,
+    ]),
+    methods: table(["method", "what it does"], members.filter(isMethod), (one) => [
+      `\`${signature(one)}\``,
+      one.description,
+    ]),
+    events: table(["event", "when"], events, (one) => [`\`${one.name}\``, one.description]),
+    parts: table(["part", "what it is"], cssParts, (one) => [`\`${one.name}\``, one.description]),
+    properties: table(["custom property", "default", "what it does"], cssProperties, (one) => [
+      `\`${one.name}\``,
+      one.default ?? "",
+      one.description,
+    ]),
+  };
+}
+
+const isMethod = ({ kind }) => kind === "method";
+
+function signature({ name, parameters = [] }) {
+  return `${name}(${parameters.map((one) => (one.optional ? `${one.name}?` : one.name)).join(", ")})`;
+}
+
+function table(head, rows, cells) {
+  const line = (words) => `| ${words.join(" | ")} |`;
+  return [line(head), line(head.map(() => "---")), ...rows.map((row) => line(cells(row)))].join("\n");
+}
+
+if (process.argv[1] === fileURLToPath(import.meta.url)) {
+  engine.initSync({ module: readFileSync(WASM) });
+  writeFileSync(PAGE, withTables(readFileSync(PAGE, "utf8"), engine.parameters()));
+}
