@@ -34,7 +34,7 @@ export function control(parameter: Parameter, change: Change): Control {
     element,
     show(text, fallback, idle) {
       element.disabled = idle !== undefined;
-      setText(help, idle ?? parameter.help);
+      setText(help, idle === undefined ? parameter.help : `No effect: ${idle}.`);
       reset.show(fallback, text !== fallback && idle === undefined);
       field.show(text);
     },

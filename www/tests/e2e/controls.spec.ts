@@ -55,7 +55,7 @@ for (const link of CONTEXTS) {
     for (const { key, label, help } of adjustable) {
       const reason = reasonIn(link, key);
       await expect(row(page, key)).toContainText(label);
-      await expect(row(page, key).locator(".help")).toHaveText(reason ?? help);
+      await expect(row(page, key).locator(".help")).toHaveText(reason === undefined ? help : `No effect: ${reason}.`);
       for (const field of await row(page, key).locator("input, select").all()) {
         if (reason === undefined) await expect(field).toBeEnabled();
         else await expect(field).toBeDisabled();
