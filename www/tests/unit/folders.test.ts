@@ -40,3 +40,8 @@ test.each(SAID.filter(({ folder }) => folder !== "style"))(
     for (const one of allowed) expect(one).toEqual(uses.map((name) => `!../${name}/*`));
   },
 );
+
+test.each(SAID)("$folder uses all that is said", ({ folder, uses }) => {
+  const sources = readdirSync(`src/${folder}`).map((name) => readFileSync(`src/${folder}/${name}`, "utf8"));
+  for (const name of uses) expect(sources.join("\n"), name).toContain(`"../${name}/`);
+});
