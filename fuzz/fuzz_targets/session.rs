@@ -6,9 +6,9 @@ use arbitrary::Arbitrary;
 use libfuzzer_sys::fuzz_target;
 use riverseed::export::{geojson, json, svg};
 use riverseed::network::Network;
+use riverseed::picture::Picture;
 use riverseed::recipe::table::TABLE;
 use riverseed::recipe::{Decimal, Key, Kind, Parameter, Recipe};
-use riverseed::picture::Picture;
 use riverseed::session::Session;
 
 /// A recipe, and what is done to it.
