@@ -5,7 +5,7 @@
 //! [network] of rivers that meander, and [painted](paint). Data flows one way:
 //!
 //! ```text
-//! recipe ─► land ─► grow ─► tree ─► prune ─► network ─► paint / export
+//! recipe ─► land ─► grow ─► prune ─► network ─► paint / export
 //! ```
 //!
 //! Each stage is a function of its part of the recipe, the stage before it and its own random stream, and is the same
@@ -24,12 +24,12 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! A [`Session`] holds a recipe with what each stage has made of it, for whoever shows it while it grows and changes it; a
-//! [`Picture`] is its pixels. Whoever has a tree from elsewhere makes rivers of it by [`network::Shaping`].
+//! A [`Session`] holds a recipe with what each stage has made of it, for programs that show growth step by step or
+//! change the recipe; a [`Picture`] is its pixels. To make rivers of a tree of your own, use [`network::Shaping`].
 //!
 //! # Features
 //!
-//! - `files` (default): SVG, GeoJSON and JSON as plain data, tracing of pictures, digests.
+//! - `files` (default): SVG as text, GeoJSON and JSON as plain data, tracing of images, digests.
 //! - `json`: JSON and GeoJSON as text, and recipes in JSON.
 //! - `png`: PNG, written and read.
 //! - `cli`: the program `riverseed`, with all of these.

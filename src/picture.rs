@@ -9,9 +9,9 @@ use crate::land::Land;
 use crate::paint::{PaintError, Painter, Progress, Rect, Rivers};
 use crate::prune::Trim;
 use crate::recipe::Key;
-use crate::session::Session;
+use crate::session::{Generation, Session};
 
-/// The picture of one session.
+/// The picture of a session.
 ///
 /// ```
 /// use riverseed::{Picture, Session};
@@ -29,7 +29,7 @@ use crate::session::Session;
 pub struct Picture {
     painter: Painter,
     /// What it shows: a session's generation, its domain and its land; `None` before it is painted.
-    shown: Option<(u64, Domain, Option<Arc<Land>>)>,
+    shown: Option<(Generation, Domain, Option<Arc<Land>>)>,
 }
 
 impl Picture {
@@ -141,5 +141,11 @@ mod tests {
         session.restart().unwrap();
         picture.paint(&session);
         assert!(picture.pixmap().data() == painted(&session), "restarted");
+        let other = finished(&format!("{SMALL}&seed=rimu&land=rectangle"));
+        let mut picture = Picture::new(100, 80).unwrap();
+        for session in [finished(&format!("{SMALL}&land=rectangle")), other] {
+            picture.paint(&session);
+            assert!(picture.pixmap().data() == painted(&session), "another session");
+        }
     }
 }

@@ -1,6 +1,7 @@
 //! A session: one recipe at a time, each stage's result kept, and after a change only what it touches run again.
 
 use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 use thiserror::Error;
 
@@ -44,8 +45,7 @@ pub struct Session {
     growth: Growth,
     /// Once growth has ended.
     shaping: Option<Shaping>,
-    /// How often what there is has been given up for something else.
-    generation: u64,
+    generation: Generation,
 }
 
 /// What the next step of a session does.
@@ -102,7 +102,7 @@ impl Session {
     pub fn new(recipe: Recipe) -> Result<Self, SessionError> {
         let land = Land::of(&recipe);
         let growth = plant(&recipe, &land)?;
-        Ok(Self { recipe, land, growth, shaping: None, generation: 0 })
+        Ok(Self { recipe, land, growth, shaping: None, generation: Generation::next() })
     }
 
     /// The recipe.
@@ -139,7 +139,9 @@ impl Session {
             let parameters = self.network_settings();
             self.shaping.iter_mut().for_each(|shaping| shaping.change(parameters.clone()));
         }
-        self.generation += u64::from(stage.is_some());
+        if stage.is_some() {
+            self.generation = Generation::next();
+        }
         Ok(stage)
     }
 
@@ -150,13 +152,13 @@ impl Session {
     pub fn restart(&mut self) -> Result<(), SessionError> {
         self.growth = plant(&self.recipe, &self.land)?;
         self.shaping = None;
-        self.generation += 1;
+        self.generation = Generation::next();
         Ok(())
     }
 
-    /// How often what there is has been given up for something else, by [`Session::change`] and [`Session::restart`]: while
-    /// this stays the same a session only goes on.
-    pub(crate) fn generation(&self) -> u64 {
+    /// Another one whenever results are discarded, by [`Session::change`] and [`Session::restart`]: while it stays the same the
+    /// session only advances.
+    pub(crate) fn generation(&self) -> Generation {
         self.generation
     }
 
@@ -174,7 +176,7 @@ impl Session {
                 return Ok(false);
             }
         }
-        Ok(true)
+        Ok(!self.is_finished())
     }
 
     /// Goes on to the end, and returns the finished rivers.
@@ -182,10 +184,10 @@ impl Session {
     /// # Errors
     /// As [`Session::advance`].
     pub fn finish(&mut self) -> Result<&Network, SessionError> {
-        static NONE_AT_ALL: Network = Network { vertices: Vec::new(), rivers: Vec::new(), oxbows: Vec::new() };
+        static EMPTY: Network = Network { vertices: Vec::new(), rivers: Vec::new(), oxbows: Vec::new() };
         while self.advance(u32::MAX)? {}
         // What is finished has a network, if an empty one.
-        Ok(self.network().unwrap_or(&NONE_AT_ALL))
+        Ok(self.network().unwrap_or(&EMPTY))
     }
 
     fn step(&mut self) -> Result<bool, SessionError> {
@@ -198,7 +200,9 @@ impl Session {
         }
         match &mut self.shaping {
             None => self.shaping = Some(self.shape()?),
-            Some(shaping) => drop(shaping.step()),
+            Some(shaping) => {
+                shaping.step();
+            }
         }
         Ok(!self.is_finished())
     }
@@ -300,6 +304,17 @@ impl Session {
             oxbows: oxbows.len() as u32,
             ..so_far
         }
+    }
+}
+
+/// What a session has made since it was planted, or since it was last changed: no two are the same, whosever they are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Generation(u64);
+
+impl Generation {
+    fn next() -> Self {
+        static COUNT: AtomicU64 = AtomicU64::new(0);
+        Self(COUNT.fetch_add(1, Ordering::Relaxed))
     }
 }
 

@@ -38,7 +38,7 @@ pub enum ExportError {
 fn rivers(session: &Session, bytes_a_vertex: usize) -> Result<&Network, ExportError> {
     let network = session.network().ok_or(ExportError::Unfinished)?;
     let vertices = network.vertices.len() + network.oxbows.iter().map(|oxbow| oxbow.vertices.len()).sum::<usize>();
-    let bytes = vertices * bytes_a_vertex;
+    let bytes = vertices.saturating_mul(bytes_a_vertex);
     if !memory::can_allocate(bytes) {
         return Err(ExportError::OutOfMemory { megabytes: (bytes / 1_000_000) as u32 + 1 });
     }

@@ -143,7 +143,7 @@ fn watered<'a>(land: Option<&'a Land>, basins: &'a [u32]) -> impl Iterator<Item 
 }
 
 /// Shares mouths out among regions by their size, as parliaments share out seats (Webster and Sainte-Laguë): a second
-/// mouth only goes where there is thrice the land of a region without one. But first each region with a fair share of
+/// mouth only goes where there is three times the land of a region without one. But first each region with a fair share of
 /// the land has one, even if there are then more than asked for: no island lies bare beside full ones. Only regions with a
 /// coast have any.
 fn share_out(regions: &[Region], mouths: u32) -> Vec<u32> {

@@ -70,8 +70,8 @@ impl Shape {
         let ridge = |(number, first): (u32, f32)| {
             let start = aside * (first + 0.2 * place.unit([4, number, 0]));
             let point = |i| (start + inland * (i as f32 / 64.0)) * across;
-            let mobility = |at: Vec2| wobble.get_noise_2d(at.x, at.y) * (0.2 + 0.6 * self.rough) * self.span() * 0.2;
-            (0..=64).map(|i| point(i) + aside * mobility(point(i))).collect()
+            let offset = |at: Vec2| wobble.get_noise_2d(at.x, at.y) * (0.2 + 0.6 * self.rough) * self.span() * 0.2;
+            (0..=64).map(|i| point(i) + aside * offset(point(i))).collect()
         };
         [(0, 0.17), (1, 0.63)].map(ridge).into()
     }

@@ -1,10 +1,10 @@
 //! Land: where rivers may run.
 //!
 //! A [`CoastDistance`] says of every point of the domain how far inland it lies; a [`Land`] is the field of cells made of it,
-//! each Available (land), Unavailable (water) or Illegal (a ridge that no river may cross), as in seed document 2.
+//! each land, water or a ridge that no river may cross, as in Demiurge, part 2.
 //!
 //! A drawn land comes from an [`Outline`](crate::recipe::Outline), which hand-drawn lines
-//! ([`from_polylines`](crate::recipe::Outline::from_polylines)) or a picture (`trace`, of the feature `tools`) are turned into.
+//! ([`from_polylines`](crate::recipe::Outline::from_polylines)) or a picture (`trace`, of the feature `files`) are turned into.
 //!
 //! Growth asks the field, painting smoothed coast distances ([`SmoothedDistance`]): so the coast is smooth at any size, and rivers
 //! end at it.

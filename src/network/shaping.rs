@@ -14,7 +14,7 @@ use crate::tree::Tree;
 #[non_exhaustive]
 pub enum ShapeError {
     /// The memory was not to be had.
-    #[error("attractors: rivers of {nodes} nodes need about {megabytes} MB, and the allocation failed")]
+    #[error("the rivers of {nodes} nodes need about {megabytes} MB, and the allocation failed")]
     OutOfMemory {
         /// How many nodes the tree has.
         nodes: u32,
@@ -141,7 +141,7 @@ impl Shaping {
 /// # Errors
 /// If it is not to be had.
 pub(crate) fn ask_for_memory(nodes: usize, bytes_a_node: usize) -> Result<(), ShapeError> {
-    let bytes = nodes * bytes_a_node;
+    let bytes = nodes.saturating_mul(bytes_a_node);
     if memory::can_allocate(bytes) {
         return Ok(());
     }

@@ -33,6 +33,7 @@ macro_rules! choices {
     )+) => {$(
         $(#[$attribute])*
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        #[non_exhaustive]
         pub enum $Choice {
             $($(#[doc = $help])+ $Value,)+
         }
@@ -110,7 +111,7 @@ choices! {
         Skeleton = "skeleton", "skeleton";
         /// A coloured map: green lowland, blue rivers and sea.
         Map = "map", "map";
-        /// The same as ink for pages with a dark scheme: light rivers on paper like the night.
+        /// Light ink on dark paper, for dark pages.
         Dark = "dark", "dark";
     }
 }

@@ -93,7 +93,7 @@ impl Recipe {
 
     fn no_choice_of_direction(&self) -> Reason {
         match self.get() {
-            _ if self.is_zero(Key::MeanderStrength) => Some(STILL),
+            _ if self.is_zero(Key::MeanderStrength) => Some("bends do not move"),
             MeanderModel::Flow => Some("only bends that grow outward use it"),
             MeanderModel::Bend | MeanderModel::None => None,
         }
@@ -212,7 +212,7 @@ mod tests {
         ),
         ("great=0", &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, ("flat", "there are no great rivers")]),
         ("gentle=0", RECTANGULAR),
-        ("meander-strength=0", &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, ("meander-mix", STILL)]),
+        ("meander-strength=0", &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, ("meander-mix", "bends do not move")]),
         (
             "meander=flow",
             &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, ("meander-mix", "only bends that grow outward use it")],

@@ -111,7 +111,7 @@ fn change_that_fails_leaves_everything_as_before() {
         assert_same(&session, &before);
         assert_eq!(session.generation(), generation, "there is something to paint");
         assert!(session.change(change).is_ok_and(|stage| stage.is_some()));
-        assert!(session.generation() > generation);
+        assert!(session.generation() != generation);
     }
 }
 

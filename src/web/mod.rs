@@ -84,7 +84,7 @@ export interface Summary {
   readonly rounds: number;
   /** Oxbow lakes that they have left. */
   readonly oxbows: number;
-  /** Whether total_discharge is done, meandering too. */
+  /** Whether everything is done, meandering included. */
   readonly finished: boolean;
   /** Why growth ended early; null if it did not. */
   readonly stopped: string | null;

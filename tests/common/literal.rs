@@ -1,4 +1,4 @@
-//! The Brownian tree of seed document 2 read literally: after every move, every cell of the disc is looked at. Written
+//! The Brownian tree of Demiurge, part 2, read literally: after every move, every cell of the disc is looked at. Written
 //! again from the description, with its own lines and its own rule for strands that would touch; shared with the crate are
 //! the field and the random stream.
 

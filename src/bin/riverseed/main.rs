@@ -252,7 +252,7 @@ fn write_network(output: Output, recipe: Recipe, form: Form, with_attractors: bo
         match form {
             Form::Svg => out.write_all(export::svg::svg(&session).map_err(io::Error::other)?.as_bytes())?,
             Form::GeoJson => export::geojson::write(&mut *out, &session)?,
-            _ => export::json::write(&mut *out, &session, with_attractors)?,
+            Form::Png | Form::Json => export::json::write(&mut *out, &session, with_attractors)?,
         }
         Ok(writeln!(out)?)
     })?;

@@ -6,7 +6,7 @@ use crate::grow::Settings;
 use crate::land::{CELL_SIZE, Cell, Land};
 use crate::recipe::Sides;
 
-/// Cells of land, water and ridges: seed document 2's field of availability. What lies beyond it is none of them, and
+/// Cells of land, water and ridges: the field of availability of Demiurge, part 2. What lies beyond it is none of them, and
 /// no particle may go there.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Field {

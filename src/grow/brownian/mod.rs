@@ -1,4 +1,4 @@
-//! The Brownian tree of seed document 2 (Demiurge, part 2) as a stepper.
+//! The Brownian tree of *Demiurge: Generating River Networks, Part 2* as a stepper.
 //!
 //! A pass has a step. The field is laid out in squares of the step's side; in each a particle is born at a random place, and
 //! particles wander in random order, in moves of up to a tenth of a step, until water is nearer than half a step. Then

@@ -96,7 +96,7 @@ impl Meander {
         self.settings.model == MeanderModel::None || self.round >= self.settings.rounds
     }
 
-    /// How freely each vertex moves in this round. Rivers that meander but gently do so in every third round, thrice as
+    /// How freely each vertex moves in this round. Rivers that meander but gently do so in every third round, three times as
     /// far: nobody sees it, and a round takes half the time.
     pub fn step_scale(&self) -> Vec<f32> {
         const SELDOM: u32 = 3;
@@ -324,7 +324,7 @@ mod tests {
     }
 
     #[test]
-    fn gentle_rivers_take_turns_and_move_thrice_as_far() {
+    fn gentle_rivers_take_turns_and_move_three_times_as_far() {
         let line = straight((20.0, 500.0), (80.0, 500.0), 60);
         let mut network = river(&line, 4.0);
         for arm in 0..5 {
@@ -348,7 +348,7 @@ mod tests {
             let resting = paces.iter().filter(|step_scale| **step_scale == 0.0).count();
             if gentle(river) {
                 assert_eq!(resting, 2, "river {river} moves in one round of three: {paces:?}");
-                assert!((paces.iter().sum::<f32>() - 3.0 * 0.3).abs() < 1e-6, "thrice as far: {paces:?}");
+                assert!((paces.iter().sum::<f32>() - 3.0 * 0.3).abs() < 1e-6, "three times as far: {paces:?}");
             } else {
                 assert_eq!(paces[..], [1.0; 3], "a great river moves in each round");
             }
