@@ -70,7 +70,7 @@ test("an idle control keeps its value and has it again", async ({ page }) => {
   const sea = page.getByRole("slider", { name: "Sea", exact: true });
   await expect(sea).toBeEnabled();
   await land.selectOption("rectangle");
-  await expect(row(page, "sea")).toContainText("it has no coast");
+  await expect(row(page, "sea")).toContainText("No effect: the whole rectangle is land, so there is no coast.");
   await expect(row(page, "sea").locator(".exact")).toHaveValue("0.3");
   await expect(row(page, "sea").getByRole("button")).toHaveCount(0);
   await expect(sea).toHaveCount(0);
