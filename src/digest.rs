@@ -32,7 +32,7 @@ pub enum DigestError {
 /// text of its SVG and all that its GeoJSON and its JSON hold, as 16 hexadecimal digits.
 ///
 /// # Errors
-/// If the memory is not to be had.
+/// If there is not enough memory.
 pub fn digest(recipe: &Recipe) -> Result<String, DigestError> {
     let mut session = Session::new(recipe.clone())?;
     while session.advance(u32::MAX)? {}

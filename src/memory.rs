@@ -2,11 +2,11 @@
 //!
 //! A test of this crate says how large a list may become, and so sees each refusal: `testing::with_lists_up_to`.
 
-/// The memory was not to be had.
+/// There was not enough memory.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Refused;
 
-/// Whether so many bytes are to be had. They are given back at once: what asks for them next finds them there.
+/// Whether so many bytes can be allocated. They are freed at once, for the next allocation.
 pub(crate) fn can_allocate(bytes: usize) -> bool {
     is_allowed(bytes) && Vec::<u8>::new().try_reserve_exact(bytes).is_ok()
 }

@@ -36,7 +36,7 @@ impl Picture {
     /// An empty picture, with sides in pixels.
     ///
     /// # Errors
-    /// If a side is out of range, or the memory is not to be had.
+    /// If a side is out of range, or there is not enough memory.
     pub fn new(width: u32, height: u32) -> Result<Self, PaintError> {
         Ok(Self { painter: Painter::new(&Domain::with_aspect(1.0), width, height)?, shown: None })
     }

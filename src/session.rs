@@ -98,7 +98,7 @@ impl Session {
     /// Shapes the land of a recipe and plants its tree.
     ///
     /// # Errors
-    /// If the memory is not to be had.
+    /// If there is not enough memory.
     pub fn new(recipe: Recipe) -> Result<Self, SessionError> {
         let land = Land::of(&recipe);
         let growth = plant(&recipe, &land)?;
@@ -148,7 +148,7 @@ impl Session {
     /// Goes back to tick 0.
     ///
     /// # Errors
-    /// If the memory is not to be had; everything is then as before.
+    /// If there is not enough memory; everything is then as before.
     pub fn restart(&mut self) -> Result<(), SessionError> {
         self.growth = plant(&self.recipe, &self.land)?;
         self.shaping = None;
@@ -167,7 +167,7 @@ impl Session {
     /// [`crate::work`] counts them, and 250 for each attractor or cell of a Brownian tree.
     ///
     /// # Errors
-    /// If the memory for the rest of the tree, or for its rivers, is not to be had. What is there then is no picture of the
+    /// If there is not enough memory for the rest of the tree, or for its rivers. What is there then is no picture of the
     /// recipe, and there are no rivers to export. A further call meets the same error, or goes on if there is memory by
     /// then; a tree that is not whole only grows anew, after [`Session::restart`] or [`Session::change`].
     pub fn advance(&mut self, steps: u32) -> Result<bool, SessionError> {

@@ -19,7 +19,7 @@ use crate::session::Session;
 /// A session's rivers as they are: a feature collection, ready to be written.
 ///
 /// # Errors
-/// If there are no rivers yet, or the memory is not to be had.
+/// If there are no rivers yet, or there is not enough memory.
 pub fn collection(session: &Session) -> Result<Value<'_>, ExportError> {
     const BYTES_A_VERTEX: usize = 16;
     let network = rivers(session, BYTES_A_VERTEX)?;
@@ -49,7 +49,7 @@ pub fn collection(session: &Session) -> Result<Value<'_>, ExportError> {
 /// Writes the rivers of a session.
 ///
 /// # Errors
-/// If there are no rivers yet, or the memory is not to be had; and those of the writer.
+/// If there are no rivers yet, or there is not enough memory; and those of the writer.
 #[cfg(feature = "json")]
 pub fn write(out: impl std::io::Write, session: &Session) -> std::io::Result<()> {
     let collection = collection(session).map_err(std::io::Error::other)?;

@@ -15,7 +15,7 @@ use crate::tree::NO_PARENT;
 /// The network of a session as it is, ready to be written, with its attractors if asked for.
 ///
 /// # Errors
-/// If there are no rivers yet, or the memory is not to be had.
+/// If there are no rivers yet, or there is not enough memory.
 pub fn network(session: &Session, with_attractors: bool) -> Result<Value<'_>, ExportError> {
     /// Of the nodes' columns, about two nodes a vertex.
     const BYTES_A_VERTEX: usize = 64;
@@ -39,7 +39,7 @@ pub fn network(session: &Session, with_attractors: bool) -> Result<Value<'_>, Ex
 /// Writes the network of a session, with its attractors if asked for.
 ///
 /// # Errors
-/// If there are no rivers yet, or the memory is not to be had; and those of the writer.
+/// If there are no rivers yet, or there is not enough memory; and those of the writer.
 #[cfg(feature = "json")]
 pub fn write(out: impl std::io::Write, session: &Session, with_attractors: bool) -> std::io::Result<()> {
     let network = network(session, with_attractors).map_err(std::io::Error::other)?;

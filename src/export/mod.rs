@@ -26,7 +26,7 @@ pub enum ExportError {
     /// There are no rivers yet.
     #[error("the rivers are still growing")]
     Unfinished,
-    /// The memory was not to be had.
+    /// There was not enough memory.
     #[error("the file needs about {megabytes} MB, and the allocation failed")]
     OutOfMemory {
         /// About how much is needed.

@@ -26,7 +26,7 @@ pub enum Ending {
     Complete,
     /// The tree reached its limit of nodes.
     NodeLimit,
-    /// The memory for more nodes was not to be had.
+    /// There was not enough memory for more nodes.
     OutOfMemory,
 }
 
@@ -79,7 +79,7 @@ impl Colonize {
     /// Plants the mouths of a recipe among its attractors: tick 0.
     ///
     /// # Errors
-    /// If the memory is not to be had.
+    /// If there is not enough memory.
     pub fn new(settings: Settings) -> Result<Self, GrowError> {
         if !memory::can_allocate(settings.attractors as usize * BYTES_AN_ATTRACTOR) {
             return Err(GrowError::out_of_memory(&settings));

@@ -23,7 +23,7 @@ impl Growth {
     /// Begins growth: tick 0.
     ///
     /// # Errors
-    /// If the memory is not to be had.
+    /// If there is not enough memory.
     pub fn new(settings: Settings) -> Result<Self, GrowError> {
         let grower = match settings.method {
             GrowthMethod::Colonize => Grower::Colonize(Colonize::new(settings.clone())?),
@@ -66,7 +66,7 @@ impl Growth {
         }
     }
 
-    /// Why growth stopped before its end: the memory for more nodes was not to be had.
+    /// Why growth stopped before its end: there was not enough memory for more nodes.
     pub fn failure(&self) -> Option<GrowError> {
         (self.ending() == Some(Ending::OutOfMemory)).then(|| match &self.grower {
             Grower::Colonize(_) => GrowError::out_of_memory(&self.settings),

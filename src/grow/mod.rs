@@ -38,7 +38,7 @@ use thiserror::Error;
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum GrowError {
-    /// The memory was not to be had.
+    /// There was not enough memory.
     #[error("attractors: {attractors} of them need about {megabytes} MB, and the allocation failed")]
     OutOfMemory {
         /// How many were asked for.
@@ -46,7 +46,7 @@ pub enum GrowError {
         /// About how much they need.
         megabytes: u32,
     },
-    /// The memory for a Brownian tree was not to be had.
+    /// There was not enough memory for a Brownian tree.
     #[error("growth: a Brownian tree needs about {megabytes} MB, and the allocation failed")]
     NoRoomForField {
         /// About how much it needs.

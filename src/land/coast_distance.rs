@@ -88,7 +88,7 @@ impl CoastDistance {
         }
     }
 
-    /// Corners of land, or of water, that hang together.
+    /// Connected corners of land, or of water.
     fn regions(&self, kind: Cell) -> Vec<Region> {
         let cell = |&height: &f32| if height > 0.0 { Cell::Land } else { Cell::Water };
         regions(&self.heights.iter().map(cell).collect::<Vec<_>>(), kind, self.columns)

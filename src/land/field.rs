@@ -34,7 +34,7 @@ pub struct Land {
 /// What lies between attractors and nodes that they do not pull.
 #[derive(Clone, Debug, PartialEq)]
 enum Hides {
-    /// Nothing, on land that hangs together and has no ridges.
+    /// Nothing, on connected land without ridges.
     Nothing,
     /// Ridges.
     Ridges(Obstacles),
@@ -88,7 +88,7 @@ impl Land {
         &self.coast_distance
     }
 
-    /// Land that hangs together, the largest first.
+    /// Connected components of land, the largest first.
     pub fn regions(&self) -> &[Region] {
         &self.regions
     }

@@ -1,4 +1,4 @@
-//! Regions: land that hangs together, or water. No river leads from one region of land to another, so each needs a
+//! Regions: connected components of land, or of water. No river leads from one region of land to another, so each needs a
 //! mouth of its own.
 
 use glam::Vec2;
@@ -28,7 +28,7 @@ pub struct Shore {
     pub inland: Vec2,
 }
 
-/// Cells that hang together by their sides.
+/// Cells that are connected by their sides.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Region {
     /// The cells, row by row.
@@ -158,7 +158,7 @@ fn gather(runs: &[Run], joined: &mut UnionFind) -> Vec<Region> {
     largest_first.into_iter().map(|i| std::mem::take(&mut regions[i])).collect()
 }
 
-/// Runs that hang together: each knows an earlier one, the first of all knows itself (Tarjan 1975).
+/// Connected runs, by union-find: each knows an earlier one, the first of all knows itself (Tarjan 1975).
 struct UnionFind(Vec<u32>);
 
 impl UnionFind {

@@ -1,4 +1,4 @@
-//! Rivers and lakes as whoever draws them wants them: the middle line between the banks, and how far those are from it.
+//! The centerlines of rivers and lakes, for painting and files: the line midway between the banks, and how far those are from it.
 
 use glam::Vec2;
 

@@ -13,7 +13,7 @@ use crate::tree::Tree;
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum ShapeError {
-    /// The memory was not to be had.
+    /// There was not enough memory.
     #[error("the rivers of {nodes} nodes need about {megabytes} MB, and the allocation failed")]
     OutOfMemory {
         /// How many nodes the tree has.
@@ -52,7 +52,7 @@ impl Shaping {
     /// whether its steps may cross each other.
     ///
     /// # Errors
-    /// If the memory for its rivers is not to be had.
+    /// If there is not enough memory for its rivers.
     pub fn new(tree: &Tree, may_cross: bool, settings: Settings) -> Result<Self, ShapeError> {
         /// By trials with less and less memory, rivers of 300,000 attractors take 200 to 235 at most.
         const BYTES_A_NODE: usize = 256;
@@ -139,7 +139,7 @@ impl Shaping {
 /// Asks for memory for so many nodes.
 ///
 /// # Errors
-/// If it is not to be had.
+/// If there is not enough.
 pub(crate) fn ask_for_memory(nodes: usize, bytes_a_node: usize) -> Result<(), ShapeError> {
     let bytes = nodes.saturating_mul(bytes_a_node);
     if memory::can_allocate(bytes) {

@@ -77,7 +77,7 @@ impl Painter {
     /// An empty picture.
     ///
     /// # Errors
-    /// If a side is 0 or too long, or the memory is not to be had.
+    /// If a side is 0 or too long, or there is not enough memory.
     pub fn new(domain: &Domain, width: u32, height: u32) -> Result<Self, PaintError> {
         /// Of picture, ground, mask, and the copy that is thinned.
         const BYTES_A_PIXEL: usize = 10;

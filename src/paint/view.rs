@@ -20,7 +20,7 @@ pub enum PaintError {
         /// Height asked for.
         height: u32,
     },
-    /// The memory was not to be had.
+    /// There was not enough memory.
     #[error("size: {width} x {height} pixels need about {megabytes} MB, and the allocation failed")]
     OutOfMemory {
         /// Width asked for.

@@ -200,8 +200,8 @@ impl River {
     }
 
     /// Goes on by so many steps at most: ticks of growth, then a few that make rivers of the tree, then rounds of
-    /// meandering. Returns whether there is more to do. Throws an Error with the code `no-memory` if that is not
-    /// to be had: what is there then is no picture of the recipe.
+    /// meandering. Returns whether there is more to do. Throws an Error with the code `no-memory` if there is not
+    /// enough: what is there then is no picture of the recipe.
     pub fn advance(&mut self, steps: u32) -> Result<bool, JsValue> {
         self.session.advance(steps).map_err(|error| coded("no-memory", &error.to_string()))
     }

@@ -22,7 +22,7 @@ use crate::session::Session;
 /// The map of a session's rivers as they are: the text of an SVG file.
 ///
 /// # Errors
-/// If there are no rivers yet, or the memory is not to be had.
+/// If there are no rivers yet, or there is not enough memory.
 pub fn svg(session: &Session) -> Result<String, ExportError> {
     /// Two banks of about a dozen characters a point, in a text that grows by doubling.
     const BYTES_A_VERTEX: usize = 80;

@@ -86,7 +86,7 @@ impl Brownian {
     /// Begins growth on a field, with passes down to a step of so many cells (at least 4).
     ///
     /// # Errors
-    /// If the memory is not to be had.
+    /// If there is not enough memory.
     pub fn new(field: Field, seed: Seed, sensitivity: f32) -> Result<Self, GrowError> {
         Self::with_order(field, seed, sensitivity, Order::Shuffled)
     }
@@ -94,7 +94,7 @@ impl Brownian {
     /// The same with particles taken in another order, which no recipe can ask for.
     ///
     /// # Errors
-    /// If the memory is not to be had.
+    /// If there is not enough memory.
     pub fn with_order(field: Field, seed: Seed, sensitivity: f32, order: Order) -> Result<Self, GrowError> {
         let first = field.columns().min(field.rows()) as f32;
         let sensitivity = sensitivity.max(SHORTEST_STEP).min(first.max(SHORTEST_STEP));
@@ -163,7 +163,7 @@ impl Brownian {
         }
     }
 
-    /// The error for a tree that the memory was not to be had for.
+    /// The error for a tree that there was not enough memory for.
     pub(super) fn out_of_memory(&self) -> GrowError {
         GrowError::no_room_for(self.strands.water.field.cells().len())
     }

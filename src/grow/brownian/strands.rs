@@ -4,7 +4,7 @@
 //! or a corner, one is the other's parent or grandparent, or both have the same parent; and of the sea a strand touches nothing
 //! but its mouth and what touches that. Attachment to the nearest water sees to this nearly always, as nothing lies nearer to
 //! the line than where it begins; where rounding to cells would break it, the line ends; and beside a river no other one
-//! reaches the sea. It follows that rivers never cut off land: all water around a new cell hangs together around it, so the
+//! reaches the sea. It follows that rivers never cut off land: all water around a new cell is connected, so the
 //! land there does too.
 
 use glam::{IVec2, Vec2};

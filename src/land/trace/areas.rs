@@ -9,7 +9,7 @@ const OF_THE_PICTURE: usize = 32;
 /// Or than so many blocks, in small pictures.
 const WIDEST_LINE: usize = 6;
 
-/// Takes all that hangs together with a wide place out of the ridges. Returns the lines around it, closed: their last
+/// Takes all that is connected with a wide place out of the ridges. Returns the lines around it, closed: their last
 /// point is their first.
 pub(super) fn take_out(ground: &Ground, ridges: &mut [u8]) -> Vec<Vec<Vec2>> {
     let widest = (ground.columns.max(ground.rows) / OF_THE_PICTURE).max(WIDEST_LINE);
