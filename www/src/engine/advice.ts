@@ -21,50 +21,50 @@ const ADVICE: Record<Code, Advice> = {
   "wasm-fetch": {
     title: "The river engine did not arrive",
     text:
-      "Its file could not be downloaded whole. Check the connection and load the page again. Whoever runs this site: the " +
-      ".wasm file must lie beside the scripts, on a web server, and for pages of another origin that server must send " +
+      "Its file could not be downloaded completely. Check the connection and reload the page. For the site’s owner: the " +
+      ".wasm file must be on a web server, beside the scripts, and for pages of another origin that server must send " +
       "Access-Control-Allow-Origin.",
     reload: true,
   },
   "wasm-mime": {
     title: "The server sent something else",
     text:
-      "In place of the river engine came a file that is not WebAssembly, most often the server’s own error page. " +
-      "Whoever runs this site should upload the .wasm file and serve it as “application/wasm”.",
+      "The server sent a file that is not WebAssembly, most often its own error page. For the site’s owner: upload the " +
+      ".wasm file and serve it as “application/wasm”.",
     reload: true,
   },
   "wasm-csp": {
     title: "This site’s policy forbids WebAssembly",
     text:
-      "The Content-Security-Policy stopped the river engine. Whoever runs this site should add " +
-      "'wasm-unsafe-eval' to its script-src.",
+      "The Content-Security-Policy blocked the river engine. For the site’s owner: add 'wasm-unsafe-eval' to the " +
+      "policy’s script-src.",
     reload: false,
   },
   "wasm-timeout": {
     title: "The river engine did not answer",
     text:
-      "Nothing more of it came for too long, so it was given up. Check the connection and load the page again. Whoever runs " +
-      "this site: see whether the server sends the scripts and the .wasm file whole.",
+      "It took too long to load, or stopped responding. Check the connection and reload the page. For the site’s owner: " +
+      "check that the server sends the scripts and the .wasm file completely.",
     reload: true,
   },
   "no-tools": {
     title: "A part of Riverseed did not arrive",
-    text: "What makes files and traces pictures could not be downloaded. Check the connection and try again.",
+    text: "The part that makes files and traces images could not be downloaded. Check the connection and try again.",
     reload: true,
   },
   "bad-params": {
     title: "This recipe could not be read",
-    text: "A value in it is not one that the river engine knows. Start from a fresh river, then change one thing at a time.",
+    text: "The river engine does not know one of its values. Start from a new river, then change one thing at a time.",
     reload: false,
   },
   "too-large": {
     title: "This river is too large to draw here",
-    text: "It asks for more memory than the page may take. Use fewer attractors, or a smaller window.",
+    text: "It needs more memory than the page may use. Use fewer attractors, or a smaller window.",
     reload: false,
   },
   "no-memory": {
-    title: "The memory ran out before the rivers were done",
-    text: "The browser gave the page no more of it. Use fewer attractors, or close other pages and load this one again.",
+    title: "Not enough memory to finish the rivers",
+    text: "The browser gave the page no more memory. Use fewer attractors, or close other pages and reload this one.",
     reload: true,
   },
   "no-land": {

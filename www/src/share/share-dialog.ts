@@ -132,7 +132,7 @@ export class ShareDialog {
 /** A widget does not grow all that the page does, and then its rivers are others. */
 function promiseFor(values: ReadonlyMap<string, string>): string {
   const beyond = beyondCaps(values).map(({ message }) => message);
-  if (beyond.length === 0) return "Whoever opens one of these sees the same rivers, to the bit.";
+  if (beyond.length === 0) return "Everyone who opens one of these sees the same rivers, to the bit.";
   return `As an element or an iframe these will be other rivers: ${beyond.join("; ")}.`;
 }
 
