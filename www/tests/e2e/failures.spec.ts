@@ -20,7 +20,7 @@ test("the engine's file is missing", async ({ page }) => {
 test("the connection breaks", async ({ page }) => {
   await page.route("**/*.wasm", (route) => route.abort());
   await page.goto("./");
-  await expectFailure(page, "wasm-fetch", /load the page again/);
+  await expectFailure(page, "wasm-fetch", /reload the page/);
   await page.unroute("**/*.wasm");
   await page.getByRole("button", { name: "Load again" }).click();
   await finished(page);
@@ -33,7 +33,7 @@ test("the engine's file is cut short", async ({ page }) => {
     await route.fulfill({ contentType: "application/wasm", body });
   });
   await page.goto("./");
-  await expectFailure(page, "wasm-fetch", /downloaded whole/);
+  await expectFailure(page, "wasm-fetch", /downloaded completely/);
 });
 
 test("a server that answers with a page of its own", async ({ page }) => {
