@@ -30,6 +30,8 @@ pub struct Picture {
     painter: Painter,
     /// What it shows: a session's generation, its domain and its land; `None` before it is painted.
     shown: Option<(Generation, Domain, Option<Arc<Land>>)>,
+    /// Which of the trees that a session's growth goes through.
+    tree: u32,
 }
 
 impl Picture {
@@ -38,7 +40,7 @@ impl Picture {
     /// # Errors
     /// If a side is out of range, or there is not enough memory.
     pub fn new(width: u32, height: u32) -> Result<Self, PaintError> {
-        Ok(Self { painter: Painter::new(&Domain::with_aspect(1.0), width, height)?, shown: None })
+        Ok(Self { painter: Painter::new(&Domain::with_aspect(1.0), width, height)?, shown: None, tree: 0 })
     }
 
     /// Brings the picture up to date with its session, whatever has become of that. Where their aspects differ, the map's edges
@@ -69,10 +71,11 @@ impl Picture {
         if !is_on_same_land {
             self.painter.invalidate_ground(&now.1);
         }
-        if !is_same {
+        let tree = session.growth().trees();
+        if !is_same || self.tree != tree {
             self.painter.reset();
         }
-        self.shown = Some(now);
+        (self.shown, self.tree) = (Some(now), tree);
     }
 
     /// The picture: RGBA, opaque.

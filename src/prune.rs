@@ -18,6 +18,8 @@ pub struct Trim {
     pub nodes: u32,
     /// Whether basins are side branches of the sea.
     pub treats_sea_as_fork: bool,
+    /// The discharge with which a river begins: what drains less is hillside, and no part of the tree that is trimmed.
+    pub channel_area: u32,
 }
 
 impl Trim {
@@ -25,10 +27,13 @@ impl Trim {
     pub fn of(recipe: &Recipe) -> Self {
         let nodes = recipe.integer(Key::Trim);
         match recipe.get() {
-            GrowthMethod::Colonize => Self { nodes, treats_sea_as_fork: false },
+            GrowthMethod::Colonize => Self { nodes, ..Self::default() },
             // A node of space colonization is a step, 4.9 units with 6,000 attractors on a rectangle; of a Brownian tree,
             // 1.1 units on average.
-            GrowthMethod::Brownian => Self { nodes: nodes * 9 / 2, treats_sea_as_fork: true },
+            GrowthMethod::Brownian => Self { nodes: nodes * 9 / 2, treats_sea_as_fork: true, ..Self::default() },
+            GrowthMethod::Drainage => {
+                Self { nodes, treats_sea_as_fork: true, channel_area: recipe.integer(Key::ChannelArea) }
+            }
         }
     }
 }
@@ -47,7 +52,8 @@ pub struct Pruned {
 
 /// Trims a tree; a threshold of 0 leaves it as it is.
 pub fn trim(tree: &Tree, hydrology: &Hydrology, trim: Trim) -> Pruned {
-    let stays = stays(tree, &hydrology.depth, trim);
+    let depth = channel_depth(tree, &hydrology.discharge, trim.channel_area);
+    let stays = stays(tree, &depth, &hydrology.discharge, trim);
     let origin: Vec<u32> = (0u32..).zip(&stays).filter(|(_, stays)| **stays).map(|(node, _)| node).collect();
     let discharge: Vec<u32> = select(&hydrology.discharge, &origin);
     let tree = compact(tree, &stays, &origin, &discharge);
@@ -55,15 +61,26 @@ pub fn trim(tree: &Tree, hydrology: &Hydrology, trim: Trim) -> Pruned {
     Pruned { tree, hydrology, origin }
 }
 
+/// The depth of each node in the tree of channels: 0 at a channel head, and on hillside.
+pub fn channel_depth(tree: &Tree, discharge: &[u32], channel_area: u32) -> Vec<u32> {
+    let mut depth = vec![0u32; tree.len()];
+    for node in (0..tree.len()).rev().filter(|&node| discharge[node] >= channel_area) {
+        if let Some(parent) = tree.parent_of(node) {
+            depth[parent] = depth[parent].max(depth[node] + 1);
+        }
+    }
+    depth
+}
+
 /// Whether each node stays. A parent stands before its children, so one pass lets a removal take all upstream of it.
-pub fn stays(tree: &Tree, depth: &[u32], trim: Trim) -> Vec<bool> {
+pub fn stays(tree: &Tree, depth: &[u32], discharge: &[u32], trim: Trim) -> Vec<bool> {
     let sea = if trim.treats_sea_as_fork { depth.iter().max().map_or(0, |deepest| deepest + 1) } else { 0 };
     let mut stays = vec![true; tree.len()];
     for node in 0..tree.len() {
         let (parent_stays, below) = tree.parent_of(node).map_or((true, sea), |parent| (stays[parent], depth[parent]));
         let is_short = depth[node] < trim.nodes;
         let is_side_branch = depth[node] + 1 < below;
-        stays[node] = parent_stays && !(is_short && is_side_branch);
+        stays[node] = parent_stays && discharge[node] >= trim.channel_area && !(is_short && is_side_branch);
     }
     stays
 }
@@ -87,6 +104,7 @@ fn compact(tree: &Tree, stays: &[bool], origin: &[u32], discharge: &[u32]) -> Tr
         drained: own_share(&parent, discharge),
         parent,
         tick_starts: tree.tick_starts.iter().map(|&start| before[start as usize]).collect(),
+        elevation: if tree.elevation.is_empty() { Vec::new() } else { select(&tree.elevation, origin) },
     }
 }
 

@@ -30,6 +30,8 @@ pub enum Purpose {
     Particles = 5,
     /// How the banks of rivers vary, and where rivers meander.
     Courses = 6,
+    /// Hard and soft ground, and the heights that valleys are found by.
+    Ground = 7,
 }
 
 impl Seed {

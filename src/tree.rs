@@ -20,6 +20,9 @@ pub struct Tree {
     pub drained: Vec<u32>,
     /// The number of nodes before each tick, tick 0 first: what grew in tick `t` starts at `tick_starts[t]`.
     pub tick_starts: Vec<u32>,
+    /// How high each node lies over the sea, in units: a node is higher than its parent. Empty if the way of growing knows no
+    /// elevations, or not yet.
+    pub elevation: Vec<f32>,
 }
 
 impl Tree {
@@ -124,6 +127,7 @@ mod tests {
             parent: parents.iter().map(|&p| p as u32).collect(),
             drained: vec![1; parents.len()],
             tick_starts: vec![0, 1],
+            ..Tree::default()
         }
     }
 

@@ -2,7 +2,7 @@
 
 use glam::Vec2;
 
-use super::{Brownian, Colonize, Ending, Field, GrowError, Settings, scatter};
+use super::{Brownian, Colonize, Drainage, Ending, Field, GrowError, Settings, scatter};
 use crate::recipe::GrowthMethod;
 use crate::tree::Tree;
 
@@ -17,6 +17,7 @@ pub struct Growth {
 enum Grower {
     Colonize(Colonize),
     Brownian(Brownian),
+    Drainage(Drainage),
 }
 
 impl Growth {
@@ -32,6 +33,7 @@ impl Growth {
                 let sensitivity = settings.sensitivity / field.side();
                 Grower::Brownian(Brownian::new(field, settings.seed, sensitivity)?)
             }
+            GrowthMethod::Drainage => Grower::Drainage(Drainage::new(settings.clone())?),
         };
         Ok(Self { settings, grower })
     }
@@ -42,6 +44,7 @@ impl Growth {
         match &mut self.grower {
             Grower::Colonize(growth) => growth.tick(),
             Grower::Brownian(growth) => growth.tick(),
+            Grower::Drainage(growth) => growth.tick(),
         }
     }
 
@@ -50,6 +53,16 @@ impl Growth {
         match &self.grower {
             Grower::Colonize(growth) => growth.tree(),
             Grower::Brownian(growth) => growth.tree(),
+            Grower::Drainage(growth) => growth.tree(),
+        }
+    }
+
+    /// How many trees came before this one: while it stays the same the tree only grows, and another is another tree of the same
+    /// recipe. Only drainage has more than one, one a round.
+    pub fn trees(&self) -> u32 {
+        match &self.grower {
+            Grower::Colonize(_) | Grower::Brownian(_) => 0,
+            Grower::Drainage(growth) => growth.trees(),
         }
     }
 
@@ -63,13 +76,14 @@ impl Growth {
         match &self.grower {
             Grower::Colonize(growth) => growth.ending(),
             Grower::Brownian(growth) => growth.ending(),
+            Grower::Drainage(growth) => growth.ending(),
         }
     }
 
     /// Why growth stopped before its end: there was not enough memory for more nodes.
     pub fn failure(&self) -> Option<GrowError> {
         (self.ending() == Some(Ending::OutOfMemory)).then(|| match &self.grower {
-            Grower::Colonize(_) => GrowError::out_of_memory(&self.settings),
+            Grower::Colonize(_) | Grower::Drainage(_) => GrowError::out_of_memory(&self.settings),
             Grower::Brownian(growth) => growth.out_of_memory(),
         })
     }
@@ -79,6 +93,7 @@ impl Growth {
         match &self.grower {
             Grower::Colonize(growth) => growth.mouths(),
             Grower::Brownian(growth) => growth.mouths(),
+            Grower::Drainage(growth) => growth.mouths(),
         }
     }
 
@@ -86,6 +101,7 @@ impl Growth {
     pub fn attractors(&self) -> u32 {
         match &self.grower {
             Grower::Colonize(growth) => growth.attractors(),
+            Grower::Drainage(growth) => growth.parcels(),
             Grower::Brownian(_) => 0,
         }
     }
@@ -94,6 +110,7 @@ impl Growth {
     pub fn scattered(&self) -> Vec<Vec2> {
         match &self.grower {
             Grower::Colonize(_) => scatter(&self.settings),
+            Grower::Drainage(growth) => growth.places().to_vec(),
             Grower::Brownian(_) => Vec::new(),
         }
     }
@@ -102,6 +119,7 @@ impl Growth {
     pub fn unreached(&self) -> u32 {
         match &self.grower {
             Grower::Colonize(growth) => growth.unreached(),
+            Grower::Drainage(growth) => growth.unreached(),
             Grower::Brownian(_) => 0,
         }
     }
@@ -111,6 +129,7 @@ impl Growth {
         match &self.grower {
             Grower::Colonize(growth) => growth.attractors(),
             Grower::Brownian(growth) => growth.total_discharge(),
+            Grower::Drainage(growth) => growth.parcels(),
         }
     }
 
@@ -119,6 +138,7 @@ impl Growth {
         match self.settings.method {
             GrowthMethod::Colonize => self.settings.spacing,
             GrowthMethod::Brownian => self.settings.sensitivity,
+            GrowthMethod::Drainage => self.settings.drainage.spacing,
         }
     }
 
@@ -126,7 +146,7 @@ impl Growth {
     pub fn may_cross(&self) -> bool {
         match self.settings.method {
             GrowthMethod::Colonize => true,
-            GrowthMethod::Brownian => false,
+            GrowthMethod::Brownian | GrowthMethod::Drainage => false,
         }
     }
 
@@ -134,6 +154,7 @@ impl Growth {
     pub fn drained(&self) -> u32 {
         match &self.grower {
             Grower::Colonize(growth) => growth.attractors() - growth.unreached(),
+            Grower::Drainage(growth) => growth.parcels() - growth.unreached(),
             Grower::Brownian(growth) => growth.tree().len() as u32,
         }
     }

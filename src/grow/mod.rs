@@ -8,6 +8,7 @@ mod attractors;
 mod brownian;
 mod changed;
 mod colonize;
+mod drainage;
 mod driest;
 mod growth;
 mod heading;
@@ -22,6 +23,7 @@ pub use brownian::{Field, Order};
 #[doc(hidden)]
 pub use colonize::stem_nodes;
 pub use colonize::{Colonize, Ending};
+pub use drainage::{Drainage, DrainageSettings};
 pub use growth::Growth;
 pub use mouths::Mouth;
 #[doc(hidden)]

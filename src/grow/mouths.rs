@@ -37,9 +37,19 @@ pub fn shores(settings: &Settings) -> impl Iterator<Item = Shore> {
 /// The shores of a region that lie on some sides as seen from the middle of its coast: so the north shore of an island looks north,
 /// that of a lake south. All of them if none lies there, since no land is left dry.
 fn chosen_shores(region: &Region, sides: Sides) -> Vec<Shore> {
+    on_chosen_sides(region, sides, region.shores.clone(), |shore| shore.at)
+}
+
+/// The same of any places on the coast of a region.
+pub(super) fn on_chosen_sides<T: Clone>(
+    region: &Region,
+    sides: Sides,
+    places: Vec<T>,
+    at: impl Fn(&T) -> Vec2,
+) -> Vec<T> {
     let middle = region.shores.iter().map(|shore| shore.at).sum::<Vec2>() / region.shores.len() as f32;
-    let is_chosen = |shore: &&Shore| {
-        let Vec2 { x, y } = shore.at - middle;
+    let is_chosen = |place: &&T| {
+        let Vec2 { x, y } = at(place) - middle;
         let side = if x.abs() > y.abs() {
             if x > 0.0 { 'e' } else { 'w' }
         } else if y > 0.0 {
@@ -49,8 +59,8 @@ fn chosen_shores(region: &Region, sides: Sides) -> Vec<Shore> {
         };
         sides.contains(side)
     };
-    let chosen: Vec<Shore> = region.shores.iter().filter(is_chosen).copied().collect();
-    if chosen.is_empty() { region.shores.clone() } else { chosen }
+    let chosen: Vec<T> = places.iter().filter(is_chosen).cloned().collect();
+    if chosen.is_empty() { places } else { chosen }
 }
 
 /// Places mouths on a coast, each at the best of some random places: remote from those before it, so that they keep apart

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use glam::Vec2;
 
+use super::DrainageSettings;
 use crate::domain::{AREA, Domain};
 use crate::land::{CELL_SIZE, Land, Region};
 use crate::random::Seed;
@@ -50,6 +51,8 @@ pub struct Settings {
     pub curl: f32,
     /// The paper's c: nodes in a stretch that curls to one side.
     pub stretch: u32,
+    /// What drainage needs besides.
+    pub drainage: DrainageSettings,
 }
 
 /// Attractors are never packed closer than on so much land, in square units: on less there are fewer, and none where no
@@ -69,7 +72,7 @@ impl Settings {
     /// Resolves a recipe whose land has been shaped before; `None` if all of the domain is.
     pub fn new(recipe: &Recipe, land: Option<Arc<Land>>) -> Self {
         let attractors = recipe.integer(Key::Attractors);
-        let mouths = recipe.integer(Key::Mouths);
+        let mouths = mouths_of(recipe);
         let is_lake = recipe.get::<LandKind>() == LandKind::Basin;
         let asked = if is_lake { MOUTHS_OF_A_LAKE * mouths } else { mouths };
         let basins = land.as_ref().map(|land| share_out(land.regions(), asked)).unwrap_or_default();
@@ -100,6 +103,7 @@ impl Settings {
             momentum: recipe.number(Key::Momentum),
             curl: recipe.number(Key::Curl),
             stretch: recipe.integer(Key::Stretch),
+            drainage: DrainageSettings::new(recipe),
         }
     }
 }
@@ -125,6 +129,34 @@ impl Settings {
         }
     }
 
+    /// Where the straight way from a point of land to another comes to the sea; `None` if it does not, or to something else first.
+    /// A plain rectangle has the sea beyond its chosen sides.
+    pub(in crate::grow) fn coast_toward(&self, from: Vec2, to: Vec2) -> Option<Vec2> {
+        match &self.land {
+            None => self.side_toward(from, to),
+            Some(land) => land.coast_toward(from, to),
+        }
+    }
+
+    fn side_toward(&self, from: Vec2, to: Vec2) -> Option<Vec2> {
+        let (size, way) = (self.domain.size, to - from);
+        let crossed = [
+            ('n', -from.y / way.y, to.y < 0.0),
+            ('e', (size.x - from.x) / way.x, to.x > size.x),
+            ('s', (size.y - from.y) / way.y, to.y > size.y),
+            ('w', -from.x / way.x, to.x < 0.0),
+        ];
+        let crossed = crossed.into_iter().filter(|(.., is_beyond)| *is_beyond);
+        let (side, share, _) = crossed.reduce(|a, b| if b.1 < a.1 { b } else { a })?;
+        self.sides.contains(side).then(|| (from + way * share).clamp(Vec2::ZERO, size))
+    }
+
+    /// Whether two points of land hang together.
+    pub(in crate::grow) fn is_same_region(&self, a: Vec2, b: Vec2) -> bool {
+        let Some(land) = &self.land else { return true };
+        land.regions().iter().any(|region| land.is_in(region, a) && land.is_in(region, b))
+    }
+
     /// The land, if it may hide attractors within the reach of a node.
     #[inline]
     pub fn hidden_from(&self, node: Vec2) -> Option<&Land> {
@@ -134,6 +166,15 @@ impl Settings {
     /// Whether an attractor pulls a node: it does not through a ridge, or across the water between islands.
     pub fn sees(&self, node: Vec2, attractor: Vec2) -> bool {
         self.land.as_ref().is_none_or(|land| land.sees(node, attractor))
+    }
+}
+
+/// How many mouths are asked for. Of drainage 0 means all along the coast.
+fn mouths_of(recipe: &Recipe) -> u32 {
+    const USUAL: u32 = 8;
+    match recipe.integer(Key::Mouths) {
+        0 if recipe.get::<GrowthMethod>() != GrowthMethod::Drainage => USUAL,
+        mouths => mouths,
     }
 }
 

@@ -11,6 +11,7 @@ use super::kinds::Shape;
 use super::obstacles::Obstacles;
 use super::outline::Drawing;
 use super::regions::{Region, regions_of};
+use super::walk::walk;
 use crate::domain::Domain;
 use crate::random::Seed;
 use crate::recipe::{Key, LandKind, Outline, Recipe};
@@ -125,6 +126,26 @@ impl Land {
         let (from, to) = (from / CELL_SIZE, to / CELL_SIZE);
         let room = self.borders.room(from);
         (to - from).length_squared() <= room * room || self.borders.let_pass(from, to)
+    }
+
+    /// Where the straight way from a point of land to another point comes to the water: the last of it on land. `None` if it comes
+    /// to a ridge or the border of the domain first, or to no water at all.
+    pub(crate) fn coast_toward(&self, from: Vec2, to: Vec2) -> Option<Vec2> {
+        /// Of a cell, so that rounding leaves the point on land.
+        const SHORT_OF: f32 = 0.02;
+        let (from, to) = (from / CELL_SIZE, to / CELL_SIZE);
+        let (column, row) = walk(from, to).find(|&(column, row)| self.cell(column, row) != Cell::Land)?;
+        let is_inside = (0..self.columns()).contains(&column) && (0..self.rows()).contains(&row);
+        if !is_inside || self.cell(column, row) != Cell::Water {
+            return None;
+        }
+        let way = to - from;
+        let entered = |from: f32, way: f32, cell: i32| {
+            let border = cell as f32 + if way < 0.0 { 1.0 } else { 0.0 };
+            if way == 0.0 { 0.0 } else { (border - from) / way }
+        };
+        let share = entered(from.x, way.x, column).max(entered(from.y, way.y, row)) - SHORT_OF / way.length();
+        Some((from + way * share.clamp(0.0, 1.0)) * CELL_SIZE)
     }
 
     /// Whether all that lies within a distance of a point of the domain, north, south, east and west, is land.

@@ -104,6 +104,7 @@ mod tests {
             parent: vec![NO_PARENT, 0, 1, 1, 3],
             drained: vec![1, 1, 9, 2, 3],
             tick_starts: vec![0, 1],
+            ..Tree::default()
         };
         let network = courses(&tree);
         let own = |river: usize| {
@@ -118,7 +119,13 @@ mod tests {
 
     #[test]
     fn lone_mouth_is_no_river() {
-        let tree = Tree { at: vec![Vec2::ZERO], parent: vec![NO_PARENT], drained: vec![1], tick_starts: vec![0, 1] };
+        let tree = Tree {
+            at: vec![Vec2::ZERO],
+            parent: vec![NO_PARENT],
+            drained: vec![1],
+            tick_starts: vec![0, 1],
+            ..Tree::default()
+        };
         assert_eq!(courses(&tree), Network::default());
     }
 }

@@ -218,6 +218,7 @@ impl Planar {
             parent: order.iter().map(|&node| parent(node)).collect(),
             drained: order.iter().map(|&node| self.drained[node as usize]).collect(),
             tick_starts: vec![0, count as u32],
+            ..Tree::default()
         }
     }
 }
@@ -234,6 +235,7 @@ mod tests {
             parent: vec![NO_PARENT, 0, 1, NO_PARENT, 3, 4],
             drained: vec![1, 2, 3, 4, 5, 6],
             tick_starts: vec![0, 6],
+            ..Tree::default()
         }
     }
 

@@ -17,7 +17,7 @@ pub(super) struct Flow {
     /// Radii in sixteenths of a pixel, of the last measurement.
     pub radii: Vec<u16>,
     /// Discharges of the last measurement.
-    discharge: Vec<u32>,
+    pub discharge: Vec<u32>,
     /// How many nodes there were at the last measurement.
     measured: usize,
 }
@@ -55,8 +55,8 @@ impl Flow {
         tree.len() > self.measured + self.measured / NEWS
     }
 
-    /// Measures every node, in one pass from the sources down.
-    pub fn measure(&mut self, tree: &Tree, pen: &Pen) {
+    /// Measures every node, in one pass from the sources down. What drains less than a channel does has no depth.
+    pub fn measure(&mut self, tree: &Tree, pen: &Pen, channel_area: u32) {
         self.depth.clear();
         self.depth.resize(tree.len(), 0);
         self.radii.resize(tree.len(), 0);
@@ -66,7 +66,9 @@ impl Flow {
             let (depth, discharge) = (self.depth[node], self.discharge[node]);
             self.radii[node] = pen.radius(depth, discharge);
             if let Some(parent) = tree.parent_of(node) {
-                self.depth[parent] = self.depth[parent].max(depth + 1);
+                if discharge >= channel_area {
+                    self.depth[parent] = self.depth[parent].max(depth + 1);
+                }
                 self.discharge[parent] += discharge;
             }
         }

@@ -121,9 +121,9 @@ impl Painter {
         }
         let (tree, pen) = (progress.tree, Pen::new(self.view, widths(progress)));
         if progress.finished || self.flow.is_stale(tree) {
-            self.flow.measure(tree, &pen);
+            self.flow.measure(tree, &pen, progress.trim.channel_area);
             self.draw_changes(progress, &pen);
-        } else {
+        } else if progress.trim.channel_area == 0 {
             let near_tip = self.flow.follow(tree, &pen, progress.trim.nodes);
             let radii = &self.flow.radii;
             near_tip.iter().for_each(|&child| pen.draw(&mut self.coverage, tree, radii, child as usize));
@@ -162,11 +162,12 @@ impl Painter {
     /// drawn in between, too; drawing them again, now at least as wide, leaves no trace of that.
     fn draw_changes(&mut self, progress: &Progress<'_>, pen: &Pen) {
         let Progress { tree, finished, trim, .. } = *progress;
-        let depth = &self.flow.depth;
+        let Flow { depth, discharge, .. } = &self.flow;
         let stays = if finished {
-            prune::stays(tree, depth, trim)
+            prune::stays(tree, depth, discharge, trim)
         } else {
-            depth.iter().map(|&depth| depth >= trim.nodes).collect()
+            let is_certain = |(&depth, &discharge)| depth >= trim.nodes && discharge >= trim.channel_area;
+            depth.iter().zip(discharge).map(is_certain).collect()
         };
         self.drawn.resize(tree.len(), 0);
         let radii = &self.flow.radii;

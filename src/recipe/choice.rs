@@ -83,6 +83,8 @@ choices! {
         Colonize = "colonize", "space colonization";
         /// A Brownian tree of wandering particles, coarse to fine.
         Brownian = "brownian", "Brownian tree";
+        /// Drainage: water goes where it costs least, and the more there is of it the less it costs.
+        Drainage = "drainage", "drainage";
     }
 
     /// How attractors lie.

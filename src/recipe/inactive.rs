@@ -18,11 +18,16 @@ impl Recipe {
             Key::Rough => self.no_coast(),
             Key::Sides => self.sea_is_drawn().or_else(|| self.sides_are_given()),
             Key::Outline => (self.shown_land() != LandKind::Drawn).then_some("the land is not drawn"),
-            Key::Apart | Key::Shores => self.no_coast().or_else(|| self.not_colonizing()),
-            Key::Mouths | Key::Attractors | Key::Scatter | Key::Reach | Key::Kill | Key::Step => self.not_colonizing(),
+            Key::Apart | Key::Shores => self.no_coast().or_else(|| self.brownian()),
+            Key::Mouths | Key::Attractors => self.brownian(),
+            Key::Scatter | Key::Reach | Key::Kill | Key::Step => self.not_colonizing(),
             Key::Momentum | Key::Curl => self.not_colonizing(),
             Key::Stretch => self.not_colonizing().or_else(|| self.no_curl()),
             Key::Sensitivity => self.not_brownian(),
+            Key::Valleys | Key::Concavity | Key::Captures | Key::Hardness => self.not_draining(),
+            Key::Bending | Key::ChannelArea => self.not_draining(),
+            Key::ValleySpacing => self.not_draining().or_else(|| self.no_valleys()),
+            Key::HardnessScale => self.not_draining().or_else(|| self.no_hardness()),
             Key::Trim | Key::Simplify => None,
             Key::Width | Key::Vary => self.no_widths(),
             Key::Meander => None,
@@ -54,14 +59,36 @@ impl Recipe {
     fn not_colonizing(&self) -> Reason {
         match self.get() {
             GrowthMethod::Colonize => None,
-            GrowthMethod::Brownian => Some("only space colonization uses it"),
+            GrowthMethod::Brownian | GrowthMethod::Drainage => Some("only space colonization uses it"),
         }
+    }
+
+    fn brownian(&self) -> Reason {
+        match self.get() {
+            GrowthMethod::Brownian => Some("Brownian trees do not use it"),
+            GrowthMethod::Colonize | GrowthMethod::Drainage => None,
+        }
+    }
+
+    fn not_draining(&self) -> Reason {
+        match self.get() {
+            GrowthMethod::Drainage => None,
+            GrowthMethod::Colonize | GrowthMethod::Brownian => Some("only drainage uses it"),
+        }
+    }
+
+    fn no_valleys(&self) -> Reason {
+        self.is_zero(Key::Valleys).then_some("there are no valleys")
+    }
+
+    fn no_hardness(&self) -> Reason {
+        self.is_zero(Key::Hardness).then_some("all ground is equally hard")
     }
 
     fn not_brownian(&self) -> Reason {
         match self.get() {
             GrowthMethod::Brownian => None,
-            GrowthMethod::Colonize => Some("only Brownian trees use it"),
+            GrowthMethod::Colonize | GrowthMethod::Drainage => Some("only Brownian trees use it"),
         }
     }
 

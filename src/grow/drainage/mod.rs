@@ -1,0 +1,264 @@
+//! Drainage: water goes where it costs least, and the more there is of it, the less it costs.
+//!
+//! The land is divided into parcels. Each finds the cheapest way to the sea along its neighbours; where much has drained, a step costs less
+//! in the next round, so that streams capture one another until the network settles. Networks of least energy under that law are
+//! known for natural statistics: optimal channel networks (Rodriguez-Iturbe, Rinaldo and others 1992). Here a handful of
+//! rounds of shortest paths takes the place of annealing.
+//!
+//! Where it starts decides the large shape: from equal areas a calm network comes, from the areas of an invasion a wild one.
+
+mod invasion;
+mod lattice;
+mod outlets;
+mod parcels;
+mod queue;
+mod round;
+mod settings;
+mod way;
+
+pub use settings::DrainageSettings;
+
+use super::{Ending, GrowError, Settings};
+use crate::memory::{Refused, can_allocate};
+use crate::tree::{NO_PARENT, Tree};
+use invasion::Invasion;
+use lattice::Lattice;
+use parcels::{NONE, Parcels};
+use round::Round;
+use way::Way;
+
+/// What drainage takes of each cell of its lattice, as measured.
+const BYTES_A_CELL: usize = 140;
+
+/// So many parcels are settled in a tick at most that shows nothing.
+const PARCELS_A_TICK: usize = 20_000;
+
+/// Growth in progress.
+#[derive(Clone, Debug)]
+pub struct Drainage {
+    settings: Settings,
+    parcels: Parcels,
+    /// What each parcel drained in the rounds so far, at least 1: the geometric mean of the last round and all before it.
+    area: Vec<f32>,
+    stage: Stage,
+    tree: Tree,
+    /// The node of each parcel that has one.
+    node: Vec<u32>,
+    /// How many rounds are over.
+    rounds: u32,
+    mouths: u32,
+    ending: Option<Ending>,
+}
+
+#[derive(Clone, Debug)]
+enum Stage {
+    Invasion(Box<Invasion>),
+    Round(Box<Round>),
+    Over,
+}
+
+impl Drainage {
+    /// Lays out the parcels of a recipe: tick 0.
+    ///
+    /// # Errors
+    /// If there is not enough memory.
+    pub fn new(settings: Settings) -> Result<Self, GrowError> {
+        let too_much = || GrowError::out_of_memory(&settings);
+        if !can_allocate(Lattice::count(&settings.domain, &settings.drainage).saturating_mul(BYTES_A_CELL)) {
+            return Err(too_much());
+        }
+        let parcels = Parcels::new(&settings);
+        let area = vec![1.0; parcels.len()];
+        let stage = if settings.drainage.valleys > 0.0 {
+            Stage::Invasion(Invasion::new(&parcels, &settings.drainage).map_err(|_| too_much())?.into())
+        } else {
+            Stage::Round(Round::new(&parcels, &area, settings.drainage.concavity).map_err(|_| too_much())?.into())
+        };
+        let node = vec![NONE; parcels.len()];
+        let tree = Tree { tick_starts: vec![0], ..Tree::default() };
+        Ok(Self { settings, parcels, area, stage, tree, node, rounds: 0, mouths: 0, ending: None })
+    }
+
+    /// Grows by one tick. Returns whether there is more to grow.
+    pub fn tick(&mut self) -> bool {
+        if self.ending.is_none() && self.advance().is_err() {
+            self.ending = Some(Ending::OutOfMemory);
+        }
+        self.ending.is_none()
+    }
+
+    fn advance(&mut self) -> Result<(), Refused> {
+        let Self { parcels, stage, .. } = self;
+        match stage {
+            Stage::Invasion(invasion) => {
+                if !invasion.advance(parcels, PARCELS_A_TICK)? {
+                    self.follow_valleys()?;
+                }
+            }
+            Stage::Round(round) => {
+                let count = if self.rounds == 0 { front(parcels.len()) } else { PARCELS_A_TICK };
+                let goes_on = round.advance(parcels, count)?;
+                if self.rounds == 0 {
+                    self.grow();
+                }
+                if !goes_on {
+                    self.end_round()?;
+                }
+            }
+            Stage::Over => {}
+        }
+        Ok(())
+    }
+
+    /// Takes the areas of the invasion to begin with.
+    fn follow_valleys(&mut self) -> Result<(), Refused> {
+        let Stage::Invasion(invasion) = std::mem::replace(&mut self.stage, Stage::Over) else { return Ok(()) };
+        let areas = invasion.into_way().areas();
+        let exponent = self.settings.drainage.valleys;
+        self.area = areas.into_iter().map(|area| libm::powf(area.max(1) as f32, exponent)).collect();
+        self.begin_round()
+    }
+
+    fn begin_round(&mut self) -> Result<(), Refused> {
+        let round = Round::new(&self.parcels, &self.area, self.settings.drainage.concavity)?;
+        self.stage = Stage::Round(round.into());
+        Ok(())
+    }
+
+    /// All parcels have found their way: the next round knows how much water there is.
+    fn end_round(&mut self) -> Result<(), Refused> {
+        let Stage::Round(round) = std::mem::replace(&mut self.stage, Stage::Over) else { return Ok(()) };
+        let areas = round.way().areas();
+        if self.rounds > 0 {
+            self.regrow(round.way());
+        }
+        self.rounds += 1;
+        for (area, new) in self.area.iter_mut().zip(&areas) {
+            // Without the mean the network would swing to and fro.
+            *area = (*area * (*new).max(1) as f32).sqrt();
+        }
+        if self.rounds <= self.settings.drainage.captures {
+            return self.begin_round();
+        }
+        self.raise(round.way(), &areas);
+        self.ending = Some(Ending::Complete);
+        Ok(())
+    }
+
+    /// Adds a node for each parcel that was settled since the last tick.
+    fn grow(&mut self) {
+        let Self { parcels, stage: Stage::Round(round), tree, node, mouths, .. } = self else { return };
+        let known = tree.len() - *mouths as usize;
+        if round.way().order.len() > known {
+            tree.tick_starts.push(tree.len() as u32);
+        }
+        for &parcel in &round.way().order[known..] {
+            plant(parcels, round.way(), parcel, tree, node, mouths);
+        }
+    }
+
+    /// Makes another tree of the same parcels, with as many nodes in each tick.
+    fn regrow(&mut self, way: &Way) {
+        let count = self.tree.len();
+        let mut tree = Tree {
+            at: Vec::with_capacity(count),
+            parent: Vec::with_capacity(count),
+            drained: Vec::with_capacity(count),
+            ..Tree::default()
+        };
+        self.mouths = 0;
+        for &parcel in &way.order {
+            plant(&self.parcels, way, parcel, &mut tree, &mut self.node, &mut self.mouths);
+        }
+        let ticks = self.tree.tick_starts.iter().map(|&start| start.min(tree.len() as u32)).collect();
+        self.tree = Tree { tick_starts: ticks, ..tree };
+    }
+
+    /// Gives the nodes of the finished tree their elevations: the cost of the way to the sea, by the areas that have come of it.
+    fn raise(&mut self, way: &Way, areas: &[u32]) {
+        let Self { parcels, tree, node, settings, .. } = self;
+        let concavity = settings.drainage.concavity;
+        let steepness = steepness(parcels.len(), concavity);
+        tree.elevation = vec![0.0; tree.len()];
+        for &parcel in &way.order {
+            let here = parcel as usize;
+            let (below, area, cost) = match way.to[here] {
+                Way::OUT => {
+                    let outlet = parcels.outlets[parcels.outlet_of[here] as usize].at;
+                    (0.0, areas[here], parcels.at[here].distance(outlet))
+                }
+                to => {
+                    let way = (0..6).find(|&way| parcels.neighbours[here][way] == to).unwrap_or(0);
+                    (tree.elevation[node[to as usize] as usize], areas[to as usize], parcels.cost(here, way))
+                }
+            };
+            let fall = steepness * cost * libm::powf(area as f32, -concavity);
+            // However little, a river falls.
+            tree.elevation[node[here] as usize] = (below + fall).max(f32::next_up(below));
+        }
+    }
+
+    /// The tree so far. While streams capture one another ([`Drainage::trees`]) it is another one after each round.
+    pub fn tree(&self) -> &Tree {
+        &self.tree
+    }
+
+    /// How many trees came before this one.
+    pub fn trees(&self) -> u32 {
+        self.rounds.saturating_sub(1)
+    }
+
+    /// How many parcels there are.
+    pub fn parcels(&self) -> u32 {
+        self.parcels.len() as u32
+    }
+
+    /// Where the parcels lie.
+    pub fn places(&self) -> &[glam::Vec2] {
+        &self.parcels.at
+    }
+
+    /// How many parcels have found no way to the sea yet.
+    pub fn unreached(&self) -> u32 {
+        self.parcels() - (self.tree.len() as u32 - self.mouths)
+    }
+
+    /// How many river mouths there are so far.
+    pub fn mouths(&self) -> u32 {
+        self.mouths
+    }
+
+    /// How growth ended; `None` while it goes on.
+    pub fn ending(&self) -> Option<Ending> {
+        self.ending
+    }
+}
+
+/// How many parcels the front gains in a tick: about as many as lie along one side of the map.
+fn front(parcels: usize) -> usize {
+    ((parcels as f32).sqrt() as usize).max(8)
+}
+
+/// The slope, beside that of the ground, where a river drains one parcel. The river that drains everything falls as one of the width
+/// of 14 units does whose slope is 0.4 · 0.055 by its width.
+fn steepness(parcels: usize, concavity: f32) -> f32 {
+    0.4 * 0.055 / 14.0 * libm::powf(parcels.max(1) as f32, concavity)
+}
+
+/// Adds a parcel's node, and the mouth that it flows to if that is its own.
+fn plant(parcels: &Parcels, way: &Way, parcel: u32, tree: &mut Tree, node: &mut [u32], mouths: &mut u32) {
+    let mut add = |at, parent, drained| {
+        tree.at.push(at);
+        tree.parent.push(parent);
+        tree.drained.push(drained);
+        tree.at.len() as u32 - 1
+    };
+    let below = match way.to[parcel as usize] {
+        Way::OUT => {
+            *mouths += 1;
+            add(parcels.outlets[parcels.outlet_of[parcel as usize] as usize].at, NO_PARENT, 0)
+        }
+        below => node[below as usize],
+    };
+    node[parcel as usize] = add(parcels.at[parcel as usize], below, 1);
+}

@@ -1,0 +1,126 @@
+//! Parcels: pieces of land that each drain themselves, their neighbours, and the outlets through which water leaves the land.
+
+use glam::Vec2;
+
+use super::lattice::{Lattice, WAYS};
+use super::outlets::{self, Outlet};
+use super::settings::DrainageSettings;
+use crate::grow::Settings;
+use crate::land::Cell;
+use crate::random::Purpose;
+use crate::work;
+
+/// No parcel.
+pub(super) const NONE: u32 = u32::MAX;
+
+/// All parcels with what lies between them.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Parcels {
+    /// Where each lies, in domain units.
+    pub at: Vec<Vec2>,
+    /// The neighbours that water may come from or go to, by the six ways of the lattice; [`NONE`] where it may not.
+    pub neighbours: Vec<[u32; 6]>,
+    /// What it costs to cross from each to its neighbour by the first three ways: length times how hard the ground is.
+    costs: Vec<[f32; WAYS]>,
+    /// The numbers of each one's cell, which belong to the plane and not to this land.
+    pub identity: Vec<[u32; 2]>,
+    /// Where water leaves the land.
+    pub outlets: Vec<Outlet>,
+    /// The outlet beside a parcel; [`NONE`] for most.
+    pub outlet_of: Vec<u32>,
+}
+
+impl Parcels {
+    /// Lays out the parcels of a land.
+    pub fn new(settings: &Settings) -> Self {
+        let drainage = &settings.drainage;
+        let lattice = Lattice::new(&settings.domain, drainage);
+        let cells: Vec<usize> = (0..lattice.at.len()).filter(|&cell| is_land(settings, &lattice, cell)).collect();
+        let mut number = vec![NONE; lattice.at.len()];
+        for (i, &cell) in (0..).zip(&cells) {
+            number[cell] = i;
+        }
+        let mut this = Self {
+            at: cells.iter().map(|&cell| lattice.at[cell]).collect(),
+            identity: cells.iter().map(|&cell| lattice.identity(cell)).collect(),
+            neighbours: vec![[NONE; 6]; cells.len()],
+            costs: vec![[0.0; WAYS]; cells.len()],
+            ..Self::default()
+        };
+        this.join_neighbours(settings, &lattice, &cells, &number);
+        this.weigh(drainage);
+        this.outlets = outlets::find(settings, &lattice, &cells, &this.neighbours);
+        this.outlet_of = vec![NONE; cells.len()];
+        for (i, outlet) in (0..).zip(&this.outlets) {
+            this.outlet_of[outlet.parcel as usize] = i;
+        }
+        this
+    }
+
+    /// How many there are.
+    pub fn len(&self) -> usize {
+        self.at.len()
+    }
+
+    /// What it costs to cross from a parcel to its neighbour some way: the same there and back.
+    #[inline]
+    pub fn cost(&self, parcel: usize, way: usize) -> f32 {
+        match way {
+            0..WAYS => self.costs[parcel][way],
+            _ => self.costs[self.neighbours[parcel][way] as usize][way - WAYS],
+        }
+    }
+
+    fn join_neighbours(&mut self, settings: &Settings, lattice: &Lattice, cells: &[usize], number: &[u32]) {
+        work::count(cells.len() * WAYS);
+        for (parcel, &cell) in cells.iter().enumerate() {
+            let around = lattice.neighbours(cell);
+            for way in 0..WAYS {
+                let there = number[around[way]];
+                if there != NONE
+                    && lattice.is_edge(cell, way)
+                    && settings.allows(lattice.at[cell], lattice.at[around[way]])
+                {
+                    self.neighbours[parcel][way] = there;
+                    self.neighbours[there as usize][way + WAYS] = parcel as u32;
+                }
+            }
+        }
+    }
+
+    /// Hard and soft ground: each edge has a chance of its own, and lies in ground that is the same for many around.
+    fn weigh(&mut self, settings: &DrainageSettings) {
+        const CHANCE: f32 = 0.47;
+        let noise = settings.noise(2, settings.hardness_scale, 4, 0.6);
+        let hardness: Vec<f32> = self.at.iter().map(|at| settings.hardness * noise.get_noise_2d(at.x, at.y)).collect();
+        let chance = settings.seed.key(Purpose::Ground);
+        for parcel in 0..self.len() {
+            for way in 0..WAYS {
+                let there = self.neighbours[parcel][way] as usize;
+                if let Some(to) = self.at.get(there) {
+                    let [i, j] = self.identity[parcel];
+                    let own = CHANCE * normal(chance.bits([i, j, 2 + way as u32]));
+                    let ground = HARDNESS_SCALE * 0.5 * (hardness[parcel] + hardness[there]);
+                    self.costs[parcel][way] = self.at[parcel].distance(*to) * libm::expf(own + ground);
+                }
+            }
+        }
+    }
+}
+
+/// Noise with a deviation of about a third is brought to one of about 1.
+const HARDNESS_SCALE: f32 = 3.0;
+
+/// About a normal deviate: the sum of four random numbers (Irwin and Hall).
+fn normal(bits: u32) -> f32 {
+    const DEVIATION: f32 = 147.8;
+    let sum: u32 = bits.to_be_bytes().into_iter().map(u32::from).sum();
+    (sum as f32 - 510.0) / DEVIATION
+}
+
+fn is_land(settings: &Settings, lattice: &Lattice, cell: usize) -> bool {
+    let at = lattice.at[cell];
+    lattice.is_inner(cell)
+        && settings.domain.contains(at)
+        && settings.land.as_ref().is_none_or(|land| land.at(at) == Cell::Land)
+}

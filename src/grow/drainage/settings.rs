@@ -1,0 +1,60 @@
+//! What drainage needs to know, in domain units.
+
+use fastnoise_lite::{FastNoiseLite, FractalType, NoiseType};
+
+use crate::domain::AREA;
+use crate::random::{Purpose, Seed};
+use crate::recipe::{Key, Recipe};
+
+/// The settings of drainage, resolved: spacings turned into lengths.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DrainageSettings {
+    /// The seed's 64 bits.
+    pub seed: Seed,
+    /// The mean distance between parcels, √(area of the domain / attractors): the land hides parcels, it does not move any.
+    pub spacing: f32,
+    /// How much the valleys of an invasion decide where water goes first, from 0 to 1: the exponent of its areas.
+    pub valleys: f32,
+    /// How far apart those valleys are, in units: the wavelength of the ground that is invaded.
+    pub valley_spacing: f32,
+    /// Θ of Flint's law S = k A^−θ (1974): by how much slope falls as area grows.
+    pub concavity: f32,
+    /// How many rounds follow the first.
+    pub captures: u32,
+    /// How unlike hard and soft ground are.
+    pub hardness: f32,
+    /// How far apart hard ground is from soft, in units.
+    pub hardness_scale: f32,
+    /// How far the plane is bent, in units.
+    pub bending: f32,
+}
+
+impl DrainageSettings {
+    /// Resolves a recipe.
+    pub fn new(recipe: &Recipe) -> Self {
+        let spacing = (AREA / recipe.integer(Key::Attractors) as f32).sqrt();
+        let spacings = |key| recipe.number(key) * spacing;
+        Self {
+            seed: Seed::from_text(recipe.seed()),
+            spacing,
+            valleys: recipe.number(Key::Valleys),
+            valley_spacing: spacings(Key::ValleySpacing),
+            concavity: recipe.number(Key::Concavity),
+            captures: recipe.integer(Key::Captures),
+            hardness: recipe.number(Key::Hardness),
+            hardness_scale: spacings(Key::HardnessScale),
+            bending: spacings(Key::Bending),
+        }
+    }
+
+    /// Fractal noise over the plane from −1 to 1. The index tells one use from another.
+    pub(super) fn noise(&self, index: u32, wavelength: f32, octaves: i32, gain: f32) -> FastNoiseLite {
+        let mut noise = FastNoiseLite::with_seed(self.seed.key(Purpose::Ground).bits([index, 0, 0]) as i32);
+        noise.set_noise_type(Some(NoiseType::OpenSimplex2));
+        noise.set_fractal_type(Some(FractalType::FBm));
+        noise.set_fractal_octaves(Some(octaves));
+        noise.set_fractal_gain(Some(gain));
+        noise.set_frequency(Some(1.0 / wavelength));
+        noise
+    }
+}

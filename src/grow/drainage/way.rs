@@ -1,0 +1,34 @@
+//! How parcels drain: each to a neighbour, or out.
+
+use super::parcels::NONE;
+
+/// A forest of parcels, rooted at outlets.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Way {
+    /// Where each parcel drains to: a neighbour, [`Way::OUT`], or [`NONE`] as long as that is not known.
+    pub to: Vec<u32>,
+    /// The parcels that are known, each after the one it drains to.
+    pub order: Vec<u32>,
+}
+
+impl Way {
+    /// Through the parcel's own outlet.
+    pub const OUT: u32 = u32::MAX - 1;
+
+    /// Of so many parcels none is known.
+    pub fn new(parcels: usize) -> Self {
+        Self { to: vec![NONE; parcels], order: Vec::with_capacity(parcels) }
+    }
+
+    /// How many parcels each drains, itself included; 0 where nothing is known.
+    pub fn areas(&self) -> Vec<u32> {
+        let mut areas = vec![0; self.to.len()];
+        for &here in self.order.iter().rev() {
+            areas[here as usize] += 1;
+            if let Some(below) = self.to.get(self.to[here as usize] as usize).map(|_| self.to[here as usize]) {
+                areas[below as usize] += areas[here as usize];
+            }
+        }
+        areas
+    }
+}
