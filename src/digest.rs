@@ -53,7 +53,7 @@ pub fn digest(recipe: &Recipe) -> Result<String, DigestError> {
         hash.words(network.rivers.iter().flat_map(|river| [river.start, river.end, river.junction, river.parent]));
         let vertices = network.vertices.iter().chain(network.oxbows.iter().flat_map(|oxbow| &oxbow.vertices));
         vertices.for_each(|vertex| {
-            let Vertex { at, discharge, left, right, mobility } = *vertex;
+            let Vertex { at, discharge, left, right, mobility, .. } = *vertex;
             hash.words([
                 at.x.to_bits(),
                 at.y.to_bits(),

@@ -9,7 +9,7 @@ use glam::{DVec2, Vec2};
 pub(crate) type Segment = (Vec2, Vec2);
 
 /// Twice the signed area of a triangle; exact but for the last rounding, so that its sign can be trusted.
-fn doubled_area(a: Vec2, b: Vec2, c: Vec2) -> f64 {
+pub(crate) fn doubled_area(a: Vec2, b: Vec2, c: Vec2) -> f64 {
     let (a, b, c): (DVec2, DVec2, DVec2) = (a.into(), b.into(), c.into());
     (b - a).perp_dot(c - a)
 }

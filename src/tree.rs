@@ -8,6 +8,9 @@ use glam::Vec2;
 /// The parent of a mouth.
 pub const NO_PARENT: u32 = u32::MAX;
 
+/// The slope at the mouth of a river that drains everything: that of lower rivers, a few units in ten thousand.
+pub const LEAST_SLOPE: f32 = 3e-4;
+
 /// Nodes that grew from river mouths. A forest, to be exact: one tree a mouth.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Tree {

@@ -1,8 +1,6 @@
 //! From a tree to courses: at each confluence the arm with the greatest discharge is the river's own, and every other one
 //! is a river that joins it.
 
-use glam::Vec2;
-
 use super::ranking;
 use super::uncross::uncross;
 use super::{NONE, Network, River, Vertex};
@@ -59,7 +57,12 @@ fn courses(tree: &Tree) -> Network {
         for &node in upstream.iter().rev() {
             place[node as usize] = network.vertices.len() as u32;
             river_of[node as usize] = number;
-            network.vertices.push(vertex(tree.at[node as usize], hydrology.discharge[node as usize]));
+            network.vertices.push(Vertex {
+                at: tree.at[node as usize],
+                discharge: hydrology.discharge[node as usize],
+                elevation: tree.elevation.get(node as usize).copied().unwrap_or(0.0),
+                ..Vertex::default()
+            });
         }
         network.rivers.push(River {
             start,
@@ -71,10 +74,6 @@ fn courses(tree: &Tree) -> Network {
         });
     }
     network
-}
-
-fn vertex(at: Vec2, discharge: u32) -> Vertex {
-    Vertex { at, discharge, ..Vertex::default() }
 }
 
 /// Of each node's arms the one with the greatest discharge, of equal ones the longest, then the first; [`NONE`] at
@@ -95,6 +94,7 @@ fn own_arms(tree: &Tree, hydrology: &Hydrology) -> Vec<u32> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use glam::Vec2;
 
     #[test]
     fn main_stem_follows_the_discharge() {

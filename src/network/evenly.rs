@@ -50,6 +50,7 @@ pub(super) fn between(upper: &Vertex, lower: &Vertex, share: f32) -> Vertex {
         left: mix(upper.left, lower.left),
         right: mix(upper.right, lower.right),
         mobility: mix(upper.mobility, lower.mobility),
+        elevation: mix(upper.elevation, lower.elevation),
     }
 }
 

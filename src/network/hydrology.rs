@@ -1,13 +1,11 @@
-//! Slope and elevation of rivers that flow through no terrain.
+//! Slope and elevation of rivers.
 //!
-//! Rivers flatten downstream: slope falls as a power of discharge. So 'flat' has a meaning by discharge alone, and
+//! A tree grown by drainage brings its elevations. Other rivers flow through no terrain; but rivers flatten downstream: slope falls as a power of discharge. So 'flat' has a meaning by discharge alone, and
 //! slopes summed from the mouth up are elevations that always fall toward the sea.
 
 use super::{NONE, Network};
-use crate::geometry::distance;
-
-/// The slope at the mouth of a river that drains everything: that of lower rivers, a few units in ten thousand.
-const LEAST_SLOPE: f32 = 3e-4;
+use crate::geometry::{distance, fast_max};
+use crate::tree::LEAST_SLOPE;
 
 /// The slope of a river that drains a share of everything: S ∝ Q^−0.4, as width, depth and velocity ∝ Q^0.5, Q^0.4 and Q^0.1
 /// of Leopold and Maddock (1953) leave it (Pelletier 2021).
@@ -15,9 +13,39 @@ pub fn slope(share: f32) -> f32 {
     LEAST_SLOPE * libm::powf(share.max(1e-6), -0.4)
 }
 
+/// The slope at each vertex, downstream. That of a tree's own elevations is taken over some way, as their ground is hard here and soft
+/// there.
+pub(super) fn slopes(network: &Network, total_discharge: u32) -> Vec<f32> {
+    /// A few times the distance between streams.
+    const VERTICES: usize = 24;
+    if !has_elevations(network) {
+        return network.vertices.iter().map(|vertex| slope(vertex.discharge as f32 / total_discharge as f32)).collect();
+    }
+    let mut slopes = vec![0.0; network.vertices.len()];
+    for river in &network.rivers {
+        let course: Vec<_> = network.course(river).collect();
+        let mut along = vec![0.0; course.len()];
+        for i in 1..course.len() {
+            along[i] = along[i - 1] + distance(course[i - 1].at, course[i].at);
+        }
+        for (i, at) in river.vertex_range().enumerate() {
+            let upper = i.saturating_sub(VERTICES / 2);
+            let lower = (i + VERTICES / 2).min(course.len() - 1);
+            let far = fast_max(along[lower] - along[upper], f32::MIN_POSITIVE);
+            slopes[at] = (course[upper].elevation - course[lower].elevation) / far;
+        }
+    }
+    slopes
+}
+
+fn has_elevations(network: &Network) -> bool {
+    network.vertices.iter().any(|vertex| vertex.elevation > 0.0)
+}
+
 /// The elevation of each vertex over the sea, in units; 0 at mouths. It falls along every river.
 pub fn elevations(network: &Network, total_discharge: u32) -> Vec<f32> {
     let downstream = network.downstream();
+    let is_given = has_elevations(network);
     let mut elevations = vec![f32::NAN; network.vertices.len()];
     let mut upward = Vec::new();
     for start in 0..network.vertices.len() as u32 {
@@ -32,10 +60,11 @@ pub fn elevations(network: &Network, total_discharge: u32) -> Vec<f32> {
             elevations[i as usize] = match network.vertices.get(downstream[i as usize] as usize) {
                 None => 0.0,
                 Some(next) => {
-                    let fall = slope(vertex.discharge as f32 / total_discharge as f32) * distance(vertex.at, next.at);
-                    // However short the way, a river falls.
                     let below = elevations[downstream[i as usize] as usize];
-                    (below + fall).max(below.next_up())
+                    let law = || slope(vertex.discharge as f32 / total_discharge as f32) * distance(vertex.at, next.at);
+                    // However short the way, a river falls.
+                    let own = if is_given { vertex.elevation } else { below + law() };
+                    own.max(below.next_up())
                 }
             };
         }

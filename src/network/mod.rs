@@ -64,6 +64,8 @@ pub struct Vertex {
     pub right: f32,
     /// How freely it meanders, from 0, where it stays, to 1.
     pub mobility: f32,
+    /// How high over the sea the tree has it, in units; 0 everywhere if the tree has no elevations.
+    pub elevation: f32,
 }
 
 impl Vertex {

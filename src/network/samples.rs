@@ -16,7 +16,8 @@ pub(super) fn settings() -> Settings {
 /// A river through some points, as wide everywhere, that moves freely.
 pub(super) fn river(points: &[Vec2], width: f32) -> Network {
     let half = width * 0.5;
-    let vertex = |&at: &Vec2| Vertex { at, discharge: 100, left: half, right: half, mobility: 1.0 };
+    let vertex =
+        |&at: &Vec2| Vertex { at, discharge: 100, left: half, right: half, mobility: 1.0, ..Vertex::default() };
     let river = River { start: 0, end: points.len() as u32, junction: NONE, parent: NONE, order: 1, magnitude: 1 };
     Network { vertices: points.iter().map(vertex).collect(), rivers: vec![river], oxbows: vec![] }
 }

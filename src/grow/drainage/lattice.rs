@@ -2,20 +2,23 @@
 //!
 //! A place belongs to its cell, which is counted from the middle of the domain: land hides places, and moves none. Each has six
 //! neighbours. Jitter stays inside a disc of less than 0.433 of the side of a triangle, half its height, so that no
-//! triangle is turned over; the bends are a flow in small steps, each with a gradient below 1, so that the plane is not folded.
-//! A triangle may still be turned over where it is thin and the plane is bent most: its sides are no edges ([`Lattice::is_edge`]),
-//! and so no two edges cross.
+//! triangle is turned over; the bends are a flow along contours, which folds nothing. Still, a triangle may be turned over where it is
+//! thin and the plane is bent most.
+//!
+//! No two edges cross: what lies upon a triangle that is turned over is no edge ([`Lattice::is_edge`]). For a point away from the border is
+//! covered by one triangle more that is the right way up than are turned over, so two edges can only cross on one of the latter.
 
 use fastnoise_lite::FastNoiseLite;
 use glam::Vec2;
 
 use super::settings::DrainageSettings;
 use crate::domain::Domain;
+use crate::geometry::{doubled_area, is_in_triangle, meet};
 use crate::random::{Key, Purpose};
 use crate::work;
 
 /// How far a place may lie from the middle of its cell, as a share of a triangle's side.
-const JITTER: f32 = 0.42;
+const JITTER: f32 = 0.4;
 
 /// A triangle's side for a spacing of 1: √(2/√3).
 const SIDE: f32 = 1.074_569_9;
@@ -35,6 +38,8 @@ pub(super) struct Lattice {
     pub rows: usize,
     /// The row and column of the cell in the middle of the domain.
     middle: (i32, i32),
+    /// The ways from each cell that lie upon a triangle that is turned over, bit by bit.
+    broken: Vec<u8>,
 }
 
 impl Lattice {
@@ -55,15 +60,56 @@ impl Lattice {
         let middle = (across as i32, down as i32);
         work::count(columns * rows);
         let cells = (0..rows as i32).flat_map(|row| (0..columns as i32).map(move |column| (column, row)));
+        let mut farthest = 0.0f32;
         let at = cells
             .map(|(column, row)| {
                 let (i, j) = (column - middle.0, row - middle.1);
                 let aside = if (j & 1) == 0 { 0.0 } else { 0.5 };
-                let corner = Vec2::new(i as f32 + aside, j as f32 * HEIGHT);
-                half + bends.bend((corner + jitter(chance, i, j)) * side)
+                let corner = Vec2::new(i as f32 + aside, j as f32 * HEIGHT) * side;
+                let at = bends.bend(corner + jitter(chance, i, j) * side);
+                farthest = farthest.max(at.distance_squared(corner));
+                half + at
             })
             .collect();
-        Self { at, columns, rows, middle }
+        let mut this = Self { at, columns, rows, middle, broken: vec![0; columns * rows] };
+        this.break_edges((2.0 * farthest.sqrt() / (side * HEIGHT)) as usize + 2);
+        this
+    }
+
+    /// Finds the triangles that are turned over, and breaks all edges upon them: none is more cells away than this.
+    fn break_edges(&mut self, reach: usize) {
+        for cell in 0..self.at.len() {
+            if !self.is_inner(cell) {
+                continue;
+            }
+            let around = self.neighbours(cell);
+            for corners in [[cell, around[0], around[1]], [cell, around[1], around[2]]] {
+                let [a, b, c] = corners.map(|cell| self.at[cell]);
+                if !is_clockwise(a, b, c) {
+                    self.break_upon([a, b, c], cell, reach);
+                }
+            }
+        }
+    }
+
+    fn break_upon(&mut self, triangle: [Vec2; 3], cell: usize, reach: usize) {
+        let (column, row) = (cell % self.columns, cell / self.columns);
+        let (least, most) =
+            (triangle[0].min(triangle[1]).min(triangle[2]), triangle[0].max(triangle[1]).max(triangle[2]));
+        for row in row.saturating_sub(reach).max(1)..(row + reach + 1).min(self.rows - 1) {
+            for column in column.saturating_sub(reach).max(1)..(column + reach + 1).min(self.columns - 1) {
+                let from = row * self.columns + column;
+                let around = self.neighbours(from);
+                for way in 0..WAYS {
+                    let (a, b) = (self.at[from], self.at[around[way]]);
+                    let is_beside = a.max(b).cmplt(least).any() || a.min(b).cmpgt(most).any();
+                    if !is_beside && is_upon((a, b), triangle) {
+                        self.broken[from] |= 1 << way;
+                    }
+                }
+            }
+        }
+        work::count(reach * reach);
     }
 
     /// The numbers of a cell that tell it from all others, whatever the domain.
@@ -90,19 +136,32 @@ impl Lattice {
         }
     }
 
-    /// Whether an inner cell and its neighbour that way are joined by an edge: neither triangle beside it is turned over.
+    /// Whether an inner cell and its neighbour that way are joined by an edge.
     pub fn is_edge(&self, cell: usize, way: usize) -> bool {
-        let around = self.neighbours(cell);
-        // Clockwise with y down: east, south-east, south-west, west, north-west, north-east.
-        let [before, there, after] = [(way + 5) % 6, way, (way + 1) % 6].map(|way| self.at[around[way]]);
-        let here = self.at[cell];
-        is_clockwise(here, before, there) && is_clockwise(here, there, after)
+        let (from, way) = if way < WAYS { (cell, way) } else { (self.neighbours(cell)[way], way - WAYS) };
+        self.broken[from] >> way & 1 == 0
+    }
+}
+
+/// Whether an edge lies upon a triangle; one that only ends at a corner of it does not.
+fn is_upon((a, b): (Vec2, Vec2), triangle: [Vec2; 3]) -> bool {
+    let [c, d, e] = triangle;
+    match (triangle.contains(&a), triangle.contains(&b)) {
+        (true, true) => true,
+        (false, false) => {
+            is_in_triangle(a, c, d, e) || [(c, d), (d, e), (e, c)].into_iter().any(|side| meet((a, b), side))
+        }
+        (ends_here, _) => {
+            let (corner, away) = if ends_here { (a, b) } else { (b, a) };
+            let opposite = [(c, d), (d, e), (e, c)].into_iter().filter(|side| side.0 != corner && side.1 != corner);
+            is_in_triangle(away, c, d, e) || opposite.into_iter().any(|side| meet((a, b), side))
+        }
     }
 }
 
 /// Whether three points run clockwise, with y down.
 fn is_clockwise(a: Vec2, b: Vec2, c: Vec2) -> bool {
-    (b - a).perp_dot(c - a) > 0.0
+    doubled_area(a, b, c) > 0.0
 }
 
 /// How many columns and rows lie on each side of the middle.
@@ -122,29 +181,44 @@ fn jitter(chance: Key, i: i32, j: i32) -> Vec2 {
     Vec2::new(libm::cosf(angle), libm::sinf(angle)) * (JITTER * unit(1).sqrt())
 }
 
-/// A flow that bends the plane.
+/// A flow that bends the plane: along the contours of fractal noise, so that it neither gathers nor scatters what it carries.
 struct Bends {
-    noise: [FastNoiseLite; 2],
+    noise: FastNoiseLite,
+    /// How far one step carries where the noise falls by its height in a wavelength.
     step: f32,
+    /// Between the places whose heights make a slope.
+    beside: f32,
 }
 
 impl Bends {
-    /// So many steps keep the gradient of each below 1 over all of the range of 'bending'.
     const STEPS: u32 = 4;
     /// In spacings.
     const WAVELENGTH: f32 = 10.5;
+    const BESIDE: f32 = 0.25;
 
     fn new(settings: &DrainageSettings) -> Self {
-        let noise = [0, 1].map(|index| settings.noise(index, Self::WAVELENGTH * settings.spacing, 3, 0.6));
-        Self { noise, step: settings.bending / Self::STEPS as f32 }
+        let wavelength = Self::WAVELENGTH * settings.spacing;
+        let beside = Self::BESIDE * settings.spacing;
+        let slope = SLOPE * wavelength / beside;
+        Self {
+            noise: settings.noise(0, wavelength, 2, 0.5),
+            step: settings.bending / Self::STEPS as f32 * slope,
+            beside,
+        }
     }
 
     fn bend(&self, at: Vec2) -> Vec2 {
         if self.step == 0.0 {
             return at;
         }
-        let [x, y] = &self.noise;
-        (0..Self::STEPS)
-            .fold(at, |at, _| at + Vec2::new(x.get_noise_2d(at.x, at.y), y.get_noise_2d(at.x, at.y)) * self.step)
+        (0..Self::STEPS).fold(at, |at, _| {
+            let here = self.noise.get_noise_2d(at.x, at.y);
+            let across = self.noise.get_noise_2d(at.x + self.beside, at.y) - here;
+            let down = self.noise.get_noise_2d(at.x, at.y + self.beside) - here;
+            at + Vec2::new(-down, across) * self.step
+        })
     }
 }
+
+/// Brings the mean slope of the noise to 1.
+const SLOPE: f32 = 0.12;

@@ -20,7 +20,7 @@ pub use settings::DrainageSettings;
 
 use super::{Ending, GrowError, Settings};
 use crate::memory::{Refused, can_allocate};
-use crate::tree::{NO_PARENT, Tree};
+use crate::tree::{LEAST_SLOPE, NO_PARENT, Tree};
 use invasion::Invasion;
 use lattice::Lattice;
 use parcels::{NONE, Parcels};
@@ -182,17 +182,11 @@ impl Drainage {
         tree.elevation = vec![0.0; tree.len()];
         for &parcel in &way.order {
             let here = parcel as usize;
-            let (below, area, cost) = match way.to[here] {
-                Way::OUT => {
-                    let outlet = parcels.outlets[parcels.outlet_of[here] as usize].at;
-                    (0.0, areas[here], parcels.at[here].distance(outlet))
-                }
-                to => {
-                    let way = (0..6).find(|&way| parcels.neighbours[here][way] == to).unwrap_or(0);
-                    (tree.elevation[node[to as usize] as usize], areas[to as usize], parcels.cost(here, way))
-                }
+            let (below, cost) = match way.to[here] {
+                Way::OUT => (0.0, parcels.cost_out(here)),
+                to => (tree.elevation[node[to as usize] as usize], parcels.cost_to(here, to)),
             };
-            let fall = steepness * cost * libm::powf(area as f32, -concavity);
+            let fall = steepness * cost * libm::powf(areas[here] as f32, -concavity);
             // However little, a river falls.
             tree.elevation[node[here] as usize] = (below + fall).max(f32::next_up(below));
         }
@@ -239,10 +233,10 @@ fn front(parcels: usize) -> usize {
     ((parcels as f32).sqrt() as usize).max(8)
 }
 
-/// The slope, beside that of the ground, where a river drains one parcel. The river that drains everything falls as one of the width
-/// of 14 units does whose slope is 0.4 · 0.055 by its width.
+/// The slope, beside that of the ground, where a river drains one parcel: a river that drains everything falls as gently as one of any
+/// other tree does.
 fn steepness(parcels: usize, concavity: f32) -> f32 {
-    0.4 * 0.055 / 14.0 * libm::powf(parcels.max(1) as f32, concavity)
+    LEAST_SLOPE * libm::powf(parcels.max(1) as f32, concavity)
 }
 
 /// Adds a parcel's node, and the mouth that it flows to if that is its own.
@@ -262,3 +256,6 @@ fn plant(parcels: &Parcels, way: &Way, parcel: u32, tree: &mut Tree, node: &mut 
     };
     node[parcel as usize] = add(parcels.at[parcel as usize], below, 1);
 }
+
+#[cfg(test)]
+mod tests;

@@ -27,7 +27,7 @@ pub(super) fn find(settings: &Settings, lattice: &Lattice, cells: &[usize], neig
     let nearest = |(parcel, &cell): (usize, &usize)| {
         let from = lattice.at[cell];
         let around = lattice.neighbours(cell);
-        let ways = (0..6).filter(|&way| neighbours[parcel][way] == NONE);
+        let ways = (0..6).filter(|&way| neighbours[parcel][way] == NONE && lattice.is_edge(cell, way));
         let coasts = ways.filter_map(|way| settings.coast_toward(from, lattice.at[around[way]]));
         let nearest = coasts.reduce(|a, b| if b.distance_squared(from) < a.distance_squared(from) { b } else { a });
         nearest.map(|at| Outlet { at, parcel: parcel as u32 })

@@ -71,6 +71,18 @@ impl Parcels {
         }
     }
 
+    /// What it costs to leave the land from the parcel of an outlet.
+    pub fn cost_out(&self, parcel: usize) -> f32 {
+        let outlet = self.outlets.get(self.outlet_of[parcel] as usize);
+        outlet.map_or(f32::INFINITY, |outlet| self.at[parcel].distance(outlet.at))
+    }
+
+    /// What it costs to cross from a parcel to a neighbour.
+    pub fn cost_to(&self, parcel: usize, neighbour: u32) -> f32 {
+        let way = self.neighbours[parcel].iter().position(|&there| there == neighbour);
+        way.map_or(f32::INFINITY, |way| self.cost(parcel, way))
+    }
+
     fn join_neighbours(&mut self, settings: &Settings, lattice: &Lattice, cells: &[usize], number: &[u32]) {
         work::count(cells.len() * WAYS);
         for (parcel, &cell) in cells.iter().enumerate() {

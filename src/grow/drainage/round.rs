@@ -13,7 +13,7 @@ use crate::work;
 pub(super) struct Round {
     /// What the cheapest known way to the sea costs.
     pub cost: Vec<f32>,
-    /// A^−θ of each parcel: what a step up from it costs, beside the ground.
+    /// A^−θ of each parcel: what a step down from it costs, beside the ground.
     ease: Vec<f32>,
     is_settled: Vec<bool>,
     queue: Queue,
@@ -35,7 +35,7 @@ impl Round {
         this.queue.reserve(parcels.outlets.len())?;
         for outlet in &parcels.outlets {
             let parcel = outlet.parcel as usize;
-            let cost = parcels.at[parcel].distance(outlet.at) * this.ease[parcel];
+            let cost = parcels.cost_out(parcel) * this.ease[parcel];
             (this.cost[parcel], this.way.to[parcel]) = (cost, Way::OUT);
             this.queue.push(cost, outlet.parcel);
         }
@@ -59,12 +59,12 @@ impl Round {
 
     fn settle(&mut self, parcels: &Parcels, here: u32) {
         self.way.order.push(here);
-        let (cost, ease) = (self.cost[here as usize], self.ease[here as usize]);
+        let cost = self.cost[here as usize];
         for (way, there) in parcels.neighbours[here as usize].into_iter().enumerate() {
             if there == NONE || self.is_settled[there as usize] {
                 continue;
             }
-            let through = cost + parcels.cost(here as usize, way) * ease;
+            let through = cost + parcels.cost(here as usize, way) * self.ease[there as usize];
             if through < self.cost[there as usize] {
                 (self.cost[there as usize], self.way.to[there as usize]) = (through, here);
                 self.queue.push(through, there);

@@ -4,7 +4,7 @@
 //! A river is not held at a junction by a brook that is nothing to it: it carries the brook's end along. A tributary
 //! is always held where it ends.
 
-use super::super::hydrology::slope;
+use super::super::hydrology::slopes;
 use super::super::settings::Settings;
 use super::super::{NONE, Network, Vertex};
 use crate::geometry::{distance, fast_max, fast_min, smooth_step};
@@ -26,8 +26,8 @@ pub(super) fn assign(network: &mut Network, settings: &Settings) {
     if settings.model == MeanderModel::None {
         return;
     }
-    let flat = flat_discharge(network, settings);
-    let great = great_rivers(network, flat, settings.great);
+    let is_flat = flat_vertices(network, settings);
+    let great = great_rivers(network, &is_flat, settings.great);
     let holds = holds(network);
     let noise = settings.gentle_noise();
     for (number, river) in network.rivers.clone().iter().enumerate() {
@@ -36,11 +36,10 @@ pub(super) fn assign(network: &mut Network, settings: &Settings) {
         let own = &mut network.vertices[river.vertex_range()];
         let width: Vec<f32> = own.iter().map(|vertex| fast_max(vertex.width(), settings.spacing)).collect();
         let ramp = |far: f32, width: f32| smooth_step((far / width - HELD) / fast_max(settings.taper - HELD, 0.1));
-        let flat_from = own.iter().position(|vertex| vertex.discharge >= flat).filter(|_| great.contains(&number));
+        let in_flat = great.contains(&number).then(|| depths_in_flat(&is_flat[river.vertex_range()], &along));
         for (i, vertex) in own.iter_mut().enumerate() {
             let gently = settings.gentle * smooth_step(noise.get_noise_2d(vertex.at.x, vertex.at.y) * 1.25 + 0.25);
-            let fully =
-                flat_from.map_or(0.0, |from| if i < from { 0.0 } else { ramp(along[i] - along[from], width[i]) });
+            let fully = in_flat.as_ref().map_or(0.0, |depths| ramp(depths[i], width[i]));
             let mobility = fast_max(gently, fully) * ramp(along[i], width[i]) * ramp(length - along[i], width[i]);
             vertex.mobility = if mobility < LEAST { 0.0 } else { mobility };
         }
@@ -76,25 +75,42 @@ pub(super) fn ease_off(network: &mut Network, spacing: f32) {
     }
 }
 
-/// The least discharge of what counts as flat: the flattest share of all courses, whose vertices lie evenly.
-fn flat_discharge(network: &Network, settings: &Settings) -> u32 {
-    let slope = |discharge: u32| slope(discharge as f32 / settings.total_discharge as f32);
-    let by_slope = sort::argsort(network.vertices.iter().map(|vertex| sort::key(slope(vertex.discharge))));
+/// Which vertices count as flat: the flattest share of all courses, whose vertices lie evenly.
+fn flat_vertices(network: &Network, settings: &Settings) -> Vec<bool> {
+    let slopes = slopes(network, settings.total_discharge);
+    let by_slope = sort::argsort(slopes.iter().map(|&slope| sort::key(slope)));
     let count = (by_slope.len() as f32 * settings.flat) as usize;
     match by_slope.get(..count).and_then(<[usize]>::last) {
-        Some(&last) => network.vertices[last].discharge,
-        None => u32::MAX,
+        Some(&last) => slopes.iter().map(|&slope| slope <= slopes[last]).collect(),
+        None => vec![false; slopes.len()],
     }
 }
 
 /// The rivers with the longest flat stretches.
-fn great_rivers(network: &Network, flat: u32, count: u32) -> Vec<usize> {
-    let length = |river: &super::super::River| {
-        network.vertices[river.vertex_range()].iter().filter(|vertex| vertex.discharge >= flat).count() as u32
-    };
+fn great_rivers(network: &Network, is_flat: &[bool], count: u32) -> Vec<usize> {
+    let length =
+        |river: &super::super::River| is_flat[river.vertex_range()].iter().filter(|&&flat| flat).count() as u32;
     let lengths: Vec<u32> = network.rivers.iter().map(length).collect();
     let by_length = sort::argsort(lengths.iter().map(|&length| u32::MAX - length));
     by_length.into_iter().take(count as usize).filter(|&river| lengths[river] > 0).collect()
+}
+
+/// How far inside a flat stretch each vertex of a river lies: the distance to its nearer end, but for the river's own end; 0 where it
+/// is not flat.
+fn depths_in_flat(is_flat: &[bool], along: &[f32]) -> Vec<f32> {
+    let mut depths = vec![0.0; is_flat.len()];
+    let mut start = 0;
+    for stretch in is_flat.chunk_by(|a, b| a == b) {
+        let end = start + stretch.len();
+        if stretch[0] {
+            for i in start..end {
+                let below = if end < is_flat.len() { along[end] - along[i] } else { f32::INFINITY };
+                depths[i] = fast_min(along[i] - along[start], below);
+            }
+        }
+        start = end;
+    }
+    depths
 }
 
 /// How firmly each vertex is held by what joins there, from 0 to 1.

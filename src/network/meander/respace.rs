@@ -49,7 +49,7 @@ pub(super) fn respace(network: &mut Network, clearance: &[f32], step_scale: &[f3
         }
         if let (Some(upper), Some(junction)) = (old.get(last as usize), old.get(river.junction as usize)) {
             // No wider for being near a wider river.
-            let end = Vertex { at: junction.at, ..*upper };
+            let end = Vertex { at: junction.at, elevation: junction.elevation, ..*upper };
             divide(&mut vertices, upper, &end, settings);
         }
         river.end = vertices.len() as u32;
