@@ -4,7 +4,7 @@
 //! A parcel comes in by its own height, never by that of the level that has been flooded: flooding a hollow at one level would fill it as
 //! a front does, from all sides.
 
-use super::parcels::{NONE, Parcels};
+use super::parcels::{DEVIATION, NONE, Parcels};
 use super::queue::Queue;
 use super::settings::DrainageSettings;
 use super::way::Way;
@@ -19,8 +19,8 @@ const CHANCE: f32 = 0.45;
 const OCTAVES: i32 = 5;
 const GAIN: f32 = 0.65;
 
-/// The noise of the ground is brought to a deviation of about 1 by this.
-const RELIEF: f32 = 3.0;
+/// How much higher the ground is at a border where land runs on.
+const BORDER: f32 = 2.0;
 
 /// An invasion in progress.
 #[derive(Clone, Debug)]
@@ -76,7 +76,7 @@ pub(super) fn heights(parcels: &Parcels, settings: &DrainageSettings) -> Vec<f32
         .map(|i| {
             let (at, [column, row]) = (parcels.at[i], parcels.identity[i]);
             let own = CHANCE * (2.0 * chance.unit([column, row, 1]) - 1.0);
-            RELIEF * noise.get_noise_2d(at.x, at.y) + own + tilt * distance[i] as f32
+            DEVIATION * noise.get_noise_2d(at.x, at.y) + own + tilt * distance[i] as f32 + BORDER * parcels.border[i]
         })
         .collect()
 }

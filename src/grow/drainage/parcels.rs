@@ -24,6 +24,9 @@ pub(super) struct Parcels {
     costs: Vec<[f32; WAYS]>,
     /// The numbers of each one's cell, which belong to the plane and not to this land.
     pub identity: Vec<[u32; 2]>,
+    /// How near each lies to a border of the domain where land runs on, from 0, not near, to 1, at it. The ground rises toward such
+    /// borders, so that divides lie along them, and not rivers.
+    pub border: Vec<f32>,
     /// Where water leaves the land.
     pub outlets: Vec<Outlet>,
     /// The outlet beside a parcel; [`NONE`] for most.
@@ -43,6 +46,7 @@ impl Parcels {
         let mut this = Self {
             at: cells.iter().map(|&cell| lattice.at[cell]).collect(),
             identity: cells.iter().map(|&cell| lattice.identity(cell)).collect(),
+            border: cells.iter().map(|&cell| nearness_to_border(settings, lattice.at[cell])).collect(),
             neighbours: vec![[NONE; 6]; cells.len()],
             costs: vec![[0.0; WAYS]; cells.len()],
             ..Self::default()
@@ -104,7 +108,10 @@ impl Parcels {
     fn weigh(&mut self, settings: &DrainageSettings) {
         const CHANCE: f32 = 0.47;
         let noise = settings.noise(2, settings.hardness_scale, 4, 0.6);
-        let hardness: Vec<f32> = self.at.iter().map(|at| settings.hardness * noise.get_noise_2d(at.x, at.y)).collect();
+        let ground = |(at, border): (&Vec2, &f32)| {
+            settings.hardness * DEVIATION * noise.get_noise_2d(at.x, at.y) + BORDER * border
+        };
+        let hardness: Vec<f32> = self.at.iter().zip(&self.border).map(ground).collect();
         let chance = settings.seed.key(Purpose::Ground);
         for parcel in 0..self.len() {
             for way in 0..WAYS {
@@ -112,7 +119,7 @@ impl Parcels {
                 if let Some(to) = self.at.get(there) {
                     let [i, j] = self.identity[parcel];
                     let own = CHANCE * normal(chance.bits([i, j, 2 + way as u32]));
-                    let ground = HARDNESS_SCALE * 0.5 * (hardness[parcel] + hardness[there]);
+                    let ground = 0.5 * (hardness[parcel] + hardness[there]);
                     self.costs[parcel][way] = self.at[parcel].distance(*to) * libm::expf(own + ground);
                 }
             }
@@ -120,14 +127,28 @@ impl Parcels {
     }
 }
 
-/// Noise with a deviation of about a third is brought to one of about 1.
-const HARDNESS_SCALE: f32 = 3.0;
+/// Brings fractal noise from −1 to 1 to a deviation of about 1.
+pub(super) const DEVIATION: f32 = 3.0;
+
+/// How much harder the ground is at a border where land runs on: e to the power of this.
+const BORDER: f32 = 1.5;
+
+/// How near a place lies to a border of the domain where land runs on. A rectangle has the sea beyond its chosen sides.
+fn nearness_to_border(settings: &Settings, at: Vec2) -> f32 {
+    const SPACINGS: f32 = 8.0;
+    let far = settings.domain.size - at;
+    let is_closed = |side| settings.land.is_some() || !settings.sides.contains(side);
+    let sides = [('n', at.y), ('e', far.x), ('s', far.y), ('w', at.x)].into_iter();
+    let nearest = sides.filter(|&(side, _)| is_closed(side)).map(|(_, far)| far).fold(f32::INFINITY, f32::min);
+    let share = (1.0 - nearest / (SPACINGS * settings.drainage.spacing)).max(0.0);
+    share * share
+}
 
 /// About a normal deviate: the sum of four random numbers (Irwin and Hall).
 fn normal(bits: u32) -> f32 {
-    const DEVIATION: f32 = 147.8;
+    const OF_BYTES: f32 = 147.8;
     let sum: u32 = bits.to_be_bytes().into_iter().map(u32::from).sum();
-    (sum as f32 - 510.0) / DEVIATION
+    (sum as f32 - 510.0) / OF_BYTES
 }
 
 fn is_land(settings: &Settings, lattice: &Lattice, cell: usize) -> bool {
