@@ -80,7 +80,7 @@ fn repetition(task: &str) -> Option<Repetition> {
         ["pairs"] => all_pairs(),
         ["bends", model, measure, percent] => bends_of(model, measure, percent.parse().ok()?),
         ["late", key, one, other] => late(&format!("{key}={one}"), &format!("{key}={other}")),
-        ["pen"] => changes("rough=0.5", "rough=0.51", 6000, DRAWN),
+        ["pen"] => changes("roughness=0.5", "roughness=0.51", 6000, DRAWN),
         ["differing"] => Some(Box::new(|| differing_bytes().unwrap_or(u32::MAX))),
         _ => None,
     }
@@ -273,7 +273,7 @@ fn bends_of(model: &str, measure: &str, percent: usize) -> Option<Repetition> {
         "radius" => |bend: &Bend| bend.radius,
         _ => |bend: &Bend| bend.sinuosity,
     };
-    let link = format!("meander={model}&great=4&meander-rounds=60");
+    let link = format!("meander={model}&great-rivers=4&meander-rounds=60");
     let mut all: Vec<f32> = (0..20)
         .filter_map(|seed| {
             let mut session = Session::new(recipe(&format!("seed={seed}&{link}"))?).ok()?;

@@ -14,13 +14,13 @@ const LEFT: [Key; 13] = [
     Key::Aspect,
     Key::Land,
     Key::Sea,
-    Key::Rough,
+    Key::Roughness,
     Key::Mouths,
-    Key::Apart,
+    Key::MouthSpacing,
     Key::Shores,
     Key::Attractors,
     Key::Width,
-    Key::Vary,
+    Key::BankVariation,
     Key::Style,
 ];
 
