@@ -194,7 +194,8 @@ fn shaping_of_rivers() -> Option<Repetition> {
 
 /// The rivers of a tree on a plain rectangle, before they are shaped.
 fn unshaped(recipe: &Recipe, growth: &Growth) -> Option<Shaping> {
-    let pruned = prune::trim(growth.tree(), &Hydrology::of(growth.tree()), Trim::of(recipe));
+    let threshold = Trim::new(recipe.number(Key::Trim), growth.node_length(), !growth.mouths_are_chosen());
+    let pruned = prune::trim(growth.tree(), &Hydrology::of(growth.tree()), threshold);
     let parameters = network::Settings::new(recipe, None, growth.stream_spacing(), growth.total_discharge());
     Shaping::new(&pruned.tree, growth.may_cross(), parameters).ok()
 }

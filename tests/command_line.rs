@@ -152,7 +152,7 @@ fn what_is_wrong_is_named_and_nothing_is_written() {
     assert_eq!(wrong("flow=9"), (2, "riverseed: there is no parameter 'flow'\n".into()));
     assert_eq!(
         refusal(&["render", "--trim", "-1", "-o", out]),
-        (2, "riverseed: trim: -1 is not between 0 and 60\n".into())
+        (2, "riverseed: trim: -1 is not between 0 and 400\n".into())
     );
     assert_eq!(refusal(&["render", "--attractors", "-o", out]).0, 2);
     assert_eq!(refusal(&["render", "--size", "300", "-o", "x.json"]).0, 2);

@@ -12,14 +12,15 @@ use riverseed::grow::{Growth, Settings};
 use riverseed::land::Land;
 use riverseed::network::{self, ClearanceGrid, Meander, NONE, Network, Shaping, hydrology, meet};
 use riverseed::prune;
-use riverseed::recipe::{Recipe, link};
+use riverseed::recipe::{Key, Recipe, link};
 use riverseed::tree::Hydrology;
 
 fn shaped(recipe: &Recipe) -> Meander {
     let land = Land::of(recipe);
     let mut growth = Growth::new(Settings::new(recipe, land.clone())).unwrap();
     while growth.tick() {}
-    let pruned = prune::trim(growth.tree(), &Hydrology::of(growth.tree()), prune::Trim::of(recipe));
+    let threshold = prune::Trim::new(recipe.number(Key::Trim), growth.node_length(), !growth.mouths_are_chosen());
+    let pruned = prune::trim(growth.tree(), &Hydrology::of(growth.tree()), threshold);
     let parameters = network::Settings::new(recipe, land, growth.stream_spacing(), growth.total_discharge());
     let mut shaping = Shaping::new(&pruned.tree, growth.may_cross(), parameters).unwrap();
     while shaping.meander().is_none() {

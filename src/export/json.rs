@@ -6,7 +6,7 @@ use super::value::{Members, Value};
 use super::{ExportError, rivers};
 use crate::grow::Ending;
 use crate::network::{NONE, Network, Vertex};
-use crate::prune::{Pruned, Trim};
+use crate::prune::Pruned;
 use crate::recipe::table::TABLE;
 use crate::recipe::{self, Key, Recipe};
 use crate::session::Session;
@@ -74,7 +74,8 @@ fn resolved<'a>(session: &Session) -> Members<'a> {
         .single("curl", grown.curl)
         .whole("stretch", grown.stretch)
         .single("sensitivity", grown.sensitivity)
-        .whole("trim", Trim::of(session.recipe()).nodes)
+        .single("trim", session.recipe().number(Key::Trim))
+        .whole("trim-nodes", session.trim().nodes)
         .single("width", shaped.max_width)
         .whole("total-discharge", shaped.total_discharge)
         .single("vertex-spacing", shaped.spacing)

@@ -122,6 +122,22 @@ impl Growth {
         }
     }
 
+    /// How far a node lies from its parent, in units, on average.
+    pub fn node_length(&self) -> f32 {
+        match &self.grower {
+            Grower::Colonize(_) => self.settings.step,
+            Grower::Brownian(growth) => growth.node_length(),
+        }
+    }
+
+    /// Whether each mouth was asked for: a Brownian tree has one wherever its particles met the coast, most of them a brook's.
+    pub fn mouths_are_chosen(&self) -> bool {
+        match self.settings.method {
+            GrowthMethod::Colonize => true,
+            GrowthMethod::Brownian => false,
+        }
+    }
+
     /// Whether steps of the tree may cross each other: the strands of a Brownian tree never touch.
     pub fn may_cross(&self) -> bool {
         match self.settings.method {

@@ -252,11 +252,11 @@ pub static TABLE: [Parameter; COUNT] = {
             name: "trim",
             label: "Trim",
             help: "Side branches shorter than this are removed. The longest branch of every fork stays.",
-            unit: "nodes",
+            unit: "units",
             group: "Finish",
             stage: Prune,
             logarithmic: false,
-            kind: Kind::Integer { min: 0, max: 60, default: 7 },
+            kind: number(0.0, 400.0, 1.0, 22.0),
         },
         Parameter {
             key: Key::Simplify,

@@ -35,7 +35,7 @@ pub fn random_link(most_attractors: u32) -> impl Strategy<Value = String> {
     let growth = (2.1f64..=12.0, 0.5f64..=1.4, 0.2f64..=1.2, procedure, sensitivity, mouths);
     let zero_or = |most: f64| prop_oneof![Just(0.0), 0.0..=most];
     let bends = (zero_or(0.9), zero_or(2.0), 1u32..=64);
-    let finish = (prop_oneof![Just(0u32), 0u32..=60], 1.0f64..=40.0, 0usize..4);
+    let finish = (prop_oneof![Just(0u32), 0u32..=60, 0u32..=400], 1.0f64..=40.0, 0usize..4);
     let meanders = (
         prop_oneof![3 => Just("bend"), 2 => Just("flow"), 1 => Just("none")],
         prop_oneof![4 => 0u32..=60, 1 => 0u32..=400],

@@ -42,7 +42,7 @@ fn recipe_is_the_recipe_with_all_its_values() {
 }
 
 /// What needs no resolving.
-const AS_THEY_ARE: &str = "momentum curl stretch sensitivity width bank-variation meander-rounds meander-strength meander-mix meander-elsewhere great-rivers \
+const AS_THEY_ARE: &str = "momentum curl stretch sensitivity trim width bank-variation meander-rounds meander-strength meander-mix meander-elsewhere great-rivers \
                            flat-share neck taper";
 
 #[test]
@@ -66,7 +66,7 @@ fn lengths_are_resolved() {
         }
         let is_brownian = recipe.value(Key::Growth) == link::read("growth=brownian").unwrap().value(Key::Growth);
         let between = if is_brownian { recipe.number(Key::Sensitivity) } else { spacing };
-        near(&resolved["trim"], (recipe.number(Key::Trim) * if is_brownian { 4.5 } else { 1.0 }).floor());
+        near(&resolved["trim-nodes"], (recipe.number(Key::Trim) / session.growth().node_length()).round());
         near(&resolved["simplify"], recipe.number(Key::Simplify) / 100.0);
         near(&resolved["clearance"], recipe.number(Key::Clearance) * between);
         near(&resolved["vertex-spacing"], (0.32 * between).clamp(0.25, 5.0));
