@@ -66,7 +66,8 @@ fn lengths_are_resolved() {
         }
         let is_brownian = recipe.value(Key::Growth) == link::read("growth=brownian").unwrap().value(Key::Growth);
         let between = if is_brownian { recipe.number(Key::Sensitivity) } else { spacing };
-        near(&resolved["trim-nodes"], (recipe.number(Key::Trim) / session.growth().node_length()).round());
+        let node_length = if is_brownian { 1.1 } else { resolved["step"].as_f64().unwrap() as f32 };
+        near(&resolved["trim-nodes"], (recipe.number(Key::Trim) / node_length).round());
         near(&resolved["simplify"], recipe.number(Key::Simplify) / 100.0);
         near(&resolved["clearance"], recipe.number(Key::Clearance) * between);
         near(&resolved["vertex-spacing"], (0.32 * between).clamp(0.25, 5.0));
