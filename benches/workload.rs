@@ -80,7 +80,7 @@ fn repetition(task: &str) -> Option<Repetition> {
         ["pairs"] => all_pairs(),
         ["bends", model, measure, percent] => bends_of(model, measure, percent.parse().ok()?),
         ["late", key, one, other] => late(&format!("{key}={one}"), &format!("{key}={other}")),
-        ["pen"] => changes("rough=0.5", "rough=0.51", 6000, DRAWN),
+        ["pen"] => changes("roughness=0.5", "roughness=0.51", 6000, DRAWN),
         ["differing"] => Some(Box::new(|| differing_bytes().unwrap_or(u32::MAX))),
         _ => None,
     }
@@ -194,7 +194,8 @@ fn shaping_of_rivers() -> Option<Repetition> {
 
 /// The rivers of a tree on a plain rectangle, before they are shaped.
 fn unshaped(recipe: &Recipe, growth: &Growth) -> Option<Shaping> {
-    let pruned = prune::trim(growth.tree(), &Hydrology::of(growth.tree()), Trim::of(recipe));
+    let threshold = Trim::new(recipe.number(Key::Trim), growth.node_length(), !growth.mouths_are_chosen());
+    let pruned = prune::trim(growth.tree(), &Hydrology::of(growth.tree()), threshold);
     let parameters = network::Settings::new(recipe, None, growth.stream_spacing(), growth.total_discharge());
     Shaping::new(&pruned.tree, growth.may_cross(), parameters).ok()
 }
@@ -273,7 +274,7 @@ fn bends_of(model: &str, measure: &str, percent: usize) -> Option<Repetition> {
         "radius" => |bend: &Bend| bend.radius,
         _ => |bend: &Bend| bend.sinuosity,
     };
-    let link = format!("meander={model}&great=4&meander-rounds=60");
+    let link = format!("meander={model}&great-rivers=4&meander-rounds=60");
     let mut all: Vec<f32> = (0..20)
         .filter_map(|seed| {
             let mut session = Session::new(recipe(&format!("seed={seed}&{link}"))?).ok()?;

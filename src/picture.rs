@@ -7,7 +7,6 @@ use tiny_skia::Pixmap;
 use crate::domain::Domain;
 use crate::land::Land;
 use crate::paint::{PaintError, Painter, Progress, Rect, Rivers};
-use crate::prune::Trim;
 use crate::recipe::Key;
 use crate::session::{Generation, Session};
 
@@ -55,7 +54,7 @@ impl Picture {
         self.painter.paint(&Progress {
             tree: growth.tree(),
             finished: growth.ending().is_some(),
-            trim: Trim::of(recipe),
+            trim: session.trim(),
             total_discharge: growth.total_discharge(),
             max_width: recipe.number(Key::Width),
             land,

@@ -8,7 +8,6 @@
 //! A Brownian tree has a mouth wherever its particles met the coast, most of them a brook's, so the sea counts as one more fork:
 //! basins go whose longest river is short, but not the deepest of all. Where mouths were asked for, each of them stays.
 
-use crate::recipe::{GrowthMethod, Key, Recipe};
 use crate::tree::{Hydrology, Tree};
 
 /// What is short enough to go.
@@ -23,18 +22,10 @@ pub struct Trim {
 }
 
 impl Trim {
-    /// The trimming of a recipe.
-    pub fn of(recipe: &Recipe) -> Self {
-        let nodes = recipe.integer(Key::Trim);
-        match recipe.get() {
-            GrowthMethod::Colonize => Self { nodes, ..Self::default() },
-            // A node of space colonization is a step, 4.9 units with 6,000 attractors on a rectangle; of a Brownian tree,
-            // 1.1 units on average.
-            GrowthMethod::Brownian => Self { nodes: nodes * 9 / 2, treats_sea_as_fork: true, ..Self::default() },
-            GrowthMethod::Drainage => {
-                Self { nodes, treats_sea_as_fork: true, channel_area: recipe.integer(Key::ChannelArea) }
-            }
-        }
+    /// The trimming of side branches shorter than a length, of a tree whose nodes lie so far apart, both in units: as many nodes as
+    /// are nearest to that.
+    pub fn new(length: f32, node_length: f32, treats_sea_as_fork: bool) -> Self {
+        Self { nodes: (length / node_length).round() as u32, treats_sea_as_fork, channel_area: 0 }
     }
 }
 

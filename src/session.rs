@@ -10,7 +10,7 @@ use crate::grow::{self, Ending, GrowError, Growth};
 use crate::land::Land;
 use crate::network::{self, Meander, NONE, Network, ShapeError, Shaping, ask_for_memory};
 use crate::prune::{self, Pruned, Trim};
-use crate::recipe::{Recipe, Stage};
+use crate::recipe::{Key, Recipe, Stage};
 use crate::tree::{Hydrology, Tree};
 
 /// Why a recipe cannot be made into rivers.
@@ -275,7 +275,15 @@ impl Session {
     /// The trimmed tree with its hydrology, as things stand.
     pub fn pruned(&self) -> Pruned {
         let tree = self.growth.tree();
-        prune::trim(tree, &Hydrology::of(tree), Trim::of(&self.recipe))
+        prune::trim(tree, &Hydrology::of(tree), self.trim())
+    }
+
+    /// What of the tree is short enough to be trimmed.
+    pub fn trim(&self) -> Trim {
+        let length = self.recipe.number(Key::Trim);
+        let channel_area = if self.growth.covers_hillsides() { self.recipe.integer(Key::ChannelArea) } else { 0 };
+        let trim = Trim::new(length, self.growth.node_length(), !self.growth.mouths_are_chosen());
+        Trim { channel_area, ..trim }
     }
 
     /// The picture in numbers. While growth goes on this costs nothing, and does not know order and sources yet.

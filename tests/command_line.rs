@@ -104,7 +104,7 @@ fn rivers_are_in_the_network_with_what_they_were_made_by() {
     let network = network("rivers.json", &["attractors=400&meander=flow&meander-rounds=3&simplify=50"]);
     let resolved = &network["resolved"];
     assert_eq!((&resolved["meander"], &resolved["meander-rounds"]), (&"flow".into(), &3.into()));
-    assert_eq!((&resolved["simplify"], &resolved["everything"]), (&0.5.into(), &400.into()));
+    assert_eq!((&resolved["simplify"], &resolved["total-discharge"]), (&0.5.into(), &400.into()));
     let rivers = network["rivers"].as_array().unwrap();
     assert!(!rivers.is_empty() && rivers.iter().any(|river| river["parent"].is_null()));
     let points = rivers[0]["points"].as_array().unwrap();
@@ -152,7 +152,7 @@ fn what_is_wrong_is_named_and_nothing_is_written() {
     assert_eq!(wrong("flow=9"), (2, "riverseed: there is no parameter 'flow'\n".into()));
     assert_eq!(
         refusal(&["render", "--trim", "-1", "-o", out]),
-        (2, "riverseed: trim: -1 is not between 0 and 60\n".into())
+        (2, "riverseed: trim: -1 is not between 0 and 400\n".into())
     );
     assert_eq!(refusal(&["render", "--attractors", "-o", out]).0, 2);
     assert_eq!(refusal(&["render", "--size", "300", "-o", "x.json"]).0, 2);
@@ -200,7 +200,7 @@ fn picture_of_a_land_becomes_an_outline_that_renders() {
     };
     let (outline, link) = (traced(&[]), traced(&["--link"]));
     assert_eq!(link, format!("seed=kauri&edition=1&aspect=1.5&land=drawn&outline={outline}"));
-    let network = network("traced.json", &[&link, "--rough", "0", "--attractors", "300"]);
+    let network = network("traced.json", &[&link, "--roughness", "0", "--attractors", "300"]);
     let xs = network["nodes"]["x"].as_array().unwrap();
     let width = network["domain"]["width"].as_f64().unwrap();
     assert!(xs.iter().all(|x| (0.23..0.77).contains(&(x.as_f64().unwrap() / width))), "rivers leave the land");

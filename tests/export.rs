@@ -142,8 +142,8 @@ proptest! {
 #[test]
 fn lakes_are_valid_polygons_and_none_is_lost() {
     for link in [
-        "seed=s6&edition=1&land=island&sensitivity=24&attractors=800&trim=60&simplify=95&width=40&vary=0&meander-rounds=400&meander-strength=1&gentle=0&great=16&flat=1",
-        "seed=p2&edition=1&attractors=658&trim=16&simplify=42&width=21&vary=0.20&meander-rounds=279&meander-strength=1&gentle=0&great=12&flat=1&neck=1&buffer=0&taper=3",
+        "seed=s6&edition=1&land=island&sensitivity=24&attractors=800&trim=400&simplify=95&width=40&bank-variation=0&meander-rounds=400&meander-strength=1&meander-elsewhere=0&great-rivers=16&flat-share=1",
+        "seed=p2&edition=1&attractors=658&trim=153&simplify=42&width=21&bank-variation=0.20&meander-rounds=279&meander-strength=1&meander-elsewhere=0&great-rivers=12&flat-share=1&neck=1&clearance=0&taper=3",
     ] {
         let session = finished(link);
         assert!(session.network().unwrap().oxbows.len() > 200, "{link}");
@@ -155,7 +155,7 @@ fn lakes_are_valid_polygons_and_none_is_lost() {
 #[test]
 fn network_whose_lake_crossed_itself_can_be_read() {
     check_files(
-        "seed=o&growth=colonize&sensitivity=40&apart=0&shores=nesw&land=rectangle&outline=&sea=0.100&rough=0.000&aspect=0.250&mouths=30&sides=nes&attractors=687&scatter=grid&reach=7.528&kill=1.278&step=0.200&momentum=0.843&curl=0.000&stretch=1&trim=0&width=21.95&style=ink&simplify=9&vary=0.000&meander=flow&meander-rounds=217&meander-strength=0.615&meander-mix=0.000&gentle=0.391&great=0&flat=0.000&neck=2.22&buffer=0.25&taper=6.08",
+        "seed=o&growth=colonize&sensitivity=40&mouth-spacing=0&shores=nesw&land=rectangle&outline=&sea=0.100&roughness=0.000&aspect=0.250&mouths=30&sides=nes&attractors=687&scatter=grid&reach=7.528&kill=1.278&step=0.200&momentum=0.843&curl=0.000&stretch=1&trim=0&width=21.95&style=ink&simplify=9&bank-variation=0.000&meander=flow&meander-rounds=217&meander-strength=0.615&meander-mix=0.000&meander-elsewhere=0.391&great-rivers=0&flat-share=0.000&neck=2.22&clearance=0.25&taper=6.08",
     );
 }
 
@@ -163,7 +163,7 @@ fn network_whose_lake_crossed_itself_can_be_read() {
 #[test]
 fn network_of_few_attractors_in_a_tower_can_be_read() {
     check_files(
-        "seed=a&growth=colonize&sensitivity=40&apart=0&land=rectangle&outline=&sea=0.100&rough=0.000&aspect=0.250&mouths=1&sides=n&attractors=100&scatter=random&reach=2.100&kill=0.500&step=0.200&momentum=0.000&curl=0.000&stretch=1&trim=0&width=1.00&style=ink&simplify=0&vary=0.000&meander=bend&meander-rounds=0&meander-strength=0.000&meander-mix=0.000&gentle=0.000&great=0&flat=0.000&neck=1.00&buffer=0.00&taper=1.00",
+        "seed=a&growth=colonize&sensitivity=40&mouth-spacing=0&land=rectangle&outline=&sea=0.100&roughness=0.000&aspect=0.250&mouths=1&sides=n&attractors=100&scatter=random&reach=2.100&kill=0.500&step=0.200&momentum=0.000&curl=0.000&stretch=1&trim=0&width=1.00&style=ink&simplify=0&bank-variation=0.000&meander=bend&meander-rounds=0&meander-strength=0.000&meander-mix=0.000&meander-elsewhere=0.000&great-rivers=0&flat-share=0.000&neck=1.00&clearance=0.00&taper=1.00",
     );
 }
 
@@ -186,7 +186,7 @@ fn hostile_seeds_are_text_and_nothing_else() {
 
 #[test]
 fn map_without_rivers_is_a_file_too() {
-    let shut_off = "land=drawn&rough=0&aspect=1&attractors=100&outline=.MzMzzMMzzMzMMzzM..M1M1zKM1zKzKM1zKM1M1..M4M4zHM4zHzHM4zHM4M4";
+    let shut_off = "land=drawn&roughness=0&aspect=1&attractors=100&outline=.MzMzzMMzzMzMMzzM..M1M1zKM1zKzKM1zKM1M1..M4M4zHM4zHzHM4zHM4M4";
     let session = finished(shut_off);
     assert_eq!(session.network().unwrap().rivers.len(), 0);
     check_svg(&session);
@@ -214,7 +214,7 @@ fn drawn(session: &Session) -> tiny_skia::Pixmap {
 
 #[test]
 fn rivers_of_an_svg_end_at_the_coast() {
-    let link = "aspect=1&land=archipelago&rough=1&attractors=600&width=";
+    let link = "aspect=1&land=archipelago&roughness=1&attractors=600&width=";
     let [narrow, wide] = ["2", "40"].map(|width| finished(&format!("{link}{width}")));
     let (narrow_map, wide_map) = (drawn(&narrow), drawn(&wide));
     let land = narrow.land().unwrap();

@@ -83,7 +83,7 @@ fn a_river_that_runs_through_the_land_unreached_stops_no_other() {
 #[test]
 fn a_reach_across_a_narrow_land_loses_no_attractor() {
     for seed in ["rc", "a", "b", "c"] {
-        let link = format!("seed={seed}&land=valley&sea=0.1&rough=0&aspect=0.25&sides=ne&mouths=1&attractors=100");
+        let link = format!("seed={seed}&land=valley&sea=0.1&roughness=0&aspect=0.25&sides=ne&mouths=1&attractors=100");
         assert_equals_twin(&format!("{link}&reach=11.585&kill=0.5&step=0.2"));
     }
 }
@@ -139,7 +139,7 @@ fn every_island_of_some_size_has_rivers() {
 #[test]
 fn a_lake_has_thrice_the_mouths_and_from_every_side() {
     for seed in 0..8 {
-        let parameters = parameters(&format!("land=basin&seed={seed}&mouths=4&rough=0.2"));
+        let parameters = parameters(&format!("land=basin&seed={seed}&mouths=4&roughness=0.2"));
         let mouths = riverseed::grow::mouths(&parameters);
         assert!(mouths.len() >= 12, "seed {seed}: {}", mouths.len());
         let centre = parameters.domain.size / 2.0;
@@ -155,7 +155,7 @@ fn a_lake_has_thrice_the_mouths_and_from_every_side() {
 fn mouths_lie_on_the_chosen_shores() {
     for (kind, seed) in ["island", "basin"].iter().flat_map(|kind| (0..5).map(move |seed| (kind, seed))) {
         for (shores, way) in [("n", Vec2::NEG_Y), ("e", Vec2::X), ("s", Vec2::Y), ("w", Vec2::NEG_X)] {
-            let link = format!("land={kind}&seed={seed}&shores={shores}&mouths=5&attractors=1000&rough=0.2");
+            let link = format!("land={kind}&seed={seed}&shores={shores}&mouths=5&attractors=1000&roughness=0.2");
             let growth = grown(&link);
             let (tree, centre) = (growth.tree(), growth.settings().domain.size / 2.0);
             for mouth in (0..tree.len()).filter(|&node| tree.parent_of(node).is_none()) {
@@ -236,10 +236,10 @@ proptest! {
 
 /// Each of these once broke a promise.
 const FOUND_BY_CHANCE: [&str; 4] = [
-    "seed=a&land=island&sea=0.100&rough=0.000&aspect=0.250&mouths=1&sides=n&attractors=100&scatter=grid&reach=2.100&kill=0.500&step=0.200&momentum=0.000&curl=0.000&stretch=1&trim=0&width=1.00&style=ink",
-    "seed=h&land=island&sea=0.100&rough=0.000&aspect=0.250&mouths=1&sides=n&attractors=100&scatter=grid&reach=2.100&kill=1.4&step=1.021&momentum=0.000&curl=0.000&stretch=1&trim=0&width=1.00&style=ink",
-    "seed=sxpmpaa&land=continent&sea=0.211&rough=0.678&aspect=2.350&mouths=2&sides=n&attractors=100&scatter=random&reach=2.100&kill=0.500&step=0.200&momentum=0.000&curl=0.000&stretch=1&trim=0&width=1.00&style=ink",
-    "seed=unbisoy&growth=colonize&sensitivity=40&apart=277&shores=sw&land=continent&outline=&sea=0.674&rough=0.124&aspect=1.991&mouths=3&sides=esw&attractors=133&scatter=random&reach=6.194&kill=0.500&step=0.745&momentum=0.729&curl=0.239&stretch=6&trim=0&width=1.00&style=ink&simplify=0&vary=0.000&meander=bend&meander-rounds=0&meander-strength=0.000&meander-mix=0.000&gentle=0.000&great=0&flat=0.000&neck=1.00&buffer=0.00&taper=1.00",
+    "seed=a&land=island&sea=0.100&roughness=0.000&aspect=0.250&mouths=1&sides=n&attractors=100&scatter=grid&reach=2.100&kill=0.500&step=0.200&momentum=0.000&curl=0.000&stretch=1&trim=0&width=1.00&style=ink",
+    "seed=h&land=island&sea=0.100&roughness=0.000&aspect=0.250&mouths=1&sides=n&attractors=100&scatter=grid&reach=2.100&kill=1.4&step=1.021&momentum=0.000&curl=0.000&stretch=1&trim=0&width=1.00&style=ink",
+    "seed=sxpmpaa&land=continent&sea=0.211&roughness=0.678&aspect=2.350&mouths=2&sides=n&attractors=100&scatter=random&reach=2.100&kill=0.500&step=0.200&momentum=0.000&curl=0.000&stretch=1&trim=0&width=1.00&style=ink",
+    "seed=unbisoy&growth=colonize&sensitivity=40&mouth-spacing=277&shores=sw&land=continent&outline=&sea=0.674&roughness=0.124&aspect=1.991&mouths=3&sides=esw&attractors=133&scatter=random&reach=6.194&kill=0.500&step=0.745&momentum=0.729&curl=0.239&stretch=6&trim=0&width=1.00&style=ink&simplify=0&bank-variation=0.000&meander=bend&meander-rounds=0&meander-strength=0.000&meander-mix=0.000&meander-elsewhere=0.000&great-rivers=0&flat-share=0.000&neck=1.00&clearance=0.00&taper=1.00",
 ];
 
 #[test]
@@ -256,7 +256,7 @@ fn is_land(parameters: &Settings, point: Vec2) -> bool {
 
 /// An island whose ridge, drawn twice, shuts all its land off from its coast.
 const SHUT_OFF: &str =
-    "land=drawn&rough=0&aspect=1&outline=.MzMzzMMzzMzMMzzM..M1M1zKM1zKzKM1zKM1M1..M4M4zHM4zHzHM4zHM4M4";
+    "land=drawn&roughness=0&aspect=1&outline=.MzMzzMMzzMzMMzzM..M1M1zKM1zKzKM1zKM1M1..M4M4zHM4zHzHM4zHM4M4";
 
 #[test]
 fn land_shut_off_from_its_coast_takes_few_attractors_and_little_time() {
@@ -272,7 +272,9 @@ fn land_shut_off_from_its_coast_takes_few_attractors_and_little_time() {
 
 #[test]
 fn mouths_are_counted_as_they_are_planted() {
-    for link in ["land=island&mouths=64&apart=400", "land=archipelago&mouths=40", "land=basin&mouths=9&scatter=grid"] {
+    for link in
+        ["land=island&mouths=64&mouth-spacing=400", "land=archipelago&mouths=40", "land=basin&mouths=9&scatter=grid"]
+    {
         let growth = grown(&format!("{link}&attractors=900"));
         assert_eq!(growth.mouths() as usize, growth.tree().mouths(), "{link}");
         assert!(growth.attractors() >= growth.unreached(), "{link}");
@@ -288,7 +290,7 @@ fn cross(a: Vec2, b: Vec2, c: Vec2, d: Vec2) -> bool {
 #[test]
 fn no_river_of_either_growth_crosses_a_ridge() {
     for (seed, growth) in (0..6).flat_map(|seed| ["colonize", "brownian"].map(|growth| (seed, growth))) {
-        let link = format!("seed={seed}&growth={growth}&sensitivity=40&land=valley&rough=1&attractors=1500");
+        let link = format!("seed={seed}&growth={growth}&sensitivity=40&land=valley&roughness=1&attractors=1500");
         let mut grown = Growth::new(parameters(&link)).unwrap();
         while grown.tick() {}
         let (tree, land) = (grown.tree(), grown.settings().land().unwrap().clone());

@@ -14,13 +14,13 @@ const LEFT: [Key; 13] = [
     Key::Aspect,
     Key::Land,
     Key::Sea,
-    Key::Rough,
+    Key::Roughness,
     Key::Mouths,
-    Key::Apart,
+    Key::MouthSpacing,
     Key::Shores,
     Key::Attractors,
     Key::Width,
-    Key::Vary,
+    Key::BankVariation,
     Key::Style,
 ];
 
@@ -36,9 +36,11 @@ const TREES: [(&str, u64); 6] = [
 const GROUND: &str = "seed=kauri&aspect=1.5&land=rectangle&sides=s&mouths=3&attractors=6000";
 
 fn tree(recipe: &Recipe) -> u64 {
-    let mut growth = Colonize::new(Settings::of(recipe)).unwrap();
+    let settings = Settings::of(recipe);
+    let threshold = Trim::new(recipe.number(Key::Trim), settings.step, false);
+    let mut growth = Colonize::new(settings).unwrap();
     while growth.tick() {}
-    let trimmed = trim(growth.tree(), &Hydrology::of(growth.tree()), Trim::of(recipe)).tree;
+    let trimmed = trim(growth.tree(), &Hydrology::of(growth.tree()), threshold).tree;
     let places = trimmed.at.iter().flat_map(|at| [at.x.to_bits(), at.y.to_bits()]);
     let bytes = places.chain(trimmed.parent.iter().copied()).flat_map(u32::to_le_bytes);
     bytes.fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3))

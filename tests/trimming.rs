@@ -9,7 +9,7 @@ use common::random_link;
 use proptest::prelude::*;
 use riverseed::grow::{Colonize, Growth, Settings};
 use riverseed::prune::{Trim, trim};
-use riverseed::recipe::link;
+use riverseed::recipe::{Key, link};
 use riverseed::tree::{Hydrology, Tree};
 
 fn grown(link: &str) -> Tree {
@@ -107,17 +107,21 @@ fn trimming_takes_most_short_branches() {
     assert!(counts.is_sorted_by(|a, b| a > b), "{counts:?}");
 }
 
-fn brownian(link: &str) -> (Tree, Trim) {
-    let recipe = link::read(&plain(&format!("growth=brownian&land=island&sensitivity=20&{link}"))).unwrap();
+/// A tree, and what of it the recipe trims.
+fn grown_and_threshold(link: &str) -> (Tree, Trim) {
+    let recipe = link::read(&plain(link)).unwrap();
     let mut growth = Growth::new(Settings::of(&recipe)).unwrap();
     while growth.tick() {}
-    (growth.tree().clone(), Trim::of(&recipe))
+    let threshold = Trim::new(recipe.number(Key::Trim), growth.node_length(), !growth.mouths_are_chosen());
+    (growth.tree().clone(), threshold)
 }
+
+const BROWNIAN: &str = "growth=brownian&land=island&sensitivity=20";
 
 #[test]
 fn of_a_brownian_tree_short_basins_go_but_not_the_longest() {
-    for t in [0, 1, 4, 20, 60] {
-        let (tree, threshold) = brownian(&format!("trim={t}"));
+    for t in [0, 5, 20, 100, 300] {
+        let (tree, threshold) = grown_and_threshold(&format!("{BROWNIAN}&trim={t}"));
         let hydrology = Hydrology::of(&tree);
         let pruned = trim(&tree, &hydrology, threshold);
         let mouths = |tree: &Tree| -> Vec<usize> { (0..tree.len()).filter(|&i| tree.parent_of(i).is_none()).collect() };
@@ -143,14 +147,14 @@ fn one_trim_is_one_length_whatever_rivers_grew_by() {
         let lengths = (0..tree.len()).filter_map(|node| Some(tree.at[node].distance(tree.at[tree.parent_of(node)?])));
         lengths.sum::<f32>() / (tree.len() - tree.mouths()) as f32
     };
-    // Mean over some trees: lengths of single ones stray by two or three in a hundred.
-    let mean = |lengths: [f32; 4]| lengths.iter().sum::<f32>() / lengths.len() as f32;
-    let seeds = ["kauri", "rimu", "kea", "totara"];
-    let brownian = mean(seeds.map(|seed| {
-        let (tree, threshold) = brownian(&format!("trim=40&seed={seed}"));
-        threshold.nodes as f32 * length_of_a_node(&tree)
-    }));
-    let link = "land=rectangle&attractors=6000&step=0.38&curl=0&momentum=0";
-    let colonized = mean(seeds.map(|seed| 40.0 * length_of_a_node(&grown(&format!("{link}&seed={seed}")))));
-    assert!((0.96..1.04).contains(&(brownian / colonized)), "{brownian} {colonized}");
+    let colonized = "growth=colonize&land=rectangle&attractors=6000&step=0.38&curl=0&momentum=0";
+    for growth in [BROWNIAN, colonized] {
+        // Mean over some trees: lengths of single ones stray by two or three in a hundred.
+        let lengths = ["kauri", "rimu", "kea", "totara"].map(|seed| {
+            let (tree, threshold) = grown_and_threshold(&format!("{growth}&trim=200&seed={seed}"));
+            threshold.nodes as f32 * length_of_a_node(&tree)
+        });
+        let mean = lengths.iter().sum::<f32>() / lengths.len() as f32;
+        assert!((196.0..204.0).contains(&mean), "{growth}: {mean}");
+    }
 }

@@ -55,8 +55,8 @@ fn no_drawn_coast_of_random_points_holds_a_tick() {
         for (attractors, growth) in [
             (100, "reach=12"),
             (1000, "reach=12&kill=0.5&step=0.2"),
-            (1000, "reach=12&step=0.2&mouths=64&apart=0&meander=none"),
-            (3000, "reach=12&curl=2&momentum=0.9&mouths=64&apart=0&scatter=grid"),
+            (1000, "reach=12&step=0.2&mouths=64&mouth-spacing=0&meander=none"),
+            (3000, "reach=12&curl=2&momentum=0.9&mouths=64&mouth-spacing=0&scatter=grid"),
         ] {
             check(&format!("{land}&attractors={attractors}&{growth}"));
         }
@@ -74,12 +74,11 @@ fn a_search_for_a_mouth_ends_soon() {
 
 #[test]
 fn no_land_holds_a_step_however_its_rivers_grow_and_meander() {
-    const WILD: &str =
-        "&trim=0&simplify=0&width=40&neck=4&buffer=1&meander-rounds=12&meander-strength=1&gentle=1&great=16&flat=1";
+    const WILD: &str = "&trim=0&simplify=0&width=40&neck=4&clearance=1&meander-rounds=12&meander-strength=1&meander-elsewhere=1&great-rivers=16&flat-share=1";
     for land in ["rectangle", "island", "continent", "archipelago", "valley", "basin"] {
-        check(&format!("land={land}&rough=1&attractors=100&reach=12&step=0.2{WILD}"));
-        check(&format!("land={land}&rough=1&attractors=3000&reach=12&step=0.2{WILD}"));
-        check(&format!("land={land}&rough=1&growth=brownian&sensitivity=8{WILD}"));
+        check(&format!("land={land}&roughness=1&attractors=100&reach=12&step=0.2{WILD}"));
+        check(&format!("land={land}&roughness=1&attractors=3000&reach=12&step=0.2{WILD}"));
+        check(&format!("land={land}&roughness=1&growth=brownian&sensitivity=8{WILD}"));
     }
     check(&format!("attractors=20000&step=0.5{WILD}"));
 }

@@ -6,7 +6,7 @@ use super::value::{Members, Value};
 use super::{ExportError, rivers};
 use crate::grow::Ending;
 use crate::network::{NONE, Network, Vertex};
-use crate::prune::{Pruned, Trim};
+use crate::prune::Pruned;
 use crate::recipe::table::TABLE;
 use crate::recipe::{self, Key, Recipe};
 use crate::session::Session;
@@ -74,21 +74,22 @@ fn resolved<'a>(session: &Session) -> Members<'a> {
         .single("curl", grown.curl)
         .whole("stretch", grown.stretch)
         .single("sensitivity", grown.sensitivity)
-        .whole("trim", Trim::of(session.recipe()).nodes)
+        .single("trim", session.recipe().number(Key::Trim))
+        .whole("trim-nodes", session.trim().nodes)
         .single("width", shaped.max_width)
-        .whole("everything", shaped.total_discharge)
+        .whole("total-discharge", shaped.total_discharge)
         .single("vertex-spacing", shaped.spacing)
         .single("simplify", shaped.simplify)
-        .single("vary", shaped.vary)
+        .single("bank-variation", shaped.bank_variation)
         .owned("meander", Key::Meander.parameter().text_of(session.recipe().value(Key::Meander)))
         .whole("meander-rounds", shaped.rounds)
         .single("meander-strength", shaped.strength)
         .single("meander-mix", shaped.mix)
-        .single("gentle", shaped.gentle)
-        .whole("great", shaped.great)
-        .single("flat", shaped.flat)
+        .single("meander-elsewhere", shaped.meander_elsewhere)
+        .whole("great-rivers", shaped.great_rivers)
+        .single("flat-share", shaped.flat_share)
         .single("neck", shaped.neck)
-        .single("buffer", shaped.buffer)
+        .single("clearance", shaped.min_clearance)
         .single("taper", shaped.taper);
     members
 }

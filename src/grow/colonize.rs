@@ -282,7 +282,7 @@ impl Colonize {
         let Self { settings, attractors, mouths, search, .. } = self;
         let seen_from = |shore: Vec2| {
             work::count(mouths.len());
-            if mouths.iter().any(|mouth| mouth.distance(shore) <= settings.apart) {
+            if mouths.iter().any(|mouth| mouth.distance(shore) <= settings.mouth_spacing) {
                 return 0;
             }
             let is_lost = |&(owner, place): &(u32, Vec2)| owner == NO_NODE && settings.sees(shore, place);

@@ -142,6 +142,33 @@ impl Growth {
         }
     }
 
+    /// How far a node lies from its parent, in units, on average.
+    pub fn node_length(&self) -> f32 {
+        match &self.grower {
+            Grower::Colonize(_) => self.settings.step,
+            Grower::Brownian(growth) => growth.node_length(),
+            Grower::Drainage(_) => self.settings.drainage.spacing,
+        }
+    }
+
+    /// Whether each mouth was asked for: a Brownian tree has one wherever its particles met the coast, and drainage wherever water
+    /// leaves the land, most of them a brook's.
+    pub fn mouths_are_chosen(&self) -> bool {
+        match self.settings.method {
+            GrowthMethod::Colonize => true,
+            GrowthMethod::Brownian => false,
+            GrowthMethod::Drainage => self.settings.mouths > 0,
+        }
+    }
+
+    /// Whether the tree covers hillsides, too, so that rivers begin only where enough of them drains.
+    pub fn covers_hillsides(&self) -> bool {
+        match self.settings.method {
+            GrowthMethod::Colonize | GrowthMethod::Brownian => false,
+            GrowthMethod::Drainage => true,
+        }
+    }
+
     /// Whether steps of the tree may cross each other: the strands of a Brownian tree never touch.
     pub fn may_cross(&self) -> bool {
         match self.settings.method {

@@ -26,7 +26,9 @@ pub fn mouths(settings: &Settings) -> Vec<Mouth> {
     let mut chance = settings.seed.stream(Purpose::Mouths);
     let regions = land.regions().iter().zip(&settings.basins);
     let chosen = |region| chosen_shores(region, settings.shores);
-    regions.flat_map(|(region, &count)| on_coast(land, &chosen(region), count, settings.apart, &mut chance)).collect()
+    regions
+        .flat_map(|(region, &count)| on_coast(land, &chosen(region), count, settings.mouth_spacing, &mut chance))
+        .collect()
 }
 
 /// The places where rivers may reach the sea; none on a plain rectangle, which has a border and no coast.
@@ -170,7 +172,7 @@ mod tests {
         for kind in ["island", "continent", "archipelago", "basin"] {
             let (mut at_mouths, mut along_coasts) = (Vec::new(), Vec::new());
             for seed in 0..8 {
-                let link = format!("land={kind}&rough=1&sea=0.4&mouths=6&apart=0&shores=nesw&seed={seed}");
+                let link = format!("land={kind}&roughness=1&sea=0.4&mouths=6&mouth-spacing=0&shores=nesw&seed={seed}");
                 let settings = Settings::of(&link::read(&link).unwrap());
                 let land = settings.land.as_ref().unwrap();
                 at_mouths.extend(mouths(&settings).iter().map(|mouth| land.shelter(mouth.at)));
@@ -198,7 +200,7 @@ mod tests {
         for kind in ["island", "continent", "archipelago", "basin"] {
             let mut counts = Vec::new();
             for apart in [0, 60, 150, 400] {
-                let link = format!("land={kind}&seed=kauri&shores=nesw&attractors=300&mouths=40&apart={apart}");
+                let link = format!("land={kind}&seed=kauri&shores=nesw&attractors=300&mouths=40&mouth-spacing={apart}");
                 let regions = grown_mouths(&link);
                 for mouths in &regions {
                     let pairs =

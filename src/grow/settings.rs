@@ -24,7 +24,7 @@ pub struct Settings {
     /// How many of them in each region of the land, largest first. Regions without one stay dry.
     pub basins: Vec<u32>,
     /// How far apart mouths are at least.
-    pub apart: f32,
+    pub mouth_spacing: f32,
     /// Which sides of a plain rectangle have the sea.
     pub sides: Sides,
     /// Where on a coast they lie, as seen from its middle.
@@ -89,7 +89,7 @@ impl Settings {
             land,
             basins,
             mouths,
-            apart: recipe.number(Key::Apart),
+            mouth_spacing: recipe.number(Key::MouthSpacing),
             sides: recipe.sides(Key::Sides),
             shores: recipe.sides(Key::Shores),
             method: recipe.get(),

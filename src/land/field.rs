@@ -53,7 +53,7 @@ impl Land {
             sides: recipe.sides(Key::Sides),
             seed: Seed::from_text(recipe.seed()),
             sea: recipe.number(Key::Sea),
-            rough: recipe.number(Key::Rough),
+            roughness: recipe.number(Key::Roughness),
         };
         if shape.kind == LandKind::Drawn {
             return Self::drawn(&shape, recipe.outline()?).map(Arc::new);
@@ -211,7 +211,7 @@ mod tests {
     fn sea_has_the_share_asked_for() {
         for kind in ["island", "continent", "archipelago", "valley", "basin"] {
             for sea in [0.1f32, 0.4, 0.8] {
-                let land = land(&format!("land={kind}&sea={sea}&rough=0.5"));
+                let land = land(&format!("land={kind}&sea={sea}&roughness=0.5"));
                 let with_ponds = Grid::above_water(&Domain::with_aspect(1.5), &land.coast_distance).cells;
                 let water = with_ponds.iter().filter(|&&cell| cell == Cell::Water).count();
                 let share = water as f32 / land.grid.cells.len() as f32;
@@ -226,7 +226,7 @@ mod tests {
         let kinds = [("island", Cell::Water), ("archipelago", Cell::Water), ("basin", Cell::Land)];
         for ((kind, around), seed) in kinds.into_iter().flat_map(|kind| (0..12).map(move |seed| (kind, seed))) {
             for sea in [0.3, 0.5, 0.7] {
-                let land = land(&format!("land={kind}&seed={seed}&rough=1&sea={sea}"));
+                let land = land(&format!("land={kind}&seed={seed}&roughness=1&sea={sea}"));
                 let across = (0..land.columns()).flat_map(|c| [(c, 0), (c, land.rows() - 1)]);
                 let mut rim = across.chain((0..land.rows()).flat_map(|r| [(0, r), (land.columns() - 1, r)]));
                 assert!(rim.all(|(c, r)| land.cell(c, r) == around), "{kind}, seed {seed}, sea {sea}");
@@ -239,7 +239,7 @@ mod tests {
         // An ellipse that takes half of the domain.
         let across = (2.0 / std::f32::consts::PI).sqrt();
         for kind in ["island", "basin"] {
-            let land = land(&format!("land={kind}&rough=0&sea=0.5"));
+            let land = land(&format!("land={kind}&roughness=0&sea=0.5"));
             let size = Domain::with_aspect(1.5).size;
             for angle in (0..60).map(|i| i as f32 / 60.0 * std::f32::consts::TAU) {
                 let at = (Vec2::new(libm::cosf(angle), libm::sinf(angle)) * across + 1.0) * size / 2.0;
@@ -254,7 +254,7 @@ mod tests {
 
     #[test]
     fn ridges_of_a_valley_differ_by_seed_and_are_never_ruled() {
-        let ridges = |seed: u32| land(&format!("land=valley&sea=0.5&rough=0&seed={seed}")).ridges().to_vec();
+        let ridges = |seed: u32| land(&format!("land=valley&sea=0.5&roughness=0&seed={seed}")).ridges().to_vec();
         let starts: Vec<f32> = (0..8).map(|seed| ridges(seed)[0][0].x).collect();
         assert!(starts.windows(2).all(|pair| (pair[0] - pair[1]).abs() > 1.0), "{starts:?}");
         for ridge in (0..8).flat_map(ridges) {

@@ -182,7 +182,7 @@ mod tests {
 
     #[test]
     fn cells_are_land_where_the_relief_is_above_0() {
-        let land = Land::of(&link::read("land=archipelago&sea=0.5&rough=1&aspect=1.7").unwrap()).unwrap();
+        let land = Land::of(&link::read("land=archipelago&sea=0.5&roughness=1&aspect=1.7").unwrap()).unwrap();
         let grid = Grid::above_water(&Domain::with_aspect(1.7), land.coast_distance());
         for (column, row) in (0..grid.columns).flat_map(|column| (0..grid.rows).map(move |row| (column, row))) {
             let height = land.coast_distance().height(middle(column, row));

@@ -18,7 +18,7 @@ pub(super) struct Shape {
     /// The share of water.
     pub sea: f32,
     /// 0 for smooth coasts, 1 for wild ones.
-    pub rough: f32,
+    pub roughness: f32,
 }
 
 impl Shape {
@@ -33,7 +33,7 @@ impl Shape {
         let strength = if self.kind == LandKind::Archipelago { 0.28 } else { 0.45 };
         let height = |point: Vec2| {
             let Vec2 { x, y } = point;
-            let bend = (coarse.get_noise_2d(x, y) + 0.35 * fine.get_noise_2d(x, y)) * self.rough;
+            let bend = (coarse.get_noise_2d(x, y) + 0.35 * fine.get_noise_2d(x, y)) * self.roughness;
             self.plain(point, bend, &coarse, &islands) + bend * self.span() * strength
         };
         Some(CoastDistance::with_sea(&self.domain, self.sea, height))
@@ -50,7 +50,7 @@ impl Shape {
             LandKind::Archipelago => {
                 // The gap between the distances to the nearest and the next of some scattered centres: 0 midway, so that
                 // straits lie there however low the sea is.
-                let aside = noise.get_noise_2d(point.y + 3000.0, point.x) * self.span() * 0.35 * self.rough;
+                let aside = noise.get_noise_2d(point.y + 3000.0, point.x) * self.span() * 0.35 * self.roughness;
                 let island = islands.get_noise_2d(point.x + aside, point.y - aside);
                 let size = noise.get_noise_2d(point.x * 1.7 + 5000.0, point.y * 1.7);
                 (island * 1.9 + size * 0.45) * self.span() - self.moat(point, 0.0)
@@ -70,7 +70,7 @@ impl Shape {
         let ridge = |(number, first): (u32, f32)| {
             let start = aside * (first + 0.2 * place.unit([4, number, 0]));
             let point = |i| (start + inland * (i as f32 / 64.0)) * across;
-            let offset = |at: Vec2| wobble.get_noise_2d(at.x, at.y) * (0.2 + 0.6 * self.rough) * self.span() * 0.2;
+            let offset = |at: Vec2| wobble.get_noise_2d(at.x, at.y) * (0.2 + 0.6 * self.roughness) * self.span() * 0.2;
             (0..=64).map(|i| point(i) + aside * offset(point(i))).collect()
         };
         [(0, 0.17), (1, 0.63)].map(ridge).into()

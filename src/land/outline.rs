@@ -37,7 +37,7 @@ impl Drawing {
             coasts: outline.coasts().iter().map(|ring| past_border(&on_domain(ring), size)).collect(),
             ridges: outline.ridges().iter().map(|line| on_domain(line)).collect(),
         };
-        if shape.rough > 0.0 {
+        if shape.roughness > 0.0 {
             this.roughen(shape);
         }
         this
@@ -74,7 +74,7 @@ impl Drawing {
 /// How a rough land moves every point of the plane.
 fn bend(shape: &Shape) -> impl Fn(Vec2) -> Vec2 {
     let [east, south] = [4, 5].map(|index| shape.noise(index, BUMPS, 2));
-    let most = shape.rough * WILDEST * shape.domain.size.min_element() / BUMPS;
+    let most = shape.roughness * WILDEST * shape.domain.size.min_element() / BUMPS;
     move |Vec2 { x, y }| Vec2::new(x, y) + Vec2::new(east.get_noise_2d(x, y), south.get_noise_2d(x, y)) * most
 }
 
@@ -181,7 +181,7 @@ mod tests {
             lines.iter().map(|line| line.iter().map(|&at| GridPoint::nearest(at.into())).collect()).collect()
         };
         let outline = Outline::new(lines(coasts), lines(ridges)).unwrap();
-        link::read(&format!("land=drawn&rough=0&aspect=1&outline={outline}")).unwrap()
+        link::read(&format!("land=drawn&roughness=0&aspect=1&outline={outline}")).unwrap()
     }
 
     const SQUARE: &[(f32, f32)] = &[(0.2, 0.2), (0.8, 0.2), (0.8, 0.8), (0.2, 0.8)];
@@ -239,7 +239,7 @@ mod tests {
             let mut recipe = recipe(&[SQUARE], &[]);
             recipe.set(Key::Seed, seed).unwrap();
             let smooth = Land::of(&recipe).unwrap();
-            recipe.set(Key::Rough, "0.5").unwrap();
+            recipe.set(Key::Roughness, "0.5").unwrap();
             let rough = Land::of(&recipe).unwrap();
             let places = || (0..10_000).map(|i| Vec2::new((i % 100) as f32, (i / 100) as f32) * 10.0);
             let differing = places().filter(|&at| smooth.at(at) != rough.at(at)).count();
@@ -252,7 +252,7 @@ mod tests {
         for (seed, aspect) in ["kauri", "rimu", "kea", "totara"].into_iter().zip([0.25, 1.0, 1.5, 4.0]) {
             let domain = Domain::with_aspect(aspect);
             let seed = Seed::from_text(seed);
-            let shape = Shape { kind: LandKind::Drawn, domain, sides: Sides::SOUTH, seed, sea: 0.5, rough: 1.0 };
+            let shape = Shape { kind: LandKind::Drawn, domain, sides: Sides::SOUTH, seed, sea: 0.5, roughness: 1.0 };
             let bend = bend(&shape);
             for i in 0..40_000 {
                 let at = domain.size * Vec2::new((i % 200) as f32, (i / 200) as f32) / 200.0;

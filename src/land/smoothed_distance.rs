@@ -155,7 +155,8 @@ mod tests {
 
     fn lands() -> impl Iterator<Item = Arc<Land>> {
         let links = ["island", "continent", "archipelago", "valley", "basin"].into_iter().flat_map(|kind| {
-            [0.0, 0.5, 1.0].map(|rough| format!("aspect=1.5&land={kind}&sea=0.5&rough={rough}&seed=k{rough}"))
+            [0.0, 0.5, 1.0]
+                .map(|roughness| format!("aspect=1.5&land={kind}&sea=0.5&roughness={roughness}&seed=k{roughness}"))
         });
         links.map(|link| Land::of(&link::read(&link).unwrap()).unwrap())
     }

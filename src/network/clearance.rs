@@ -131,17 +131,17 @@ impl ClearanceGrid {
     }
 
     /// Takes away of oxbow lakes what rivers of the last survey run over, or so near that no land is left between.
-    pub fn erode(&self, network: &mut Network, downstream: &[u32], buffer: f32) {
+    pub fn erode(&self, network: &mut Network, downstream: &[u32], min_clearance: f32) {
         let widest = network.vertices.iter().map(|vertex| vertex.width()).fold(0.0, fast_max);
         let vertices = &network.vertices;
         for lake in network.oxbows.iter_mut().flat_map(|oxbow| &mut oxbow.vertices).filter(|lake| lake.width() > 0.0) {
-            let radius = (lake.width() + widest) * 0.5 + buffer + self.longest_half;
+            let radius = (lake.width() + widest) * 0.5 + min_clearance + self.longest_half;
             let is_run_over = self.runs(lake.at, radius).any(|row| {
                 self.entries[row].iter().any(|entry| {
                     let upper = &vertices[entry.segment as usize];
                     let lower = &vertices[downstream[entry.segment as usize] as usize];
                     let apart = gap((lake.at, lake.at), (upper.at, lower.at));
-                    apart < (lake.width() + upper.width()) * 0.5 + buffer
+                    apart < (lake.width() + upper.width()) * 0.5 + min_clearance
                 })
             });
             if is_run_over {

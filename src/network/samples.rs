@@ -8,9 +8,9 @@ use crate::recipe::link;
 /// The settings of a plain rectangle, vertices a unit apart.
 pub(super) fn settings() -> Settings {
     let recipe =
-        link::read("land=rectangle&mouths=3&attractors=100&curl=0&trim=4&width=14&vary=0&meander-rounds=24&great=1")
+        link::read("land=rectangle&mouths=3&attractors=100&curl=0&trim=152&width=14&bank-variation=0&meander-rounds=24&great-rivers=1")
             .unwrap();
-    Settings { spacing: 1.0, hairline: 0.1, buffer: 0.5, ..Settings::new(&recipe, None, 100.0, 100) }
+    Settings { spacing: 1.0, hairline: 0.1, min_clearance: 0.5, ..Settings::new(&recipe, None, 100.0, 100) }
 }
 
 /// A river through some points, as wide everywhere, that moves freely.

@@ -30,7 +30,7 @@ pub struct Settings {
     /// The share of the vertices that simplification takes out, of those that can go.
     pub simplify: f32,
     /// By what share of itself a bank's distance from the middle varies, at most.
-    pub vary: f32,
+    pub bank_variation: f32,
     /// How rivers meander.
     pub model: MeanderModel,
     /// For how many rounds.
@@ -40,15 +40,15 @@ pub struct Settings {
     /// How much of that is sideways, from 0 to 1; the rest is downstream.
     pub mix: f32,
     /// How much the rivers of a map meander that are none of the great ones, from 0 to 1.
-    pub gentle: f32,
+    pub meander_elsewhere: f32,
     /// How many rivers meander fully, where they are flat.
-    pub great: u32,
+    pub great_rivers: u32,
     /// The share of all courses that counts as flat.
-    pub flat: f32,
+    pub flat_share: f32,
     /// How near two limbs of a river come before it cuts through, in widths.
     pub neck: f32,
     /// How far apart two rivers' banks stay.
-    pub buffer: f32,
+    pub min_clearance: f32,
     /// Over how many widths meandering sets in, from sources, mouths and junctions on.
     pub taper: f32,
 }
@@ -66,16 +66,16 @@ impl Settings {
             hairline: fast_min(HAIRLINE, stream_spacing * HAIRLINE_SHARE),
             max_width: recipe.number(Key::Width),
             simplify: recipe.number(Key::Simplify) / 100.0,
-            vary: recipe.number(Key::Vary),
+            bank_variation: recipe.number(Key::BankVariation),
             model: recipe.get(),
             rounds: recipe.integer(Key::MeanderRounds),
             strength: recipe.number(Key::MeanderStrength),
             mix: recipe.number(Key::MeanderMix),
-            gentle: recipe.number(Key::Gentle),
-            great: recipe.integer(Key::Great),
-            flat: recipe.number(Key::Flat),
+            meander_elsewhere: recipe.number(Key::MeanderElsewhere),
+            great_rivers: recipe.integer(Key::GreatRivers),
+            flat_share: recipe.number(Key::FlatShare),
             neck: recipe.number(Key::Neck),
-            buffer: recipe.number(Key::Buffer) * stream_spacing,
+            min_clearance: recipe.number(Key::Clearance) * stream_spacing,
             taper: recipe.number(Key::Taper),
         }
     }

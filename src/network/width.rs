@@ -70,7 +70,7 @@ fn widen_river(network: &mut Network, number: usize, settings: &Settings, noise:
         let bank = |side: f32| {
             // Some ten widths to a bulge.
             let place = along / (fast_max(half, settings.hairline) * 20.0) * 1.7;
-            half * (1.0 + settings.vary * noise.get_noise_2d(place, number as f32 * 17.3 + side))
+            half * (1.0 + settings.bank_variation * noise.get_noise_2d(place, number as f32 * 17.3 + side))
         };
         let arms = floors.0[i];
         let is_junction = arms.0 > 0.0;
@@ -106,8 +106,8 @@ mod tests {
         network
     }
 
-    fn widened(mut network: Network, vary: f32) -> Network {
-        widen(&mut network, &Settings { vary, total_discharge: 100, max_width: 10.0, ..settings() });
+    fn widened(mut network: Network, bank_variation: f32) -> Network {
+        widen(&mut network, &Settings { bank_variation, total_discharge: 100, max_width: 10.0, ..settings() });
         network
     }
 

@@ -104,7 +104,7 @@ mod tests {
     #[test]
     fn ridges_stay_ashore_and_where_no_river_crosses() {
         for seed in 0..6 {
-            let land = land(&format!("aspect=1.5&land=valley&sea=0.5&rough=0.5&seed={seed}"));
+            let land = land(&format!("aspect=1.5&land=valley&sea=0.5&roughness=0.5&seed={seed}"));
             let strokes = ridges(&land);
             let near = |at: Vec2| land.ridges().iter().map(|ridge| off(ridge, at)).fold(f32::MAX, f32::min);
             for [(from, half_from), (to, half_to)] in &strokes {
@@ -120,7 +120,7 @@ mod tests {
 
     #[test]
     fn a_ridge_sinks_to_its_ends_but_not_at_the_frame() {
-        let land = land("aspect=1.5&land=valley&sea=0.5&rough=0");
+        let land = land("aspect=1.5&land=valley&sea=0.5&roughness=0");
         let first = |from: f32| heights(&land, &crest(&[Vec2::new(from, 100.0), Vec2::new(400.0, 100.0)]))[0];
         assert!(first(200.0) < 0.01, "{}", first(200.0));
         assert!(first(0.0) > 0.4, "{}", first(0.0));
@@ -128,7 +128,7 @@ mod tests {
 
     #[test]
     fn a_closed_ridge_is_as_high_at_its_seam_as_opposite() {
-        let land = land("land=valley&rough=0&sea=0.3&aspect=1");
+        let land = land("land=valley&roughness=0&sea=0.3&aspect=1");
         // Round a place far from any coast, once around.
         let at =
             |i: u32| Vec2::from_angle(std::f32::consts::TAU * (i % 48) as f32 / 48.0) * 60.0 + Vec2::new(500.0, 300.0);

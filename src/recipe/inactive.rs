@@ -15,10 +15,10 @@ impl Recipe {
         match key {
             Key::Seed | Key::Edition | Key::Aspect | Key::Land | Key::Growth => None,
             Key::Sea => self.no_coast().or_else(|| self.sea_is_drawn()),
-            Key::Rough => self.no_coast(),
+            Key::Roughness => self.no_coast(),
             Key::Sides => self.sea_is_drawn().or_else(|| self.sides_are_given()),
             Key::Outline => (self.shown_land() != LandKind::Drawn).then_some("the land is not drawn"),
-            Key::Apart | Key::Shores => self.no_coast().or_else(|| self.brownian()),
+            Key::MouthSpacing | Key::Shores => self.no_coast().or_else(|| self.brownian()),
             Key::Mouths | Key::Attractors => self.brownian(),
             Key::Scatter | Key::Reach | Key::Kill | Key::Step => self.not_colonizing(),
             Key::Momentum | Key::Curl => self.not_colonizing(),
@@ -29,12 +29,12 @@ impl Recipe {
             Key::ValleySpacing => self.not_draining().or_else(|| self.no_valleys()),
             Key::HardnessScale => self.not_draining().or_else(|| self.no_hardness()),
             Key::Trim | Key::Simplify => None,
-            Key::Width | Key::Vary => self.no_widths(),
+            Key::Width | Key::BankVariation => self.no_widths(),
             Key::Meander => None,
             Key::MeanderRounds => self.no_meandering(),
-            Key::Gentle | Key::Great => self.no_rounds(),
-            Key::Flat => self.no_rounds().or_else(|| self.no_great_rivers()),
-            Key::MeanderStrength | Key::Neck | Key::Buffer | Key::Taper => self.no_bends(),
+            Key::MeanderElsewhere | Key::GreatRivers => self.no_rounds(),
+            Key::FlatShare => self.no_rounds().or_else(|| self.no_great_rivers()),
+            Key::MeanderStrength | Key::Neck | Key::Clearance | Key::Taper => self.no_bends(),
             Key::MeanderMix => self.no_bends().or_else(|| self.no_choice_of_direction()),
             Key::Style => None,
         }
@@ -111,11 +111,13 @@ impl Recipe {
     }
 
     fn no_bends(&self) -> Reason {
-        (self.is_zero(Key::Great) && self.is_zero(Key::Gentle)).then_some(STILL).or_else(|| self.no_rounds())
+        (self.is_zero(Key::GreatRivers) && self.is_zero(Key::MeanderElsewhere))
+            .then_some(STILL)
+            .or_else(|| self.no_rounds())
     }
 
     fn no_great_rivers(&self) -> Reason {
-        self.is_zero(Key::Great).then_some("there are no great rivers")
+        self.is_zero(Key::GreatRivers).then_some("there are no great rivers")
     }
 
     fn no_choice_of_direction(&self) -> Reason {
@@ -161,7 +163,7 @@ mod tests {
             ("land=continent", Key::Sides),
             ("land=drawn&outline=.MzMzzMMzzMzM", Key::Outline),
             ("meander-rounds=0", Key::MeanderRounds),
-            ("great=0", Key::Taper),
+            ("great-rivers=0", Key::Taper),
             ("style=skeleton", Key::Width),
             ("curl=0.5", Key::Stretch),
         ] {
@@ -170,9 +172,10 @@ mod tests {
     }
 
     /// A recipe in which next to everything does something, whatever the defaults are.
-    const LIVELY: &str = "land=rectangle&growth=colonize&curl=0.5&meander=bend&meander-rounds=60&meander-strength=0.5&great=3&gentle=0.3&style=ink";
+    const LIVELY: &str = "land=rectangle&growth=colonize&curl=0.5&meander=bend&meander-rounds=60&meander-strength=0.5&great-rivers=3&meander-elsewhere=0.3&style=ink";
 
-    const NO_COAST: (&str, &str) = ("sea rough apart shores", "the whole rectangle is land, so there is no coast");
+    const NO_COAST: (&str, &str) =
+        ("sea roughness mouth-spacing shores", "the whole rectangle is land, so there is no coast");
     const NOT_DRAWN: (&str, &str) = ("outline", "the land is not drawn");
     const NO_SENSITIVITY: (&str, &str) = ("sensitivity", "only Brownian trees use it");
     const RECTANGULAR: &[(&str, &str)] = &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY];
@@ -195,7 +198,7 @@ mod tests {
             &[
                 NOT_DRAWN,
                 (
-                    "mouths apart shores attractors scatter reach kill step momentum curl stretch",
+                    "mouths mouth-spacing shores attractors scatter reach kill step momentum curl stretch",
                     "only space colonization uses it",
                 ),
             ],
@@ -215,7 +218,10 @@ mod tests {
                 NO_COAST,
                 NOT_DRAWN,
                 NO_SENSITIVITY,
-                ("meander-rounds meander-strength meander-mix gentle great flat neck buffer taper", STILL),
+                (
+                    "meander-rounds meander-strength meander-mix meander-elsewhere great-rivers flat-share neck clearance taper",
+                    STILL,
+                ),
             ],
         ),
         (
@@ -224,21 +230,21 @@ mod tests {
                 NO_COAST,
                 NOT_DRAWN,
                 NO_SENSITIVITY,
-                ("meander-strength meander-mix gentle great flat neck buffer taper", STILL),
+                ("meander-strength meander-mix meander-elsewhere great-rivers flat-share neck clearance taper", STILL),
             ],
         ),
         (
-            "great=0&gentle=0",
+            "great-rivers=0&meander-elsewhere=0",
             &[
                 NO_COAST,
                 NOT_DRAWN,
                 NO_SENSITIVITY,
-                ("meander-strength meander-mix neck buffer taper", STILL),
-                ("flat", "there are no great rivers"),
+                ("meander-strength meander-mix neck clearance taper", STILL),
+                ("flat-share", "there are no great rivers"),
             ],
         ),
-        ("great=0", &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, ("flat", "there are no great rivers")]),
-        ("gentle=0", RECTANGULAR),
+        ("great-rivers=0", &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, ("flat-share", "there are no great rivers")]),
+        ("meander-elsewhere=0", RECTANGULAR),
         ("meander-strength=0", &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, ("meander-mix", "bends do not move")]),
         (
             "meander=flow",
@@ -251,8 +257,8 @@ mod tests {
                 NO_COAST,
                 NOT_DRAWN,
                 NO_SENSITIVITY,
-                ("meander-strength meander-mix gentle great flat neck buffer taper", STILL),
-                ("width vary", "the skeleton is one pixel wide everywhere"),
+                ("meander-strength meander-mix meander-elsewhere great-rivers flat-share neck clearance taper", STILL),
+                ("width bank-variation", "the skeleton is one pixel wide everywhere"),
             ],
         ),
         (
@@ -261,8 +267,11 @@ mod tests {
                 NO_COAST,
                 NOT_DRAWN,
                 NO_SENSITIVITY,
-                ("meander-rounds meander-strength meander-mix gentle great flat neck buffer taper", STILL),
-                ("width vary", "the skeleton is one pixel wide everywhere"),
+                (
+                    "meander-rounds meander-strength meander-mix meander-elsewhere great-rivers flat-share neck clearance taper",
+                    STILL,
+                ),
+                ("width bank-variation", "the skeleton is one pixel wide everywhere"),
             ],
         ),
     ];

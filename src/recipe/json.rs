@@ -143,7 +143,7 @@ mod tests {
     #[test]
     fn recipe_of_a_network_is_read() {
         let json = r#"{"recipe": {"trim": 7}, "nodes": {"x": [1, 2]}}"#;
-        assert_eq!(read(json).unwrap().integer(Key::Trim), 7);
+        assert_eq!(read(json).unwrap().number(Key::Trim), 7.0);
     }
 
     #[test]

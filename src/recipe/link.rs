@@ -202,7 +202,7 @@ mod tests {
     #[test]
     fn preset_is_read_first_wherever_it_stands() {
         let recipe = read("trim=9&preset=trimmed-curl").unwrap();
-        assert_eq!(recipe.integer(Key::Trim), 9);
+        assert_eq!(recipe.number(Key::Trim), 9.0);
         assert!(recipe.number(Key::Curl) > 0.0);
         assert!(!write(&recipe).contains("preset"));
     }

@@ -61,19 +61,19 @@ pub static PRESETS: &[Preset] = &[
         name: "trimmed-original",
         label: "Trimmed original",
         help: "The plain procedure without its short side branches.",
-        values: &pattern("0", "0", "8", "6"),
+        values: &pattern("0", "0", "8", "29"),
     },
     Preset {
         name: "trimmed-momentum",
         label: "Trimmed momentum",
         help: "Exaggerated turns without short side branches.",
-        values: &pattern("0.45", "0", "8", "6"),
+        values: &pattern("0.45", "0", "8", "29"),
     },
     Preset {
         name: "trimmed-curl",
         label: "Trimmed curl",
         help: "Winding rivers without short side branches: what people took for real ones.",
-        values: &pattern("0", "0.9", "7", "6"),
+        values: &pattern("0", "0.9", "7", "29"),
     },
 ];
 

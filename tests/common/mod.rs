@@ -35,7 +35,7 @@ pub fn random_link(most_attractors: u32) -> impl Strategy<Value = String> {
     let growth = (2.1f64..=12.0, 0.5f64..=1.4, 0.2f64..=1.2, procedure, sensitivity, mouths);
     let zero_or = |most: f64| prop_oneof![Just(0.0), 0.0..=most];
     let bends = (zero_or(0.9), zero_or(2.0), 1u32..=64);
-    let finish = (prop_oneof![Just(0u32), 0u32..=60], 1.0f64..=40.0, 0usize..4);
+    let finish = (prop_oneof![Just(0u32), 0u32..=60, 0u32..=400], 1.0f64..=40.0, 0usize..4);
     let meanders = (
         prop_oneof![3 => Just("bend"), 2 => Just("flow"), 1 => Just("none")],
         prop_oneof![4 => 0u32..=60, 1 => 0u32..=400],
@@ -47,9 +47,9 @@ pub fn random_link(most_attractors: u32) -> impl Strategy<Value = String> {
     let start = (random_seed(), edition);
     (start, land, ground, growth, bends, finish, rivers).prop_map(|(start, land, ground, growth, bends, finish, rivers)| {
         let (seed, edition) = start;
-        let (land, sea, rough, outline) = land;
+        let (land, sea, roughness, outline) = land;
         let (aspect, mouths, sides, attractors, grid) = ground;
-        let (reach, kill, step, procedure, sensitivity, (apart, shores)) = growth;
+        let (reach, kill, step, procedure, sensitivity, (mouth_spacing, shores)) = growth;
         let (momentum, curl, stretch) = bends;
         let (trim, width, style) = finish;
         let initials =
@@ -58,7 +58,7 @@ pub fn random_link(most_attractors: u32) -> impl Strategy<Value = String> {
         let scatter = if grid { "grid" } else { "random" };
         let style = ["ink", "skeleton", "map", "dark"][style];
         format!(
-            "seed={seed}{edition}&growth={procedure}&sensitivity={sensitivity}&apart={apart}&shores={shores}&land={land}&outline={outline}&sea={sea:.3}&rough={rough:.3}&aspect={aspect:.3}&mouths={mouths}&sides={sides}&attractors={attractors}&scatter={scatter}\
+            "seed={seed}{edition}&growth={procedure}&sensitivity={sensitivity}&mouth-spacing={mouth_spacing}&shores={shores}&land={land}&outline={outline}&sea={sea:.3}&roughness={roughness:.3}&aspect={aspect:.3}&mouths={mouths}&sides={sides}&attractors={attractors}&scatter={scatter}\
              &reach={reach:.3}&kill={kill:.3}&step={step:.3}&momentum={momentum:.3}&curl={curl:.3}&stretch={stretch}\
              &trim={trim}&width={width:.2}&style={style}{rivers}"
         )
@@ -68,11 +68,11 @@ pub fn random_link(most_attractors: u32) -> impl Strategy<Value = String> {
 /// How a tree is made into rivers: simplification, uneven banks, the model and its rounds, how they meander, what keeps them apart.
 type Rivers = (u32, f64, (&'static str, u32), (f64, f64, f64, u32, f64), (f64, f64, f64));
 
-fn rivers_link((simplify, vary, (meander, rounds), how, guards): Rivers) -> String {
-    let (strength, mix, gentle, great, flat) = how;
-    let (neck, buffer, taper) = guards;
+fn rivers_link((simplify, bank_variation, (meander, rounds), how, guards): Rivers) -> String {
+    let (strength, mix, meander_elsewhere, great_rivers, flat_share) = how;
+    let (neck, clearance, taper) = guards;
     format!(
-        "&simplify={simplify}&vary={vary:.3}&meander={meander}&meander-rounds={rounds}&meander-strength={strength:.3}\
-         &meander-mix={mix:.3}&gentle={gentle:.3}&great={great}&flat={flat:.3}&neck={neck:.2}&buffer={buffer:.2}&taper={taper:.2}"
+        "&simplify={simplify}&bank-variation={bank_variation:.3}&meander={meander}&meander-rounds={rounds}&meander-strength={strength:.3}\
+         &meander-mix={mix:.3}&meander-elsewhere={meander_elsewhere:.3}&great-rivers={great_rivers}&flat-share={flat_share:.3}&neck={neck:.2}&clearance={clearance:.2}&taper={taper:.2}"
     )
 }

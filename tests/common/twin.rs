@@ -238,7 +238,7 @@ fn mouth_for_the_rest(parameters: &Settings, blue: &[Option<Vec2>], black: &[Bla
         let is_in_reach =
             |blue: &&Vec2| squared_distance(**blue, shore.at) < reach && parameters.sees(shore.at, **blue);
         let seen = lost.iter().filter(is_in_reach).count();
-        if seen > best.0 && mouths.all(|mouth| mouth.at.distance(shore.at) > parameters.apart) {
+        if seen > best.0 && mouths.all(|mouth| mouth.at.distance(shore.at) > parameters.mouth_spacing) {
             best = (seen, Some(Mouth { at: shore.at, inland: shore.inland }));
         }
     }

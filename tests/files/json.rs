@@ -42,8 +42,8 @@ fn recipe_is_the_recipe_with_all_its_values() {
 }
 
 /// What needs no resolving.
-const AS_THEY_ARE: &str = "momentum curl stretch sensitivity width vary meander-rounds meander-strength meander-mix gentle great \
-                           flat neck taper";
+const AS_THEY_ARE: &str = "momentum curl stretch sensitivity trim width bank-variation meander-rounds meander-strength meander-mix meander-elsewhere great-rivers \
+                           flat-share neck taper";
 
 #[test]
 fn lengths_are_resolved() {
@@ -66,14 +66,15 @@ fn lengths_are_resolved() {
         }
         let is_brownian = recipe.value(Key::Growth) == link::read("growth=brownian").unwrap().value(Key::Growth);
         let between = if is_brownian { recipe.number(Key::Sensitivity) } else { spacing };
-        near(&resolved["trim"], (recipe.number(Key::Trim) * if is_brownian { 4.5 } else { 1.0 }).floor());
+        let node_length = if is_brownian { 1.1 } else { resolved["step"].as_f64().unwrap() as f32 };
+        near(&resolved["trim-nodes"], (recipe.number(Key::Trim) / node_length).round());
         near(&resolved["simplify"], recipe.number(Key::Simplify) / 100.0);
-        near(&resolved["buffer"], recipe.number(Key::Buffer) * between);
+        near(&resolved["clearance"], recipe.number(Key::Clearance) * between);
         near(&resolved["vertex-spacing"], (0.32 * between).clamp(0.25, 5.0));
         if !is_brownian {
-            near(&resolved["everything"], session.growth().attractors() as f32);
+            near(&resolved["total-discharge"], session.growth().attractors() as f32);
         }
-        assert_eq!(resolved["everything"], session.growth().total_discharge());
+        assert_eq!(resolved["total-discharge"], session.growth().total_discharge());
         assert_eq!(resolved["meander"], Key::Meander.parameter().text_of(recipe.value(Key::Meander)));
         let as_they_are = AS_THEY_ARE.split(' ').map(|name| Key::from_name(name).unwrap());
         as_they_are.for_each(|key| near(&resolved[key.parameter().name], recipe.number(key)));

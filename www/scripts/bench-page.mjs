@@ -10,11 +10,11 @@ import { chromium } from "@playwright/test";
 import { preview } from "vite";
 
 /** What figures were taken with from the beginning, whatever the defaults are. */
-const PLAIN = "seed=kauri&aspect=1&land=rectangle&mouths=3&curl=0&trim=4&width=14&great=1&style=ink";
+const PLAIN = "seed=kauri&aspect=1&land=rectangle&mouths=3&curl=0&width=14&great-rivers=1&style=ink";
 /** The step that makes rivers of a tree counts as meandering. */
 const LINKS = {
-  growing: `${PLAIN}&attractors=100000&meander=none`,
-  meandering: `${PLAIN}&attractors=6000&meander-rounds=24`,
+  growing: `${PLAIN}&attractors=100000&trim=5&meander=none`,
+  meandering: `${PLAIN}&attractors=6000&trim=20&meander-rounds=24`,
 };
 const SIDE_PX = 1024;
 const repeat = Number(process.env.REPEAT ?? 3);

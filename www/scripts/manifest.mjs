@@ -15,10 +15,7 @@ export function attributes(own, table) {
     default: JSON.stringify(isNumber(row) ? Number(row.default) : row.default),
     description: isNumber(row) ? `${row.help} ${row.min} to ${row.max}${row.unit ? ` ${row.unit}` : ""}.` : row.help,
   }));
-  return [...ofTable, ...own.attributes].map((one) => ({
-    ...one,
-    fieldName: one.fieldName === undefined ? propertyOf(one.name) : one.fieldName,
-  }));
+  return [...ofTable, ...own.attributes].map((one) => ({ ...one, fieldName: propertyOf(one.name) }));
 }
 
 const isNumber = ({ kind }) => kind === "number" || kind === "integer";
@@ -33,7 +30,6 @@ function typeOf(row) {
 /** The element, as the manifest declares a class. */
 export function elementOf(own, table) {
   const all = attributes(own, table);
-  const fields = all.filter(({ fieldName }) => fieldName !== null).map(fieldOf);
   return {
     kind: "class",
     customElement: true,
@@ -41,8 +37,8 @@ export function elementOf(own, table) {
     name: "RiverSeed",
     superclass: { name: "HTMLElement" },
     ...own,
-    attributes: all.map(({ fieldName, ...rest }) => (fieldName === null ? rest : { ...rest, fieldName })),
-    members: [...fields, ...own.members],
+    attributes: all,
+    members: [...all.map(fieldOf), ...own.members],
   };
 }
 

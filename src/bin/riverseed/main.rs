@@ -326,7 +326,7 @@ fn grow(recipe: Recipe, progress: &ProgressBar) -> Result<Session, Failure> {
         if session.summary().nodes == 0 {
             eprintln!("riverseed: no river grew: no land lies open to the sea");
         } else {
-            let advice = "a shorter 'step', a longer 'kill' or 'reach', or less 'apart' helps";
+            let advice = "a shorter 'step', a longer 'kill' or 'reach', or less 'mouth-spacing' helps";
             eprintln!("riverseed: rivers leave {unreached} of {attractors} attractors unreached; {advice}");
         }
     }

@@ -37,11 +37,11 @@ ridge. A thin ridge becomes a line along its middle; a wide one becomes the outl
 much of the image fitted into the outline. An image longer than 4:1 is centred on the map, and what touches its long edges is extended to
 the map's edge.
 
-## Trimming a Brownian tree
+## Trimming
 
-`trim` counts nodes of space colonization, which are one `step` apart. A node of a Brownian tree is a cell of about 1 unit, so there each
-node of `trim` counts as 4.5 cells. That is about the length of a default step with 6,000 attractors on `land=rectangle`. In a Brownian
-tree, rivers that reach the sea on their own are trimmed too if they are shorter than that; the longest one always stays.
+A branch's length is that of its nodes: one `step` each in space colonization, 1.1 units on average in a Brownian tree. `trim` is rounded
+to whole nodes. In a Brownian tree, rivers that reach the sea on their own are trimmed too if they are shorter than that; the longest one
+always stays.
 
 ## Limits
 

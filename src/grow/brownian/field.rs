@@ -178,7 +178,8 @@ mod tests {
     fn what_ridges_enclose_is_no_land_for_particles() {
         // A square of six tenths of a side, in it a ridge around two tenths.
         let outline = ".MzMzzMMzzMzMMzzM..ZmZmmZZmmZmZZmmZZmZm";
-        let settings = Settings::of(&link::read(&format!("land=drawn&rough=0&aspect=1&outline={outline}")).unwrap());
+        let settings =
+            Settings::of(&link::read(&format!("land=drawn&roughness=0&aspect=1&outline={outline}")).unwrap());
         let land = settings.land.as_deref().unwrap();
         let field = Field::of(&settings);
         let [within, without] = [500, 300].map(|column| Place { column, row: 500 });

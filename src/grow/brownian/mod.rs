@@ -47,6 +47,9 @@ const PARTICLES_A_TICK: usize = 2048;
 /// at 30, less where much land lies beside the sea.
 const DENSITY: f32 = 1.0;
 
+/// By trials, the mean distance from a cell of river to the next, which has a side or a corner in common with it, in cells.
+const NODE_LENGTH: f32 = 1.1;
+
 /// Growth in progress.
 #[derive(Clone, Debug)]
 pub struct Brownian {
@@ -181,6 +184,11 @@ impl Brownian {
     /// About how many cells of river there will be: the discharge of a river that drains all land.
     pub fn total_discharge(&self) -> u32 {
         self.total_discharge
+    }
+
+    /// How far a node lies from its parent, in units, on average.
+    pub fn node_length(&self) -> f32 {
+        NODE_LENGTH * self.strands.water.field.side()
     }
 
     /// How growth ended; `None` while it goes on.

@@ -51,13 +51,13 @@ fn nearest_to_mouths(settings: &Settings, all: &[Outlet]) -> Vec<Outlet> {
 
 /// Outlets on the chosen shores, each at least so far from all others, those in bays first.
 fn thin_out(settings: &Settings, all: Vec<Outlet>) -> Vec<Outlet> {
-    let Some(land) = settings.land.as_deref().filter(|_| settings.shores != Sides::ALL || settings.apart > 0.0) else {
+    let Some(land) = settings.land.as_deref().filter(|_| settings.shores != Sides::ALL || settings.mouth_spacing > 0.0) else {
         return all;
     };
     let of_region = |region: &Region| {
         let outlets: Vec<Outlet> = all.iter().filter(|outlet| land.is_in(region, outlet.at)).copied().collect();
         let chosen = on_chosen_sides(region, settings.shores, outlets, |outlet| outlet.at);
-        keep_apart(land, chosen, settings.apart)
+        keep_apart(land, chosen, settings.mouth_spacing)
     };
     land.regions().iter().flat_map(of_region).collect()
 }

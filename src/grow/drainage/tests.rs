@@ -37,7 +37,7 @@ fn recipes() -> impl Strategy<Value = String> {
             format!(
                 "{land}&seed={seed}&attractors={attractors}&sea={sea:.2}&aspect={aspect:.2}&valleys={valleys:.2}\
              &valley-spacing={valley_spacing:.1}&concavity={concavity:.2}&captures={captures}&hardness={hardness:.2}\
-             &bending={bending:.2}&mouths={mouths}&shores={shores}&apart={}",
+             &bending={bending:.2}&mouths={mouths}&shores={shores}&mouth-spacing={}",
                 apart * 60
             )
         },

@@ -27,7 +27,7 @@ pub(super) fn assign(network: &mut Network, settings: &Settings) {
         return;
     }
     let is_flat = flat_vertices(network, settings);
-    let great = great_rivers(network, &is_flat, settings.great);
+    let great = great_rivers(network, &is_flat, settings.great_rivers);
     let holds = holds(network);
     let noise = settings.gentle_noise();
     for (number, river) in network.rivers.clone().iter().enumerate() {
@@ -38,7 +38,8 @@ pub(super) fn assign(network: &mut Network, settings: &Settings) {
         let ramp = |far: f32, width: f32| smooth_step((far / width - HELD) / fast_max(settings.taper - HELD, 0.1));
         let in_flat = great.contains(&number).then(|| depths_in_flat(&is_flat[river.vertex_range()], &along));
         for (i, vertex) in own.iter_mut().enumerate() {
-            let gently = settings.gentle * smooth_step(noise.get_noise_2d(vertex.at.x, vertex.at.y) * 1.25 + 0.25);
+            let gently =
+                settings.meander_elsewhere * smooth_step(noise.get_noise_2d(vertex.at.x, vertex.at.y) * 1.25 + 0.25);
             let fully = in_flat.as_ref().map_or(0.0, |depths| ramp(depths[i], width[i]));
             let mobility = fast_max(gently, fully) * ramp(along[i], width[i]) * ramp(length - along[i], width[i]);
             vertex.mobility = if mobility < LEAST { 0.0 } else { mobility };
@@ -79,7 +80,7 @@ pub(super) fn ease_off(network: &mut Network, spacing: f32) {
 fn flat_vertices(network: &Network, settings: &Settings) -> Vec<bool> {
     let slopes = slopes(network, settings.total_discharge);
     let by_slope = sort::argsort(slopes.iter().map(|&slope| sort::key(slope)));
-    let count = (by_slope.len() as f32 * settings.flat) as usize;
+    let count = (by_slope.len() as f32 * settings.flat_share) as usize;
     match by_slope.get(..count).and_then(<[usize]>::last) {
         Some(&last) => slopes.iter().map(|&slope| slope <= slopes[last]).collect(),
         None => vec![false; slopes.len()],
@@ -158,13 +159,20 @@ mod tests {
         (network, main)
     }
 
-    fn only_great(great: u32) -> Settings {
-        Settings { great, gentle: 0.0, flat: 1.0, taper: 6.0, total_discharge: 100, ..settings() }
+    fn only_great(great_rivers: u32) -> Settings {
+        Settings {
+            great_rivers,
+            meander_elsewhere: 0.0,
+            flat_share: 1.0,
+            taper: 6.0,
+            total_discharge: 100,
+            ..settings()
+        }
     }
 
     #[test]
     fn nothing_moves_at_sources_mouths_and_equal_junctions() {
-        let (network, main) = swaying(40, &Settings { gentle: 1.0, ..only_great(2) });
+        let (network, main) = swaying(40, &Settings { meander_elsewhere: 1.0, ..only_great(2) });
         let mobility = |i: usize| network.vertices[i].mobility;
         for held in [0, 1, 200, main.end as usize - 1, main.end as usize, network.vertices.len() - 1] {
             assert_eq!(mobility(held), 0.0, "{held}");
@@ -192,7 +200,7 @@ mod tests {
     fn only_what_is_flat_meanders_fully() {
         let mut network = river(&straight((0.0, 400.0), (400.0, 400.0), 400), 2.0);
         network.vertices.iter_mut().enumerate().for_each(|(i, vertex)| vertex.discharge = i as u32 + 1);
-        assign(&mut network, &Settings { flat: 0.25, total_discharge: 400, ..only_great(1) });
+        assign(&mut network, &Settings { flat_share: 0.25, total_discharge: 400, ..only_great(1) });
         assert!(network.vertices[..300].iter().all(|vertex| vertex.mobility == 0.0));
         assert_eq!(network.vertices[350].mobility, 1.0);
     }

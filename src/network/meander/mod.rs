@@ -85,7 +85,7 @@ impl Meander {
         if self.freeze(&near) {
             mobility::ease_off(&mut self.network, self.settings.spacing);
         }
-        self.guard.erode(&mut self.network, &downstream, self.settings.buffer);
+        self.guard.erode(&mut self.network, &downstream, self.settings.min_clearance);
         self.move_bends(&downstream, &clearance, &step_scale);
         respace::respace(&mut self.network, &clearance, &step_scale, &self.settings);
         !self.is_finished()
@@ -119,11 +119,11 @@ impl Meander {
 
     /// How far each segment looks around for others: until banks could come too near each other, if it can move or is wide.
     pub fn reach(&self, downstream: &[u32], step_scale: &[f32]) -> Vec<f32> {
-        let Settings { spacing, buffer, neck, .. } = self.settings;
+        let Settings { spacing, min_clearance, neck, .. } = self.settings;
         let vertices = &self.network.vertices;
         let wide = WIDE * spacing;
         let near = |width: f32| {
-            fast_max((width + fast_max(width, wide)) * 0.5 + buffer, neck * fast_max(width, NARROWEST * spacing))
+            fast_max((width + fast_max(width, wide)) * 0.5 + min_clearance, neck * fast_max(width, NARROWEST * spacing))
         };
         vertices
             .iter()
@@ -135,7 +135,7 @@ impl Meander {
                 if moves > 0.0 || step_scale[lower as usize] > 0.0 {
                     fast_max(near(width), CAP * self.settings.step(width))
                 } else if width > wide {
-                    width + buffer
+                    width + min_clearance
                 } else {
                     0.0
                 }
@@ -199,10 +199,10 @@ impl Meander {
     }
 
     fn is_too_near(&self, pair: &NearbyPair, river_of: &[u32]) -> bool {
-        let Settings { spacing, buffer, neck, .. } = self.settings;
+        let Settings { spacing, min_clearance, neck, .. } = self.settings;
         let [a, b] = [pair.first, pair.second].map(|i| (i, river_of[i as usize]));
         let width = |i: u32| self.network.vertices[i as usize].width();
-        let apart = (width(a.0) + width(b.0)) * 0.5 + buffer;
+        let apart = (width(a.0) + width(b.0)) * 0.5 + min_clearance;
         if a.1 == b.1 {
             return pair.distance < 0.5 * neck * fast_max(width(a.0), NARROWEST * spacing)
                 && cutoff::is_loop(&self.network, pair, &self.settings);

@@ -9,7 +9,7 @@ import type { Disclosures } from "./disclosure.ts";
 const OPEN_AT_FIRST = new Set(["Meanders"]);
 
 /** Seldom wanted: these stand under “More” at the end of their group. */
-const RARE = new Set(["flat", "neck", "buffer", "taper"]);
+const RARE = new Set(["flat-share", "neck", "clearance", "taper"]);
 
 export interface Group {
   readonly element: HTMLElement;

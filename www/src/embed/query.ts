@@ -1,7 +1,7 @@
 /** The query of embed.html: a river's link, and beside it how the element is to behave. */
 
 /** What the query may say besides the recipe; the names and values are the element's attributes. */
-const ATTRIBUTES: readonly string[] = ["animate", "controls", "theme"];
+const ATTRIBUTES: readonly string[] = ["controls", "still", "theme"];
 
 export interface EmbedQuery {
   /** Link text. */

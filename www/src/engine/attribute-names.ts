@@ -6,9 +6,9 @@
 /** Parameters whose values are numbers, and those whose values are text. */
 // biome-ignore format: a list of words
 export const NUMBERS = [
-  "edition", "aspect", "sea", "rough", "mouths", "apart", "sensitivity", "attractors", "reach", "kill", "step", "momentum",
-  "curl", "stretch", "trim", "simplify", "width", "vary", "meander-rounds", "meander-strength", "meander-mix", "gentle",
-  "great", "flat", "neck", "buffer", "taper",
+  "edition", "aspect", "sea", "roughness", "mouths", "mouth-spacing", "sensitivity", "attractors", "reach", "kill", "step", "momentum",
+  "curl", "stretch", "trim", "simplify", "width", "bank-variation", "meander-rounds", "meander-strength", "meander-mix", "meander-elsewhere",
+  "great-rivers", "flat-share", "neck", "clearance", "taper",
 ] as const;
 export const TEXTS = ["seed", "land", "outline", "sides", "shores", "growth", "scatter", "meander", "style"] as const;
 

@@ -4,12 +4,15 @@ import { attributeOf, NUMBERS, TEXTS } from "../engine/attribute-names.ts";
 import { linkText } from "../engine/link-text.ts";
 
 /** How the element behaves, which is no part of the recipe. */
-const BEHAVIOUR = ["recipe", "animate", "loading", "theme", "alt", "wasm-url"] as const;
+const BEHAVIOUR = ["recipe", "loading", "theme", "alt", "wasm-url"] as const;
+
+/** Attributes that are there or not. */
+const FLAGS = ["still", "controls"] as const;
 
 /** The shapes a river may have, and the one it has if nothing is said: the box has it before the engine is there. */
 export const ASPECT = { min: 0.25, max: 4, default: 1.6 };
 
-export const OBSERVED = [...[...NUMBERS, ...TEXTS].map(attributeOf), ...BEHAVIOUR, "controls", "aria-label", "lang"];
+export const OBSERVED = [...[...NUMBERS, ...TEXTS].map(attributeOf), ...BEHAVIOUR, ...FLAGS, "aria-label", "lang"];
 
 /** What an element asks for, as link text for the core to read: its recipe, with its attributes in place of what that says. */
 export function linkOf(element: Element): string {
@@ -28,11 +31,11 @@ export function aspectOf(link: string): number {
   return Number.isFinite(aspect) ? Math.min(ASPECT.max, Math.max(ASPECT.min, aspect)) : ASPECT.default;
 }
 
-/** Gives a class the properties: text and numbers (null without the attribute), and one that is there or not. */
+/** Gives a class the properties: text and numbers (null without the attribute), and what is there or not. */
 export function reflect(prototype: HTMLElement): void {
   for (const name of NUMBERS.map(attributeOf)) define(prototype, name, numberIn);
   for (const name of [...TEXTS.map(attributeOf), ...BEHAVIOUR]) define(prototype, name, textIn);
-  define(prototype, "controls", (element, name) => element.hasAttribute(name));
+  for (const name of FLAGS) define(prototype, name, flagIn);
 }
 
 /** Properties that a script set before the class was known: they would hide the class's own. */
@@ -49,19 +52,21 @@ type Reader = (element: HTMLElement, name: string) => unknown;
 
 function define(prototype: HTMLElement, attribute: string, read: Reader): void {
   const name = camelCase(attribute);
-  // `animate` is also a method of every element, which scripts must go on finding: only what is set is ours.
-  const inherited = Reflect.get(prototype, name);
   Object.defineProperty(prototype, name, {
     configurable: true,
     enumerable: true,
     get(this: HTMLElement) {
-      return typeof inherited === "function" ? inherited : read(this, attribute);
+      return read(this, attribute);
     },
     set(this: HTMLElement, value: unknown) {
       if (value === null || value === undefined || value === false) this.removeAttribute(attribute);
       else this.setAttribute(attribute, value === true ? "" : String(value));
     },
   });
+}
+
+function flagIn(element: HTMLElement, name: string): boolean {
+  return element.hasAttribute(name);
 }
 
 function textIn(element: HTMLElement, name: string): string | null {
@@ -80,10 +85,7 @@ function camelCase(attribute: string): string {
 type CamelCase<Name> = Name extends `${infer First}-${infer Rest}` ? `${First}${Capitalize<CamelCase<Rest>>}` : Name;
 type Property<Key extends string> = CamelCase<Key extends "style" | "width" ? `river-${Key}` : Key> & string;
 
-/**
- * The properties, by type. Null without the attribute. `animate` can be set as well, but is read as the method that every
- * element has.
- */
+/** The properties, by type. Null without the attribute, or, of one that is there or not, false. */
 export type Properties = { [Key in (typeof NUMBERS)[number] as Property<Key>]: number | null } & {
-  [Key in Exclude<(typeof TEXTS | typeof BEHAVIOUR)[number], "animate"> as Property<Key>]: string | null;
-} & { controls: boolean };
+  [Key in (typeof TEXTS | typeof BEHAVIOUR)[number] as Property<Key>]: string | null;
+} & { [Key in (typeof FLAGS)[number]]: boolean };

@@ -134,7 +134,7 @@ export class RiverSeed extends Base {
   }
 
   get #isStill(): boolean {
-    return this.getAttribute("animate") === "none" || matchMedia(STILL).matches;
+    return this.hasAttribute("still") || matchMedia(STILL).matches;
   }
 
   /** Of the author's choice, or as the page says that it is, or as the reader likes pages. */
@@ -349,10 +349,7 @@ export class RiverSeed extends Base {
     this.#view.name(name ?? this.#strings.alternative(this.#told(reading, status)));
     const isAsked = this.hasAttribute("controls");
     const isMoving = status.state === "growing" || status.state === "paused";
-    const does =
-      this.#isShown && (isAsked || isMoving || this.getAttribute("animate") !== "none")
-        ? DOES[status.state]
-        : undefined;
+    const does = this.#isShown && (isAsked || isMoving || !this.hasAttribute("still")) ? DOES[status.state] : undefined;
     const isQuiet = !isAsked && !isMoving;
     this.#view.button(does, does ? this.#strings[does] : "", { isQuiet, isDark: this.#isDark });
   }

@@ -32,11 +32,11 @@ const MANY = `${SMALL}&land=island&mouths=30`;
 const CONTEXTS = [SMALL, `${SMALL}&land=rectangle&curl=0`, MANY, `${SMALL}&growth=brownian`, `${SMALL}&meander=none`];
 
 /** Many rivers that meander for long: here they come near each other. */
-const CLOSE = `${SMALL}&land=rectangle&mouths=3&curl=0&trim=4&great=16&gentle=1&meander-rounds=120&meander-strength=1`;
+const CLOSE = `${SMALL}&land=rectangle&mouths=3&curl=0&trim=88&great-rivers=16&meander-elsewhere=1&meander-rounds=120&meander-strength=1`;
 
 function contextOf(key: string): string {
-  if (key === "neck" || key === "buffer") return CLOSE;
-  if (key === "apart") return MANY;
+  if (key === "neck" || key === "clearance") return CLOSE;
+  if (key === "mouth-spacing") return MANY;
   const link = CONTEXTS.find((one) => reasonIn(one, key) === undefined);
   if (link === undefined) throw new Error(`${key} does nothing in any recipe here`);
   return link;
@@ -86,11 +86,11 @@ test("rivers that do not meander leave their controls idle, and have them again"
     "meander-rounds",
     "meander-strength",
     "meander-mix",
-    "gentle",
-    "great",
-    "flat",
+    "meander-elsewhere",
+    "great-rivers",
+    "flat-share",
     "neck",
-    "buffer",
+    "clearance",
     "taper",
   ];
   await row(page, "meander").getByRole("combobox").selectOption("none");
@@ -265,7 +265,7 @@ test("typing a seed grows it, Enter at once, an empty box nothing", async ({ pag
 });
 
 test("Reset all goes back to the defaults and keeps the seed", async ({ page }) => {
-  await openUnfolded(page, "seed=kea&curl=1&trim=20&style=skeleton&aspect=2");
+  await openUnfolded(page, "seed=kea&curl=1&trim=63&style=skeleton&aspect=2");
   await page.getByRole("button", { name: "Reset all" }).click();
   await expect.poll(() => new URL(page.url()).search).toBe(`?${engine.readLink("seed=kea").link}`);
   await expectPictureOfAddress(page);

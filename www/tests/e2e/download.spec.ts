@@ -5,7 +5,7 @@ import { complaints, openFinished, ownClock, stopClock } from "./riverpage.ts";
 
 const LINK = "seed=puriri&attractors=300";
 /** The same on a plain rectangle, whose rivers run south, for long enough to leave lakes. */
-const PLAIN = `${LINK}&land=rectangle&aspect=1.5&sides=s&great=9&gentle=1&meander-rounds=120&meander-strength=1`;
+const PLAIN = `${LINK}&land=rectangle&aspect=1.5&sides=s&great-rivers=9&meander-elsewhere=1&meander-rounds=120&meander-strength=1`;
 
 interface Feature {
   geometry: { type: string; coordinates: [number, number, number][] };

@@ -64,7 +64,7 @@ test("loading the address bar's link again shows the same picture", async ({ pag
   await openFinished(page, "attractors=300");
   await page.getByRole("button", { name: "A new seed by chance" }).click();
   await page.getByRole("button", { name: "Trimmed curl" }).click();
-  await expectAddress(page, "trim", "6");
+  await expectAddress(page, "trim", "29");
   await finished(page);
   const before = await shown(page);
   await page.reload();

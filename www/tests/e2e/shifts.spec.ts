@@ -17,7 +17,7 @@ for (const [width, height] of [
   [820, 1180],
   [390, 844],
 ] as const) {
-  for (const link of ["", "seed=a+longer+word&land=island&aspect=2.2&attractors=900&trim=4"]) {
+  for (const link of ["", "seed=a+longer+word&land=island&aspect=2.2&attractors=900&trim=33"]) {
     test(`next to nothing moves from the first sight to the finished river, ${width} by ${height}: ?${link}`, async ({
       page,
     }) => {

@@ -6,12 +6,12 @@ import { readQuery } from "../../src/embed/query.ts";
 
 describe("the query", () => {
   test("is a link with the element's attributes among it", () => {
-    const { recipe, attributes } = readQuery("seed=kauri&theme=dark&curl=0.6&controls&animate=x");
+    const { recipe, attributes } = readQuery("seed=kauri&theme=dark&curl=0.6&controls&still");
     expect(recipe).toBe("seed=kauri&curl=0.6");
     expect([...attributes]).toEqual([
       ["theme", "dark"],
       ["controls", ""],
-      ["animate", "x"],
+      ["still", ""],
     ]);
   });
 

@@ -3,7 +3,7 @@ import { isAdjustable } from "../../src/controls/controls.ts";
 import { engine, parameter, pictureOf } from "../core.ts";
 
 /** What decides whether others do something; coarse and soon done, since every value of every key is drawn. */
-const PLAIN = "aspect=1.5&land=rectangle&sea=0.5&rough=0.5&curl=0&trim=4&width=14&great=1&style=ink";
+const PLAIN = "aspect=1.5&land=rectangle&sea=0.5&roughness=0.5&curl=0&trim=20&width=14&great-rivers=1&style=ink";
 const COARSE = `${PLAIN}&attractors=100&sensitivity=64&mouths=9&meander-rounds=10`;
 const OUTLINE = engine.outlineOf([Float32Array.of(0.2, 0.2, 0.8, 0.25, 0.75, 0.8, 0.2, 0.7)], []);
 const lands = parameter("land").choices?.map(({ value }) => `land=${value}`) ?? [];
@@ -17,23 +17,27 @@ const recipes = [
   "curl=0.6",
   "meander-rounds=0",
   "meander-strength=0",
-  "great=0",
-  "great=0&gentle=0",
+  "great-rivers=0",
+  "great-rivers=0&meander-elsewhere=0",
   "style=skeleton&meander=none",
   "style=skeleton&meander-rounds=0",
 ].map((link) => merged(COARSE, link));
 
 /** What these do depends on whether anywhere two lines come near each other. */
-const BY_CHANCE = ["neck", "buffer"];
+const BY_CHANCE = ["neck", "clearance"];
 /** What may change nothing although it could: how rivers would meander can be chosen before they do; without strength they only smooth. */
 function maySame(link: string): string[] {
   if (link.includes("meander-rounds=0")) return [...BY_CHANCE, "meander"];
-  if (link.includes("meander-strength=0")) return [...BY_CHANCE, "gentle", "great", "flat", "taper"];
+  if (link.includes("meander-strength=0"))
+    return [...BY_CHANCE, "meander-elsewhere", "great-rivers", "flat-share", "taper"];
   return BY_CHANCE;
 }
 
 /** Many rivers that meander for long. */
-const CLOSE = merged(PLAIN, "mouths=3&attractors=500&great=16&gentle=1&meander-rounds=120&meander-strength=1");
+const CLOSE = merged(
+  PLAIN,
+  "mouths=3&attractors=500&great-rivers=16&meander-elsewhere=1&meander-rounds=120&meander-strength=1",
+);
 
 const keys = engine
   .parameters()
@@ -104,16 +108,16 @@ test("every key that can be idle is so in some recipe, and does something in ano
   }
   for (const key of [
     "sea",
-    "rough",
-    "apart",
+    "roughness",
+    "mouth-spacing",
     "sides",
     "sensitivity",
     "attractors",
     "curl",
     "stretch",
     "width",
-    "vary",
-    "flat",
+    "bank-variation",
+    "flat-share",
     "neck",
   ]) {
     expect(

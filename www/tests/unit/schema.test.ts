@@ -19,14 +19,14 @@ function written(link: string): Network {
 }
 
 const WITH_LAKES =
-  "seed=rimu&land=rectangle&attractors=800&great=9&gentle=1&meander-rounds=150&meander-strength=1&meander=bend";
+  "seed=rimu&land=rectangle&attractors=800&great-rivers=9&meander-elsewhere=1&meander-rounds=150&meander-strength=1&meander=bend";
 const LINKS = [
   WITH_LAKES,
   "seed=kauri&land=rectangle&attractors=600",
   "seed=kea&land=archipelago&attractors=600&mouths=9&curl=0.9&stretch=5&meander=flow&style=map",
-  "seed=totara&land=island&growth=brownian&sensitivity=40&trim=10",
+  "seed=totara&land=island&growth=brownian&sensitivity=40&trim=50",
   // Land shut off from the sea: no rivers at all.
-  "land=drawn&rough=0&aspect=1&attractors=100&outline=.MzMzzMMzzMzMMzzM..M1M1zKM1zKzKM1zKM1M1..M4M4zHM4zHzHM4zHM4M4",
+  "land=drawn&roughness=0&aspect=1&attractors=100&outline=.MzMzzMMzzMzMMzzM..M1M1zKM1zKzKM1zKM1M1..M4M4zHM4zHzHM4zHM4M4",
 ];
 
 function wrong(network: Network): string[] {

@@ -35,7 +35,7 @@ const FORMS = [
   'alt="Rivers of the north"',
   'alt=""',
   'aria-label="Rivers"',
-  'animate="none"',
+  "still",
   'theme="dark" controls',
 ];
 
@@ -83,7 +83,7 @@ test("the author's words come first, and may be none", async ({ page, blog }) =>
   const events = await open(
     page,
     blog,
-    widgets.map((alt) => `<river-seed ${SMALL} animate="none" ${alt}></river-seed>`).join(""),
+    widgets.map((alt) => `<river-seed ${SMALL} still ${alt}></river-seed>`).join(""),
   );
   await page.setViewportSize({ width: 600, height: 2400 });
   await heard(events, "complete", 3);
@@ -131,7 +131,7 @@ test("finished, the button waits for a pointer or the focus; with controls it st
 });
 
 test("a still river has no button, unless it is asked for", async ({ page, blog }) => {
-  const events = await open(page, blog, `<river-seed ${SMALL} animate="none"></river-seed>`);
+  const events = await open(page, blog, `<river-seed ${SMALL} still></river-seed>`);
   await heard(events, "complete");
   await expect(page.getByRole("button")).toHaveCount(0);
   await page.locator("river-seed").evaluate((river) => river.setAttribute("controls", ""));
@@ -139,7 +139,7 @@ test("a still river has no button, unless it is asked for", async ({ page, blog 
 });
 
 test("every string can be replaced", async ({ page, blog }) => {
-  const events = await open(page, blog, `<river-seed ${SMALL} controls animate="none" lang="de"></river-seed>`);
+  const events = await open(page, blog, `<river-seed ${SMALL} controls still lang="de"></river-seed>`);
   await heard(events, "complete");
   await page.locator("river-seed").evaluate((river: HTMLElementTagNameMap["river-seed"]) => {
     river.i18n = {

@@ -63,14 +63,13 @@ test("properties mirror attributes", async ({ page, blog }) => {
   const events = await open(page, blog, '<river-seed attractors="300"></river-seed>');
   await heard(events, "complete");
   const seen = await page.locator("river-seed").evaluate((river: RiverSeed) => {
-    const before = [river.seed, river.attractors, river.controls, river.alt];
-    Object.assign(river, { seed: "miro", attractors: null, controls: false, alt: "", animate: "none" });
+    const before = [river.seed, river.attractors, river.controls, river.still, river.alt];
+    Object.assign(river, { seed: "miro", attractors: null, controls: false, alt: "", still: true });
     const names = river.getAttributeNames().map((name) => [name, river.getAttribute(name)]);
-    return { before, names, canAnimate: typeof river.animate };
+    return { before, names };
   });
-  expect(seen.before).toEqual([null, 300, false, null]);
-  expect(Object.fromEntries(seen.names)).toEqual({ seed: "miro", alt: "", animate: "none" });
-  expect(seen.canAnimate).toBe("function");
+  expect(seen.before).toEqual([null, 300, false, false, null]);
+  expect(Object.fromEntries(seen.names)).toEqual({ seed: "miro", alt: "", still: "" });
 });
 
 test("what changes in one turn changes once, and what is the same changes nothing", async ({ page, blog }) => {
@@ -104,7 +103,7 @@ test("ready comes once, before complete; progress in between", async ({ page, bl
 });
 
 const JUNK = `<river-seed seed="${"x".repeat(500)}" attractors="many" aspect="-3" reach="1e99" river-style="<b>" outline="!!!"
-  recipe="%%%&=&seed&frogs=7&amp;curl=NaN" theme="pink" loading="never" animate="sideways" lang="no language"></river-seed>`;
+  recipe="%%%&=&seed&frogs=7&amp;curl=NaN" theme="pink" loading="never" still="sideways" lang="no language"></river-seed>`;
 
 test("junk is mended, and said", async ({ page, blog }) => {
   const said = complaints(page);
@@ -132,7 +131,7 @@ test("what is told of a river is told of that river, though another waits for it
 });
 
 test("a widget grows no more than a page bears, and says so", async ({ page, blog }) => {
-  const events = await open(page, blog, '<river-seed attractors="1000000" animate="none"></river-seed>');
+  const events = await open(page, blog, '<river-seed attractors="1000000" still></river-seed>');
   const { detail } = await heard(events, "ready");
   expect(detail).toMatchObject({ link: canonical("attractors=20000"), notices: [{ key: "attractors" }] });
 });

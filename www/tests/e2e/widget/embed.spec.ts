@@ -3,7 +3,7 @@ import { complaints } from "../riverpage.ts";
 import { expect, test } from "./hosts.ts";
 import { canonical, expectPicture, heard, listen, post, STRICT } from "./post.ts";
 
-const ATTRIBUTES = 'seed="rimu" attractors="400" animate="none"';
+const ATTRIBUTES = 'seed="rimu" attractors="400" still';
 const LINK = canonical("seed=rimu&attractors=400");
 
 /** Where the renderer was. */

@@ -13,7 +13,7 @@ import {
 } from "./post.ts";
 
 const FALLBACK = '<img alt="A river" src="data:image/gif;base64,R0lGODlhAQABAAAAACw="><a href="#river">The river</a>';
-const WIDGET = `<river-seed seed="rimu" attractors="300" animate="none">${FALLBACK}</river-seed>`;
+const WIDGET = `<river-seed seed="rimu" attractors="300" still>${FALLBACK}</river-seed>`;
 const ENGINE = "/widget/riverseed_bg.wasm";
 
 async function open(page: Page, blog: Host, body = WIDGET): Promise<() => Promise<Heard[]>> {

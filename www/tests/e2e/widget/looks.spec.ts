@@ -36,7 +36,7 @@ for (const [attributes, aspect] of [
     const moved = await shifts(page);
     // What docs/element.md recommends for the time before the script has come.
     const style = `<style>river-seed:not(:defined) { display: block; aspect-ratio: ${aspect}; min-height: 0; overflow: hidden }</style>`;
-    const body = `${style}<river-seed attractors="300" animate="none" ${attributes}>${FALLBACK}</river-seed>`;
+    const body = `${style}<river-seed attractors="300" still ${attributes}>${FALLBACK}</river-seed>`;
     const events = await open(page, blog, body);
     await heard(events, "complete");
     await frames(page, 5);
@@ -140,11 +140,7 @@ test("play, pause and restart do what they say, before there is a river as well"
 });
 
 test("a box of another shape is covered by the map", async ({ page, blog }) => {
-  const events = await open(
-    page,
-    blog,
-    '<river-seed attractors="300" animate="none" style="height: 120px"></river-seed>',
-  );
+  const events = await open(page, blog, '<river-seed attractors="300" still style="height: 120px"></river-seed>');
   await heard(events, "complete");
   await expectPicture(page, canonical("attractors=300"));
   const { height } = (await page.locator("river-seed canvas").boundingBox()) ?? { height: 0 };
@@ -184,7 +180,7 @@ async function differing(page: Page, scale: number): Promise<number> {
 for (const transform of ["scale(.5)", "scale(0)", "rotate(30deg) scale(.4)"]) {
   test(`one that is drawn under ${transform} is sharp when that ends`, async ({ page, blog }) => {
     const river = (id: string): string =>
-      `<river-seed id="${id}" attractors="300" animate="none" loading="eager" style="width: 333.4px"></river-seed>`;
+      `<river-seed id="${id}" attractors="300" still loading="eager" style="width: 333.4px"></river-seed>`;
     const body = `<div id="slide" style="transform: ${transform}; transform-origin: 0 0">${river("scaled")}</div>${river("plain")}`;
     const events = await open(page, blog, body);
     await heard(events, "complete", 2);
@@ -209,7 +205,7 @@ for (const [left, scale] of [
     const browser = await playwright.chromium.launch({ ...launchOptions, args });
     const page = await browser.newPage({ viewport: null });
     const style = `width: 333.4px; margin-left: ${left}px`;
-    const events = await open(page, blog, `<river-seed attractors="300" animate="none" style="${style}"></river-seed>`);
+    const events = await open(page, blog, `<river-seed attractors="300" still style="${style}"></river-seed>`);
     await heard(events, "complete");
     await expectPicture(page, canonical("attractors=300"));
     await frames(page, 5);
@@ -220,7 +216,7 @@ for (const [left, scale] of [
 
 test("one that is drawn enlarged has the pixels that are seen", async ({ page, blog }) => {
   const body =
-    '<river-seed id="large" attractors="300" animate="none" style="width: 300px; transform: scale(2); transform-origin: 0 0"></river-seed>';
+    '<river-seed id="large" attractors="300" still style="width: 300px; transform: scale(2); transform-origin: 0 0"></river-seed>';
   const events = await open(page, blog, body);
   await heard(events, "complete");
   expect(await backing(page, "large")).toEqual([600, 375]);

@@ -13,7 +13,7 @@ const SCRIPT = { "content-type": "text/javascript" };
 
 type RiverSeed = HTMLElementTagNameMap["river-seed"];
 
-const widget = (id: string, attributes = 'attractors="300" animate="none"'): string =>
+const widget = (id: string, attributes = 'attractors="300" still'): string =>
   `<river-seed id="${id}" seed="${id}" ${attributes} loading="eager" style="width: 300px; float: left"><a href="#${id}">River ${id}</a></river-seed>`;
 
 /** So many rounds that no test sees the end of them. */
@@ -181,7 +181,7 @@ test("a worker that ends later is replaced: all go on, and what was asked of it 
   // A restart, a changed attribute, a new widget, and a file.
   await page.locator("#rimu").evaluate((river: RiverSeed) => river.restart());
   await page.locator("#miro").evaluate((river: RiverSeed) => {
-    for (const [key, value] of Object.entries({ attractors: "300", animate: "none" })) river.setAttribute(key, value);
+    for (const [key, value] of Object.entries({ attractors: "300", still: "" })) river.setAttribute(key, value);
     for (const key of ["meander-rounds", "trim"]) river.removeAttribute(key);
   });
   await add(page, widget("matai"));

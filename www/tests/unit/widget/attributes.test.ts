@@ -24,7 +24,7 @@ test("the shape before the engine is there is the table's", () => {
 
 test("no attribute means something else in HTML, but for those that are prefixed", () => {
   expect(
-    OBSERVED.filter((name) => ["style", "width", "class", "id", "title", "slot", "hidden"].includes(name)),
+    OBSERVED.filter((name) => ["style", "width", "class", "id", "title", "slot", "hidden", "animate"].includes(name)),
   ).toEqual([]);
   expect(attributeOf("style")).toBe("river-style");
   expect(attributeOf("curl")).toBe("curl");
