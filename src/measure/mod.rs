@@ -25,7 +25,7 @@ use glam::Vec2;
 
 use crate::domain::AREA;
 use crate::land::CELL_SIZE;
-use crate::recipe::Key;
+use crate::recipe::{GrowthMethod, Key};
 use crate::session::Session;
 
 /// How far above a junction its angle is measured, in spacings.
@@ -33,8 +33,8 @@ pub const ANGLE_SPACINGS: f32 = 3.0;
 
 /// What is measured of a network; `None` where it is too small for a measure to say anything.
 ///
-/// A *spacing* is the distance between attractors if all of the domain were land, whatever grows there, so that maps of all ways of
-/// growing are measured by one ruler.
+/// A *spacing* is the distance between attractors if all of the domain were land, so that maps of space colonization and of drainage are
+/// measured by one ruler; of a Brownian tree it is the sensitivity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Measures {
     /// Horton's bifurcation ratio.
@@ -90,10 +90,13 @@ impl Measures {
     }
 }
 
-/// What lengths are compared with: the distance between attractors if all of the domain were land, whatever grows there, so that
-/// maps of all ways of growing can be compared.
+/// What lengths are compared with. The attractors of space colonization lie closer together where there is sea; those of drainage do not, and
+/// a Brownian tree has none.
 fn ruler(session: &Session) -> f32 {
-    (AREA / session.recipe().number(Key::Attractors)).sqrt()
+    match session.recipe().get() {
+        GrowthMethod::Colonize => (AREA / session.recipe().number(Key::Attractors)).sqrt(),
+        GrowthMethod::Drainage | GrowthMethod::Brownian => session.growth().stream_spacing(),
+    }
 }
 
 /// How much land there is, in square units.

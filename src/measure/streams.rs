@@ -218,7 +218,7 @@ mod tests {
     /// three times as long as those of the order below.
     #[test]
     fn ratios_are_those_of_a_forked_tree() {
-        let streams = streams(&of_order(5, |order| 3f32.powi(order as i32), |_| 0));
+        let streams = streams(&of_order(5, |order| 3u32.pow(order) as f32, |_| 0));
         assert_eq!(streams.counts, [16, 8, 4, 2, 1]);
         assert!(is_near(streams.bifurcation_ratio(), 2.0) && is_near(streams.length_ratio(), 3.0), "{streams:?}");
         assert_eq!(streams.tokunaga_c(), None);

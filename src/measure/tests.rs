@@ -74,6 +74,14 @@ fn a_map_without_rivers_has_lengths_of_nothing() {
 }
 
 #[test]
+fn colonization_and_drainage_are_measured_by_one_ruler_and_what_is_idle_is_none() {
+    let of = |growth: &str| ruler(&Session::new(link::read(&format!("land=island&{growth}")).unwrap()).unwrap());
+    assert_eq!(of("growth=colonize&attractors=400"), 50.0);
+    assert_eq!(of("growth=drainage&attractors=400"), 50.0);
+    assert_eq!(of("growth=brownian&attractors=400&sensitivity=40"), 40.0);
+}
+
+#[test]
 fn density_is_length_by_area_of_land() {
     let session = finished("seed=kauri&growth=colonize&land=rectangle&attractors=400&meander=none");
     let measures = Measures::of(&session).unwrap();

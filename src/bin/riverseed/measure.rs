@@ -37,7 +37,8 @@ fn range(nature: Nature) -> Value {
 fn table(measures: &Measures) -> String {
     let row = |measure: &Measure| {
         let nature = measure.nature.map_or(String::new(), in_words);
-        [measure.label.into(), value(measure, measures), measure.unit.into(), nature, measure.help.into()]
+        let unit = (measure.value)(measures).map_or("", |_| measure.unit);
+        [measure.label.into(), value(measure, measures), unit.into(), nature, measure.help.into()]
     };
     let head = ["", "this map", "", "nature", "what it is"].map(String::from);
     let rows: Vec<[String; 5]> = [head].into_iter().chain(TABLE.iter().map(row)).collect();
