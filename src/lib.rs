@@ -56,6 +56,7 @@ pub mod grow;
 #[cfg(feature = "png")]
 pub mod import;
 pub mod land;
+pub mod measure;
 mod memory;
 pub mod network;
 pub mod paint;

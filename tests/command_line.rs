@@ -6,6 +6,8 @@ use std::fs;
 use std::path::PathBuf;
 use std::process::{Command, Output};
 
+use riverseed::measure::TABLE;
+
 fn riverseed(arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_riverseed")).args(arguments).output().unwrap()
 }
@@ -109,6 +111,28 @@ fn rivers_are_in_the_network_with_what_they_were_made_by() {
     assert!(!rivers.is_empty() && rivers.iter().any(|river| river["parent"].is_null()));
     let points = rivers[0]["points"].as_array().unwrap();
     assert!(points.iter().all(|point| point.as_array().unwrap().len() == 3));
+}
+
+#[test]
+fn measures_are_printed_beside_nature_s() {
+    let printed = |arguments: &[&str]| {
+        let output = riverseed(&[&["measure"], arguments].concat());
+        assert!(output.status.success() && output.stderr.is_empty(), "{output:?}");
+        String::from_utf8(output.stdout).unwrap()
+    };
+    let link = "seed=kauri&land=rectangle&growth=colonize&attractors=3000&trim=2";
+    let lines = printed(&[link]);
+    let line = |label: &str| lines.lines().find(|line| line.starts_with(label)).unwrap();
+    assert_eq!(lines.lines().count(), 1 + TABLE.len(), "{lines}");
+    assert!(line("Bifurcation ratio").contains("4.1 (3.5 to 5.2), 11 river basins"), "{lines}");
+    let json: serde_json::Value = serde_json::from_str(&printed(&[link, "--json"])).unwrap();
+    assert_eq!(json["measures"], network("measured.json", &[link])["measures"]);
+    assert_eq!(json["nature"]["hack-exponent"]["median"], 0.67);
+    let ratio = json["measures"]["bifurcation-ratio"].as_f64().unwrap();
+    assert!(line("Bifurcation ratio").contains(&format!(" {ratio:.2} ")), "{lines}");
+    let small = printed(&["--land", "rectangle", "--attractors", "100"]);
+    assert!(small.lines().nth(1).unwrap().contains("too small"), "{small}");
+    assert_eq!(refusal(&["measure", "--curl", "9"]).0, 2);
 }
 
 #[test]

@@ -5,6 +5,7 @@ use glam::Vec2;
 use super::value::{Members, Value};
 use super::{ExportError, rivers};
 use crate::grow::Ending;
+use crate::measure::{self, Measures};
 use crate::network::{NONE, Network, Vertex};
 use crate::prune::Pruned;
 use crate::recipe::table::TABLE;
@@ -27,6 +28,7 @@ pub fn network(session: &Session, with_attractors: bool) -> Result<Value<'_>, Ex
         .object("resolved", resolved(session))
         .object("domain", domain)
         .object("growth", growth(session))
+        .value("measures", Measures::of(session).as_ref().map_or(Value::Null, measures))
         .object("nodes", nodes(session.pruned()))
         .value("rivers", Value::list(network.rivers.len(), |i| river(network, i as u32)))
         .value("oxbows", Value::list(network.oxbows.len(), |i| oxbow(network, i as u32)));
@@ -103,6 +105,15 @@ fn growth<'a>(session: &Session) -> Members<'a> {
         .whole("unreached", summary.unreached)
         .value("complete", Value::Truth(summary.ending == Some(Ending::Complete)));
     members
+}
+
+/// What is measured of a network, by the names of the table of measures; null where it is too small.
+pub fn measures<'a>(measured: &Measures) -> Value<'a> {
+    let mut members = Members::default();
+    for measure in &measure::TABLE {
+        members.value(measure.name, (measure.value)(measured).map_or(Value::Null, Value::Double));
+    }
+    members.into()
 }
 
 fn columns<'a>(points: &[Vec2]) -> Members<'a> {

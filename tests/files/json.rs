@@ -2,6 +2,7 @@
 
 use riverseed::export::json as to_json;
 use riverseed::grow::{Ending, scatter};
+use riverseed::measure::{Measures, TABLE as TABLE_OF_MEASURES};
 use riverseed::recipe::{Key, Kind, json as json_recipe, link, table::TABLE};
 use riverseed::tree::{Hydrology, NO_PARENT};
 use serde_json::Value;
@@ -13,10 +14,10 @@ use super::{json, list, names, of_all, singles, some, wholes, written};
 fn members_are_those_that_are_told_of() {
     of_all(|session| {
         let file = json(session);
-        let members = ["recipe", "resolved", "domain", "growth", "nodes", "rivers", "oxbows", "attractors"];
+        let members = ["recipe", "resolved", "domain", "growth", "measures", "nodes", "rivers", "oxbows", "attractors"];
         assert_eq!(names(&file), members);
         let without = written(|text| to_json::write(text, session, false));
-        assert_eq!(names(&without), members[..7]);
+        assert_eq!(names(&without), members[..8]);
     });
 }
 
@@ -44,6 +45,24 @@ fn recipe_is_the_recipe_with_all_its_values() {
 /// What needs no resolving.
 const AS_THEY_ARE: &str = "momentum curl stretch sensitivity trim width bank-variation meander-rounds meander-strength meander-mix meander-elsewhere great-rivers \
                            flat-share neck taper";
+
+#[test]
+fn measures_are_those_of_the_rivers() {
+    of_all(|session| {
+        let (written, measures) = (&json(session)["measures"], Measures::of(session).unwrap());
+        assert_eq!(names(written), TABLE_OF_MEASURES.iter().map(|measure| measure.name).collect::<Vec<_>>());
+        for measure in &TABLE_OF_MEASURES {
+            // Readers of JSON may miss the last bit.
+            let bits = |value: f64| value as f32;
+            assert_eq!(
+                written[measure.name].as_f64().map(bits),
+                (measure.value)(&measures).map(bits),
+                "{}",
+                measure.name
+            );
+        }
+    });
+}
 
 #[test]
 fn lengths_are_resolved() {

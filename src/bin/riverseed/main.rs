@@ -1,8 +1,9 @@
 //! The command line: `riverseed render` draws a recipe or writes its network, `riverseed outline` traces a picture of a
-//! land, `riverseed table` explains recipes, `riverseed verify` tells whether this machine draws as all others do.
+//! land, `riverseed measure` compares a recipe's rivers with nature's, `riverseed table` explains recipes, `riverseed verify` tells whether this machine draws as all others do.
 //!
 //! Exit codes: 0 done, 1 the work failed, 2 the call or the recipe is wrong.
 
+mod measure;
 mod output;
 mod table;
 mod verify;
@@ -33,6 +34,7 @@ fn main() -> ExitCode {
     let done = match command().get_matches().subcommand() {
         Some(("render", matches)) => render(matches),
         Some(("outline", matches)) => outline(matches),
+        Some(("measure", matches)) => measure::measure(matches),
         Some(("table", _)) => table::print().map_err(Failure::from),
         Some(("verify", matches)) => verify::verify(matches.get_one::<PathBuf>("digests").map(PathBuf::as_path)),
         _ => Ok(()),
@@ -98,6 +100,7 @@ fn command() -> Command {
         .arg_required_else_help(true)
         .subcommand(render_command())
         .subcommand(outline_command())
+        .subcommand(measure_command())
         .subcommand(Command::new("table").about("Prints a page of all parameters, as Markdown"))
         .subcommand(verify_command())
 }
@@ -105,15 +108,8 @@ fn command() -> Command {
 fn render_command() -> Command {
     Command::new("render")
         .about("Draws a recipe as PNG or SVG, or writes its rivers as GeoJSON or JSON")
-        .after_help("Link, file and options may be mixed; of values given twice the later wins.")
-        .arg(Arg::new("link").help("Link text, such as \"seed=kauri&curl=0.6\""))
-        .arg(
-            Arg::new("recipe")
-                .long("recipe")
-                .value_name("FILE")
-                .help("A JSON recipe, or a network written by this command")
-                .value_parser(value_parser!(PathBuf)),
-        )
+        .after_help(MIXED)
+        .args(recipe_arguments())
         .arg(
             Arg::new("output")
                 .short('o')
@@ -131,8 +127,31 @@ fn render_command() -> Command {
                 .help("The longer side of a PNG")
                 .value_parser(value_parser!(u32).range(1..=i64::from(LONGEST_SIDE))),
         )
-        .arg(Arg::new("preset").long("preset").value_name("NAME").help("A named set of values, read first"))
+        .args(TABLE.iter().map(render_option))
+}
+
+fn measure_command() -> Command {
+    Command::new("measure")
+        .about("Prints what is measured of a recipe's rivers, and what nature has")
+        .after_help(MIXED)
+        .args(recipe_arguments())
+        .arg(Arg::new("json").long("json").action(ArgAction::SetTrue).help("Print JSON"))
         .args(TABLE.iter().map(option))
+}
+
+/// How a recipe is given.
+const MIXED: &str = "Link, file and options may be mixed; of values given twice the later wins.";
+
+fn recipe_arguments() -> [Arg; 3] {
+    [
+        Arg::new("link").help("Link text, such as \"seed=kauri&curl=0.6\""),
+        Arg::new("recipe")
+            .long("recipe")
+            .value_name("FILE")
+            .help("A JSON recipe, or a network that `riverseed render` wrote")
+            .value_parser(value_parser!(PathBuf)),
+        Arg::new("preset").long("preset").value_name("NAME").help("A named set of values, read first"),
+    ]
 }
 
 fn outline_command() -> Command {
@@ -168,22 +187,27 @@ fn verify_command() -> Command {
         )
 }
 
-/// The option of a parameter. `--attractors` alone asks for the attractors in JSON; with a number it sets how many. Both
-/// may be given.
+/// The option of a parameter.
 fn option(parameter: &'static Parameter) -> Arg {
-    let option = Arg::new(parameter.name)
+    Arg::new(parameter.name)
         .long(parameter.name)
+        .value_name("VALUE")
         .help(parameter.help)
         .allow_hyphen_values(true)
-        .help_heading("Parameters");
+        .help_heading("Parameters")
+}
+
+/// The same of `riverseed render`: `--attractors` alone asks for the attractors in JSON; with a number it sets how many. Both may be
+/// given.
+fn render_option(parameter: &'static Parameter) -> Arg {
     match parameter.key {
-        Key::Attractors => option
+        Key::Attractors => option(parameter)
             .num_args(0..=1)
             .action(ArgAction::Append)
             .allow_hyphen_values(false)
             .value_name("N")
             .help(format!("{} Without a number: write them to JSON.", parameter.help)),
-        _ => option.value_name("VALUE"),
+        _ => option(parameter),
     }
 }
 

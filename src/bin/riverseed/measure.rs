@@ -1,0 +1,65 @@
+//! `riverseed measure`: what is measured of a recipe's rivers, beside what nature has.
+
+use std::io::{self, Write};
+
+use clap::ArgMatches;
+use riverseed::export;
+use riverseed::measure::{Measure, Measures, Nature, TABLE};
+use serde_json::{Map, Value, json};
+
+use super::Failure;
+
+/// Measures the rivers of a recipe and prints the table, or JSON.
+pub fn measure(matches: &ArgMatches) -> Result<(), Failure> {
+    let (recipe, given) = super::recipe(matches)?;
+    super::say_what_is_idle(&recipe, &given);
+    let progress = super::progress(&recipe, 0);
+    let session = super::grow(recipe, &progress)?;
+    progress.finish_and_clear();
+    let Some(measures) = Measures::of(&session) else { return Ok(()) };
+    let text = if matches.get_flag("json") { as_json(&measures)? } else { table(&measures) };
+    Ok(writeln!(io::stdout().lock(), "{text}")?)
+}
+
+/// Values as in the JSON of a network, and nature's ranges by the same names.
+fn as_json(measures: &Measures) -> io::Result<String> {
+    let of_nature = |measure: &Measure| Some((measure.name.to_owned(), range(measure.nature?)));
+    let nature: Map<String, Value> = TABLE.iter().filter_map(of_nature).collect();
+    let measured = serde_json::to_value(export::json::measures(measures))?;
+    Ok(serde_json::to_string_pretty(&json!({ "measures": measured, "nature": nature }))?)
+}
+
+fn range(nature: Nature) -> Value {
+    json!({ "median": nature.median, "least": nature.least, "most": nature.most, "source": nature.source })
+}
+
+/// A line for each measure.
+fn table(measures: &Measures) -> String {
+    let row = |measure: &Measure| {
+        let nature = measure.nature.map_or(String::new(), in_words);
+        let unit = (measure.value)(measures).map_or("", |_| measure.unit);
+        [measure.label.into(), value(measure, measures), unit.into(), nature, measure.help.into()]
+    };
+    let head = ["", "this map", "", "nature", "what it is"].map(String::from);
+    let rows: Vec<[String; 5]> = [head].into_iter().chain(TABLE.iter().map(row)).collect();
+    let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0);
+    let (labels, values, units, natures) = (width(0), width(1), width(2), width(3));
+    let line = |[label, value, unit, nature, help]: &[String; 5]| {
+        format!("{label:labels$}  {value:>values$} {unit:units$}  {nature:natures$}  {help}")
+    };
+    rows.iter().map(line).collect::<Vec<_>>().join("\n")
+}
+
+fn value(measure: &Measure, measures: &Measures) -> String {
+    let places = measure.places;
+    (measure.value)(measures).map_or("too small".into(), |value| format!("{value:.places$}"))
+}
+
+/// Such as "4.1 (3.5 to 5.2), 11 river basins".
+fn in_words(nature: Nature) -> String {
+    let Nature { median, least, most, source } = nature;
+    match median {
+        Some(median) => format!("{median:?} ({least:?} to {most:?}), {source}"),
+        None => format!("{least} to {most}, {source}"),
+    }
+}

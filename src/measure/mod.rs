@@ -1,0 +1,119 @@
+//! Measures of a finished network: the numbers by which hydrologists tell river networks apart, and counts of what map readers
+//! dislike. [`TABLE`] names them, and says what nature has.
+
+mod along_coast;
+mod courses;
+mod fit;
+mod index;
+mod parallels;
+#[cfg(test)]
+mod samples;
+mod streams;
+mod table;
+#[cfg(test)]
+mod tests;
+mod umbrellas;
+
+pub use along_coast::along_coast;
+pub use courses::{Angles, junction_angles, sinuosity, total_length};
+pub use parallels::parallels;
+pub use streams::{Streams, hack_exponent};
+pub use table::{Measure, Nature, TABLE};
+pub use umbrellas::umbrellas;
+
+use glam::Vec2;
+
+use crate::domain::AREA;
+use crate::land::CELL_SIZE;
+use crate::recipe::{GrowthMethod, Key};
+use crate::session::Session;
+
+/// How far above a junction its angle is measured, in spacings.
+pub const ANGLE_SPACINGS: f32 = 3.0;
+
+/// What is measured of a network; `None` where it is too small for a measure to say anything.
+///
+/// A *spacing* is the distance between attractors if all of the domain were land, so that maps of space colonization and of drainage are
+/// measured by one ruler; of a Brownian tree it is the sensitivity.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Measures {
+    /// Horton's bifurcation ratio.
+    pub bifurcation_ratio: Option<f64>,
+    /// Horton's length ratio.
+    pub length_ratio: Option<f64>,
+    /// Tokunaga's T_1.
+    pub tokunaga_t1: Option<f64>,
+    /// Tokunaga's c.
+    pub tokunaga_c: Option<f64>,
+    /// Hack's exponent.
+    pub hack_exponent: Option<f64>,
+    /// The median sinuosity of the rivers of order 2 and higher.
+    pub sinuosity: Option<f64>,
+    /// The length of river per area of land, in 1/unit.
+    pub drainage_density: f64,
+    /// The same times a spacing: the length of river, in spacings, on a square spacing of land.
+    pub density_per_spacing: f64,
+    /// The angles between rivers at junctions.
+    pub junction_angles: Option<Angles>,
+    /// How many trunks of similar size meet at mouths.
+    pub umbrellas: u32,
+    /// The length of pairs of rivers that run beside each other for long, in units.
+    pub parallels: f64,
+    /// The length of river that runs along a coast, in units.
+    pub along_coast: f64,
+}
+
+impl Measures {
+    /// Measures the rivers of a session; `None` until there are any.
+    pub fn of(session: &Session) -> Option<Self> {
+        let network = session.network()?;
+        let spacing = ruler(session);
+        let pruned = session.pruned();
+        let order = &pruned.hydrology.order;
+        let streams = Streams::of(&pruned.tree, order);
+        let area = land_area(session);
+        let density = if area > 0.0 { total_length(network) / area } else { 0.0 };
+        Some(Self {
+            bifurcation_ratio: streams.bifurcation_ratio(),
+            length_ratio: streams.length_ratio(),
+            tokunaga_t1: streams.side_branches(1),
+            tokunaga_c: streams.tokunaga_c(),
+            hack_exponent: hack_exponent(&pruned.tree, order, &pruned.hydrology.discharge),
+            sinuosity: sinuosity(network).map(f64::from),
+            drainage_density: density,
+            density_per_spacing: density * f64::from(spacing),
+            junction_angles: junction_angles(network, ANGLE_SPACINGS * spacing),
+            umbrellas: umbrellas(network),
+            parallels: parallels(network, spacing),
+            along_coast: along_coast(network, spacing, |at| inland(session, at)),
+        })
+    }
+}
+
+/// What lengths are compared with. The attractors of space colonization lie closer together where there is sea; those of drainage do not, and
+/// a Brownian tree has none.
+fn ruler(session: &Session) -> f32 {
+    match session.recipe().get() {
+        GrowthMethod::Colonize => (AREA / session.recipe().number(Key::Attractors)).sqrt(),
+        GrowthMethod::Drainage | GrowthMethod::Brownian => session.growth().stream_spacing(),
+    }
+}
+
+/// How much land there is, in square units.
+fn land_area(session: &Session) -> f64 {
+    let domain = session.domain().size;
+    let of_cells = |cells: u32| f64::from(cells) * f64::from(CELL_SIZE * CELL_SIZE);
+    let all = || f64::from(domain.x) * f64::from(domain.y);
+    session.land().map_or_else(all, |land| land.regions().iter().map(|region| of_cells(region.cells)).sum())
+}
+
+/// How far inland a point lies, in units. All of a rectangle is land, and the sides with mouths are its coasts.
+fn inland(session: &Session, at: Vec2) -> f32 {
+    let beyond = session.domain().size - at;
+    let sides = session.recipe().sides(Key::Sides);
+    let from_sides = || {
+        let all = [('n', at.y), ('e', beyond.x), ('s', beyond.y), ('w', at.x)];
+        all.into_iter().filter(|(side, _)| sides.contains(*side)).map(|(_, far)| far).fold(f32::INFINITY, f32::min)
+    };
+    session.land().map_or_else(from_sides, |land| land.coast_distance().height(at))
+}

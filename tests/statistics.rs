@@ -1,0 +1,110 @@
+//! Statistics of networks, as medians over eight fixed seeds at 20,000 attractors: drainage is like nature's basins, and free of what eyes
+//! dislike in a map of space colonization.
+//!
+//! Nature's values are those of single basins, so a single basin is what is measured: a rectangle with one mouth. A map with several
+//! coasts has many small basins, of too few orders for the ratios to say much; `cargo test --test statistics -- --nocapture` prints them for
+//! such lands too, by the test of what eyes dislike.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
+
+use std::ops::RangeInclusive;
+
+use riverseed::measure::{Measures, Streams, TABLE, hack_exponent};
+use riverseed::prune::{Trim, trim};
+use riverseed::recipe::link;
+use riverseed::session::Session;
+use riverseed::tree::Hydrology;
+
+/// The table's defaults, written out as they were when these bars were set.
+const DEFAULTS: &str = "attractors=20000&aspect=1.6&rough=1&apart=0&shores=nesw&sides=s&scatter=random&reach=2.3&kill=1.1\
+                        &step=0.38&momentum=0&curl=0.7&stretch=8&valley-spacing=32&concavity=0.5&captures=5&hardness=0.5\
+                        &hardness-scale=36&bending=2&channel-area=8&trim=7&simplify=60&width=16&vary=0.15&meander=bend\
+                        &meander-rounds=36&meander-strength=0.6&meander-mix=0.6&gentle=0.3&great=3&flat=0.25";
+
+const GROWERS: [&str; 3] = ["growth=colonize", "growth=drainage&valleys=0", "growth=drainage&valleys=0.32"];
+
+fn of_seeds<T>(link: &str, measure: impl Fn(Session) -> T) -> Vec<T> {
+    let session = |seed| Session::new(link::read(&format!("seed=s{seed}&{DEFAULTS}&{link}")).unwrap()).unwrap();
+    (0..8).map(|seed| measure(session(seed))).collect()
+}
+
+/// The mean of the two in the middle of eight; what is too small to be measured is none of them.
+fn median(values: impl Iterator<Item = Option<f64>>) -> Option<f64> {
+    let mut values: Vec<f64> = values.flatten().collect();
+    values.sort_by(f64::total_cmp);
+    (values.len() == 8).then(|| (values[3] + values[4]) / 2.0)
+}
+
+/// Of one basin, trimmed so: R_B, R_L, T_1, c and Hack's exponent, each the median of eight.
+fn ratios_of_a_basin(grower: &str, nodes: u32) -> [Option<f64>; 5] {
+    let rows = of_seeds(&format!("land=rectangle&mouths=1&{grower}"), |mut session| {
+        while session.growth().ending().is_none() {
+            session.advance(1).unwrap();
+        }
+        let (tree, recipe) = (session.tree(), session.recipe());
+        let pruned = trim(tree, &Hydrology::of(tree), Trim { nodes, ..Trim::of(recipe) });
+        let (order, area) = (&pruned.hydrology.order, &pruned.hydrology.discharge);
+        let streams = Streams::of(&pruned.tree, order);
+        [
+            streams.bifurcation_ratio(),
+            streams.length_ratio(),
+            streams.side_branches(1),
+            streams.tokunaga_c(),
+            hack_exponent(&pruned.tree, order, area),
+        ]
+    });
+    std::array::from_fn(|i| median(rows.iter().map(|row| row[i])))
+}
+
+fn is_in(value: Option<f64>, range: RangeInclusive<f64>) -> bool {
+    value.is_some_and(|value| range.contains(&value))
+}
+
+#[test]
+fn ratios_of_drainage_are_those_of_nature() {
+    for grower in GROWERS {
+        for nodes in [5, 0] {
+            let all = ratios_of_a_basin(grower, nodes);
+            let words = ["R_B", "R_L", "T1", "c", "Hack"].iter().zip(all).map(|(name, value)| match value {
+                Some(value) => format!("{name} {value:.3}"),
+                None => format!("{name} too small"),
+            });
+            let told = format!("one basin, {grower}, trim={nodes}: {}", words.collect::<Vec<_>>().join(", "));
+            println!("{told}");
+            if nodes == 0 && grower != GROWERS[0] {
+                let [bifurcation, length, _, c, hack] = all;
+                let least_c = if grower == GROWERS[1] { 1.8 } else { 2.2 };
+                assert!(is_in(bifurcation, 3.5..=5.2) && is_in(length, 1.7..=2.5), "{told}");
+                assert!(is_in(c, least_c..=f64::MAX) && is_in(hack, 0.54..=0.69), "{told}");
+            }
+        }
+    }
+}
+
+/// The medians of all measures of finished maps, printed, by their names.
+fn measured(link: &str) -> impl Fn(&str) -> f64 + use<> {
+    let rows = of_seeds(link, |mut session| {
+        session.finish().unwrap();
+        Measures::of(&session).unwrap()
+    });
+    let medians = TABLE.iter().map(|measure| (measure.name, median(rows.iter().map(measure.value))));
+    let medians: Vec<(&str, Option<f64>)> = medians.collect();
+    let words = medians
+        .iter()
+        .map(|(name, value)| format!("{name} {}", value.map_or("too small".into(), |value| format!("{value:.3}"))));
+    println!("{link}: {}", words.collect::<Vec<_>>().join(", "));
+    move |name| medians.iter().find(|(own, _)| *own == name).and_then(|(_, value)| *value).unwrap()
+}
+
+#[test]
+fn what_eyes_dislike_is_at_most_a_third_of_colonization_s() {
+    for land in ["land=island&sea=0.6", "land=continent&sea=0.3"] {
+        let [colonized, calm, wild] = GROWERS.map(|grower| measured(&format!("{land}&{grower}")));
+        for count in ["umbrellas", "parallels", "along-coast"] {
+            let most = colonized(count) / 3.0;
+            assert!(most > 0.0, "{land} has {count} to be rid of");
+            for (drainage, which) in [(&calm, "calm"), (&wild, "wild")] {
+                assert!(drainage(count) <= most, "{land}, {which}: {count} {}, not {most}", drainage(count));
+            }
+        }
+    }
+}
