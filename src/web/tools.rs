@@ -5,10 +5,11 @@ use serde::Serialize;
 use serde_wasm_bindgen::Serializer;
 use wasm_bindgen::prelude::*;
 
-use super::{River, coded, object, paint_error, read_strictly, session_error};
+use super::{River, coded, object, paint_error, session_error};
 use crate::digest::{self, DigestError};
 use crate::export::{ExportError, Value, geojson, json, svg};
 use crate::land::trace;
+use crate::recipe::link;
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
@@ -47,7 +48,8 @@ pub fn longest_traced_side() -> u32 {
 /// The digest of a recipe: what proves that two browsers draw and write the same. The link is read strictly.
 #[wasm_bindgen(js_name = digest)]
 pub fn digest_of(link: &str) -> Result<String, JsValue> {
-    digest::digest(&read_strictly(link)?).map_err(|error| match &error {
+    let recipe = link::read(link).map_err(|error| coded("bad-params", &error.to_string()))?;
+    digest::digest(&recipe).map_err(|error| match &error {
         DigestError::Session(error) => session_error(error),
         DigestError::Paint(error) => paint_error(error),
         DigestError::Export(error) => export_error(error),

@@ -11,7 +11,6 @@ import { type Presets, presets, unaskedChanges } from "../controls/presets.ts";
 import { SeedBox } from "../controls/seed.ts";
 import { isRecoverable, named } from "../engine/errors.ts";
 import { Recipe } from "../engine/recipe.ts";
-import { defaultsOf } from "../engine/scheme.ts";
 import { loadTools } from "../engine/tools.ts";
 import type { Parameter, Phase, Preset, Summary } from "../engine/types.ts";
 import { type Core, load } from "../engine/wasm.ts";
@@ -50,7 +49,7 @@ class Page {
     const { engine } = core;
     this.#table = engine.parameters();
     this.#recipe = new Recipe(
-      (text) => engine.readLink(text),
+      (text, options) => engine.readLink(text, options),
       () => prefersDark.matches,
     );
     this.#recipe.open(linkOf(location));
@@ -103,7 +102,7 @@ class Page {
     listenForImages(elements.drawing, (file) => void this.#trace(file));
     // Not hashchange as well: it follows the popstate of another fragment, whose link would be opened twice.
     window.addEventListener("popstate", () => this.#followAddress());
-    prefersDark.addEventListener("change", () => this.#attempt(() => this.#show("settle")));
+    prefersDark.addEventListener("change", () => this.#followScheme());
     window.addEventListener("pagehide", () => this.#address.flush());
   }
 
@@ -192,6 +191,14 @@ class Page {
     if (link !== this.#recipe.link) this.#open(link);
   }
 
+  /** The reader's pages have become dark, or light. */
+  #followScheme(): void {
+    this.#attempt(() => {
+      this.#recipe.refresh();
+      this.#show("settle");
+    });
+  }
+
   #show(how: ShowMode): void {
     this.#showRecipe();
     this.#viewport.show(this.#recipe.shown, this.#how(how));
@@ -202,9 +209,9 @@ class Page {
   }
 
   #showRecipe(): void {
-    const { link, values, idle, seed } = this.#recipe;
+    const { link, values, idle, defaults, seed } = this.#recipe;
     this.#address.show(link);
-    this.#controls.show({ values, idle, defaults: defaultsOf(this.#table, prefersDark.matches) });
+    this.#controls.show({ values, idle, defaults });
     this.#presets.show(values);
     this.#seedBox.show(seed);
     this.#drawing.show(values.get("outline") ?? "");

@@ -33,7 +33,7 @@ export class RiverViewport {
     link: string,
     events: ViewportEvents,
   ) {
-    this.#player = new RiverPlayer(core, elements.canvas, link, displayFrames, {
+    this.#player = new RiverPlayer(core, elements.canvas, { text: link }, displayFrames, {
       ...events,
       sizeFor: (aspect) => this.#sizeFor(aspect),
     });
@@ -68,7 +68,7 @@ export class RiverViewport {
   }
 
   show(link: string, how: ShowMode): void {
-    this.#player.show(link, how);
+    this.#player.show({ text: link }, how);
   }
 
   /** After a failure that leaves the engine in an unknown state, nothing of it is called again. */

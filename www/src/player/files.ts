@@ -2,10 +2,10 @@
 
 import type { Size } from "../browser/canvas.ts";
 import { loadTools, type Tools } from "../engine/tools.ts";
-import type { River } from "../engine/types.ts";
+import type { ReadOptions, River } from "../engine/types.ts";
 import type { Core } from "../engine/wasm.ts";
 import { Blitter } from "./blit.ts";
-import { type Canvas, contextOf } from "./river-player.ts";
+import { type Canvas, contextOf, type LinkToRead } from "./river-player.ts";
 
 /** Pixels on the long side of a PNG: a full page in print, and on any screen more than there is. */
 const LONG_SIDE_PX = 3000;
@@ -13,10 +13,10 @@ const LONG_SIDE_PX = 3000;
 const SLICE_MS = 12;
 
 const FORMATS = {
-  png: (core: Core, link: string) => pngOf(core, link, LONG_SIDE_PX),
-  svg: (_core: Core, link: string) => svgOf(link),
-  geojson: (_core: Core, link: string) => written(link, (river) => text(river.geojson(), "application/geo+json")),
-  json: (_core: Core, link: string) => written(link, (river) => text(river.network(), "application/json")),
+  png: (core: Core, link: LinkToRead) => pngOf(core, link, LONG_SIDE_PX),
+  svg: (_core: Core, link: LinkToRead) => svgOf(link),
+  geojson: (_core: Core, link: LinkToRead) => written(link, (river) => text(river.geojson(), "application/geo+json")),
+  json: (_core: Core, link: LinkToRead) => written(link, (river) => text(river.network(), "application/json")),
 };
 
 /** The formats, each named as its files end. */
@@ -27,12 +27,12 @@ export function isFormat(name: string | undefined): name is Format {
 }
 
 /** A river of its own is grown to its end for a file: what the page shows need not be finished. */
-export function fileOf(core: Core, link: string, format: Format): Promise<Blob> {
-  return FORMATS[format](core, link);
+export function fileOf(core: Core, text: string, format: Format): Promise<Blob> {
+  return FORMATS[format](core, { text });
 }
 
 /** A picture of a link's finished river, so many pixels on its long side. Tells when it begins to paint, which is one step. */
-export function pngOf(core: Core, link: string, longSide: number, painting: () => void = () => {}): Promise<Blob> {
+export function pngOf(core: Core, link: LinkToRead, longSide: number, painting: () => void = () => {}): Promise<Blob> {
   return finished(core.engine.River, link, (river) => {
     painting();
     return png(core.memory, river, longSide);
@@ -40,13 +40,13 @@ export function pngOf(core: Core, link: string, longSide: number, painting: () =
 }
 
 /** The shapes of a link's finished rivers. */
-export function svgOf(link: string, toolsUrl?: string): Promise<Blob> {
+export function svgOf(link: LinkToRead, toolsUrl?: string): Promise<Blob> {
   return written(link, (river) => new Blob([river.svg()], { type: "image/svg+xml" }), toolsUrl);
 }
 
 /** What is written and not painted takes the tools. */
 async function written(
-  link: string,
+  link: LinkToRead,
   write: (river: InstanceType<Tools["River"]>) => Blob,
   toolsUrl?: string,
 ): Promise<Blob> {
@@ -60,15 +60,15 @@ interface Grown {
   free(): void;
 }
 
-type Planted<River> = new (link: string) => River;
+type Planted<River> = new (text: string, options?: ReadOptions) => River;
 
 /** Makes something of a link's finished river, which is gone afterwards. */
 async function finished<River extends Grown, Made>(
   River: Planted<River>,
-  link: string,
+  { text, options }: LinkToRead,
   make: (river: River) => Made | Promise<Made>,
 ): Promise<Made> {
-  const river = new River(link);
+  const river = new River(text, options);
   try {
     while (advanceFor(river, SLICE_MS)) await new Promise((resume) => setTimeout(resume));
     return await make(river);

@@ -1,12 +1,11 @@
 /** Where the rivers of all widgets are grown and drawn, each on its canvas: in a worker, or on the page itself. */
 
 import { named } from "../engine/errors.ts";
-import { type RiverRequest, read } from "../engine/reading.ts";
 import type { Core } from "../engine/wasm.ts";
 import { pngOf, svgOf } from "../player/files.ts";
 import { displayFrames, SharedScheduler } from "../player/scheduler.ts";
-import type { Command, FileRequest, Report } from "./protocol.ts";
-import { Scene } from "./scene.ts";
+import type { Command, FileRequest, Report, RiverRequest } from "./protocol.ts";
+import { linkToRead, Scene } from "./scene.ts";
 
 /** The tools' wasm module, as the package has it. */
 const TOOLS = "riverseed_tools_bg.wasm";
@@ -39,7 +38,7 @@ export class Renderer {
   async #file(id: number, request: RiverRequest, { format, longSide, wasmUrl }: FileRequest): Promise<void> {
     this.#filesInTheMaking++;
     try {
-      const { link } = read(this.core.engine, request);
+      const link = linkToRead(request);
       const blob = await (format === "svg"
         ? svgOf(link, wasmUrl && new URL(TOOLS, wasmUrl).href)
         : pngOf(this.core, link, longSide, this.painting));
