@@ -1,7 +1,7 @@
 //! The only place that knows JavaScript: recipes, the parameter table and a river, for a page.
 
 #[cfg(feature = "files")]
-pub mod tools;
+pub mod files;
 
 use glam::Vec2;
 use js_sys::{Array, Error, Float32Array, Object, Reflect};
@@ -364,7 +364,7 @@ const DIED_OUT: &str =
 
 fn session_error(error: &SessionError) -> JsValue {
     let code = match error {
-        SessionError::Grow(_) | SessionError::Shape(_) => "too-large",
+        SessionError::Grow(_) | SessionError::Shape(_) | SessionError::Copy { .. } => "too-large",
     };
     coded(code, &error.to_string())
 }

@@ -10,13 +10,13 @@ import { Disclosures } from "../controls/disclosure.ts";
 import { type Presets, presets, unaskedChanges } from "../controls/presets.ts";
 import { SeedBox } from "../controls/seed.ts";
 import { isRecoverable, named } from "../engine/errors.ts";
+import { type FullCore, loadFull } from "../engine/full.ts";
 import { Recipe } from "../engine/recipe.ts";
-import { loadTools } from "../engine/tools.ts";
 import type { Parameter, Phase, Preset, Summary } from "../engine/types.ts";
-import { type Core, load } from "../engine/wasm.ts";
 import { Drawing } from "../land/drawing.ts";
 import { listenForImages } from "../land/image-drop.ts";
 import { pixelsOf } from "../land/image-file.ts";
+import { fileOf } from "../player/files.ts";
 import type { State } from "../player/frame-loop.ts";
 import type { ShowMode } from "../player/river-player.ts";
 import { alternative, caption, sentence } from "../player/summary-text.ts";
@@ -45,7 +45,7 @@ class Page {
   /** What the last presets changed unasked, and the recipe from before them, to which Undo leads back. */
   #presetUndo: { message: string; link: string; values: ReadonlyMap<string, string> } | undefined;
 
-  constructor(private readonly core: Core) {
+  constructor(private readonly core: FullCore) {
     const { engine } = core;
     this.#table = engine.parameters();
     this.#recipe = new Recipe(
@@ -95,7 +95,10 @@ class Page {
   #listen(): void {
     elements.dice.addEventListener("click", () => this.#throwDice());
     elements.reset.addEventListener("click", () => this.#open(`seed=${encodeURIComponent(this.#recipe.seed)}`));
-    const downloads = new Downloads(elements, this.core, this.#recipe, (error) => this.#fail(error));
+    const downloads = new Downloads(elements, this.#recipe, {
+      make: (link, format) => fileOf(this.#viewport.copy(link), this.core, format),
+      failed: (error) => this.#fail(error),
+    });
     new ShareDialog(elements.sharing, this.#recipe, (say) => void downloads.save("png", say));
     elements.copy.addEventListener("click", () => void this.#copyLink());
     elements.drawing.draw.addEventListener("click", () => this.#showDrawing());
@@ -109,9 +112,9 @@ class Page {
   /** Turns a picture of a land into the land. */
   async #trace(file: Blob): Promise<void> {
     try {
-      const tools = await loadTools();
-      const { rgba, width, height } = await pixelsOf(file, tools.longestTracedSide());
-      const traced = tools.traceImage(rgba, width, height);
+      const { engine } = this.core;
+      const { rgba, width, height } = await pixelsOf(file, engine.longestTracedSide());
+      const traced = engine.traceImage(rgba, width, height);
       this.#drawing.take(traced);
       this.#set([["aspect", traced.aspect.toFixed(2)]], "settle");
     } catch (thrown) {
@@ -291,6 +294,6 @@ function fail(thrown: unknown): void {
   showFailure(elements.failure, error);
 }
 
-load()
+loadFull()
   .then((core) => new Page(core).start())
   .catch(fail);

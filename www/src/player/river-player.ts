@@ -4,7 +4,6 @@
 
 import type { Size } from "../browser/canvas.ts";
 import type { Phase, ReadOptions, River, Summary } from "../engine/types.ts";
-import type { Core } from "../engine/wasm.ts";
 import { Blitter } from "./blit.ts";
 import { FrameLoop, type Frames, type State } from "./frame-loop.ts";
 
@@ -35,20 +34,26 @@ export interface PlayerEvents {
 /** While the river grows or meanders its numbers are read this often: counting all its sources is not free, and nobody reads faster. */
 const COUNT_EVERY_MS = 250;
 
-export class RiverPlayer {
+/** What of an engine plants rivers: a lean one, or a full one. */
+interface Planter<Planted> {
+  readonly engine: { readonly River: new (text: string, options?: ReadOptions) => Planted };
+  readonly memory: WebAssembly.Memory;
+}
+
+export class RiverPlayer<Planted extends River = River> {
   #wanted: { link: LinkToRead; how: ShowMode } | undefined;
   #link = "";
   #applying: number | undefined;
   #counted = Number.NEGATIVE_INFINITY;
   #told: Phase | undefined;
   #canRun = true;
-  readonly #river: River;
+  readonly #river: Planted;
   readonly #loop: FrameLoop;
   readonly #blitter: Blitter;
 
   /** Puts a river on the canvas at tick 0. Throws what the core throws. */
   constructor(
-    core: Core,
+    core: Planter<Planted>,
     private readonly canvas: Canvas,
     { text, options }: LinkToRead,
     private readonly frames: Frames,
@@ -68,6 +73,11 @@ export class RiverPlayer {
   /** The canonical link of the river that is on the canvas. */
   get link(): string {
     return this.#link;
+  }
+
+  /** The river on the canvas, to be looked at; after a failure nothing of it may be called, so there is none. */
+  get river(): Planted | undefined {
+    return this.#canRun ? this.#river : undefined;
   }
 
   get state(): State {

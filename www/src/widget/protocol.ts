@@ -32,7 +32,7 @@ export interface FileRequest {
   format: "png" | "svg";
   /** Pixels on the long side of a PNG. */
   longSide: number;
-  /** Where the engine is, if not beside the script; the tools lie beside it. */
+  /** Where the lean engine is, if not beside the script; the full one lies beside it. */
   wasmUrl: string | undefined;
 }
 

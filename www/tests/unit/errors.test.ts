@@ -9,7 +9,7 @@ const CODES: Code[] = [
   "wasm-mime",
   "wasm-csp",
   "wasm-timeout",
-  "no-tools",
+  "no-files",
   "bad-params",
   "too-large",
   "no-memory",
