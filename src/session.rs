@@ -8,6 +8,7 @@ use thiserror::Error;
 use crate::domain::Domain;
 use crate::grow::{self, Ending, GrowError, Growth};
 use crate::land::Land;
+use crate::memory;
 use crate::network::{self, Meander, NONE, Network, ShapeError, Shaping, ask_for_memory};
 use crate::prune::{self, Pruned, Trim};
 use crate::recipe::{Key, Recipe, Stage};
@@ -23,6 +24,12 @@ pub enum SessionError {
     /// Its tree cannot be made into rivers.
     #[error(transparent)]
     Shape(#[from] ShapeError),
+    /// It cannot be copied.
+    #[error("a copy of the rivers needs about {megabytes} MB, and the allocation failed")]
+    Copy {
+        /// About how much is needed.
+        megabytes: u32,
+    },
 }
 
 /// A recipe with what its stages have made of it so far: land, tree, rivers.
@@ -103,6 +110,23 @@ impl Session {
         let land = Land::of(&recipe);
         let growth = plant(&recipe, &land)?;
         Ok(Self { recipe, land, growth, shaping: None, generation: Generation::next() })
+    }
+
+    /// Another session that has come as far: what becomes of one does not touch the other. `clone` does the same, but ends the
+    /// program where there is not enough memory.
+    ///
+    /// # Errors
+    /// If there is not enough memory.
+    pub fn try_clone(&self) -> Result<Self, SessionError> {
+        /// As measured: 92 at most, once there are rivers. The cells of a Brownian tree take 5 MB, however many it fills.
+        const BYTES: usize = 96;
+        const BYTES_OF_CELLS: usize = 6_000_000;
+        let items = self.tree().len() + self.growth.attractors() as usize;
+        let bytes = items * BYTES + BYTES_OF_CELLS;
+        if !memory::can_allocate(bytes) {
+            return Err(SessionError::Copy { megabytes: (bytes / 1_000_000) as u32 + 1 });
+        }
+        Ok(Self { generation: Generation::next(), ..self.clone() })
     }
 
     /// The recipe.

@@ -8,7 +8,7 @@ use std::str::FromStr;
 
 use super::error::{RecipeError, shown};
 use super::key::Key;
-use super::parameter::Kind;
+use super::parameter::{Kind, Parameter};
 use super::table::TABLE;
 use super::value::{Decimal, Value};
 use super::{Recipe, preset};
@@ -30,10 +30,16 @@ pub struct Notice {
 
 /// Writes a recipe as link text, in the table's order. [`read`] gives the same recipe back.
 pub fn write(recipe: &Recipe) -> String {
+    write_if(recipe, |_, is_default| !is_default)
+}
+
+/// Writes of a recipe, besides seed and edition, what is asked for: each parameter, and whether it has its default.
+pub(super) fn write_if(recipe: &Recipe, is_written: impl Fn(&Parameter, bool) -> bool) -> String {
     let mut link = form_urlencoded::Serializer::new(String::new());
     for parameter in &TABLE {
         let value = recipe.value(parameter.key);
-        if *value != parameter.default_value() || matches!(parameter.key, Key::Seed | Key::Edition) {
+        let is_default = *value == parameter.default_value();
+        if matches!(parameter.key, Key::Seed | Key::Edition) || is_written(parameter, is_default) {
             link.append_pair(parameter.name, &parameter.text_of(value));
         }
     }
@@ -101,6 +107,12 @@ pub fn apply(mut recipe: Recipe, pairs: &[(String, String)]) -> Result<Recipe, R
 /// Reads link text as well as it can be read: what is out of range is brought into it, what is unreadable or unknown
 /// is passed over, and each mend is told. Never fails.
 pub fn read_leniently(link: &str) -> (Recipe, Vec<Notice>) {
+    let (recipe, notices, _) = read_and_tell_keys(link);
+    (recipe, notices)
+}
+
+/// As [`read_leniently`], and for each parameter whether the link names it.
+pub(super) fn read_and_tell_keys(link: &str) -> (Recipe, Vec<Notice>, [bool; TABLE.len()]) {
     let mut recipe = Recipe::default();
     let mut notices = Vec::new();
     let link = shorten(link, &mut notices);
@@ -125,7 +137,7 @@ pub fn read_leniently(link: &str) -> (Recipe, Vec<Notice>) {
             notices.push(mend(&mut recipe, key, text, &error));
         }
     }
-    (recipe, notices)
+    (recipe, notices, seen)
 }
 
 fn repeated(name: &str) -> Notice {

@@ -16,6 +16,7 @@ pub mod link;
 mod outline;
 mod parameter;
 pub mod preset;
+pub mod reading;
 pub mod table;
 mod value;
 

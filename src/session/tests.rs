@@ -3,6 +3,7 @@
 
 use super::*;
 use crate::memory::testing::with_lists_up_to;
+use crate::picture::Picture;
 use crate::recipe::link;
 
 /// Less than anything takes, in bytes.
@@ -127,4 +128,48 @@ fn restart_goes_back_to_tick_0_and_ends_the_same() {
     assert_same(&session, &fresh);
     finish(&mut session);
     assert_same(&session, &before);
+}
+
+#[test]
+fn a_copy_has_come_as_far_and_goes_its_own_way() {
+    for text in [BENDS, "growth=brownian&sensitivity=40", "attractors=300&land=rectangle&meander=none"] {
+        let whole = finished(text);
+        let mut session = planted(text);
+        loop {
+            let mut copy = session.try_clone().unwrap();
+            assert_same(&copy, &session);
+            let as_it_was = session.clone();
+            finish(&mut copy);
+            assert_same(&copy, &whole);
+            copy.change(recipe("attractors=100")).unwrap();
+            assert_same(&session, &as_it_was);
+            if !session.advance(40).unwrap() {
+                break;
+            }
+        }
+        assert_same(&session, &whole);
+    }
+}
+
+#[test]
+fn one_picture_of_a_session_and_of_its_copy_shows_each() {
+    let session = grown(BENDS);
+    let mut copy = session.try_clone().unwrap();
+    finish(&mut copy);
+    let painted = |picture: &mut Picture, session: &Session| {
+        picture.paint(session);
+        picture.pixmap().data().to_vec()
+    };
+    let mut picture = Picture::new(60, 40).unwrap();
+    for session in [&copy, &session, &copy] {
+        assert!(painted(&mut picture, session) == painted(&mut Picture::new(60, 40).unwrap(), session));
+    }
+}
+
+#[test]
+fn a_copy_that_there_is_no_memory_for_is_refused() {
+    let session = finished(BENDS);
+    let refused = with_lists_up_to(6_000_000, || session.try_clone()).map(drop).unwrap_err();
+    assert_eq!(refused, SessionError::Copy { megabytes: 7 });
+    assert_eq!(refused.to_string(), "a copy of the rivers needs about 7 MB, and the allocation failed");
 }
