@@ -41,7 +41,7 @@ pub use land::Land;
 pub use network::{Network, Oxbow, River, Vertex};
 pub use picture::Picture;
 pub use recipe::{GrowthMethod, Key, LandKind, MeanderModel, Recipe, RecipeError, Scatter, Sides, Style, Value};
-pub use session::{Phase, Session, SessionError, Summary};
+pub use session::{Phase, Session, SessionError, Shortfall, Summary};
 pub use tree::Tree;
 
 #[doc(hidden)]

@@ -87,11 +87,24 @@ pub struct Summary {
 }
 
 impl Summary {
-    /// Whether growth ended with over a tenth of the attractors left, or no river has grown at all: step is then too long for
-    /// kill, reach too small, mouths too far apart, or the land shut off from the sea.
-    pub fn is_stalled(&self) -> bool {
-        self.ending == Some(Ending::Complete) && (self.nodes == 0 || self.unreached > self.attractors / 10)
+    /// Why rivers leave much of the land dry, once growth has ended; `None` if they do not.
+    pub fn shortfall(&self) -> Option<Shortfall> {
+        match self.ending {
+            Some(Ending::Complete) if self.nodes == 0 => Some(Shortfall::NoRiver),
+            Some(Ending::Complete) if self.unreached > self.attractors / 10 => Some(Shortfall::Unreached),
+            _ => None,
+        }
     }
+}
+
+/// Why rivers leave much of the land dry.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shortfall {
+    /// No river grew, by whatever method: no land lies open to the sea.
+    NoRiver,
+    /// Space colonization left over a tenth of the attractors: the step is too long for the kill distance, the reach too
+    /// short, or mouths lie too far apart.
+    Unreached,
 }
 
 impl Session {
@@ -232,13 +245,14 @@ impl Session {
         }
     }
 
-    /// How far what the next step goes on with has come, from 0 to 1: growth by what is drained, meandering by its rounds.
-    /// 0 while rivers are made of the tree, and when all is finished.
+    /// How far the current phase has come, from 0 to 1: growth by the share that is drained, meandering by its rounds. 0
+    /// while rivers are made of the tree; 1 once everything is finished.
     pub fn progress(&self) -> f32 {
         match (self.phase(), self.meander()) {
             (Phase::Growing, _) => self.growth.progress(),
             (Phase::Meandering, Some(meander)) => meander.rounds() as f32 / meander.settings().rounds.max(1) as f32,
-            _ => 0.0,
+            (Phase::Finished, _) => 1.0,
+            (Phase::Shaping | Phase::Meandering, _) => 0.0,
         }
     }
 

@@ -8,6 +8,9 @@ use crate::recipe::link;
 /// Less than anything takes, in bytes.
 const NOTHING: usize = 100;
 
+/// An island whose ridge runs along the whole of its coast.
+const NO_COAST: &str = "land=drawn&rough=0&aspect=1&outline=.MzMzzMMzzMzMMzzM..M1M1zKM1zKzKM1zKM1M1";
+
 const BENDS: &str = "attractors=300&trim=0&meander=flow&meander-rounds=3";
 
 fn recipe(text: &str) -> Recipe {
@@ -127,4 +130,24 @@ fn restart_goes_back_to_tick_0_and_ends_the_same() {
     assert_same(&session, &fresh);
     finish(&mut session);
     assert_same(&session, &before);
+}
+
+#[test]
+fn advice_fits_how_rivers_grow() {
+    let shortfall = |text: &str| finished(text).summary().shortfall();
+    for growth in ["growth=colonize", "growth=brownian&sensitivity=30"] {
+        let summary = finished(&format!("attractors=300&{growth}&{NO_COAST}")).summary();
+        assert_eq!(summary.shortfall(), Some(Shortfall::NoRiver), "{growth}: {summary:?}");
+        assert_eq!(shortfall(&format!("attractors=300&{growth}")), None);
+    }
+    assert_eq!(shortfall("attractors=300&kill=0.5&step=1.2"), Some(Shortfall::Unreached));
+    // Attractors and their step are nothing to a Brownian tree.
+    assert_eq!(shortfall("attractors=300&kill=0.5&step=1.2&growth=brownian&sensitivity=30"), None);
+}
+
+#[test]
+fn progress_is_whole_once_all_is_finished() {
+    for text in [BENDS, "attractors=300&meander=none", "attractors=300&meander-rounds=0"] {
+        assert_eq!(finished(text).progress(), 1.0, "{text}");
+    }
 }

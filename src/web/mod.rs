@@ -15,7 +15,7 @@ use crate::recipe::link::{self, Notice};
 use crate::recipe::preset::{PRESETS, Preset};
 use crate::recipe::table::TABLE;
 use crate::recipe::{Decimal, GridPoint, Key, Kind, LONGEST_OUTLINE, Outline, Parameter, Recipe, Stage};
-use crate::session::{Phase, Session, SessionError};
+use crate::session::{Phase, Session, SessionError, Shortfall};
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
@@ -276,10 +276,11 @@ impl River {
     #[wasm_bindgen(unchecked_return_type = "Summary")]
     pub fn summary(&self) -> Object {
         let summary = self.session.summary();
-        let stopped = match summary.ending {
-            Some(Ending::NodeLimit) => Some("The tree grew to its limit of nodes and was stopped."),
-            _ if summary.is_stalled() => Some(DIED_OUT),
-            _ => None,
+        let stopped = match (summary.ending, summary.shortfall()) {
+            (Some(Ending::NodeLimit), _) => Some("The tree grew to its limit of nodes and was stopped."),
+            (_, Some(Shortfall::NoRiver)) => Some("No river grew: no land lies open to the sea."),
+            (_, Some(Shortfall::Unreached)) => Some(UNREACHED),
+            (_, None) => None,
         };
         object(&[
             ("ticks", summary.ticks.into()),
@@ -297,7 +298,7 @@ impl River {
     }
 }
 
-const DIED_OUT: &str =
+const UNREACHED: &str =
     "Rivers do not reach all land: a shorter step, a longer kill distance or reach, or mouths less far apart helps.";
 
 fn read_strictly(text: &str) -> Result<Recipe, JsValue> {
