@@ -44,6 +44,10 @@ pub use recipe::{GrowthMethod, Key, LandKind, MeanderModel, Recipe, RecipeError,
 pub use session::{Phase, Session, SessionError, Shortfall, Summary};
 pub use tree::Tree;
 
+// What unit tests share with those in `tests/` names the crate as those do.
+#[cfg(test)]
+extern crate self as riverseed;
+
 #[doc(hidden)]
 pub mod dice;
 #[cfg(feature = "files")]
@@ -56,6 +60,9 @@ pub mod grow;
 #[cfg(feature = "png")]
 pub mod import;
 pub mod land;
+#[cfg(test)]
+#[path = "../tests/common/lands.rs"]
+mod lands;
 mod memory;
 pub mod network;
 pub mod paint;

@@ -1,8 +1,12 @@
 //! How much work a step of a session is at most, whatever the recipe, in elementary steps: what keeps a page from freezing.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
+#[path = "common/lands.rs"]
+mod lands;
+
 use std::collections::BTreeMap;
 
+use lands::every_land;
 use riverseed::random::{Purpose, Seed};
 use riverseed::recipe::link;
 use riverseed::session::Session;
@@ -76,10 +80,10 @@ fn a_search_for_a_mouth_ends_soon() {
 fn no_land_holds_a_step_however_its_rivers_grow_and_meander() {
     const WILD: &str =
         "&trim=0&simplify=0&width=40&neck=4&buffer=1&meander-rounds=12&meander-strength=1&gentle=1&great=16&flat=1";
-    for land in ["rectangle", "island", "continent", "archipelago", "valley", "basin"] {
-        check(&format!("land={land}&rough=1&attractors=100&reach=12&step=0.2{WILD}"));
-        check(&format!("land={land}&rough=1&attractors=3000&reach=12&step=0.2{WILD}"));
-        check(&format!("land={land}&rough=1&growth=brownian&sensitivity=8{WILD}"));
+    for land in every_land() {
+        check(&format!("{land}&rough=1&attractors=100&reach=12&step=0.2{WILD}"));
+        check(&format!("{land}&rough=1&attractors=3000&reach=12&step=0.2{WILD}"));
+        check(&format!("{land}&rough=1&growth=brownian&sensitivity=8{WILD}"));
     }
     check(&format!("attractors=20000&step=0.5{WILD}"));
 }

@@ -133,6 +133,7 @@ fn along(coast: &[Side], mut distance: f32) -> Mouth {
 mod tests {
     use super::*;
     use crate::grow::Colonize;
+    use crate::lands::lands_with_a_coast;
     use crate::recipe::link;
     use crate::tree::NO_PARENT;
 
@@ -157,10 +158,10 @@ mod tests {
 
     #[test]
     fn mouths_lie_in_bays_rather_than_on_capes() {
-        for kind in ["island", "continent", "archipelago", "basin"] {
+        for kind in lands_with_a_coast() {
             let (mut at_mouths, mut along_coasts) = (Vec::new(), Vec::new());
             for seed in 0..8 {
-                let link = format!("land={kind}&rough=1&sea=0.4&mouths=6&apart=0&shores=nesw&seed={seed}");
+                let link = format!("{kind}&rough=1&sea=0.4&mouths=6&apart=0&shores=nesw&seed={seed}");
                 let settings = Settings::of(&link::read(&link).unwrap());
                 let land = settings.land.as_ref().unwrap();
                 at_mouths.extend(mouths(&settings).iter().map(|mouth| land.shelter(mouth.at)));
@@ -185,16 +186,16 @@ mod tests {
 
     #[test]
     fn mouths_of_a_coast_keep_as_far_apart_as_asked() {
-        for kind in ["island", "continent", "archipelago", "basin"] {
+        for kind in lands_with_a_coast() {
             let mut counts = Vec::new();
             for apart in [0, 60, 150, 400] {
-                let link = format!("land={kind}&seed=kauri&shores=nesw&attractors=300&mouths=40&apart={apart}");
+                let link = format!("{kind}&seed=kauri&shores=nesw&attractors=300&mouths=40&apart={apart}");
                 let regions = grown_mouths(&link);
                 for mouths in &regions {
                     let pairs =
                         mouths.iter().enumerate().flat_map(|(i, a)| mouths[..i].iter().map(move |b| a.distance(*b)));
                     let nearest = pairs.fold(f32::INFINITY, f32::min);
-                    assert!(nearest > apart as f32, "{kind}: two mouths are {nearest} apart, not {apart}");
+                    assert!(nearest > apart as f32, "{link}: two mouths are {nearest} apart, not {apart}");
                 }
                 counts.push(regions.iter().map(Vec::len).sum::<usize>());
             }

@@ -180,6 +180,7 @@ impl Land {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::lands::lands_with_a_share_of_sea;
     use crate::recipe::link;
 
     fn land(text: &str) -> Arc<Land> {
@@ -188,9 +189,9 @@ mod tests {
 
     #[test]
     fn sea_has_the_share_asked_for() {
-        for kind in ["island", "continent", "archipelago", "valley", "basin"] {
+        for kind in lands_with_a_share_of_sea() {
             for sea in [0.1f32, 0.4, 0.8] {
-                let land = land(&format!("land={kind}&sea={sea}&rough=0.5"));
+                let land = land(&format!("{kind}&sea={sea}&rough=0.5"));
                 let with_ponds = Grid::above_water(&Domain::with_aspect(1.5), &land.coast_distance).cells;
                 let water = with_ponds.iter().filter(|&&cell| cell == Cell::Water).count();
                 let share = water as f32 / land.grid.cells.len() as f32;

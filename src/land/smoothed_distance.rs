@@ -149,13 +149,14 @@ fn beside(i: usize, corners: usize) -> [usize; 3] {
 mod tests {
     use super::*;
     use crate::land::Land;
+    use crate::lands::lands_with_a_coast;
     use crate::recipe::link;
     use glam::Vec2;
     use std::sync::Arc;
 
     fn lands() -> impl Iterator<Item = Arc<Land>> {
-        let links = ["island", "continent", "archipelago", "valley", "basin"].into_iter().flat_map(|kind| {
-            [0.0, 0.5, 1.0].map(|rough| format!("aspect=1.5&land={kind}&sea=0.5&rough={rough}&seed=k{rough}"))
+        let links = lands_with_a_coast().into_iter().flat_map(|land| {
+            [0.0, 0.5, 1.0].map(|rough| format!("aspect=1.5&{land}&sea=0.5&rough={rough}&seed=k{rough}"))
         });
         links.map(|link| Land::of(&link::read(&link).unwrap()).unwrap())
     }
