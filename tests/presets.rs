@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use riverseed::grow::{Colonize, Settings};
+use riverseed::land::Land;
 use riverseed::prune::{Trim, trim};
 use riverseed::recipe::preset::{PRESETS, Preset};
 use riverseed::recipe::{Key, Recipe, link, table::TABLE};
@@ -62,7 +63,7 @@ fn presets_name_all_that_they_do_not_leave_to_their_user() {
     for preset in PRESETS {
         let recipe = link::read(&format!("land=island&preset={}", preset.name)).unwrap();
         for key in TABLE.iter().map(|parameter| parameter.key) {
-            let is_idle = recipe.inactive_reason(key).is_some();
+            let is_idle = recipe.inactive_reason(key, Land::kind_of(&recipe)).is_some();
             assert!(names(preset, key) || LEFT.contains(&key) || is_idle, "{} rests on {key:?}", preset.name);
             assert!(!(names(preset, key) && LEFT.contains(&key)), "{} takes {key:?} away", preset.name);
         }

@@ -12,8 +12,7 @@ use super::obstacles::Obstacles;
 use super::outline::Drawing;
 use super::regions::{Region, regions_of};
 use crate::domain::Domain;
-use crate::random::Seed;
-use crate::recipe::{Key, LandKind, Outline, Recipe};
+use crate::recipe::{LandKind, Recipe};
 use crate::work;
 
 /// The least share of the domain that a drawn land fills: with less, attractors would not find it.
@@ -46,30 +45,31 @@ impl Land {
     /// The land of a recipe; `None` for the plain rectangle, which is all land, and for a drawn land of which nothing is
     /// drawn, or no water, or next to no land.
     pub fn of(recipe: &Recipe) -> Option<Arc<Self>> {
-        let shape = Shape {
-            kind: recipe.get(),
-            domain: Domain::of(recipe),
-            sides: recipe.sides(Key::Sides),
-            seed: Seed::from_text(recipe.seed()),
-            sea: recipe.number(Key::Sea),
-            rough: recipe.number(Key::Rough),
-        };
+        let shape = Shape::of(recipe);
         if shape.kind == LandKind::Drawn {
-            return Self::drawn(&shape, recipe.outline()?).map(Arc::new);
+            let (grid, coast_distance, ridges) = drawn(&shape, recipe)?;
+            return Some(Arc::new(Self::on(grid, coast_distance, ridges)));
         }
         Some(Arc::new(Self::new(&shape.domain, shape.coast_distance()?, shape.ridges())))
     }
 
-    /// The land of an outline; `None` if it is nearly all water, or all land.
-    fn drawn(shape: &Shape, outline: &Outline) -> Option<Self> {
-        let drawing = Drawing::of(outline, shape);
-        let this = Self::new(&shape.domain, drawing.coast_distance(&shape.domain), drawing.ridges);
-        (LEAST_DRAWN..1.0).contains(&this.grid.share_of_land()).then_some(this)
+    /// The kind of land that a recipe gives: the one that it names, or the plain rectangle if it names a drawn land and
+    /// [`Land::of`] finds none. For a drawn land this takes some
+    /// milliseconds, nearly as long as [`Land::of`].
+    pub fn kind_of(recipe: &Recipe) -> LandKind {
+        let is_undrawn = || drawn(&Shape::of(recipe), recipe).is_none();
+        match recipe.get() {
+            LandKind::Drawn if is_undrawn() => LandKind::Rectangle,
+            kind => kind,
+        }
     }
 
     /// Land above the sea, cut by ridges.
     pub(crate) fn new(domain: &Domain, coast_distance: CoastDistance, ridges: Vec<Vec<Vec2>>) -> Self {
-        let mut grid = Grid::above_water(domain, &coast_distance);
+        Self::on(Grid::above_water(domain, &coast_distance), coast_distance, ridges)
+    }
+
+    fn on(mut grid: Grid, coast_distance: CoastDistance, ridges: Vec<Vec<Vec2>>) -> Self {
         work::count(grid.cells.len());
         let raised = grid.raise(&ridges);
         let mut regions = regions_of(&grid.runs);
@@ -175,6 +175,15 @@ impl Land {
     pub fn cell(&self, column: i32, row: i32) -> Cell {
         self.grid.cell(column, row)
     }
+}
+
+/// The cells, coast distances and ridges of a recipe's outline; `None` if there is none, or it leaves no water, or next to no
+/// land: what is drawn then counts as the plain rectangle. Only here is that decided.
+fn drawn(shape: &Shape, recipe: &Recipe) -> Option<(Grid, CoastDistance, Vec<Vec<Vec2>>)> {
+    let drawing = Drawing::of(recipe.outline()?, shape);
+    let coast_distance = drawing.coast_distance(&shape.domain);
+    let grid = Grid::above_water(&shape.domain, &coast_distance);
+    (LEAST_DRAWN..1.0).contains(&grid.share_of_land()).then_some((grid, coast_distance, drawing.ridges))
 }
 
 #[cfg(test)]

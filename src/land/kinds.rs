@@ -6,7 +6,7 @@ use glam::{Vec2, Vec2Swizzles};
 use super::CoastDistance;
 use crate::domain::Domain;
 use crate::random::{Purpose, Seed};
-use crate::recipe::{LandKind, Sides};
+use crate::recipe::{Key, LandKind, Recipe, Sides};
 
 /// What a shape is made of.
 #[derive(Clone, Debug)]
@@ -22,6 +22,18 @@ pub(super) struct Shape {
 }
 
 impl Shape {
+    /// The shape that a recipe names.
+    pub fn of(recipe: &Recipe) -> Self {
+        Self {
+            kind: recipe.get(),
+            domain: Domain::of(recipe),
+            sides: recipe.sides(Key::Sides),
+            seed: Seed::from_text(recipe.seed()),
+            sea: recipe.number(Key::Sea),
+            rough: recipe.number(Key::Rough),
+        }
+    }
+
     /// The coast distances of the shape; `None` for the plain rectangle, and for a drawn land, which has them from its
     /// outline.
     pub fn coast_distance(&self) -> Option<CoastDistance> {

@@ -9,6 +9,7 @@ use wasm_bindgen::prelude::*;
 
 use crate::dice;
 use crate::grow::Ending;
+use crate::land::Land;
 use crate::paint::{PaintError, Rect};
 use crate::picture::Picture;
 use crate::recipe::link::{self, Notice};
@@ -125,7 +126,8 @@ pub fn presets() -> Array {
 pub fn read_link(text: &str) -> Object {
     let (recipe, notices) = link::read_leniently(text);
     let value = |parameter: &Parameter| pair(parameter.name, &parameter.text_of(recipe.value(parameter.key)));
-    let idle = |row: &Parameter| recipe.inactive_reason(row.key).map(|reason| pair(row.name, reason));
+    let land = Land::kind_of(&recipe);
+    let idle = |row: &Parameter| recipe.inactive_reason(row.key, land).map(|reason| pair(row.name, reason));
     let notice = |Notice { key, message }| object(&[("key", String::into(key)), ("message", String::into(message))]);
     object(&[
         ("link", link::write(&recipe).into()),

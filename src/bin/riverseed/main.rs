@@ -19,6 +19,7 @@ use riverseed::digest::DigestError;
 use riverseed::domain::Domain;
 use riverseed::export;
 use riverseed::import;
+use riverseed::land::Land;
 use riverseed::land::trace::{Traced, trace};
 use riverseed::paint::{LONGEST_SIDE, PaintError, View};
 use riverseed::picture::Picture;
@@ -262,8 +263,9 @@ fn write_network(output: Output, recipe: Recipe, form: Form, with_attractors: bo
 
 /// Tells of what was given and does nothing.
 fn say_what_is_idle(recipe: &Recipe, given: &[String]) {
+    let land = Land::kind_of(recipe);
     for name in given {
-        if let Some(reason) = Key::from_name(name).and_then(|key| recipe.inactive_reason(key)) {
+        if let Some(reason) = Key::from_name(name).and_then(|key| recipe.inactive_reason(key, land)) {
             eprintln!("riverseed: '{name}' has no effect: {reason}");
         }
     }
