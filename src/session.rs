@@ -46,6 +46,8 @@ pub struct Session {
     /// Once growth has ended.
     shaping: Option<Shaping>,
     generation: Generation,
+    /// Another one whenever the trimmed tree is discarded.
+    tree_generation: Generation,
 }
 
 /// What the next step of a session does.
@@ -115,7 +117,8 @@ impl Session {
     pub fn new(recipe: Recipe) -> Result<Self, SessionError> {
         let land = Land::of(&recipe);
         let growth = plant(&recipe, &land)?;
-        Ok(Self { recipe, land, growth, shaping: None, generation: Generation::next() })
+        let (generation, tree_generation) = (Generation::next(), Generation::next());
+        Ok(Self { recipe, land, growth, shaping: None, generation, tree_generation })
     }
 
     /// The recipe.
@@ -133,7 +136,9 @@ impl Session {
         self.land.as_ref()
     }
 
-    /// Goes over to another recipe. Returns the earliest stage that has to run again, `None` if nothing is different.
+    /// Goes over to another recipe. Returns the earliest stage that has to run again, `None` if nothing is different. Land is
+    /// shaped and a tree is planted at once, if it is one of theirs; a later stage runs again with the next steps, and until
+    /// then there are no rivers.
     ///
     /// # Errors
     /// As [`Session::new`]; everything is then as before.
@@ -146,7 +151,7 @@ impl Session {
         }
         self.recipe = recipe;
         if matches!(stage, Some(Stage::Land | Stage::Grow | Stage::Prune)) {
-            self.shaping = None;
+            self.discard_rivers();
         }
         if stage == Some(Stage::Shape) && self.shaping.is_some() {
             let parameters = self.network_settings();
@@ -164,15 +169,25 @@ impl Session {
     /// If there is not enough memory; everything is then as before.
     pub fn restart(&mut self) -> Result<(), SessionError> {
         self.growth = plant(&self.recipe, &self.land)?;
-        self.shaping = None;
+        self.discard_rivers();
         self.generation = Generation::next();
         Ok(())
+    }
+
+    fn discard_rivers(&mut self) {
+        self.shaping = None;
+        self.tree_generation = Generation::next();
     }
 
     /// Another one whenever results are discarded, by [`Session::change`] and [`Session::restart`]: while it stays the same the
     /// session only advances.
     pub(crate) fn generation(&self) -> Generation {
         self.generation
+    }
+
+    /// The same for as long as the rivers, made once or several times, are those of one trimmed tree.
+    pub(crate) fn tree_generation(&self) -> Generation {
+        self.tree_generation
     }
 
     /// Goes on by so many steps at most: ticks of growth, then a few that make rivers of the tree, then rounds of meandering.

@@ -85,18 +85,14 @@ impl Shaping {
         !self.is_finished()
     }
 
-    /// Goes over to other settings of the same tree on the same land. If there are rivers, there are others then, which
-    /// have not meandered yet.
+    /// Goes over to other settings of the same tree on the same land. It makes no step: what depends on the settings is
+    /// discarded, and the steps that follow make it again.
     pub fn change(&mut self, settings: Settings) {
-        let had_rivers = self.meander().is_some();
         self.settings = settings;
         self.state = match std::mem::take(&mut self.state) {
             State::Smooth(courses, ..) | State::Rivers(courses, _) => State::Ranked(courses),
             state => state,
         };
-        while had_rivers && self.meander().is_none() {
-            self.step();
-        }
     }
 
     /// Whether there is nothing more to do.

@@ -4,6 +4,7 @@
 use super::*;
 use crate::memory::testing::with_lists_up_to;
 use crate::recipe::link;
+use crate::work;
 
 /// Less than anything takes, in bytes.
 const NOTHING: usize = 100;
@@ -149,5 +150,37 @@ fn advice_fits_how_rivers_grow() {
 fn progress_is_whole_once_all_is_finished() {
     for text in [BENDS, "attractors=300&meander=none", "attractors=300&meander-rounds=0"] {
         assert_eq!(finished(text).progress(), 1.0, "{text}");
+    }
+}
+
+/// Changes of each late stage, at every step from the last of growth on.
+#[test]
+fn changed_at_any_step_a_session_ends_as_a_fresh_one() {
+    for change in ["simplify=20", "width=30&vary=0.4", "meander-rounds=5&meander-strength=1", "meander=bend", "trim=9"]
+    {
+        let change = format!("attractors=300&{change}");
+        let fresh = finished(&change);
+        let mut session = grown(BENDS);
+        loop {
+            let mut changed = session.clone();
+            changed.change(recipe(&change)).unwrap();
+            finish(&mut changed);
+            assert_same(&changed, &fresh);
+            if session.is_finished() {
+                break;
+            }
+            session.advance(1).unwrap();
+        }
+    }
+}
+
+#[test]
+fn change_of_a_late_stage_makes_no_step() {
+    let mut session = finished(BENDS);
+    for change in ["&width=30", "&width=30&simplify=20", "&width=30&simplify=20&neck=2"] {
+        let before = work::steps();
+        session.change(recipe(&format!("{BENDS}{change}"))).unwrap();
+        assert_eq!((session.phase(), work::steps() - before), (Phase::Shaping, 0), "{change}");
+        finish(&mut session);
     }
 }
