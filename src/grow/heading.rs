@@ -3,7 +3,7 @@
 use glam::Vec2;
 
 use super::Settings;
-use crate::random::{Key, Purpose};
+use crate::random::{ItemHash, Purpose};
 
 /// Where the child of a node comes to lie.
 ///
@@ -52,7 +52,7 @@ fn with_momentum(v2: Vec2, v1: Vec2, k: f32) -> Vec2 {
 
 /// Turns a direction by a random angle in [0, θ_c), clockwise in the first stretch, then in turn.
 fn with_curl(settings: &Settings, direction: Vec2, node: Vec2, nodes_from_mouth: u32, tick: u32) -> Vec2 {
-    let chance = curl_key(settings).unit([node.x.to_bits(), node.y.to_bits(), tick]);
+    let chance = curl_hash(settings).unit([node.x.to_bits(), node.y.to_bits(), tick]);
     let (sine, cosine) = sine_and_cosine(settings.curl * chance);
     let clockwise = (nodes_from_mouth / settings.stretch).is_multiple_of(2);
     direction.rotate(Vec2::new(cosine, if clockwise { sine } else { -sine }))
@@ -80,8 +80,8 @@ const fn series(first: u32) -> [f64; 12] {
     factors
 }
 
-fn curl_key(settings: &Settings) -> Key {
-    settings.seed.key(Purpose::Curl)
+fn curl_hash(settings: &Settings) -> ItemHash {
+    settings.seed.item_hash(Purpose::Curl)
 }
 
 #[cfg(test)]

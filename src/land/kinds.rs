@@ -75,7 +75,7 @@ impl Shape {
         if self.kind != LandKind::Valley {
             return Vec::new();
         }
-        let (wobble, place) = (self.noise(2, 2.0, 3), self.seed.key(Purpose::Land));
+        let (wobble, place) = (self.noise(2, 2.0, 3), self.seed.item_hash(Purpose::Land));
         let inland = if self.sides.contains('s') || self.sides.contains('n') { Vec2::Y } else { Vec2::X };
         let (aside, across) = (inland.yx(), self.domain.size);
         // Anywhere in a fifth of the way across.
@@ -130,7 +130,7 @@ impl Shape {
 
     /// Noise with about so many bumps across the domain.
     pub fn noise(&self, index: u32, bumps: f32, octaves: i32) -> FastNoiseLite {
-        let bits = self.seed.key(Purpose::Land).bits([index, 0, 0]);
+        let bits = self.seed.item_hash(Purpose::Land).bits([index, 0, 0]);
         let mut noise = FastNoiseLite::with_seed(bits as i32);
         noise.set_noise_type(Some(NoiseType::OpenSimplex2));
         noise.set_fractal_type(Some(FractalType::FBm));

@@ -105,7 +105,7 @@ impl Settings {
     }
 
     fn noise(&self, index: u32, frequency: f32, octaves: i32) -> FastNoiseLite {
-        let mut noise = FastNoiseLite::with_seed(self.seed.key(Purpose::Courses).bits([index, 0, 0]) as i32);
+        let mut noise = FastNoiseLite::with_seed(self.seed.item_hash(Purpose::Courses).bits([index, 0, 0]) as i32);
         noise.set_noise_type(Some(NoiseType::OpenSimplex2));
         noise.set_fractal_type(Some(FractalType::FBm));
         noise.set_fractal_octaves(Some(octaves));

@@ -181,8 +181,8 @@ fn curled(parameters: &Settings, u: Vec2, node: &Black, tick: u32) -> Vec2 {
     if parameters.curl == 0.0 {
         return u;
     }
-    let key = parameters.seed.key(Purpose::Curl);
-    let angle = parameters.curl * key.unit([node.at.x.to_bits(), node.at.y.to_bits(), tick]);
+    let hash = parameters.seed.item_hash(Purpose::Curl);
+    let angle = parameters.curl * hash.unit([node.at.x.to_bits(), node.at.y.to_bits(), tick]);
     let to_the_right = node.from_mouth % (2 * parameters.stretch) < parameters.stretch;
     // By doubles, which are rounded once.
     let (sine, cosine) = (libm::sin(f64::from(angle)) as f32, libm::cos(f64::from(angle)) as f32);
