@@ -3,15 +3,15 @@
 //! What a file holds is built as plain data, for a program and for a page alike; only a program writes JSON as text.
 
 mod banks;
+mod data;
 pub mod geojson;
 pub mod json;
 #[cfg(feature = "png")]
 pub mod png;
 mod rings;
 pub mod svg;
-mod value;
 
-pub use value::Value;
+pub use data::Json;
 
 use thiserror::Error;
 
