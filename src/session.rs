@@ -6,9 +6,9 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use thiserror::Error;
 
 use crate::domain::Domain;
-use crate::grow::{self, Ending, GrowError, Growth};
+use crate::grow::{Ending, GrowError, Growth, GrowthSettings};
 use crate::land::Land;
-use crate::network::{self, Meander, NONE, Network, ShapeError, Shaping, ask_for_memory};
+use crate::network::{Meander, NONE, Network, NetworkSettings, ShapeError, Shaping, ask_for_memory};
 use crate::prune::{self, Pruned, Trim};
 use crate::recipe::{Recipe, Stage};
 use crate::tree::{Hydrology, Tree};
@@ -154,8 +154,8 @@ impl Session {
             self.discard_rivers();
         }
         if stage == Some(Stage::Shape) && self.shaping.is_some() {
-            let parameters = self.network_settings();
-            self.shaping.iter_mut().for_each(|shaping| shaping.change(parameters.clone()));
+            let settings = self.network_settings();
+            self.shaping.iter_mut().for_each(|shaping| shaping.change(settings.clone()));
         }
         if stage.is_some() {
             self.generation = Generation::next();
@@ -286,9 +286,9 @@ impl Session {
     }
 
     /// How the rivers of this recipe are made of its tree.
-    pub fn network_settings(&self) -> network::Settings {
+    pub fn network_settings(&self) -> NetworkSettings {
         let growth = &self.growth;
-        network::Settings::new(&self.recipe, self.land.clone(), growth.stream_spacing(), growth.total_discharge())
+        NetworkSettings::new(&self.recipe, self.land.clone(), growth.stream_spacing(), growth.total_discharge())
     }
 
     /// The untrimmed tree, as far as it has grown.
@@ -349,7 +349,7 @@ impl Generation {
 
 /// Begins the growth of a recipe on its land.
 fn plant(recipe: &Recipe, land: &Option<Arc<Land>>) -> Result<Growth, GrowError> {
-    Growth::new(grow::Settings::new(recipe, land.clone()))
+    Growth::new(GrowthSettings::new(recipe, land.clone()))
 }
 
 #[cfg(test)]

@@ -9,7 +9,7 @@ use common::property::large;
 use common::{literal, random_link};
 use glam::{Vec2, Vec3};
 use proptest::prelude::*;
-use riverseed::grow::{Brownian, Ending, Field, Growth, Order, Settings};
+use riverseed::grow::{Brownian, Ending, Field, Growth, GrowthSettings, Order};
 use riverseed::land::Cell;
 use riverseed::picture::Picture;
 use riverseed::random::Seed;
@@ -183,7 +183,7 @@ proptest! {
         let mut recipe = link::read(&link).unwrap();
         recipe.set(Key::Growth, "brownian").unwrap();
         recipe.set(Key::Sensitivity, &sensitivity.to_string()).unwrap();
-        let mut growth = Growth::new(Settings::of(&recipe)).unwrap();
+        let mut growth = Growth::new(GrowthSettings::of(&recipe)).unwrap();
         while growth.tick() {}
         prop_assert_eq!(growth.ending(), Some(Ending::Complete));
         check(&Field::of(growth.settings()), growth.tree());
@@ -194,8 +194,8 @@ proptest! {
 fn every_kind_of_land_grows_the_literal_tree() {
     for (land, aspect) in every_land().iter().zip([1.0, 2.0, 0.5, 1.5].into_iter().cycle()) {
         let recipe = link::read(&plain(&format!("growth=brownian&{land}&aspect={aspect}&sides=nw&seed=k"))).unwrap();
-        let parameters = Settings::of(&recipe);
-        let whole = Field::of(&parameters);
+        let settings = GrowthSettings::of(&recipe);
+        let whole = Field::of(&settings);
         // Every eighth cell, so that a literal search ends today.
         let coarse = Field::new(whole.columns() / 8, whole.rows() / 8, whole.side() * 8.0, |x, y| {
             whole.cells()[(y * 8 * whole.columns() + x * 8) as usize]
@@ -209,7 +209,7 @@ fn every_kind_of_land_grows_the_literal_tree() {
 fn recipes_grow_on_all_their_land() {
     for land in every_land() {
         let recipe = link::read(&plain(&format!("growth=brownian&{land}&sensitivity=24"))).unwrap();
-        let mut growth = Growth::new(Settings::of(&recipe)).unwrap();
+        let mut growth = Growth::new(GrowthSettings::of(&recipe)).unwrap();
         while growth.tick() {}
         let field = Field::of(growth.settings());
         check(&field, growth.tree());

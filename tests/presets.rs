@@ -1,7 +1,7 @@
 //! The paper's presets are its patterns, whatever the table's defaults are.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
-use riverseed::grow::{Colonize, Settings};
+use riverseed::grow::{Colonize, GrowthSettings};
 use riverseed::land::Land;
 use riverseed::prune::{Trim, trim};
 use riverseed::recipe::preset::{PRESETS, Preset};
@@ -37,7 +37,7 @@ const TREES: [(&str, u64); 6] = [
 const GROUND: &str = "seed=kauri&aspect=1.5&land=rectangle&sides=s&mouths=3&attractors=6000";
 
 fn tree(recipe: &Recipe) -> u64 {
-    let mut growth = Colonize::new(Settings::of(recipe)).unwrap();
+    let mut growth = Colonize::new(GrowthSettings::of(recipe)).unwrap();
     while growth.tick() {}
     let trimmed = trim(growth.tree(), &Hydrology::of(growth.tree()), Trim::of(recipe)).tree;
     let places = trimmed.at.iter().flat_map(|at| [at.x.to_bits(), at.y.to_bits()]);

@@ -7,13 +7,13 @@ use common::plain::plain;
 use common::property::cases;
 use common::random_link;
 use proptest::prelude::*;
-use riverseed::grow::{Colonize, Growth, Settings};
+use riverseed::grow::{Colonize, Growth, GrowthSettings};
 use riverseed::prune::{Trim, trim};
 use riverseed::recipe::link;
 use riverseed::tree::{Hydrology, Tree};
 
 fn grown(link: &str) -> Tree {
-    let mut growth = Colonize::new(Settings::of(&link::read(&plain(link)).unwrap())).unwrap();
+    let mut growth = Colonize::new(GrowthSettings::of(&link::read(&plain(link)).unwrap())).unwrap();
     while growth.tick() {}
     growth.tree().clone()
 }
@@ -109,7 +109,7 @@ fn trimming_takes_most_short_branches() {
 
 fn brownian(link: &str) -> (Tree, Trim) {
     let recipe = link::read(&plain(&format!("growth=brownian&land=island&sensitivity=20&{link}"))).unwrap();
-    let mut growth = Growth::new(Settings::of(&recipe)).unwrap();
+    let mut growth = Growth::new(GrowthSettings::of(&recipe)).unwrap();
     while growth.tick() {}
     (growth.tree().clone(), Trim::of(&recipe))
 }

@@ -13,7 +13,7 @@ use super::attractors::{Attractors, NO_NODE};
 use super::changed::Changed;
 use super::driest::Search;
 use super::heading::{heading, is_duplicate};
-use super::{BYTES_AN_ATTRACTOR, GrowError, Mouth, Pull, Settings, mouths, shores};
+use super::{BYTES_AN_ATTRACTOR, GrowError, GrowthSettings, Mouth, Pull, mouths, shores};
 use crate::land::Shore;
 use crate::memory::{self, Refused};
 use crate::tree::{NO_PARENT, Tree};
@@ -33,7 +33,7 @@ pub enum Ending {
 /// Growth in progress.
 #[derive(Clone, Debug)]
 pub struct Colonize {
-    settings: Settings,
+    settings: GrowthSettings,
     attractors: Attractors,
     tree: Tree,
     shoots: Shoots,
@@ -80,7 +80,7 @@ impl Colonize {
     ///
     /// # Errors
     /// If there is not enough memory.
-    pub fn new(settings: Settings) -> Result<Self, GrowError> {
+    pub fn new(settings: GrowthSettings) -> Result<Self, GrowError> {
         if !memory::can_allocate(settings.attractors as usize * BYTES_AN_ATTRACTOR) {
             return Err(GrowError::out_of_memory(&settings));
         }
@@ -335,7 +335,7 @@ impl Colonize {
     }
 
     /// The settings it grows by.
-    pub fn settings(&self) -> &Settings {
+    pub fn settings(&self) -> &GrowthSettings {
         &self.settings
     }
 
@@ -379,13 +379,13 @@ impl Colonize {
     /// About how many nodes a tree has, rather too many: by trials over reach 2.4 to 10, kill 0.5 to 2 and step 0.2 to 1
     /// the number goes with kill^−½ and step^−¾ (both in spacings).
     fn usual_nodes(&self) -> usize {
-        let Settings { attractors, spacing, kill, step, .. } = self.settings;
+        let GrowthSettings { attractors, spacing, kill, step, .. } = self.settings;
         let (kill, step) = (kill / spacing, (step / spacing).sqrt());
         (0.65 * attractors as f32 / (kill.sqrt() * step * step.sqrt())) as usize
     }
 }
 
 /// How many nodes of a stem make about a spacing.
-pub fn stem_nodes(settings: &Settings) -> u32 {
+pub fn stem_nodes(settings: &GrowthSettings) -> u32 {
     ((settings.spacing / settings.step + 0.5) as u32).max(1)
 }

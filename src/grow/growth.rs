@@ -2,14 +2,14 @@
 
 use glam::Vec2;
 
-use super::{Brownian, Colonize, Ending, Field, GrowError, Settings, scatter};
+use super::{Brownian, Colonize, Ending, Field, GrowError, GrowthSettings, scatter};
 use crate::recipe::GrowthMethod;
 use crate::tree::Tree;
 
 /// Growth in progress: a stepper, whatever the procedure.
 #[derive(Clone, Debug)]
 pub struct Growth {
-    settings: Settings,
+    settings: GrowthSettings,
     grower: Grower,
 }
 
@@ -24,7 +24,7 @@ impl Growth {
     ///
     /// # Errors
     /// If there is not enough memory.
-    pub fn new(settings: Settings) -> Result<Self, GrowError> {
+    pub fn new(settings: GrowthSettings) -> Result<Self, GrowError> {
         let grower = match settings.method {
             GrowthMethod::Colonize => Grower::Colonize(Colonize::new(settings.clone())?),
             GrowthMethod::Brownian => {
@@ -54,7 +54,7 @@ impl Growth {
     }
 
     /// The settings it grows by.
-    pub fn settings(&self) -> &Settings {
+    pub fn settings(&self) -> &GrowthSettings {
         &self.settings
     }
 

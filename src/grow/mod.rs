@@ -30,7 +30,7 @@ pub use mouths::{mouths, shores};
 pub use pull::Pull;
 #[doc(hidden)]
 pub use scatter::scatter;
-pub use settings::Settings;
+pub use settings::GrowthSettings;
 
 use thiserror::Error;
 
@@ -59,7 +59,7 @@ const BYTES_AN_ATTRACTOR: usize = 140;
 
 impl GrowError {
     /// The error for settings that ask for too much.
-    fn out_of_memory(settings: &Settings) -> Self {
+    fn out_of_memory(settings: &GrowthSettings) -> Self {
         let attractors = settings.attractors;
         Self::OutOfMemory { attractors, megabytes: (attractors as usize * BYTES_AN_ATTRACTOR / 1_000_000) as u32 + 1 }
     }

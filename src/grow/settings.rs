@@ -11,7 +11,7 @@ use crate::recipe::{GrowthMethod, Key, LandKind, Recipe, Scatter, Sides};
 
 /// The settings of growth, resolved: ratios turned into lengths.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Settings {
+pub struct GrowthSettings {
     /// The seed's 64 bits.
     pub seed: Seed,
     /// The rectangle.
@@ -60,7 +60,7 @@ const LEAST_AREA: f32 = AREA / 20.0;
 /// along its shore instead.
 const MOUTHS_OF_A_LAKE: u32 = 3;
 
-impl Settings {
+impl GrowthSettings {
     /// Resolves a recipe, land and all.
     pub fn of(recipe: &Recipe) -> Self {
         Self::new(recipe, Land::of(recipe))
@@ -104,7 +104,7 @@ impl Settings {
     }
 }
 
-impl Settings {
+impl GrowthSettings {
     /// The land; for tests: a session has it, too.
     #[doc(hidden)]
     pub fn land(&self) -> Option<&Arc<Land>> {

@@ -12,7 +12,7 @@ use crate::recipe::{Key, MeanderModel, Recipe};
 
 /// The settings of the network stage, resolved.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Settings {
+pub struct NetworkSettings {
     /// The seed's 64 bits.
     pub seed: Seed,
     /// The rectangle.
@@ -53,7 +53,7 @@ pub struct Settings {
     pub taper: f32,
 }
 
-impl Settings {
+impl NetworkSettings {
     /// The settings of a recipe, for a tree on some land whose streams lie so many units apart, and of which a river that
     /// drains everything would have this discharge.
     pub fn new(recipe: &Recipe, land: Option<Arc<Land>>, stream_spacing: f32, total_discharge: u32) -> Self {

@@ -6,7 +6,7 @@
 
 use fastnoise_lite::FastNoiseLite;
 
-use super::settings::Settings;
+use super::settings::NetworkSettings;
 use super::{NONE, Network};
 use crate::geometry::{distance, fast_max, fast_min};
 
@@ -14,7 +14,7 @@ use crate::geometry::{distance, fast_max, fast_min};
 const TAPER: f32 = 8.0;
 
 /// Gives every vertex its banks.
-pub(super) fn widen(network: &mut Network, settings: &Settings) {
+pub(super) fn widen(network: &mut Network, settings: &NetworkSettings) {
     let noise = settings.width_noise();
     let mut floors = Floors(vec![(0.0, 0.0); network.vertices.len()]);
     // Tributaries stand after the rivers that they join.
@@ -57,7 +57,13 @@ pub(super) fn settle(network: &mut Network, river: usize, junction: u32, arm: f3
     }
 }
 
-fn widen_river(network: &mut Network, number: usize, settings: &Settings, noise: &FastNoiseLite, floors: &mut Floors) {
+fn widen_river(
+    network: &mut Network,
+    number: usize,
+    settings: &NetworkSettings,
+    noise: &FastNoiseLite,
+    floors: &mut Floors,
+) {
     let river = network.rivers[number];
     let (mut along, mut floor, mut last) = (0.0f32, (0.0f32, 0.0f32), (0.0f32, 0.0f32));
     let mut previous = None;
@@ -107,7 +113,7 @@ mod tests {
     }
 
     fn widened(mut network: Network, vary: f32) -> Network {
-        widen(&mut network, &Settings { vary, total_discharge: 100, max_width: 10.0, ..settings() });
+        widen(&mut network, &NetworkSettings { vary, total_discharge: 100, max_width: 10.0, ..settings() });
         network
     }
 

@@ -2,7 +2,7 @@
 
 use glam::Vec2;
 
-use crate::grow::Settings;
+use crate::grow::GrowthSettings;
 use crate::land::{CELL_SIZE, Cell, Land};
 use crate::recipe::Sides;
 
@@ -28,7 +28,7 @@ impl Field {
     }
 
     /// The field of a recipe. A plain rectangle gets the sea it lacks: a line of water cells along the chosen sides.
-    pub fn of(settings: &Settings) -> Self {
+    pub fn of(settings: &GrowthSettings) -> Self {
         let size = settings.domain.size;
         let field = match &settings.land {
             Some(land) => Self::of_land(land),
@@ -178,7 +178,8 @@ mod tests {
     fn what_ridges_enclose_is_no_land_for_particles() {
         // A square of six tenths of a side, in it a ridge around two tenths.
         let outline = ".MzMzzMMzzMzMMzzM..ZmZmmZZmmZmZZmmZZmZm";
-        let settings = Settings::of(&link::read(&format!("land=drawn&rough=0&aspect=1&outline={outline}")).unwrap());
+        let settings =
+            GrowthSettings::of(&link::read(&format!("land=drawn&rough=0&aspect=1&outline={outline}")).unwrap());
         let land = settings.land.as_deref().unwrap();
         let field = Field::of(&settings);
         let [within, without] = [500, 300].map(|column| Place { column, row: 500 });

@@ -5,7 +5,7 @@
 //! is always held where it ends.
 
 use super::super::hydrology::slope;
-use super::super::settings::Settings;
+use super::super::settings::NetworkSettings;
 use super::super::{NONE, Network, Vertex};
 use crate::geometry::{distance, fast_max, fast_min, smooth_step};
 use crate::recipe::MeanderModel;
@@ -22,7 +22,7 @@ const EQUAL: f32 = 0.35;
 const LEAST: f32 = 0.05;
 
 /// Gives every vertex its mobility.
-pub(super) fn assign(network: &mut Network, settings: &Settings) {
+pub(super) fn assign(network: &mut Network, settings: &NetworkSettings) {
     if settings.model == MeanderModel::None {
         return;
     }
@@ -77,7 +77,7 @@ pub(super) fn ease_off(network: &mut Network, spacing: f32) {
 }
 
 /// The least discharge of what counts as flat: the flattest share of all courses, whose vertices lie evenly.
-fn flat_discharge(network: &Network, settings: &Settings) -> u32 {
+fn flat_discharge(network: &Network, settings: &NetworkSettings) -> u32 {
     let slope = |discharge: u32| slope(discharge as f32 / settings.total_discharge as f32);
     let by_slope = sort::argsort(network.vertices.iter().map(|vertex| sort::key(slope(vertex.discharge))));
     let count = (by_slope.len() as f32 * settings.flat) as usize;
@@ -130,7 +130,7 @@ mod tests {
     use crate::network::River;
 
     /// A river 400 units long, two wide, with an arm halfway that brings such a share of its water.
-    fn swaying(share: u32, settings: &Settings) -> (Network, River) {
+    fn swaying(share: u32, settings: &NetworkSettings) -> (Network, River) {
         let mut network = river(&straight((0.0, 400.0), (400.0, 400.0), 400), 2.0).with_arm(
             &straight((200.0, 100.0), (200.0, 399.0), 299),
             200,
@@ -142,13 +142,13 @@ mod tests {
         (network, main)
     }
 
-    fn only_great(great: u32) -> Settings {
-        Settings { great, gentle: 0.0, flat: 1.0, taper: 6.0, total_discharge: 100, ..settings() }
+    fn only_great(great: u32) -> NetworkSettings {
+        NetworkSettings { great, gentle: 0.0, flat: 1.0, taper: 6.0, total_discharge: 100, ..settings() }
     }
 
     #[test]
     fn nothing_moves_at_sources_mouths_and_equal_junctions() {
-        let (network, main) = swaying(40, &Settings { gentle: 1.0, ..only_great(2) });
+        let (network, main) = swaying(40, &NetworkSettings { gentle: 1.0, ..only_great(2) });
         let mobility = |i: usize| network.vertices[i].mobility;
         for held in [0, 1, 200, main.end as usize - 1, main.end as usize, network.vertices.len() - 1] {
             assert_eq!(mobility(held), 0.0, "{held}");
@@ -176,7 +176,7 @@ mod tests {
     fn only_what_is_flat_meanders_fully() {
         let mut network = river(&straight((0.0, 400.0), (400.0, 400.0), 400), 2.0);
         network.vertices.iter_mut().enumerate().for_each(|(i, vertex)| vertex.discharge = i as u32 + 1);
-        assign(&mut network, &Settings { flat: 0.25, total_discharge: 400, ..only_great(1) });
+        assign(&mut network, &NetworkSettings { flat: 0.25, total_discharge: 400, ..only_great(1) });
         assert!(network.vertices[..300].iter().all(|vertex| vertex.mobility == 0.0));
         assert_eq!(network.vertices[350].mobility, 1.0);
     }
