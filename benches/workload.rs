@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 use bends::Bend;
 use glam::Vec2;
 use riverseed::domain::Domain;
-use riverseed::grow::{Brownian, Colonize, Field, Growth, GrowthSettings};
+use riverseed::grow::{Brownian, Colonize, Growth, GrowthSettings, Raster};
 use riverseed::land::Land;
 use riverseed::network::{self, Meander, NONE, Network, River, Shaping, Vertex};
 use riverseed::paint::{Coverage, Pen, View, Widths};
@@ -157,17 +157,17 @@ fn equals_twin(link: &str) -> Option<bool> {
 
 // ---- Brownian trees
 
-/// A square field of land with sea on all sides.
-fn square(side: &str) -> Option<Field> {
+/// A square raster of land with sea on all sides.
+fn square(side: &str) -> Option<Raster> {
     let side = side.parse().ok()?;
-    Some(Field::with_sea(side, side, 1.0, Sides::parse("nesw")?))
+    Some(Raster::with_sea(side, side, 1.0, Sides::parse("nesw")?))
 }
 
-/// Growth from the field to the last node; the number of nodes.
+/// Growth from the raster to the last node; the number of nodes.
 fn brownian(side: &str, sensitivity: &str) -> Option<Repetition> {
-    let (field, sensitivity) = (square(side)?, sensitivity.parse().ok()?);
+    let (raster, sensitivity) = (square(side)?, sensitivity.parse().ok()?);
     Some(Box::new(move || {
-        let Ok(mut growth) = Brownian::new(field.clone(), Seed::from_text("kauri"), sensitivity) else { return 0 };
+        let Ok(mut growth) = Brownian::new(raster.clone(), Seed::from_text("kauri"), sensitivity) else { return 0 };
         while growth.tick() {}
         growth.tree().len() as u32
     }))
@@ -175,8 +175,8 @@ fn brownian(side: &str, sensitivity: &str) -> Option<Repetition> {
 
 /// The same by a literal search of the disc after every move.
 fn literal_brownian(side: &str, sensitivity: &str) -> Option<Repetition> {
-    let (field, sensitivity) = (square(side)?, sensitivity.parse().ok()?);
-    Some(Box::new(move || literal::grow(&field, Seed::from_text("kauri"), sensitivity).len() as u32))
+    let (raster, sensitivity) = (square(side)?, sensitivity.parse().ok()?);
+    Some(Box::new(move || literal::grow(&raster, Seed::from_text("kauri"), sensitivity).len() as u32))
 }
 
 // ---- the network

@@ -2,7 +2,7 @@
 
 use glam::Vec2;
 
-use super::{Brownian, Colonize, Ending, Field, GrowError, GrowthSettings, scatter};
+use super::{Brownian, Colonize, Ending, GrowError, GrowthSettings, Raster, scatter};
 use crate::recipe::GrowthMethod;
 use crate::tree::Tree;
 
@@ -28,9 +28,9 @@ impl Growth {
         let grower = match settings.method {
             GrowthMethod::Colonize => Grower::Colonize(Colonize::new(settings.clone())?),
             GrowthMethod::Brownian => {
-                let field = Field::of(&settings);
-                let sensitivity = settings.sensitivity / field.side();
-                Grower::Brownian(Brownian::new(field, settings.seed, sensitivity)?)
+                let raster = Raster::of(&settings);
+                let sensitivity = settings.sensitivity / raster.side();
+                Grower::Brownian(Brownian::new(raster, settings.seed, sensitivity)?)
             }
         };
         Ok(Self { settings, grower })

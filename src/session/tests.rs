@@ -55,8 +55,8 @@ fn recipe_that_there_is_no_memory_for_is_refused() {
     let refused = |text: &str| with_lists_up_to(NOTHING, || Session::new(recipe(text))).map(drop).unwrap_err();
     let attractors = SessionError::Grow(GrowError::OutOfMemory { attractors: 300, megabytes: 1 });
     assert_eq!(refused("attractors=300"), attractors);
-    let field = refused("growth=brownian&sensitivity=60");
-    assert!(matches!(field, SessionError::Grow(GrowError::NoRoomForField { .. })), "{field:?}");
+    let raster = refused("growth=brownian&sensitivity=60");
+    assert!(matches!(raster, SessionError::Grow(GrowError::NoRoomForRaster { .. })), "{raster:?}");
 }
 
 #[test]

@@ -10,7 +10,7 @@ use thiserror::Error;
 
 use self::frame::Frame;
 use self::ground::Ground;
-use super::field::LEAST_DRAWN;
+use super::queries::LEAST_DRAWN;
 use super::strokes::DrawError;
 use crate::recipe::Outline;
 
