@@ -159,7 +159,7 @@ goldens: ## draw the golden pictures and digests anew; then look at them and say
 	@git status --short tests
 
 .PHONY: docs
-docs: wasm ## write what is generated in docs/ again: the parameters, the JSON form, the tables of the element
+docs: wasm ## write what is generated in docs/ again: the parameters, the JSON form, the figures, the tables of the element
 	@echo "A run that writes pages fails on purpose; the run after it must pass."
 	-@RIVERSEED_REFRESH=1 $(run) cargo test --all-features --quiet --no-fail-fast --test documents --test schema
 	@$(npm) element-page
