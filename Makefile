@@ -151,7 +151,7 @@ notices: ## write THIRD-PARTY.txt, the notices of the crates that are handed out
 	@$(run) scripts/supply.sh notices
 
 .PHONY: goldens
-goldens: ## draw the golden pictures and digests anew; then look at them and say in the commit why they changed
+goldens: ## redraw the golden pictures and digests; then look at them and say in the commit why they changed
 	@$(setup) rust
 	@echo "A run that refreshes goldens fails on purpose; the run after it must pass."
 	-@RIVERSEED_REFRESH=1 $(run) cargo test --all-features --quiet --no-fail-fast $(GOLDEN_TESTS:%=--test %)

@@ -205,7 +205,7 @@ fn all_grown(recipe: &Recipe) -> Option<Growth> {
     Some(growth)
 }
 
-/// Some 10,000 vertices of rivers that are halfway through their rounds, on each of so many maps side by side.
+/// Some 10,000 vertices of rivers that are halfway through their rounds, on each of several maps side by side.
 fn half_meandered(maps: u32) -> Option<Meander> {
     const ATTRACTORS: &str = "9000";
     let mut recipe = recipe("meander-rounds=400")?;
@@ -219,7 +219,7 @@ fn half_meandered(maps: u32) -> Option<Meander> {
     Some(Meander::of(side_by_side(meander.network(), maps, meander.settings().domain.size), wide(meander, maps)))
 }
 
-/// The settings for so many maps from west to east.
+/// The settings for several maps from west to east.
 fn wide(meander: &Meander, maps: u32) -> network::NetworkSettings {
     let mut settings = meander.settings().clone();
     settings.domain.size.x *= maps as f32;
@@ -406,7 +406,7 @@ fn fill_ribbons(segments: &[Segment], mut fill: impl FnMut(&tiny_skia::Path)) {
     }
 }
 
-/// Shows whoever compiles this that every pixel is wanted; costs little beside drawing them.
+/// Keeps the compiler from leaving pixels out; costs little compared with drawing them.
 fn sum(pixels: &[u8]) -> u32 {
     pixels.iter().map(|&pixel| u32::from(pixel)).sum()
 }

@@ -1,4 +1,4 @@
-//! A digest of everything a recipe decides: what proves that two machines draw and write the same.
+//! A digest of everything a recipe decides, to check that two machines draw and write the same.
 
 use thiserror::Error;
 

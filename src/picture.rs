@@ -28,7 +28,7 @@ use crate::session::{Generation, Phase, Session};
 #[derive(Clone, Debug)]
 pub struct Picture {
     painter: Painter,
-    /// What it shows: a session's generation, its domain and its land; `None` before it is painted.
+    /// The generation, domain and land of the session that it shows; `None` before it is painted.
     shown: Option<(Generation, Domain, Option<Arc<Land>>)>,
     /// The trimmed tree whose rivers it shows; `None` if it shows none.
     rivers_of: Option<Generation>,
@@ -43,7 +43,7 @@ impl Picture {
         Ok(Self { painter: Painter::new(&Domain::with_aspect(1.0), width, height)?, shown: None, rivers_of: None })
     }
 
-    /// Brings the picture up to date with its session, whatever has become of that. Where their aspects differ, the map's edges
+    /// Brings the picture up to date with its session, however that has changed. Where their aspects differ, the map's edges
     /// are cut, evenly. Returns the rectangle that changed; `None` if nothing did. While the rivers of a tree are made again,
     /// the picture keeps those that it shows.
     pub fn paint(&mut self, session: &Session) -> Option<Rect> {

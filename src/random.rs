@@ -14,7 +14,7 @@ use rand_pcg::Pcg32;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Seed(u64);
 
-/// What a random stream is used for. The numbers are part of every recipe's picture: never change one.
+/// The purpose of a random stream. The numbers are part of every recipe's picture: never change one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u64)]
 pub enum Purpose {

@@ -50,7 +50,7 @@ pub struct Session {
     tree_generation: Generation,
 }
 
-/// What the next step of a session does.
+/// The kind of step that a session makes next.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Phase {
     /// A tick of growth.
@@ -63,7 +63,7 @@ pub enum Phase {
     Finished,
 }
 
-/// What a picture shows, in numbers.
+/// A picture in numbers.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Summary {
     /// Ticks grown.
@@ -76,7 +76,7 @@ pub struct Summary {
     pub sources: u32,
     /// The highest stream order (Strahler) of the rivers; 0 until there are any.
     pub order: u8,
-    /// Attractors scattered: none for a Brownian tree.
+    /// Attractors scattered: 0 for a Brownian tree.
     pub attractors: u32,
     /// Attractors that no river came near enough to.
     pub unreached: u32,
@@ -136,7 +136,7 @@ impl Session {
         self.land.as_ref()
     }
 
-    /// Goes over to another recipe. Returns the earliest stage that has to run again, `None` if nothing is different. Land is
+    /// Changes to another recipe. Returns the earliest stage that has to run again, `None` if nothing is different. Land is
     /// shaped and a tree is planted at once, if it is one of theirs; a later stage runs again with the next steps, and until
     /// then there are no rivers.
     ///
@@ -190,14 +190,14 @@ impl Session {
         self.tree_generation
     }
 
-    /// Goes on by so many steps at most: ticks of growth, then a few that make rivers of the tree, then rounds of meandering.
+    /// Makes at most this many steps: ticks of growth, then a few that make rivers of the tree, then rounds of meandering.
     /// Returns whether there is more to do. No recipe is known of which a step takes more than 8 million elementary steps, as
     /// [`crate::work`] counts them, and 250 for each attractor or cell of a Brownian tree.
     ///
     /// # Errors
-    /// If there is not enough memory for the rest of the tree, or for its rivers. What is there then is no picture of the
+    /// If there is not enough memory for the rest of the tree, or for its rivers. The session then does not show the whole
     /// recipe, and there are no rivers to export. A further call meets the same error, or goes on if there is memory by
-    /// then; a tree that is not whole only grows anew, after [`Session::restart`] or [`Session::change`].
+    /// then; a tree that is not whole only grows again from the start, after [`Session::restart`] or [`Session::change`].
     pub fn advance(&mut self, steps: u32) -> Result<bool, SessionError> {
         for _ in 0..steps {
             if !self.step()? {
@@ -214,7 +214,7 @@ impl Session {
     pub fn finish(&mut self) -> Result<&Network, SessionError> {
         static EMPTY: Network = Network { vertices: Vec::new(), rivers: Vec::new(), oxbows: Vec::new() };
         while self.advance(u32::MAX)? {}
-        // What is finished has a network, if an empty one.
+        // A finished session has a network, if only an empty one.
         Ok(self.network().unwrap_or(&EMPTY))
     }
 
@@ -249,7 +249,7 @@ impl Session {
         self.phase() == Phase::Finished
     }
 
-    /// What the next step does.
+    /// The kind of step that comes next.
     pub fn phase(&self) -> Phase {
         match &self.shaping {
             Some(shaping) if shaping.is_finished() => Phase::Finished,
@@ -336,7 +336,7 @@ impl Session {
     }
 }
 
-/// What a session has made since it was planted, or since it was last changed: no two are the same, whosever they are.
+/// The results of a session since it was planted or last changed. No two are equal, not even of different sessions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Generation(u64);
 

@@ -1,5 +1,5 @@
-//! What is to be written, as one type of data: so a page, which pays for each byte of code, serializes it by one function,
-//! and not by one for each kind of record.
+//! The contents of a file as one type of data, so that a page, for which every byte of code counts, serializes all of it by one
+//! function instead of one for each kind of record.
 
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
@@ -21,7 +21,7 @@ pub enum Json<'a> {
     Owned(String),
     /// Names and values.
     Object(Vec<(&'static str, Json<'a>)>),
-    /// So many values, each made when it is written: a large network is never there twice.
+    /// A number of values, each made when it is written: a large network is never in memory twice.
     List(usize, Box<dyn Fn(usize) -> Json<'a> + 'a>),
 }
 

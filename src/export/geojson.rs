@@ -137,7 +137,7 @@ fn feature<'a>(id: String, kind: &'static str, coordinates: Json<'a>, properties
     feature.into()
 }
 
-/// A number to so many parts, written in a unit that has so many of them.
+/// A number rounded to a fraction of its unit, written in another unit.
 fn rounded(x: f32, parts: f64, to_unit: f64) -> f64 {
     // Adding 0 takes the sign off it.
     (f64::from(x) * parts).round() / to_unit + 0.0

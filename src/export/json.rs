@@ -46,7 +46,7 @@ pub fn write(out: impl std::io::Write, session: &Session, with_attractors: bool)
     Ok(serde_json::to_writer(out, &network)?)
 }
 
-/// All values of a recipe, defaults too: such a recipe stays readable when a default is chosen anew. Numbers are numbers,
+/// All values of a recipe, defaults too: so that the recipe keeps its meaning when a default changes. Numbers are numbers,
 /// everything else is text.
 pub fn recipe<'a>(recipe: &Recipe) -> Json<'a> {
     let mut members = Members::default();
@@ -164,7 +164,7 @@ fn oxbow<'a>(network: &Network, id: u32) -> Json<'a> {
     members.into()
 }
 
-/// x, y and so much of the width.
+/// x, y and a share of the width.
 fn point(vertex: &Vertex, share: f32) -> [f32; 3] {
     [vertex.at.x, vertex.at.y, vertex.width() * share]
 }

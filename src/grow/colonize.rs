@@ -2,7 +2,7 @@
 //!
 //! Read literally, the procedure never ends: a node between balanced pulls makes the same child for ever. The rule
 //! that ends it: a node tries to grow only when its set of attractors has changed since it last tried. Sets of old
-//! nodes only shrink, so every node falls silent. Once all are, those that still have attractors reach out for the
+//! nodes only shrink, so every node stops growing. Once all have, those that still have attractors reach out for the
 //! nearest of them; when not even that makes a node, growth is over, and attractors that stay unreached are counted.
 //! (Unless land is left over that no river sees, beyond a neck too narrow for a step: then it gets a mouth of its own. Or
 //! unless most are: then a gap among the first attractors has cut the river off, and its last node runs straight on.)
@@ -45,14 +45,14 @@ pub struct Colonize {
     pilots: Vec<StraightTip>,
     /// Where rivers reach the sea.
     mouths: Vec<Vec2>,
-    /// For a mouth more, once one has been searched for.
+    /// The search for another mouth, once there has been one.
     search: Option<Box<Search>>,
     unreached: u32,
     node_limit: usize,
     ending: Option<Ending>,
 }
 
-/// Memory is bounded by the recipe: so many nodes an attractor, and some. Ordinary trees have one or two; the wildest
+/// Memory is bounded by the recipe: this many nodes per attractor, and some. Ordinary trees have one or two; the wildest
 /// that the ranges allow were found to have seven and a half.
 const MOST_NODES_PER_ATTRACTOR: usize = 10;
 const MOST_NODES_BESIDES: usize = 10_000;
@@ -175,7 +175,7 @@ impl Colonize {
         let at = self.tree.at[index];
         let came_from = self.tree.parent_of(index).map(|parent| self.tree.at[parent]);
         let bent = heading(&self.settings, at, came_from, pull, self.shoots.from_mouth[index], tick);
-        // A bend that would leave the land is not made: a river beside the coast must not fall silent for it.
+        // A bend that would leave the land is not made: a river beside the coast must not stop growing because of it.
         let straight = at + pull * self.settings.step;
         let child = [bent, straight].into_iter().find(|&child| self.settings.allows(at, child));
         if let Some(child) = child
@@ -263,10 +263,10 @@ impl Colonize {
         }
     }
 
-    /// When all has fallen silent and land is left over that no river sees: a mouth more, where it sees the most of it. It takes what
+    /// When no node grows and land is left over that no river sees: another mouth, where it sees the most of it. It takes what
     /// it sees, so there is an end to them.
     fn seed_unreached_land(&mut self) {
-        /// One in so many attractors out of sight is a patch that shows.
+        /// A patch shows if one in this many attractors lies in it, out of sight.
         const PATCH: u32 = 50;
         let is_patch = |lost: u32| lost > self.attractors.count() / PATCH;
         if (self.is_searching() || is_patch(self.unreached - self.attractors.remaining().count() as u32))
@@ -365,7 +365,7 @@ impl Colonize {
         Self { node_limit, ..self }
     }
 
-    /// Asks for the memory of so many more nodes.
+    /// Allocates memory for more nodes.
     fn reserve(&mut self, nodes: usize) -> Result<(), Refused> {
         memory::reserve(&mut self.tree.at, nodes)?;
         memory::reserve(&mut self.tree.parent, nodes)?;

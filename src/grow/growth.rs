@@ -1,4 +1,4 @@
-//! Growth by whichever procedure a recipe asks for.
+//! Growth by the method that a recipe names.
 
 use glam::Vec2;
 

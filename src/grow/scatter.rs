@@ -19,7 +19,7 @@ pub fn scatter(settings: &GrowthSettings) -> Vec<Vec2> {
         (None, Scatter::Grid) => on_grid(settings, settings.attractors, |_| true, &mut chance),
         (Some(land), Scatter::Random) => on_land(settings, land, &mut chance),
         (Some(land), Scatter::Grid) => {
-            // As fine a grid as puts about so many cells on the land.
+            // A grid so fine that about as many cells lie on the land as attractors are asked for.
             let size = settings.domain.size;
             let cells = (size.x * size.y / (settings.spacing * settings.spacing)) as u32;
             let watered = Watered::of(settings, land);

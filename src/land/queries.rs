@@ -30,14 +30,14 @@ pub struct Land {
     hides: Hides,
 }
 
-/// What lies between attractors and nodes that they do not pull.
+/// The obstacles between attractors and nodes that they do not pull.
 #[derive(Clone, Debug, PartialEq)]
 enum Hides {
     /// Nothing, on connected land without ridges.
     Nothing,
     /// Ridges.
     Ridges(Obstacles),
-    /// All that is not land, where there are several regions: what grows in one of them is nothing to the others.
+    /// Everything but land, where there are several regions: growth in one does not affect the others.
     Borders,
 }
 
@@ -139,8 +139,8 @@ impl Land {
         self.hiding().is_none_or(|hiding| hiding.has_room(at / CELL_SIZE, distance / CELL_SIZE))
     }
 
-    /// Whether neither a ridge lies between two points, nor, where there are several regions, water: what grows in one of
-    /// them is nothing to the others.
+    /// Whether no ridge lies between two points and, where there are several regions, no water: growth in one of them does
+    /// not affect the others.
     pub fn sees(&self, from: Vec2, to: Vec2) -> bool {
         self.hiding().is_none_or(|hiding| hiding.let_pass(from / CELL_SIZE, to / CELL_SIZE))
     }
@@ -177,8 +177,8 @@ impl Land {
     }
 }
 
-/// The cells, coast distances and ridges of a recipe's outline; `None` if there is none, or it leaves no water, or next to no
-/// land: what is drawn then counts as the plain rectangle. Only here is that decided.
+/// The cells, coast distances and ridges of a recipe's outline; `None` if there is no outline, or it leaves no water or next to
+/// no land: the drawing then counts as the plain rectangle. This is the only place that decides it.
 fn drawn(shape: &Shape, recipe: &Recipe) -> Option<(Grid, CoastDistance, Vec<Vec<Vec2>>)> {
     let drawing = Drawing::of(recipe.outline()?, shape);
     let coast_distance = drawing.coast_distance(&shape.domain);

@@ -142,7 +142,7 @@ impl Oxbow {
 pub struct Network {
     /// All vertices, river by river.
     pub vertices: Vec<Vertex>,
-    /// The rivers. Their numbers stay the same whatever becomes of their courses.
+    /// The rivers. They keep their numbers while their courses change.
     pub rivers: Vec<River>,
     /// The oxbow lakes, oldest first.
     pub oxbows: Vec<Oxbow>,

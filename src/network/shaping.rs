@@ -85,7 +85,7 @@ impl Shaping {
         !self.is_finished()
     }
 
-    /// Goes over to other settings of the same tree on the same land. It makes no step: what depends on the settings is
+    /// Changes to other settings of the same tree on the same land. It makes no step: what depends on the settings is
     /// discarded, and the steps that follow make it again.
     pub fn change(&mut self, settings: NetworkSettings) {
         self.settings = settings;
@@ -132,7 +132,7 @@ impl Shaping {
     }
 }
 
-/// Asks for memory for so many nodes.
+/// Checks that there is enough memory for a number of nodes.
 ///
 /// # Errors
 /// If there is not enough.

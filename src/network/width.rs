@@ -10,7 +10,7 @@ use super::settings::NetworkSettings;
 use super::{NONE, Network};
 use crate::geometry::{distance, fast_max, fast_min};
 
-/// How many spacings a river takes to come from nothing to its width.
+/// The distance, in spacings, over which a river widens from nothing to its full width.
 const TAPER: f32 = 8.0;
 
 /// Gives every vertex its banks.
@@ -90,7 +90,7 @@ fn widen_river(
         last = (vertex.left, vertex.right);
     }
     if river.junction != NONE {
-        // Both arms: what is below has to be as wide as the tributary, and on each side half of it.
+        // Both arms: below, the river is at least as wide as the tributary, half of it on each side.
         floors.raise(river.junction, fast_max((last.0 + last.1) * 0.5, f32::MIN_POSITIVE));
     }
 }
@@ -101,7 +101,7 @@ mod tests {
     use super::*;
     use crate::network::Vertex;
 
-    /// A river that an arm of so many in a hundred of its discharge joins halfway.
+    /// A river that an arm with a share of its discharge, in percent, joins halfway.
     fn confluence(share: u32) -> Network {
         let mut network = river(&straight((0.0, 500.0), (200.0, 500.0), 200), 0.0).with_arm(
             &straight((100.0, 400.0), (100.0, 499.0), 99),

@@ -17,7 +17,7 @@ pub trait Choice: Copy + PartialEq + 'static {
 pub struct Word {
     /// The word in links, attributes, options and JSON.
     pub name: &'static str,
-    /// What the page calls it.
+    /// Its name on the page.
     pub label: &'static str,
     /// One line that says what it is.
     pub help: &'static str,

@@ -75,7 +75,7 @@ impl Recipe {
         }
     }
 
-    /// What is chosen of a parameter's words.
+    /// The value of a parameter that is one of some words.
     ///
     /// ```
     /// use riverseed::recipe::{Style, link};

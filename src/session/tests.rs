@@ -1,4 +1,4 @@
-//! What holds when there is too little memory, and when a session goes back or to another size.
+//! Sessions with too little memory, sessions that restart, and sessions that change.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use super::*;
@@ -40,7 +40,7 @@ fn finished(text: &str) -> Session {
     session
 }
 
-/// All that there is to see of a session.
+/// The visible state of a session.
 fn seen(session: &Session) -> (&Recipe, Summary, Phase, &Tree, Option<&Network>) {
     (session.recipe(), session.summary(), session.phase(), session.tree(), session.network())
 }
@@ -142,7 +142,7 @@ fn advice_fits_how_rivers_grow() {
         assert_eq!(shortfall(&format!("attractors=300&{growth}")), None);
     }
     assert_eq!(shortfall("attractors=300&kill=0.5&step=1.2"), Some(Shortfall::Unreached));
-    // Attractors and their step are nothing to a Brownian tree.
+    // Attractors and their step do not matter to a Brownian tree.
     assert_eq!(shortfall("attractors=300&kill=0.5&step=1.2&growth=brownian&sensitivity=30"), None);
 }
 

@@ -261,7 +261,7 @@ fn write_network(output: Output, recipe: Recipe, form: Form, with_attractors: bo
     Ok(())
 }
 
-/// Tells of what was given and does nothing.
+/// Warns of values that were given and have no effect.
 fn say_what_is_idle(recipe: &Recipe, given: &[String]) {
     let land = Land::kind_of(recipe);
     for name in given {
@@ -380,7 +380,7 @@ fn outline(matches: &ArgMatches) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Tells how much of a picture its outline has room for.
+/// Reports how much of a picture its outline has room for.
 fn say_what_is_kept(traced: &Traced) {
     let of = |kept: &[Vec<GridPoint>], all: usize, kind: LineKind| match all {
         1 => format!("{} of 1 {kind}", kept.len()),

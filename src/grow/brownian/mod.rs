@@ -11,7 +11,7 @@
 //!
 //! The first step is the shorter side of the raster. When fewer than one in twenty of the particles that were born on land
 //! has made a river, the step is halved (the document counts particles born at sea too, but then density would depend on
-//! the share of sea); the last passes have exactly the step asked for (the sensitivity), so that no two settings draw the same.
+//! the share of sea); the last passes have exactly the requested step (the sensitivity), so that no two values draw the same.
 //!
 //! Growth ends: every pass but the last of its step makes at least one cell of land water, a pass has a bounded number of
 //! particles, and a particle makes a bounded number of moves. About 200 passes are usual for a raster of 1024 × 1024.
@@ -40,7 +40,7 @@ const LEAST_IMPACT: f32 = 0.05;
 /// The shortest step, in cells: below, strands would be as wide as the land between them.
 const SHORTEST_STEP: f32 = 4.0;
 
-/// A tick is a pass or, of a long one, so many particles: some milliseconds.
+/// A tick is a pass, or this many particles of a long one: some milliseconds.
 const PARTICLES_A_TICK: usize = 2048;
 
 /// By trials, this many cells of river for each cell of a sensitivity, in a square with sides of that: 1.1 at 4 cells, 0.9
@@ -83,7 +83,7 @@ struct Pass {
 }
 
 impl Brownian {
-    /// Begins growth on a raster, with passes down to a step of so many cells (at least 4).
+    /// Begins growth on a raster, with passes down to a step of `sensitivity` cells (at least 4).
     ///
     /// # Errors
     /// If there is not enough memory.
@@ -145,7 +145,7 @@ impl Brownian {
         }
     }
 
-    /// Goes over to the next pass; if there is none, growth is over.
+    /// Begins the next pass; after the last one, growth is over.
     fn begin_pass(&mut self) {
         let step = self.pass.step.size;
         let next = if self.pass.is_gap_filling {

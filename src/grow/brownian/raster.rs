@@ -19,7 +19,7 @@ pub struct Raster {
 }
 
 impl Raster {
-    /// A raster of so many columns and rows (each at least 1) of cells, whose sides are of the given length in units.
+    /// A raster of columns and rows (each at least 1) of cells, whose sides have the given length in units.
     pub fn new(columns: i32, rows: i32, side: f32, cell: impl Fn(i32, i32) -> Cell) -> Self {
         let (columns, rows) = (columns.max(1), rows.max(1));
         let cells = (0..rows).flat_map(|row| (0..columns).map(move |column| (column, row)));
@@ -89,7 +89,7 @@ impl Raster {
         self.cells.iter().filter(|&&cell| cell == Cell::Land).count() as u32
     }
 
-    /// What a place is; `None` outside.
+    /// The cell at a place; `None` outside.
     #[inline]
     pub(super) fn cell(&self, at: Place) -> Option<Cell> {
         self.holds(at).then(|| self.cells[self.index(at)])

@@ -55,7 +55,7 @@ impl Strands {
         Ok(Self { water, tree, mouths: 0, node_of, exact: Vec::new() })
     }
 
-    /// Asks for the memory of so many more particles' strands.
+    /// Allocates memory for the strands of more particles.
     pub fn reserve(&mut self, particles: usize) -> Result<(), Refused> {
         let nodes = particles * (LONGEST as usize + 1);
         memory::reserve(&mut self.tree.at, nodes)?;

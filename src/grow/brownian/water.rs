@@ -1,4 +1,4 @@
-//! What a particle sees: land, the water it may meet and the ridges it must keep away from.
+//! The surroundings of a particle: land, the water it may meet and the ridges it must keep away from.
 
 use super::pyramid::Pyramid;
 use super::raster::{Place, Raster};
@@ -11,7 +11,7 @@ use crate::work;
 pub(super) struct Step {
     /// The side of the squares that have a particle each.
     pub size: f32,
-    /// What is nearer than half a step is met. Squared distances are whole: those below this.
+    /// Water nearer than half a step is met. Squared distances are whole: those below this.
     near: i32,
     /// How far particles are born from water, in squared distances: at least, and less than.
     births: (i32, i32),
@@ -21,7 +21,7 @@ pub(super) struct Step {
 }
 
 impl Step {
-    /// A step of so many cells. For the rest of coarser steps, particles are born from one to four steps away from water: from
+    /// A step with a size in cells. For land that coarser steps left over, particles are born from one to four steps away from water: from
     /// farther away, few would get there.
     pub fn of(size: f32, is_gap_filling: bool) -> Self {
         let stride = (size / 10.0) as i32 + 1;
@@ -45,7 +45,7 @@ impl Step {
     }
 }
 
-/// A particle's walk ends after so many moves, met or not. Where water lies k steps away it takes about 150 k² of them to
+/// A particle's walk ends after this many moves, whether it has met water or not. Where water lies k steps away it takes about 150 k² of them to
 /// get there; passes leave no land that is two steps from all water, unless no particle can get there at all.
 const MOST_MOVES: usize = 4096;
 
@@ -58,7 +58,7 @@ pub(super) struct Water {
     ridges: Option<Pyramid>,
 }
 
-/// What is to be seen from a place on land.
+/// What a particle sees from a place on land.
 enum Sight {
     /// Water that is met.
     Water(u32),
@@ -102,7 +102,7 @@ impl Water {
     /// Whether a particle may be born at a place on land: neither water nor a ridge is near.
     pub fn is_clear(&self, at: Place, step: &Step) -> bool {
         let (least, most) = step.births;
-        // Whether there is water at all within so much is soon known.
+        // Whether there is any water within this distance is found out quickly.
         let is_born = match most {
             i32::MAX => self.shore.nearest(at, least).is_none(),
             most => self.shore.nearest(at, most).is_some_and(|(_, squared)| squared >= least),

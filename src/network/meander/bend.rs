@@ -2,8 +2,8 @@
 //! as the river curves there.
 //!
 //! Curvature is measured in widths, so that wide rivers and narrow ones bend alike; capped, so that no sharp corner runs
-//! away; and smoothed along the river over so many widths that bends of some eleven widths grow fastest, as those of
-//! rivers do. The cap comes first: one corner does not outweigh a bend.
+//! away; and smoothed along the river, over a distance at which bends of about eleven widths grow fastest, as they do
+//! in nature. The cap comes first: one corner does not outweigh a bend.
 
 use glam::Vec2;
 

@@ -35,7 +35,7 @@ pub(super) fn moves(network: &Network, step_scale: &[f32], settings: &NetworkSet
             step_scale[river.vertex_range()].iter().zip(&mut moves[river.vertex_range()]).enumerate()
         {
             let width = course.width[i];
-            // The mean of what lies upstream, weighted by G, after another step.
+            // The mean upstream, weighted by G, after another step.
             upstream += (course.bend[i] - upstream) * (1.0 - libm::expf(-course.step[i] / (MEMORY * width)));
             if step_scale == 0.0 || i == 0 || i + 1 == course.at.len() {
                 continue;
@@ -61,7 +61,7 @@ mod tests {
         (1..line.len() - 1).map(|i| ways[i].perp_dot((line[i + 1] - line[i - 1]).normalize())).collect()
     }
 
-    /// The phase of a wave of so many samples, in samples.
+    /// The phase, in samples, of a wave whose length is given in samples.
     fn phase(values: &[f32], wave: usize) -> f32 {
         let turn = |i: usize| std::f32::consts::TAU * i as f32 / wave as f32;
         let sum = |part: fn(f32) -> f32| values.iter().enumerate().map(|(i, value)| value * part(turn(i))).sum::<f32>();

@@ -1,7 +1,7 @@
 //! How freely each vertex meanders: a little all over the map, here more and there not at all, and fully where the great rivers are
 //! flat; not at sources, mouths and junctions, and near them only little by little.
 //!
-//! A river is not held at a junction by a brook that is nothing to it: it carries the brook's end along. A tributary
+//! A much smaller tributary does not hold a river at their junction: the river carries the brook's end along. A tributary
 //! is always held where it ends.
 
 use super::super::hydrology::slope;
@@ -11,7 +11,7 @@ use crate::geometry::{distance, fast_max, fast_min, smooth_step};
 use crate::recipe::MeanderModel;
 use crate::sort;
 
-/// No meandering within so many widths of what holds a river.
+/// The distance, in widths, from a fixed point of a river within which it does not meander.
 const HELD: f32 = 1.0;
 
 /// The share of a river's discharge below which a tributary does not hold it, and above which it holds it wholly.
@@ -76,7 +76,7 @@ pub(super) fn ease_off(network: &mut Network, spacing: f32) {
     }
 }
 
-/// The least discharge of what counts as flat: the flattest share of all courses, whose vertices lie evenly.
+/// The least discharge that counts as flat: that of the flattest share of all courses, whose vertices are evenly spaced.
 fn flat_discharge(network: &Network, settings: &NetworkSettings) -> u32 {
     let slope = |discharge: u32| slope(discharge as f32 / settings.total_discharge as f32);
     let by_slope = sort::argsort(network.vertices.iter().map(|vertex| sort::key(slope(vertex.discharge))));
