@@ -151,7 +151,7 @@ notices: ## write THIRD-PARTY.txt, the notices of the crates that are handed out
 	@$(run) scripts/supply.sh notices
 
 .PHONY: goldens
-goldens: ## draw the golden pictures and digests anew; then look at them and say in the commit why they changed
+goldens: ## redraw the golden pictures and digests; then look at them and say in the commit why they changed
 	@$(setup) rust
 	@echo "A run that refreshes goldens fails on purpose; the run after it must pass."
 	-@RIVERSEED_REFRESH=1 $(run) cargo test --all-features --quiet --no-fail-fast $(GOLDEN_TESTS:%=--test %)
@@ -159,7 +159,7 @@ goldens: ## draw the golden pictures and digests anew; then look at them and say
 	@git status --short tests
 
 .PHONY: docs
-docs: wasm ## write what is generated in docs/ again: the parameters, the JSON form, the tables of the element
+docs: wasm ## write what is generated in docs/ again: the parameters, the JSON form, the figures, the tables of the element
 	@echo "A run that writes pages fails on purpose; the run after it must pass."
 	-@RIVERSEED_REFRESH=1 $(run) cargo test --all-features --quiet --no-fail-fast --test documents --test schema
 	@$(npm) element-page

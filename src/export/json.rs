@@ -2,7 +2,7 @@
 
 use glam::Vec2;
 
-use super::value::{Members, Value};
+use super::data::{Json, Members};
 use super::{ExportError, rivers};
 use crate::grow::Ending;
 use crate::network::{NONE, Network, Vertex};
@@ -16,7 +16,7 @@ use crate::tree::NO_PARENT;
 ///
 /// # Errors
 /// If there are no rivers yet, or there is not enough memory.
-pub fn network(session: &Session, with_attractors: bool) -> Result<Value<'_>, ExportError> {
+pub fn network(session: &Session, with_attractors: bool) -> Result<Json<'_>, ExportError> {
     /// Of the nodes' columns, about two nodes a vertex.
     const BYTES_A_VERTEX: usize = 64;
     let network = rivers(session, BYTES_A_VERTEX)?;
@@ -28,8 +28,8 @@ pub fn network(session: &Session, with_attractors: bool) -> Result<Value<'_>, Ex
         .object("domain", domain)
         .object("growth", growth(session))
         .object("nodes", nodes(session.pruned()))
-        .value("rivers", Value::list(network.rivers.len(), |i| river(network, i as u32)))
-        .value("oxbows", Value::list(network.oxbows.len(), |i| oxbow(network, i as u32)));
+        .value("rivers", Json::list(network.rivers.len(), |i| river(network, i as u32)))
+        .value("oxbows", Json::list(network.oxbows.len(), |i| oxbow(network, i as u32)));
     if with_attractors {
         form.object("attractors", columns(&session.growth().scattered()));
     }
@@ -46,9 +46,9 @@ pub fn write(out: impl std::io::Write, session: &Session, with_attractors: bool)
     Ok(serde_json::to_writer(out, &network)?)
 }
 
-/// All values of a recipe, defaults too: such a recipe stays readable when a default is chosen anew. Numbers are numbers,
+/// All values of a recipe, defaults too: so that the recipe keeps its meaning when a default changes. Numbers are numbers,
 /// everything else is text.
-pub fn recipe<'a>(recipe: &Recipe) -> Value<'a> {
+pub fn recipe<'a>(recipe: &Recipe) -> Json<'a> {
     let mut members = Members::default();
     for parameter in &TABLE {
         match recipe.value(parameter.key) {
@@ -101,15 +101,15 @@ fn growth<'a>(session: &Session) -> Members<'a> {
         .whole("ticks", summary.ticks)
         .whole("attractors", summary.attractors)
         .whole("unreached", summary.unreached)
-        .value("complete", Value::Truth(summary.ending == Some(Ending::Complete)));
+        .value("complete", Json::Truth(summary.ending == Some(Ending::Complete)));
     members
 }
 
 fn columns<'a>(points: &[Vec2]) -> Members<'a> {
     let mut members = Members::default();
     members
-        .value("x", Value::singles(points.iter().map(|point| point.x).collect()))
-        .value("y", Value::singles(points.iter().map(|point| point.y).collect()));
+        .value("x", Json::singles(points.iter().map(|point| point.x).collect()))
+        .value("y", Json::singles(points.iter().map(|point| point.y).collect()));
     members
 }
 
@@ -121,25 +121,25 @@ fn nodes<'a>(Pruned { tree, hydrology, .. }: Pruned) -> Members<'a> {
     members
         .value(
             "parent",
-            Value::list(count, move |node| {
-                Value::Whole(if parent[node] == NO_PARENT { -1 } else { parent[node].into() })
+            Json::list(count, move |node| {
+                Json::Whole(if parent[node] == NO_PARENT { -1 } else { parent[node].into() })
             }),
         )
         // The last tick that starts with the node or before it.
         .value(
             "tick",
-            Value::list(count, move |node| {
-                Value::Whole(starts.partition_point(|&start| start as usize <= node) as i64 - 1)
+            Json::list(count, move |node| {
+                Json::Whole(starts.partition_point(|&start| start as usize <= node) as i64 - 1)
             }),
         )
-        .value("depth", Value::wholes(hydrology.depth))
-        .value("order", Value::list(count, move |node| Value::Whole(hydrology.order[node].into())))
-        .value("magnitude", Value::wholes(hydrology.magnitude))
-        .value("discharge", Value::wholes(hydrology.discharge));
+        .value("depth", Json::wholes(hydrology.depth))
+        .value("order", Json::list(count, move |node| Json::Whole(hydrology.order[node].into())))
+        .value("magnitude", Json::wholes(hydrology.magnitude))
+        .value("discharge", Json::wholes(hydrology.discharge));
     members
 }
 
-fn river<'a>(network: &Network, id: u32) -> Value<'a> {
+fn river<'a>(network: &Network, id: u32) -> Json<'a> {
     let river = &network.rivers[id as usize];
     let mut members = Members::default();
     members
@@ -152,7 +152,7 @@ fn river<'a>(network: &Network, id: u32) -> Value<'a> {
     members.into()
 }
 
-fn oxbow<'a>(network: &Network, id: u32) -> Value<'a> {
+fn oxbow<'a>(network: &Network, id: u32) -> Json<'a> {
     let oxbow = &network.oxbows[id as usize];
     let lake = oxbow.lake();
     let line = lake.iter().map(|(vertex, share)| point(vertex, *share));
@@ -165,12 +165,12 @@ fn oxbow<'a>(network: &Network, id: u32) -> Value<'a> {
     members.into()
 }
 
-/// x, y and so much of the width.
+/// x, y and a share of the width.
 fn point(vertex: &Vertex, share: f32) -> [f32; 3] {
     [vertex.at.x, vertex.at.y, vertex.width() * share]
 }
 
 #[inline(never)]
-fn points<'a>(points: Vec<[f32; 3]>) -> Value<'a> {
-    Value::list(points.len(), move |i| Value::singles(points[i].to_vec()))
+fn points<'a>(points: Vec<[f32; 3]>) -> Json<'a> {
+    Json::list(points.len(), move |i| Json::singles(points[i].to_vec()))
 }

@@ -1,7 +1,7 @@
 //! Link text: `seed=kauri&edition=1&curl=0.6`, the form that people share.
 //!
 //! Defaults are left out, the edition never is. [`read`] is strict, for the command line and for tests; [`read_leniently`]
-//! is total, for pages: a shared link must never leave a blank page, so what is wrong is mended and said.
+//! is total, for pages: a shared link must never leave a blank page, so invalid values are corrected and reported.
 
 use std::fmt;
 use std::str::FromStr;
@@ -19,7 +19,7 @@ pub const LONGEST: usize = 4096;
 /// The key that names a preset: read first, overridden by all other keys, never written.
 pub const PRESET: &str = "preset";
 
-/// Something in a link that had to be mended.
+/// Something in a link that had to be corrected.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Notice {
     /// The key it is about; empty for the link as a whole.
@@ -104,8 +104,8 @@ pub fn apply(mut recipe: Recipe, pairs: &[(String, String)]) -> Result<Recipe, R
     Ok(recipe)
 }
 
-/// Reads link text as well as it can be read: what is out of range is brought into it, what is unreadable or unknown
-/// is passed over, and each mend is told. Never fails.
+/// Reads link text as well as possible: values out of range are clamped, unreadable values and unknown keys are ignored, and
+/// each correction is reported. Never fails.
 pub fn read_leniently(link: &str) -> (Recipe, Vec<Notice>) {
     let (recipe, notices, _) = read_and_tell_keys(link);
     (recipe, notices)
@@ -134,7 +134,7 @@ pub(super) fn read_and_tell_keys(link: &str) -> (Recipe, Vec<Notice>, [bool; TAB
         if std::mem::replace(&mut seen[key as usize], true) {
             notices.push(repeated(name));
         } else if let Err(error) = recipe.set(key, text) {
-            notices.push(mend(&mut recipe, key, text, &error));
+            notices.push(correct(&mut recipe, key, text, &error));
         }
     }
     (recipe, notices, seen)
@@ -153,8 +153,8 @@ fn apply_preset(recipe: &mut Recipe, name: &str) -> Result<(), RecipeError> {
     preset.values.iter().try_for_each(|(key, text)| recipe.set(*key, text))
 }
 
-/// Puts the nearest allowed value in the place of a refused one, where there is such a thing.
-fn mend(recipe: &mut Recipe, key: Key, text: &str, error: &RecipeError) -> Notice {
+/// Replaces a refused value by the nearest allowed one, if there is one.
+fn correct(recipe: &mut Recipe, key: Key, text: &str, error: &RecipeError) -> Notice {
     let parameter = key.parameter();
     if let Some(value) = nearest_allowed(parameter.kind, text) {
         recipe.put(key, value);

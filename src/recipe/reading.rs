@@ -2,7 +2,7 @@
 //! what widgets grow.
 
 use super::Recipe;
-use super::choice::{Choice, GrowthMethod, Style};
+use super::choice::{GrowthMethod, Style};
 use super::key::Key;
 use super::link::{self, Notice};
 use super::value::Value;
@@ -93,6 +93,7 @@ impl WidgetLimit {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::recipe::Choice;
     use crate::recipe::Kind;
 
     const PAGE: ReadOptions = ReadOptions { widget: false, dark: false };

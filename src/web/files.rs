@@ -7,7 +7,7 @@ use wasm_bindgen::prelude::*;
 
 use super::{River, coded, object, paint_error, session_error};
 use crate::digest::{self, DigestError};
-use crate::export::{ExportError, Value, geojson, json, svg};
+use crate::export::{ExportError, Json, geojson, json, svg};
 use crate::land::trace;
 use crate::recipe::link;
 
@@ -90,6 +90,6 @@ fn export_error(error: &ExportError) -> JsValue {
 }
 
 /// Data as plain objects and lists.
-fn to_js(value: &Value) -> Result<JsValue, JsValue> {
+fn to_js(value: &Json) -> Result<JsValue, JsValue> {
     value.serialize(&Serializer::json_compatible()).map_err(JsValue::from)
 }

@@ -9,6 +9,7 @@ use wasm_bindgen::prelude::*;
 
 use crate::dice;
 use crate::grow::Ending;
+use crate::land::Land;
 use crate::paint::{PaintError, Rect};
 use crate::picture::Picture;
 use crate::recipe::link::{self, Notice};
@@ -16,7 +17,7 @@ use crate::recipe::preset::{PRESETS, Preset};
 use crate::recipe::reading::{self, ReadOptions, Reading};
 use crate::recipe::table::TABLE;
 use crate::recipe::{Decimal, GridPoint, Key, Kind, LONGEST_OUTLINE, Outline, Parameter, Stage, Value};
-use crate::session::{Phase, Session, SessionError};
+use crate::session::{Phase, Session, SessionError, Shortfall};
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
@@ -141,7 +142,8 @@ pub fn read_link(
     let reading = reading::read(text, read_options(options));
     let Reading { recipe, .. } = &reading;
     let value = |parameter: &Parameter| pair(parameter.name, &parameter.text_of(recipe.value(parameter.key)));
-    let idle = |row: &Parameter| recipe.inactive_reason(row.key).map(|reason| pair(row.name, reason));
+    let land = Land::kind_of(recipe);
+    let idle = |row: &Parameter| recipe.inactive_reason(row.key, land).map(|reason| pair(row.name, reason));
     object(&[
         ("link", link::write(recipe).into()),
         ("sharedLink", reading.shared_link().into()),
@@ -338,10 +340,11 @@ impl River {
     #[wasm_bindgen(unchecked_return_type = "Summary")]
     pub fn summary(&self) -> Object {
         let summary = self.session.summary();
-        let stopped = match summary.ending {
-            Some(Ending::NodeLimit) => Some("The tree grew to its limit of nodes and was stopped."),
-            _ if summary.is_stalled() => Some(DIED_OUT),
-            _ => None,
+        let stopped = match (summary.ending, summary.shortfall()) {
+            (Some(Ending::NodeLimit), _) => Some("The tree grew to its limit of nodes and was stopped."),
+            (_, Some(Shortfall::NoRiver)) => Some("No river grew: no land lies open to the sea."),
+            (_, Some(Shortfall::Unreached)) => Some(UNREACHED),
+            (_, None) => None,
         };
         object(&[
             ("ticks", summary.ticks.into()),
@@ -359,7 +362,7 @@ impl River {
     }
 }
 
-const DIED_OUT: &str =
+const UNREACHED: &str =
     "Rivers do not reach all land: a shorter step, a longer kill distance or reach, or mouths less far apart helps.";
 
 fn session_error(error: &SessionError) -> JsValue {
