@@ -178,15 +178,18 @@ fn progress_is_whole_once_all_is_finished() {
 /// Changes of each late stage, at every step from the last of growth on.
 #[test]
 fn changed_at_any_step_a_session_ends_as_a_fresh_one() {
-    for change in
-        ["simplify=20", "width=30&bank-variation=0.4", "meander-rounds=5&meander-strength=1", "meander=bend", "trim=70"]
-    {
+    for (change, stage) in [
+        ("trim=0&simplify=20", Stage::Shape),
+        ("trim=0&width=30", Stage::Shape),
+        ("trim=0&meander-rounds=5&meander-strength=1", Stage::Shape),
+        ("trim=70", Stage::Prune),
+    ] {
         let change = format!("attractors=300&{change}");
         let fresh = finished(&change);
         let mut session = grown(BENDS);
         loop {
             let mut changed = session.clone();
-            changed.change(recipe(&change)).unwrap();
+            assert_eq!(changed.change(recipe(&change)), Ok(Some(stage)));
             finish(&mut changed);
             assert_same(&changed, &fresh);
             if session.is_finished() {
