@@ -37,7 +37,7 @@ widget: wasm ## build <river-seed> into www/dist-widget, and weigh it
 	@$(npm) build:widget
 
 .PHONY: wasm
-wasm: ## build the wasm packages into www/pkg and www/pkg-tools, and weigh them
+wasm: ## build the wasm packages into www/pkg and www/pkg-full, and weigh them
 	@$(setup) rust wasm node
 	@$(run) scripts/lib/lock.sh target/wasm.lock "another build of the wasm packages" node scripts/wasm.mjs
 
@@ -151,7 +151,7 @@ notices: ## write THIRD-PARTY.txt, the notices of the crates that are handed out
 	@$(run) scripts/supply.sh notices
 
 .PHONY: goldens
-goldens: ## draw the golden pictures and digests anew; then look at them and say in the commit why they changed
+goldens: ## redraw the golden pictures and digests; then look at them and say in the commit why they changed
 	@$(setup) rust
 	@echo "A run that refreshes goldens fails on purpose; the run after it must pass."
 	-@RIVERSEED_REFRESH=1 $(run) cargo test --all-features --quiet --no-fail-fast $(GOLDEN_TESTS:%=--test %)
@@ -159,7 +159,7 @@ goldens: ## draw the golden pictures and digests anew; then look at them and say
 	@git status --short tests
 
 .PHONY: docs
-docs: wasm ## write what is generated in docs/ again: the parameters, the JSON form, the tables of the element
+docs: wasm ## write what is generated in docs/ again: the parameters, the JSON form, the figures, the tables of the element
 	@echo "A run that writes pages fails on purpose; the run after it must pass."
 	-@RIVERSEED_REFRESH=1 $(run) cargo test --all-features --quiet --no-fail-fast --test documents --test schema
 	@$(npm) element-page
@@ -168,4 +168,4 @@ docs: wasm ## write what is generated in docs/ again: the parameters, the JSON f
 
 .PHONY: clean
 clean: ## remove what was built here; tools in ~/.cache/riverseed and www/node_modules stay
-	rm -rf target www/pkg www/pkg-tools www/dist www/dist-widget www/tests/consumers/node_modules www/test-results www/playwright-report
+	rm -rf target www/pkg www/pkg-full www/dist www/dist-widget www/tests/consumers/node_modules www/test-results www/playwright-report

@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 use bends::Bend;
 use glam::Vec2;
 use riverseed::domain::Domain;
-use riverseed::grow::{Brownian, Colonize, Field, Growth, Settings};
+use riverseed::grow::{Brownian, Colonize, Growth, GrowthSettings, Raster};
 use riverseed::land::Land;
 use riverseed::network::{self, Meander, NONE, Network, River, Shaping, Vertex};
 use riverseed::paint::{Coverage, Pen, View, Widths};
@@ -97,23 +97,23 @@ fn recipe(link: &str) -> Option<Recipe> {
     link::read(&plain::plain(link)).ok()
 }
 
-fn parameters(attractors: &str, reach: &str) -> Option<Settings> {
+fn settings(attractors: &str, reach: &str) -> Option<GrowthSettings> {
     let mut recipe = recipe(BARE)?;
     recipe.set(Key::Attractors, attractors).ok()?;
     recipe.set(Key::Reach, reach).ok()?;
-    Some(Settings::of(&recipe))
+    Some(GrowthSettings::of(&recipe))
 }
 
-fn grown(parameters: &Settings) -> Option<Colonize> {
-    let mut growth = Colonize::new(parameters.clone()).ok()?;
+fn grown(settings: &GrowthSettings) -> Option<Colonize> {
+    let mut growth = Colonize::new(settings.clone()).ok()?;
     while growth.tick() {}
     Some(growth)
 }
 
 /// Growth from the recipe to the last node; the number of nodes.
 fn growth(attractors: &str, reach: &str) -> Option<Repetition> {
-    let parameters = parameters(attractors, reach)?;
-    Some(Box::new(move || grown(&parameters).map_or(0, |growth| growth.tree().len() as u32)))
+    let settings = settings(attractors, reach)?;
+    Some(Box::new(move || grown(&settings).map_or(0, |growth| growth.tree().len() as u32)))
 }
 
 /// Shaping a land; how many regions it has.
@@ -125,14 +125,14 @@ fn shaping(kind: &str) -> Option<Repetition> {
 /// Growth on a land that is there already; the number of nodes.
 fn growth_on(kind: &str, attractors: &str) -> Option<Repetition> {
     let land = if kind == "drawn" { DRAWN.to_owned() } else { format!("land={kind}") };
-    let parameters = Settings::of(&recipe(&format!("{BARE}&{land}&attractors={attractors}"))?);
-    Some(Box::new(move || grown(&parameters).map_or(0, |growth| growth.tree().len() as u32)))
+    let settings = GrowthSettings::of(&recipe(&format!("{BARE}&{land}&attractors={attractors}"))?);
+    Some(Box::new(move || grown(&settings).map_or(0, |growth| growth.tree().len() as u32)))
 }
 
 /// The same by brute force.
 fn the_twin(attractors: &str, reach: &str) -> Option<Repetition> {
-    let parameters = parameters(attractors, reach)?;
-    Some(Box::new(move || twin::grow(&parameters).len() as u32))
+    let settings = settings(attractors, reach)?;
+    Some(Box::new(move || twin::grow(&settings).len() as u32))
 }
 
 /// How many of 120 trees, six presets with twenty seeds each, are the twin's to the bit.
@@ -144,7 +144,7 @@ fn equal_variants() -> u32 {
 }
 
 fn equals_twin(link: &str) -> Option<bool> {
-    let growth = grown(&Settings::of(&recipe(link)?))?;
+    let growth = grown(&GrowthSettings::of(&recipe(link)?))?;
     let tree = growth.tree();
     let twin = twin::grow(growth.settings());
     let bits = |at: Vec2| [at.x.to_bits(), at.y.to_bits()];
@@ -157,17 +157,17 @@ fn equals_twin(link: &str) -> Option<bool> {
 
 // ---- Brownian trees
 
-/// A square field of land with sea on all sides.
-fn square(side: &str) -> Option<Field> {
+/// A square raster of land with sea on all sides.
+fn square(side: &str) -> Option<Raster> {
     let side = side.parse().ok()?;
-    Some(Field::with_sea(side, side, 1.0, Sides::parse("nesw")?))
+    Some(Raster::with_sea(side, side, 1.0, Sides::parse("nesw")?))
 }
 
-/// Growth from the field to the last node; the number of nodes.
+/// Growth from the raster to the last node; the number of nodes.
 fn brownian(side: &str, sensitivity: &str) -> Option<Repetition> {
-    let (field, sensitivity) = (square(side)?, sensitivity.parse().ok()?);
+    let (raster, sensitivity) = (square(side)?, sensitivity.parse().ok()?);
     Some(Box::new(move || {
-        let Ok(mut growth) = Brownian::new(field.clone(), Seed::from_text("kauri"), sensitivity) else { return 0 };
+        let Ok(mut growth) = Brownian::new(raster.clone(), Seed::from_text("kauri"), sensitivity) else { return 0 };
         while growth.tick() {}
         growth.tree().len() as u32
     }))
@@ -175,8 +175,8 @@ fn brownian(side: &str, sensitivity: &str) -> Option<Repetition> {
 
 /// The same by a literal search of the disc after every move.
 fn literal_brownian(side: &str, sensitivity: &str) -> Option<Repetition> {
-    let (field, sensitivity) = (square(side)?, sensitivity.parse().ok()?);
-    Some(Box::new(move || literal::grow(&field, Seed::from_text("kauri"), sensitivity).len() as u32))
+    let (raster, sensitivity) = (square(side)?, sensitivity.parse().ok()?);
+    Some(Box::new(move || literal::grow(&raster, Seed::from_text("kauri"), sensitivity).len() as u32))
 }
 
 // ---- the network
@@ -194,19 +194,22 @@ fn shaping_of_rivers() -> Option<Repetition> {
 
 /// The rivers of a tree on a plain rectangle, before they are shaped.
 fn unshaped(recipe: &Recipe, growth: &Growth) -> Option<Shaping> {
-    let threshold = Trim::new(recipe.number(Key::Trim), growth.node_length(), !growth.mouths_are_chosen());
-    let pruned = prune::trim(growth.tree(), &Hydrology::of(growth.tree()), threshold);
-    let parameters = network::Settings::new(recipe, None, growth.stream_spacing(), growth.total_discharge());
-    Shaping::new(&pruned.tree, growth.may_cross(), parameters).ok()
+    let pruned = prune::trim(
+        growth.tree(),
+        &Hydrology::of(growth.tree()),
+        Trim::new(recipe.number(Key::Trim), growth.node_length(), !growth.mouths_are_chosen()),
+    );
+    let settings = network::NetworkSettings::new(recipe, None, growth.stream_spacing(), growth.total_discharge());
+    Shaping::new(&pruned.tree, growth.may_cross(), settings).ok()
 }
 
 fn all_grown(recipe: &Recipe) -> Option<Growth> {
-    let mut growth = Growth::new(Settings::of(recipe)).ok()?;
+    let mut growth = Growth::new(GrowthSettings::of(recipe)).ok()?;
     while growth.tick() {}
     Some(growth)
 }
 
-/// Some 10,000 vertices of rivers that are halfway through their rounds, on each of so many maps side by side.
+/// Some 10,000 vertices of rivers that are halfway through their rounds, on each of several maps side by side.
 fn half_meandered(maps: u32) -> Option<Meander> {
     const ATTRACTORS: &str = "9000";
     let mut recipe = recipe("meander-rounds=400")?;
@@ -220,11 +223,11 @@ fn half_meandered(maps: u32) -> Option<Meander> {
     Some(Meander::of(side_by_side(meander.network(), maps, meander.settings().domain.size), wide(meander, maps)))
 }
 
-/// The parameters for so many maps from west to east.
-fn wide(meander: &Meander, maps: u32) -> network::Settings {
-    let mut parameters = meander.settings().clone();
-    parameters.domain.size.x *= maps as f32;
-    parameters
+/// The settings for several maps from west to east.
+fn wide(meander: &Meander, maps: u32) -> network::NetworkSettings {
+    let mut settings = meander.settings().clone();
+    settings.domain.size.x *= maps as f32;
+    settings
 }
 
 fn side_by_side(network: &Network, maps: u32, size: Vec2) -> Network {
@@ -318,9 +321,9 @@ struct Segment {
 
 /// The first hundred thousand segments of a tree, as wide as its rivers are.
 fn segments() -> Option<Vec<Segment>> {
-    let parameters = parameters(&ATTRACTORS_FOR_SEGMENTS.to_string(), "3")?;
-    let growth = grown(&parameters)?;
-    let segments = segments_of(growth.tree(), &parameters.domain)?;
+    let settings = settings(&ATTRACTORS_FOR_SEGMENTS.to_string(), "3")?;
+    let growth = grown(&settings)?;
+    let segments = segments_of(growth.tree(), &settings.domain)?;
     (segments.len() == SEGMENTS).then_some(segments)
 }
 
@@ -407,7 +410,7 @@ fn fill_ribbons(segments: &[Segment], mut fill: impl FnMut(&tiny_skia::Path)) {
     }
 }
 
-/// Shows whoever compiles this that every pixel is wanted; costs little beside drawing them.
+/// Keeps the compiler from leaving pixels out; costs little compared with drawing them.
 fn sum(pixels: &[u8]) -> u32 {
     pixels.iter().map(|&pixel| u32::from(pixel)).sum()
 }

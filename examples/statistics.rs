@@ -19,7 +19,7 @@ pub struct Statistics {
 }
 
 impl Statistics {
-    /// Reads them from a network on so much land.
+    /// Reads them from a network on land of an area, in square units.
     pub fn of(network: &Network, area: f64) -> Self {
         let highest = network.rivers.iter().map(|river| river.order).max().unwrap_or(0);
         let of_order = |order: u8| network.rivers.iter().filter(|river| river.order == order).count();

@@ -1,8 +1,8 @@
-//! A digest of everything a recipe decides: what proves that two machines draw and write the same.
+//! A digest of everything a recipe decides, to check that two machines draw and write the same.
 
 use thiserror::Error;
 
-use crate::export::{ExportError, Value, geojson, json, svg};
+use crate::export::{ExportError, Json, geojson, json, svg};
 use crate::network::Vertex;
 use crate::paint::PaintError;
 use crate::picture::Picture;
@@ -94,29 +94,29 @@ impl Fnv1a {
 
     /// What a file holds, before it is written: programs write a number's shortest decimals as a float of 32 bits, pages as one of
     /// 64, but both write the same numbers. Each kind of value begins with a number of its own.
-    fn value(&mut self, value: &Value) {
+    fn value(&mut self, value: &Json) {
         match value {
-            Value::Null => self.words([0]),
-            Value::Truth(truth) => self.words([1, u32::from(*truth)]),
-            Value::Whole(number) => {
+            Json::Null => self.words([0]),
+            Json::Truth(truth) => self.words([1, u32::from(*truth)]),
+            Json::Whole(number) => {
                 self.words([2]);
                 self.bytes(&number.to_le_bytes());
             }
-            Value::Single(number) => self.words([3, number.to_bits()]),
-            Value::Double(number) => {
+            Json::Single(number) => self.words([3, number.to_bits()]),
+            Json::Double(number) => {
                 self.words([4]);
                 self.bytes(&number.to_le_bytes());
             }
-            Value::Text(text) => self.text(text),
-            Value::Owned(text) => self.text(text),
-            Value::Object(members) => {
+            Json::Text(text) => self.text(text),
+            Json::Owned(text) => self.text(text),
+            Json::Object(members) => {
                 self.words([5, members.len() as u32]);
                 members.iter().for_each(|(name, value)| {
                     self.text(name);
                     self.value(value);
                 });
             }
-            Value::List(count, item) => {
+            Json::List(count, item) => {
                 self.words([6, *count as u32]);
                 (0..*count).for_each(|i| self.value(&item(i)));
             }

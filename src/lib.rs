@@ -41,8 +41,12 @@ pub use land::Land;
 pub use network::{Network, Oxbow, River, Vertex};
 pub use picture::Picture;
 pub use recipe::{GrowthMethod, Key, LandKind, MeanderModel, Recipe, RecipeError, Scatter, Sides, Style, Value};
-pub use session::{Phase, Session, SessionError, Summary};
+pub use session::{Phase, Session, SessionError, Shortfall, Summary};
 pub use tree::Tree;
+
+// What unit tests share with those in `tests/` names the crate as those do.
+#[cfg(test)]
+extern crate self as riverseed;
 
 #[doc(hidden)]
 pub mod dice;
@@ -56,6 +60,9 @@ pub mod grow;
 #[cfg(feature = "png")]
 pub mod import;
 pub mod land;
+#[cfg(test)]
+#[path = "../tests/common/lands.rs"]
+mod lands;
 pub mod measure;
 mod memory;
 pub mod network;

@@ -6,12 +6,12 @@
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Refused;
 
-/// Whether so many bytes can be allocated. They are freed at once, for the next allocation.
+/// Whether this many bytes can be allocated. They are freed at once, for the next allocation.
 pub(crate) fn can_allocate(bytes: usize) -> bool {
     is_allowed(bytes) && Vec::<u8>::new().try_reserve_exact(bytes).is_ok()
 }
 
-/// Makes room for so many more items at least; for more at once, so that many small requests cost little.
+/// Makes room for at least this many more items, and for more at once, so that many small requests cost little.
 pub(crate) fn reserve<T>(list: &mut Vec<T>, more: usize) -> Result<(), Refused> {
     if !is_allowed((list.len() + more).saturating_mul(size_of::<T>())) {
         return Err(Refused);

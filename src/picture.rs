@@ -8,7 +8,7 @@ use crate::domain::Domain;
 use crate::land::Land;
 use crate::paint::{PaintError, Painter, Progress, Rect, Rivers};
 use crate::recipe::Key;
-use crate::session::{Generation, Session};
+use crate::session::{Generation, Phase, Session};
 
 /// The picture of a session.
 ///
@@ -27,10 +27,12 @@ use crate::session::{Generation, Session};
 #[derive(Clone, Debug)]
 pub struct Picture {
     painter: Painter,
-    /// What it shows: a session's generation, its domain and its land; `None` before it is painted.
+    /// The generation, domain and land of the session that it shows; `None` before it is painted.
     shown: Option<(Generation, Domain, Option<Arc<Land>>)>,
     /// Which of the trees that a session's growth goes through.
     tree: u32,
+    /// The trimmed tree whose rivers it shows; `None` if it shows none.
+    rivers_of: Option<Generation>,
 }
 
 impl Picture {
@@ -39,13 +41,24 @@ impl Picture {
     /// # Errors
     /// If a side is out of range, or there is not enough memory.
     pub fn new(width: u32, height: u32) -> Result<Self, PaintError> {
-        Ok(Self { painter: Painter::new(&Domain::with_aspect(1.0), width, height)?, shown: None, tree: 0 })
+        Ok(Self {
+            painter: Painter::new(&Domain::with_aspect(1.0), width, height)?,
+            shown: None,
+            tree: 0,
+            rivers_of: None,
+        })
     }
 
-    /// Brings the picture up to date with its session, whatever has become of that. Where their aspects differ, the map's edges
-    /// are cut, evenly. Returns the rectangle that changed; `None` if nothing did.
+    /// Brings the picture up to date with its session, however that has changed. Where their aspects differ, the map's edges
+    /// are cut, evenly. Returns the rectangle that changed; `None` if nothing did. While the rivers of a tree are made again,
+    /// the picture keeps those that it shows.
     pub fn paint(&mut self, session: &Session) -> Option<Rect> {
+        let tree = Some(session.tree_generation());
+        if session.phase() == Phase::Shaping && self.rivers_of == tree {
+            return None;
+        }
         self.forget_what_is_over(session);
+        self.rivers_of = tree.filter(|_| session.network().is_some());
         let (recipe, land) = (session.recipe(), session.land().map(Arc::as_ref));
         if let Some((network, rounds)) = session.network().zip(session.rounds()) {
             return self.painter.paint_rivers(&Rivers { network, rounds, land, style: recipe.get() });
@@ -125,6 +138,24 @@ mod tests {
         let mut picture = Picture::new(100, 80).unwrap();
         assert!(picture.paint(&session).is_some());
         assert_eq!(picture.paint(&session), None);
+    }
+
+    #[test]
+    fn rivers_stay_in_the_picture_until_there_are_others_of_their_tree() {
+        let mut session = finished(SMALL);
+        let mut picture = Picture::new(100, 80).unwrap();
+        picture.paint(&session);
+        let before = painted(&session);
+        session.change(link::read(&format!("{SMALL}&width=30&style=map")).unwrap()).unwrap();
+        let mut steps = 0;
+        while session.phase() == Phase::Shaping {
+            assert_eq!(picture.paint(&session), None);
+            assert!(picture.pixmap().data() == before);
+            session.advance(1).unwrap();
+            steps += 1;
+        }
+        assert!(steps > 1 && picture.paint(&session).is_some());
+        assert!(picture.pixmap().data() == painted(&session), "{steps} steps");
     }
 
     #[test]

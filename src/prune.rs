@@ -10,7 +10,7 @@
 
 use crate::tree::{Hydrology, Tree};
 
-/// What is short enough to go.
+/// Which branches are short enough to be removed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Trim {
     /// The paper's t, in nodes: a side branch that is less deep goes.

@@ -1,8 +1,8 @@
 //! Chance, the same everywhere: a seed text becomes 64 bits, and each use of chance has a stream of its own.
 //!
-//! A stream belongs to one purpose, so a new use of chance never shifts an old one. Where many things are drawn in
-//! no fixed order (the curl of a growing node), the number is a hash of *which* thing it is, not of *when* it was
-//! visited: see [`Key`].
+//! A stream belongs to one purpose, so a new use of chance never shifts an old one. Where items are visited in no fixed
+//! order (the curl of a growing node), a random number is a hash of *which* item it is for, not of *when* that was
+//! visited: see [`ItemHash`].
 //!
 //! Sources: FNV-1a (Fowler, Noll, Vo; 64 bit) for text, the SplitMix64 finaliser (Steele, Lea, Flood 2014) for
 //! mixing, PCG32 (O'Neill 2014) from `rand_pcg`, which promises stable values.
@@ -14,7 +14,7 @@ use rand_pcg::Pcg32;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Seed(u64);
 
-/// What a random stream is used for. The numbers are part of every recipe's picture: never change one.
+/// The purpose of a random stream. The numbers are part of every recipe's picture: never change one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u64)]
 pub enum Purpose {
@@ -48,9 +48,9 @@ impl Seed {
         Stream(Pcg32::new(self.0, purpose as u64))
     }
 
-    /// Random numbers for one purpose that are asked for by identity.
-    pub fn key(self, purpose: Purpose) -> Key {
-        Key(mix(self.0 ^ (purpose as u64).wrapping_mul(GOLDEN_GAMMA)))
+    /// Random numbers for one purpose, each for an item.
+    pub fn item_hash(self, purpose: Purpose) -> ItemHash {
+        ItemHash(mix(self.0 ^ (purpose as u64).wrapping_mul(GOLDEN_GAMMA)))
     }
 }
 
@@ -70,26 +70,27 @@ impl Stream {
         self.0.next_u32()
     }
 
-    /// The next whole number below `end`; 0 if there is none. Uniform to within `end` in 2³².
+    /// The next whole number below `end`; 0 if there is no such number. Uniform to within `end` in 2³².
     #[inline]
     pub fn below(&mut self, end: u32) -> u32 {
         ((u64::from(self.bits()) * u64::from(end)) >> 32) as u32
     }
 }
 
-/// Random numbers drawn by identity: the same identity gives the same number, whenever it is asked.
+/// Random numbers by item: an item, three numbers that identify it, has the same random number however often and in whatever
+/// order it is looked up.
 #[derive(Clone, Copy, Debug)]
-pub struct Key(u64);
+pub struct ItemHash(u64);
 
-impl Key {
-    /// The number of one identity, uniform in `[0, 1)`, a multiple of 2⁻²⁴.
-    pub fn unit(self, identity: [u32; 3]) -> f32 {
-        unit_from_bits(self.bits(identity))
+impl ItemHash {
+    /// The number of an item, uniform in `[0, 1)`, a multiple of 2⁻²⁴.
+    pub fn unit(self, item: [u32; 3]) -> f32 {
+        unit_from_bits(self.bits(item))
     }
 
-    /// The 32 random bits of one identity.
-    pub fn bits(self, identity: [u32; 3]) -> u32 {
-        let [a, b, c] = identity;
+    /// The 32 random bits of an item.
+    pub fn bits(self, item: [u32; 3]) -> u32 {
+        let [a, b, c] = item;
         let hash = mix(self.0 ^ (u64::from(a) << 32 | u64::from(b)));
         (mix(hash ^ u64::from(c)) >> 32) as u32
     }
@@ -128,11 +129,11 @@ mod tests {
     }
 
     #[test]
-    fn key_spreads_neighbouring_identities_evenly() {
-        let key = Seed::from_text("kauri").key(Purpose::Curl);
+    fn neighbouring_items_have_evenly_spread_numbers() {
+        let hash = Seed::from_text("kauri").item_hash(Purpose::Curl);
         let mut tenths = [0; 10];
         for i in 0..10_000 {
-            tenths[(key.unit([i / 100, i % 100, 7]) * 10.0) as usize] += 1;
+            tenths[(hash.unit([i / 100, i % 100, 7]) * 10.0) as usize] += 1;
         }
         assert!(tenths.iter().all(|&n| (900..1100).contains(&n)), "{tenths:?}");
     }

@@ -6,9 +6,10 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use thiserror::Error;
 
 use crate::domain::Domain;
-use crate::grow::{self, Ending, GrowError, Growth};
+use crate::grow::{Ending, GrowError, Growth, GrowthSettings};
 use crate::land::Land;
-use crate::network::{self, Meander, NONE, Network, ShapeError, Shaping, ask_for_memory};
+use crate::memory;
+use crate::network::{Meander, NONE, Network, NetworkSettings, ShapeError, Shaping, ask_for_memory};
 use crate::prune::{self, Pruned, Trim};
 use crate::recipe::{Key, Recipe, Stage};
 use crate::tree::{Hydrology, Tree};
@@ -23,6 +24,12 @@ pub enum SessionError {
     /// Its tree cannot be made into rivers.
     #[error(transparent)]
     Shape(#[from] ShapeError),
+    /// It cannot be copied.
+    #[error("a copy of the rivers needs about {megabytes} MB, and the allocation failed")]
+    Copy {
+        /// About how much is needed.
+        megabytes: u32,
+    },
 }
 
 /// A recipe with what its stages have made of it so far: land, tree, rivers.
@@ -46,9 +53,11 @@ pub struct Session {
     /// Once growth has ended.
     shaping: Option<Shaping>,
     generation: Generation,
+    /// Another one whenever the trimmed tree is discarded.
+    tree_generation: Generation,
 }
 
-/// What the next step of a session does.
+/// The kind of step that a session makes next.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Phase {
     /// A tick of growth.
@@ -61,7 +70,7 @@ pub enum Phase {
     Finished,
 }
 
-/// What a picture shows, in numbers.
+/// A picture in numbers.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Summary {
     /// Ticks grown.
@@ -74,7 +83,7 @@ pub struct Summary {
     pub sources: u32,
     /// The highest stream order (Strahler) of the rivers; 0 until there are any.
     pub order: u8,
-    /// Attractors scattered: none for a Brownian tree.
+    /// Attractors scattered: 0 for a Brownian tree.
     pub attractors: u32,
     /// Attractors that no river came near enough to.
     pub unreached: u32,
@@ -87,11 +96,24 @@ pub struct Summary {
 }
 
 impl Summary {
-    /// Whether growth ended with over a tenth of the attractors left, or no river has grown at all: step is then too long for
-    /// kill, reach too small, mouths too far apart, or the land shut off from the sea.
-    pub fn is_stalled(&self) -> bool {
-        self.ending == Some(Ending::Complete) && (self.nodes == 0 || self.unreached > self.attractors / 10)
+    /// Why rivers leave much of the land dry, once growth has ended; `None` if they do not.
+    pub fn shortfall(&self) -> Option<Shortfall> {
+        match self.ending {
+            Some(Ending::Complete) if self.nodes == 0 => Some(Shortfall::NoRiver),
+            Some(Ending::Complete) if self.unreached > self.attractors / 10 => Some(Shortfall::Unreached),
+            _ => None,
+        }
     }
+}
+
+/// Why rivers leave much of the land dry.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shortfall {
+    /// No river grew, by whatever method: no land lies open to the sea.
+    NoRiver,
+    /// Space colonization left over a tenth of the attractors: the step is too long for the kill distance, the reach too
+    /// short, or mouths lie too far apart.
+    Unreached,
 }
 
 impl Session {
@@ -102,7 +124,25 @@ impl Session {
     pub fn new(recipe: Recipe) -> Result<Self, SessionError> {
         let land = Land::of(&recipe);
         let growth = plant(&recipe, &land)?;
-        Ok(Self { recipe, land, growth, shaping: None, generation: Generation::next() })
+        let (generation, tree_generation) = (Generation::next(), Generation::next());
+        Ok(Self { recipe, land, growth, shaping: None, generation, tree_generation })
+    }
+
+    /// Another session that has come as far: what becomes of one does not touch the other. `clone` does the same, but ends the
+    /// program where there is not enough memory.
+    ///
+    /// # Errors
+    /// If there is not enough memory.
+    pub fn try_clone(&self) -> Result<Self, SessionError> {
+        /// As measured: 92 at most, once there are rivers. The cells of a Brownian tree take 5 MB, however many it fills.
+        const BYTES: usize = 96;
+        const BYTES_OF_CELLS: usize = 6_000_000;
+        let items = self.tree().len() + self.growth.attractors() as usize;
+        let bytes = items * BYTES + BYTES_OF_CELLS;
+        if !memory::can_allocate(bytes) {
+            return Err(SessionError::Copy { megabytes: (bytes / 1_000_000) as u32 + 1 });
+        }
+        Ok(Self { generation: Generation::next(), tree_generation: Generation::next(), ..self.clone() })
     }
 
     /// The recipe.
@@ -120,7 +160,9 @@ impl Session {
         self.land.as_ref()
     }
 
-    /// Goes over to another recipe. Returns the earliest stage that has to run again, `None` if nothing is different.
+    /// Changes to another recipe. Returns the earliest stage that has to run again, `None` if nothing is different. Land is
+    /// shaped and a tree is planted at once, if it is one of theirs; a later stage runs again with the next steps, and until
+    /// then there are no rivers.
     ///
     /// # Errors
     /// As [`Session::new`]; everything is then as before.
@@ -133,11 +175,11 @@ impl Session {
         }
         self.recipe = recipe;
         if matches!(stage, Some(Stage::Land | Stage::Grow | Stage::Prune)) {
-            self.shaping = None;
+            self.discard_rivers();
         }
         if stage == Some(Stage::Shape) && self.shaping.is_some() {
-            let parameters = self.network_settings();
-            self.shaping.iter_mut().for_each(|shaping| shaping.change(parameters.clone()));
+            let settings = self.network_settings();
+            self.shaping.iter_mut().for_each(|shaping| shaping.change(settings.clone()));
         }
         if stage.is_some() {
             self.generation = Generation::next();
@@ -151,9 +193,14 @@ impl Session {
     /// If there is not enough memory; everything is then as before.
     pub fn restart(&mut self) -> Result<(), SessionError> {
         self.growth = plant(&self.recipe, &self.land)?;
-        self.shaping = None;
+        self.discard_rivers();
         self.generation = Generation::next();
         Ok(())
+    }
+
+    fn discard_rivers(&mut self) {
+        self.shaping = None;
+        self.tree_generation = Generation::next();
     }
 
     /// Another one whenever results are discarded, by [`Session::change`] and [`Session::restart`]: while it stays the same the
@@ -162,14 +209,19 @@ impl Session {
         self.generation
     }
 
-    /// Goes on by so many steps at most: ticks of growth, then a few that make rivers of the tree, then rounds of meandering.
+    /// The same for as long as the rivers, made once or several times, are those of one trimmed tree.
+    pub(crate) fn tree_generation(&self) -> Generation {
+        self.tree_generation
+    }
+
+    /// Makes at most this many steps: ticks of growth, then a few that make rivers of the tree, then rounds of meandering.
     /// Returns whether there is more to do. No recipe is known of which a step takes more than 8 million elementary steps, as
     /// [`crate::work`] counts them, and 250 for each attractor or cell of a Brownian tree.
     ///
     /// # Errors
-    /// If there is not enough memory for the rest of the tree, or for its rivers. What is there then is no picture of the
+    /// If there is not enough memory for the rest of the tree, or for its rivers. The session then does not show the whole
     /// recipe, and there are no rivers to export. A further call meets the same error, or goes on if there is memory by
-    /// then; a tree that is not whole only grows anew, after [`Session::restart`] or [`Session::change`].
+    /// then; a tree that is not whole only grows again from the start, after [`Session::restart`] or [`Session::change`].
     pub fn advance(&mut self, steps: u32) -> Result<bool, SessionError> {
         for _ in 0..steps {
             if !self.step()? {
@@ -186,7 +238,7 @@ impl Session {
     pub fn finish(&mut self) -> Result<&Network, SessionError> {
         static EMPTY: Network = Network { vertices: Vec::new(), rivers: Vec::new(), oxbows: Vec::new() };
         while self.advance(u32::MAX)? {}
-        // What is finished has a network, if an empty one.
+        // A finished session has a network, if only an empty one.
         Ok(self.network().unwrap_or(&EMPTY))
     }
 
@@ -221,7 +273,7 @@ impl Session {
         self.phase() == Phase::Finished
     }
 
-    /// What the next step does.
+    /// The kind of step that comes next.
     pub fn phase(&self) -> Phase {
         match &self.shaping {
             Some(shaping) if shaping.is_finished() => Phase::Finished,
@@ -232,13 +284,14 @@ impl Session {
         }
     }
 
-    /// How far what the next step goes on with has come, from 0 to 1: growth by what is drained, meandering by its rounds.
-    /// 0 while rivers are made of the tree, and when all is finished.
+    /// How far the current phase has come, from 0 to 1: growth by the share that is drained, meandering by its rounds. 0
+    /// while rivers are made of the tree; 1 once everything is finished.
     pub fn progress(&self) -> f32 {
         match (self.phase(), self.meander()) {
             (Phase::Growing, _) => self.growth.progress(),
             (Phase::Meandering, Some(meander)) => meander.rounds() as f32 / meander.settings().rounds.max(1) as f32,
-            _ => 0.0,
+            (Phase::Finished, _) => 1.0,
+            (Phase::Shaping | Phase::Meandering, _) => 0.0,
         }
     }
 
@@ -257,9 +310,9 @@ impl Session {
     }
 
     /// How the rivers of this recipe are made of its tree.
-    pub fn network_settings(&self) -> network::Settings {
+    pub fn network_settings(&self) -> NetworkSettings {
         let growth = &self.growth;
-        network::Settings::new(&self.recipe, self.land.clone(), growth.stream_spacing(), growth.total_discharge())
+        NetworkSettings::new(&self.recipe, self.land.clone(), growth.stream_spacing(), growth.total_discharge())
     }
 
     /// The untrimmed tree, as far as it has grown.
@@ -315,7 +368,7 @@ impl Session {
     }
 }
 
-/// What a session has made since it was planted, or since it was last changed: no two are the same, whosever they are.
+/// The results of a session since it was planted or last changed. No two are equal, not even of different sessions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Generation(u64);
 
@@ -328,7 +381,7 @@ impl Generation {
 
 /// Begins the growth of a recipe on its land.
 fn plant(recipe: &Recipe, land: &Option<Arc<Land>>) -> Result<Growth, GrowError> {
-    Growth::new(grow::Settings::new(recipe, land.clone()))
+    Growth::new(GrowthSettings::new(recipe, land.clone()))
 }
 
 #[cfg(test)]

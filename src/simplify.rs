@@ -41,8 +41,8 @@ impl<'a> Lines<'a> {
         Self { points, before, after, is_gone: vec![false; points.len()], left: points.len() }
     }
 
-    /// Takes out one point after the other, the least area first, as long as `may_go` lets the next one go. One that it
-    /// does not is asked for again when a neighbour of its has gone. Each area told is at least the one before.
+    /// Takes out one point after the other, the least area first, as long as `may_go` lets the next one go. A point that
+    /// may not is tried again when one of its neighbours has gone. The areas passed to `tell` never decrease.
     pub fn simplify(mut self, mut may_go: impl FnMut(&Self, u32) -> bool, mut tell: impl FnMut(u32, f32)) {
         let mut queue: BinaryHeap<Reverse<(u32, u32)>> =
             (0..self.points.len() as u32).filter_map(|i| self.entry(i)).collect();

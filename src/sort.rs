@@ -1,5 +1,5 @@
 //! Putting things in order, all by one kind of key, and digit by digit: every kind of sort of the standard library adds
-//! four kilobytes to the wasm file, and most of what there is to sort here is short.
+//! four kilobytes to the wasm file, and most lists sorted here are short.
 
 /// The positions of keys in ascending order of the keys; of equal ones, the earlier first.
 pub(crate) fn argsort(keys: impl IntoIterator<Item = u32>) -> Vec<usize> {

@@ -21,7 +21,7 @@ pub struct Tree {
     /// How much each node itself drains: the attractors it was nearest to when they were used up or growth ended; of a
     /// Brownian tree itself, one cell of river (see [`crate::grow::Brownian`]).
     pub drained: Vec<u32>,
-    /// The number of nodes before each tick, tick 0 first: what grew in tick `t` starts at `tick_starts[t]`.
+    /// The number of nodes before each tick, tick 0 first: the nodes of tick `t` start at `tick_starts[t]`.
     pub tick_starts: Vec<u32>,
     /// How high each node lies over the sea, in units: a node is higher than its parent. Empty if the way of growing knows no
     /// elevations, or not yet.
@@ -34,7 +34,7 @@ impl Tree {
         self.at.len()
     }
 
-    /// Whether there are none.
+    /// Whether the tree has no nodes.
     pub fn is_empty(&self) -> bool {
         self.at.is_empty()
     }
@@ -62,7 +62,7 @@ impl Tree {
     }
 }
 
-/// What the shape of a tree says about its rivers, per node.
+/// The hydrology that follows from the shape of a tree, per node.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Hydrology {
     /// The paper's depth (section 4.4): 0 at a source, else one more than the deepest child.

@@ -1,4 +1,4 @@
-//! How much work has been done, in elementary steps: what bounds how long a page is kept waiting, whatever the machine.
+//! The amount of work done, in elementary steps: a bound on it limits how long a page waits, on any machine.
 //!
 //! An elementary step looks at one thing: a cell of land under a line, a cell of the index of attractors, a line piece or a
 //! vertex of the index of lines, a move of a particle or a tile of the water around it. Whole loops are counted at once, so that
@@ -15,7 +15,7 @@ pub fn steps() -> u64 {
     STEPS.get()
 }
 
-/// Notes that so many steps are being taken.
+/// Counts elementary steps that are being taken.
 #[inline]
 pub(crate) fn count(steps: usize) {
     STEPS.set(STEPS.get().wrapping_add(steps as u64));

@@ -5,6 +5,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use proc_macro2::{TokenStream, TokenTree};
+
 type Modules = BTreeSet<String>;
 
 /// All files below a folder that end in `.rs`.
@@ -27,49 +29,87 @@ fn uses() -> BTreeMap<Vec<String>, BTreeSet<Vec<String>>> {
     let files = files(Path::new("src")).into_iter().filter(|path| path.extension().is_some_and(|end| end == "rs"));
     let files: Vec<_> = files.filter(is_of_the_library).collect();
     let modules: BTreeSet<Vec<String>> = files.iter().map(|file| module_of(file)).collect();
+    let exports = exports(&fs::read_to_string("src/lib.rs").unwrap());
     let used_by = |file: &PathBuf| {
         let text = fs::read_to_string(file).unwrap();
         let code = text.split("#[cfg(test)]\nmod tests {").next().unwrap();
-        let code: String = code.lines().filter(|line| !line.trim_start().starts_with("//")).collect();
-        paths(&code, &module_of(file)).into_iter().filter_map(|path| deepest(&modules, path)).collect()
+        let paths = paths(code, &module_of(file)).into_iter().map(|path| declared(path, &exports));
+        paths.filter_map(|path| deepest(&modules, path)).collect()
     };
     files.iter().map(|file| (module_of(file), used_by(file))).collect()
 }
 
-/// All that a module names by a path of the crate's, lists in braces taken apart.
+fn trees(stream: TokenStream) -> Vec<TokenTree> {
+    stream.into_iter().collect()
+}
+
+fn is_sign(tree: &TokenTree, sign: char) -> bool {
+    matches!(tree, TokenTree::Punct(punct) if punct.as_char() == sign)
+}
+
+/// What stands behind a double colon.
+fn behind_colons(trees: &[TokenTree]) -> Option<&[TokenTree]> {
+    trees.split_at_checked(2).filter(|(colons, _)| colons.iter().all(|tree| is_sign(tree, ':'))).map(|(_, rest)| rest)
+}
+
+/// All that a module names by a path of the crate's, in `use` and elsewhere, lists in braces taken apart.
 fn paths(code: &str, module: &[String]) -> Vec<Vec<String>> {
-    let starts = code.match_indices("crate::").chain(code.match_indices("super::"));
     let mut found = Vec::new();
-    for (at, start) in
-        starts.filter(|(at, _)| !code[..*at].ends_with(|before: char| before.is_alphanumeric() || before == ':'))
-    {
-        let (mut base, mut rest) = match start {
-            "crate::" => (Vec::new(), &code[at + 7..]),
-            _ => (module[..module.len().saturating_sub(1)].to_vec(), &code[at + 7..]),
-        };
-        while let Some(further) = rest.strip_prefix("super::") {
-            base.pop();
-            rest = further;
-        }
-        collect(rest, base, &mut found);
-    }
+    search(&trees(code.parse().unwrap()), module, &mut found);
     found
 }
 
-/// Follows one path of a `use`, or of an expression; of nested braces only the outermost are looked into.
-fn collect(rest: &str, mut base: Vec<String>, found: &mut Vec<Vec<String>>) {
-    let name: String = rest.chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect();
-    if let Some(list) = rest.strip_prefix('{') {
-        let list = list.split('}').next().unwrap();
-        return list.split(',').for_each(|item| collect(item.trim(), base.clone(), found));
+fn search(trees_here: &[TokenTree], module: &[String], found: &mut Vec<Vec<String>>) {
+    for (i, tree) in trees_here.iter().enumerate() {
+        let is_inner = i > 0 && is_sign(&trees_here[i - 1], ':');
+        match tree {
+            TokenTree::Group(group) => search(&trees(group.stream()), module, found),
+            TokenTree::Ident(name) if !is_inner && (name == "crate" || name == "super") => {
+                follow(&trees_here[i..], module.to_vec(), found);
+            }
+            _ => {}
+        }
     }
-    if name.is_empty() {
-        return found.push(base);
+}
+
+/// Follows one path into all branches of its lists.
+fn follow(path: &[TokenTree], mut base: Vec<String>, found: &mut Vec<Vec<String>>) {
+    match path {
+        [TokenTree::Group(list), ..] => {
+            let items = trees(list.stream());
+            items.split(|tree| is_sign(tree, ',')).for_each(|item| follow(item, base.clone(), found));
+        }
+        [TokenTree::Ident(name), rest @ ..] => {
+            match name.to_string().as_str() {
+                "crate" => base.clear(),
+                "super" => drop(base.pop()),
+                "self" => {}
+                name => base.push(name.to_owned()),
+            }
+            match behind_colons(rest) {
+                Some(further) => follow(further, base, found),
+                None => found.push(base),
+            }
+        }
+        _ => found.push(base),
     }
-    base.push(name.clone());
-    match rest[name.len()..].strip_prefix("::") {
-        Some(further) => collect(further, base, found),
-        None => found.push(base),
+}
+
+/// The names that the root of the crate exports from its modules, and where they are declared.
+fn exports(root: &str) -> BTreeMap<String, Vec<String>> {
+    let root = trees(root.parse().unwrap());
+    let mut found = Vec::new();
+    for (i, _) in root.iter().enumerate().filter(|(_, tree)| tree.to_string() == "use") {
+        follow(&root[i + 1..], Vec::new(), &mut found);
+    }
+    found.into_iter().filter_map(|path| Some((path.last()?.clone(), path))).collect()
+}
+
+/// A path with a name of the root taken to where it is declared.
+fn declared(path: Vec<String>, exports: &BTreeMap<String, Vec<String>>) -> Vec<String> {
+    match path.split_first().and_then(|(name, rest)| Some((exports.get(name)?, rest))) {
+        Some((export, rest)) => [export, rest].concat(),
+        None => path,
     }
 }
 
@@ -151,4 +191,22 @@ fn no_files_use_each_other_in_a_circle() {
             }
         }
     }
+}
+
+#[test]
+fn paths_are_seen_however_they_are_written() {
+    let exports = exports("pub use glam;\npub use session::{Phase, Session};\npub mod session;");
+    let seen = |code: &str| -> Vec<String> {
+        let paths = paths(code, &["export".to_owned(), "svg".to_owned()]).into_iter();
+        paths.filter(|path| !path.is_empty()).map(|path| declared(path, &exports).join("::")).collect()
+    };
+    let nested = "use crate::{land::{Cell, trace::{self, Traced}}, paint::View};\nuse super::super::tree::*;";
+    assert_eq!(seen(nested), ["land::Cell", "land::trace", "land::trace::Traced", "paint::View", "tree"]);
+    assert_eq!(seen("fn f(session: &crate::Session) {}"), ["session::Session"]);
+    assert_eq!(seen("use crate::{Phase, Session as S};"), ["session::Phase", "session::Session"]);
+    assert_eq!(
+        seen("fn f() { matches!(super::kind(), crate::land::Cell::Land) }"),
+        ["export::kind", "land::Cell::Land"]
+    );
+    assert_eq!(seen("pub(crate) struct A; // crate::land\nconst B: &str = \"crate::land\";"), [""; 0]);
 }

@@ -3,12 +3,13 @@
 
 mod common;
 
+use common::lands::every_land;
 use common::plain::plain;
 use common::property::large;
 use common::{literal, random_link};
 use glam::{Vec2, Vec3};
 use proptest::prelude::*;
-use riverseed::grow::{Brownian, Ending, Field, Growth, Order, Settings};
+use riverseed::grow::{Brownian, Ending, Growth, GrowthSettings, ParticleOrder, Raster};
 use riverseed::land::Cell;
 use riverseed::picture::Picture;
 use riverseed::random::Seed;
@@ -16,30 +17,30 @@ use riverseed::recipe::{Key, Sides, link};
 use riverseed::session::Session;
 use riverseed::tree::{NO_PARENT, Tree};
 
-fn grown(field: &Field, seed: &str, sensitivity: f32) -> Brownian {
-    grown_in(Order::Shuffled, field, seed, sensitivity)
+fn grown(raster: &Raster, seed: &str, sensitivity: f32) -> Brownian {
+    grown_in(ParticleOrder::Shuffled, raster, seed, sensitivity)
 }
 
-fn grown_in(order: Order, field: &Field, seed: &str, sensitivity: f32) -> Brownian {
-    let mut growth = Brownian::with_order(field.clone(), Seed::from_text(seed), sensitivity, order).unwrap();
+fn grown_in(order: ParticleOrder, raster: &Raster, seed: &str, sensitivity: f32) -> Brownian {
+    let mut growth = Brownian::with_order(raster.clone(), Seed::from_text(seed), sensitivity, order).unwrap();
     while growth.tick() {}
     assert_eq!(growth.ending(), Some(Ending::Complete));
     growth
 }
 
 /// A square with sea on all sides.
-fn square(side: i32) -> Field {
-    Field::with_sea(side, side, 1.0, Sides::parse("nesw").unwrap())
+fn square(side: i32) -> Raster {
+    Raster::with_sea(side, side, 1.0, Sides::parse("nesw").unwrap())
 }
 
-/// Small fields of every kind: sea along sides or none, lakes (circles) and ridges (lines).
-fn random_field() -> impl Strategy<Value = Field> {
+/// Small rasters of every kind: sea along sides or none, lakes (circles) and ridges (lines).
+fn random_raster() -> impl Strategy<Value = Raster> {
     let sides = proptest::sample::select(vec!["n", "e", "sw", "ns", "nesw"]);
     let lakes = proptest::collection::vec((0i32..120, 0i32..120, 0i32..12), 0..4);
     let ridges = proptest::collection::vec((0i32..120, 0i32..120, -8i32..9, -8i32..9), 0..3);
     (5i32..120, 5i32..120, 0.5f32..4.0, sides, lakes, ridges).prop_map(|(columns, rows, side, sides, lakes, ridges)| {
-        let sea = Field::with_sea(columns, rows, side, Sides::parse(sides).unwrap());
-        Field::new(columns, rows, side, |x, y| {
+        let sea = Raster::with_sea(columns, rows, side, Sides::parse(sides).unwrap());
+        Raster::new(columns, rows, side, |x, y| {
             let is_lake = lakes.iter().any(|&(cx, cy, r)| (x - cx) * (x - cx) + (y - cy) * (y - cy) <= r * r);
             let on_ridge = |&(ax, ay, dx, dy): &(i32, i32, i32, i32)| {
                 let (x, y) = (x - ax, y - ay);
@@ -55,24 +56,24 @@ fn random_field() -> impl Strategy<Value = Field> {
 }
 
 /// The cell that each node lies in; nodes at mouths lie in the sea.
-fn cells_of(tree: &Tree, field: &Field) -> Vec<(i32, i32)> {
-    let cell = |x: f32, cells: i32| ((x / field.side() + 1e-4) as i32).min(cells - 1);
-    tree.at.iter().map(|at| (cell(at.x, field.columns()), cell(at.y, field.rows()))).collect()
+fn cells_of(tree: &Tree, raster: &Raster) -> Vec<(i32, i32)> {
+    let cell = |x: f32, cells: i32| ((x / raster.side() + 1e-4) as i32).min(cells - 1);
+    tree.at.iter().map(|at| (cell(at.x, raster.columns()), cell(at.y, raster.rows()))).collect()
 }
 
 /// Which cell is which node's, and no cell is two nodes'.
-fn nodes_by_cell(tree: &Tree, field: &Field) -> Vec<Option<usize>> {
-    let mut nodes = vec![None; field.cells().len()];
-    for (node, (x, y)) in cells_of(tree, field).into_iter().enumerate() {
-        let node_here = &mut nodes[(y * field.columns() + x) as usize];
+fn nodes_by_cell(tree: &Tree, raster: &Raster) -> Vec<Option<usize>> {
+    let mut nodes = vec![None; raster.cells().len()];
+    for (node, (x, y)) in cells_of(tree, raster).into_iter().enumerate() {
+        let node_here = &mut nodes[(y * raster.columns() + x) as usize];
         assert_eq!(*node_here, None, "two nodes in cell {x}, {y}");
         *node_here = Some(node);
     }
     nodes
 }
 
-fn around(field: &Field, i: usize, corners: bool) -> impl Iterator<Item = usize> {
-    let (columns, rows) = (field.columns(), field.rows());
+fn around(raster: &Raster, i: usize, corners: bool) -> impl Iterator<Item = usize> {
+    let (columns, rows) = (raster.columns(), raster.rows());
     let (x, y) = (i as i32 % columns, i as i32 / columns);
     let gaps = (-1..=1).flat_map(|dy| (-1..=1).map(move |dx| (dx, dy)));
     gaps.filter(move |&(dx, dy): &(i32, i32)| (dx, dy) != (0, 0) && (corners || dx * dy == 0))
@@ -83,15 +84,15 @@ fn around(field: &Field, i: usize, corners: bool) -> impl Iterator<Item = usize>
 
 /// How many pieces, connected by sides, the cells make that are not water. The border cuts nothing off: land that reaches
 /// it is one piece.
-fn pieces_of_land(field: &Field, is_land: impl Fn(usize) -> bool) -> usize {
-    let mut seen: Vec<bool> = (0..field.cells().len()).map(|i| !is_land(i)).collect();
-    let on_border = |&i: &usize| around(field, i, false).count() < 4;
+fn pieces_of_land(raster: &Raster, is_land: impl Fn(usize) -> bool) -> usize {
+    let mut seen: Vec<bool> = (0..raster.cells().len()).map(|i| !is_land(i)).collect();
+    let on_border = |&i: &usize| around(raster, i, false).count() < 4;
     let mut open: Vec<usize> = (0..seen.len()).filter(on_border).collect();
     let mut pieces = 1;
     for start in 0..seen.len() {
         while let Some(i) = open.pop() {
             if !std::mem::replace(&mut seen[i], true) {
-                open.extend(around(field, i, false));
+                open.extend(around(raster, i, false));
             }
         }
         if !seen[start] {
@@ -104,12 +105,12 @@ fn pieces_of_land(field: &Field, is_land: impl Fn(usize) -> bool) -> usize {
 
 /// Rivers run on land from the sea, parents first; they touch neither each other, mouths included, nor the sea; no land is cut
 /// off.
-fn check(field: &Field, tree: &Tree) {
-    let nodes = nodes_by_cell(tree, field);
+fn check(raster: &Raster, tree: &Tree) {
+    let nodes = nodes_by_cell(tree, raster);
     let is_river = |i: usize| nodes[i].is_some_and(|node| tree.parent[node] != NO_PARENT);
-    for (i, &cell) in field.cells().iter().enumerate() {
+    for (i, &cell) in raster.cells().iter().enumerate() {
         let Some(node) = nodes[i] else { continue };
-        for other in around(field, i, true).filter_map(|beside| nodes[beside]) {
+        for other in around(raster, i, true).filter_map(|beside| nodes[beside]) {
             assert!(is_family(tree, node, other), "rivers touch: {node} and {other}");
         }
         let Some(parent) = tree.parent_of(node) else {
@@ -118,18 +119,18 @@ fn check(field: &Field, tree: &Tree) {
         };
         assert_eq!(cell, Cell::Land, "node {node} is not on land");
         assert!(parent < node);
-        assert!(around(field, i, true).any(|i| nodes[i] == Some(parent)), "{node} is away from its parent");
-        for beside in around(field, i, true) {
-            if field.cells()[beside] == Cell::Water {
+        assert!(around(raster, i, true).any(|i| nodes[i] == Some(parent)), "{node} is away from its parent");
+        for beside in around(raster, i, true) {
+            if raster.cells()[beside] == Cell::Water {
                 let mouth = [parent, tree.parent_of(parent).unwrap_or(parent)];
                 let is_mouth = |i: usize| nodes[i].is_some_and(|n| mouth.contains(&n) && !is_river(i));
-                let is_beside_mouth = is_mouth(beside) || around(field, beside, true).any(is_mouth);
+                let is_beside_mouth = is_mouth(beside) || around(raster, beside, true).any(is_mouth);
                 assert!(is_beside_mouth, "node {node} touches the sea");
             }
         }
     }
-    let before = pieces_of_land(field, |i| field.cells()[i] != Cell::Water);
-    let after = pieces_of_land(field, |i| field.cells()[i] != Cell::Water && !is_river(i));
+    let before = pieces_of_land(raster, |i| raster.cells()[i] != Cell::Water);
+    let after = pieces_of_land(raster, |i| raster.cells()[i] != Cell::Water && !is_river(i));
     assert!(after <= before, "{after} pieces of land were {before}");
 }
 
@@ -140,14 +141,14 @@ fn is_family(tree: &Tree, a: usize, b: usize) -> bool {
     line(a).contains(&Some(b)) || line(b).contains(&Some(a)) || is_sister
 }
 
-fn assert_equals_literal(field: &Field, seed: &str, sensitivity: f32) {
-    let growth = grown(field, seed, sensitivity);
+fn assert_equals_literal(raster: &Raster, seed: &str, sensitivity: f32) {
+    let growth = grown(raster, seed, sensitivity);
     let tree = growth.tree();
-    let literal = literal::grow(field, Seed::from_text(seed), sensitivity);
+    let literal = literal::grow(raster, Seed::from_text(seed), sensitivity);
     for (i, node) in literal.iter().enumerate() {
         assert_eq!(tree.parent.get(i), Some(&node.parent), "node {i}");
         if node.parent != NO_PARENT {
-            assert_eq!(tree.at[i], literal::place(field, node), "node {i}");
+            assert_eq!(tree.at[i], literal::place(raster, node), "node {i}");
         }
     }
     assert_eq!(tree.len(), literal.len());
@@ -160,8 +161,8 @@ proptest! {
     #![proptest_config(large(300))]
 
     #[test]
-    fn any_field_grows_the_literal_tree(field in random_field(), seed in "[a-z]{1,8}", sensitivity in 3f32..40.0) {
-        assert_equals_literal(&field, &seed, sensitivity);
+    fn any_raster_grows_the_literal_tree(raster in random_raster(), seed in "[a-z]{1,8}", sensitivity in 3f32..40.0) {
+        assert_equals_literal(&raster, &seed, sensitivity);
     }
 }
 
@@ -169,8 +170,8 @@ proptest! {
     #![proptest_config(large(1000))]
 
     #[test]
-    fn strands_never_touch_and_no_land_is_cut_off(field in random_field(), seed in "[a-z]{1,8}", sensitivity in 3f32..20.0) {
-        check(&field, grown(&field, &seed, sensitivity).tree());
+    fn strands_never_touch_and_no_land_is_cut_off(raster in random_raster(), seed in "[a-z]{1,8}", sensitivity in 3f32..20.0) {
+        check(&raster, grown(&raster, &seed, sensitivity).tree());
     }
 }
 
@@ -182,22 +183,21 @@ proptest! {
         let mut recipe = link::read(&link).unwrap();
         recipe.set(Key::Growth, "brownian").unwrap();
         recipe.set(Key::Sensitivity, &sensitivity.to_string()).unwrap();
-        let mut growth = Growth::new(Settings::of(&recipe)).unwrap();
+        let mut growth = Growth::new(GrowthSettings::of(&recipe)).unwrap();
         while growth.tick() {}
         prop_assert_eq!(growth.ending(), Some(Ending::Complete));
-        check(&Field::of(growth.settings()), growth.tree());
+        check(&Raster::of(growth.settings()), growth.tree());
     }
 }
 
 #[test]
 fn every_kind_of_land_grows_the_literal_tree() {
-    for (land, aspect) in [("island", 1.0), ("valley", 2.0), ("archipelago", 0.5), ("rectangle", 1.5)] {
-        let recipe =
-            link::read(&plain(&format!("growth=brownian&land={land}&aspect={aspect}&sides=nw&seed={land}"))).unwrap();
-        let parameters = Settings::of(&recipe);
-        let whole = Field::of(&parameters);
+    for (land, aspect) in every_land().iter().zip([1.0, 2.0, 0.5, 1.5].into_iter().cycle()) {
+        let recipe = link::read(&plain(&format!("growth=brownian&{land}&aspect={aspect}&sides=nw&seed=k"))).unwrap();
+        let settings = GrowthSettings::of(&recipe);
+        let whole = Raster::of(&settings);
         // Every eighth cell, so that a literal search ends today.
-        let coarse = Field::new(whole.columns() / 8, whole.rows() / 8, whole.side() * 8.0, |x, y| {
+        let coarse = Raster::new(whole.columns() / 8, whole.rows() / 8, whole.side() * 8.0, |x, y| {
             whole.cells()[(y * 8 * whole.columns() + x * 8) as usize]
         });
         assert_equals_literal(&coarse, land, 4.5);
@@ -207,12 +207,12 @@ fn every_kind_of_land_grows_the_literal_tree() {
 
 #[test]
 fn recipes_grow_on_all_their_land() {
-    for land in ["rectangle", "island", "continent", "archipelago", "valley", "basin"] {
-        let recipe = link::read(&plain(&format!("growth=brownian&land={land}&sensitivity=24"))).unwrap();
-        let mut growth = Growth::new(Settings::of(&recipe)).unwrap();
+    for land in every_land() {
+        let recipe = link::read(&plain(&format!("growth=brownian&{land}&sensitivity=24"))).unwrap();
+        let mut growth = Growth::new(GrowthSettings::of(&recipe)).unwrap();
         while growth.tick() {}
-        let field = Field::of(growth.settings());
-        check(&field, growth.tree());
+        let raster = Raster::of(growth.settings());
+        check(&raster, growth.tree());
         let (total_discharge, drained) = (growth.total_discharge() as f32, growth.tree().len() as f32);
         assert!((0.7..1.3).contains(&(drained / total_discharge)), "{land}: {drained} of {total_discharge}");
         assert!(growth.tree().at.iter().all(|&at| growth.settings().domain.contains(at)));
@@ -220,9 +220,9 @@ fn recipes_grow_on_all_their_land() {
 }
 
 /// A round island with a ring of ridge along its coast, which is open to the east over so many cells.
-fn ringed(side: i32, gap: i32) -> Field {
+fn ringed(side: i32, gap: i32) -> Raster {
     let island = disc(side);
-    Field::new(side, side, 1.0, |x, y| {
+    Raster::new(side, side, 1.0, |x, y| {
         let cell = island.cells()[(y * side + x) as usize];
         let is_open = x > side / 2 && (2 * y - side).abs() < gap;
         if cell == Cell::Land && !is_open && is_on_ring(side, x, y) { Cell::Ridge } else { cell }
@@ -243,11 +243,11 @@ fn land_behind_a_ridge_fills_through_its_gap() {
     const SIDE: i32 = 240;
     let inside = SIDE / 2 - 20;
     for (gap, sensitivity) in [(80, 8.0), (80, 16.0), (24, 8.0), (24, 5.0)] {
-        let field = ringed(SIDE, gap);
+        let raster = ringed(SIDE, gap);
         for seed in ["kauri", "rimu", "totara"] {
-            let growth = grown(&field, seed, sensitivity);
-            check(&field, growth.tree());
-            let cells = cells_of(growth.tree(), &field);
+            let growth = grown(&raster, seed, sensitivity);
+            check(&raster, growth.tree());
+            let cells = cells_of(growth.tree(), &raster);
             let river = cells.iter().filter(|&&(x, y)| squared_from_middle(SIDE, x, y) < inside * inside).count();
             let density = river as f32 * sensitivity / (std::f32::consts::PI * (inside * inside) as f32);
             assert!((0.7..1.2).contains(&density), "a gap of {gap}, sensitivity {sensitivity}: {density}");
@@ -257,19 +257,19 @@ fn land_behind_a_ridge_fills_through_its_gap() {
 
 #[test]
 fn land_that_a_ridge_shuts_off_stays_dry() {
-    let field = ringed(160, 0);
-    let growth = grown(&field, "kauri", 8.0);
+    let raster = ringed(160, 0);
+    let growth = grown(&raster, "kauri", 8.0);
     let inside = |&&(x, y): &&(i32, i32)| squared_from_middle(160, x, y) < 60 * 60;
-    assert_eq!(cells_of(growth.tree(), &field).iter().filter(inside).count(), 0);
+    assert_eq!(cells_of(growth.tree(), &raster).iter().filter(inside).count(), 0);
 }
 
 #[test]
 fn any_two_sensitivities_draw_different_trees_evenly_dense() {
-    let field = square(192);
-    let land = field.available() as f32;
+    let raster = square(192);
+    let land = raster.available() as f32;
     let trees: Vec<(f32, Tree)> = (8..=49)
         .map(|i| i as f32 / 2.0)
-        .map(|sensitivity| (sensitivity, grown(&field, "kauri", sensitivity).tree().clone()))
+        .map(|sensitivity| (sensitivity, grown(&raster, "kauri", sensitivity).tree().clone()))
         .collect();
     let share = |tree: &Tree| tree.len() as f32 / land;
     for pair in trees.windows(2) {
@@ -288,10 +288,10 @@ fn any_two_sensitivities_draw_different_trees_evenly_dense() {
 
 #[test]
 fn a_finer_sensitivity_keeps_the_coarser_tree_of_its_octave() {
-    let field = square(192);
-    let coarse = grown(&field, "kauri", 24.0).tree().clone();
+    let raster = square(192);
+    let coarse = grown(&raster, "kauri", 24.0).tree().clone();
     for sensitivity in [23.0, 17.0, 12.0, 5.0] {
-        let fine = grown(&field, "kauri", sensitivity);
+        let fine = grown(&raster, "kauri", sensitivity);
         assert!(
             fine.tree().at.starts_with(&coarse.at) && fine.tree().parent.starts_with(&coarse.parent),
             "{sensitivity}"
@@ -308,10 +308,10 @@ fn mean_in_errors(seeds: usize, of_seed: impl Fn(usize) -> Vec2) -> Vec2 {
 }
 
 /// Whither rivers lead on the whole: the mean direction from a node to its parent.
-fn bias(order: Order) -> Vec2 {
-    let field = square(96);
+fn bias(order: ParticleOrder) -> Vec2 {
+    let raster = square(96);
     mean_in_errors(300, |seed| {
-        let growth = grown_in(order, &field, &format!("w{seed}"), 6.0);
+        let growth = grown_in(order, &raster, &format!("w{seed}"), 6.0);
         let tree = growth.tree();
         let rivers = (0..tree.len()).filter_map(|node| Some((node, tree.parent_of(node)?)));
         let directions: Vec<Vec2> =
@@ -323,13 +323,13 @@ fn bias(order: Order) -> Vec2 {
 /// If of equally near water the first were taken, row by row, this would be 7.
 #[test]
 fn rivers_favour_no_direction() {
-    let bias = bias(Order::Shuffled);
+    let bias = bias(ParticleOrder::Shuffled);
     assert!(bias.abs().max_element() < 4.0, "{bias}");
 }
 
 /// A round island: unlike a square it has no direction of its own.
-fn disc(side: i32) -> Field {
-    Field::new(side, side, 1.0, |x, y| {
+fn disc(side: i32) -> Raster {
+    Raster::new(side, side, 1.0, |x, y| {
         let (x, y) = (2 * x + 1 - side, 2 * y + 1 - side);
         if x * x + y * y < (side - 4) * (side - 4) { Cell::Land } else { Cell::Water }
     })
@@ -351,9 +351,9 @@ fn ten_cells_down(tree: &Tree, node: usize) -> Option<usize> {
 /// by length, over many seeds, in standard errors. The first is 1 along an axis and -1 along a diagonal; the second is 1 along
 /// both, and -1 between them.
 fn grain() -> Vec2 {
-    let field = disc(256);
+    let raster = disc(256);
     mean_in_errors(200, |seed| {
-        let growth = grown(&field, &format!("d{seed}"), 12.0);
+        let growth = grown(&raster, &format!("d{seed}"), 12.0);
         let tree = growth.tree();
         let rivers =
             (0..tree.len()).filter_map(|node| Some((node, tree.parent_of(node)?, ten_cells_down(tree, node)?)));
@@ -377,7 +377,7 @@ fn rivers_follow_neither_rows_and_columns_nor_diagonals() {
 
 #[test]
 fn the_test_of_directions_sees_the_bias_of_particles_in_rows() {
-    let bias = bias(Order::Rows);
+    let bias = bias(ParticleOrder::Rows);
     assert!(bias.max_element() < -8.0, "{bias}");
 }
 
@@ -400,10 +400,10 @@ fn slices_of_any_length_grow_the_same_tree() {
 }
 
 #[test]
-fn fields_without_land_or_without_water_end_empty() {
+fn rasters_without_land_or_without_water_end_empty() {
     for cell in [Cell::Land, Cell::Water, Cell::Ridge] {
         for (columns, rows) in [(1, 1), (1, 90), (40, 40)] {
-            let growth = grown(&Field::new(columns, rows, 1.0, |_, _| cell), "kauri", 6.0);
+            let growth = grown(&Raster::new(columns, rows, 1.0, |_, _| cell), "kauri", 6.0);
             assert!(growth.tree().is_empty(), "{cell:?}, {columns} by {rows}");
         }
     }

@@ -286,6 +286,18 @@ fn what_is_given_and_does_nothing_is_said() {
     assert_eq!(said.lines().count(), 3, "{said}");
 }
 
+/// A network's file states every parameter, so that what it leaves at its default was not asked for.
+#[test]
+fn network_read_as_a_recipe_warns_only_of_what_it_changes() {
+    network("stated.json", &["attractors=100&land=rectangle&sea=0.7&growth=brownian&sensitivity=64"]);
+    let out = scratch("stated-again.json");
+    let file = scratch("stated.json");
+    let output = riverseed(&["render", "-o", out.to_str().unwrap(), "--recipe", file.to_str().unwrap(), "--kill", "1"]);
+    let warnings = String::from_utf8(output.stderr).unwrap();
+    let named: Vec<&str> = warnings.lines().filter_map(|line| line.split('\'').nth(1)).collect();
+    assert_eq!(named, ["sea", "attractors", "kill"], "{warnings}");
+}
+
 #[test]
 fn pictures_that_show_no_land_are_refused_by_name() {
     for (ground, square, reason) in [(0, 0, "all water"), (255, 255, "all land")] {

@@ -1,8 +1,12 @@
 //! README and `docs/` are true: their commands work, their links lead somewhere, and what is generated is current.
 //!
-//! `make docs`, or `RIVERSEED_REFRESH=1 cargo test --all-features --test documents`, writes the page of parameters again.
+//! `make docs`, or `RIVERSEED_REFRESH=1 cargo test --all-features --test documents`, writes the page of parameters and the figures again.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 #![cfg(feature = "cli")]
+
+#[path = "../examples/figures.rs"]
+#[allow(dead_code, reason = "the tests draw figures one by one")]
+mod figures;
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -44,6 +48,21 @@ fn page_of_parameters_is_the_one_the_program_prints() {
         panic!("docs/parameters.md is written again: run without RIVERSEED_REFRESH");
     }
     assert!(read(path) == printed, "write docs/parameters.md again: make docs");
+}
+
+#[test]
+fn figures_are_those_that_their_example_draws() {
+    let folder = root().join("docs/figures");
+    if std::env::var_os("RIVERSEED_REFRESH").is_some() {
+        figures::write(&folder).unwrap();
+        panic!("docs/figures is written again: run without RIVERSEED_REFRESH");
+    }
+    let page = read("docs/algorithms.md");
+    for (name, draw) in figures::FIGURES {
+        let is_current = fs::read_to_string(folder.join(name)).unwrap() == draw().unwrap();
+        assert!(is_current, "draw docs/figures/{name} again: make docs");
+        assert!(page.contains(&format!("](figures/{name})")), "docs/algorithms.md does not show {name}");
+    }
 }
 
 #[test]

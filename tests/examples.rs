@@ -41,12 +41,16 @@ fn rivers_of_svg(path: PathBuf) -> usize {
 
 #[test]
 fn all_examples_are_run() {
+    // What `figures.rs` draws is compared by `documents.rs`.
     let mut names: Vec<_> = fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/examples"))
         .unwrap()
         .map(|entry| entry.unwrap().file_name().into_string().unwrap())
         .collect();
     names.sort_unstable();
-    assert_eq!(names, ["geojson.rs", "own_land.rs", "picture.rs", "statistics.rs", "stepping.rs", "svg.rs"]);
+    assert_eq!(
+        names,
+        ["figures.rs", "geojson.rs", "own_land.rs", "picture.rs", "statistics.rs", "stepping.rs", "svg.rs"]
+    );
 }
 
 #[test]

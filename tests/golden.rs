@@ -75,7 +75,7 @@ fn picture(recipe: Recipe, width: u32) -> Pixmap {
     let height = View::height_for(&Domain::of(&recipe), width);
     let mut session = Session::new(recipe).unwrap();
     while session.advance(u32::MAX).unwrap() {}
-    assert!(!session.summary().is_stalled(), "{:?} grows next to nothing", session.recipe());
+    assert!(session.summary().shortfall().is_none(), "{:?} grows next to nothing", session.recipe());
     let mut picture = Picture::new(width, height).unwrap();
     picture.paint(&session);
     picture.pixmap().clone()

@@ -3,26 +3,27 @@
 
 mod common;
 
+use common::lands::every_land;
 use common::plain::plain;
 use common::property::large;
 use common::{random_link, twin};
 use glam::Vec2;
 use proptest::prelude::*;
-use riverseed::grow::{Colonize, Ending, Growth, Settings, scatter};
+use riverseed::grow::{Colonize, Ending, Growth, GrowthSettings, scatter};
 use riverseed::land::Cell;
 use riverseed::recipe::{link, preset::PRESETS};
 use riverseed::tree::Tree;
 
-fn parameters(link: &str) -> Settings {
-    Settings::of(&link::read(&plain(link)).unwrap())
+fn settings(link: &str) -> GrowthSettings {
+    GrowthSettings::of(&link::read(&plain(link)).unwrap())
 }
 
 fn grown(link: &str) -> Colonize {
-    grown_by(parameters(link))
+    grown_by(settings(link))
 }
 
-fn grown_by(parameters: Settings) -> Colonize {
-    let mut growth = Colonize::new(parameters).unwrap();
+fn grown_by(settings: GrowthSettings) -> Colonize {
+    let mut growth = Colonize::new(settings).unwrap();
     while growth.tick() {}
     growth
 }
@@ -55,9 +56,9 @@ fn a_river_that_nothing_reaches_runs_straight_inland() {
         let link = format!("seed={seed}&attractors=100&mouths=64&sides=nesw&reach=2.1&step=0.2&curl=1");
         assert_equals_twin(&link);
         let growth = grown(&link);
-        let (parameters, tree) = (growth.settings(), growth.tree());
-        let attractors = scatter(parameters);
-        let is_reached = |at| attractors.iter().any(|&a| a.distance(at) < parameters.reach * 0.999);
+        let (settings, tree) = (growth.settings(), growth.tree());
+        let attractors = scatter(settings);
+        let is_reached = |at| attractors.iter().any(|&a| a.distance(at) < settings.reach * 0.999);
         let children_of = |node: usize| tree.parent.iter().filter(move |&&parent| parent == node as u32).count();
         // The end of a stem has all of its ancestors at tick 0 and no child there.
         for node in 0..tree.tick_starts[1] as usize {
@@ -90,7 +91,7 @@ fn a_reach_across_a_narrow_land_loses_no_attractor() {
 
 #[test]
 fn growth_stops_before_its_limit_of_nodes() {
-    let growth = Colonize::new(parameters("attractors=1000")).unwrap();
+    let growth = Colonize::new(settings("attractors=1000")).unwrap();
     let mut growth = growth.with_node_limit(300);
     while growth.tick() {}
     assert_eq!(growth.ending(), Some(Ending::NodeLimit));
@@ -106,29 +107,28 @@ fn no_preset_and_no_default_runs_dry() {
     for base in bases.chain(["attractors=3000".into(), plain("mouths=1&attractors=3000")]) {
         for (seed, mouths) in (0..150).flat_map(|seed| [(seed, 1), (seed, 3)]) {
             let link = format!("seed=w{seed}&{}", base.replace("mouths=1", &format!("mouths={mouths}")));
-            let unreached = grown_by(Settings::of(&link::read(&link).unwrap())).unreached();
+            let unreached = grown_by(GrowthSettings::of(&link::read(&link).unwrap())).unreached();
             assert!(unreached < 300, "{link} leaves {unreached} of 3000 unreached");
         }
     }
 }
 
-const KINDS: [&str; 6] = ["rectangle", "island", "continent", "archipelago", "valley", "basin"];
-
 #[test]
 fn no_kind_of_land_is_left_dry() {
-    for (kind, seed) in KINDS.iter().flat_map(|kind| (0..40).map(move |seed| (kind, seed))) {
-        let growth = grown(&format!("land={kind}&seed={seed}&attractors=1500"));
+    let lands = every_land();
+    for (land, seed) in lands.iter().flat_map(|land| (0..40).map(move |seed| (land, seed))) {
+        let growth = grown(&format!("{land}&seed={seed}&attractors=1500"));
         let (unreached, all) = (growth.unreached(), growth.attractors());
-        assert!(unreached * 20 <= all, "{kind}, seed {seed}: {unreached} of {all} are unreached");
+        assert!(unreached * 20 <= all, "{land}, seed {seed}: {unreached} of {all} are unreached");
     }
 }
 
 #[test]
 fn every_island_of_some_size_has_rivers() {
     for seed in 0..10 {
-        let parameters = parameters(&format!("land=archipelago&seed={seed}&mouths=1"));
-        let land = parameters.land().unwrap().clone();
-        let mouths = riverseed::grow::mouths(&parameters);
+        let settings = settings(&format!("land=archipelago&seed={seed}&mouths=1"));
+        let land = settings.land().unwrap().clone();
+        let mouths = riverseed::grow::mouths(&settings);
         let all: u32 = land.regions().iter().map(|region| region.cells).sum();
         for region in land.regions().iter().filter(|region| region.cells * 100 >= all) {
             assert!(mouths.iter().any(|mouth| land.is_in(region, mouth.at)), "seed {seed}: {} cells", region.cells);
@@ -139,13 +139,13 @@ fn every_island_of_some_size_has_rivers() {
 #[test]
 fn a_lake_has_thrice_the_mouths_and_from_every_side() {
     for seed in 0..8 {
-        let parameters = parameters(&format!("land=basin&seed={seed}&mouths=4&roughness=0.2"));
-        let mouths = riverseed::grow::mouths(&parameters);
+        let settings = settings(&format!("land=basin&seed={seed}&mouths=4&roughness=0.2"));
+        let mouths = riverseed::grow::mouths(&settings);
         assert!(mouths.len() >= 12, "seed {seed}: {}", mouths.len());
-        let centre = parameters.domain.size / 2.0;
+        let centre = settings.domain.size / 2.0;
         for way in [Vec2::X, Vec2::NEG_X, Vec2::Y, Vec2::NEG_Y] {
             // A third of the way out at least, so that it is a side and not the middle.
-            let is_there = |at: Vec2| ((at - centre) / parameters.domain.size).dot(way) > 1.0 / 6.0;
+            let is_there = |at: Vec2| ((at - centre) / settings.domain.size).dot(way) > 1.0 / 6.0;
             assert!(mouths.iter().any(|mouth| is_there(mouth.at)), "seed {seed}: none toward {way}");
         }
     }
@@ -167,39 +167,39 @@ fn mouths_lie_on_the_chosen_shores() {
 
 #[test]
 fn one_attractor_more_leaves_the_others_where_they_are() {
-    let places = |n: u32| scatter(&parameters(&format!("attractors={n}")));
+    let places = |n: u32| scatter(&settings(&format!("attractors={n}")));
     assert_eq!(places(500), places(501)[..500]);
 }
 
 #[test]
 fn a_grid_has_one_attractor_in_every_cell_of_its_row() {
     for n in [100u32, 101, 997] {
-        let parameters = parameters(&format!("attractors={n}&scatter=grid"));
-        let places = scatter(&parameters);
+        let settings = settings(&format!("attractors={n}&scatter=grid"));
+        let places = scatter(&settings);
         assert_eq!(places.len(), n as usize);
-        let rows = (parameters.domain.size.y / parameters.spacing).round();
-        let row_of = |y: f32| (y / parameters.domain.size.y * rows) as usize;
+        let rows = (settings.domain.size.y / settings.spacing).round();
+        let row_of = |y: f32| (y / settings.domain.size.y * rows) as usize;
         for row in 0..rows as usize {
             let mut columns: Vec<f32> = places.iter().filter(|at| row_of(at.y) == row).map(|at| at.x).collect();
             columns.sort_by(f32::total_cmp);
-            let width = parameters.domain.size.x / columns.len() as f32;
+            let width = settings.domain.size.x / columns.len() as f32;
             assert!(columns.iter().enumerate().all(|(i, x)| (x / width) as usize == i), "{n}, row {row}");
         }
     }
 }
 
 /// Parents stand first, no step is longer than it should be, everything lies in the domain, and all is finite.
-fn check_tree(tree: &Tree, parameters: &Settings) -> Result<(), TestCaseError> {
+fn check_tree(tree: &Tree, settings: &GrowthSettings) -> Result<(), TestCaseError> {
     for node in 0..tree.len() {
-        prop_assert!(parameters.domain.contains(tree.at[node]) && is_land(parameters, tree.at[node]));
+        prop_assert!(settings.domain.contains(tree.at[node]) && is_land(settings, tree.at[node]));
         if let Some(parent) = tree.parent_of(node) {
             prop_assert!(parent < node);
-            prop_assert!(parameters.allows(tree.at[parent], tree.at[node]), "{parent} to {node} leaves the land");
+            prop_assert!(settings.allows(tree.at[parent], tree.at[node]), "{parent} to {node} leaves the land");
             let length = tree.at[node].distance(tree.at[parent]);
-            prop_assert!((length - parameters.step).abs() < 1e-3 * parameters.step, "{length}");
+            prop_assert!((length - settings.step).abs() < 1e-3 * settings.step, "{length}");
         }
     }
-    let most = if parameters.land().is_some() { usize::MAX } else { parameters.mouths as usize };
+    let most = if settings.land().is_some() { usize::MAX } else { settings.mouths as usize };
     prop_assert!((1..=most).contains(&tree.mouths()));
     prop_assert_eq!(tree.ticks().count(), tree.len());
     Ok(())
@@ -250,8 +250,8 @@ fn recipes_that_once_failed_grow_as_promised() {
     }
 }
 
-fn is_land(parameters: &Settings, point: Vec2) -> bool {
-    parameters.land().is_none_or(|land| land.at(point) == Cell::Land)
+fn is_land(settings: &GrowthSettings, point: Vec2) -> bool {
+    settings.land().is_none_or(|land| land.at(point) == Cell::Land)
 }
 
 /// An island whose ridge, drawn twice, shuts all its land off from its coast.
@@ -291,7 +291,7 @@ fn cross(a: Vec2, b: Vec2, c: Vec2, d: Vec2) -> bool {
 fn no_river_of_either_growth_crosses_a_ridge() {
     for (seed, growth) in (0..6).flat_map(|seed| ["colonize", "brownian"].map(|growth| (seed, growth))) {
         let link = format!("seed={seed}&growth={growth}&sensitivity=40&land=valley&roughness=1&attractors=1500");
-        let mut grown = Growth::new(parameters(&link)).unwrap();
+        let mut grown = Growth::new(settings(&link)).unwrap();
         while grown.tick() {}
         let (tree, land) = (grown.tree(), grown.settings().land().unwrap().clone());
         let ridges: Vec<&[Vec2]> = land.ridges().iter().flat_map(|ridge| ridge.windows(2)).collect();

@@ -8,7 +8,7 @@ use common::property::{cases, large};
 use common::{pairs, random_link};
 use glam::Vec2;
 use proptest::prelude::*;
-use riverseed::grow::{Growth, Settings};
+use riverseed::grow::{Growth, GrowthSettings};
 use riverseed::land::Land;
 use riverseed::network::{self, ClearanceGrid, Meander, NONE, Network, Shaping, hydrology, meet};
 use riverseed::prune;
@@ -17,12 +17,15 @@ use riverseed::tree::Hydrology;
 
 fn shaped(recipe: &Recipe) -> Meander {
     let land = Land::of(recipe);
-    let mut growth = Growth::new(Settings::new(recipe, land.clone())).unwrap();
+    let mut growth = Growth::new(GrowthSettings::new(recipe, land.clone())).unwrap();
     while growth.tick() {}
-    let threshold = prune::Trim::new(recipe.number(Key::Trim), growth.node_length(), !growth.mouths_are_chosen());
-    let pruned = prune::trim(growth.tree(), &Hydrology::of(growth.tree()), threshold);
-    let parameters = network::Settings::new(recipe, land, growth.stream_spacing(), growth.total_discharge());
-    let mut shaping = Shaping::new(&pruned.tree, growth.may_cross(), parameters).unwrap();
+    let pruned = prune::trim(
+        growth.tree(),
+        &Hydrology::of(growth.tree()),
+        prune::Trim::new(recipe.number(Key::Trim), growth.node_length(), !growth.mouths_are_chosen()),
+    );
+    let settings = network::NetworkSettings::new(recipe, land, growth.stream_spacing(), growth.total_discharge());
+    let mut shaping = Shaping::new(&pruned.tree, growth.may_cross(), settings).unwrap();
     while shaping.meander().is_none() {
         shaping.step();
     }
@@ -153,12 +156,12 @@ proptest! {
         (0..rounds).for_each(|_| {
             meander.round();
         });
-        let (network, parameters) = (meander.network(), meander.settings());
+        let (network, settings) = (meander.network(), meander.settings());
         // All pairs of more take a while.
         prop_assume!(network.vertices.len() < 4000);
         let downstream = network.downstream();
         let reach = meander.reach(&downstream, &meander.step_scale());
-        let mut guard = ClearanceGrid::new(&parameters.domain, parameters.spacing);
+        let mut guard = ClearanceGrid::new(&settings.domain, settings.spacing);
         let mut near = Vec::new();
         let clearance = guard.measure(network, &downstream, &reach, meander.caps(), &mut |pair| near.push(pair));
         near.sort_by_key(|pair| (pair.first, pair.second));

@@ -1,7 +1,8 @@
 //! The paper's presets are its patterns, whatever the table's defaults are.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
-use riverseed::grow::{Colonize, Settings};
+use riverseed::grow::{Colonize, GrowthSettings};
+use riverseed::land::Land;
 use riverseed::prune::{Trim, trim};
 use riverseed::recipe::preset::{PRESETS, Preset};
 use riverseed::recipe::{Key, Recipe, link, table::TABLE};
@@ -36,7 +37,7 @@ const TREES: [(&str, u64); 6] = [
 const GROUND: &str = "seed=kauri&aspect=1.5&land=rectangle&sides=s&mouths=3&attractors=6000";
 
 fn tree(recipe: &Recipe) -> u64 {
-    let settings = Settings::of(recipe);
+    let settings = GrowthSettings::of(recipe);
     let threshold = Trim::new(recipe.number(Key::Trim), settings.step, false);
     let mut growth = Colonize::new(settings).unwrap();
     while growth.tick() {}
@@ -64,7 +65,7 @@ fn presets_name_all_that_they_do_not_leave_to_their_user() {
     for preset in PRESETS {
         let recipe = link::read(&format!("land=island&preset={}", preset.name)).unwrap();
         for key in TABLE.iter().map(|parameter| parameter.key) {
-            let is_idle = recipe.inactive_reason(key).is_some();
+            let is_idle = recipe.inactive_reason(key, Land::kind_of(&recipe)).is_some();
             assert!(names(preset, key) || LEFT.contains(&key) || is_idle, "{} rests on {key:?}", preset.name);
             assert!(!(names(preset, key) && LEFT.contains(&key)), "{} takes {key:?} away", preset.name);
         }

@@ -7,6 +7,7 @@ mod common;
 use common::property::{cases, large};
 use common::random_link;
 use proptest::prelude::*;
+use riverseed::recipe::reading::{ReadOptions, read};
 use riverseed::recipe::{Recipe, RecipeError, json, link, preset, table::TABLE};
 
 fn assert_in_range(recipe: &Recipe) {
@@ -73,6 +74,17 @@ proptest! {
     #[test]
     fn any_text_is_read_leniently_into_a_recipe_in_range(text in mangled_link()) {
         check_link(&text);
+    }
+
+    #[test]
+    fn what_is_shared_of_any_text_opens_as_the_same(text in mangled_link(), widget: bool, dark: bool) {
+        let options = ReadOptions { widget, dark };
+        let reading = read(&text, options);
+        assert_in_range(&reading.recipe);
+        let again = read(&reading.shared_link(), options);
+        prop_assert_eq!(&again.recipe, &reading.recipe);
+        prop_assert_eq!(&again.notices, &vec![]);
+        prop_assert_eq!(again.shared_link(), reading.shared_link());
     }
 }
 

@@ -15,10 +15,10 @@ use riverseed::session::Session;
 use riverseed::tree::Hydrology;
 
 /// The table's defaults, written out as they were when these bars were set.
-const DEFAULTS: &str = "attractors=20000&aspect=1.6&rough=1&apart=0&shores=nesw&sides=s&scatter=random&reach=2.3&kill=1.1\
+const DEFAULTS: &str = "attractors=20000&aspect=1.6&roughness=1&mouth-spacing=0&shores=nesw&sides=s&scatter=random&reach=2.3&kill=1.1\
                         &step=0.38&momentum=0&curl=0.7&stretch=8&valley-spacing=32&concavity=0.5&captures=5&hardness=0.5\
-                        &hardness-scale=36&bending=2&channel-area=8&trim=7&simplify=60&width=16&vary=0.15&meander=bend\
-                        &meander-rounds=36&meander-strength=0.6&meander-mix=0.6&gentle=0.3&great=3&flat=0.25";
+                        &hardness-scale=36&bending=2&channel-area=8&trim=7&simplify=60&width=16&bank-variation=0.15&meander=bend\
+                        &meander-rounds=36&meander-strength=0.6&meander-mix=0.6&meander-elsewhere=0.3&great-rivers=3&flat-share=0.25";
 
 const GROWERS: [&str; 3] = ["growth=colonize", "growth=drainage&valleys=0", "growth=drainage&valleys=0.32"];
 
@@ -40,8 +40,8 @@ fn ratios_of_a_basin(grower: &str, nodes: u32) -> [Option<f64>; 5] {
         while session.growth().ending().is_none() {
             session.advance(1).unwrap();
         }
-        let (tree, recipe) = (session.tree(), session.recipe());
-        let pruned = trim(tree, &Hydrology::of(tree), Trim { nodes, ..Trim::of(recipe) });
+        let tree = session.tree();
+        let pruned = trim(tree, &Hydrology::of(tree), Trim { nodes, ..session.trim() });
         let (order, area) = (&pruned.hydrology.order, &pruned.hydrology.discharge);
         let streams = Streams::of(&pruned.tree, order);
         [

@@ -7,19 +7,19 @@ use common::plain::plain;
 use common::property::cases;
 use common::random_link;
 use proptest::prelude::*;
-use riverseed::grow::{Colonize, Growth, Settings};
+use riverseed::grow::{Colonize, Growth, GrowthSettings};
 use riverseed::prune::{Trim, trim};
 use riverseed::recipe::{Key, link};
 use riverseed::tree::{Hydrology, Tree};
 
 fn grown(link: &str) -> Tree {
-    let mut growth = Colonize::new(Settings::of(&link::read(&plain(link)).unwrap())).unwrap();
+    let mut growth = Colonize::new(GrowthSettings::of(&link::read(&plain(link)).unwrap())).unwrap();
     while growth.tick() {}
     growth.tree().clone()
 }
 
 fn nodes(nodes: u32) -> Trim {
-    Trim { nodes, treats_sea_as_fork: false }
+    Trim { nodes, ..Trim::default() }
 }
 
 /// Depth by its recursive definition, from the children down.
@@ -110,7 +110,7 @@ fn trimming_takes_most_short_branches() {
 /// A tree, and what of it the recipe trims.
 fn grown_and_threshold(link: &str) -> (Tree, Trim) {
     let recipe = link::read(&plain(link)).unwrap();
-    let mut growth = Growth::new(Settings::of(&recipe)).unwrap();
+    let mut growth = Growth::new(GrowthSettings::of(&recipe)).unwrap();
     while growth.tick() {}
     let threshold = Trim::new(recipe.number(Key::Trim), growth.node_length(), !growth.mouths_are_chosen());
     (growth.tree().clone(), threshold)

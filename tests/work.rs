@@ -1,10 +1,14 @@
 //! How much work a step of a session is at most, whatever the recipe, in elementary steps: what keeps a page from freezing.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
+#[path = "common/lands.rs"]
+mod lands;
+
 use std::collections::BTreeMap;
 
+use lands::every_land;
 use riverseed::random::{Purpose, Seed};
-use riverseed::recipe::link;
+use riverseed::recipe::{Stage, link};
 use riverseed::session::Session;
 use riverseed::work;
 
@@ -17,19 +21,38 @@ fn coasts(seed: &str, lines: u32, points: u32) -> String {
     (0..lines).map(|_| format!(".{}", line())).collect()
 }
 
-/// The most elementary steps that a step of a session takes, by phase, and the bound.
-fn most_steps(recipe: &str) -> (BTreeMap<String, u64>, u64) {
-    let begun = work::steps();
-    let mut session = Session::new(link::read(recipe).unwrap()).unwrap();
-    let mut phases = BTreeMap::from([("Planting".to_owned(), work::steps() - begun)]);
-    let mut goes_on = true;
-    while goes_on {
-        let (phase, before) = (format!("{:?}", session.phase()), work::steps());
-        goes_on = session.advance(1).unwrap();
-        let most = phases.entry(phase).or_default();
+/// The most elementary steps that a step of a session takes, by phase.
+#[derive(Default)]
+struct Most(BTreeMap<String, u64>);
+
+impl Most {
+    /// Counts what a call of a phase takes.
+    fn count<T>(&mut self, phase: &str, call: impl FnOnce() -> T) -> T {
+        let before = work::steps();
+        let result = call();
+        let most = self.0.entry(phase.to_owned()).or_default();
         *most = (*most).max(work::steps() - before);
+        result
     }
-    (phases, bound(&session))
+
+    /// Plants a recipe.
+    fn plant(&mut self, recipe: &str) -> Session {
+        self.count("Planting", || Session::new(link::read(recipe).unwrap()).unwrap())
+    }
+
+    /// Advances a session step by step to its end.
+    fn finish(&mut self, session: &mut Session) {
+        while self.count(&format!("{:?}", session.phase()), || session.advance(1).unwrap()) {}
+    }
+
+    /// No call took more than the bound.
+    fn check(&self, session: &Session) {
+        let bound = bound(session);
+        for (phase, most) in &self.0 {
+            let link = link::write(session.recipe());
+            assert!(*most <= bound, "{phase}: {most} elementary steps, over {bound}: {link}");
+        }
+    }
 }
 
 /// What a step may take at most: a map of land is a million cells and more, whatever grows on it; and rivers meander the longer
@@ -40,10 +63,10 @@ fn bound(session: &Session) -> u64 {
 
 /// No step of a recipe takes more than the bound.
 fn check(recipe: &str) {
-    let (phases, bound) = most_steps(recipe);
-    for (phase, most) in phases {
-        assert!(most <= bound, "{phase}: {most} elementary steps, over {bound}: {recipe}");
-    }
+    let mut most = Most::default();
+    let mut session = most.plant(recipe);
+    most.finish(&mut session);
+    most.check(&session);
 }
 
 /// A mouth more was searched for among fifty thousand places, all of them anew for each, in a single tick: over 100 million
@@ -68,17 +91,37 @@ fn no_drawn_coast_of_random_points_holds_a_tick() {
 #[test]
 fn a_search_for_a_mouth_ends_soon() {
     let begun = work::steps();
-    most_steps(&format!("seed=b&land=drawn&outline={}&attractors=100&reach=12", coasts("b", 1, 240)));
+    check(&format!("seed=b&land=drawn&outline={}&attractors=100&reach=12", coasts("b", 1, 240)));
     assert!(work::steps() - begun < 300_000_000, "{}", work::steps() - begun);
 }
 
+/// Rivers that meander as much as recipes allow.
+const WILD: &str = "&trim=0&simplify=0&width=40&neck=4&clearance=1&meander-rounds=12&meander-strength=1&meander-elsewhere=1&great-rivers=16&flat-share=1";
+
 #[test]
 fn no_land_holds_a_step_however_its_rivers_grow_and_meander() {
-    const WILD: &str = "&trim=0&simplify=0&width=40&neck=4&clearance=1&meander-rounds=12&meander-strength=1&meander-elsewhere=1&great-rivers=16&flat-share=1";
-    for land in ["rectangle", "island", "continent", "archipelago", "valley", "basin"] {
-        check(&format!("land={land}&roughness=1&attractors=100&reach=12&step=0.2{WILD}"));
-        check(&format!("land={land}&roughness=1&attractors=3000&reach=12&step=0.2{WILD}"));
-        check(&format!("land={land}&roughness=1&growth=brownian&sensitivity=8{WILD}"));
+    for land in every_land() {
+        check(&format!("{land}&roughness=1&attractors=100&reach=12&step=0.2{WILD}"));
+        check(&format!("{land}&roughness=1&attractors=3000&reach=12&step=0.2{WILD}"));
+        check(&format!("{land}&roughness=1&growth=brownian&sensitivity=8{WILD}"));
     }
     check(&format!("attractors=20000&step=0.5{WILD}"));
+}
+
+/// A change of how rivers are shaped made all steps up to the first round of meandering in one call. Now it makes none, and a
+/// change of land or growth only plants.
+#[test]
+fn no_change_holds_a_page() {
+    let mut most = Most::default();
+    let recipe = format!("attractors=20000&step=0.5{WILD}");
+    let mut session = most.plant(&recipe);
+    most.finish(&mut session);
+    for change in ["width=39", "simplify=5", "meander-strength=0.9", "trim=1", "style=map", "land=valley"] {
+        let changed = link::pairs(change).unwrap();
+        let changed = link::apply(session.recipe().clone(), &changed).unwrap();
+        let stage = most.count(change, || session.change(changed).unwrap());
+        assert!(most.0[change] == 0 || stage < Some(Stage::Prune), "{change}: {} elementary steps", most.0[change]);
+        most.finish(&mut session);
+        most.check(&session);
+    }
 }

@@ -25,7 +25,7 @@ pub(super) struct Banks {
 /// How wide rivers are drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Width {
-    /// As wide as they are, and so much on each side so that a brook can be seen.
+    /// As wide as they are, plus a margin on each side so that a brook can be seen.
     Own { more: f32 },
     /// All alike, half of that to each side of the course, from its first vertex to its last.
     Even { half: f32 },
@@ -46,7 +46,7 @@ impl Banks {
         Self::along(&line)
     }
 
-    /// A lake's banks, so much farther out than they are, which meet at both of its ends. Empty if silt has closed it all.
+    /// A lake's banks, moved outward by a margin, which meet at both of its ends. Empty if silt has filled all of the lake.
     pub fn of_lake(oxbow: &Oxbow, more: f32) -> Self {
         let mut line = widened(oxbow.middle(), more);
         line.dedup_by_key(|place| place.at);
@@ -79,8 +79,8 @@ impl Banks {
         })
     }
 
-    /// Down a stretch of the right bank and up the left one, so much of the way from the middle; if asked for, without what of
-    /// a bank runs backward.
+    /// Down a stretch of the right bank and up the left one, at a share of their distance from the centerline; on request,
+    /// without the parts of a bank that run backward.
     fn ring(&self, stretch: Range<usize>, share: f32, forward: bool) -> Vec<Vec2> {
         let (left, right) = (&self.left[stretch.clone()], &self.right[stretch]);
         let middle: Vec<Vec2> = left.iter().zip(right).map(|(left, right)| (*left + *right) * 0.5).collect();

@@ -8,8 +8,8 @@
 use glam::Vec2;
 
 use super::banks::Banks;
+use super::data::{Json, Members};
 use super::rings::GridPoint;
-use super::value::{Members, Value};
 use super::{ExportError, rivers};
 use crate::domain::Domain;
 use crate::network::{NONE, Network, hydrology};
@@ -20,7 +20,7 @@ use crate::session::Session;
 ///
 /// # Errors
 /// If there are no rivers yet, or there is not enough memory.
-pub fn collection(session: &Session) -> Result<Value<'_>, ExportError> {
+pub fn collection(session: &Session) -> Result<Json<'_>, ExportError> {
     const BYTES_A_VERTEX: usize = 16;
     let network = rivers(session, BYTES_A_VERTEX)?;
     let parameters = session.network_settings();
@@ -42,7 +42,7 @@ pub fn collection(session: &Session) -> Result<Value<'_>, ExportError> {
     collection
         .text("type", "FeatureCollection")
         .owned("riverseed", link::write(session.recipe()))
-        .value("features", Value::list(all, feature));
+        .value("features", Json::list(all, feature));
     Ok(collection.into())
 }
 
@@ -63,7 +63,7 @@ struct Features<'a> {
 }
 
 impl<'a> Features<'a> {
-    fn river(&self, id: u32) -> Value<'a> {
+    fn river(&self, id: u32) -> Json<'a> {
         let (network, river) = (self.network, &self.network.rivers[id as usize]);
         let junction = (river.junction != NONE).then_some(river.junction as usize);
         let mut line: Vec<[f64; 3]> =
@@ -85,12 +85,12 @@ impl<'a> Features<'a> {
         feature(format!("river-{id}"), "LineString", positions(line), properties)
     }
 
-    fn lake(&self, id: u32, ring: &[GridPoint]) -> Value<'a> {
+    fn lake(&self, id: u32, ring: &[GridPoint]) -> Json<'a> {
         let oxbow = &self.network.oxbows[id as usize];
         let ring: Vec<[f64; 2]> = ring.iter().map(|at| at.map(degrees)).collect();
         let mut properties = Members::default();
         properties.text("kind", "oxbow").whole("number", id).whole("river", oxbow.river).whole("born", oxbow.born);
-        let rings = Value::list(1, move |_| positions(ring.clone()));
+        let rings = Json::list(1, move |_| positions(ring.clone()));
         feature(format!("oxbow-{id}"), "Polygon", rings, properties)
     }
 
@@ -124,12 +124,12 @@ fn degrees(parts: i32) -> f64 {
     f64::from(parts) / 100_000.0
 }
 
-fn positions<'a, const N: usize>(line: Vec<[f64; N]>) -> Value<'a> {
-    Value::list(line.len(), move |i| Value::doubles(line[i].to_vec()))
+fn positions<'a, const N: usize>(line: Vec<[f64; N]>) -> Json<'a> {
+    Json::list(line.len(), move |i| Json::doubles(line[i].to_vec()))
 }
 
 #[inline(never)]
-fn feature<'a>(id: String, kind: &'static str, coordinates: Value<'a>, properties: Members<'a>) -> Value<'a> {
+fn feature<'a>(id: String, kind: &'static str, coordinates: Json<'a>, properties: Members<'a>) -> Json<'a> {
     let mut geometry = Members::default();
     geometry.text("type", kind).value("coordinates", coordinates);
     let mut feature = Members::default();
@@ -137,7 +137,7 @@ fn feature<'a>(id: String, kind: &'static str, coordinates: Value<'a>, propertie
     feature.into()
 }
 
-/// A number to so many parts, written in a unit that has so many of them.
+/// A number rounded to a fraction of its unit, written in another unit.
 fn rounded(x: f32, parts: f64, to_unit: f64) -> f64 {
     // Adding 0 takes the sign off it.
     (f64::from(x) * parts).round() / to_unit + 0.0

@@ -2,7 +2,7 @@
 
 use glam::Vec2;
 
-use super::value::{Members, Value};
+use super::data::{Json, Members};
 use super::{ExportError, rivers};
 use crate::grow::Ending;
 use crate::measure::{self, Measures};
@@ -17,7 +17,7 @@ use crate::tree::NO_PARENT;
 ///
 /// # Errors
 /// If there are no rivers yet, or there is not enough memory.
-pub fn network(session: &Session, with_attractors: bool) -> Result<Value<'_>, ExportError> {
+pub fn network(session: &Session, with_attractors: bool) -> Result<Json<'_>, ExportError> {
     /// Of the nodes' columns, about two nodes a vertex.
     const BYTES_A_VERTEX: usize = 64;
     let network = rivers(session, BYTES_A_VERTEX)?;
@@ -28,10 +28,10 @@ pub fn network(session: &Session, with_attractors: bool) -> Result<Value<'_>, Ex
         .object("resolved", resolved(session))
         .object("domain", domain)
         .object("growth", growth(session))
-        .value("measures", Measures::of(session).as_ref().map_or(Value::Null, measures))
+        .value("measures", Measures::of(session).as_ref().map_or(Json::Null, measures))
         .object("nodes", nodes(session.pruned()))
-        .value("rivers", Value::list(network.rivers.len(), |i| river(network, i as u32)))
-        .value("oxbows", Value::list(network.oxbows.len(), |i| oxbow(network, i as u32)));
+        .value("rivers", Json::list(network.rivers.len(), |i| river(network, i as u32)))
+        .value("oxbows", Json::list(network.oxbows.len(), |i| oxbow(network, i as u32)));
     if with_attractors {
         form.object("attractors", columns(&session.growth().scattered()));
     }
@@ -48,9 +48,9 @@ pub fn write(out: impl std::io::Write, session: &Session, with_attractors: bool)
     Ok(serde_json::to_writer(out, &network)?)
 }
 
-/// All values of a recipe, defaults too: such a recipe stays readable when a default is chosen anew. Numbers are numbers,
+/// All values of a recipe, defaults too: so that the recipe keeps its meaning when a default changes. Numbers are numbers,
 /// everything else is text.
-pub fn recipe<'a>(recipe: &Recipe) -> Value<'a> {
+pub fn recipe<'a>(recipe: &Recipe) -> Json<'a> {
     let mut members = Members::default();
     for parameter in &TABLE {
         match recipe.value(parameter.key) {
@@ -103,15 +103,15 @@ fn growth<'a>(session: &Session) -> Members<'a> {
         .whole("ticks", summary.ticks)
         .whole("attractors", summary.attractors)
         .whole("unreached", summary.unreached)
-        .value("complete", Value::Truth(summary.ending == Some(Ending::Complete)));
+        .value("complete", Json::Truth(summary.ending == Some(Ending::Complete)));
     members
 }
 
 /// What is measured of a network, by the names of the table of measures; null where it is too small.
-pub fn measures<'a>(measured: &Measures) -> Value<'a> {
+pub fn measures<'a>(measured: &Measures) -> Json<'a> {
     let mut members = Members::default();
     for measure in &measure::TABLE {
-        members.value(measure.name, (measure.value)(measured).map_or(Value::Null, Value::Double));
+        members.value(measure.name, (measure.value)(measured).map_or(Json::Null, Json::Double));
     }
     members.into()
 }
@@ -119,8 +119,8 @@ pub fn measures<'a>(measured: &Measures) -> Value<'a> {
 fn columns<'a>(points: &[Vec2]) -> Members<'a> {
     let mut members = Members::default();
     members
-        .value("x", Value::singles(points.iter().map(|point| point.x).collect()))
-        .value("y", Value::singles(points.iter().map(|point| point.y).collect()));
+        .value("x", Json::singles(points.iter().map(|point| point.x).collect()))
+        .value("y", Json::singles(points.iter().map(|point| point.y).collect()));
     members
 }
 
@@ -132,25 +132,25 @@ fn nodes<'a>(Pruned { tree, hydrology, .. }: Pruned) -> Members<'a> {
     members
         .value(
             "parent",
-            Value::list(count, move |node| {
-                Value::Whole(if parent[node] == NO_PARENT { -1 } else { parent[node].into() })
+            Json::list(count, move |node| {
+                Json::Whole(if parent[node] == NO_PARENT { -1 } else { parent[node].into() })
             }),
         )
         // The last tick that starts with the node or before it.
         .value(
             "tick",
-            Value::list(count, move |node| {
-                Value::Whole(starts.partition_point(|&start| start as usize <= node) as i64 - 1)
+            Json::list(count, move |node| {
+                Json::Whole(starts.partition_point(|&start| start as usize <= node) as i64 - 1)
             }),
         )
-        .value("depth", Value::wholes(hydrology.depth))
-        .value("order", Value::list(count, move |node| Value::Whole(hydrology.order[node].into())))
-        .value("magnitude", Value::wholes(hydrology.magnitude))
-        .value("discharge", Value::wholes(hydrology.discharge));
+        .value("depth", Json::wholes(hydrology.depth))
+        .value("order", Json::list(count, move |node| Json::Whole(hydrology.order[node].into())))
+        .value("magnitude", Json::wholes(hydrology.magnitude))
+        .value("discharge", Json::wholes(hydrology.discharge));
     members
 }
 
-fn river<'a>(network: &Network, id: u32) -> Value<'a> {
+fn river<'a>(network: &Network, id: u32) -> Json<'a> {
     let river = &network.rivers[id as usize];
     let mut members = Members::default();
     members
@@ -163,7 +163,7 @@ fn river<'a>(network: &Network, id: u32) -> Value<'a> {
     members.into()
 }
 
-fn oxbow<'a>(network: &Network, id: u32) -> Value<'a> {
+fn oxbow<'a>(network: &Network, id: u32) -> Json<'a> {
     let oxbow = &network.oxbows[id as usize];
     let lake = oxbow.lake();
     let line = lake.iter().map(|(vertex, share)| point(vertex, *share));
@@ -176,12 +176,12 @@ fn oxbow<'a>(network: &Network, id: u32) -> Value<'a> {
     members.into()
 }
 
-/// x, y and so much of the width.
+/// x, y and a share of the width.
 fn point(vertex: &Vertex, share: f32) -> [f32; 3] {
     [vertex.at.x, vertex.at.y, vertex.width() * share]
 }
 
 #[inline(never)]
-fn points<'a>(points: Vec<[f32; 3]>) -> Value<'a> {
-    Value::list(points.len(), move |i| Value::singles(points[i].to_vec()))
+fn points<'a>(points: Vec<[f32; 3]>) -> Json<'a> {
+    Json::list(points.len(), move |i| Json::singles(points[i].to_vec()))
 }

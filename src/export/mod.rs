@@ -1,17 +1,17 @@
 //! Pictures and networks as files.
 //!
-//! What a file holds is built as plain data, for a program and for a page alike; only a program writes JSON as text.
+//! The contents of a file are built as plain data, for programs and pages alike; only programs write JSON as text.
 
 mod banks;
+mod data;
 pub mod geojson;
 pub mod json;
 #[cfg(feature = "png")]
 pub mod png;
 mod rings;
 pub mod svg;
-mod value;
 
-pub use value::Value;
+pub use data::Json;
 
 use thiserror::Error;
 
@@ -19,7 +19,7 @@ use crate::memory;
 use crate::network::Network;
 use crate::session::Session;
 
-/// Why there is nothing to write.
+/// Why a file cannot be written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum ExportError {
@@ -34,7 +34,7 @@ pub enum ExportError {
     },
 }
 
-/// The rivers of a session, if there are any and so many bytes of memory for each of their vertices.
+/// The rivers of a session, if there are any and there is enough memory for each of their vertices.
 fn rivers(session: &Session, bytes_a_vertex: usize) -> Result<&Network, ExportError> {
     let network = session.network().ok_or(ExportError::Unfinished)?;
     let vertices = network.vertices.len() + network.oxbows.iter().map(|oxbow| oxbow.vertices.len()).sum::<usize>();

@@ -90,7 +90,7 @@ mod tests {
         assert_eq!(simple_ring(square.clone()), Some(square));
     }
 
-    /// An eight of so many points a loop.
+    /// A figure of eight with this many points.
     fn eight(points: i32) -> Vec<GridPoint> {
         let half = points / 2;
         let right = (1..=points).map(|i| [10 + 3 * i.min(points - i), 3 * (i - half)]);

@@ -8,7 +8,7 @@ use glam::Vec2;
 use wide::f32x4;
 
 use super::pull::{Pull, Pulls};
-use super::{GrowError, Settings, scatter};
+use super::{GrowError, GrowthSettings, scatter};
 use crate::land::Land;
 use crate::memory::{self, Refused};
 use crate::work;
@@ -99,7 +99,7 @@ pub(super) struct Attractors {
 
 impl Attractors {
     /// Scatters the attractors of a recipe and sorts them into cells.
-    pub fn new(settings: &Settings) -> Result<Self, GrowError> {
+    pub fn new(settings: &GrowthSettings) -> Result<Self, GrowError> {
         let places = scatter(settings);
         let cell = settings.reach / cells_a_reach(settings) as f32 * OVER_ROUNDING;
         let count = |length: f32| ((length / cell) as i32 + 1).max(1);
@@ -335,7 +335,7 @@ fn next(lanes: &mut u32) -> usize {
 
 /// How many cells go into the reach: so that a cell is near three spacings wide. Nine attractors a cell are enough to
 /// share the cost of looking at it, and not so many that most are out of reach.
-fn cells_a_reach(settings: &Settings) -> i32 {
+fn cells_a_reach(settings: &GrowthSettings) -> i32 {
     const SPACINGS: f32 = 4.0;
     (settings.reach / (SPACINGS * settings.spacing)).ceil().max(1.0) as i32
 }

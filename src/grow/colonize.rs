@@ -2,7 +2,7 @@
 //!
 //! Read literally, the procedure never ends: a node between balanced pulls makes the same child for ever. The rule
 //! that ends it: a node tries to grow only when its set of attractors has changed since it last tried. Sets of old
-//! nodes only shrink, so every node falls silent. Once all are, those that still have attractors reach out for the
+//! nodes only shrink, so every node stops growing. Once all have, those that still have attractors reach out for the
 //! nearest of them; when not even that makes a node, growth is over, and attractors that stay unreached are counted.
 //! (Unless land is left over that no river sees, beyond a neck too narrow for a step: then it gets a mouth of its own. Or
 //! unless most are: then a gap among the first attractors has cut the river off, and its last node runs straight on.)
@@ -13,7 +13,7 @@ use super::attractors::{Attractors, NO_NODE};
 use super::changed::Changed;
 use super::driest::Search;
 use super::heading::{heading, is_duplicate};
-use super::{BYTES_AN_ATTRACTOR, GrowError, Mouth, Pull, Settings, mouths, shores};
+use super::{BYTES_AN_ATTRACTOR, GrowError, GrowthSettings, Mouth, Pull, mouths, shores};
 use crate::land::Shore;
 use crate::memory::{self, Refused};
 use crate::tree::{NO_PARENT, Tree};
@@ -33,7 +33,7 @@ pub enum Ending {
 /// Growth in progress.
 #[derive(Clone, Debug)]
 pub struct Colonize {
-    settings: Settings,
+    settings: GrowthSettings,
     attractors: Attractors,
     tree: Tree,
     shoots: Shoots,
@@ -45,14 +45,14 @@ pub struct Colonize {
     pilots: Vec<StraightTip>,
     /// Where rivers reach the sea.
     mouths: Vec<Vec2>,
-    /// For a mouth more, once one has been searched for.
+    /// The search for another mouth, once there has been one.
     search: Option<Box<Search>>,
     unreached: u32,
     node_limit: usize,
     ending: Option<Ending>,
 }
 
-/// Memory is bounded by the recipe: so many nodes an attractor, and some. Ordinary trees have one or two; the wildest
+/// Memory is bounded by the recipe: this many nodes per attractor, and some. Ordinary trees have one or two; the wildest
 /// that the ranges allow were found to have seven and a half.
 const MOST_NODES_PER_ATTRACTOR: usize = 10;
 const MOST_NODES_BESIDES: usize = 10_000;
@@ -80,7 +80,7 @@ impl Colonize {
     ///
     /// # Errors
     /// If there is not enough memory.
-    pub fn new(settings: Settings) -> Result<Self, GrowError> {
+    pub fn new(settings: GrowthSettings) -> Result<Self, GrowError> {
         if !memory::can_allocate(settings.attractors as usize * BYTES_AN_ATTRACTOR) {
             return Err(GrowError::out_of_memory(&settings));
         }
@@ -175,7 +175,7 @@ impl Colonize {
         let at = self.tree.at[index];
         let came_from = self.tree.parent_of(index).map(|parent| self.tree.at[parent]);
         let bent = heading(&self.settings, at, came_from, pull, self.shoots.from_mouth[index], tick);
-        // A bend that would leave the land is not made: a river beside the coast must not fall silent for it.
+        // A bend that would leave the land is not made: a river beside the coast must not stop growing because of it.
         let straight = at + pull * self.settings.step;
         let child = [bent, straight].into_iter().find(|&child| self.settings.allows(at, child));
         if let Some(child) = child
@@ -263,10 +263,10 @@ impl Colonize {
         }
     }
 
-    /// When all has fallen silent and land is left over that no river sees: a mouth more, where it sees the most of it. It takes what
+    /// When no node grows and land is left over that no river sees: another mouth, where it sees the most of it. It takes what
     /// it sees, so there is an end to them.
     fn seed_unreached_land(&mut self) {
-        /// One in so many attractors out of sight is a patch that shows.
+        /// A patch shows if one in this many attractors lies in it, out of sight.
         const PATCH: u32 = 50;
         let is_patch = |lost: u32| lost > self.attractors.count() / PATCH;
         if (self.is_searching() || is_patch(self.unreached - self.attractors.remaining().count() as u32))
@@ -335,7 +335,7 @@ impl Colonize {
     }
 
     /// The settings it grows by.
-    pub fn settings(&self) -> &Settings {
+    pub fn settings(&self) -> &GrowthSettings {
         &self.settings
     }
 
@@ -365,7 +365,7 @@ impl Colonize {
         Self { node_limit, ..self }
     }
 
-    /// Asks for the memory of so many more nodes.
+    /// Allocates memory for more nodes.
     fn reserve(&mut self, nodes: usize) -> Result<(), Refused> {
         memory::reserve(&mut self.tree.at, nodes)?;
         memory::reserve(&mut self.tree.parent, nodes)?;
@@ -379,13 +379,13 @@ impl Colonize {
     /// About how many nodes a tree has, rather too many: by trials over reach 2.4 to 10, kill 0.5 to 2 and step 0.2 to 1
     /// the number goes with kill^−½ and step^−¾ (both in spacings).
     fn usual_nodes(&self) -> usize {
-        let Settings { attractors, spacing, kill, step, .. } = self.settings;
+        let GrowthSettings { attractors, spacing, kill, step, .. } = self.settings;
         let (kill, step) = (kill / spacing, (step / spacing).sqrt());
         (0.65 * attractors as f32 / (kill.sqrt() * step * step.sqrt())) as usize
     }
 }
 
 /// How many nodes of a stem make about a spacing.
-pub fn stem_nodes(settings: &Settings) -> u32 {
+pub fn stem_nodes(settings: &GrowthSettings) -> u32 {
     ((settings.spacing / settings.step + 0.5) as u32).max(1)
 }

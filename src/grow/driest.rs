@@ -1,7 +1,7 @@
 //! The search for the driest shore: the place on a coast from which the most attractors are seen that no river has.
 //!
 //! Such attractors only grow fewer, and so do places that are far enough from all mouths. What a place was once counted to see
-//! is therefore the most that it can see later, and it is counted anew only when no other is left that could see more (Minoux
+//! is therefore the most that it can see later, and it is counted again only when no other is left that could see more (Minoux
 //! 1978): the place found is that of counting everywhere. One search may take many ticks, since a coast may be long and a view
 //! may cross the map.
 
@@ -13,7 +13,7 @@ use glam::Vec2;
 use crate::land::Shore;
 use crate::work;
 
-/// A tick's share of a search ends with the first place after so many elementary steps: some milliseconds.
+/// A tick's share of a search ends with the first place after this many elementary steps: some milliseconds.
 const STEPS_A_TICK: u64 = 2_000_000;
 
 /// A search, kept for the next one with what it has counted.

@@ -1,15 +1,15 @@
-//! Growth by whichever procedure a recipe asks for.
+//! Growth by the method that a recipe names.
 
 use glam::Vec2;
 
-use super::{Brownian, Colonize, Drainage, Ending, Field, GrowError, Settings, scatter};
+use super::{Brownian, Colonize, Drainage, Ending, GrowError, GrowthSettings, Raster, scatter};
 use crate::recipe::GrowthMethod;
 use crate::tree::Tree;
 
 /// Growth in progress: a stepper, whatever the procedure.
 #[derive(Clone, Debug)]
 pub struct Growth {
-    settings: Settings,
+    settings: GrowthSettings,
     grower: Grower,
 }
 
@@ -25,13 +25,13 @@ impl Growth {
     ///
     /// # Errors
     /// If there is not enough memory.
-    pub fn new(settings: Settings) -> Result<Self, GrowError> {
+    pub fn new(settings: GrowthSettings) -> Result<Self, GrowError> {
         let grower = match settings.method {
             GrowthMethod::Colonize => Grower::Colonize(Colonize::new(settings.clone())?),
             GrowthMethod::Brownian => {
-                let field = Field::of(&settings);
-                let sensitivity = settings.sensitivity / field.side();
-                Grower::Brownian(Brownian::new(field, settings.seed, sensitivity)?)
+                let raster = Raster::of(&settings);
+                let sensitivity = settings.sensitivity / raster.side();
+                Grower::Brownian(Brownian::new(raster, settings.seed, sensitivity)?)
             }
             GrowthMethod::Drainage => Grower::Drainage(Drainage::new(settings.clone())?),
         };
@@ -67,7 +67,7 @@ impl Growth {
     }
 
     /// The settings it grows by.
-    pub fn settings(&self) -> &Settings {
+    pub fn settings(&self) -> &GrowthSettings {
         &self.settings
     }
 

@@ -2,8 +2,8 @@
 
 use glam::Vec2;
 
-use super::Settings;
-use crate::random::{Key, Purpose};
+use super::GrowthSettings;
+use crate::random::{ItemHash, Purpose};
 
 /// Where the child of a node comes to lie.
 ///
@@ -13,7 +13,7 @@ use crate::random::{Key, Purpose};
 ///   branch bends in regular stretches, whatever grew elsewhere.
 /// * `tick`: with the node's place, the identity that the curl's random angle is drawn by.
 pub fn heading(
-    settings: &Settings,
+    settings: &GrowthSettings,
     node: Vec2,
     came_from: Option<Vec2>,
     pull: Vec2,
@@ -51,8 +51,8 @@ fn with_momentum(v2: Vec2, v1: Vec2, k: f32) -> Vec2 {
 }
 
 /// Turns a direction by a random angle in [0, θ_c), clockwise in the first stretch, then in turn.
-fn with_curl(settings: &Settings, direction: Vec2, node: Vec2, nodes_from_mouth: u32, tick: u32) -> Vec2 {
-    let chance = curl_key(settings).unit([node.x.to_bits(), node.y.to_bits(), tick]);
+fn with_curl(settings: &GrowthSettings, direction: Vec2, node: Vec2, nodes_from_mouth: u32, tick: u32) -> Vec2 {
+    let chance = curl_hash(settings).unit([node.x.to_bits(), node.y.to_bits(), tick]);
     let (sine, cosine) = sine_and_cosine(settings.curl * chance);
     let clockwise = (nodes_from_mouth / settings.stretch).is_multiple_of(2);
     direction.rotate(Vec2::new(cosine, if clockwise { sine } else { -sine }))
@@ -80,8 +80,8 @@ const fn series(first: u32) -> [f64; 12] {
     factors
 }
 
-fn curl_key(settings: &Settings) -> Key {
-    settings.seed.key(Purpose::Curl)
+fn curl_hash(settings: &GrowthSettings) -> ItemHash {
+    settings.seed.item_hash(Purpose::Curl)
 }
 
 #[cfg(test)]
@@ -89,12 +89,12 @@ mod tests {
     use super::*;
     use crate::recipe::link;
 
-    fn settings(link: &str) -> Settings {
-        Settings::of(&link::read(link).unwrap())
+    fn settings(link: &str) -> GrowthSettings {
+        GrowthSettings::of(&link::read(link).unwrap())
     }
 
     /// The angle of the child of a node at the origin that came straight east and is pulled by `angle`.
-    fn turn(settings: &Settings, angle: f32, nodes_from_mouth: u32) -> f32 {
+    fn turn(settings: &GrowthSettings, angle: f32, nodes_from_mouth: u32) -> f32 {
         let pull = Vec2::new(libm::cosf(angle), libm::sinf(angle));
         let parent = Vec2::NEG_X * settings.step;
         let child = heading(settings, Vec2::ZERO, Some(parent), pull, nodes_from_mouth, 5);

@@ -19,7 +19,7 @@ mod settings;
 
 pub use brownian::Brownian;
 #[doc(hidden)]
-pub use brownian::{Field, Order};
+pub use brownian::{ParticleOrder, Raster};
 #[doc(hidden)]
 pub use colonize::stem_nodes;
 pub use colonize::{Colonize, Ending};
@@ -32,7 +32,7 @@ pub use mouths::{mouths, shores};
 pub use pull::Pull;
 #[doc(hidden)]
 pub use scatter::scatter;
-pub use settings::Settings;
+pub use settings::GrowthSettings;
 
 use thiserror::Error;
 
@@ -50,7 +50,7 @@ pub enum GrowError {
     },
     /// There was not enough memory for a Brownian tree.
     #[error("growth: a Brownian tree needs about {megabytes} MB, and the allocation failed")]
-    NoRoomForField {
+    NoRoomForRaster {
         /// About how much it needs.
         megabytes: u32,
     },
@@ -61,13 +61,13 @@ const BYTES_AN_ATTRACTOR: usize = 140;
 
 impl GrowError {
     /// The error for settings that ask for too much.
-    fn out_of_memory(settings: &Settings) -> Self {
+    fn out_of_memory(settings: &GrowthSettings) -> Self {
         let attractors = settings.attractors;
         Self::OutOfMemory { attractors, megabytes: (attractors as usize * BYTES_AN_ATTRACTOR / 1_000_000) as u32 + 1 }
     }
 
-    /// The error for a field of too many cells: about 10 bytes a cell.
+    /// The error for a raster of too many cells: about 10 bytes a cell.
     fn no_room_for(cells: usize) -> Self {
-        Self::NoRoomForField { megabytes: cells as u32 / 100_000 + 1 }
+        Self::NoRoomForRaster { megabytes: cells as u32 / 100_000 + 1 }
     }
 }

@@ -2,7 +2,7 @@
 
 use glam::Vec2;
 
-use super::Settings;
+use super::GrowthSettings;
 use crate::land::{Land, Region, Shore};
 use crate::random::{Purpose, Stream};
 use crate::recipe::Sides;
@@ -21,7 +21,7 @@ pub struct Mouth {
 const STRAY: f32 = 0.7;
 
 /// Places the mouths of a recipe: along the sides of a plain rectangle, else on the coasts of the regions that have any.
-pub fn mouths(settings: &Settings) -> Vec<Mouth> {
+pub fn mouths(settings: &GrowthSettings) -> Vec<Mouth> {
     let Some(land) = &settings.land else { return on_sides(settings) };
     let mut chance = settings.seed.stream(Purpose::Mouths);
     let regions = land.regions().iter().zip(&settings.basins);
@@ -32,7 +32,7 @@ pub fn mouths(settings: &Settings) -> Vec<Mouth> {
 }
 
 /// The places where rivers may reach the sea; none on a plain rectangle, which has a border and no coast.
-pub fn shores(settings: &Settings) -> impl Iterator<Item = Shore> {
+pub fn shores(settings: &GrowthSettings) -> impl Iterator<Item = Shore> {
     settings.watered().flat_map(|region| chosen_shores(region, settings.shores))
 }
 
@@ -89,7 +89,7 @@ fn on_coast(land: &Land, coast: &[Shore], count: u32, apart: f32, chance: &mut S
 }
 
 /// Places mouths along the chosen sides, one in each equal share of their common length, so that they keep apart.
-fn on_sides(settings: &Settings) -> Vec<Mouth> {
+fn on_sides(settings: &GrowthSettings) -> Vec<Mouth> {
     let coast = coast(settings);
     let length: f32 = coast.iter().map(|side| side.length).sum();
     let share = length / settings.mouths as f32;
@@ -109,7 +109,7 @@ struct Side {
     length: f32,
 }
 
-fn coast(settings: &Settings) -> Vec<Side> {
+fn coast(settings: &GrowthSettings) -> Vec<Side> {
     let Vec2 { x: width, y: height } = settings.domain.size;
     let side = |initial: char, start: Vec2, direction: Vec2, length: f32| {
         settings.sides.contains(initial).then_some(Side { start, direction, length })
@@ -145,6 +145,7 @@ fn along(coast: &[Side], mut distance: f32) -> Mouth {
 mod tests {
     use super::*;
     use crate::grow::Colonize;
+    use crate::lands::lands_with_a_coast;
     use crate::recipe::link;
     use crate::tree::NO_PARENT;
 
@@ -152,7 +153,7 @@ mod tests {
     fn mouths_lie_on_the_chosen_sides_and_look_inland() {
         for sides in ["n", "e", "s", "w", "ns", "nesw"] {
             let recipe = link::read(&format!("land=rectangle&mouths=9&sides={sides}")).unwrap();
-            let settings = Settings::of(&recipe);
+            let settings = GrowthSettings::of(&recipe);
             let size = settings.domain.size;
             for mouth in mouths(&settings) {
                 let gap = |side| match side {
@@ -169,11 +170,11 @@ mod tests {
 
     #[test]
     fn mouths_lie_in_bays_rather_than_on_capes() {
-        for kind in ["island", "continent", "archipelago", "basin"] {
+        for kind in lands_with_a_coast() {
             let (mut at_mouths, mut along_coasts) = (Vec::new(), Vec::new());
             for seed in 0..8 {
-                let link = format!("land={kind}&roughness=1&sea=0.4&mouths=6&mouth-spacing=0&shores=nesw&seed={seed}");
-                let settings = Settings::of(&link::read(&link).unwrap());
+                let link = format!("{kind}&roughness=1&sea=0.4&mouths=6&mouth-spacing=0&shores=nesw&seed={seed}");
+                let settings = GrowthSettings::of(&link::read(&link).unwrap());
                 let land = settings.land.as_ref().unwrap();
                 at_mouths.extend(mouths(&settings).iter().map(|mouth| land.shelter(mouth.at)));
                 along_coasts.extend(shores(&settings).map(|shore| land.shelter(shore.at)));
@@ -186,7 +187,7 @@ mod tests {
 
     /// Where a grown tree's rivers reach the sea, region by region.
     fn grown_mouths(link: &str) -> Vec<Vec<Vec2>> {
-        let mut growth = Colonize::new(Settings::of(&link::read(link).unwrap())).unwrap();
+        let mut growth = Colonize::new(GrowthSettings::of(&link::read(link).unwrap())).unwrap();
         while growth.tick() {}
         let (tree, land) = (growth.tree(), growth.settings().land.as_ref().unwrap());
         let roots: Vec<Vec2> = (0..tree.len()).filter(|&i| tree.parent[i] == NO_PARENT).map(|i| tree.at[i]).collect();
@@ -197,16 +198,16 @@ mod tests {
 
     #[test]
     fn mouths_of_a_coast_keep_as_far_apart_as_asked() {
-        for kind in ["island", "continent", "archipelago", "basin"] {
+        for kind in lands_with_a_coast() {
             let mut counts = Vec::new();
             for apart in [0, 60, 150, 400] {
-                let link = format!("land={kind}&seed=kauri&shores=nesw&attractors=300&mouths=40&mouth-spacing={apart}");
+                let link = format!("{kind}&seed=kauri&shores=nesw&attractors=300&mouths=40&mouth-spacing={apart}");
                 let regions = grown_mouths(&link);
                 for mouths in &regions {
                     let pairs =
                         mouths.iter().enumerate().flat_map(|(i, a)| mouths[..i].iter().map(move |b| a.distance(*b)));
                     let nearest = pairs.fold(f32::INFINITY, f32::min);
-                    assert!(nearest > apart as f32, "{kind}: two mouths are {nearest} apart, not {apart}");
+                    assert!(nearest > apart as f32, "{link}: two mouths are {nearest} apart, not {apart}");
                 }
                 counts.push(regions.iter().map(Vec::len).sum::<usize>());
             }

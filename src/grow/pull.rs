@@ -52,7 +52,7 @@ impl Pull {
         self.y = self.y.wrapping_sub(other.y);
     }
 
-    /// The direction of the pull; `None` where the attractors balance, or there are none.
+    /// The direction of the pull; `None` where attractors balance or there are no attractors.
     #[inline]
     pub fn direction(self) -> Option<Vec2> {
         if self.x.unsigned_abs().max(self.y.unsigned_abs()) < NOISE {

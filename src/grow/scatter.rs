@@ -2,14 +2,14 @@
 
 use glam::Vec2;
 
-use super::Settings;
+use super::GrowthSettings;
 use crate::land::{CELL_SIZE, Cells, Land};
 use crate::random::{Purpose, Stream};
 use crate::recipe::Scatter;
 use crate::work;
 
 /// Places the attractors, in the order of their drawing: one more leaves all others where they are, unless on a grid.
-pub fn scatter(settings: &Settings) -> Vec<Vec2> {
+pub fn scatter(settings: &GrowthSettings) -> Vec<Vec2> {
     let mut chance = settings.seed.stream(Purpose::Attractors);
     match (&settings.land, settings.scatter) {
         (None, Scatter::Random) => {
@@ -19,7 +19,7 @@ pub fn scatter(settings: &Settings) -> Vec<Vec2> {
         (None, Scatter::Grid) => on_grid(settings, settings.attractors, |_| true, &mut chance),
         (Some(land), Scatter::Random) => on_land(settings, land, &mut chance),
         (Some(land), Scatter::Grid) => {
-            // As fine a grid as puts about so many cells on the land.
+            // A grid so fine that about as many cells lie on the land as attractors are asked for.
             let size = settings.domain.size;
             let cells = (size.x * size.y / (settings.spacing * settings.spacing)) as u32;
             let watered = Watered::of(settings, land);
@@ -35,7 +35,7 @@ struct Watered {
 }
 
 impl Watered {
-    fn of(settings: &Settings, land: &Land) -> Self {
+    fn of(settings: &GrowthSettings, land: &Land) -> Self {
         let columns = land.columns() as usize;
         let mut cells = vec![false; columns * land.rows() as usize];
         for run in settings.watered().flat_map(|region| &region.runs) {
@@ -53,7 +53,7 @@ impl Watered {
 }
 
 /// Anywhere in cells of land, each as likely as any other.
-fn on_land(settings: &Settings, land: &Land, chance: &mut Stream) -> Vec<Vec2> {
+fn on_land(settings: &GrowthSettings, land: &Land, chance: &mut Stream) -> Vec<Vec2> {
     let cells = Cells::of(settings.watered());
     let anywhere = |_| {
         let cell = (chance.unit() * cells.count() as f32) as u32;
@@ -64,7 +64,7 @@ fn on_land(settings: &Settings, land: &Land, chance: &mut Stream) -> Vec<Vec2> {
 }
 
 /// One at random in each cell of a grid over the domain, those left out that are not wanted.
-fn on_grid(settings: &Settings, cells: u32, is_wanted: impl Fn(Vec2) -> bool, chance: &mut Stream) -> Vec<Vec2> {
+fn on_grid(settings: &GrowthSettings, cells: u32, is_wanted: impl Fn(Vec2) -> bool, chance: &mut Stream) -> Vec<Vec2> {
     let size = settings.domain.size;
     let rows = ((size.y / settings.spacing).round() as u32).clamp(1, cells);
     let first_of = |row: u32| (u64::from(row) * u64::from(cells) / u64::from(rows)) as u32;

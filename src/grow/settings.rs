@@ -1,4 +1,4 @@
-//! What growth needs to know, in domain units.
+//! The settings of growth, in domain units.
 
 use std::sync::Arc;
 
@@ -12,7 +12,7 @@ use crate::recipe::{GrowthMethod, Key, LandKind, Recipe, Scatter, Sides};
 
 /// The settings of growth, resolved: ratios turned into lengths.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Settings {
+pub struct GrowthSettings {
     /// The seed's 64 bits.
     pub seed: Seed,
     /// The rectangle.
@@ -55,15 +55,15 @@ pub struct Settings {
     pub drainage: DrainageSettings,
 }
 
-/// Attractors are never packed closer than on so much land, in square units: on less there are fewer, and none where no
-/// land has a coast. So the memory of growth depends on the number asked for alone.
+/// Attractors are never packed closer than on this much land, in square units: on less land there are fewer, and none at
+/// all where no land has a coast. So the memory of growth depends on the number asked for alone.
 const LEAST_AREA: f32 = AREA / 20.0;
 
-/// Rivers come to a lake from all round it, so it has so many for one that is asked for: with as few as an island they would run
-/// along its shore instead.
+/// Rivers come to a lake from all sides, so it has this many mouths for each requested one: with as few as an island, they
+/// would run along its shore instead.
 const MOUTHS_OF_A_LAKE: u32 = 3;
 
-impl Settings {
+impl GrowthSettings {
     /// Resolves a recipe, land and all.
     pub fn of(recipe: &Recipe) -> Self {
         Self::new(recipe, Land::of(recipe))
@@ -108,14 +108,14 @@ impl Settings {
     }
 }
 
-impl Settings {
+impl GrowthSettings {
     /// The land; for tests: a session has it, too.
     #[doc(hidden)]
     pub fn land(&self) -> Option<&Arc<Land>> {
         self.land.as_ref()
     }
 
-    /// The regions of the land that have a mouth; none of the plain rectangle.
+    /// The regions of the land that have a mouth; the plain rectangle has no regions.
     pub fn watered(&self) -> impl Iterator<Item = &Region> {
         watered(self.land.as_deref(), &self.basins)
     }

@@ -1,6 +1,6 @@
 //! The cells that land is cut into.
 
-/// What a cell is to rivers.
+/// The kind of a cell.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u8)]
 pub enum Cell {

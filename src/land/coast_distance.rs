@@ -1,6 +1,6 @@
 //! Coast distances: how far inland every point of the domain lies, a signed distance field.
 //!
-//! It is known at the corners of a coarse lattice and bilinear between: near enough for growth, which asks cells. Pictures
+//! It is known at the corners of a coarse lattice and bilinear between: accurate enough for growth, which uses cells. Pictures
 //! show it without facets (`smoothed_distance.rs`). All that is needed to make one is a coast, as line pieces, and which side of it is
 //! land.
 
@@ -28,7 +28,7 @@ pub struct CoastDistance {
 }
 
 impl CoastDistance {
-    /// The distance between lattice corners, in units: finer than any bend of a coast that is to be seen.
+    /// The distance between lattice corners, in units: finer than any visible bend of a coast.
     pub const SPACING: f32 = 8.0;
 
     /// The land where a function is high: the sea is as much of the domain as asked for, where it is lowest.
@@ -210,23 +210,23 @@ impl<'a> Nearest<'a> {
             }
         }
         for row in 0..rows {
-            this.hear_from_row(row, row.checked_sub(1));
+            this.take_from_row(row, row.checked_sub(1));
         }
         for row in (0..rows).rev() {
-            this.hear_from_row(row, (row + 1 < rows).then_some(row + 1));
+            this.take_from_row(row, (row + 1 < rows).then_some(row + 1));
         }
         this
     }
 
-    /// Each corner of a row asks those of the row beside it, and its neighbours to the left and right.
-    fn hear_from_row(&mut self, row: usize, other: Option<usize>) {
+    /// Each corner of a row takes over what is nearer from the row beside it, and from its neighbours to the left and right.
+    fn take_from_row(&mut self, row: usize, other: Option<usize>) {
         let (start, columns) = (row * self.columns, self.columns);
         if let Some(other) = other.map(|other| other * columns) {
             for column in 0..columns {
                 let (west, east) = (column.saturating_sub(1), (column + 1).min(columns - 1));
                 let [west, middle, east] = [west, column, east].map(|beside| self.piece[other + beside]);
                 self.propose(column, row, west);
-                // Neighbours often have heard of the same piece.
+                // Neighbours often know the same piece.
                 if middle != west {
                     self.propose(column, row, middle);
                 }

@@ -6,9 +6,9 @@ use glam::{Vec2, Vec2Swizzles};
 use super::CoastDistance;
 use crate::domain::Domain;
 use crate::random::{Purpose, Seed};
-use crate::recipe::{LandKind, Sides};
+use crate::recipe::{Key, LandKind, Recipe, Sides};
 
-/// What a shape is made of.
+/// The description of a shape.
 #[derive(Clone, Debug)]
 pub(super) struct Shape {
     pub kind: LandKind,
@@ -22,6 +22,18 @@ pub(super) struct Shape {
 }
 
 impl Shape {
+    /// The shape that a recipe names.
+    pub fn of(recipe: &Recipe) -> Self {
+        Self {
+            kind: recipe.get(),
+            domain: Domain::of(recipe),
+            sides: recipe.sides(Key::Sides),
+            seed: Seed::from_text(recipe.seed()),
+            sea: recipe.number(Key::Sea),
+            roughness: recipe.number(Key::Roughness),
+        }
+    }
+
     /// The coast distances of the shape; `None` for the plain rectangle, and for a drawn land, which has them from its
     /// outline.
     pub fn coast_distance(&self) -> Option<CoastDistance> {
@@ -63,7 +75,7 @@ impl Shape {
         if self.kind != LandKind::Valley {
             return Vec::new();
         }
-        let (wobble, place) = (self.noise(2, 2.0, 3), self.seed.key(Purpose::Land));
+        let (wobble, place) = (self.noise(2, 2.0, 3), self.seed.item_hash(Purpose::Land));
         let inland = if self.sides.contains('s') || self.sides.contains('n') { Vec2::Y } else { Vec2::X };
         let (aside, across) = (inland.yx(), self.domain.size);
         // Anywhere in a fifth of the way across.
@@ -89,12 +101,12 @@ impl Shape {
     /// rectangles with round corners, the rounder the farther inside, and stray with the coast (`bend`, up to about 1 either way)
     /// as far as there is room: so no coast is straight for it.
     fn moat(&self, point: Vec2, bend: f32) -> f32 {
-        /// Of what lies between the coast and the border, so much is strayed over; and of the way out no more than a fifth.
+        /// The coast strays over this share of its distance to the border, and over at most a fifth of the way out.
         const STRAY: f32 = 0.4;
         const ROOM: f32 = 0.2;
         let within = if self.kind == LandKind::Basin { self.sea } else { 1.0 - self.sea };
         let room = (1.0 - within.sqrt()).min(ROOM);
-        // Straits between islands are what is rough of them.
+        // Straits alone make islands rough.
         let (inside, steep, stray) =
             if self.kind == LandKind::Archipelago { (0.3, 6.6, 0.0) } else { (0.45, 8.0, STRAY * room) };
         let out = (point / self.domain.size * 2.0 - 1.0) * (1.0 + bend * stray);
@@ -116,9 +128,9 @@ impl Shape {
         noise
     }
 
-    /// Noise with about so many bumps across the domain.
+    /// Noise with about this many bumps across the domain.
     pub fn noise(&self, index: u32, bumps: f32, octaves: i32) -> FastNoiseLite {
-        let bits = self.seed.key(Purpose::Land).bits([index, 0, 0]);
+        let bits = self.seed.item_hash(Purpose::Land).bits([index, 0, 0]);
         let mut noise = FastNoiseLite::with_seed(bits as i32);
         noise.set_noise_type(Some(NoiseType::OpenSimplex2));
         noise.set_fractal_type(Some(FractalType::FBm));

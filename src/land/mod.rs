@@ -1,23 +1,23 @@
 //! Land: where rivers may run.
 //!
-//! A [`CoastDistance`] says of every point of the domain how far inland it lies; a [`Land`] is the field of cells made of it,
+//! A [`CoastDistance`] says of every point of the domain how far inland it lies; a [`Land`] is the grid of cells made of it,
 //! each land, water or a ridge that no river may cross, as in Demiurge, part 2.
 //!
 //! A drawn land comes from an [`Outline`](crate::recipe::Outline), which hand-drawn lines
 //! ([`from_polylines`](crate::recipe::Outline::from_polylines)) or a picture (`trace`, of the feature `files`) are turned into.
 //!
-//! Growth asks the field, painting smoothed coast distances ([`SmoothedDistance`]): so the coast is smooth at any size, and rivers
-//! end at it.
+//! Growth asks about cells, painting about smoothed coast distances ([`SmoothedDistance`]): so the coast is smooth at any size, and
+//! rivers end at it.
 
 mod cell;
 mod coast_distance;
 #[cfg(feature = "files")]
 mod contours;
-mod field;
 mod grid;
 mod kinds;
 mod obstacles;
 mod outline;
+mod queries;
 mod regions;
 mod smoothed_distance;
 mod strokes;
@@ -27,7 +27,7 @@ mod walk;
 
 pub use cell::{CELL_SIZE, Cell};
 pub use coast_distance::CoastDistance;
-pub use field::Land;
+pub use queries::Land;
 #[doc(hidden)]
 pub use regions::{Cells, Run};
 pub use regions::{Region, Shore};

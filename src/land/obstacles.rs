@@ -11,18 +11,18 @@ use crate::work;
 /// The side of a tile, in cells: the cells of a tile are the bits of a number.
 const TILE: usize = 8;
 
-/// The obstacles of a field, in tiles: few enough that all they are asked stays near the processor.
+/// The obstacles of a grid, in tiles: few enough that all of them stay in the cache.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Obstacles {
     /// Of every tile its cells, row by row from the lowest bit.
     cells: Vec<u64>,
     /// Of every tile, how many tiles away the nearest with an obstacle is.
     away: Vec<u8>,
-    /// Of the field, in cells.
+    /// Of the grid, in cells.
     columns: usize,
     rows: usize,
     tile_columns: usize,
-    /// Whether all that lies outside of the field is an obstacle.
+    /// Whether all that lies outside the grid is an obstacle.
     outside: bool,
 }
 
@@ -66,7 +66,7 @@ impl Obstacles {
         }
     }
 
-    /// How far from a point of the field there surely is no obstacle, along either axis, in cells.
+    /// How far from a point of the grid there surely is no obstacle, along either axis, in cells.
     #[inline]
     pub fn room(&self, at: Vec2) -> f32 {
         let tile = at.y as u32 / TILE as u32 * self.tile_columns as u32 + at.x as u32 / TILE as u32;
@@ -157,7 +157,7 @@ fn ordered(a: i32, b: i32) -> (i32, i32) {
     (a.min(b), a.max(b))
 }
 
-/// Each tile of a row asks those of the row beside it, and its neighbours to the left and right.
+/// Each tile of a row takes over what is nearer from the row beside it, and from its neighbours to the left and right.
 fn hear(row: &mut [u8], other: Option<&[u8]>) {
     if let Some(other) = other {
         let nearest = |i: usize| other[i.saturating_sub(1)].min(other[i]).min(other[(i + 1).min(other.len() - 1)]);

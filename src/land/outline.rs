@@ -28,7 +28,7 @@ pub(super) struct Drawing {
 }
 
 impl Drawing {
-    /// An outline on a domain. Every line is moved by one field of noise, so that lines which do not touch still do not,
+    /// An outline on a domain. Every line is moved by the same noise, so that lines which do not touch still do not,
     /// small islands stay, and ridges keep their place on the land.
     pub fn of(outline: &Outline, shape: &Shape) -> Self {
         let size = shape.domain.size;

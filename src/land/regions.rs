@@ -47,12 +47,12 @@ impl Region {
     }
 }
 
-/// The cells of some regions, one region after the other, each row by row: told by number at once, not by a search among
-/// all runs.
+/// The cells of some regions, one region after the other, each row by row: a cell is found by its number directly, without a search
+/// among all runs.
 #[derive(Clone, Debug)]
 pub struct Cells {
     runs: Vec<Run>,
-    /// Of every so many cells, the run of the first.
+    /// The run of the first cell of every [`MANY`](Self::MANY).
     run_of: Vec<u32>,
     count: u32,
 }

@@ -15,7 +15,7 @@ pub struct SmoothedDistance {
 }
 
 impl SmoothedDistance {
-    /// What a picture shows of coast distances.
+    /// Smooths coast distances, for pictures.
     pub fn of(coast_distance: &CoastDistance) -> Self {
         let (columns, rows) = coast_distance.size();
         let mut this = Self { heights: coast_distance.heights().to_vec(), columns, rows };
@@ -23,8 +23,8 @@ impl SmoothedDistance {
         this
     }
 
-    /// Takes each corner toward the mean of those so many to the west and the east, and to the north and the south: half of
-    /// the way where the coast is far for that stride, none of it where it is near. Next to it, away from that mean.
+    /// Moves each corner towards the mean of those a stride to the west, east, north and south: half of the way where the
+    /// coast is far away compared with the stride, not at all where it is near. Next to it, away from that mean.
     fn soften(&mut self, stride: usize) {
         /// Undoes, but for a little, what the surface smooths.
         const SHARPEN: f32 = -0.25;
@@ -112,7 +112,7 @@ impl Parabola {
         Self([here + (mean - here) * 0.25, (after - before) * 0.5, mean - here])
     }
 
-    /// Its value so many intervals beyond the middle.
+    /// Its value at a distance from the middle, in intervals.
     #[inline]
     pub fn at(self, t: f32) -> f32 {
         self.0[0] + t * (self.0[1] + t * self.0[2])
@@ -149,14 +149,15 @@ fn beside(i: usize, corners: usize) -> [usize; 3] {
 mod tests {
     use super::*;
     use crate::land::Land;
+    use crate::lands::lands_with_a_coast;
     use crate::recipe::link;
     use glam::Vec2;
     use std::sync::Arc;
 
     fn lands() -> impl Iterator<Item = Arc<Land>> {
-        let links = ["island", "continent", "archipelago", "valley", "basin"].into_iter().flat_map(|kind| {
+        let links = lands_with_a_coast().into_iter().flat_map(|land| {
             [0.0, 0.5, 1.0]
-                .map(|roughness| format!("aspect=1.5&land={kind}&sea=0.5&roughness={roughness}&seed=k{roughness}"))
+                .map(|roughness| format!("aspect=1.5&{land}&sea=0.5&roughness={roughness}&seed=k{roughness}"))
         });
         links.map(|link| Land::of(&link::read(&link).unwrap()).unwrap())
     }

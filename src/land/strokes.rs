@@ -3,7 +3,7 @@
 use glam::Vec2;
 use thiserror::Error;
 
-use super::field::LEAST_DRAWN;
+use super::queries::LEAST_DRAWN;
 use crate::domain::AREA;
 use crate::recipe::{GridPoint, LONGEST_OUTLINE, LineKind, Outline, OutlineError};
 use crate::simplify::significance;

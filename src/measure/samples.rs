@@ -34,7 +34,7 @@ pub(super) fn network(samples: &[Sample<'_>]) -> Network {
             discharge: sample.discharge,
             left: half,
             right: half,
-            mobility: 0.0,
+            ..Vertex::default()
         };
         network.vertices.extend(sample.points.iter().map(vertex));
         let (parent, junction) =

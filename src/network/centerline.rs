@@ -37,7 +37,7 @@ impl Network {
 }
 
 impl Oxbow {
-    /// The middle line of the lake that there is to see; empty if there is none.
+    /// The centerline of the part that is still water; empty if silt has filled it all.
     pub fn middle(&self) -> Vec<Place> {
         let lake = self.lake();
         let course: Vec<&Vertex> = lake.iter().map(|(vertex, _)| vertex).collect();

@@ -1,11 +1,11 @@
 //! The guard: how near the lines of a network come to each other.
 //!
 //! Two segments that have no end in common, at a distance d, cannot come to cross if each moves by less than d/2. So it is
-//! enough to know, for each segment, the distance to the nearest other one, as far as it can matter; and what is told of here
+//! enough to know, for each segment, the distance to the nearest other one, as far as it can matter; and this
 //! keeps all rivers apart at every round, whatever moves them.
 //!
 //! Segments are entered in a grid by their middles, each row of cells being one run in memory, and looked for around each
-//! segment that can move or is wide. A pair is told once, by the one that looks farther.
+//! segment that can move or is wide. A pair is reported once, by the segment with the larger search radius.
 
 use glam::Vec2;
 
@@ -50,7 +50,7 @@ struct Entry {
     segment: u32,
 }
 
-/// What a survey looks at.
+/// What a measurement looks at.
 #[derive(Clone, Copy)]
 struct Survey<'a> {
     network: &'a Network,
@@ -67,8 +67,8 @@ impl ClearanceGrid {
 
     /// Measures the distance of each segment, known by its upper vertex, from the nearest other one with no end in common,
     /// if that is below its cap, else the cap itself. `reach` is how far each segment looks around, at least to its cap; one
-    /// that can neither move nor matter to others beyond their caps looks nowhere, 0. Of each pair nearer than the
-    /// farther of two reaches `tell` is told, unless they are near each other along one river.
+    /// that can neither move nor matter to others beyond their caps looks nowhere, 0. `tell` is called for each pair nearer
+    /// than the larger of its two search radii, unless they are near each other along one river.
     pub fn measure(
         &mut self,
         network: &Network,

@@ -36,7 +36,7 @@ impl Courses {
 }
 
 /// One vertex a node. Rivers stand in the order in which they leave the sea: a river after the one it joins. A mouth from
-/// which nothing grew is none.
+/// which nothing grew makes no river.
 fn courses(tree: &Tree) -> Network {
     let hydrology = Hydrology::of(tree);
     let own_arm = own_arms(tree, &hydrology);

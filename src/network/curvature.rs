@@ -7,8 +7,8 @@ use crate::geometry::{fast_max, fast_min, length};
 /// The curvature at the middle one of three points on a line: positive where the line turns toward the right-hand side of
 /// a screen whose y runs down, 0 where it is straight or where points coincide.
 ///
-/// κ = 2 (b − a) × (c − b) / (|ab| |bc| |ca|). A line that turns straight back has no curvature by this formula; it is
-/// told as the sharpest bend that its points can hold, one over half their distance. Units: 1 / length.
+/// κ = 2 (b − a) × (c − b) / (|ab| |bc| |ca|). A line that turns straight back has no curvature by this formula; it counts
+/// as the sharpest bend that its points can form, one over half their distance. Units: 1 / length.
 pub fn curvature(a: Vec2, b: Vec2, c: Vec2) -> f32 {
     let (ab, bc, ca) = (b - a, c - b, a - c);
     let lengths = length(ab) * length(bc) * length(ca);

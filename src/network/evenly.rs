@@ -1,13 +1,13 @@
 //! Vertices at even spacing along a course, without moving its line.
 
-use super::settings::Settings;
+use super::settings::NetworkSettings;
 use super::{NONE, Network, Vertex};
 use crate::geometry::distance;
 
 /// Puts vertices between those of a network, so that neighbours lie at most one and a half steps apart, and at
 /// least two thirds of one where the course has room. Returns for each vertex where it lies between two old ones: the upper one's
 /// place among the old vertices, and the share of the way to the next.
-pub(super) fn divide(network: &Network, settings: &Settings) -> (Network, Vec<(u32, f32)>) {
+pub(super) fn divide(network: &Network, settings: &NetworkSettings) -> (Network, Vec<(u32, f32)>) {
     let downstream = network.downstream();
     let mut place = vec![NONE; network.vertices.len()];
     let mut divided = Network { rivers: network.rivers.clone(), ..Network::default() };

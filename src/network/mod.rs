@@ -38,7 +38,7 @@ pub use courses::Courses;
 #[doc(hidden)]
 pub use curvature::curvature;
 pub use meander::Meander;
-pub use settings::Settings;
+pub use settings::NetworkSettings;
 pub(crate) use shaping::ask_for_memory;
 pub use shaping::{ShapeError, Shaping};
 
@@ -144,7 +144,7 @@ impl Oxbow {
 pub struct Network {
     /// All vertices, river by river.
     pub vertices: Vec<Vertex>,
-    /// The rivers. Their numbers stay the same whatever becomes of their courses.
+    /// The rivers. They keep their numbers while their courses change.
     pub rivers: Vec<River>,
     /// The oxbow lakes, oldest first.
     pub oxbows: Vec<Oxbow>,

@@ -54,7 +54,7 @@ mod tests {
     use super::*;
     use crate::network::Vertex;
 
-    /// Rivers of so many vertices each, which join a vertex of another one.
+    /// Rivers with a number of vertices each, which join a vertex of another one.
     fn network(rivers: &[(u32, u32, u32)]) -> Network {
         let mut start = 0;
         let river = |&(length, junction, parent): &(u32, u32, u32)| {

@@ -2,15 +2,20 @@
 
 use glam::Vec2;
 
-use super::{NONE, Network, River, Settings, Vertex};
+use super::{NONE, Network, NetworkSettings, River, Vertex};
 use crate::recipe::link;
 
 /// The settings of a plain rectangle, vertices a unit apart.
-pub(super) fn settings() -> Settings {
+pub(super) fn settings() -> NetworkSettings {
     let recipe =
         link::read("land=rectangle&mouths=3&attractors=100&curl=0&trim=152&width=14&bank-variation=0&meander-rounds=24&great-rivers=1")
             .unwrap();
-    Settings { spacing: 1.0, hairline: 0.1, min_clearance: 0.5, ..Settings::new(&recipe, None, 100.0, 100) }
+    NetworkSettings {
+        spacing: 1.0,
+        hairline: 0.1,
+        min_clearance: 0.5,
+        ..NetworkSettings::new(&recipe, None, 100.0, 100)
+    }
 }
 
 /// A river through some points, as wide everywhere, that moves freely.

@@ -1,4 +1,4 @@
-//! What the network stage needs to know, in domain units.
+//! The settings of the network stage, in domain units.
 
 use std::sync::Arc;
 
@@ -12,7 +12,7 @@ use crate::recipe::{Key, MeanderModel, Recipe};
 
 /// The settings of the network stage, resolved.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Settings {
+pub struct NetworkSettings {
     /// The seed's 64 bits.
     pub seed: Seed,
     /// The rectangle.
@@ -21,9 +21,9 @@ pub struct Settings {
     pub(super) land: Option<Arc<Land>>,
     /// About how far apart the vertices of a course are.
     pub spacing: f32,
-    /// The discharge that counts as everything.
+    /// The discharge of a river that drains everything.
     pub total_discharge: u32,
-    /// The least width of a stream: thin, but not too thin to be seen; less where streams lie close together.
+    /// The least width of a stream: thin, but visible; less where streams lie close together.
     pub hairline: f32,
     /// The width of a river that drains everything.
     pub max_width: f32,
@@ -33,13 +33,13 @@ pub struct Settings {
     pub bank_variation: f32,
     /// How rivers meander.
     pub model: MeanderModel,
-    /// For how many rounds.
+    /// The number of rounds.
     pub rounds: u32,
     /// How far a bend moves in a round, from 0 to 1.
     pub strength: f32,
     /// How much of that is sideways, from 0 to 1; the rest is downstream.
     pub mix: f32,
-    /// How much the rivers of a map meander that are none of the great ones, from 0 to 1.
+    /// How much all rivers but the great ones meander, from 0 to 1.
     pub meander_elsewhere: f32,
     /// How many rivers meander fully, where they are flat.
     pub great_rivers: u32,
@@ -47,15 +47,15 @@ pub struct Settings {
     pub flat_share: f32,
     /// How near two limbs of a river come before it cuts through, in widths.
     pub neck: f32,
-    /// How far apart two rivers' banks stay.
+    /// The least distance between the banks of two rivers, in units.
     pub min_clearance: f32,
     /// Over how many widths meandering sets in, from sources, mouths and junctions on.
     pub taper: f32,
 }
 
-impl Settings {
-    /// The settings of a recipe, for a tree on some land whose streams lie so many units apart, and of which a river that
-    /// drains everything would have this discharge.
+impl NetworkSettings {
+    /// The settings of a recipe, for a tree on some land: `stream_spacing` is the distance between its streams, in units, and
+    /// `total_discharge` the discharge of a river that drained everything.
     pub fn new(recipe: &Recipe, land: Option<Arc<Land>>, stream_spacing: f32, total_discharge: u32) -> Self {
         Self {
             seed: Seed::from_text(recipe.seed()),
@@ -105,7 +105,7 @@ impl Settings {
     }
 
     fn noise(&self, index: u32, frequency: f32, octaves: i32) -> FastNoiseLite {
-        let mut noise = FastNoiseLite::with_seed(self.seed.key(Purpose::Courses).bits([index, 0, 0]) as i32);
+        let mut noise = FastNoiseLite::with_seed(self.seed.item_hash(Purpose::Courses).bits([index, 0, 0]) as i32);
         noise.set_noise_type(Some(NoiseType::OpenSimplex2));
         noise.set_fractal_type(Some(FractalType::FBm));
         noise.set_fractal_octaves(Some(octaves));

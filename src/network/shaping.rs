@@ -5,7 +5,7 @@ use thiserror::Error;
 
 use super::courses::Courses;
 use super::meander::{Meander, smooth_courses, thin_out};
-use super::{Network, Settings};
+use super::{Network, NetworkSettings};
 use crate::memory;
 use crate::tree::Tree;
 
@@ -26,7 +26,7 @@ pub enum ShapeError {
 /// A tree on its way to rivers.
 #[derive(Clone, Debug)]
 pub struct Shaping {
-    settings: Settings,
+    settings: NetworkSettings,
     /// How many nodes the tree has.
     nodes: u32,
     state: State,
@@ -53,7 +53,7 @@ impl Shaping {
     ///
     /// # Errors
     /// If there is not enough memory for its rivers.
-    pub fn new(tree: &Tree, may_cross: bool, settings: Settings) -> Result<Self, ShapeError> {
+    pub fn new(tree: &Tree, may_cross: bool, settings: NetworkSettings) -> Result<Self, ShapeError> {
         /// By trials with less and less memory, rivers of 300,000 attractors take 200 to 235 at most.
         const BYTES_A_NODE: usize = 256;
         ask_for_memory(tree.len(), BYTES_A_NODE)?;
@@ -85,18 +85,14 @@ impl Shaping {
         !self.is_finished()
     }
 
-    /// Goes over to other settings of the same tree on the same land. If there are rivers, there are others then, which
-    /// have not meandered yet.
-    pub fn change(&mut self, settings: Settings) {
-        let had_rivers = self.meander().is_some();
+    /// Changes to other settings of the same tree on the same land. It makes no step: what depends on the settings is
+    /// discarded, and the steps that follow make it again.
+    pub fn change(&mut self, settings: NetworkSettings) {
         self.settings = settings;
         self.state = match std::mem::take(&mut self.state) {
             State::Smooth(courses, ..) | State::Rivers(courses, _) => State::Ranked(courses),
             state => state,
         };
-        while had_rivers && self.meander().is_none() {
-            self.step();
-        }
     }
 
     /// Whether there is nothing more to do.
@@ -126,7 +122,7 @@ impl Shaping {
     }
 
     /// The settings that rivers are made by.
-    pub fn settings(&self) -> &Settings {
+    pub fn settings(&self) -> &NetworkSettings {
         &self.settings
     }
 
@@ -136,7 +132,7 @@ impl Shaping {
     }
 }
 
-/// Asks for memory for so many nodes.
+/// Checks that there is enough memory for a number of nodes.
 ///
 /// # Errors
 /// If there is not enough.

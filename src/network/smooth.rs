@@ -7,7 +7,7 @@
 use glam::Vec2;
 
 use super::clearance::ClearanceGrid;
-use super::settings::Settings;
+use super::settings::NetworkSettings;
 use super::{NONE, Network};
 use crate::geometry::{distance, fast_max, fast_min};
 use crate::land::Land;
@@ -20,7 +20,7 @@ const ROUNDS: u32 = 6;
 pub(super) const SHARE_OF_CLEARANCE: f32 = 0.3;
 
 /// Smooths a network that [`super::evenly::divide`] has made of a coarser one.
-pub(super) fn smooth(network: &mut Network, coarse: &Network, origin: &[(u32, f32)], settings: &Settings) {
+pub(super) fn smooth(network: &mut Network, coarse: &Network, origin: &[(u32, f32)], settings: &NetworkSettings) {
     let (land, spacing) = (settings.land.as_deref(), settings.spacing);
     let mut targets = targets(coarse, origin);
     let downstream = network.downstream();

@@ -2,8 +2,8 @@
 //!
 //! Growth by space colonization does not look where older rivers run: with strong curl or momentum it steps across
 //! them. In nature the two would join at the crossing. So steps are taken once more in the order in which they grew,
-//! and one that meets an older step ends in it: what grew from there on belongs to the older river. What led to the
-//! crossing stays, as a stream of its own. Nothing is lost of what the rivers drain.
+//! and one that meets an older step ends in it: the nodes beyond belong to the older river. The branch that led to the
+//! crossing stays, as a river of its own. No discharge is lost.
 
 use glam::Vec2;
 
@@ -40,7 +40,7 @@ struct Planar {
     rows: usize,
     side: f32,
     corner: Vec2,
-    /// A piece shorter than this is none.
+    /// Shorter pieces do not count.
     tiny: f32,
 }
 

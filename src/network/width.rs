@@ -6,15 +6,15 @@
 
 use fastnoise_lite::FastNoiseLite;
 
-use super::settings::Settings;
+use super::settings::NetworkSettings;
 use super::{NONE, Network};
 use crate::geometry::{distance, fast_max, fast_min};
 
-/// How many spacings a river takes to come from nothing to its width.
+/// The distance, in spacings, over which a river widens from nothing to its full width.
 const TAPER: f32 = 8.0;
 
 /// Gives every vertex its banks.
-pub(super) fn widen(network: &mut Network, settings: &Settings) {
+pub(super) fn widen(network: &mut Network, settings: &NetworkSettings) {
     let noise = settings.width_noise();
     let mut floors = Floors(vec![(0.0, 0.0); network.vertices.len()]);
     // Tributaries stand after the rivers that they join.
@@ -57,7 +57,13 @@ pub(super) fn settle(network: &mut Network, river: usize, junction: u32, arm: f3
     }
 }
 
-fn widen_river(network: &mut Network, number: usize, settings: &Settings, noise: &FastNoiseLite, floors: &mut Floors) {
+fn widen_river(
+    network: &mut Network,
+    number: usize,
+    settings: &NetworkSettings,
+    noise: &FastNoiseLite,
+    floors: &mut Floors,
+) {
     let river = network.rivers[number];
     let (mut along, mut floor, mut last) = (0.0f32, (0.0f32, 0.0f32), (0.0f32, 0.0f32));
     let mut previous = None;
@@ -84,7 +90,7 @@ fn widen_river(network: &mut Network, number: usize, settings: &Settings, noise:
         last = (vertex.left, vertex.right);
     }
     if river.junction != NONE {
-        // Both arms: what is below has to be as wide as the tributary, and on each side half of it.
+        // Both arms: below, the river is at least as wide as the tributary, half of it on each side.
         floors.raise(river.junction, fast_max((last.0 + last.1) * 0.5, f32::MIN_POSITIVE));
     }
 }
@@ -95,7 +101,7 @@ mod tests {
     use super::*;
     use crate::network::Vertex;
 
-    /// A river that an arm of so many in a hundred of its discharge joins halfway.
+    /// A river that an arm with a share of its discharge, in percent, joins halfway.
     fn confluence(share: u32) -> Network {
         let mut network = river(&straight((0.0, 500.0), (200.0, 500.0), 200), 0.0).with_arm(
             &straight((100.0, 400.0), (100.0, 499.0), 99),
@@ -107,7 +113,7 @@ mod tests {
     }
 
     fn widened(mut network: Network, bank_variation: f32) -> Network {
-        widen(&mut network, &Settings { bank_variation, total_discharge: 100, max_width: 10.0, ..settings() });
+        widen(&mut network, &NetworkSettings { bank_variation, total_discharge: 100, max_width: 10.0, ..settings() });
         network
     }
 

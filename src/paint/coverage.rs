@@ -65,7 +65,7 @@ impl Coverage {
         &self.mask
     }
 
-    /// What has been drawn on since the last call, in rectangles that do not overlap.
+    /// The parts drawn on since the last call, as rectangles that do not overlap.
     pub fn take_touched(&mut self) -> Vec<Rect> {
         let bounds = self.bounds();
         let mut rects: Vec<Rect> = Vec::new();
@@ -93,7 +93,7 @@ impl Coverage {
         Rect { left: 0, top: 0, right: self.mask.width(), bottom: self.mask.height() }
     }
 
-    /// Empties the mask. What was touched is for the caller to know.
+    /// Empties the mask. The caller has to know which parts were touched.
     pub fn clear(&mut self) {
         self.mask.clear();
     }
@@ -149,7 +149,7 @@ fn larger(a: f32, b: f32) -> f32 {
 }
 
 /// A capsule, prepared for four pixels at a time. Whatever can be is a field and not a constant in the inner loop,
-/// where V8 would make it anew for every four pixels.
+/// which V8 would compute again for every four pixels.
 struct Stroke {
     along_x: f32x4,
     along_y: f32x4,

@@ -1,12 +1,12 @@
 //! Depth, discharge and drawn radius of the nodes of a growing tree.
 //!
-//! All is measured anew, in one pass over the tree, when enough has grown: a trunk does not have to thicken in every
+//! Everything is measured again, in one pass over the tree, when enough has grown: a trunk need not widen in every
 //! frame. In between, only depth follows the new nodes, from each tip downstream, as it decides what may be drawn.
 
 use super::strokes::{Pen, TAPER_NODES};
 use crate::tree::Tree;
 
-/// A share of the tree this large, one part in so many, has to be new for its discharge to be measured again.
+/// Discharge is measured again when one node in this many is new.
 const NEWS: usize = 32;
 
 /// What painting has to know of each node.

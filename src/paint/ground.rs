@@ -65,7 +65,7 @@ fn stretches(view: &View, shown: &SmoothedDistance) -> Vec<Stretch> {
 
 /// Pixels of a row that are painted together.
 enum Span {
-    /// So many of one colour: most of a picture is far from any coast.
+    /// A number of pixels of one colour: most of a picture is far from any coast.
     Even([u8; 4], usize),
     /// A stretch whose colours have to be looked up, and whether a line comes near.
     Uneven(Stretch, bool),
@@ -145,8 +145,8 @@ impl Shades {
         std::iter::once(0.0).chain(rings).find(|line| least - self.margin < *line && *line < most + self.margin)
     }
 
-    /// How far a line lies where it is so much higher: farther than that where the field is flatter than a distance should be, as
-    /// between two coasts. Lines would grow fat there. (`clamp` could panic, and would bring all that prints floats into the page.)
+    /// The distance of a line from its difference in height. They differ where the surface is flatter than a distance should
+    /// be, as between two coasts: lines would be too wide there. (`clamp` could panic, and would bring all that prints floats into the page.)
     fn apart(&self, higher: f32, rise: Vec2) -> f32 {
         (higher * CoastDistance::SPACING / rise.length().max(0.01)).max(-self.margin).min(self.margin)
     }
@@ -179,13 +179,13 @@ fn shore(scale: f32, palette: &Palette, distance: f32) -> [u8; 4] {
     [r, g, b, (inside(distance + RIVERS_END) * 255.0 + 0.5) as u8]
 }
 
-/// How much of the farther colour there is, so much of the way to where there is nothing else: it comes to that without an edge.
+/// The share of the farther colour at a share of the way to where it is the only one: it gets there without an edge.
 fn faded(way: f32) -> f32 {
     let rest = 1.0 - way.min(1.0);
     1.0 - rest * rest
 }
 
-/// Where there is so much of the farther colour: the reverse of `faded`.
+/// The share of the way at which the farther colour has this share: the inverse of `faded`.
 #[cfg(feature = "files")]
 pub(crate) fn way_to(share: f32) -> f32 {
     1.0 - (1.0 - share).sqrt()

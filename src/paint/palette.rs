@@ -94,21 +94,21 @@ const fn even(land: Colour, water: Colour, coast: Colour, ridge: Colour, river: 
     }
 }
 
-/// The colour of a ground without what is said in place of its opacity.
+/// The colour of a ground, without the value that it holds in place of an opacity.
 #[inline]
 pub(super) fn opaque(ground: [u8; 4]) -> [u8; 4] {
     const OPAQUE: u32 = u32::from_le_bytes([0, 0, 0, 255]);
     (u32::from_le_bytes(ground) | OPAQUE).to_le_bytes()
 }
 
-/// A colour, covered by another in so many 255ths; opaque.
+/// A colour covered by another, `coverage` in 255ths; opaque.
 #[inline]
 pub(super) fn over([red, green, blue]: Colour, by: Colour, coverage: u32) -> [u8; 4] {
     let blend = |from: u8, to: u8| ((u32::from(from) * (255 - coverage) + u32::from(to) * coverage + 127) / 255) as u8;
     [blend(red, by[0]), blend(green, by[1]), blend(blue, by[2]), 255]
 }
 
-/// A colour, so much of the way to another.
+/// A colour a share of the way to another.
 pub(crate) fn mix(from: Colour, to: Colour, share: f32) -> Colour {
     std::array::from_fn(|i| (f32::from(from[i]) + (f32::from(to[i]) - f32::from(from[i])) * share + 0.5) as u8)
 }

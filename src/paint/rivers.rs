@@ -10,7 +10,7 @@ use super::strokes::{Vertex, middle, parabola};
 use super::view::View;
 use crate::network::{self, Network, Place};
 
-/// What is added to each bank, in pixels, so that a brook can be seen.
+/// The margin that is added to each bank, in pixels, so that a brook can be seen.
 const VISIBLE_PX: f32 = 0.2;
 
 /// Draws a network.

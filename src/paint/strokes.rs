@@ -26,11 +26,11 @@ pub enum Widths {
 /// Radii are whole sixteenths of a pixel: a river is drawn again when its width has changed by one, not before.
 const SIXTEENTHS: f32 = 16.0;
 
-/// The least width of a stream, in domain units and in pixels: thin, but not too thin to be seen.
+/// The least width of a stream, in domain units and in pixels: thin, but visible.
 const HAIRLINE: f32 = 0.6;
 const HAIRLINE_PX: f32 = 0.4;
 
-/// How many nodes a river takes to come from nothing to its width at its source.
+/// The number of nodes over which a river widens from nothing at its source.
 pub(super) const TAPER_NODES: u32 = 5;
 
 /// Turns nodes into widths and strokes, for one recipe and one size.

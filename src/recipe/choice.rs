@@ -10,9 +10,6 @@ pub trait Choice: Copy + PartialEq + 'static {
     const ALL: &'static [Self];
     /// How they are spelt and called, in the same order.
     const WORDS: &'static [Word];
-
-    /// How it is spelt and called.
-    fn word(self) -> Word;
 }
 
 /// How a choice is spelt and called.
@@ -20,7 +17,7 @@ pub trait Choice: Copy + PartialEq + 'static {
 pub struct Word {
     /// The word in links, attributes, options and JSON.
     pub name: &'static str,
-    /// What the page calls it.
+    /// Its name on the page.
     pub label: &'static str,
     /// One line that says what it is.
     pub help: &'static str,
@@ -41,15 +38,12 @@ macro_rules! choices {
         impl Choice for $Choice {
             const KEY: Key = Key::$key;
             const ALL: &'static [Self] = &[$(Self::$Value),+];
-            const WORDS: &'static [Word] = &[$(Self::$Value.spelt()),+];
-
-            fn word(self) -> Word {
-                self.spelt()
-            }
+            const WORDS: &'static [Word] = &[$(Self::$Value.word()),+];
         }
 
         impl $Choice {
-            const fn spelt(self) -> Word {
+            /// How it is spelt and called.
+            pub const fn word(self) -> Word {
                 match self {
                     $(Self::$Value => Word { name: $name, label: $label, help: concat!($($help),+).trim_ascii() },)+
                 }
@@ -121,25 +115,34 @@ choices! {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::recipe::table::TABLE;
     use crate::recipe::{Kind, Recipe, link};
 
-    fn check<C: Choice + std::fmt::Debug>() {
+    /// Checks one choice, and returns the parameter that it belongs to.
+    fn check<C: Choice + std::fmt::Debug>() -> Key {
         let row = C::KEY.parameter();
         assert_eq!(row.kind, Kind::Choice { choices: C::WORDS });
         assert_eq!(Recipe::default().get::<C>(), C::ALL[0]);
-        for &choice in C::ALL {
-            let name = choice.word().name;
-            assert_eq!(link::read(&format!("{}={name}", row.name)).unwrap().get::<C>(), choice);
-            assert!(choice.word().help.ends_with('.'), "{name}");
+        assert_eq!(C::ALL.len(), C::WORDS.len());
+        for (&choice, word) in C::ALL.iter().zip(C::WORDS) {
+            assert_eq!(link::read(&format!("{}={}", row.name, word.name)).unwrap().get::<C>(), choice);
+            assert!(word.help.ends_with('.'), "{}", word.name);
         }
+        C::KEY
     }
 
     #[test]
-    fn each_word_is_read_as_its_choice() {
-        check::<LandKind>();
-        check::<GrowthMethod>();
-        check::<Scatter>();
-        check::<MeanderModel>();
-        check::<Style>();
+    fn each_word_of_every_choice_is_read_as_its_value() {
+        let checked = [
+            check::<LandKind>(),
+            check::<GrowthMethod>(),
+            check::<Scatter>(),
+            check::<MeanderModel>(),
+            check::<Style>(),
+        ];
+        let choices = TABLE.iter().filter(|row| matches!(row.kind, Kind::Choice { .. }));
+        for row in choices {
+            assert!(checked.contains(&row.key), "'{}' is a choice that this test does not check", row.name);
+        }
     }
 }

@@ -1,4 +1,4 @@
-//! What can be wrong with a recipe, said so that a person can mend it.
+//! What can be wrong with a recipe, in words that help to correct it.
 
 use thiserror::Error;
 
@@ -49,7 +49,7 @@ pub enum RecipeError {
         /// The most that is allowed.
         max: Decimal,
     },
-    /// A word that is none of the choices.
+    /// A word that is not one of the choices.
     #[error("{key}: '{value}' is none of {choices}")]
     UnknownChoice {
         /// The parameter.

@@ -10,14 +10,27 @@ type Reason = Option<&'static str>;
 const STILL: &str = "rivers do not meander";
 
 impl Recipe {
-    /// Why a parameter has no effect in this recipe, as the rest of a sentence that says so; `None` if it has one.
-    pub fn inactive_reason(&self, key: Key) -> Option<&'static str> {
+    /// Why a parameter has no effect in this recipe, as the rest of a sentence that says so; `None` if it has one. `land` is
+    /// the kind of land that the recipe gives, [`Land::kind_of`](crate::Land::kind_of).
+    pub fn inactive_reason(&self, key: Key, land: LandKind) -> Option<&'static str> {
+        Given { recipe: self, land }.inactive_reason(key)
+    }
+}
+
+/// A recipe, and the kind of land that it gives: a drawing that leaves no water or next to no land is the whole rectangle.
+struct Given<'a> {
+    recipe: &'a Recipe,
+    land: LandKind,
+}
+
+impl Given<'_> {
+    fn inactive_reason(&self, key: Key) -> Reason {
         match key {
             Key::Seed | Key::Edition | Key::Aspect | Key::Land | Key::Growth => None,
             Key::Sea => self.no_coast().or_else(|| self.sea_is_drawn()),
             Key::Roughness => self.no_coast(),
             Key::Sides => self.sea_is_drawn().or_else(|| self.sides_are_given()),
-            Key::Outline => (self.shown_land() != LandKind::Drawn).then_some("the land is not drawn"),
+            Key::Outline => (self.land != LandKind::Drawn).then_some("the land is not drawn"),
             Key::MouthSpacing | Key::Shores => self.no_coast().or_else(|| self.brownian()),
             Key::Mouths | Key::Attractors => self.brownian(),
             Key::Scatter | Key::Reach | Key::Kill | Key::Step => self.not_colonizing(),
@@ -41,15 +54,15 @@ impl Recipe {
     }
 
     fn no_coast(&self) -> Reason {
-        (self.shown_land() == LandKind::Rectangle).then_some("the whole rectangle is land, so there is no coast")
+        (self.land == LandKind::Rectangle).then_some("the whole rectangle is land, so there is no coast")
     }
 
     fn sea_is_drawn(&self) -> Reason {
-        (self.shown_land() == LandKind::Drawn).then_some("the drawing determines where the sea is")
+        (self.land == LandKind::Drawn).then_some("the drawing determines where the sea is")
     }
 
     fn sides_are_given(&self) -> Reason {
-        match self.shown_land() {
+        match self.land {
             LandKind::Island | LandKind::Archipelago => Some("this land has the sea all around it"),
             LandKind::Basin => Some("rivers flow to the lake in the middle"),
             LandKind::Continent | LandKind::Valley | LandKind::Rectangle | LandKind::Drawn => None,
@@ -57,21 +70,21 @@ impl Recipe {
     }
 
     fn not_colonizing(&self) -> Reason {
-        match self.get() {
+        match self.recipe.get() {
             GrowthMethod::Colonize => None,
             GrowthMethod::Brownian | GrowthMethod::Drainage => Some("only space colonization uses it"),
         }
     }
 
     fn brownian(&self) -> Reason {
-        match self.get() {
+        match self.recipe.get() {
             GrowthMethod::Brownian => Some("Brownian trees do not use it"),
             GrowthMethod::Colonize | GrowthMethod::Drainage => None,
         }
     }
 
     fn not_draining(&self) -> Reason {
-        match self.get() {
+        match self.recipe.get() {
             GrowthMethod::Drainage => None,
             GrowthMethod::Colonize | GrowthMethod::Brownian => Some("only drainage uses it"),
         }
@@ -86,7 +99,7 @@ impl Recipe {
     }
 
     fn not_brownian(&self) -> Reason {
-        match self.get() {
+        match self.recipe.get() {
             GrowthMethod::Brownian => None,
             GrowthMethod::Colonize | GrowthMethod::Drainage => Some("only Brownian trees use it"),
         }
@@ -98,12 +111,12 @@ impl Recipe {
 
     /// Bends grow in proportion to widths: of rivers that meander the skeleton shows widths, too.
     fn no_widths(&self) -> Reason {
-        let is_skeleton = self.get::<Style>() == Style::Skeleton;
+        let is_skeleton = self.recipe.get::<Style>() == Style::Skeleton;
         (is_skeleton && self.no_rounds().is_some()).then_some("the skeleton is one pixel wide everywhere")
     }
 
     fn no_meandering(&self) -> Reason {
-        (self.get::<MeanderModel>() == MeanderModel::None).then_some(STILL)
+        (self.recipe.get::<MeanderModel>() == MeanderModel::None).then_some(STILL)
     }
 
     fn no_rounds(&self) -> Reason {
@@ -121,23 +134,15 @@ impl Recipe {
     }
 
     fn no_choice_of_direction(&self) -> Reason {
-        match self.get() {
+        match self.recipe.get() {
             _ if self.is_zero(Key::MeanderStrength) => Some("bends do not move"),
             MeanderModel::Flow => Some("only bends that grow outward use it"),
             MeanderModel::Bend | MeanderModel::None => None,
         }
     }
 
-    /// The land as it is: a drawn one of which nothing is drawn is the whole rectangle.
-    fn shown_land(&self) -> LandKind {
-        match self.get() {
-            LandKind::Drawn if self.outline().is_none() => LandKind::Rectangle,
-            land => land,
-        }
-    }
-
     fn is_zero(&self, key: Key) -> bool {
-        match self.value(key) {
+        match self.recipe.value(key) {
             Value::Integer(integer) => *integer == 0,
             Value::Number(decimal) => *decimal == Decimal::whole(0),
             _ => false,
@@ -148,11 +153,13 @@ impl Recipe {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::land::Land;
     use crate::recipe::link;
     use crate::recipe::table::TABLE;
 
     fn reason(link: &str, key: Key) -> Option<&'static str> {
-        link::read(link).unwrap().inactive_reason(key)
+        let recipe = link::read(link).unwrap();
+        recipe.inactive_reason(key, Land::kind_of(&recipe))
     }
 
     #[test]
@@ -178,46 +185,45 @@ mod tests {
         ("sea roughness mouth-spacing shores", "the whole rectangle is land, so there is no coast");
     const NOT_DRAWN: (&str, &str) = ("outline", "the land is not drawn");
     const NO_SENSITIVITY: (&str, &str) = ("sensitivity", "only Brownian trees use it");
-    const RECTANGULAR: &[(&str, &str)] = &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY];
+    const NOT_DRAINING: (&str, &str) = (
+        "valleys valley-spacing concavity captures hardness hardness-scale bending channel-area",
+        "only drainage uses it",
+    );
+    const NOT_COLONIZING: (&str, &str) =
+        ("scatter reach kill step momentum curl stretch", "only space colonization uses it");
+    const BROWNIAN: (&str, &str) = ("mouths mouth-spacing shores attractors", "Brownian trees do not use it");
+    const RECTANGULAR: &[(&str, &str)] = &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING];
 
     /// What is set over the lively recipe, and all keys that do nothing then, each with its reason.
     const EXPECTED: &[(&str, &[(&str, &str)])] = &[
         ("", RECTANGULAR),
         ("land=drawn&outline=", RECTANGULAR),
+        // All land, with and without a lake too small to be seen; and next to no land.
+        ("land=drawn&outline=.AAAA__AA____AA__", RECTANGULAR),
+        ("land=drawn&outline=.AAAA__AA____AA__.gAgAgBgAgBgB", RECTANGULAR),
+        ("land=drawn&outline=.gAgAhhgAgAhh", RECTANGULAR),
         (
             "land=drawn&outline=.MzMzzMMzzMzM",
-            &[("sea sides", "the drawing determines where the sea is"), NO_SENSITIVITY],
+            &[("sea sides", "the drawing determines where the sea is"), NO_SENSITIVITY, NOT_DRAINING],
         ),
-        ("land=island", &[("sides", "this land has the sea all around it"), NOT_DRAWN, NO_SENSITIVITY]),
-        ("land=archipelago", &[("sides", "this land has the sea all around it"), NOT_DRAWN, NO_SENSITIVITY]),
-        ("land=continent", &[NOT_DRAWN, NO_SENSITIVITY]),
-        ("land=valley", &[NOT_DRAWN, NO_SENSITIVITY]),
-        ("land=basin", &[("sides", "rivers flow to the lake in the middle"), NOT_DRAWN, NO_SENSITIVITY]),
+        ("land=island", &[("sides", "this land has the sea all around it"), NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING]),
         (
-            "land=continent&growth=brownian",
-            &[
-                NOT_DRAWN,
-                (
-                    "mouths mouth-spacing shores attractors scatter reach kill step momentum curl stretch",
-                    "only space colonization uses it",
-                ),
-            ],
+            "land=archipelago",
+            &[("sides", "this land has the sea all around it"), NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING],
         ),
-        (
-            "growth=brownian",
-            &[
-                NO_COAST,
-                NOT_DRAWN,
-                ("mouths attractors scatter reach kill step momentum curl stretch", "only space colonization uses it"),
-            ],
-        ),
-        ("curl=0", &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, ("stretch", "there is no curl")]),
+        ("land=continent", &[NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING]),
+        ("land=valley", &[NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING]),
+        ("land=basin", &[("sides", "rivers flow to the lake in the middle"), NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING]),
+        ("land=continent&growth=brownian", &[NOT_DRAWN, NOT_DRAINING, BROWNIAN, NOT_COLONIZING]),
+        ("growth=brownian", &[NO_COAST, NOT_DRAWN, NOT_DRAINING, BROWNIAN, NOT_COLONIZING]),
+        ("curl=0", &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, ("stretch", "there is no curl")]),
         (
             "meander=none",
             &[
                 NO_COAST,
                 NOT_DRAWN,
                 NO_SENSITIVITY,
+                NOT_DRAINING,
                 (
                     "meander-rounds meander-strength meander-mix meander-elsewhere great-rivers flat-share neck clearance taper",
                     STILL,
@@ -230,6 +236,7 @@ mod tests {
                 NO_COAST,
                 NOT_DRAWN,
                 NO_SENSITIVITY,
+                NOT_DRAINING,
                 ("meander-strength meander-mix meander-elsewhere great-rivers flat-share neck clearance taper", STILL),
             ],
         ),
@@ -239,16 +246,29 @@ mod tests {
                 NO_COAST,
                 NOT_DRAWN,
                 NO_SENSITIVITY,
+                NOT_DRAINING,
                 ("meander-strength meander-mix neck clearance taper", STILL),
                 ("flat-share", "there are no great rivers"),
             ],
         ),
-        ("great-rivers=0", &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, ("flat-share", "there are no great rivers")]),
+        (
+            "great-rivers=0",
+            &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, ("flat-share", "there are no great rivers")],
+        ),
         ("meander-elsewhere=0", RECTANGULAR),
-        ("meander-strength=0", &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, ("meander-mix", "bends do not move")]),
+        (
+            "meander-strength=0",
+            &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, ("meander-mix", "bends do not move")],
+        ),
         (
             "meander=flow",
-            &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, ("meander-mix", "only bends that grow outward use it")],
+            &[
+                NO_COAST,
+                NOT_DRAWN,
+                NO_SENSITIVITY,
+                NOT_DRAINING,
+                ("meander-mix", "only bends that grow outward use it"),
+            ],
         ),
         ("style=skeleton", RECTANGULAR),
         (
@@ -257,6 +277,7 @@ mod tests {
                 NO_COAST,
                 NOT_DRAWN,
                 NO_SENSITIVITY,
+                NOT_DRAINING,
                 ("meander-strength meander-mix meander-elsewhere great-rivers flat-share neck clearance taper", STILL),
                 ("width bank-variation", "the skeleton is one pixel wide everywhere"),
             ],
@@ -267,11 +288,28 @@ mod tests {
                 NO_COAST,
                 NOT_DRAWN,
                 NO_SENSITIVITY,
+                NOT_DRAINING,
                 (
                     "meander-rounds meander-strength meander-mix meander-elsewhere great-rivers flat-share neck clearance taper",
                     STILL,
                 ),
                 ("width bank-variation", "the skeleton is one pixel wide everywhere"),
+            ],
+        ),
+        ("growth=drainage", &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_COLONIZING]),
+        (
+            "growth=drainage&land=island",
+            &[("sides", "this land has the sea all around it"), NOT_DRAWN, NO_SENSITIVITY, NOT_COLONIZING],
+        ),
+        (
+            "growth=drainage&valleys=0&hardness=0",
+            &[
+                NO_COAST,
+                NOT_DRAWN,
+                NO_SENSITIVITY,
+                NOT_COLONIZING,
+                ("valley-spacing", "there are no valleys"),
+                ("hardness-scale", "all ground is equally hard"),
             ],
         ),
     ];
@@ -286,7 +324,12 @@ mod tests {
             for parameter in &TABLE {
                 let names = |(keys, _): &&(&str, &str)| keys.split(' ').any(|key| key == parameter.name);
                 let reason = expected.iter().find(names).map(|(_, reason)| *reason);
-                assert_eq!(recipe.inactive_reason(parameter.key), reason, "{} with {over:?}", parameter.name);
+                assert_eq!(
+                    recipe.inactive_reason(parameter.key, Land::kind_of(&recipe)),
+                    reason,
+                    "{} with {over:?}",
+                    parameter.name
+                );
             }
         }
     }

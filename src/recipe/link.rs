@@ -1,14 +1,14 @@
 //! Link text: `seed=kauri&edition=1&curl=0.6`, the form that people share.
 //!
 //! Defaults are left out, the edition never is. [`read`] is strict, for the command line and for tests; [`read_leniently`]
-//! is total, for pages: a shared link must never leave a blank page, so what is wrong is mended and said.
+//! is total, for pages: a shared link must never leave a blank page, so invalid values are corrected and reported.
 
 use std::fmt;
 use std::str::FromStr;
 
 use super::error::{RecipeError, shown};
 use super::key::Key;
-use super::parameter::Kind;
+use super::parameter::{Kind, Parameter};
 use super::table::TABLE;
 use super::value::{Decimal, Value};
 use super::{Recipe, preset};
@@ -19,7 +19,7 @@ pub const LONGEST: usize = 4096;
 /// The key that names a preset: read first, overridden by all other keys, never written.
 pub const PRESET: &str = "preset";
 
-/// Something in a link that had to be mended.
+/// Something in a link that had to be corrected.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Notice {
     /// The key it is about; empty for the link as a whole.
@@ -30,10 +30,16 @@ pub struct Notice {
 
 /// Writes a recipe as link text, in the table's order. [`read`] gives the same recipe back.
 pub fn write(recipe: &Recipe) -> String {
+    write_if(recipe, |_, is_default| !is_default)
+}
+
+/// Writes of a recipe, besides seed and edition, what is asked for: each parameter, and whether it has its default.
+pub(super) fn write_if(recipe: &Recipe, is_written: impl Fn(&Parameter, bool) -> bool) -> String {
     let mut link = form_urlencoded::Serializer::new(String::new());
     for parameter in &TABLE {
         let value = recipe.value(parameter.key);
-        if *value != parameter.default_value() || matches!(parameter.key, Key::Seed | Key::Edition) {
+        let is_default = *value == parameter.default_value();
+        if matches!(parameter.key, Key::Seed | Key::Edition) || is_written(parameter, is_default) {
             link.append_pair(parameter.name, &parameter.text_of(value));
         }
     }
@@ -98,9 +104,15 @@ pub fn apply(mut recipe: Recipe, pairs: &[(String, String)]) -> Result<Recipe, R
     Ok(recipe)
 }
 
-/// Reads link text as well as it can be read: what is out of range is brought into it, what is unreadable or unknown
-/// is passed over, and each mend is told. Never fails.
+/// Reads link text as well as possible: values out of range are clamped, unreadable values and unknown keys are ignored, and
+/// each correction is reported. Never fails.
 pub fn read_leniently(link: &str) -> (Recipe, Vec<Notice>) {
+    let (recipe, notices, _) = read_and_tell_keys(link);
+    (recipe, notices)
+}
+
+/// As [`read_leniently`], and for each parameter whether the link names it.
+pub(super) fn read_and_tell_keys(link: &str) -> (Recipe, Vec<Notice>, [bool; TABLE.len()]) {
     let mut recipe = Recipe::default();
     let mut notices = Vec::new();
     let link = shorten(link, &mut notices);
@@ -122,10 +134,10 @@ pub fn read_leniently(link: &str) -> (Recipe, Vec<Notice>) {
         if std::mem::replace(&mut seen[key as usize], true) {
             notices.push(repeated(name));
         } else if let Err(error) = recipe.set(key, text) {
-            notices.push(mend(&mut recipe, key, text, &error));
+            notices.push(correct(&mut recipe, key, text, &error));
         }
     }
-    (recipe, notices)
+    (recipe, notices, seen)
 }
 
 fn repeated(name: &str) -> Notice {
@@ -141,8 +153,8 @@ fn apply_preset(recipe: &mut Recipe, name: &str) -> Result<(), RecipeError> {
     preset.values.iter().try_for_each(|(key, text)| recipe.set(*key, text))
 }
 
-/// Puts the nearest allowed value in the place of a refused one, where there is such a thing.
-fn mend(recipe: &mut Recipe, key: Key, text: &str, error: &RecipeError) -> Notice {
+/// Replaces a refused value by the nearest allowed one, if there is one.
+fn correct(recipe: &mut Recipe, key: Key, text: &str, error: &RecipeError) -> Notice {
     let parameter = key.parameter();
     if let Some(value) = nearest_allowed(parameter.kind, text) {
         recipe.put(key, value);

@@ -16,10 +16,11 @@ pub mod link;
 mod outline;
 mod parameter;
 pub mod preset;
+pub mod reading;
 pub mod table;
 mod value;
 
-pub use choice::{Choice, GrowthMethod, LandKind, MeanderModel, Scatter, Style};
+pub use choice::{Choice, GrowthMethod, LandKind, MeanderModel, Scatter, Style, Word};
 pub use error::RecipeError;
 pub use key::Key;
 pub use outline::{GridPoint, LONGEST as LONGEST_OUTLINE, LineKind, Outline, OutlineError};
@@ -75,7 +76,7 @@ impl Recipe {
         }
     }
 
-    /// What is chosen of a parameter's words.
+    /// The value of a parameter that is one of some words.
     ///
     /// ```
     /// use riverseed::recipe::{Style, link};
@@ -84,8 +85,9 @@ impl Recipe {
     /// # Ok::<(), riverseed::recipe::RecipeError>(())
     /// ```
     pub fn get<C: Choice>(&self) -> C {
-        let is_chosen = |choice: &C| matches!(self.value(C::KEY), Value::Choice(name) if *name == choice.word().name);
-        C::ALL.iter().copied().find(is_chosen).unwrap_or(C::ALL[0])
+        let is_chosen = |word: &Word| matches!(self.value(C::KEY), Value::Choice(name) if *name == word.name);
+        let mut choices = C::ALL.iter().zip(C::WORDS);
+        choices.find(|(_, word)| is_chosen(word)).map_or(C::ALL[0], |(choice, _)| *choice)
     }
 
     /// A set of sides of the domain; south for a parameter that is not one.

@@ -48,7 +48,7 @@ impl GridPoint {
     }
 }
 
-/// What a line of an outline is.
+/// The kind of a line of an outline.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LineKind {
     /// A closed line between land and water.
@@ -73,7 +73,7 @@ impl LineKind {
         }
     }
 
-    /// How many characters a line of so many points has.
+    /// The number of characters of a line with this many points.
     pub(crate) const fn length_of(self, points: usize) -> usize {
         self.mark().len() + points * POINT
     }

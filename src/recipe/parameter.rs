@@ -1,4 +1,4 @@
-//! What a parameter is: its key, its stage, the kind of value it takes, and how that is read, checked and written.
+//! A parameter: its key, its stage, the kind of value it takes, and how that is read, checked and written.
 
 use super::choice::Word;
 use super::error::{RecipeError, shown};
@@ -85,7 +85,7 @@ pub struct Parameter {
     pub key: Key,
     /// The key that links, attributes, options and JSON use.
     pub name: &'static str,
-    /// What the page calls it.
+    /// Its name on the page.
     pub label: &'static str,
     /// One line that says what it does.
     pub help: &'static str,

@@ -8,7 +8,7 @@ use super::key::Key;
 pub struct Preset {
     /// The name that links use.
     pub name: &'static str,
-    /// What the page calls it.
+    /// Its name on the page.
     pub label: &'static str,
     /// One line that says how it looks.
     pub help: &'static str,

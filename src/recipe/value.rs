@@ -31,7 +31,7 @@ pub struct Decimal {
 impl Decimal {
     const PLACES: usize = 4;
     const ONE: i64 = 10_000;
-    /// Beyond this, digits are not told apart. Every range lies far within.
+    /// Larger numbers count as this one. Every range lies far below.
     const HUGE: i64 = 1_000_000_000_000_000;
 
     /// The nearest decimal, for constants.
@@ -109,7 +109,7 @@ impl Sides {
     pub const ALL: Self = Self(0b1111);
     const INITIALS: &str = "nesw";
 
-    /// Reads initials in any order. `None` if there are none, one stands twice, or one is not a side's.
+    /// Reads initials in any order. `None` if the text is empty, repeats a side or has another letter.
     pub fn parse(text: &str) -> Option<Self> {
         let set = text.chars().try_fold(0u8, |set, initial| {
             let side = 1 << Self::INITIALS.find(initial.to_ascii_lowercase())?;

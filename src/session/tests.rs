@@ -1,12 +1,17 @@
-//! What holds when there is too little memory, and when a session goes back or to another size.
+//! Sessions with too little memory, sessions that restart, and sessions that change.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use super::*;
 use crate::memory::testing::with_lists_up_to;
+use crate::picture::Picture;
 use crate::recipe::link;
+use crate::work;
 
 /// Less than anything takes, in bytes.
 const NOTHING: usize = 100;
+
+/// An island whose ridge runs along the whole of its coast.
+const NO_COAST: &str = "land=drawn&roughness=0&aspect=1&outline=.MzMzzMMzzMzMMzzM..M1M1zKM1zKzKM1zKM1M1";
 
 const BENDS: &str = "attractors=300&trim=0&meander=flow&meander-rounds=3";
 
@@ -36,7 +41,7 @@ fn finished(text: &str) -> Session {
     session
 }
 
-/// All that there is to see of a session.
+/// The visible state of a session.
 fn seen(session: &Session) -> (&Recipe, Summary, Phase, &Tree, Option<&Network>) {
     (session.recipe(), session.summary(), session.phase(), session.tree(), session.network())
 }
@@ -51,8 +56,8 @@ fn recipe_that_there_is_no_memory_for_is_refused() {
     let refused = |text: &str| with_lists_up_to(NOTHING, || Session::new(recipe(text))).map(drop).unwrap_err();
     let attractors = SessionError::Grow(GrowError::OutOfMemory { attractors: 300, megabytes: 1 });
     assert_eq!(refused("attractors=300"), attractors);
-    let field = refused("growth=brownian&sensitivity=60");
-    assert!(matches!(field, SessionError::Grow(GrowError::NoRoomForField { .. })), "{field:?}");
+    let raster = refused("growth=brownian&sensitivity=60");
+    assert!(matches!(raster, SessionError::Grow(GrowError::NoRoomForRaster { .. })), "{raster:?}");
 }
 
 #[test]
@@ -127,4 +132,104 @@ fn restart_goes_back_to_tick_0_and_ends_the_same() {
     assert_same(&session, &fresh);
     finish(&mut session);
     assert_same(&session, &before);
+}
+
+#[test]
+fn a_copy_has_come_as_far_and_goes_its_own_way() {
+    for text in [BENDS, "growth=brownian&sensitivity=40", "attractors=300&land=rectangle&meander=none"] {
+        let whole = finished(text);
+        let mut session = planted(text);
+        loop {
+            let mut copy = session.try_clone().unwrap();
+            assert_same(&copy, &session);
+            let as_it_was = session.clone();
+            finish(&mut copy);
+            assert_same(&copy, &whole);
+            copy.change(recipe("attractors=100")).unwrap();
+            assert_same(&session, &as_it_was);
+            if !session.advance(40).unwrap() {
+                break;
+            }
+        }
+        assert_same(&session, &whole);
+    }
+}
+
+#[test]
+fn advice_fits_how_rivers_grow() {
+    let shortfall = |text: &str| finished(text).summary().shortfall();
+    for growth in ["growth=colonize", "growth=brownian&sensitivity=30"] {
+        let summary = finished(&format!("attractors=300&{growth}&{NO_COAST}")).summary();
+        assert_eq!(summary.shortfall(), Some(Shortfall::NoRiver), "{growth}: {summary:?}");
+        assert_eq!(shortfall(&format!("attractors=300&{growth}")), None);
+    }
+    assert_eq!(shortfall("attractors=300&kill=0.5&step=1.2"), Some(Shortfall::Unreached));
+    // Attractors and their step do not matter to a Brownian tree.
+    assert_eq!(shortfall("attractors=300&kill=0.5&step=1.2&growth=brownian&sensitivity=30"), None);
+}
+
+#[test]
+fn progress_is_whole_once_all_is_finished() {
+    for text in [BENDS, "attractors=300&meander=none", "attractors=300&meander-rounds=0"] {
+        assert_eq!(finished(text).progress(), 1.0, "{text}");
+    }
+}
+
+/// Changes of each late stage, at every step from the last of growth on.
+#[test]
+fn changed_at_any_step_a_session_ends_as_a_fresh_one() {
+    for (change, stage) in [
+        ("trim=0&simplify=20", Stage::Shape),
+        ("trim=0&width=30", Stage::Shape),
+        ("trim=0&meander-rounds=5&meander-strength=1", Stage::Shape),
+        ("trim=70", Stage::Prune),
+    ] {
+        let change = format!("attractors=300&{change}");
+        let fresh = finished(&change);
+        let mut session = grown(BENDS);
+        loop {
+            let mut changed = session.clone();
+            assert_eq!(changed.change(recipe(&change)), Ok(Some(stage)));
+            finish(&mut changed);
+            assert_same(&changed, &fresh);
+            if session.is_finished() {
+                break;
+            }
+            session.advance(1).unwrap();
+        }
+    }
+}
+
+#[test]
+fn one_picture_of_a_session_and_of_its_copy_shows_each() {
+    let session = grown(BENDS);
+    let mut copy = session.try_clone().unwrap();
+    finish(&mut copy);
+    let painted = |picture: &mut Picture, session: &Session| {
+        picture.paint(session);
+        picture.pixmap().data().to_vec()
+    };
+    let mut picture = Picture::new(60, 40).unwrap();
+    for session in [&copy, &session, &copy] {
+        assert!(painted(&mut picture, session) == painted(&mut Picture::new(60, 40).unwrap(), session));
+    }
+}
+
+#[test]
+fn a_copy_that_there_is_no_memory_for_is_refused() {
+    let session = finished(BENDS);
+    let refused = with_lists_up_to(6_000_000, || session.try_clone()).map(drop).unwrap_err();
+    assert_eq!(refused, SessionError::Copy { megabytes: 7 });
+    assert_eq!(refused.to_string(), "a copy of the rivers needs about 7 MB, and the allocation failed");
+}
+
+#[test]
+fn change_of_a_late_stage_makes_no_step() {
+    let mut session = finished(BENDS);
+    for change in ["&width=30", "&width=30&simplify=20", "&width=30&simplify=20&neck=2"] {
+        let before = work::steps();
+        session.change(recipe(&format!("{BENDS}{change}"))).unwrap();
+        assert_eq!((session.phase(), work::steps() - before), (Phase::Shaping, 0), "{change}");
+        finish(&mut session);
+    }
 }

@@ -1,7 +1,7 @@
 //! The only place that knows JavaScript: recipes, the parameter table and a river, for a page.
 
 #[cfg(feature = "files")]
-pub mod tools;
+pub mod files;
 
 use glam::Vec2;
 use js_sys::{Array, Error, Float32Array, Object, Reflect};
@@ -9,13 +9,15 @@ use wasm_bindgen::prelude::*;
 
 use crate::dice;
 use crate::grow::Ending;
+use crate::land::Land;
 use crate::paint::{PaintError, Rect};
 use crate::picture::Picture;
 use crate::recipe::link::{self, Notice};
 use crate::recipe::preset::{PRESETS, Preset};
+use crate::recipe::reading::{self, ReadOptions, Reading};
 use crate::recipe::table::TABLE;
-use crate::recipe::{Decimal, GridPoint, Key, Kind, LONGEST_OUTLINE, Outline, Parameter, Recipe, Stage};
-use crate::session::{Phase, Session, SessionError};
+use crate::recipe::{Decimal, GridPoint, Key, Kind, LONGEST_OUTLINE, Outline, Parameter, Stage, Value};
+use crate::session::{Phase, Session, SessionError, Shortfall};
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
@@ -55,10 +57,21 @@ export interface Notice {
   readonly key: string;
   readonly message: string;
 }
+/** Where the rivers of a link are to be seen. */
+export interface ReadOptions {
+  /** In a widget: the recipe is kept within its limits. */
+  readonly widget?: boolean;
+  /** On a dark page: if the link names no style, it is the one for dark pages. */
+  readonly dark?: boolean;
+}
 /** A link as it was understood. */
 export interface Reading {
-  /** The canonical link: defaults left out. */
+  /** The canonical link of what is drawn: defaults left out. */
   readonly link: string;
+  /** The canonical link to share: it names a style only where the text that was read did. */
+  readonly sharedLink: string;
+  /** Whether the text names a style. */
+  readonly namesStyle: boolean;
   /** Every parameter's value as link text. */
   readonly values: readonly (readonly [key: string, value: string])[];
   /** The keys that do nothing in this recipe, and why. */
@@ -122,17 +135,36 @@ pub fn presets() -> Array {
 
 /// Reads a link leniently. Total: never throws, whatever the text.
 #[wasm_bindgen(js_name = readLink, unchecked_return_type = "Reading")]
-pub fn read_link(text: &str) -> Object {
-    let (recipe, notices) = link::read_leniently(text);
+pub fn read_link(
+    text: &str,
+    #[wasm_bindgen(unchecked_optional_param_type = "ReadOptions")] options: &JsValue,
+) -> Object {
+    let reading = reading::read(text, read_options(options));
+    let Reading { recipe, .. } = &reading;
     let value = |parameter: &Parameter| pair(parameter.name, &parameter.text_of(recipe.value(parameter.key)));
-    let idle = |row: &Parameter| recipe.inactive_reason(row.key).map(|reason| pair(row.name, reason));
-    let notice = |Notice { key, message }| object(&[("key", String::into(key)), ("message", String::into(message))]);
+    let land = Land::kind_of(recipe);
+    let idle = |row: &Parameter| recipe.inactive_reason(row.key, land).map(|reason| pair(row.name, reason));
     object(&[
-        ("link", link::write(&recipe).into()),
+        ("link", link::write(recipe).into()),
+        ("sharedLink", reading.shared_link().into()),
+        ("namesStyle", reading.names_style.into()),
         ("values", TABLE.iter().map(value).collect::<Array>().into()),
         ("idle", TABLE.iter().filter_map(idle).collect::<Array>().into()),
-        ("notices", notices.into_iter().map(notice).collect::<Array>().into()),
+        ("notices", list(&reading.notices).into()),
     ])
+}
+
+/// What a page says of where rivers are to be seen; what it leaves out is not so.
+fn read_options(given: &JsValue) -> ReadOptions {
+    let is = |name: &str| Reflect::get(given, &JsValue::from_str(name)).is_ok_and(|value| value.is_truthy());
+    ReadOptions { widget: is("widget"), dark: is("dark") }
+}
+
+fn list(notices: &[Notice]) -> Array {
+    let notice = |Notice { key, message }: &Notice| {
+        object(&[("key", key.as_str().into()), ("message", message.as_str().into())])
+    };
+    notices.iter().map(notice).collect()
 }
 
 /// A new seed, a word that can be said aloud.
@@ -168,24 +200,54 @@ fn points(line: &Float32Array) -> Vec<Vec2> {
 #[wasm_bindgen]
 pub struct River {
     session: Session,
+    notices: Vec<Notice>,
     picture: Option<Picture>,
     dirty: Option<Rect>,
 }
 
 #[wasm_bindgen]
 impl River {
-    /// Plants a recipe, read strictly. It has no picture until it is given a size. Throws an Error with a `code`.
+    /// Plants the recipe of a link, which is read as `readLink` does. It has no picture until it is given a size. Throws
+    /// an Error with a `code`.
     #[wasm_bindgen(constructor)]
-    pub fn new(link: &str) -> Result<Self, JsValue> {
-        let session = Session::new(read_strictly(link)?).map_err(|error| session_error(&error))?;
-        Ok(Self { session, picture: None, dirty: None })
+    pub fn new(
+        text: &str,
+        #[wasm_bindgen(unchecked_optional_param_type = "ReadOptions")] options: &JsValue,
+    ) -> Result<Self, JsValue> {
+        let Reading { recipe, notices, .. } = reading::read(text, read_options(options));
+        let session = Session::new(recipe).map_err(|error| session_error(&error))?;
+        Ok(Self { session, notices, picture: None, dirty: None })
     }
 
-    /// Goes over to another recipe and says what has to run again. If it throws, everything is as before.
+    /// Goes over to the recipe of another link and says what has to run again. If it throws, everything is as before.
     #[wasm_bindgen(unchecked_return_type = "Stage | \"none\"")]
-    pub fn change(&mut self, link: &str) -> Result<String, JsValue> {
-        let stage = self.session.change(read_strictly(link)?).map_err(|error| session_error(&error))?;
+    pub fn change(
+        &mut self,
+        text: &str,
+        #[wasm_bindgen(unchecked_optional_param_type = "ReadOptions")] options: &JsValue,
+    ) -> Result<String, JsValue> {
+        let Reading { recipe, notices, .. } = reading::read(text, read_options(options));
+        let stage = self.session.change(recipe).map_err(|error| session_error(&error))?;
+        self.notices = notices;
         Ok(stage.map_or("none", Stage::name).into())
+    }
+
+    /// The canonical link of its recipe: defaults left out.
+    #[wasm_bindgen(getter)]
+    pub fn link(&self) -> String {
+        link::write(self.session.recipe())
+    }
+
+    /// The seed of its recipe.
+    #[wasm_bindgen(getter)]
+    pub fn seed(&self) -> String {
+        self.session.recipe().seed().into()
+    }
+
+    /// What of its link was wrong, or beyond a widget's limits.
+    #[wasm_bindgen(getter, unchecked_return_type = "readonly Notice[]")]
+    pub fn notices(&self) -> Array {
+        list(&self.notices)
     }
 
     /// Gives it a picture of this size, to be painted anew. If it throws, everything is as before.
@@ -255,9 +317,11 @@ impl River {
 
     /// Width of the domain over its height.
     #[wasm_bindgen(getter)]
-    pub fn aspect(&self) -> f32 {
-        let size = self.session.domain().size;
-        size.x / size.y
+    pub fn aspect(&self) -> f64 {
+        match self.session.recipe().value(Key::Aspect) {
+            Value::Number(aspect) => aspect.to_f64(),
+            _ => 1.0,
+        }
     }
 
     /// How far the phase has come, from 0 to 1: growth by what is drained, meandering by its rounds.
@@ -276,10 +340,11 @@ impl River {
     #[wasm_bindgen(unchecked_return_type = "Summary")]
     pub fn summary(&self) -> Object {
         let summary = self.session.summary();
-        let stopped = match summary.ending {
-            Some(Ending::NodeLimit) => Some("The tree grew to its limit of nodes and was stopped."),
-            _ if summary.is_stalled() => Some(DIED_OUT),
-            _ => None,
+        let stopped = match (summary.ending, summary.shortfall()) {
+            (Some(Ending::NodeLimit), _) => Some("The tree grew to its limit of nodes and was stopped."),
+            (_, Some(Shortfall::NoRiver)) => Some("No river grew: no land lies open to the sea."),
+            (_, Some(Shortfall::Unreached)) => Some(UNREACHED),
+            (_, None) => None,
         };
         object(&[
             ("ticks", summary.ticks.into()),
@@ -297,16 +362,12 @@ impl River {
     }
 }
 
-const DIED_OUT: &str =
+const UNREACHED: &str =
     "Rivers do not reach all land: a shorter step, a longer kill distance or reach, or mouths less far apart helps.";
-
-fn read_strictly(text: &str) -> Result<Recipe, JsValue> {
-    link::read(text).map_err(|error| coded("bad-params", &error.to_string()))
-}
 
 fn session_error(error: &SessionError) -> JsValue {
     let code = match error {
-        SessionError::Grow(_) | SessionError::Shape(_) => "too-large",
+        SessionError::Grow(_) | SessionError::Shape(_) | SessionError::Copy { .. } => "too-large",
     };
     coded(code, &error.to_string())
 }

@@ -1,11 +1,11 @@
 //! The Brownian tree of Demiurge, part 2, read literally: after every move, every cell of the disc is looked at. Written
 //! again from the description, with its own lines and its own rule for strands that would touch; shared with the crate are
-//! the field and the random stream.
+//! the raster and the random stream.
 
 use std::collections::BTreeMap;
 
 use glam::Vec2;
-use riverseed::grow::Field;
+use riverseed::grow::Raster;
 use riverseed::land::Cell;
 use riverseed::random::{Purpose, Seed, Stream};
 use riverseed::tree::NO_PARENT;
@@ -22,12 +22,12 @@ pub struct Node {
     pub exact: At,
 }
 
-/// Grows a tree on a field, down to a step of so many cells.
-pub fn grow(field: &Field, seed: Seed, sensitivity: f32) -> Vec<Node> {
+/// Grows a tree on a raster, down to a step of so many cells.
+pub fn grow(raster: &Raster, seed: Seed, sensitivity: f32) -> Vec<Node> {
     let mut literal = Literal {
-        columns: field.columns(),
-        rows: field.rows(),
-        cells: field.cells().to_vec(),
+        columns: raster.columns(),
+        rows: raster.rows(),
+        cells: raster.cells().to_vec(),
         nodes: Vec::new(),
         node_at: BTreeMap::new(),
         chance: seed.stream(Purpose::Particles),
@@ -224,6 +224,6 @@ fn shuffled(number: u32) -> u32 {
 }
 
 /// The exact place of a node in units.
-pub fn place(field: &Field, node: &Node) -> Vec2 {
-    Vec2::new(node.exact.0 as f32, node.exact.1 as f32) / 256.0 * field.side()
+pub fn place(raster: &Raster, node: &Node) -> Vec2 {
+    Vec2::new(node.exact.0 as f32, node.exact.1 as f32) / 256.0 * raster.side()
 }

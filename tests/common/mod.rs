@@ -1,6 +1,7 @@
 //! What several test files use.
 #![allow(dead_code, reason = "each test file uses its own part")]
 
+pub mod lands;
 pub mod literal;
 pub mod pairs;
 pub mod plain;
@@ -25,7 +26,7 @@ fn random_seed() -> impl Strategy<Value = String> {
 /// Links over the whole of every range, with at most so many attractors.
 pub fn random_link(most_attractors: u32) -> impl Strategy<Value = String> {
     // Half of them on the plain rectangle, where more goes on in a second.
-    let lands = proptest::sample::select(vec!["island", "continent", "archipelago", "valley", "basin", "drawn"]);
+    let lands = proptest::sample::select(lands::words_of_lands_with_a_coast());
     let land = (prop_oneof![Just("rectangle"), lands], 0.1f64..=0.8, 0.0f64..=1.0, random_outline());
     let ground = (0.25f64..=4.0, prop_oneof![1u32..=5, 1u32..=64], 1u32..16, 100..=most_attractors, any::<bool>());
     let procedure = prop_oneof![4 => Just("colonize"), 1 => Just("brownian")];

@@ -3,7 +3,7 @@
 //! crate are where things lie at the start, the fixed-point sum of pulls and the hash that random angles come from.
 
 use glam::Vec2;
-use riverseed::grow::{Mouth, Pull, Settings, mouths, scatter, shores, stem_nodes};
+use riverseed::grow::{GrowthSettings, Mouth, Pull, mouths, scatter, shores, stem_nodes};
 use riverseed::random::Purpose;
 use riverseed::tree::NO_PARENT;
 
@@ -20,35 +20,35 @@ pub struct Black {
 }
 
 /// Grows by the numbered steps of the paper.
-pub fn grow(parameters: &Settings) -> Vec<Black> {
+pub fn grow(settings: &GrowthSettings) -> Vec<Black> {
     // Step 1: start nodes, and blue nodes spread over the space.
-    let mut blue: Vec<Option<Vec2>> = scatter(parameters).into_iter().map(Some).collect();
-    let (mut black, mut pilots) = start_nodes(parameters);
+    let mut blue: Vec<Option<Vec2>> = scatter(settings).into_iter().map(Some).collect();
+    let (mut black, mut pilots) = start_nodes(settings);
     for tick in 1.. {
-        let assigned = assign(parameters, &blue, &black);
-        let mut born = run_inland(parameters, &blue, &black, &mut pilots, tick);
-        born.extend(grow_all(parameters, &blue, &mut black, &assigned, tick));
+        let assigned = assign(settings, &blue, &black);
+        let mut born = run_inland(settings, &blue, &black, &mut pilots, tick);
+        born.extend(grow_all(settings, &blue, &mut black, &assigned, tick));
         if born.is_empty() {
-            born = reach_out(parameters, &blue, &black, &assigned, tick);
+            born = reach_out(settings, &blue, &black, &assigned, tick);
         }
         if born.is_empty()
-            && let Some(mouth) = mouth_for_the_rest(parameters, &blue, &black)
+            && let Some(mouth) = mouth_for_the_rest(settings, &blue, &black)
         {
-            born = stem(parameters, mouth, black.len() as u32, tick);
+            born = stem(settings, mouth, black.len() as u32, tick);
             pilots.push((black.len() + born.len() - 1, mouth.inland));
         }
         if born.is_empty() && blue.iter().flatten().count() > blue.len() / 2 {
-            born.extend(extend_last_tip(parameters, &black, tick));
-            pilots.extend(born.first().map(|_| (black.len(), onward(parameters, &black))));
+            born.extend(extend_last_tip(settings, &black, tick));
+            pilots.extend(born.first().map(|_| (black.len(), onward(settings, &black))));
         }
         if born.is_empty() {
             break;
         }
         black.extend(born);
-        remove(parameters, &mut blue, &mut black);
+        remove(settings, &mut blue, &mut black);
     }
     // What is left drains to the node it is assigned to.
-    for (node, blue) in assign(parameters, &blue, &black).into_iter().enumerate() {
+    for (node, blue) in assign(settings, &blue, &black).into_iter().enumerate() {
         black[node].drained += blue.len() as u32;
     }
     black
@@ -64,11 +64,11 @@ fn squared_distance(a: Vec2, b: Vec2) -> f32 {
 }
 
 /// The closest black node nearer than a distance, with no ridge between; the first of equals.
-fn closest(parameters: &Settings, blue: Vec2, black: &[Black], distance: f32) -> Option<usize> {
+fn closest(settings: &GrowthSettings, blue: Vec2, black: &[Black], distance: f32) -> Option<usize> {
     let mut best = (distance * distance, None);
     for (i, node) in black.iter().enumerate() {
         let squared = squared_distance(blue, node.at);
-        if squared < best.0 && parameters.sees(node.at, blue) {
+        if squared < best.0 && settings.sees(node.at, blue) {
             best = (squared, Some(i));
         }
     }
@@ -76,10 +76,10 @@ fn closest(parameters: &Settings, blue: Vec2, black: &[Black], distance: f32) ->
 }
 
 /// Step 2: the blue nodes of each black node.
-fn assign(parameters: &Settings, blue: &[Option<Vec2>], black: &[Black]) -> Vec<Vec<u32>> {
+fn assign(settings: &GrowthSettings, blue: &[Option<Vec2>], black: &[Black]) -> Vec<Vec<u32>> {
     let mut assigned = vec![Vec::new(); black.len()];
     for (i, blue) in (0u32..).zip(blue) {
-        if let Some(node) = blue.and_then(|blue| closest(parameters, blue, black, parameters.reach)) {
+        if let Some(node) = blue.and_then(|blue| closest(settings, blue, black, settings.reach)) {
             assigned[node].push(i);
         }
     }
@@ -88,7 +88,7 @@ fn assign(parameters: &Settings, blue: &[Option<Vec2>], black: &[Black]) -> Vec<
 
 /// Steps 3 and 4, for black nodes whose blue nodes are not those they last tried with.
 fn grow_all(
-    parameters: &Settings,
+    settings: &GrowthSettings,
     blue: &[Option<Vec2>],
     black: &mut [Black],
     assigned: &[Vec<u32>],
@@ -105,11 +105,10 @@ fn grow_all(
         if let Some(v2) = sum.direction() {
             let came_from = black.get(parent.parent as usize).map(|node| node.at);
             let bent = parent.at
-                + curled(parameters, with_momentum(parameters, parent.at, came_from, v2), parent, tick)
-                    * parameters.step;
-            let straight = parent.at + v2 * parameters.step;
-            let at = if parameters.allows(parent.at, bent) { bent } else { straight };
-            if parameters.allows(parent.at, at) && !has_twin(parameters, black, i, at) {
+                + curled(settings, with_momentum(settings, parent.at, came_from, v2), parent, tick) * settings.step;
+            let straight = parent.at + v2 * settings.step;
+            let at = if settings.allows(parent.at, bent) { bent } else { straight };
+            if settings.allows(parent.at, at) && !has_twin(settings, black, i, at) {
                 born.push(node(at, i as u32, tick, parent.from_mouth + 1));
             }
         }
@@ -120,7 +119,7 @@ fn grow_all(
 
 /// When nothing grows any more: every black node that has blue nodes grows straight toward the nearest of them.
 fn reach_out(
-    parameters: &Settings,
+    settings: &GrowthSettings,
     blue: &[Option<Vec2>],
     black: &[Black],
     assigned: &[Vec<u32>],
@@ -134,8 +133,8 @@ fn reach_out(
             distance(a).total_cmp(&distance(b)).then(a.x.total_cmp(&b.x)).then(a.y.total_cmp(&b.y))
         });
         let Some(direction) = nearest.and_then(|blue| Pull::toward(parent.at, blue).direction()) else { continue };
-        let at = parent.at + direction * parameters.step;
-        if parameters.allows(parent.at, at) && !has_twin(parameters, black, i, at) {
+        let at = parent.at + direction * settings.step;
+        if settings.allows(parent.at, at) && !has_twin(settings, black, i, at) {
             born.push(node(at, i as u32, tick, parent.from_mouth + 1));
         }
     }
@@ -143,31 +142,31 @@ fn reach_out(
 }
 
 /// When most blue nodes are left, but none is within reach of anything: the last black node runs straight on.
-fn extend_last_tip(parameters: &Settings, black: &[Black], tick: u32) -> Option<Black> {
+fn extend_last_tip(settings: &GrowthSettings, black: &[Black], tick: u32) -> Option<Black> {
     let last = black.last()?;
     black.get(last.parent as usize)?;
-    let at = last.at + onward(parameters, black) * parameters.step;
-    parameters.allows(last.at, at).then(|| node(at, black.len() as u32 - 1, tick, last.from_mouth + 1))
+    let at = last.at + onward(settings, black) * settings.step;
+    settings.allows(last.at, at).then(|| node(at, black.len() as u32 - 1, tick, last.from_mouth + 1))
 }
 
 /// The direction the last black node was made in.
-fn onward(parameters: &Settings, black: &[Black]) -> Vec2 {
+fn onward(settings: &GrowthSettings, black: &[Black]) -> Vec2 {
     let last = &black[black.len() - 1];
-    (last.at - black[last.parent as usize].at) / parameters.step
+    (last.at - black[last.parent as usize].at) / settings.step
 }
 
 /// Whether a node has a child within an eighth of a step from here.
-fn has_twin(parameters: &Settings, black: &[Black], parent: usize, at: Vec2) -> bool {
-    let eighth = parameters.step * 0.125;
+fn has_twin(settings: &GrowthSettings, black: &[Black], parent: usize, at: Vec2) -> bool {
+    let eighth = settings.step * 0.125;
     let mut children = black.iter().filter(|node| node.parent == parent as u32);
     children.any(|child| squared_distance(at, child.at) < eighth * eighth)
 }
 
 /// Section 4.2: u = v₂ − k·v₁, normalised, v₁ being the direction the node itself was made in.
-fn with_momentum(parameters: &Settings, at: Vec2, came_from: Option<Vec2>, v2: Vec2) -> Vec2 {
-    let Some(parent) = came_from.filter(|_| parameters.momentum > 0.0) else { return v2 };
-    let (v1_x, v1_y) = ((at.x - parent.x) / parameters.step, (at.y - parent.y) / parameters.step);
-    let (x, y) = (v2.x - v1_x * parameters.momentum, v2.y - v1_y * parameters.momentum);
+fn with_momentum(settings: &GrowthSettings, at: Vec2, came_from: Option<Vec2>, v2: Vec2) -> Vec2 {
+    let Some(parent) = came_from.filter(|_| settings.momentum > 0.0) else { return v2 };
+    let (v1_x, v1_y) = ((at.x - parent.x) / settings.step, (at.y - parent.y) / settings.step);
+    let (x, y) = (v2.x - v1_x * settings.momentum, v2.y - v1_y * settings.momentum);
     let length_squared = x * x + y * y;
     if length_squared <= 1e-6 {
         return v2;
@@ -177,13 +176,13 @@ fn with_momentum(parameters: &Settings, at: Vec2, came_from: Option<Vec2>, v2: V
 }
 
 /// Section 4.3: turned by a random angle up to θ_c, to the right for the first c nodes of a branch, then to the left.
-fn curled(parameters: &Settings, u: Vec2, node: &Black, tick: u32) -> Vec2 {
-    if parameters.curl == 0.0 {
+fn curled(settings: &GrowthSettings, u: Vec2, node: &Black, tick: u32) -> Vec2 {
+    if settings.curl == 0.0 {
         return u;
     }
-    let key = parameters.seed.key(Purpose::Curl);
-    let angle = parameters.curl * key.unit([node.at.x.to_bits(), node.at.y.to_bits(), tick]);
-    let to_the_right = node.from_mouth % (2 * parameters.stretch) < parameters.stretch;
+    let hash = settings.seed.item_hash(Purpose::Curl);
+    let angle = settings.curl * hash.unit([node.at.x.to_bits(), node.at.y.to_bits(), tick]);
+    let to_the_right = node.from_mouth % (2 * settings.stretch) < settings.stretch;
     // By doubles, which are rounded once.
     let (sine, cosine) = (libm::sin(f64::from(angle)) as f32, libm::cos(f64::from(angle)) as f32);
     let sine = if to_the_right { sine } else { -sine };
@@ -191,9 +190,9 @@ fn curled(parameters: &Settings, u: Vec2, node: &Black, tick: u32) -> Vec2 {
 }
 
 /// Step 5: blue nodes near a black node go, and drain into it.
-fn remove(parameters: &Settings, blue: &mut [Option<Vec2>], black: &mut [Black]) {
+fn remove(settings: &GrowthSettings, blue: &mut [Option<Vec2>], black: &mut [Black]) {
     for blue in blue {
-        if let Some(node) = blue.and_then(|blue| closest(parameters, blue, black, parameters.kill)) {
+        if let Some(node) = blue.and_then(|blue| closest(settings, blue, black, settings.kill)) {
             black[node].drained += 1;
             *blue = None;
         }
@@ -201,22 +200,22 @@ fn remove(parameters: &Settings, blue: &mut [Option<Vec2>], black: &mut [Black])
 }
 
 /// The mouths, each with a stem of about a spacing straight inland, and where the stems end.
-fn start_nodes(parameters: &Settings) -> (Vec<Black>, Vec<(usize, Vec2)>) {
+fn start_nodes(settings: &GrowthSettings) -> (Vec<Black>, Vec<(usize, Vec2)>) {
     let (mut black, mut ends) = (Vec::new(), Vec::new());
-    for mouth in mouths(parameters) {
-        black.extend(stem(parameters, mouth, black.len() as u32, 0));
+    for mouth in mouths(settings) {
+        black.extend(stem(settings, mouth, black.len() as u32, 0));
         ends.push((black.len() - 1, mouth.inland));
     }
     (black, ends)
 }
 
 /// A mouth and its stem, whose nodes are numbered from the first on.
-fn stem(parameters: &Settings, mouth: Mouth, first: u32, tick: u32) -> Vec<Black> {
+fn stem(settings: &GrowthSettings, mouth: Mouth, first: u32, tick: u32) -> Vec<Black> {
     let mut stem = vec![node(mouth.at, NO_PARENT, tick, 0)];
-    for i in 1..=stem_nodes(parameters) {
+    for i in 1..=stem_nodes(settings) {
         let from = stem[stem.len() - 1].at;
-        let at = from + mouth.inland * parameters.step;
-        if parameters.allows(from, at) {
+        let at = from + mouth.inland * settings.step;
+        if settings.allows(from, at) {
             stem.push(node(at, first + stem.len() as u32 - 1, tick, i));
         }
     }
@@ -225,20 +224,19 @@ fn stem(parameters: &Settings, mouth: Mouth, first: u32, tick: u32) -> Vec<Black
 
 /// When more than a fiftieth of the blue nodes is in reach of no black node: a mouth at the place on the coast that has the most
 /// of them in reach; the first of equals.
-fn mouth_for_the_rest(parameters: &Settings, blue: &[Option<Vec2>], black: &[Black]) -> Option<Mouth> {
-    let is_lost = |blue: &Vec2| closest(parameters, *blue, black, parameters.reach).is_none();
+fn mouth_for_the_rest(settings: &GrowthSettings, blue: &[Option<Vec2>], black: &[Black]) -> Option<Mouth> {
+    let is_lost = |blue: &Vec2| closest(settings, *blue, black, settings.reach).is_none();
     let lost: Vec<Vec2> = blue.iter().flatten().copied().filter(is_lost).collect();
     if lost.len() <= blue.len() / 50 {
         return None;
     }
     let mut best = (0, None);
-    for shore in shores(parameters) {
+    for shore in shores(settings) {
         let mut mouths = black.iter().filter(|node| node.parent == NO_PARENT);
-        let reach = parameters.reach * parameters.reach;
-        let is_in_reach =
-            |blue: &&Vec2| squared_distance(**blue, shore.at) < reach && parameters.sees(shore.at, **blue);
+        let reach = settings.reach * settings.reach;
+        let is_in_reach = |blue: &&Vec2| squared_distance(**blue, shore.at) < reach && settings.sees(shore.at, **blue);
         let seen = lost.iter().filter(is_in_reach).count();
-        if seen > best.0 && mouths.all(|mouth| mouth.at.distance(shore.at) > parameters.mouth_spacing) {
+        if seen > best.0 && mouths.all(|mouth| mouth.at.distance(shore.at) > settings.mouth_spacing) {
             best = (seen, Some(Mouth { at: shore.at, inland: shore.inland }));
         }
     }
@@ -247,21 +245,21 @@ fn mouth_for_the_rest(parameters: &Settings, blue: &[Option<Vec2>], black: &[Bla
 
 /// A river that no blue node reaches runs straight inland until one does, or the land ends.
 fn run_inland(
-    parameters: &Settings,
+    settings: &GrowthSettings,
     blue: &[Option<Vec2>],
     black: &[Black],
     pilots: &mut Vec<(usize, Vec2)>,
     tick: u32,
 ) -> Vec<Black> {
-    let reach = parameters.reach * parameters.reach;
+    let reach = settings.reach * settings.reach;
     pilots.retain(|&(tip, inland)| {
         let at = black[tip].at;
         let is_reached = blue.iter().flatten().any(|&blue| squared_distance(blue, at) < reach);
-        !is_reached && parameters.allows(at, at + inland * parameters.step)
+        !is_reached && settings.allows(at, at + inland * settings.step)
     });
     let mut born = Vec::new();
     for (tip, inland) in pilots {
-        let at = black[*tip].at + *inland * parameters.step;
+        let at = black[*tip].at + *inland * settings.step;
         born.push(node(at, *tip as u32, tick, black[*tip].from_mouth + 1));
         *tip = black.len() + born.len() - 1;
     }

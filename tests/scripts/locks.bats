@@ -73,5 +73,5 @@ eventually() {
   wait $second
   called 2 "wasm-pack"
   grep -q "with ''" "$checkout/www/pkg/riverseed_bg.wasm"
-  grep -q "with 'files'" "$checkout/www/pkg-tools/riverseed_tools_bg.wasm"
+  grep -q "with 'files'" "$checkout/www/pkg-full/riverseed_full_bg.wasm"
 }

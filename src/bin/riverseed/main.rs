@@ -20,12 +20,13 @@ use riverseed::digest::DigestError;
 use riverseed::domain::Domain;
 use riverseed::export;
 use riverseed::import;
+use riverseed::land::Land;
 use riverseed::land::trace::{Traced, trace};
 use riverseed::paint::{LONGEST_SIDE, PaintError, View};
 use riverseed::picture::Picture;
 use riverseed::recipe::table::TABLE;
 use riverseed::recipe::{GridPoint, Key, LandKind, LineKind, Parameter, Recipe, RecipeError, json, link};
-use riverseed::session::{Session, SessionError};
+use riverseed::session::{Session, SessionError, Shortfall};
 use thiserror::Error;
 
 use output::Output;
@@ -284,16 +285,18 @@ fn write_network(output: Output, recipe: Recipe, form: Form, with_attractors: bo
     Ok(())
 }
 
-/// Tells of what was given and does nothing.
+/// Warns of values that were given and have no effect.
 fn say_what_is_idle(recipe: &Recipe, given: &[String]) {
+    let land = Land::kind_of(recipe);
     for name in given {
-        if let Some(reason) = Key::from_name(name).and_then(|key| recipe.inactive_reason(key)) {
+        if let Some(reason) = Key::from_name(name).and_then(|key| recipe.inactive_reason(key, land)) {
             eprintln!("riverseed: '{name}' has no effect: {reason}");
         }
     }
 }
 
-/// Reads link, file and options in the order in which they were given. Returns the names that were given, too.
+/// Reads link, file and options in the order in which they were given. Returns the names that were given on purpose, too: a
+/// network's file states every parameter, so of a file only those count that it states differently from the default.
 fn recipe(matches: &ArgMatches) -> Result<(Recipe, Vec<String>), Failure> {
     let mut parts: Vec<(usize, Vec<(String, String)>)> = Vec::new();
     let mut part = |id: &str, pairs: Vec<(String, String)>| {
@@ -318,12 +321,19 @@ fn recipe(matches: &ArgMatches) -> Result<(Recipe, Vec<String>), Failure> {
     parts.sort_by_key(|(index, pairs)| (pairs.iter().all(|(name, _)| name != link::PRESET), *index));
     let mut given: Vec<String> = Vec::new();
     let mut recipe = Recipe::default();
-    for (_, pairs) in parts {
+    let file = matches.index_of("recipe");
+    for (index, pairs) in parts {
         recipe = link::apply(recipe, &pairs)?;
         let names = pairs.into_iter().map(|(name, _)| name);
+        let names = names.filter(|name| Some(index) != file || is_set(&recipe, name));
         given.extend(names.filter(|name| !given.contains(name)).collect::<Vec<_>>());
     }
     Ok((recipe, given))
+}
+
+/// Whether a recipe's value of a parameter is not the default.
+fn is_set(recipe: &Recipe, name: &str) -> bool {
+    Key::from_name(name).is_some_and(|key| *recipe.value(key) != key.parameter().default_value())
 }
 
 /// Reads a recipe's file, but not without end.
@@ -345,14 +355,14 @@ fn grow(recipe: Recipe, progress: &ProgressBar) -> Result<Session, Failure> {
     while session.advance(16)? {
         progress.set_position(u64::from(session.growth().drained()));
     }
-    if session.summary().is_stalled() {
-        let (attractors, unreached) = (session.growth().attractors(), session.growth().unreached());
-        if session.summary().nodes == 0 {
-            eprintln!("riverseed: no river grew: no land lies open to the sea");
-        } else {
+    match session.summary().shortfall() {
+        Some(Shortfall::NoRiver) => eprintln!("riverseed: no river grew: no land lies open to the sea"),
+        Some(Shortfall::Unreached) => {
+            let (attractors, unreached) = (session.growth().attractors(), session.growth().unreached());
             let advice = "a shorter 'step', a longer 'kill' or 'reach', or less 'mouth-spacing' helps";
             eprintln!("riverseed: rivers leave {unreached} of {attractors} attractors unreached; {advice}");
         }
+        None => {}
     }
     Ok(session)
 }
@@ -394,7 +404,7 @@ fn outline(matches: &ArgMatches) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Tells how much of a picture its outline has room for.
+/// Reports how much of a picture its outline has room for.
 fn say_what_is_kept(traced: &Traced) {
     let of = |kept: &[Vec<GridPoint>], all: usize, kind: LineKind| match all {
         1 => format!("{} of 1 {kind}", kept.len()),

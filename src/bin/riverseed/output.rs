@@ -19,9 +19,9 @@ pub struct Output {
 }
 
 enum Way {
-    /// What is written takes the place of a file, if there is one, and its permissions.
+    /// The output replaces a file, if there is one, and keeps its permissions.
     Replace { path: PathBuf, permissions: Option<Permissions>, unnamed: Option<File> },
-    /// What is there is no file that could be replaced, but a pipe, a device, or a link to nothing.
+    /// The path is not a file that could be replaced, but a pipe, a device, or a link to nothing.
     Through,
 }
 
@@ -68,7 +68,7 @@ impl Way {
             None if is_link => Ok(Self::Through),
             there => {
                 let path = if is_link { fs::canonicalize(given)? } else { given.to_owned() };
-                fs::metadata(folder(&path))?; // so that a folder that is not there is told of before the work
+                fs::metadata(folder(&path))?; // so that a missing folder is reported before the work
                 let unnamed = unnamed(folder(&path))?;
                 Ok(Self::Replace { path, permissions: there.map(|there| there.permissions()), unnamed })
             }
@@ -92,7 +92,7 @@ fn filled<Target: Write>(
     out.into_inner().map_err(|error| Failure::file(given)(error.into_error()))
 }
 
-/// A file without a name; `None` where there are none.
+/// A file without a name; `None` where the system has no such files.
 ///
 /// # Errors
 /// If no file can be written in the folder.

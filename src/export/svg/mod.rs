@@ -50,7 +50,7 @@ pub fn svg(session: &Session) -> Result<String, ExportError> {
     Ok(out.0)
 }
 
-/// What is added to each bank, in units, so that a brook can be seen: what a picture of a pixel a unit adds.
+/// The margin that is added to each bank, in units, so that a brook can be seen: as in a picture with one pixel per unit.
 const VISIBLE: f32 = 0.2;
 
 fn width(lines: Lines) -> Width {

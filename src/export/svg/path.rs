@@ -7,7 +7,7 @@ use super::text::Text;
 /// A point in hundredths of a unit. Whole numbers add without error, and print without tables.
 type Point = [i32; 2];
 
-/// A path's data as it is written. What follows the first point is told relative to the one before.
+/// A path's data as it is written. All points but the first are relative to the one before.
 #[derive(Debug, Default)]
 pub(super) struct Path {
     data: Text,
@@ -89,7 +89,7 @@ impl Path {
         self.reflected(control, corners);
     }
 
-    /// Further parabolas. Each control point is the mirror image of the one before, so it need not be told: a corner,
+    /// Further parabolas. Each control point is the mirror image of the one before, so it is left out: a corner,
     /// give or take the hundredth that is left over where the last middle was rounded.
     fn reflected<'a>(&mut self, mut control: Point, corners: impl Iterator<Item = &'a Vec2>) {
         for (i, &corner) in corners.enumerate() {
@@ -123,7 +123,7 @@ impl Path {
     }
 }
 
-/// The nearest hundredths. Numbers that are none count as 0.
+/// The nearest hundredths. NaN counts as 0.
 fn whole(at: Vec2) -> Point {
     [at.x, at.y].map(|x| (x * 100.0 + 0.5).floor() as i32)
 }

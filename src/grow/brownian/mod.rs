@@ -1,36 +1,36 @@
 //! The Brownian tree of *Demiurge: Generating River Networks, Part 2* as a stepper.
 //!
-//! A pass has a step. The field is laid out in squares of the step's side; in each a particle is born at a random place, and
+//! A pass has a step. The raster is laid out in squares of the step's side; in each a particle is born at a random place, and
 //! particles wander in random order, in moves of up to a tenth of a step, until water is nearer than half a step. Then
 //! a river grows from the nearest water toward the particle, by five cells' length at most. Particles born near water, or off land,
-//! are discarded at once, and so are those that leave the field or come near a ridge.
+//! are discarded at once, and so are those that leave the raster or come near a ridge.
 //!
 //! Ridges shut coarse steps out of the land behind them, and there it would stay empty: so few of all particles of a fine step
 //! are born where rivers come in that its passes would end. Where there are ridges, then, a step first has passes for what
 //! the coarser ones left: only particles born farther from water than a step are let go, as long as any of them makes a river.
 //!
-//! The first step is the shorter side of the field. When fewer than one in twenty of the particles that were born on land
+//! The first step is the shorter side of the raster. When fewer than one in twenty of the particles that were born on land
 //! has made a river, the step is halved (the document counts particles born at sea too, but then density would depend on
-//! the share of sea); the last passes have exactly the step asked for (the sensitivity), so that no two settings draw the same.
+//! the share of sea); the last passes have exactly the requested step (the sensitivity), so that no two values draw the same.
 //!
 //! Growth ends: every pass but the last of its step makes at least one cell of land water, a pass has a bounded number of
-//! particles, and a particle makes a bounded number of moves. About 200 passes are usual for a field of 1024 × 1024.
+//! particles, and a particle makes a bounded number of moves. About 200 passes are usual for a raster of 1024 × 1024.
 //!
 //! Density is even by construction, so a cell of river drains itself and its surroundings, as any other: discharge is the
 //! length of river upstream, in cells.
 
-mod field;
 mod pyramid;
+mod raster;
 mod strands;
 mod water;
 
-pub use field::Field;
+pub use raster::Raster;
 
 use super::{Ending, GrowError};
 use crate::random::{Purpose, Seed, Stream};
 use crate::tree::Tree;
 use crate::work;
-use field::Place;
+use raster::Place;
 use strands::Strands;
 use water::{Step, Water};
 
@@ -40,7 +40,7 @@ const LEAST_IMPACT: f32 = 0.05;
 /// The shortest step, in cells: below, strands would be as wide as the land between them.
 const SHORTEST_STEP: f32 = 4.0;
 
-/// A tick is a pass or, of a long one, so many particles: some milliseconds.
+/// A tick is a pass, or this many particles of a long one: some milliseconds.
 const PARTICLES_A_TICK: usize = 2048;
 
 /// By trials, this many cells of river for each cell of a sensitivity, in a square with sides of that: 1.1 at 4 cells, 0.9
@@ -59,13 +59,13 @@ pub struct Brownian {
     sensitivity: f32,
     total_discharge: u32,
     chance: Stream,
-    order: Order,
+    order: ParticleOrder,
     ending: Option<Ending>,
 }
 
 /// The order in which a pass takes its particles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Order {
+pub enum ParticleOrder {
     /// At random, so that no direction comes before another.
     Shuffled,
     /// Row by row: rivers then run to the north-west more than elsewhere. Only to show that the tests would see that.
@@ -86,26 +86,26 @@ struct Pass {
 }
 
 impl Brownian {
-    /// Begins growth on a field, with passes down to a step of so many cells (at least 4).
+    /// Begins growth on a raster, with passes down to a step of `sensitivity` cells (at least 4).
     ///
     /// # Errors
     /// If there is not enough memory.
-    pub fn new(field: Field, seed: Seed, sensitivity: f32) -> Result<Self, GrowError> {
-        Self::with_order(field, seed, sensitivity, Order::Shuffled)
+    pub fn new(raster: Raster, seed: Seed, sensitivity: f32) -> Result<Self, GrowError> {
+        Self::with_order(raster, seed, sensitivity, ParticleOrder::Shuffled)
     }
 
     /// The same with particles taken in another order, which no recipe can ask for.
     ///
     /// # Errors
     /// If there is not enough memory.
-    pub fn with_order(field: Field, seed: Seed, sensitivity: f32, order: Order) -> Result<Self, GrowError> {
-        let first = field.columns().min(field.rows()) as f32;
+    pub fn with_order(raster: Raster, seed: Seed, sensitivity: f32, order: ParticleOrder) -> Result<Self, GrowError> {
+        let first = raster.columns().min(raster.rows()) as f32;
         let sensitivity = sensitivity.max(SHORTEST_STEP).min(first.max(SHORTEST_STEP));
-        let cells = field.cells().len();
-        let total_discharge = (field.available() as f32 * DENSITY / sensitivity) as u32;
+        let cells = raster.cells().len();
+        let total_discharge = (raster.available() as f32 * DENSITY / sensitivity) as u32;
         let mut chance = seed.stream(Purpose::Particles);
-        let pass = Pass::new(&field, first.max(sensitivity), false, order, &mut chance);
-        let strands = Strands::new(Water::new(field)).map_err(|_| GrowError::no_room_for(cells))?;
+        let pass = Pass::new(&raster, first.max(sensitivity), false, order, &mut chance);
+        let strands = Strands::new(Water::new(raster)).map_err(|_| GrowError::no_room_for(cells))?;
         Ok(Self { strands, pass, sensitivity, total_discharge, chance, order, ending: None })
     }
 
@@ -148,7 +148,7 @@ impl Brownian {
         }
     }
 
-    /// Goes over to the next pass; if there is none, growth is over.
+    /// Begins the next pass; after the last one, growth is over.
     fn begin_pass(&mut self) {
         let step = self.pass.step.size;
         let next = if self.pass.is_gap_filling {
@@ -157,10 +157,10 @@ impl Brownian {
             next_step(step, self.pass.impact(), self.sensitivity)
                 .map(|next| (next, next < step && self.strands.water.has_ridges()))
         };
-        let field = &self.strands.water.field;
+        let raster = &self.strands.water.raster;
         match next {
             Some((step, is_gap_filling)) => {
-                self.pass = Pass::new(field, step, is_gap_filling, self.order, &mut self.chance)
+                self.pass = Pass::new(raster, step, is_gap_filling, self.order, &mut self.chance)
             }
             None => self.ending = Some(Ending::Complete),
         }
@@ -168,7 +168,7 @@ impl Brownian {
 
     /// The error for a tree that there was not enough memory for.
     pub(super) fn out_of_memory(&self) -> GrowError {
-        GrowError::no_room_for(self.strands.water.field.cells().len())
+        GrowError::no_room_for(self.strands.water.raster.cells().len())
     }
 
     /// The tree so far. A node is a cell of river, or a cell of sea that a river ends in.
@@ -188,7 +188,7 @@ impl Brownian {
 
     /// How far a node lies from its parent, in units, on average.
     pub fn node_length(&self) -> f32 {
-        NODE_LENGTH * self.strands.water.field.side()
+        NODE_LENGTH * self.strands.water.raster.side()
     }
 
     /// How growth ended; `None` while it goes on.
@@ -207,10 +207,10 @@ fn next_step(step: f32, impact: f32, sensitivity: f32) -> Option<f32> {
 }
 
 impl Pass {
-    fn new(field: &Field, size: f32, is_gap_filling: bool, order: Order, chance: &mut Stream) -> Self {
-        let mut particles = spawn(field, size, chance);
+    fn new(raster: &Raster, size: f32, is_gap_filling: bool, order: ParticleOrder, chance: &mut Stream) -> Self {
+        let mut particles = spawn(raster, size, chance);
         work::count(particles.len());
-        if order == Order::Shuffled {
+        if order == ParticleOrder::Shuffled {
             shuffle(&mut particles, chance);
         }
         Self { step: Step::of(size, is_gap_filling), is_gap_filling, particles, taken: 0, on_land: 0, fruitful: 0 }
@@ -223,15 +223,15 @@ impl Pass {
 }
 
 /// A particle for each square of the given side, somewhere inside, row by row; squares that reach over the border of the
-/// field may have none.
-fn spawn(field: &Field, size: f32, chance: &mut Stream) -> Vec<Place> {
+/// raster may have none.
+fn spawn(raster: &Raster, size: f32, chance: &mut Stream) -> Vec<Place> {
     let squares = |cells: i32| (cells as f32 / size).ceil() as u32;
-    let (columns, rows) = (squares(field.columns()), squares(field.rows()));
+    let (columns, rows) = (squares(raster.columns()), squares(raster.rows()));
     let mut particles = Vec::with_capacity((columns * rows) as usize);
     for (row, column) in (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column))) {
         let mut along = |square: u32| ((square as f32 + chance.unit()) * size) as i32;
         let at = Place { column: along(column), row: along(row) };
-        if field.holds(at) {
+        if raster.holds(at) {
             particles.push(at);
         }
     }
@@ -272,8 +272,8 @@ mod tests {
 
     #[test]
     fn a_particle_is_born_in_each_square() {
-        let field = Field::new(90, 40, 1.0, |_, _| crate::land::Cell::Land);
-        let particles = spawn(&field, 8.0, &mut Seed::from_text("kauri").stream(Purpose::Particles));
+        let raster = Raster::new(90, 40, 1.0, |_, _| crate::land::Cell::Land);
+        let particles = spawn(&raster, 8.0, &mut Seed::from_text("kauri").stream(Purpose::Particles));
         let squares: Vec<(i32, i32)> = particles.iter().map(|at| (at.row / 8, at.column / 8)).collect();
         assert!(squares.is_sorted_by(|a, b| a < b) && (55..=60).contains(&squares.len()), "{}", squares.len());
     }

@@ -3,14 +3,14 @@
 //! At the bottom 8 × 8 cells are the bits of a word. A search begins in the block it stands in and climbs, looking into the
 //! rest of each larger block, until whatever lies outside is farther than what has been found.
 
-use super::field::{Field, Place};
+use super::raster::{Place, Raster};
 use crate::work;
 
 /// A tile of cells has this side.
 const TILE: i32 = 8;
 const TILE_BITS: i32 = 3;
 
-/// Some cells of a field.
+/// Some cells of a raster.
 #[derive(Clone, Debug)]
 pub(super) struct Pyramid {
     /// The cells of each tile: bit `8 · row + column`.
@@ -18,7 +18,7 @@ pub(super) struct Pyramid {
     tile_columns: i32,
     /// From fine to coarse, up to a single block.
     levels: Vec<Level>,
-    /// Of the field.
+    /// Of the raster.
     columns: i32,
 }
 
@@ -34,19 +34,19 @@ type Found = u64;
 
 impl Pyramid {
     /// No cells yet.
-    pub fn new(field: &Field) -> Self {
+    pub fn new(raster: &Raster) -> Self {
         let tiles = |cells: i32| (cells + TILE - 1) >> TILE_BITS;
-        let (tile_columns, tile_rows) = (tiles(field.columns()), tiles(field.rows()));
+        let (tile_columns, tile_rows) = (tiles(raster.columns()), tiles(raster.rows()));
         let (mut columns, mut rows) = (tile_columns, tile_rows);
         let mut levels = Vec::new();
         while columns > 1 || rows > 1 {
             (columns, rows) = ((columns + 1) / 2, (rows + 1) / 2);
             levels.push(Level { children: vec![0; (columns * rows) as usize], columns });
         }
-        Self { tiles: vec![0; (tile_columns * tile_rows) as usize], tile_columns, levels, columns: field.columns() }
+        Self { tiles: vec![0; (tile_columns * tile_rows) as usize], tile_columns, levels, columns: raster.columns() }
     }
 
-    /// Adds a cell of the field.
+    /// Adds a cell of the raster.
     pub fn insert(&mut self, at: Place) {
         let (mut column, mut row) = (at.column >> TILE_BITS, at.row >> TILE_BITS);
         let bit = (at.row & (TILE - 1)) << TILE_BITS | (at.column & (TILE - 1));
@@ -62,7 +62,7 @@ impl Pyramid {
         }
     }
 
-    /// The nearest cell whose squared distance from a cell of the field is below the limit: its number and squared
+    /// The nearest cell whose squared distance from a cell of the raster is below the limit: its number and squared
     /// distance. Of equals the one of the lowest rank.
     #[inline]
     pub fn nearest(&self, at: Place, limit: i32) -> Option<(u32, i32)> {
@@ -183,14 +183,14 @@ mod tests {
             columns in 1i32..150, rows in 1i32..150, few in 0usize..40, limit in 1i32..20_000,
             places in proptest::collection::vec((0i32..150, 0i32..150), 60),
         ) {
-            let field = Field::new(columns, rows, 1.0, |_, _| Cell::Land);
-            let mut pyramid = Pyramid::new(&field);
+            let raster = Raster::new(columns, rows, 1.0, |_, _| Cell::Land);
+            let mut pyramid = Pyramid::new(&raster);
             let places: Vec<Place> =
                 places.into_iter().map(|(x, y)| Place { column: x % columns, row: y % rows }).collect();
             let (cells, questions) = places.split_at(few);
             cells.iter().for_each(|&cell| pyramid.insert(cell));
             for &at in questions {
-                let distances = cells.iter().map(|&cell| (cell.squared_distance(at), rank(field.index(cell) as u32)));
+                let distances = cells.iter().map(|&cell| (cell.squared_distance(at), rank(raster.index(cell) as u32)));
                 let nearest = distances.filter(|&(squared, _)| squared < limit).min();
                 prop_assert_eq!(pyramid.nearest(at, limit), nearest.map(|(squared, rank)| (number(rank), squared)));
             }

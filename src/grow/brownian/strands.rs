@@ -9,7 +9,7 @@
 
 use glam::{IVec2, Vec2};
 
-use super::field::Place;
+use super::raster::Place;
 use super::water::Water;
 use crate::land::Cell;
 use crate::memory::{self, Refused};
@@ -50,12 +50,12 @@ impl Strands {
     /// No strands yet.
     pub fn new(water: Water) -> Result<Self, Refused> {
         let mut node_of = Vec::new();
-        memory::lengthen(&mut node_of, water.field.cells().len(), NO_NODE)?;
+        memory::lengthen(&mut node_of, water.raster.cells().len(), NO_NODE)?;
         let tree = Tree { tick_starts: vec![0], ..Tree::default() };
         Ok(Self { water, tree, mouths: 0, node_of, exact: Vec::new() })
     }
 
-    /// Asks for the memory of so many more particles' strands.
+    /// Allocates memory for the strands of more particles.
     pub fn reserve(&mut self, particles: usize) -> Result<(), Refused> {
         let nodes = particles * (LONGEST as usize + 1);
         memory::reserve(&mut self.tree.at, nodes)?;
@@ -66,7 +66,7 @@ impl Strands {
 
     /// Draws from a cell of water toward a particle. Returns whether there was room for a cell at least.
     pub fn draw(&mut self, target: u32, particle: Place, chance: &mut Stream) -> bool {
-        let place = self.water.field.place(target);
+        let place = self.water.raster.place(target);
         let node = Some(self.node_of[target as usize]).filter(|&node| node != NO_NODE);
         if node.is_none() && self.is_beside_river(place) {
             return false;
@@ -87,21 +87,21 @@ impl Strands {
 
     /// Whether a river lies beside a cell, or its mouth.
     fn is_beside_river(&self, at: Place) -> bool {
-        let field = &self.water.field;
-        at.around().into_iter().any(|at| field.holds(at) && self.node_of[field.index(at)] != NO_NODE)
+        let raster = &self.water.raster;
+        at.around().into_iter().any(|at| raster.holds(at) && self.node_of[raster.index(at)] != NO_NODE)
     }
 
     /// Whether a cell is land and touches no water but its family's.
     fn has_room(&self, next: Place, tip: Tip) -> bool {
-        let field = &self.water.field;
-        let is_water = |at: Place| field.cell(at) == Some(Cell::Water);
-        field.cell(next) == Some(Cell::Land)
+        let raster = &self.water.raster;
+        let is_water = |at: Place| raster.cell(at) == Some(Cell::Water);
+        raster.cell(next) == Some(Cell::Land)
             && next.around().into_iter().all(|at| at == tip.place || !is_water(at) || self.is_family(at, tip))
     }
 
     /// Whether water is of the family of a tip's next cell: its sister or grandmother or, at the coast, beside its mouth.
     fn is_family(&self, at: Place, tip: Tip) -> bool {
-        let node = self.node_of[self.water.field.index(at)];
+        let node = self.node_of[self.water.raster.index(at)];
         let parent_of = |node: u32| self.tree.parent.get(node as usize).copied().unwrap_or(NO_PARENT);
         let is_sea = |node: u32| parent_of(node) == NO_PARENT;
         match tip.node {
@@ -117,17 +117,17 @@ impl Strands {
     fn extend(&mut self, tip: Tip, place: Place, exact: IVec2) -> Tip {
         let parent = tip.node.unwrap_or_else(|| {
             self.mouths += 1;
-            let at = self.water.field.mouth(tip.place);
+            let at = self.water.raster.mouth(tip.place);
             self.add(tip.place, middle(tip.place), at, NO_PARENT, 0)
         });
         self.water.flood(place);
-        let at = self.water.field.point(Vec2::new(exact.x as f32, exact.y as f32) / PARTS as f32);
+        let at = self.water.raster.point(Vec2::new(exact.x as f32, exact.y as f32) / PARTS as f32);
         Tip { place, node: Some(self.add(place, exact, at, parent, 1)) }
     }
 
     fn add(&mut self, place: Place, exact: IVec2, at: Vec2, parent: u32, drained: u32) -> u32 {
         let node = self.tree.len() as u32;
-        self.node_of[self.water.field.index(place)] = node;
+        self.node_of[self.water.raster.index(place)] = node;
         self.exact.push(exact);
         self.tree.at.push(at);
         self.tree.parent.push(parent);

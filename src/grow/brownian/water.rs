@@ -1,7 +1,7 @@
-//! What a particle sees: land, the water it may meet and the ridges it must keep away from.
+//! The surroundings of a particle: land, the water it may meet and the ridges it must keep away from.
 
-use super::field::{Field, Place};
 use super::pyramid::Pyramid;
+use super::raster::{Place, Raster};
 use crate::land::Cell;
 use crate::random::Stream;
 use crate::work;
@@ -11,7 +11,7 @@ use crate::work;
 pub(super) struct Step {
     /// The side of the squares that have a particle each.
     pub size: f32,
-    /// What is nearer than half a step is met. Squared distances are whole: those below this.
+    /// Water nearer than half a step is met. Squared distances are whole: those below this.
     near: i32,
     /// How far particles are born from water, in squared distances: at least, and less than.
     births: (i32, i32),
@@ -21,7 +21,7 @@ pub(super) struct Step {
 }
 
 impl Step {
-    /// A step of so many cells. For the rest of coarser steps, particles are born from one to four steps away from water: from
+    /// A step with a size in cells. For land that coarser steps left over, particles are born from one to four steps away from water: from
     /// farther away, few would get there.
     pub fn of(size: f32, is_gap_filling: bool) -> Self {
         let stride = (size / 10.0) as i32 + 1;
@@ -45,20 +45,20 @@ impl Step {
     }
 }
 
-/// A particle's walk ends after so many moves, met or not. Where water lies k steps away it takes about 150 k² of them to
+/// A particle's walk ends after this many moves, whether it has met water or not. Where water lies k steps away it takes about 150 k² of them to
 /// get there; passes leave no land that is two steps from all water, unless no particle can get there at all.
 const MOST_MOVES: usize = 4096;
 
-/// The field as it stands, with the search for water and for ridges.
+/// The raster as it stands, with the search for water and for ridges.
 #[derive(Clone, Debug)]
 pub(super) struct Water {
-    pub field: Field,
+    pub raster: Raster,
     /// Water beside land: the water nearest to a place on land is always of these.
     shore: Pyramid,
     ridges: Option<Pyramid>,
 }
 
-/// What is to be seen from a place on land.
+/// What a particle sees from a place on land.
 enum Sight {
     /// Water that is met.
     Water(u32),
@@ -69,29 +69,29 @@ enum Sight {
 }
 
 impl Water {
-    /// Surveys a field.
-    pub fn new(field: Field) -> Self {
-        let (mut shore, mut ridges) = (Pyramid::new(&field), None);
-        for (place, &cell) in (0..).map(|i| field.place(i)).zip(field.cells()) {
+    /// Surveys a raster.
+    pub fn new(raster: Raster) -> Self {
+        let (mut shore, mut ridges) = (Pyramid::new(&raster), None);
+        for (place, &cell) in (0..).map(|i| raster.place(i)).zip(raster.cells()) {
             match cell {
-                Cell::Ridge => ridges.get_or_insert_with(|| Pyramid::new(&field)).insert(place),
-                Cell::Water if is_beside_land(&field, place) => shore.insert(place),
+                Cell::Ridge => ridges.get_or_insert_with(|| Pyramid::new(&raster)).insert(place),
+                Cell::Water if is_beside_land(&raster, place) => shore.insert(place),
                 Cell::Water | Cell::Land => {}
             }
         }
-        Self { field, shore, ridges }
+        Self { raster, shore, ridges }
     }
 
     /// Turns a cell of land into water.
     pub fn flood(&mut self, at: Place) {
-        self.field.flood(at);
+        self.raster.flood(at);
         self.shore.insert(at);
     }
 
     /// Whether a place is land.
     #[inline]
     pub fn is_land(&self, at: Place) -> bool {
-        self.field.cell(at) == Some(Cell::Land)
+        self.raster.cell(at) == Some(Cell::Land)
     }
 
     /// Whether there are ridges at all.
@@ -102,7 +102,7 @@ impl Water {
     /// Whether a particle may be born at a place on land: neither water nor a ridge is near.
     pub fn is_clear(&self, at: Place, step: &Step) -> bool {
         let (least, most) = step.births;
-        // Whether there is water at all within so much is soon known.
+        // Whether there is any water within this distance is found out quickly.
         let is_born = match most {
             i32::MAX => self.shore.nearest(at, least).is_none(),
             most => self.shore.nearest(at, most).is_some_and(|(_, squared)| squared >= least),
@@ -111,7 +111,7 @@ impl Water {
     }
 
     /// Lets a particle wander until it meets water: where it is then, and the cell of water nearest to it. `None` if it
-    /// leaves the field, comes near a ridge, steps on water or gets nowhere.
+    /// leaves the raster, comes near a ridge, steps on water or gets nowhere.
     ///
     /// Between two looks around, a particle moves within a circle that is known to be clear: the walk and where it ends
     /// are those of looking around after every move.
@@ -128,7 +128,7 @@ impl Water {
         while *moves < MOST_MOVES {
             *moves += 1;
             at = step.apply(at, chance.bits());
-            if !self.field.holds(at) {
+            if !self.raster.holds(at) {
                 return None;
             }
             if at.squared_distance(centre) > clear {
@@ -157,6 +157,6 @@ impl Water {
     }
 }
 
-fn is_beside_land(field: &Field, at: Place) -> bool {
-    at.beside().into_iter().any(|at| field.cell(at).is_some_and(|cell| cell != Cell::Water))
+fn is_beside_land(raster: &Raster, at: Place) -> bool {
+    at.beside().into_iter().any(|at| raster.cell(at).is_some_and(|cell| cell != Cell::Water))
 }

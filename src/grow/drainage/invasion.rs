@@ -4,10 +4,10 @@
 //! A parcel comes in by its own height, never by that of the level that has been flooded: flooding a hollow at one level would fill it as
 //! a front does, from all sides.
 
-use super::parcels::{DEVIATION, NONE, Parcels};
+use super::parcels::{DEVIATION, Parcels};
 use super::queue::Queue;
 use super::settings::DrainageSettings;
-use super::way::Way;
+use super::way::{NONE, Way};
 use crate::memory::Refused;
 use crate::random::Purpose;
 use crate::work;
@@ -69,7 +69,7 @@ impl Invasion {
 /// The heights that are invaded, before any river has worn them down: fractal noise, chance, and a rise away from the outlets.
 pub(super) fn heights(parcels: &Parcels, settings: &DrainageSettings) -> Vec<f32> {
     let noise = settings.noise(3, settings.valley_spacing, OCTAVES, GAIN);
-    let chance = settings.seed.key(Purpose::Ground);
+    let chance = settings.seed.item_hash(Purpose::Ground);
     let distance = distances(parcels);
     let tilt = settings.spacing / settings.valley_spacing;
     (0..parcels.len())

@@ -14,7 +14,7 @@ use glam::Vec2;
 use super::settings::DrainageSettings;
 use crate::domain::Domain;
 use crate::geometry::{doubled_area, is_in_triangle, meet};
-use crate::random::{Key, Purpose};
+use crate::random::{ItemHash, Purpose};
 use crate::work;
 
 /// How far a place may lie from the middle of its cell, as a share of a triangle's side.
@@ -54,7 +54,7 @@ impl Lattice {
         let (across, down) = half_extent(domain, settings);
         let (columns, rows) = (2 * across + 1, 2 * down + 1);
         let bends = Bends::new(settings);
-        let chance = settings.seed.key(Purpose::Attractors);
+        let chance = settings.seed.item_hash(Purpose::Attractors);
         let side = settings.spacing * SIDE;
         let half = domain.size / 2.0;
         let middle = (across as i32, down as i32);
@@ -175,7 +175,7 @@ fn half_extent(domain: &Domain, settings: &DrainageSettings) -> (usize, usize) {
 }
 
 /// Anywhere in a disc.
-fn jitter(chance: Key, i: i32, j: i32) -> Vec2 {
+fn jitter(chance: ItemHash, i: i32, j: i32) -> Vec2 {
     let unit = |number| chance.unit([i as u32, j as u32, number]);
     let angle = unit(0) * std::f32::consts::TAU;
     Vec2::new(libm::cosf(angle), libm::sinf(angle)) * (JITTER * unit(1).sqrt())

@@ -18,14 +18,14 @@ mod way;
 
 pub use settings::DrainageSettings;
 
-use super::{Ending, GrowError, Settings};
+use super::{Ending, GrowError, GrowthSettings};
 use crate::memory::{Refused, can_allocate};
 use crate::tree::{LEAST_SLOPE, NO_PARENT, Tree};
 use invasion::Invasion;
 use lattice::Lattice;
-use parcels::{NONE, Parcels};
+use parcels::Parcels;
 use round::Round;
-use way::Way;
+use way::{NONE, Way};
 
 /// What drainage takes of each cell of its lattice, as measured.
 const BYTES_A_CELL: usize = 140;
@@ -36,7 +36,7 @@ const PARCELS_A_TICK: usize = 20_000;
 /// Growth in progress.
 #[derive(Clone, Debug)]
 pub struct Drainage {
-    settings: Settings,
+    settings: GrowthSettings,
     parcels: Parcels,
     /// What each parcel drained in the rounds so far, at least 1: the geometric mean of the last round and all before it.
     area: Vec<f32>,
@@ -62,7 +62,7 @@ impl Drainage {
     ///
     /// # Errors
     /// If there is not enough memory.
-    pub fn new(settings: Settings) -> Result<Self, GrowError> {
+    pub fn new(settings: GrowthSettings) -> Result<Self, GrowError> {
         let too_much = || GrowError::out_of_memory(&settings);
         if !can_allocate(Lattice::count(&settings.domain, &settings.drainage).saturating_mul(BYTES_A_CELL)) {
             return Err(too_much());

@@ -7,8 +7,8 @@
 use glam::Vec2;
 
 use super::lattice::Lattice;
-use super::parcels::NONE;
-use crate::grow::Settings;
+use super::way::NONE;
+use crate::grow::GrowthSettings;
 use crate::grow::mouths::{mouths, on_chosen_sides};
 use crate::land::{Land, Region};
 use crate::recipe::Sides;
@@ -23,7 +23,12 @@ pub(super) struct Outlet {
 }
 
 /// The outlets of a land, as many as are asked for.
-pub(super) fn find(settings: &Settings, lattice: &Lattice, cells: &[usize], neighbours: &[[u32; 6]]) -> Vec<Outlet> {
+pub(super) fn find(
+    settings: &GrowthSettings,
+    lattice: &Lattice,
+    cells: &[usize],
+    neighbours: &[[u32; 6]],
+) -> Vec<Outlet> {
     let nearest = |(parcel, &cell): (usize, &usize)| {
         let from = lattice.at[cell];
         let around = lattice.neighbours(cell);
@@ -37,7 +42,7 @@ pub(super) fn find(settings: &Settings, lattice: &Lattice, cells: &[usize], neig
 }
 
 /// For each mouth that is asked for, the outlet nearest to it on the same land.
-fn nearest_to_mouths(settings: &Settings, all: &[Outlet]) -> Vec<Outlet> {
+fn nearest_to_mouths(settings: &GrowthSettings, all: &[Outlet]) -> Vec<Outlet> {
     let mut chosen: Vec<Outlet> = Vec::new();
     for mouth in mouths(settings) {
         let is_free = |outlet: &&Outlet| chosen.iter().all(|other| other.parcel != outlet.parcel);
@@ -50,8 +55,9 @@ fn nearest_to_mouths(settings: &Settings, all: &[Outlet]) -> Vec<Outlet> {
 }
 
 /// Outlets on the chosen shores, each at least so far from all others, those in bays first.
-fn thin_out(settings: &Settings, all: Vec<Outlet>) -> Vec<Outlet> {
-    let Some(land) = settings.land.as_deref().filter(|_| settings.shores != Sides::ALL || settings.mouth_spacing > 0.0) else {
+fn thin_out(settings: &GrowthSettings, all: Vec<Outlet>) -> Vec<Outlet> {
+    let Some(land) = settings.land.as_deref().filter(|_| settings.shores != Sides::ALL || settings.mouth_spacing > 0.0)
+    else {
         return all;
     };
     let of_region = |region: &Region| {

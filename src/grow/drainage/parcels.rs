@@ -5,13 +5,11 @@ use glam::Vec2;
 use super::lattice::{Lattice, WAYS};
 use super::outlets::{self, Outlet};
 use super::settings::DrainageSettings;
-use crate::grow::Settings;
+use super::way::NONE;
+use crate::grow::GrowthSettings;
 use crate::land::Cell;
 use crate::random::Purpose;
 use crate::work;
-
-/// No parcel.
-pub(super) const NONE: u32 = u32::MAX;
 
 /// All parcels with what lies between them.
 #[derive(Clone, Debug, Default)]
@@ -35,7 +33,7 @@ pub(super) struct Parcels {
 
 impl Parcels {
     /// Lays out the parcels of a land.
-    pub fn new(settings: &Settings) -> Self {
+    pub fn new(settings: &GrowthSettings) -> Self {
         let drainage = &settings.drainage;
         let lattice = Lattice::new(&settings.domain, drainage);
         let cells: Vec<usize> = (0..lattice.at.len()).filter(|&cell| is_land(settings, &lattice, cell)).collect();
@@ -87,7 +85,7 @@ impl Parcels {
         way.map_or(f32::INFINITY, |way| self.cost(parcel, way))
     }
 
-    fn join_neighbours(&mut self, settings: &Settings, lattice: &Lattice, cells: &[usize], number: &[u32]) {
+    fn join_neighbours(&mut self, settings: &GrowthSettings, lattice: &Lattice, cells: &[usize], number: &[u32]) {
         work::count(cells.len() * WAYS);
         for (parcel, &cell) in cells.iter().enumerate() {
             let around = lattice.neighbours(cell);
@@ -112,7 +110,7 @@ impl Parcels {
             settings.hardness * DEVIATION * noise.get_noise_2d(at.x, at.y) + BORDER * border
         };
         let hardness: Vec<f32> = self.at.iter().zip(&self.border).map(ground).collect();
-        let chance = settings.seed.key(Purpose::Ground);
+        let chance = settings.seed.item_hash(Purpose::Ground);
         for parcel in 0..self.len() {
             for way in 0..WAYS {
                 let there = self.neighbours[parcel][way] as usize;
@@ -134,7 +132,7 @@ pub(super) const DEVIATION: f32 = 3.0;
 const BORDER: f32 = 1.5;
 
 /// How near a place lies to a border of the domain where land runs on. A rectangle has the sea beyond its chosen sides.
-fn nearness_to_border(settings: &Settings, at: Vec2) -> f32 {
+fn nearness_to_border(settings: &GrowthSettings, at: Vec2) -> f32 {
     const SPACINGS: f32 = 8.0;
     let far = settings.domain.size - at;
     let is_closed = |side| settings.land.is_some() || !settings.sides.contains(side);
@@ -151,7 +149,7 @@ fn normal(bits: u32) -> f32 {
     (sum as f32 - 510.0) / OF_BYTES
 }
 
-fn is_land(settings: &Settings, lattice: &Lattice, cell: usize) -> bool {
+fn is_land(settings: &GrowthSettings, lattice: &Lattice, cell: usize) -> bool {
     let at = lattice.at[cell];
     lattice.is_inner(cell)
         && settings.domain.contains(at)

@@ -2,9 +2,9 @@
 //! less the more water there was in the round before: S = k A^−θ (Flint 1974), as in optimal channel networks
 //! (Rodriguez-Iturbe, Rinaldo and others 1992).
 
-use super::parcels::{NONE, Parcels};
+use super::parcels::Parcels;
 use super::queue::Queue;
-use super::way::Way;
+use super::way::{NONE, Way};
 use crate::memory::Refused;
 use crate::work;
 

@@ -49,7 +49,7 @@ impl DrainageSettings {
 
     /// Fractal noise over the plane from −1 to 1. The index tells one use from another.
     pub(super) fn noise(&self, index: u32, wavelength: f32, octaves: i32, gain: f32) -> FastNoiseLite {
-        let mut noise = FastNoiseLite::with_seed(self.seed.key(Purpose::Ground).bits([index, 0, 0]) as i32);
+        let mut noise = FastNoiseLite::with_seed(self.seed.item_hash(Purpose::Ground).bits([index, 0, 0]) as i32);
         noise.set_noise_type(Some(NoiseType::OpenSimplex2));
         noise.set_fractal_type(Some(FractalType::FBm));
         noise.set_fractal_octaves(Some(octaves));

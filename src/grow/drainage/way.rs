@@ -1,6 +1,7 @@
 //! How parcels drain: each to a neighbour, or out.
 
-use super::parcels::NONE;
+/// No parcel.
+pub(super) const NONE: u32 = u32::MAX;
 
 /// A forest of parcels, rooted at outlets.
 #[derive(Clone, Debug, Default)]

@@ -1,12 +1,12 @@
-//! Areas of the third colour: what is too wide to be a line is traced around, and nothing grows within.
+//! Areas of the third colour: those too wide to be lines are traced around, and nothing grows within.
 
 use super::contour;
 use super::ground::Ground;
 use glam::Vec2;
 
-/// A line is nowhere wider than one in so many of the blocks of the picture's longer side.
+/// The greatest width of a line is the picture's longer side, in blocks, over this;
 const OF_THE_PICTURE: usize = 32;
-/// Or than so many blocks, in small pictures.
+/// in small pictures, this many blocks.
 const WIDEST_LINE: usize = 6;
 
 /// Takes all that is connected with a wide place out of the ridges. Returns the lines around it, closed: their last
@@ -29,7 +29,7 @@ pub(super) fn take_out(ground: &Ground, ridges: &mut [u8]) -> Vec<Vec<Vec2>> {
     contour::rings(&ground.with_land(&area)).into_iter().map(closed).collect()
 }
 
-/// Takes the outermost blocks away: those with a side in common with what is none, or a corner too. Both in turn wear
+/// Takes the outermost blocks away: those that share a side, or a corner too, with a block outside. Both in turn wear
 /// straight and slanting edges alike.
 fn erode(mask: &mut [u8], columns: usize, by_corners: bool) {
     let before = mask.to_vec();

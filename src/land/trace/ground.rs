@@ -1,4 +1,4 @@
-//! What a picture shows: how much of each block of pixels is land, and where ridges are.
+//! The ground that a picture shows: the share of land of each block of pixels, and the ridges.
 
 /// Pictures are traced at no more than this many blocks a side: finer than the lattice of coast distances that an outline makes.
 const MOST_BLOCKS: usize = 512;

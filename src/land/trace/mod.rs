@@ -10,7 +10,7 @@ use thiserror::Error;
 
 use self::frame::Frame;
 use self::ground::Ground;
-use super::field::LEAST_DRAWN;
+use super::queries::LEAST_DRAWN;
 use super::strokes::DrawError;
 use crate::recipe::Outline;
 
@@ -89,7 +89,7 @@ pub struct Traced {
     pub is_longer: bool,
 }
 
-/// What a picture of two colours has less of than this, in shares of its pixels, is dust.
+/// A colour with a smaller share of a picture's pixels than this is dust.
 const DUST: f32 = 1e-4;
 
 /// Traces a picture, given as RGBA bytes row by row, not premultiplied.

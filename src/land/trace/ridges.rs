@@ -9,7 +9,7 @@ use crate::skeletonize::thin;
 /// Lines of fewer blocks are specks, or hairs that thinning left.
 const FEWEST: usize = 6;
 
-/// The ridges, in fractions of width and height: lines along the middle of what is narrow, and around what is not.
+/// The ridges, in fractions of width and height: lines along the middle of narrow areas, and around wide ones.
 pub(super) fn lines(ground: &Ground) -> Vec<Vec<Vec2>> {
     let mut mask: Vec<u8> = ground.ridges.iter().map(|&ridge| if ridge == 0 { 0 } else { 255 }).collect();
     let mut lines = areas::take_out(ground, &mut mask);

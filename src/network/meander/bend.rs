@@ -2,13 +2,13 @@
 //! as the river curves there.
 //!
 //! Curvature is measured in widths, so that wide rivers and narrow ones bend alike; capped, so that no sharp corner runs
-//! away; and smoothed along the river over so many widths that bends of some eleven widths grow fastest, as those of
-//! rivers do. The cap comes first: one corner does not outweigh a bend.
+//! away; and smoothed along the river, over a distance at which bends of about eleven widths grow fastest, as they do
+//! in nature. The cap comes first: one corner does not outweigh a bend.
 
 use glam::Vec2;
 
 use super::super::curvature::curvature;
-use super::super::settings::Settings;
+use super::super::settings::NetworkSettings;
 use super::super::{Network, River};
 use crate::geometry::{direction, distance, fast_max};
 
@@ -30,7 +30,7 @@ const EASE: f32 = 0.4;
 const PACE: f32 = 1.2;
 
 /// The way that each vertex goes in this round.
-pub(super) fn moves(network: &Network, step_scale: &[f32], settings: &Settings) -> Vec<Vec2> {
+pub(super) fn moves(network: &Network, step_scale: &[f32], settings: &NetworkSettings) -> Vec<Vec2> {
     let mut moves = vec![Vec2::ZERO; network.vertices.len()];
     let mut course = Course::default();
     for river in &network.rivers {
@@ -59,7 +59,7 @@ pub(super) struct Course {
 
 impl Course {
     /// Reads a river, its junction included.
-    pub fn read(&mut self, network: &Network, river: &River, settings: &Settings) {
+    pub fn read(&mut self, network: &Network, river: &River, settings: &NetworkSettings) {
         self.at.clear();
         self.width.clear();
         for vertex in network.course(river) {
@@ -106,7 +106,7 @@ impl Course {
         }
     }
 
-    fn bend(&self, step_scale: &[f32], settings: &Settings, moves: &mut [Vec2]) {
+    fn bend(&self, step_scale: &[f32], settings: &NetworkSettings, moves: &mut [Vec2]) {
         for (i, (&step_scale, way)) in step_scale.iter().zip(moves).enumerate() {
             if step_scale == 0.0 || i == 0 || i + 1 == self.at.len() {
                 continue;
@@ -136,7 +136,7 @@ mod tests {
 
     /// The ways of a river's vertices, with its line. Its bends are about eleven widths long.
     fn ways(line: &[Vec2], mix: f32) -> Vec<Vec2> {
-        let settings = Settings { mix, strength: 1.0, ..settings() };
+        let settings = NetworkSettings { mix, strength: 1.0, ..settings() };
         moves(&river(line, 5.0), &vec![1.0; line.len()], &settings)
     }
 

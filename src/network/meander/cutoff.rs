@@ -5,7 +5,7 @@
 
 use super::super::clearance::NearbyPair;
 use super::super::orders;
-use super::super::settings::Settings;
+use super::super::settings::NetworkSettings;
 use super::super::width::settle;
 use super::super::{NONE, Network, Oxbow, River, Vertex};
 use super::{NARROWEST, river_of};
@@ -20,7 +20,7 @@ pub(super) struct Cut {
 }
 
 /// Whether there is a loop between two segments of a river, and not only a bend.
-pub(super) fn is_loop(network: &Network, pair: &NearbyPair, settings: &Settings) -> bool {
+pub(super) fn is_loop(network: &Network, pair: &NearbyPair, settings: &NetworkSettings) -> bool {
     const LEAST: f32 = 6.0;
     let between = &network.vertices[pair.first as usize..=pair.second as usize];
     let length: f32 = between.windows(2).map(|pair| distance(pair[0].at, pair[1].at)).sum();
@@ -28,7 +28,7 @@ pub(super) fn is_loop(network: &Network, pair: &NearbyPair, settings: &Settings)
 }
 
 /// The necks to be cut: of each river's the one with the longest loop.
-pub(super) fn necks(network: &Network, near: &[NearbyPair], settings: &Settings) -> Vec<Cut> {
+pub(super) fn necks(network: &Network, near: &[NearbyPair], settings: &NetworkSettings) -> Vec<Cut> {
     let river_of = river_of(network);
     let mut necks: Vec<Option<Cut>> = vec![None; network.rivers.len()];
     for pair in near {
@@ -149,7 +149,7 @@ impl Loop {
         })
     }
 
-    /// What is left without a river.
+    /// The part that is left without a river.
     fn oxbow(&self, network: &Network, round: u32) -> Oxbow {
         let vertices = network.vertices[self.cut.above as usize..=self.taken_from as usize].to_vec();
         Oxbow { river: self.cut.river, born: round, vertices }
@@ -178,7 +178,7 @@ mod tests {
     #[test]
     fn a_loop_is_found_where_limbs_come_near_and_the_longest_is_taken() {
         let network = hairpin();
-        let settings = Settings { neck: 1.5, ..settings() };
+        let settings = NetworkSettings { neck: 1.5, ..settings() };
         let cuts = necks(&network, &[near(30, 49), near(20, 59), near(38, 41)], &settings);
         assert_eq!(cuts.len(), 1);
         assert!(cuts[0].above <= 21 && cuts[0].below >= 59, "{cuts:?}");

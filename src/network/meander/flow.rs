@@ -8,7 +8,7 @@
 use glam::Vec2;
 
 use super::super::Network;
-use super::super::settings::Settings;
+use super::super::settings::NetworkSettings;
 use super::bend::Course;
 
 const OMEGA: f32 = -1.0;
@@ -21,7 +21,7 @@ const MEMORY: f32 = 1.4;
 const PACE: f32 = 0.66;
 
 /// The way that each vertex goes in this round.
-pub(super) fn moves(network: &Network, step_scale: &[f32], settings: &Settings) -> Vec<Vec2> {
+pub(super) fn moves(network: &Network, step_scale: &[f32], settings: &NetworkSettings) -> Vec<Vec2> {
     let mut moves = vec![Vec2::ZERO; network.vertices.len()];
     let mut course = Course::default();
     for river in &network.rivers {
@@ -35,7 +35,7 @@ pub(super) fn moves(network: &Network, step_scale: &[f32], settings: &Settings) 
             step_scale[river.vertex_range()].iter().zip(&mut moves[river.vertex_range()]).enumerate()
         {
             let width = course.width[i];
-            // The mean of what lies upstream, weighted by G, after another step.
+            // The mean upstream, weighted by G, after another step.
             upstream += (course.bend[i] - upstream) * (1.0 - libm::expf(-course.step[i] / (MEMORY * width)));
             if step_scale == 0.0 || i == 0 || i + 1 == course.at.len() {
                 continue;
@@ -55,13 +55,13 @@ mod tests {
     use super::*;
 
     /// How far each vertex goes to the left, by a model.
-    fn sideways(line: &[Vec2], moves: impl Fn(&Network, &[f32], &Settings) -> Vec<Vec2>) -> Vec<f32> {
-        let settings = Settings { mix: 1.0, strength: 1.0, ..settings() };
+    fn sideways(line: &[Vec2], moves: impl Fn(&Network, &[f32], &NetworkSettings) -> Vec<Vec2>) -> Vec<f32> {
+        let settings = NetworkSettings { mix: 1.0, strength: 1.0, ..settings() };
         let ways = moves(&river(line, 5.0), &vec![1.0; line.len()], &settings);
         (1..line.len() - 1).map(|i| ways[i].perp_dot((line[i + 1] - line[i - 1]).normalize())).collect()
     }
 
-    /// The phase of a wave of so many samples, in samples.
+    /// The phase, in samples, of a wave whose length is given in samples.
     fn phase(values: &[f32], wave: usize) -> f32 {
         let turn = |i: usize| std::f32::consts::TAU * i as f32 / wave as f32;
         let sum = |part: fn(f32) -> f32| values.iter().enumerate().map(|(i, value)| value * part(turn(i))).sum::<f32>();

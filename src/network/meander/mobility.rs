@@ -1,17 +1,17 @@
 //! How freely each vertex meanders: a little all over the map, here more and there not at all, and fully where the great rivers are
 //! flat; not at sources, mouths and junctions, and near them only little by little.
 //!
-//! A river is not held at a junction by a brook that is nothing to it: it carries the brook's end along. A tributary
+//! A much smaller tributary does not hold a river at their junction: the river carries the brook's end along. A tributary
 //! is always held where it ends.
 
 use super::super::hydrology::slopes;
-use super::super::settings::Settings;
+use super::super::settings::NetworkSettings;
 use super::super::{NONE, Network, Vertex};
 use crate::geometry::{distance, fast_max, fast_min, smooth_step};
 use crate::recipe::MeanderModel;
 use crate::sort;
 
-/// No meandering within so many widths of what holds a river.
+/// The distance, in widths, from a fixed point of a river within which it does not meander.
 const HELD: f32 = 1.0;
 
 /// The share of a river's discharge below which a tributary does not hold it, and above which it holds it wholly.
@@ -22,7 +22,7 @@ const EQUAL: f32 = 0.35;
 const LEAST: f32 = 0.05;
 
 /// Gives every vertex its mobility.
-pub(super) fn assign(network: &mut Network, settings: &Settings) {
+pub(super) fn assign(network: &mut Network, settings: &NetworkSettings) {
     if settings.model == MeanderModel::None {
         return;
     }
@@ -77,7 +77,7 @@ pub(super) fn ease_off(network: &mut Network, spacing: f32) {
 }
 
 /// Which vertices count as flat: the flattest share of all courses, whose vertices lie evenly.
-fn flat_vertices(network: &Network, settings: &Settings) -> Vec<bool> {
+fn flat_vertices(network: &Network, settings: &NetworkSettings) -> Vec<bool> {
     let slopes = slopes(network, settings.total_discharge);
     let by_slope = sort::argsort(slopes.iter().map(|&slope| sort::key(slope)));
     let count = (by_slope.len() as f32 * settings.flat_share) as usize;
@@ -147,7 +147,7 @@ mod tests {
     use crate::network::River;
 
     /// A river 400 units long, two wide, with an arm halfway that brings such a share of its water.
-    fn swaying(share: u32, settings: &Settings) -> (Network, River) {
+    fn swaying(share: u32, settings: &NetworkSettings) -> (Network, River) {
         let mut network = river(&straight((0.0, 400.0), (400.0, 400.0), 400), 2.0).with_arm(
             &straight((200.0, 100.0), (200.0, 399.0), 299),
             200,
@@ -159,8 +159,8 @@ mod tests {
         (network, main)
     }
 
-    fn only_great(great_rivers: u32) -> Settings {
-        Settings {
+    fn only_great(great_rivers: u32) -> NetworkSettings {
+        NetworkSettings {
             great_rivers,
             meander_elsewhere: 0.0,
             flat_share: 1.0,
@@ -172,7 +172,7 @@ mod tests {
 
     #[test]
     fn nothing_moves_at_sources_mouths_and_equal_junctions() {
-        let (network, main) = swaying(40, &Settings { meander_elsewhere: 1.0, ..only_great(2) });
+        let (network, main) = swaying(40, &NetworkSettings { meander_elsewhere: 1.0, ..only_great(2) });
         let mobility = |i: usize| network.vertices[i].mobility;
         for held in [0, 1, 200, main.end as usize - 1, main.end as usize, network.vertices.len() - 1] {
             assert_eq!(mobility(held), 0.0, "{held}");
@@ -200,7 +200,7 @@ mod tests {
     fn only_what_is_flat_meanders_fully() {
         let mut network = river(&straight((0.0, 400.0), (400.0, 400.0), 400), 2.0);
         network.vertices.iter_mut().enumerate().for_each(|(i, vertex)| vertex.discharge = i as u32 + 1);
-        assign(&mut network, &Settings { flat_share: 0.25, total_discharge: 400, ..only_great(1) });
+        assign(&mut network, &NetworkSettings { flat_share: 0.25, total_discharge: 400, ..only_great(1) });
         assert!(network.vertices[..300].iter().all(|vertex| vertex.mobility == 0.0));
         assert_eq!(network.vertices[350].mobility, 1.0);
     }

@@ -16,7 +16,7 @@ use super::clearance::{ClearanceGrid, NearbyPair};
 use super::courses::Courses;
 use super::evenly::divide;
 use super::ranking::simplified;
-use super::settings::Settings;
+use super::settings::NetworkSettings;
 use super::smooth::{has_room, limits, smooth};
 use super::width::widen;
 use super::{NONE, Network, Vertex};
@@ -35,7 +35,7 @@ const NARROWEST: f32 = 0.5;
 /// A network on its way from courses to meandering rivers: a stepper of rounds.
 #[derive(Clone, Debug)]
 pub struct Meander {
-    settings: Settings,
+    settings: NetworkSettings,
     network: Network,
     guard: ClearanceGrid,
     round: u32,
@@ -43,14 +43,14 @@ pub struct Meander {
 
 impl Meander {
     /// Round 0: courses that are smooth and thinned out, as wide as they will be.
-    pub(super) fn along(mut network: Network, settings: Settings) -> Self {
+    pub(super) fn along(mut network: Network, settings: NetworkSettings) -> Self {
         widen(&mut network, &settings);
         mobility::assign(&mut network, &settings);
         Self::of(network, settings)
     }
 
     /// Goes on with a network that has its widths and mobility already, wherever it comes from.
-    pub fn of(network: Network, settings: Settings) -> Self {
+    pub fn of(network: Network, settings: NetworkSettings) -> Self {
         let guard = ClearanceGrid::new(&settings.domain, settings.spacing);
         Self { settings, network, guard, round: 0 }
     }
@@ -61,7 +61,7 @@ impl Meander {
     }
 
     /// The settings it is made by.
-    pub fn settings(&self) -> &Settings {
+    pub fn settings(&self) -> &NetworkSettings {
         &self.settings
     }
 
@@ -119,7 +119,7 @@ impl Meander {
 
     /// How far each segment looks around for others: until banks could come too near each other, if it can move or is wide.
     pub fn reach(&self, downstream: &[u32], step_scale: &[f32]) -> Vec<f32> {
-        let Settings { spacing, min_clearance, neck, .. } = self.settings;
+        let NetworkSettings { spacing, min_clearance, neck, .. } = self.settings;
         let vertices = &self.network.vertices;
         let wide = WIDE * spacing;
         let near = |width: f32| {
@@ -199,7 +199,7 @@ impl Meander {
     }
 
     fn is_too_near(&self, pair: &NearbyPair, river_of: &[u32]) -> bool {
-        let Settings { spacing, min_clearance, neck, .. } = self.settings;
+        let NetworkSettings { spacing, min_clearance, neck, .. } = self.settings;
         let [a, b] = [pair.first, pair.second].map(|i| (i, river_of[i as usize]));
         let width = |i: u32| self.network.vertices[i as usize].width();
         let apart = (width(a.0) + width(b.0)) * 0.5 + min_clearance;
@@ -223,7 +223,7 @@ impl Meander {
             _ => bend::moves(&self.network, step_scale, &self.settings),
         };
         let limits = limits(clearance, downstream);
-        let Settings { domain, land, .. } = &self.settings;
+        let NetworkSettings { domain, land, .. } = &self.settings;
         for ((vertex, way), limit) in self.network.vertices.iter_mut().zip(moves).zip(limits) {
             if way == Vec2::ZERO {
                 continue;
@@ -242,7 +242,7 @@ impl Meander {
 }
 
 /// Courses simplified and smooth, without widths.
-pub(super) fn smooth_courses(courses: &Courses, settings: &Settings) -> Network {
+pub(super) fn smooth_courses(courses: &Courses, settings: &NetworkSettings) -> Network {
     let coarse = simplified(&courses.network, &courses.ranking, settings.simplify);
     let (mut network, origin) = divide(&coarse, settings);
     smooth(&mut network, &coarse, &origin, settings);
@@ -251,7 +251,7 @@ pub(super) fn smooth_courses(courses: &Courses, settings: &Settings) -> Network 
 
 /// Takes out vertices that lie closer than they need, as those of a Brownian tree do, of which hardly any have been
 /// simplified away: half of them at a time. Returns whether there were enough of them to look again.
-pub(super) fn thin_out(network: &mut Network, settings: &Settings) -> bool {
+pub(super) fn thin_out(network: &mut Network, settings: &NetworkSettings) -> bool {
     let downstream = network.downstream();
     let is_close = |(vertex, &below): (&Vertex, &u32)| {
         let next = network.vertices.get(below as usize);
@@ -286,7 +286,8 @@ mod tests {
     /// A river of gentle bends, left to itself for some rounds.
     fn meandered(model: MeanderModel, rounds: u32) -> Network {
         let line = sine_generated(0.3, 44.0, 8, 44);
-        let mut meander = Meander::of(river(&line, 4.0), Settings { model, rounds, strength: 0.6, ..settings() });
+        let mut meander =
+            Meander::of(river(&line, 4.0), NetworkSettings { model, rounds, strength: 0.6, ..settings() });
         while meander.round() {}
         assert_eq!(meander.rounds(), if model == MeanderModel::None { 0 } else { rounds });
         meander.network().clone()
@@ -314,7 +315,7 @@ mod tests {
         // Another river runs right beside the bends.
         let beside = straight((60.0, 394.0), (330.0, 394.0), 270);
         let network = river(&sine_generated(0.3, 44.0, 8, 44), 4.0).with_arm(&beside, 340, 20);
-        let mut meander = Meander::of(network, Settings { rounds: 60, strength: 1.0, ..settings() });
+        let mut meander = Meander::of(network, NetworkSettings { rounds: 60, strength: 1.0, ..settings() });
         while meander.round() {}
         let network = meander.network();
         let [main, other] = [0, 1].map(|river| &network.vertices[network.rivers[river].vertex_range()]);

@@ -4,7 +4,7 @@
 //! of the clearance that moving has left over.
 
 use super::super::evenly::{between, pieces};
-use super::super::settings::Settings;
+use super::super::settings::NetworkSettings;
 use super::super::smooth::room;
 use super::super::{NONE, Network, Vertex};
 use crate::geometry::{distance, height};
@@ -13,7 +13,7 @@ use crate::geometry::{distance, height};
 const SHARE_OF_CLEARANCE: f32 = 0.15;
 
 /// Spaces vertices between half a step and one and a half, where that is possible.
-pub(super) fn respace(network: &mut Network, clearance: &[f32], step_scale: &[f32], settings: &Settings) {
+pub(super) fn respace(network: &mut Network, clearance: &[f32], step_scale: &[f32], settings: &NetworkSettings) {
     let is_junction = network.junctions();
     let downstream = network.downstream();
     let old = &network.vertices;
@@ -61,7 +61,7 @@ pub(super) fn respace(network: &mut Network, clearance: &[f32], step_scale: &[f3
 }
 
 /// Puts vertices between two if they are too far apart.
-fn divide(vertices: &mut Vec<Vertex>, upper: &Vertex, lower: &Vertex, settings: &Settings) {
+fn divide(vertices: &mut Vec<Vertex>, upper: &Vertex, lower: &Vertex, settings: &NetworkSettings) {
     let far = distance(upper.at, lower.at);
     let step = settings.step(upper.width());
     if far <= 1.5 * step {

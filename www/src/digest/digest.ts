@@ -6,15 +6,15 @@
 import expected from "../../../tests/digest.txt?raw";
 import { find } from "../browser/dom.ts";
 import { named } from "../engine/errors.ts";
-import { loadTools } from "../engine/tools.ts";
+import { loadFull } from "../engine/full.ts";
 import { type Line, linesOf } from "./lines.ts";
 
 async function compare(): Promise<void> {
-  const tools = await loadTools();
+  const { engine } = await loadFull();
   const lines = linesOf(expected);
   const grown: Line[] = [];
   for (const { link } of lines) {
-    grown.push({ link, digest: tools.digest(link) });
+    grown.push({ link, digest: engine.digest(link) });
     await new Promise((resume) => setTimeout(resume));
   }
   const wrong = lines.filter(({ digest }, i) => grown[i]?.digest !== digest);

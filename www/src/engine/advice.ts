@@ -47,9 +47,9 @@ const ADVICE: Record<Code, Advice> = {
       "check that the server sends the scripts and the .wasm file completely.",
     reload: true,
   },
-  "no-tools": {
+  "no-files": {
     title: "A part of Riverseed did not arrive",
-    text: "The part that makes files and traces images could not be downloaded. Check the connection and try again.",
+    text: "The part that makes files could not be downloaded. Check the connection and try again.",
     reload: true,
   },
   "bad-params": {

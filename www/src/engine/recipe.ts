@@ -1,41 +1,44 @@
 /** The recipe on show, always in the core's own spelling: what the page changes, the core reads and answers. */
 
 import { linkText } from "./link-text.ts";
-import { DARK_STYLE, namesStyle } from "./scheme.ts";
-import type { Reading } from "./types.ts";
+import type { Reading, ReadOptions } from "./types.ts";
 
 export class Recipe {
-  #link = "";
-  #values = new Map<string, string>();
-  #idle = new Map<string, string>();
-  #notices = new Map<string, string>();
-  /** Whether somebody has said how it looks: the author of a link, or whoever chose a style on a dark page. */
+  #reading: Reading;
+  #values: ReadonlyMap<string, string> = new Map();
+  #idle: ReadonlyMap<string, string> = new Map();
+  readonly #notices = new Map<string, string>();
+  #defaults: ReadonlyMap<string, string>;
+  /** Whether somebody has said how it looks: the author of a link, or whoever chose a style. */
   #isStyled = false;
 
   /** On a dark page a recipe that nobody has given a style is shown in that for dark pages. */
   constructor(
-    private readonly read: (text: string) => Reading,
+    private readonly read: (text: string, options?: ReadOptions) => Reading,
     private readonly isOnDark: () => boolean = () => false,
-  ) {}
+  ) {
+    this.#reading = this.#take("");
+    this.#defaults = this.#values;
+  }
 
-  /** Its canonical link; where a page's own style would stand in for a style that was chosen, with that. */
+  /** The canonical link to share; where a page's own style would stand in for a style that was chosen, with that. */
   get link(): string {
-    const isTold = this.isOnDark() && this.#isStyled && !namesStyle(this.#link);
-    return isTold ? `${this.#link}&${linkText([["style", this.#values.get("style") ?? ""]])}` : this.#link;
+    return this.#reading.sharedLink;
   }
 
   /** The link of what is shown. */
   get shown(): string {
-    return this.#isDarkened ? this.read(linkText(this.values)).link : this.#link;
+    return this.#reading.link;
   }
 
   /** The values of what is shown. */
   get values(): ReadonlyMap<string, string> {
-    return this.#isDarkened ? new Map(this.#values).set("style", DARK_STYLE) : this.#values;
+    return this.#values;
   }
 
-  get #isDarkened(): boolean {
-    return this.isOnDark() && !this.#isStyled;
+  /** The value that every key has on this page if nobody says otherwise. */
+  get defaults(): ReadonlyMap<string, string> {
+    return this.#defaults;
   }
 
   /** Why keys do nothing, by key. */
@@ -48,6 +51,11 @@ export class Recipe {
     return this.#notices;
   }
 
+  /** What a widget does not grow of it, in words. */
+  get widgetNotices(): string[] {
+    return this.read(this.link, { widget: true }).notices.map(({ message }) => message);
+  }
+
   get seed(): string {
     return this.#values.get("seed") ?? "";
   }
@@ -55,17 +63,13 @@ export class Recipe {
   /** Takes a whole link, from an address or a person. */
   open(text: string): void {
     this.#notices.clear();
-    this.#isStyled = namesStyle(text);
-    this.#take(this.read(text));
+    this.#isStyled = this.#take(text).namesStyle;
   }
 
   /** Goes back to what is shown. */
   restore(shown: string): void {
-    const isStyled = this.#isStyled;
-    const link = new URLSearchParams(shown);
-    if (this.#isDarkened) link.delete("style");
-    this.open(linkText(link));
-    this.#isStyled = isStyled;
+    this.#notices.clear();
+    this.#takeValues(new Map(this.read(shown).values));
   }
 
   /** Changes some values. A note about another one stays until it is dismissed; one about these is out of date. */
@@ -76,20 +80,38 @@ export class Recipe {
       this.#isStyled ||= key === "style";
       this.#notices.delete(key);
     }
-    this.#take(this.read(linkText(values)));
+    this.#takeValues(values);
+  }
+
+  /** The page has become dark, or light. */
+  refresh(): void {
+    this.#defaults = new Map(this.#read("").values);
+    this.set([]);
   }
 
   dismissNotices(): void {
     this.#notices.clear();
   }
 
-  #take({ link, values, idle, notices }: Reading): void {
-    this.#link = link;
-    this.#values = new Map(values);
-    this.#idle = new Map(idle);
-    for (const { key, message } of notices) {
+  /** A style that nobody has chosen is not told: the core knows which it is. */
+  #takeValues(values: Map<string, string>): void {
+    if (!this.#isStyled) values.delete("style");
+    this.#take(linkText(values));
+  }
+
+  #take(text: string): Reading {
+    const reading = this.#read(text);
+    this.#reading = reading;
+    this.#values = new Map(reading.values);
+    this.#idle = new Map(reading.idle);
+    for (const { key, message } of reading.notices) {
       const before = this.#notices.get(key);
       this.#notices.set(key, before ? `${before}; ${message}` : message);
     }
+    return reading;
+  }
+
+  #read(text: string): Reading {
+    return this.read(text, { dark: this.isOnDark() });
   }
 }

@@ -1,4 +1,4 @@
-/** The river engine: the wasm module that the page opens with. */
+/** The lean engine: rivers and their pictures, and all that a widget loads to show them. */
 
 import init, * as engine from "../../pkg/riverseed.js";
 import wasmUrl from "../../pkg/riverseed_bg.wasm?url";
@@ -6,8 +6,9 @@ import { once, start } from "./wasm-module.ts";
 
 export type Engine = typeof engine;
 
-export interface Core {
-  readonly engine: Engine;
+/** An engine with its memory. */
+export interface Core<Loaded = Engine> {
+  readonly engine: Loaded;
   readonly memory: WebAssembly.Memory;
 }
 

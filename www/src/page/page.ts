@@ -10,14 +10,13 @@ import { Disclosures } from "../controls/disclosure.ts";
 import { type Presets, presets, unaskedChanges } from "../controls/presets.ts";
 import { SeedBox } from "../controls/seed.ts";
 import { isRecoverable, named } from "../engine/errors.ts";
+import { type FullCore, loadFull } from "../engine/full.ts";
 import { Recipe } from "../engine/recipe.ts";
-import { defaultsOf } from "../engine/scheme.ts";
-import { loadTools } from "../engine/tools.ts";
 import type { Parameter, Phase, Preset, Summary } from "../engine/types.ts";
-import { type Core, load } from "../engine/wasm.ts";
 import { Drawing } from "../land/drawing.ts";
 import { listenForImages } from "../land/image-drop.ts";
 import { pixelsOf } from "../land/image-file.ts";
+import { fileOf } from "../player/files.ts";
 import type { State } from "../player/frame-loop.ts";
 import type { ShowMode } from "../player/river-player.ts";
 import { alternative, caption, sentence } from "../player/summary-text.ts";
@@ -46,11 +45,11 @@ class Page {
   /** What the last presets changed unasked, and the recipe from before them, to which Undo leads back. */
   #presetUndo: { message: string; link: string; values: ReadonlyMap<string, string> } | undefined;
 
-  constructor(private readonly core: Core) {
+  constructor(private readonly core: FullCore) {
     const { engine } = core;
     this.#table = engine.parameters();
     this.#recipe = new Recipe(
-      (text) => engine.readLink(text),
+      (text, options) => engine.readLink(text, options),
       () => prefersDark.matches,
     );
     this.#recipe.open(linkOf(location));
@@ -96,23 +95,26 @@ class Page {
   #listen(): void {
     elements.dice.addEventListener("click", () => this.#throwDice());
     elements.reset.addEventListener("click", () => this.#open(`seed=${encodeURIComponent(this.#recipe.seed)}`));
-    const downloads = new Downloads(elements, this.core, this.#recipe, (error) => this.#fail(error));
+    const downloads = new Downloads(elements, this.#recipe, {
+      make: (link, format) => fileOf(this.#viewport.copy(link), this.core, format),
+      failed: (error) => this.#fail(error),
+    });
     new ShareDialog(elements.sharing, this.#recipe, (say) => void downloads.save("png", say));
     elements.copy.addEventListener("click", () => void this.#copyLink());
     elements.drawing.draw.addEventListener("click", () => this.#showDrawing());
     listenForImages(elements.drawing, (file) => void this.#trace(file));
     // Not hashchange as well: it follows the popstate of another fragment, whose link would be opened twice.
     window.addEventListener("popstate", () => this.#followAddress());
-    prefersDark.addEventListener("change", () => this.#attempt(() => this.#show("settle")));
+    prefersDark.addEventListener("change", () => this.#followScheme());
     window.addEventListener("pagehide", () => this.#address.flush());
   }
 
   /** Turns a picture of a land into the land. */
   async #trace(file: Blob): Promise<void> {
     try {
-      const tools = await loadTools();
-      const { rgba, width, height } = await pixelsOf(file, tools.longestTracedSide());
-      const traced = tools.traceImage(rgba, width, height);
+      const { engine } = this.core;
+      const { rgba, width, height } = await pixelsOf(file, engine.longestTracedSide());
+      const traced = engine.traceImage(rgba, width, height);
       this.#drawing.take(traced);
       this.#set([["aspect", traced.aspect.toFixed(2)]], "settle");
     } catch (thrown) {
@@ -192,6 +194,14 @@ class Page {
     if (link !== this.#recipe.link) this.#open(link);
   }
 
+  /** The reader's pages have become dark, or light. */
+  #followScheme(): void {
+    this.#attempt(() => {
+      this.#recipe.refresh();
+      this.#show("settle");
+    });
+  }
+
   #show(how: ShowMode): void {
     this.#showRecipe();
     this.#viewport.show(this.#recipe.shown, this.#how(how));
@@ -202,9 +212,9 @@ class Page {
   }
 
   #showRecipe(): void {
-    const { link, values, idle, seed } = this.#recipe;
+    const { link, values, idle, defaults, seed } = this.#recipe;
     this.#address.show(link);
-    this.#controls.show({ values, idle, defaults: defaultsOf(this.#table, prefersDark.matches) });
+    this.#controls.show({ values, idle, defaults });
     this.#presets.show(values);
     this.#seedBox.show(seed);
     this.#drawing.show(values.get("outline") ?? "");
@@ -284,6 +294,6 @@ function fail(thrown: unknown): void {
   showFailure(elements.failure, error);
 }
 
-load()
+loadFull()
   .then((core) => new Page(core).start())
   .catch(fail);

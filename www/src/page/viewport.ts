@@ -1,8 +1,8 @@
 /** The viewport: the picture's place on the page, which has the river's shape and follows the window. */
 
 import { backingSize, observeSize, RESIZE_PAUSE_MS, type Size } from "../browser/canvas.ts";
+import type { FullCore, FullRiver } from "../engine/full.ts";
 import type { Phase, Summary } from "../engine/types.ts";
-import type { Core } from "../engine/wasm.ts";
 import type { State } from "../player/frame-loop.ts";
 import { RiverPlayer, type ShowMode } from "../player/river-player.ts";
 import { displayFrames } from "../player/scheduler.ts";
@@ -24,16 +24,16 @@ export interface ViewportEvents {
 export class RiverViewport {
   #resizing: ReturnType<typeof setTimeout> | undefined;
   readonly #observer = new ResizeObserver(() => this.#resizeSoon());
-  readonly #player: RiverPlayer;
+  readonly #player: RiverPlayer<FullRiver>;
 
   /** Puts a river on the canvas at tick 0. Throws what the core throws. */
   constructor(
-    core: Core,
+    private readonly core: FullCore,
     private readonly elements: ViewportElements,
     link: string,
     events: ViewportEvents,
   ) {
-    this.#player = new RiverPlayer(core, elements.canvas, link, displayFrames, {
+    this.#player = new RiverPlayer(core, elements.canvas, { text: link }, displayFrames, {
       ...events,
       sizeFor: (aspect) => this.#sizeFor(aspect),
     });
@@ -44,6 +44,19 @@ export class RiverViewport {
   /** The link of the river that is on the viewport. */
   get link(): string {
     return this.#player.link;
+  }
+
+  /** A river of a link, for whoever wants one: as far as the one on the viewport has come, and with a future of its own. */
+  copy(link: string): FullRiver {
+    const river = this.#player.river?.copy();
+    if (!river) return new this.core.engine.River(link);
+    try {
+      river.change(link);
+      return river;
+    } catch (error) {
+      river.free();
+      throw error;
+    }
   }
 
   get state(): State {
@@ -68,7 +81,7 @@ export class RiverViewport {
   }
 
   show(link: string, how: ShowMode): void {
-    this.#player.show(link, how);
+    this.#player.show({ text: link }, how);
   }
 
   /** After a failure that leaves the engine in an unknown state, nothing of it is called again. */

@@ -1,9 +1,8 @@
-/** The finished rivers of a link as files. */
+/** Finished rivers as files. */
 
 import type { Size } from "../browser/canvas.ts";
-import { loadTools, type Tools } from "../engine/tools.ts";
+import type { FullCore, FullRiver } from "../engine/full.ts";
 import type { River } from "../engine/types.ts";
-import type { Core } from "../engine/wasm.ts";
 import { Blitter } from "./blit.ts";
 import { type Canvas, contextOf } from "./river-player.ts";
 
@@ -13,10 +12,10 @@ const LONG_SIDE_PX = 3000;
 const SLICE_MS = 12;
 
 const FORMATS = {
-  png: (core: Core, link: string) => pngOf(core, link, LONG_SIDE_PX),
-  svg: (_core: Core, link: string) => svgOf(link),
-  geojson: (_core: Core, link: string) => written(link, (river) => text(river.geojson(), "application/geo+json")),
-  json: (_core: Core, link: string) => written(link, (river) => text(river.network(), "application/json")),
+  png: (river: FullRiver, { memory }: FullCore) => pngOf(river, memory, LONG_SIDE_PX),
+  svg: svgOf,
+  geojson: (river: FullRiver) => finished(river, () => text(river.geojson(), "application/geo+json")),
+  json: (river: FullRiver) => finished(river, () => text(river.network(), "application/json")),
 };
 
 /** The formats, each named as its files end. */
@@ -26,59 +25,42 @@ export function isFormat(name: string | undefined): name is Format {
   return name !== undefined && Object.hasOwn(FORMATS, name);
 }
 
-/** A river of its own is grown to its end for a file: what the page shows need not be finished. */
-export function fileOf(core: Core, link: string, format: Format): Promise<Blob> {
-  return FORMATS[format](core, link);
+/** Takes a river, which nobody else has, to its end and makes a file of it. It is gone afterwards. */
+export function fileOf(river: FullRiver, core: FullCore, format: Format): Promise<Blob> {
+  return FORMATS[format](river, core);
 }
 
-/** A picture of a link's finished river, so many pixels on its long side. Tells when it begins to paint, which is one step. */
-export function pngOf(core: Core, link: string, longSide: number, painting: () => void = () => {}): Promise<Blob> {
-  return finished(core.engine.River, link, (river) => {
-    painting();
-    return png(core.memory, river, longSide);
-  });
-}
-
-/** The shapes of a link's finished rivers. */
-export function svgOf(link: string, toolsUrl?: string): Promise<Blob> {
-  return written(link, (river) => new Blob([river.svg()], { type: "image/svg+xml" }), toolsUrl);
-}
-
-/** What is written and not painted takes the tools. */
-async function written(
-  link: string,
-  write: (river: InstanceType<Tools["River"]>) => Blob,
-  toolsUrl?: string,
+/** Its picture, so many pixels on the long side. Tells when it begins to paint, which is one step. */
+export async function pngOf(
+  river: River,
+  memory: WebAssembly.Memory,
+  longSide: number,
+  painting: () => void = () => {},
 ): Promise<Blob> {
-  const { River } = await loadTools(toolsUrl);
-  return finished(River, link, write);
+  const canvas = await finished(river, () => {
+    painting();
+    return drawn(river, memory, longSide);
+  });
+  return encoded(canvas);
 }
 
-/** A river of either module. */
-interface Grown {
-  advance(steps: number): boolean;
-  free(): void;
+/** Its shapes. */
+export function svgOf(river: FullRiver): Promise<Blob> {
+  return finished(river, () => new Blob([river.svg()], { type: "image/svg+xml" }));
 }
 
-type Planted<River> = new (link: string) => River;
-
-/** Makes something of a link's finished river, which is gone afterwards. */
-async function finished<River extends Grown, Made>(
-  River: Planted<River>,
-  link: string,
-  make: (river: River) => Made | Promise<Made>,
-): Promise<Made> {
-  const river = new River(link);
+/** Makes something of a river when it has come to its end. */
+async function finished<Made>(river: River, make: () => Made): Promise<Made> {
   try {
     while (advanceFor(river, SLICE_MS)) await new Promise((resume) => setTimeout(resume));
-    return await make(river);
+    return make();
   } finally {
     river.free();
   }
 }
 
 /** Returns whether there is more to do. */
-function advanceFor(river: Grown, milliseconds: number): boolean {
+function advanceFor(river: River, milliseconds: number): boolean {
   const end = performance.now() + milliseconds;
   do {
     if (!river.advance(1)) return false;
@@ -90,14 +72,14 @@ function text(value: object, type: string): Blob {
   return new Blob([JSON.stringify(value)], { type });
 }
 
-/** Drawn for the file rather than enlarged from the screen. */
-function png(memory: WebAssembly.Memory, river: River, longSide: number): Promise<Blob> {
+/** Painted for the file rather than enlarged from the screen. */
+function drawn(river: River, memory: WebAssembly.Memory, longSide: number): Canvas {
   const { width, height } = sizeFor(river.aspect, longSide);
   river.resize(width, height);
   river.paint();
   const canvas = bareCanvas(width, height);
   new Blitter(contextOf(canvas), memory).blit(river);
-  return encoded(canvas);
+  return canvas;
 }
 
 /** A canvas of no page, where there is such a thing: a worker has no other. */

@@ -3,8 +3,7 @@
  */
 
 import type { Size } from "../browser/canvas.ts";
-import type { Phase, River, Summary } from "../engine/types.ts";
-import type { Core } from "../engine/wasm.ts";
+import type { Phase, ReadOptions, River, Summary } from "../engine/types.ts";
 import { Blitter } from "./blit.ts";
 import { FrameLoop, type Frames, type State } from "./frame-loop.ts";
 
@@ -16,11 +15,17 @@ export type Canvas = HTMLCanvasElement | OffscreenCanvas;
  */
 export type ShowMode = "watch" | "settle" | "still";
 
+/** A link, and how it is to be read. */
+export interface LinkToRead {
+  text: string;
+  options?: ReadOptions;
+}
+
 export interface PlayerEvents {
   /** The canvas is about to hold a river of this shape: how many pixels should it have? None if it is not shown. */
   sizeFor(aspect: number): Size;
-  /** The river of the link that was shown last has taken the place of the one before. */
-  replaced?(): void;
+  /** The river is of another link from now on. */
+  planted?(river: River): void;
   /** Something of the picture changed: the state, or in it the river. */
   changed(state: State, phase: Phase, summary: Summary): void;
   failed(error: unknown): void;
@@ -29,28 +34,34 @@ export interface PlayerEvents {
 /** While the river grows or meanders its numbers are read this often: counting all its sources is not free, and nobody reads faster. */
 const COUNT_EVERY_MS = 250;
 
-export class RiverPlayer {
-  #wanted: { link: string; how: ShowMode } | undefined;
-  #link: string;
+/** What of an engine plants rivers: a lean one, or a full one. */
+interface Planter<Planted> {
+  readonly engine: { readonly River: new (text: string, options?: ReadOptions) => Planted };
+  readonly memory: WebAssembly.Memory;
+}
+
+export class RiverPlayer<Planted extends River = River> {
+  #wanted: { link: LinkToRead; how: ShowMode } | undefined;
+  #link = "";
   #applying: number | undefined;
   #counted = Number.NEGATIVE_INFINITY;
   #told: Phase | undefined;
   #canRun = true;
-  readonly #river: River;
+  readonly #river: Planted;
   readonly #loop: FrameLoop;
   readonly #blitter: Blitter;
 
   /** Puts a river on the canvas at tick 0. Throws what the core throws. */
   constructor(
-    core: Core,
+    core: Planter<Planted>,
     private readonly canvas: Canvas,
-    link: string,
+    { text, options }: LinkToRead,
     private readonly frames: Frames,
     private readonly events: PlayerEvents,
   ) {
     this.#blitter = new Blitter(contextOf(canvas), core.memory);
-    this.#river = new core.engine.River(link);
-    this.#link = link;
+    this.#river = new core.engine.River(text, options);
+    this.#tellOfLink();
     this.#loop = new FrameLoop(this.#river, frames, {
       draw: () => this.#draw(),
       ready: () => this.#followWish(),
@@ -59,9 +70,14 @@ export class RiverPlayer {
     });
   }
 
-  /** The link of the river that is on the canvas. */
+  /** The canonical link of the river that is on the canvas. */
   get link(): string {
     return this.#link;
+  }
+
+  /** The river on the canvas, to be looked at; after a failure nothing of it may be called, so there is none. */
+  get river(): Planted | undefined {
+    return this.#canRun ? this.#river : undefined;
   }
 
   get state(): State {
@@ -114,7 +130,7 @@ export class RiverPlayer {
    * Shows another recipe. While a dragged slider's river still settles unseen, only the latest of the links that come in
    * is remembered: otherwise each new value would throw the work for the last away, and none would ever be seen.
    */
-  show(link: string, how: ShowMode): void {
+  show(link: LinkToRead, how: ShowMode): void {
     this.#wanted = { link, how };
     if (how === "watch" || !this.#loop.isBusy) this.#applying ??= this.frames.request(() => this.#applyNow());
   }
@@ -147,14 +163,19 @@ export class RiverPlayer {
     const wanted = this.#wanted;
     if (!wanted) return;
     this.#wanted = undefined;
-    const stage = this.#river.change(wanted.link);
-    this.#link = wanted.link;
-    this.events.replaced?.();
+    const { text, options } = wanted.link;
+    const stage = this.#river.change(text, options);
+    this.#tellOfLink();
     if (stage === "none") return;
     this.#fit();
     if (stage === "land" || stage === "grow") this.#grow(wanted.how);
     else if (stage === "paint" || this.#river.phase === "growing") this.#loop.redraw();
     else this.#loop.settle(false);
+  }
+
+  #tellOfLink(): void {
+    this.#link = this.#river.link;
+    this.events.planted?.(this.#river);
   }
 
   #grow(how: ShowMode): void {

@@ -3,8 +3,7 @@
 import { Menu } from "../controls/menu.ts";
 import { named, type PageError } from "../engine/errors.ts";
 import type { Recipe } from "../engine/recipe.ts";
-import type { Core } from "../engine/wasm.ts";
-import { type Format, fileOf, isFormat } from "../player/files.ts";
+import { type Format, isFormat } from "../player/files.ts";
 import { fileName, save } from "./share.ts";
 
 export interface DownloadElements {
@@ -14,14 +13,20 @@ export interface DownloadElements {
   shared: HTMLElement;
 }
 
+export interface DownloadEvents {
+  /** Makes a file of a link's finished rivers. */
+  make(link: string, format: Format): Promise<Blob>;
+  /** The engine has stopped. */
+  failed(error: PageError): void;
+}
+
 export class Downloads {
   #isBusy = false;
 
   constructor(
     private readonly elements: DownloadElements,
-    private readonly core: Core,
     private readonly recipe: Recipe,
-    private readonly failed: (error: PageError) => void,
+    private readonly events: DownloadEvents,
   ) {
     new Menu(elements.download, elements.formats, ({ dataset }) => {
       if (isFormat(dataset["format"])) void this.save(dataset["format"], (text) => this.#say(text));
@@ -36,12 +41,12 @@ export class Downloads {
     this.#isBusy = true;
     say(`Making ${name}…`);
     try {
-      save(await fileOf(this.core, shown, format), name);
+      save(await this.events.make(shown, format), name);
       say(`${name} is in your downloads.`);
     } catch (thrown) {
       const error = named(thrown);
       say(`${name} could not be made: ${error.message}`);
-      if (error.code === "panic") this.failed(error);
+      if (error.code === "panic") this.events.failed(error);
     } finally {
       this.#isBusy = false;
     }

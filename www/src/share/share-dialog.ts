@@ -2,7 +2,6 @@
 
 import { addressOf } from "../browser/address.ts";
 import { el } from "../browser/dom.ts";
-import { beyondCaps } from "../engine/reading.ts";
 import type { Recipe } from "../engine/recipe.ts";
 import { copy, fileName } from "./share.ts";
 import { elementSnippet, iframeSnippet, markdownSnippet, type Shared } from "./snippets.ts";
@@ -107,10 +106,10 @@ export class ShareDialog {
   }
 
   #open(): void {
-    const { link, seed, values } = this.recipe;
+    const { link, seed, values, widgetNotices } = this.recipe;
     const shared = { link, seed, aspect: values.get("aspect") ?? "", page: location.href };
     for (const [form, box] of this.#boxes) box.value = form.text(shared);
-    this.#say(promiseFor(values));
+    this.#say(promiseFor(widgetNotices));
     this.elements.dialog.showModal();
   }
 
@@ -130,10 +129,9 @@ export class ShareDialog {
 }
 
 /** A widget does not grow all that the page does, and then its rivers are others. */
-function promiseFor(values: ReadonlyMap<string, string>): string {
-  const beyond = beyondCaps(values).map(({ message }) => message);
-  if (beyond.length === 0) return "Everyone who opens one of these sees the same rivers, to the bit.";
-  return `As an element or an iframe these will be other rivers: ${beyond.join("; ")}.`;
+function promiseFor(notices: readonly string[]): string {
+  if (notices.length === 0) return "Everyone who opens one of these sees the same rivers, to the bit.";
+  return `As an element or an iframe these will be other rivers: ${notices.join("; ")}.`;
 }
 
 function headed(name: string): string {

@@ -6,13 +6,12 @@
 import { RESIZE_PAUSE_MS } from "../browser/canvas.ts";
 import { DARK_PAGES } from "../browser/dark-pages.ts";
 import { isRecoverable, named, PageError } from "../engine/errors.ts";
-import type { Reading, RiverRequest } from "../engine/reading.ts";
 import type { State } from "../player/frame-loop.ts";
 import type { ShowMode } from "../player/river-player.ts";
 import { ASPECT, aspectOf, linkOf, OBSERVED, type Properties, reflect, upgrade } from "./attributes.ts";
 import { importPageBackend } from "./backend.ts";
 import type { RiverSeedEventMap } from "./events.ts";
-import type { FileRequest, Report, Status } from "./protocol.ts";
+import type { FileRequest, Reading, Report, RiverRequest, Status } from "./protocol.ts";
 import { type Client, renderHost } from "./render-host.ts";
 import { countIn, ENGLISH, type Strings, type Told } from "./strings.ts";
 import { type Does, View } from "./view.ts";

@@ -5,17 +5,34 @@
 
 import type { Size } from "../browser/canvas.ts";
 import type { Code } from "../engine/errors.ts";
-import type { Reading, RiverRequest } from "../engine/reading.ts";
-import type { Phase, Summary } from "../engine/types.ts";
+import type { Notice, Phase, Summary } from "../engine/types.ts";
 import type { State } from "../player/frame-loop.ts";
 import type { Canvas, ShowMode } from "../player/river-player.ts";
+
+/** What a widget asks for. */
+export interface RiverRequest {
+  /** Link text as its author gave it: anything. */
+  text: string;
+  /** Whether it stands on a dark page. */
+  isDark: boolean;
+}
+
+/** A request as the core understood it. */
+export interface Reading {
+  /** The canonical link: what is drawn. */
+  link: string;
+  seed: string;
+  aspect: number;
+  /** What had to be mended. */
+  notices: readonly Notice[];
+}
 
 /** What is made of a river besides a picture on the page. */
 export interface FileRequest {
   format: "png" | "svg";
   /** Pixels on the long side of a PNG. */
   longSide: number;
-  /** Where the engine is, if not beside the script; the tools lie beside it. */
+  /** Where the lean engine is, if not beside the script; the full one lies beside it. */
   wasmUrl: string | undefined;
 }
 

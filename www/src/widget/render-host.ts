@@ -4,9 +4,8 @@
  */
 
 import { PageError } from "../engine/errors.ts";
-import type { RiverRequest } from "../engine/reading.ts";
 import { openBackend } from "./backend.ts";
-import type { Backend, Command, FileRequest, Report } from "./protocol.ts";
+import type { Backend, Command, FileRequest, Report, RiverRequest } from "./protocol.ts";
 
 /** A widget, as the render host knows it. */
 export interface Client {

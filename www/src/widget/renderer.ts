@@ -1,15 +1,17 @@
 /** Where the rivers of all widgets are grown and drawn, each on its canvas: in a worker, or on the page itself. */
 
-import { named } from "../engine/errors.ts";
-import { type RiverRequest, read } from "../engine/reading.ts";
+import { named, PageError } from "../engine/errors.ts";
+import type { FullCore } from "../engine/full.ts";
+import { limited, SCRIPT_MS } from "../engine/time-limits.ts";
 import type { Core } from "../engine/wasm.ts";
 import { pngOf, svgOf } from "../player/files.ts";
+import type { LinkToRead } from "../player/river-player.ts";
 import { displayFrames, SharedScheduler } from "../player/scheduler.ts";
-import type { Command, FileRequest, Report } from "./protocol.ts";
-import { Scene } from "./scene.ts";
+import type { Command, FileRequest, Report, RiverRequest } from "./protocol.ts";
+import { linkToRead, Scene } from "./scene.ts";
 
-/** The tools' wasm module, as the package has it. */
-const TOOLS = "riverseed_tools_bg.wasm";
+/** The full engine's wasm module, as the package has it. */
+const FULL = "riverseed_full_bg.wasm";
 
 export class Renderer {
   readonly #scenes = new Map<number, Scene>();
@@ -39,10 +41,8 @@ export class Renderer {
   async #file(id: number, request: RiverRequest, { format, longSide, wasmUrl }: FileRequest): Promise<void> {
     this.#filesInTheMaking++;
     try {
-      const { link } = read(this.core.engine, request);
-      const blob = await (format === "svg"
-        ? svgOf(link, wasmUrl && new URL(TOOLS, wasmUrl).href)
-        : pngOf(this.core, link, longSide, this.painting));
+      const link = linkToRead(request);
+      const blob = await (format === "svg" ? svgOfLink(link, wasmUrl) : this.#png(link, longSide));
       this.tell({ id, is: "file", blob });
     } catch (thrown) {
       const { code, message } = named(thrown);
@@ -50,5 +50,30 @@ export class Renderer {
     } finally {
       this.#filesInTheMaking--;
     }
+  }
+
+  #png({ text, options }: LinkToRead, longSide: number): Promise<Blob> {
+    const { engine, memory } = this.core;
+    return pngOf(new engine.River(text, options), memory, longSide, this.painting);
+  }
+}
+
+/** The lean engine writes no files. */
+async function svgOfLink({ text, options }: LinkToRead, wasmUrl: string | undefined): Promise<Blob> {
+  const { engine } = await loadFull(wasmUrl && new URL(FULL, wasmUrl).href);
+  return svgOf(new engine.River(text, options));
+}
+
+/** Most readers never ask for a file. */
+async function loadFull(url: string | undefined): Promise<FullCore> {
+  try {
+    const full = await limited(SCRIPT_MS, "its script", () => import("../engine/full.ts"));
+    return await full.loadFull(url);
+  } catch (thrown) {
+    const { code, message } = named(thrown);
+    throw new PageError(
+      "no-files",
+      `the part of Riverseed that does this did not arrive (${code}: ${message}). Check the connection and try again.`,
+    );
   }
 }

@@ -2,20 +2,18 @@
 
 import type { Size } from "../browser/canvas.ts";
 import { isRecoverable, named } from "../engine/errors.ts";
-import { type Reading, type RiverRequest, read } from "../engine/reading.ts";
 import type { Core } from "../engine/wasm.ts";
 import type { Frames } from "../player/frame-loop.ts";
-import { RiverPlayer } from "../player/river-player.ts";
-import type { Command, Report } from "./protocol.ts";
+import { type LinkToRead, RiverPlayer } from "../player/river-player.ts";
+import type { Command, Reading, Report, RiverRequest } from "./protocol.ts";
 
 type Opening = Extract<Command, { do: "open" }>;
 
 export class Scene {
   #size: Size;
   #player: RiverPlayer | undefined;
-  /** Of the river on the canvas, and of one that waits to take its place. */
+  /** Of the river on the canvas. */
   #reading: Reading | undefined;
-  #next: Reading | undefined;
   /** What came before the river was planted. */
   #early: Command[] = [];
   #isOver = false;
@@ -41,11 +39,10 @@ export class Scene {
   #open(): void {
     if (this.#isOver) return;
     const { canvas, request, how } = this.opening;
-    this.#reading = this.#read(request);
-    const player = new RiverPlayer(this.core, canvas, this.#reading.link, this.frames, {
+    const player = new RiverPlayer(this.core, canvas, linkToRead(request), this.frames, {
       sizeFor: () => this.#size,
-      replaced: () => {
-        this.#reading = this.#next;
+      planted: ({ link, seed, aspect, notices }) => {
+        this.#reading = { link, seed, aspect, notices };
       },
       changed: (state, phase, summary) => {
         if (this.#reading)
@@ -63,7 +60,7 @@ export class Scene {
     switch (command.do) {
       case "show":
         this.#size = command.size;
-        player.show(this.#read(command.request).link, command.how);
+        player.show(linkToRead(command.request), command.how);
         break;
       case "resize":
         this.#size = command.size;
@@ -77,11 +74,6 @@ export class Scene {
       case "wake":
         player[command.do]();
     }
-  }
-
-  #read(request: RiverRequest): Reading {
-    this.#next = read(this.core.engine, request);
-    return this.#next;
   }
 
   #attempt(work: () => void): void {
@@ -103,4 +95,9 @@ export class Scene {
     this.#isOver = true;
     this.#player?.free();
   }
+}
+
+/** What a widget asks for, as the core is to read it. */
+export function linkToRead({ text, isDark }: RiverRequest): LinkToRead {
+  return { text, options: { widget: true, dark: isDark } };
 }

@@ -1,7 +1,7 @@
 import { expect, type Page, test } from "@playwright/test";
 import { pictureOf } from "../core.ts";
-import { tools } from "../tools.ts";
-import { complaints, openFinished, ownClock, stopClock } from "./riverpage.ts";
+import { full } from "../full.ts";
+import { complaints, countCalls, openFinished, openStopped, ownClock, stopClock } from "./riverpage.ts";
 
 const LINK = "seed=puriri&attractors=300";
 /** The same on a plain rectangle, whose rivers run south, for long enough to leave lakes. */
@@ -69,7 +69,7 @@ for (const style of ["ink", "dark", "map", "skeleton"]) {
 
 /** What the core writes of a link's finished rivers. */
 function written(link: string): { network: object; geojson: object } {
-  const river = new tools.River(link);
+  const river = new full.River(link);
   while (river.advance(1000));
   const [network, geojson] = [river.network(), river.geojson()];
   river.free();
@@ -123,7 +123,49 @@ test("a file can be had before the picture is finished, and is of the finished r
   await page.getByRole("button", { name: "Pause" }).click();
   await page.clock.resume();
   await expect(page.locator("#frame")).toHaveAttribute("data-state", "paused");
+  const shown = await page.locator("#caption").textContent();
   expect((await download(page, "GeoJSON")).bytes.equals(bytes)).toBe(true);
+  // The rivers on show are left as they are.
+  await expect(page.locator("#frame")).toHaveAttribute("data-state", "paused");
+  expect(await page.locator("#caption").textContent()).toBe(shown);
+  await page.getByRole("button", { name: "Play" }).click();
+  await expect(page.locator("#frame")).toHaveAttribute("data-state", "finished");
+});
+
+test("for files of finished rivers nothing is fetched, and nothing grown again", async ({ page }) => {
+  const planted = await countCalls(page, "river_new");
+  const advanced = await countCalls(page, "river_advance");
+  await openFinished(page, LINK);
+  const fetched: string[] = [];
+  page.on("request", (request) => fetched.push(request.url()));
+  const before = await advanced();
+  const formats = ["PNG", "SVG", "GeoJSON", "JSON"];
+  for (const format of formats) await download(page, format);
+  expect(await planted()).toBe(1);
+  // Each is asked once whether there is more to do.
+  expect((await advanced()) - before).toBe(formats.length);
+  expect(fetched.filter((url) => !url.startsWith("blob:"))).toEqual([]);
+});
+
+test("a file is of what the page showed when it was asked for, whatever is on the canvas", async ({ page }) => {
+  await openStopped(page, LINK);
+  const seed = page.getByLabel("Seed", { exact: true });
+  // No frame comes, so the canvas still has the first rivers.
+  await seed.fill("rimu");
+  await seed.press("Enter");
+  await expect(page.locator("#title")).toHaveText("rimu");
+  await page.getByRole("button", { name: "Download" }).click();
+  const coming = page.waitForEvent("download");
+  await page.getByRole("menuitem", { name: /^JSON / }).click();
+  await seed.fill("miro");
+  await seed.press("Enter");
+  await page.clock.resume();
+  const file = await coming;
+  expect(file.suggestedFilename()).toBe("riverseed-rimu.json");
+  const chunks: Buffer[] = [];
+  for await (const chunk of await file.createReadStream()) chunks.push(chunk);
+  const expected = written(LINK.replace("puriri", "rimu")).network;
+  expect(JSON.parse(Buffer.concat(chunks).toString("utf8"))).toEqual(expected);
 });
 
 test("the menu is used by keys, and gives the focus back", async ({ page }) => {

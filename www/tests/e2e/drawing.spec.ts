@@ -1,7 +1,7 @@
 import { deflateSync } from "node:zlib";
 import { expect, type Page, test } from "@playwright/test";
 import { engine } from "../core.ts";
-import { tools } from "../tools.ts";
+import { full } from "../full.ts";
 import { violations } from "./axe.ts";
 import {
   address,
@@ -230,7 +230,7 @@ test("what is too small for a land is said, and stays to be drawn on", async ({ 
 });
 
 test("a drawn land of a link is there to be drawn on", async ({ page }) => {
-  const { outline } = tools.traceImage(
+  const { outline } = full.traceImage(
     new Uint8Array(64 * 64 * 4).map((_, i) => ((i >> 2) % 64 < 30 ? 255 : 0)),
     64,
     64,

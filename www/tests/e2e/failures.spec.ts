@@ -73,33 +73,12 @@ test("an engine that never comes is given up by name, and a new load finds it", 
   await finished(page);
 });
 
-for (const what of ["wasm", "js"]) {
-  test(`tools that never come are given up by name (${what}), and the picture stays`, async ({ page }) => {
-    await page.clock.install();
-    await page.route(`**/riverseed_tools*.${what}`, () => {});
-    await page.goto("./?attractors=300");
-    await finished(page);
-    const choose = async (format: string): Promise<void> => {
-      await page.getByRole("button", { name: "Download" }).click();
-      await page.getByRole("menuitem", { name: new RegExp(`^${format} `) }).click();
-    };
-    const told = page.locator("#shared");
-    await choose("SVG");
-    await expect(told).toContainText("Making");
-    await runUntil(page, async () => !(await told.textContent())?.startsWith("Making"));
-    await expect(told).toContainText("did not arrive (wasm-timeout: nothing came from");
-    await expect(page.locator("#failure")).toBeHidden();
-    await choose("PNG");
-    await expect(told).toContainText(".png is in your downloads");
-  });
-}
-
 test("the page of digests gives up as well", async ({ page }) => {
   await page.clock.install();
   await page.route("**/*.wasm", () => {});
   await page.goto("./digest.html");
-  await runUntil(page, async () => (await page.locator("body").getAttribute("data-failed")) === "no-tools");
-  await expect(page.locator("#verdict")).toContainText("wasm-timeout");
+  await runUntil(page, async () => (await page.locator("body").getAttribute("data-failed")) === "wasm-timeout");
+  await expect(page.locator("#verdict")).toContainText("nothing came from");
 });
 
 test("a browser without WebAssembly, which asks for nothing again", async ({ page }) => {
@@ -132,35 +111,6 @@ test("a policy that forbids WebAssembly", async ({ page }) => {
   await page.goto("./");
   await expectFailure(page, "wasm-csp", /wasm-unsafe-eval/);
 });
-
-/** What is fetched when somebody asks for a file or brings a picture: the module, or its script. */
-for (const what of ["wasm", "js"]) {
-  test(`the tools do not arrive (${what}): the picture stays, and the next try fetches them`, async ({ page }) => {
-    let asked = 0;
-    await page.route(`**/riverseed_tools*.${what}`, (route) => {
-      asked++;
-      return route.abort();
-    });
-    await page.goto("./?attractors=300");
-    await finished(page);
-    expect(asked).toBe(0);
-    const choose = async (format: string) => {
-      await page.getByRole("button", { name: "Download" }).click();
-      await page.getByRole("menuitem", { name: new RegExp(`^${format} `) }).click();
-    };
-    await choose("SVG");
-    await expect(page.locator("#shared")).toContainText("did not arrive");
-    await page.locator("#picture").setInputFiles({ name: "land.png", mimeType: "image/png", buffer: Buffer.alloc(9) });
-    await expect(page.locator("#notices")).toContainText("Check the connection and try again.");
-    await expect(page.locator("#failure")).toBeHidden();
-    expect(asked).toBeGreaterThan(0);
-    await choose("PNG");
-    await expect(page.locator("#shared")).toContainText(".png is in your downloads");
-    await page.unrouteAll();
-    await choose("SVG");
-    await expect(page.locator("#shared")).toContainText(".svg is in your downloads");
-  });
-}
 
 /** Makes a function of the engine fail once `globalThis.trap` is set: trap, as a panic does, or throw an error with a code. */
 async function trapOn(page: Page, name: string, code?: string): Promise<void> {
@@ -222,6 +172,19 @@ test("a panic on a slider's change leaves advice, not a frozen page", async ({ p
   await page.getByRole("slider", { name: "Trim" }).press("ArrowRight");
   await page.getByRole("button", { name: "Restart" }).click();
   await expectFailure(page, "panic", /report the link/);
+});
+
+test("after a panic the rivers can still be had as a file", async ({ page }) => {
+  await trapOn(page, "river_change");
+  await page.goto("./?attractors=300");
+  await finished(page);
+  await unfold(page);
+  await page.evaluate(() => Object.assign(globalThis, { trap: true }));
+  await page.getByRole("slider", { name: "Curl" }).press("ArrowRight");
+  await expectFailure(page, "panic", /report the link/);
+  await page.getByRole("button", { name: "Download" }).click();
+  await page.getByRole("menuitem", { name: /^SVG / }).click();
+  await expect(page.locator("#shared")).toContainText(".svg is in your downloads");
 });
 
 test("a panic while a link is read leaves advice, not a dead page", async ({ page }) => {

@@ -1,8 +1,9 @@
-import { expect, type Page, test } from "@playwright/test";
+import { expect, test } from "@playwright/test";
 import { WRITE_EVERY_MS } from "../../src/browser/address.ts";
 import { engine, pictureOf } from "../core.ts";
 import {
   address,
+  countCalls,
   expectAddress,
   finished,
   fixChance,
@@ -137,27 +138,6 @@ test("a link in the fragment, and going back, change the picture without a reloa
   // The title changes at once, the viewport with the next frame: until then it is still "finished" with the other river.
   await expect.poll(() => shown(page)).toEqual(first);
 });
-
-/** Counts the calls of a function of the engine. Call before `goto`. */
-async function countCalls(page: Page, name: string): Promise<() => Promise<number>> {
-  await page.addInitScript((counted) => {
-    const count = { calls: 0 };
-    Object.assign(globalThis, { count });
-    const instantiate = WebAssembly.instantiate;
-    const counting = async (...given: Parameters<typeof instantiate>) => {
-      const instance = (await Reflect.apply(instantiate, WebAssembly, given)) as unknown as WebAssembly.Instance;
-      const original = instance.exports[counted] as (...args: unknown[]) => unknown;
-      const calling = (...args: unknown[]): unknown => {
-        count.calls += 1;
-        return original(...args);
-      };
-      const exports = { ...instance.exports, [counted]: calling };
-      return Object.create(WebAssembly.Instance.prototype, { exports: { value: exports } });
-    };
-    WebAssembly.instantiate = counting as unknown as typeof instantiate;
-  }, name);
-  return () => page.evaluate(() => (globalThis as unknown as { count: { calls: number } }).count.calls);
-}
 
 for (const link of ["land=archipelago&growth=brownian", "seed=kea&land=island&attractors=300"]) {
   test(`a link in the fragment, #${link}, shows what the same link as a query does`, async ({ page }) => {

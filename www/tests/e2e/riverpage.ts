@@ -140,3 +140,24 @@ export function complaints(page: Page): string[] {
   });
   return said;
 }
+
+/** Counts the calls of a function of the engine. Call before `goto`. */
+export async function countCalls(page: Page, name: string): Promise<() => Promise<number>> {
+  await page.addInitScript((counted) => {
+    const count = { calls: 0 };
+    Object.assign(globalThis, { [`calls of ${counted}`]: count });
+    const instantiate = WebAssembly.instantiate;
+    const counting = async (...given: Parameters<typeof instantiate>) => {
+      const instance = (await Reflect.apply(instantiate, WebAssembly, given)) as unknown as WebAssembly.Instance;
+      const original = instance.exports[counted] as (...args: unknown[]) => unknown;
+      const calling = (...args: unknown[]): unknown => {
+        count.calls += 1;
+        return original(...args);
+      };
+      const exports = { ...instance.exports, [counted]: calling };
+      return Object.create(WebAssembly.Instance.prototype, { exports: { value: exports } });
+    };
+    WebAssembly.instantiate = counting as unknown as typeof instantiate;
+  }, name);
+  return () => page.evaluate((counted) => Reflect.get(globalThis, `calls of ${counted}`).calls, name);
+}

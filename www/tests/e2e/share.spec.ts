@@ -106,7 +106,9 @@ for (const seed of [
 
 test("it is said beforehand where a widget shows other rivers", async ({ page }) => {
   await openShare(page, "seed=kowhai&attractors=20001&meander=none");
-  await expect(sharing(page).getByRole("status")).toContainText("attractors: 20001 is more than a widget grows");
+  await expect(sharing(page).getByRole("status")).toContainText(
+    "attractors: 20001 exceeds the widget's limit: 20000 is used",
+  );
 });
 
 test("what is shared follows the rivers", async ({ page }) => {

@@ -1,41 +1,37 @@
 import { expect, test } from "vitest";
-import { CAPS, read } from "../../src/engine/reading.ts";
+import { linkToRead } from "../../src/widget/scene.ts";
 import { engine } from "../core.ts";
 
-const request = (text: string, isDark = false): Parameters<typeof read>[1] => ({ text, isDark });
-
-test("a link is read as the core reads it", () => {
-  expect(read(engine, request("curl=0.6&seed=r%C4%81t%C4%81&aspect=2"))).toEqual({
-    link: engine.readLink("curl=0.6&seed=rātā&aspect=2").link,
-    seed: "rātā",
-    aspect: 2,
-    notices: [],
-  });
-});
-
-for (const { growth, key, bound, isLeast } of CAPS) {
-  test(`${key} has a bound, and going over it is said`, () => {
-    const over = isLeast ? bound - 1 : bound + 1;
-    const { link, notices } = read(engine, request(`growth=${growth}&${key}=${over}`));
-    expect(link).toBe(engine.readLink(`growth=${growth}&${key}=${bound}`).link);
-    expect(notices).toEqual([{ key, message: expect.stringContaining(`${over}`) }]);
-    expect(read(engine, request(`growth=${growth}&${key}=${bound}`)).notices).toEqual([]);
-  });
-
-  test(`where ${key} does nothing it has no bound`, () => {
-    const other = growth === "brownian" ? "colonize" : "brownian";
-    const link = `growth=${other}&sensitivity=${other === "brownian" ? 32 : 8}&attractors=${other === "brownian" ? 90_000 : 300}`;
-    expect(read(engine, request(link))).toMatchObject({ link: engine.readLink(link).link, notices: [] });
-  });
+/** The river of what a widget asks for. */
+function planted(text: string, isDark = false): InstanceType<typeof engine.River> {
+  const asked = linkToRead({ text, isDark });
+  return new engine.River(asked.text, asked.options);
 }
 
-test("the default is within all bounds", () => {
-  expect(read(engine, request(""))).toMatchObject({ link: engine.readLink("").link, notices: [] });
+test("a river says how its link was read", () => {
+  const { link, seed, aspect, notices } = planted("curl=0.6&seed=r%C4%81t%C4%81&aspect=2");
+  expect(link).toBe(engine.readLink("curl=0.6&seed=rātā&aspect=2").link);
+  expect([seed, aspect, notices]).toEqual(["rātā", 2, []]);
 });
 
-test("whatever the text, there is a reading", () => {
+test("a widget's river is within the widget's limits, and says so", () => {
+  const { link, notices } = planted("attractors=20001&curl=9");
+  expect(link).toBe(engine.readLink("attractors=20000&curl=2").link);
+  expect(notices.map(({ key }) => key)).toEqual(["curl", "attractors"]);
+  expect(new engine.River("attractors=20001").notices).toEqual([]);
+});
+
+test("a river that goes over to another link says how that was read", () => {
+  const river = planted("attractors=20001");
+  expect(river.change("curl=0.6&attractors=20000", { widget: true })).toBe("grow");
+  expect([river.link, river.notices]).toEqual([engine.readLink("curl=0.6&attractors=20000").link, []]);
+  expect(river.change("curl=0.60&attractors=99999", { widget: true })).toBe("none");
+  expect(river.notices).toHaveLength(1);
+});
+
+test("whatever the text, there is a river", () => {
   for (const text of ["%", "&&&", "seed", "x".repeat(10_000), "seed=\u0000", "attractors=1e99"]) {
-    const { link } = read(engine, request(text));
+    const { link } = planted(text);
     expect(engine.readLink(link).notices).toEqual([]);
   }
 });
@@ -43,7 +39,7 @@ test("whatever the text, there is a reading", () => {
 const style = (link: string): string | null => new URLSearchParams(link).get("style");
 
 test("on a dark page it is the dark style, unless another is chosen", () => {
-  expect(style(read(engine, request("seed=a", true)).link)).toBe("dark");
-  expect(style(read(engine, request("seed=a")).link)).toBeNull();
-  expect(style(read(engine, request("style=map", true)).link)).toBe("map");
+  expect(style(planted("seed=a", true).link)).toBe("dark");
+  expect(style(planted("seed=a").link)).toBeNull();
+  expect(style(planted("style=map", true).link)).toBe("map");
 });

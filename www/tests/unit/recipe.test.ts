@@ -138,3 +138,33 @@ test("on a light page nothing is shown but what the recipe says", () => {
   recipe.set([["style", "ink"]]);
   expect([recipe.link, recipe.shown]).toEqual(["seed=rimu&edition=1", "seed=rimu&edition=1"]);
 });
+
+test("when pages become dark, a style that was chosen stays, and where none was the dark one is the default", () => {
+  let isDark = false;
+  const recipe = new Recipe(engine.readLink, () => isDark);
+  const flip = (): void => {
+    isDark = !isDark;
+    recipe.refresh();
+  };
+  const style = () => [recipe.values.get("style"), recipe.defaults.get("style")];
+  recipe.open("seed=rimu");
+  expect(style()).toEqual(["ink", "ink"]);
+  flip();
+  expect(style()).toEqual(["dark", "dark"]);
+  flip();
+  recipe.set([["style", "ink"]]);
+  recipe.restore(recipe.shown);
+  flip();
+  expect(style()).toEqual(["ink", "dark"]);
+  expect(recipe.link).toBe("seed=rimu&edition=1&style=ink");
+});
+
+test("what a widget does not grow is told, of a recipe that is shown whole", () => {
+  const recipe = fresh();
+  recipe.open("attractors=20001");
+  expect(recipe.values.get("attractors")).toBe("20001");
+  expect(recipe.notices.size).toBe(0);
+  expect(recipe.widgetNotices).toEqual(["attractors: 20001 exceeds the widget's limit: 20000 is used"]);
+  recipe.open("");
+  expect(recipe.widgetNotices).toEqual([]);
+});

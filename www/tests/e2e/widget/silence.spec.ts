@@ -116,6 +116,31 @@ test("an engine that stops half-way is given up, and a later widget tries anew",
   await expectRiver(page, "miro");
 });
 
+for (const file of ["riverseed_full_bg.wasm", "tag-full.js"]) {
+  test(`an engine with files that never comes is given up by name, and the river stays: ${file}`, async ({
+    page,
+    blog,
+  }) => {
+    blog.headers = { "content-security-policy": "worker-src 'none'" };
+    blog.answer(`/widget/${file}`, { hangs: true });
+    const events = await open(page, blog, widget("rimu"));
+    await heard(events, "complete");
+    const river = page.locator("#rimu");
+    await river.evaluate((river: RiverSeed) => {
+      void river.toSVG().catch(({ code, message }) => Object.assign(globalThis, { said: `${code}: ${message}` }));
+    });
+    await until(page, () => page.evaluate(() => "said" in globalThis));
+    expect(await page.evaluate(() => Reflect.get(globalThis, "said"))).toMatch(
+      /^no-files: .*wasm-timeout: nothing came/,
+    );
+    await expectRiver(page, "rimu");
+    // A script that hangs, a browser does not ask for again.
+    if (file.endsWith(".js")) return;
+    blog.forget(`/widget/${file}`);
+    expect(await river.evaluate((river: RiverSeed) => river.toSVG())).toContain("<svg");
+  });
+}
+
 const SILENT: [what: string, answer: Answer][] = [
   ["never comes", { hangs: true }],
   ["comes empty", { headers: SCRIPT, body: "" }],

@@ -1,15 +1,15 @@
-//! The field that a Brownian tree grows in.
+//! The raster that a Brownian tree grows in.
 
 use glam::Vec2;
 
-use crate::grow::Settings;
+use crate::grow::GrowthSettings;
 use crate::land::{CELL_SIZE, Cell, Land};
 use crate::recipe::Sides;
 
-/// Cells of land, water and ridges: the field of availability of Demiurge, part 2. What lies beyond it is none of them, and
+/// Cells of land, water and ridges: the raster of availability of Demiurge, part 2. What lies beyond it is none of them, and
 /// no particle may go there.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Field {
+pub struct Raster {
     columns: i32,
     rows: i32,
     side: f32,
@@ -18,8 +18,8 @@ pub struct Field {
     cells: Vec<Cell>,
 }
 
-impl Field {
-    /// A field of so many columns and rows (each at least 1) of cells, whose sides are of the given length in units.
+impl Raster {
+    /// A raster of columns and rows (each at least 1) of cells, whose sides have the given length in units.
     pub fn new(columns: i32, rows: i32, side: f32, cell: impl Fn(i32, i32) -> Cell) -> Self {
         let (columns, rows) = (columns.max(1), rows.max(1));
         let cells = (0..rows).flat_map(|row| (0..columns).map(move |column| (column, row)));
@@ -27,10 +27,10 @@ impl Field {
         Self { columns, rows, side, size: Vec2::new(columns as f32, rows as f32) * side, cells }
     }
 
-    /// The field of a recipe. A plain rectangle gets the sea it lacks: a line of water cells along the chosen sides.
-    pub fn of(settings: &Settings) -> Self {
+    /// The raster of a recipe. A plain rectangle gets the sea it lacks: a line of water cells along the chosen sides.
+    pub fn of(settings: &GrowthSettings) -> Self {
         let size = settings.domain.size;
-        let field = match &settings.land {
+        let raster = match &settings.land {
             Some(land) => Self::of_land(land),
             None => Self::with_sea(
                 (size.x / CELL_SIZE).ceil() as i32,
@@ -39,7 +39,7 @@ impl Field {
                 settings.sides,
             ),
         };
-        Self { size, ..field }
+        Self { size, ..raster }
     }
 
     /// What ridges cut off from the sea is no land here: particles born there would count, and none can make a river.
@@ -89,7 +89,7 @@ impl Field {
         self.cells.iter().filter(|&&cell| cell == Cell::Land).count() as u32
     }
 
-    /// What a place is; `None` outside.
+    /// The cell at a place; `None` outside.
     #[inline]
     pub(super) fn cell(&self, at: Place) -> Option<Cell> {
         self.holds(at).then(|| self.cells[self.index(at)])
@@ -101,7 +101,7 @@ impl Field {
         (at.column as u32) < self.columns as u32 && (at.row as u32) < self.rows as u32
     }
 
-    /// The number of a cell of the field, row by row.
+    /// The number of a cell of the raster, row by row.
     #[inline]
     pub(super) fn index(&self, at: Place) -> usize {
         (at.row * self.columns + at.column) as usize
@@ -179,15 +179,15 @@ mod tests {
         // A square of six tenths of a side, in it a ridge around two tenths.
         let outline = ".MzMzzMMzzMzMMzzM..ZmZmmZZmmZmZZmmZZmZm";
         let settings =
-            Settings::of(&link::read(&format!("land=drawn&roughness=0&aspect=1&outline={outline}")).unwrap());
+            GrowthSettings::of(&link::read(&format!("land=drawn&roughness=0&aspect=1&outline={outline}")).unwrap());
         let land = settings.land.as_deref().unwrap();
-        let field = Field::of(&settings);
+        let raster = Raster::of(&settings);
         let [within, without] = [500, 300].map(|column| Place { column, row: 500 });
         assert_eq!(land.cell(within.column, within.row), Cell::Land);
-        assert_eq!(field.cell(within), Some(Cell::Ridge));
-        assert_eq!(field.cell(without), Some(Cell::Land));
+        assert_eq!(raster.cell(within), Some(Cell::Ridge));
+        assert_eq!(raster.cell(without), Some(Cell::Land));
         let watered: u32 = settings.watered().map(|region| region.cells).sum();
-        assert_eq!(field.available(), watered);
+        assert_eq!(raster.available(), watered);
         assert!((watered as f32 / 320_000.0 - 1.0).abs() < 0.02, "{watered}");
     }
 }

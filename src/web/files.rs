@@ -1,14 +1,15 @@
-//! What most visitors of a page never ask for: files, the tracing of pictures, the digest.
+//! What only the full wasm package has, and a widget does without: files, the tracing of pictures, the digest.
 
 use js_sys::Object;
 use serde::Serialize;
 use serde_wasm_bindgen::Serializer;
 use wasm_bindgen::prelude::*;
 
-use super::{River, coded, object, paint_error, read_strictly, session_error};
+use super::{River, coded, object, paint_error, session_error};
 use crate::digest::{self, DigestError};
-use crate::export::{ExportError, Value, geojson, json, svg};
+use crate::export::{ExportError, Json, geojson, json, svg};
 use crate::land::trace;
+use crate::recipe::link;
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
@@ -47,7 +48,8 @@ pub fn longest_traced_side() -> u32 {
 /// The digest of a recipe: what proves that two browsers draw and write the same. The link is read strictly.
 #[wasm_bindgen(js_name = digest)]
 pub fn digest_of(link: &str) -> Result<String, JsValue> {
-    digest::digest(&read_strictly(link)?).map_err(|error| match &error {
+    let recipe = link::read(link).map_err(|error| coded("bad-params", &error.to_string()))?;
+    digest::digest(&recipe).map_err(|error| match &error {
         DigestError::Session(error) => session_error(error),
         DigestError::Paint(error) => paint_error(error),
         DigestError::Export(error) => export_error(error),
@@ -56,6 +58,13 @@ pub fn digest_of(link: &str) -> Result<String, JsValue> {
 
 #[wasm_bindgen]
 impl River {
+    /// Another river that has come as far, without a picture: what becomes of one does not touch the other. Throws an
+    /// Error if there is not enough memory.
+    pub fn copy(&self) -> Result<Self, JsValue> {
+        let session = self.session.try_clone().map_err(|error| session_error(&error))?;
+        Ok(Self { session, notices: self.notices.clone(), picture: None, dirty: None })
+    }
+
     /// The map as it is, as the text of an SVG file. Throws an Error, as long as the tree grows.
     pub fn svg(&self) -> Result<String, JsValue> {
         svg::svg(&self.session).map_err(|error| export_error(&error))
@@ -81,6 +90,6 @@ fn export_error(error: &ExportError) -> JsValue {
 }
 
 /// Data as plain objects and lists.
-fn to_js(value: &Value) -> Result<JsValue, JsValue> {
+fn to_js(value: &Json) -> Result<JsValue, JsValue> {
     value.serialize(&Serializer::json_compatible()).map_err(JsValue::from)
 }

@@ -1,10 +1,10 @@
-//! What is to be written, as one type of data: so a page, which pays for each byte of code, serializes it by one function,
-//! and not by one for each kind of record.
+//! The contents of a file as one type of data, so that a page, for which every byte of code counts, serializes all of it by one
+//! function instead of one for each kind of record.
 
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
-/// Data as JSON knows it.
-pub enum Value<'a> {
+/// A JSON value, ready to be written.
+pub enum Json<'a> {
     /// Nothing.
     Null,
     /// True or false.
@@ -20,12 +20,12 @@ pub enum Value<'a> {
     /// A text made for this.
     Owned(String),
     /// Names and values.
-    Object(Vec<(&'static str, Value<'a>)>),
-    /// So many values, each made when it is written: a large network is never there twice.
-    List(usize, Box<dyn Fn(usize) -> Value<'a> + 'a>),
+    Object(Vec<(&'static str, Json<'a>)>),
+    /// A number of values, each made when it is written: a large network is never in memory twice.
+    List(usize, Box<dyn Fn(usize) -> Json<'a> + 'a>),
 }
 
-impl<'a> Value<'a> {
+impl<'a> Json<'a> {
     /// A list.
     pub(super) fn list(count: usize, item: impl Fn(usize) -> Self + 'a) -> Self {
         Self::List(count, Box::new(item))
@@ -53,59 +53,59 @@ impl<'a> Value<'a> {
 /// The members of an object as they are put together, by functions of their own: inlined, they would be several times as much
 /// code to download.
 #[derive(Default)]
-pub(super) struct Members<'a>(Vec<(&'static str, Value<'a>)>);
+pub(super) struct Members<'a>(Vec<(&'static str, Json<'a>)>);
 
 impl<'a> Members<'a> {
     #[inline(never)]
-    pub fn value(&mut self, name: &'static str, value: Value<'a>) -> &mut Self {
+    pub fn value(&mut self, name: &'static str, value: Json<'a>) -> &mut Self {
         self.0.push((name, value));
         self
     }
 
     #[inline(never)]
     pub fn object(&mut self, name: &'static str, members: Self) -> &mut Self {
-        self.value(name, Value::Object(members.0))
+        self.value(name, Json::Object(members.0))
     }
 
     #[inline(never)]
     pub fn whole(&mut self, name: &'static str, number: u32) -> &mut Self {
-        self.value(name, Value::Whole(number.into()))
+        self.value(name, Json::Whole(number.into()))
     }
 
     /// A whole number, or null for the one that stands for none.
     #[inline(never)]
     pub fn unless(&mut self, name: &'static str, number: u32, none: u32) -> &mut Self {
-        if number == none { self.value(name, Value::Null) } else { self.whole(name, number) }
+        if number == none { self.value(name, Json::Null) } else { self.whole(name, number) }
     }
 
     #[inline(never)]
     pub fn single(&mut self, name: &'static str, number: f32) -> &mut Self {
-        self.value(name, Value::Single(number))
+        self.value(name, Json::Single(number))
     }
 
     #[inline(never)]
     pub fn double(&mut self, name: &'static str, number: f64) -> &mut Self {
-        self.value(name, Value::Double(number))
+        self.value(name, Json::Double(number))
     }
 
     #[inline(never)]
     pub fn text(&mut self, name: &'static str, text: &'static str) -> &mut Self {
-        self.value(name, Value::Text(text))
+        self.value(name, Json::Text(text))
     }
 
     #[inline(never)]
     pub fn owned(&mut self, name: &'static str, text: String) -> &mut Self {
-        self.value(name, Value::Owned(text))
+        self.value(name, Json::Owned(text))
     }
 }
 
-impl<'a> From<Members<'a>> for Value<'a> {
+impl<'a> From<Members<'a>> for Json<'a> {
     fn from(members: Members<'a>) -> Self {
         Self::Object(members.0)
     }
 }
 
-impl Serialize for Value<'_> {
+impl Serialize for Json<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         match self {
             Self::Null => serializer.serialize_unit(),

@@ -1,0 +1,171 @@
+//! How pages and widgets read a link: leniently, in the style for dark pages unless the link names one, and within
+//! what widgets grow.
+
+use super::Recipe;
+use super::choice::{GrowthMethod, Style};
+use super::key::Key;
+use super::link::{self, Notice};
+use super::value::Value;
+
+/// Where the rivers of a link are to be seen.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct ReadOptions {
+    /// In a widget, which shares its page with text that somebody reads: the recipe is kept within its limits.
+    pub widget: bool,
+    /// On a dark page: if the link names no style, it is the one for dark pages.
+    pub dark: bool,
+}
+
+/// A link as a page or a widget understands it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Reading {
+    /// What is drawn.
+    pub recipe: Recipe,
+    /// What was wrong, or beyond a widget's limits, and what is used instead.
+    pub notices: Vec<Notice>,
+    /// Whether the link itself says in which style its rivers are drawn.
+    pub names_style: bool,
+    is_dark: bool,
+}
+
+/// Reads link text as [`link::read_leniently`] does, for a place. Never fails.
+pub fn read(text: &str, options: ReadOptions) -> Reading {
+    let (mut recipe, mut notices, is_given) = link::read_and_tell_keys(text);
+    let names_style = is_given[Key::Style as usize];
+    if options.dark && !names_style {
+        recipe.put(Key::Style, Value::Choice(DARK_PAGES.word().name));
+    }
+    if options.widget {
+        notices.extend(widget_limit(recipe.get()).keep(&mut recipe));
+    }
+    Reading { recipe, notices, names_style, is_dark: options.dark }
+}
+
+impl Reading {
+    /// The canonical link to share: the same rivers on a page like this one, and in that page's own style on others if
+    /// no style was named.
+    pub fn shared_link(&self) -> String {
+        link::write_if(&self.recipe, |parameter, is_default| match parameter.key {
+            Key::Style if self.is_dark => self.names_style,
+            _ => !is_default,
+        })
+    }
+}
+
+/// The style of rivers on dark pages whose link names none.
+const DARK_PAGES: Style = Style::Dark;
+
+/// How far a widget goes with a way of growing.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum WidgetLimit {
+    AtMost(Key, u32),
+    AtLeast(Key, u32),
+}
+
+/// Within these limits no step of a river, above all of those that make rivers of a tree, holds up a page for longer
+/// than a blink, even where its policy refuses workers. They hold in workers too: the same tag is the same river
+/// everywhere. Whoever wants more makes a picture of it.
+fn widget_limit(method: GrowthMethod) -> WidgetLimit {
+    match method {
+        GrowthMethod::Colonize | GrowthMethod::Drainage => WidgetLimit::AtMost(Key::Attractors, 20_000),
+        GrowthMethod::Brownian => WidgetLimit::AtLeast(Key::Sensitivity, 16),
+    }
+}
+
+impl WidgetLimit {
+    /// Brings a recipe within the limit, and tells if it was not.
+    fn keep(self, recipe: &mut Recipe) -> Option<Notice> {
+        let (key, limit, is_beyond, exceeds): (_, _, fn(&u32, &u32) -> bool, _) = match self {
+            Self::AtMost(key, limit) => (key, limit, u32::gt, "exceeds"),
+            Self::AtLeast(key, limit) => (key, limit, u32::lt, "is below"),
+        };
+        let value = recipe.integer(key);
+        if !is_beyond(&value, &limit) {
+            return None;
+        }
+        recipe.put(key, Value::Integer(limit));
+        let name = key.parameter().name;
+        let message = format!("{name}: {value} {exceeds} the widget's limit: {limit} is used");
+        Some(Notice { key: name.into(), message })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::recipe::Choice;
+    use crate::recipe::Kind;
+
+    const PAGE: ReadOptions = ReadOptions { widget: false, dark: false };
+    const DARK: ReadOptions = ReadOptions { widget: false, dark: true };
+    const WIDGET: ReadOptions = ReadOptions { widget: true, dark: false };
+
+    fn bound(limit: WidgetLimit) -> (Key, u32, u32) {
+        match limit {
+            WidgetLimit::AtMost(key, limit) => (key, limit, limit + 1),
+            WidgetLimit::AtLeast(key, limit) => (key, limit, limit - 1),
+        }
+    }
+
+    #[test]
+    fn each_way_of_growing_has_a_limit_within_the_range_that_its_default_keeps() {
+        for &method in GrowthMethod::ALL {
+            let (key, limit, beyond) = bound(widget_limit(method));
+            let Kind::Integer { min, max, .. } = key.parameter().kind else { panic!("{key:?} is no whole number") };
+            assert!((min..=max).contains(&limit) && (min..=max).contains(&beyond));
+            let text = format!("growth={}", method.word().name);
+            let whole = read(&text, WIDGET);
+            assert_eq!((whole.recipe, whole.notices), (link::read(&text).unwrap(), vec![]));
+        }
+    }
+
+    #[test]
+    fn what_is_beyond_a_limit_is_brought_to_it_in_widgets_and_told() {
+        for &method in GrowthMethod::ALL {
+            let (key, limit, beyond) = bound(widget_limit(method));
+            let link = |value| format!("growth={}&{}={value}", method.word().name, key.parameter().name);
+            let kept = read(&link(beyond), WIDGET);
+            assert_eq!(kept.recipe, link::read(&link(limit)).unwrap());
+            let [Notice { key: name, message }] = &kept.notices[..] else { panic!("{:?}", kept.notices) };
+            assert_eq!(name, key.parameter().name);
+            assert!(message.contains(&beyond.to_string()) && message.contains(&limit.to_string()), "{message}");
+            assert_eq!(read(&link(limit), WIDGET).notices, []);
+            let on_a_page = read(&link(beyond), PAGE);
+            assert_eq!((on_a_page.recipe, on_a_page.notices), (link::read(&link(beyond)).unwrap(), vec![]));
+        }
+    }
+
+    #[test]
+    fn where_a_parameter_does_nothing_it_has_no_limit() {
+        for link in ["growth=brownian&attractors=90000", "growth=colonize&sensitivity=8"] {
+            let Reading { recipe, notices, .. } = read(link, WIDGET);
+            assert_eq!((recipe, notices), (link::read(link).unwrap(), vec![]));
+        }
+    }
+
+    #[test]
+    fn a_dark_page_has_its_own_style_unless_the_link_names_one() {
+        let style = |text, options| read(text, options).recipe.get::<Style>();
+        assert_eq!(style("seed=a", DARK), Style::Dark);
+        assert_eq!(style("seed=a&preset=curl", DARK), Style::Dark);
+        assert_eq!(style("seed=a", PAGE), Style::Ink);
+        assert_eq!(style("style=map", DARK), Style::Map);
+        assert_eq!(style("style=ink", DARK), Style::Ink);
+        // Named, if badly: what is used then is told, and must be true.
+        assert_eq!(style("style=neon", DARK), Style::Ink);
+    }
+
+    #[test]
+    fn shared_link_names_a_style_where_it_was_named_and_opens_as_the_same_on_pages_alike() {
+        let shared = |text, options| read(text, options).shared_link();
+        assert_eq!(shared("seed=a", DARK), "seed=a&edition=1");
+        assert_eq!(shared("seed=a&style=ink", DARK), "seed=a&edition=1&style=ink");
+        assert_eq!(shared("seed=a&style=ink", PAGE), "seed=a&edition=1");
+        for text in ["", "style=ink", "style=dark&curl=1", "style=map", "style=neon"] {
+            for options in [PAGE, DARK, WIDGET] {
+                let first = read(text, options);
+                assert_eq!(read(&first.shared_link(), options).recipe, first.recipe, "{text} {options:?}");
+            }
+        }
+    }
+}
