@@ -13,9 +13,10 @@ const FOLDER = new URL("../dist-widget/", import.meta.url);
 const EMBED = ["river-seed.js", "worker.js", "riverseed_bg.wasm"];
 const EMBED_HERE = ["river-seed.js", "tag-page-backend.js", "riverseed_bg.wasm"];
 
-// The element was 6,000: giving up what never answers, and opening anew what answers no more, took 600.
+// The element was 6,000: giving up what never answers, and opening anew what answers no more, took 600; the attributes of drainage and
+// of courses take 60.
 const LIMITS = [
-  ["element and loader", ["river-seed.js"], 6_600],
+  ["element and loader", ["river-seed.js"], 6_700],
   ["glue", withImports("core.js"), 5_000],
   ["whole embed", EMBED, 170_000],
   ["whole embed, without a worker", EMBED_HERE, 170_000],
