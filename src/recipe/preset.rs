@@ -56,7 +56,7 @@ pub static PRESETS: &[Preset] = &[
     Preset {
         name: "curl",
         label: "Curl",
-        help: "Stretches turned left and right at random: winding, complex, busy at its ends. Suits dense marshes; people did not take it for rivers.",
+        help: "Stretches turned left and right at random: winding, complex, busy at its ends. Suits tangled, imaginary country; people did not take it for rivers.",
         values: &pattern("0", "0.9", "7", "0"),
     },
     Preset {
