@@ -17,7 +17,7 @@ use riverseed::picture::Picture;
 use riverseed::prune::{self, Trim};
 use riverseed::random::Seed;
 use riverseed::recipe::preset::PRESETS;
-use riverseed::recipe::{Key, Recipe, Sides, link};
+use riverseed::recipe::{CourseShape, Key, Recipe, Sides, link};
 use riverseed::session::Session;
 use riverseed::tree::{Hydrology, Tree};
 use tiny_skia::{FillRule, LineCap, Mask, Paint, PathBuilder, Pixmap, Stroke, Transform};
@@ -330,7 +330,11 @@ fn segments() -> Option<Vec<Segment>> {
 fn segments_of(tree: &Tree, domain: &Domain) -> Option<Vec<Segment>> {
     let view = View::new(domain, SIDE, SIDE).ok()?;
     let hydrology = Hydrology::of(tree);
-    let pen = Pen::new(view, Widths::ByDischarge { full: 12.0, total_discharge: hydrology.discharge[0] });
+    let pen = Pen::new(
+        view,
+        Widths::ByDischarge { full: 12.0, total_discharge: hydrology.discharge[0] },
+        CourseShape::Smooth,
+    );
     let radius = |node: usize| f32::from(pen.radius(hydrology.depth[node], hydrology.discharge[node])) / 16.0;
     let segment = |child: usize| {
         let node = tree.parent_of(child)?;

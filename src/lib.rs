@@ -40,7 +40,9 @@ pub use tiny_skia;
 pub use land::Land;
 pub use network::{Network, Oxbow, River, Vertex};
 pub use picture::Picture;
-pub use recipe::{GrowthMethod, Key, LandKind, MeanderModel, Recipe, RecipeError, Scatter, Sides, Style, Value};
+pub use recipe::{
+    CourseShape, GrowthMethod, Key, LandKind, MeanderModel, Recipe, RecipeError, Scatter, Sides, Style, Value,
+};
 pub use session::{Phase, Session, SessionError, Shortfall, Summary};
 pub use tree::Tree;
 

@@ -60,8 +60,9 @@ impl Picture {
         self.forget_what_is_over(session);
         self.rivers_of = tree.filter(|_| session.network().is_some());
         let (recipe, land) = (session.recipe(), session.land().map(Arc::as_ref));
+        let (courses, style) = (recipe.get(), recipe.get());
         if let Some((network, rounds)) = session.network().zip(session.rounds()) {
-            return self.painter.paint_rivers(&Rivers { network, rounds, land, style: recipe.get() });
+            return self.painter.paint_rivers(&Rivers { network, rounds, courses, land, style });
         }
         let growth = session.growth();
         self.painter.paint(&Progress {
@@ -70,8 +71,9 @@ impl Picture {
             trim: session.trim(),
             total_discharge: growth.total_discharge(),
             max_width: recipe.number(Key::Width),
+            courses,
             land,
-            style: recipe.get(),
+            style,
         })
     }
 

@@ -71,12 +71,13 @@ proptest! {
 
     #[test]
     fn changing_what_shapes_rivers_while_they_are_shaped_gives_the_same_picture(
-        link in random_link(300), simplify in 0u32..95, width in 1u32..40, steps in 0u32..7,
+        link in random_link(300), simplify in 0u32..95, width in 1u32..40, grown in any::<bool>(), steps in 0u32..7,
     ) {
         let recipe = link::read(&link).unwrap();
         let mut other = recipe.clone();
         other.set(Key::Simplify, &simplify.to_string()).unwrap();
         other.set(Key::Width, &width.to_string()).unwrap();
+        other.set(Key::Courses, if grown { "grown" } else { "smooth" }).unwrap();
         let (mut session, mut picture) = (Session::new(recipe).unwrap(), picture());
         while session.phase() == Phase::Growing {
             session.advance(1).unwrap();

@@ -9,13 +9,14 @@ use std::ops::Range;
 use glam::Vec2;
 
 use super::rings::{GridPoint, simple_ring};
-use crate::geometry::direction;
+use crate::geometry::{direction, length};
 use crate::network::{Network, Oxbow, Place, River};
+use crate::recipe::CourseShape;
 
 /// How far from the middle banks may come, when they cross where they are.
 const SHARES: [f32; 4] = [1.0, 0.5, 0.25, 0.1];
 
-/// A river's or a lake's outline, in units. Both banks have as many points.
+/// A river's or a lake's outline, in units. Both banks have as many points; of rivers as grown, lines between them are straight.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Banks {
     pub left: Vec<Vec2>,
@@ -34,7 +35,7 @@ pub(super) enum Width {
 impl Banks {
     /// A river's banks. They begin at its source, both at one point; a tributary's end in the middle of the river that it
     /// joins, those of others past the shore. Empty if it has no vertices.
-    pub fn of_river(network: &Network, river: &River, width: Width) -> Self {
+    pub fn of_river(network: &Network, river: &River, width: Width, courses: CourseShape) -> Self {
         let mut line = match width {
             Width::Own { more } => widened(network.middle(river), more),
             Width::Even { half } => network.course(river).map(|vertex| Place { at: vertex.at, half }).collect(),
@@ -43,7 +44,7 @@ impl Banks {
         if let Some(source) = line.first_mut() {
             source.half = 0.0;
         }
-        Self::along(&line)
+        Self::along(&line, courses)
     }
 
     /// A lake's banks, moved outward by a margin, which meet at both of its ends. Empty if silt has filled all of the lake.
@@ -53,7 +54,7 @@ impl Banks {
         if let [first, .., last] = &mut line[..] {
             (first.half, last.half) = (0.0, 0.0);
         }
-        if line.len() > 2 { Self::along(&line) } else { Self::default() }
+        if line.len() > 2 { Self::along(&line, CourseShape::Smooth) } else { Self::default() }
     }
 
     /// The outline as a ring that readers of polygons accept, on the grid that a place is rounded to: counterclockwise on a
@@ -101,13 +102,37 @@ impl Banks {
         ring
     }
 
-    fn along(line: &[Place]) -> Self {
-        let banks = line.iter().enumerate().map(|(i, &Place { at, half })| {
-            let aside = aside(line, i) * half;
-            (at - aside, at + aside)
-        });
-        let (left, right) = banks.unzip();
-        Self { left, right }
+    fn along(line: &[Place], courses: CourseShape) -> Self {
+        let mut banks = Self::default();
+        for (i, &Place { at, half }) in line.iter().enumerate() {
+            let [before, after] = ways(line, i);
+            let middle = (before + after) * 0.5;
+            if courses == CourseShape::Grown && middle.length_squared() < SHARP {
+                banks.turn(at, before * half, after * half);
+            } else {
+                let aside = aside(middle) * half;
+                banks.push(at - aside, at + aside);
+            }
+        }
+        banks
+    }
+
+    /// A sharp corner between two ways as long as half the width: both sides keep their width up to it, and round it the outer
+    /// bank keeps its distance. The inner one goes by the corner itself, so that nothing is left open.
+    fn turn(&mut self, at: Vec2, before: Vec2, after: Vec2) {
+        let tip = at + direction(before - after) * length(before);
+        self.push(at - before.perp(), at + before.perp());
+        if before.perp_dot(after) > 0.0 {
+            self.push(tip, at);
+        } else {
+            self.push(at, tip);
+        }
+        self.push(at - after.perp(), at + after.perp());
+    }
+
+    fn push(&mut self, left: Vec2, right: Vec2) {
+        self.left.push(left);
+        self.right.push(right);
     }
 }
 
@@ -115,20 +140,26 @@ fn widened(line: Vec<Place>, more: f32) -> Vec<Place> {
     line.into_iter().map(|place| Place { half: place.half + more, ..place }).collect()
 }
 
-/// The way to the right bank at a corner of a line, so long that both sides of the corner keep their distance: a mitre. It is cut
-/// where the line turns by more than 60°, and nothing where it turns straight back.
-fn aside(line: &[Place], i: usize) -> Vec2 {
-    const SHORTEST: f32 = 0.75; // cos² 30°
+/// A line turns by more than 60° where the mean of the unit vectors before and after is shorter: cos² 30°.
+const SHARP: f32 = 0.75;
+
+/// The unit vectors along a line before and after one of its places; at its ends the one that there is, twice.
+fn ways(line: &[Place], i: usize) -> [Vec2; 2] {
     let way = |from: usize, to: usize| direction(line[to].at - line[from].at);
     let (before, after) = (way(i.saturating_sub(1), i), way(i, (i + 1).min(line.len() - 1)));
-    let middle = match (i == 0, i + 1 == line.len()) {
-        (true, _) => after,
-        (_, true) => before,
-        _ => (before + after) * 0.5,
-    };
+    match (i == 0, i + 1 == line.len()) {
+        (true, _) => [after, after],
+        (_, true) => [before, before],
+        _ => [before, after],
+    }
+}
+
+/// The way to the right bank at a corner of a line, so long that both sides of the corner keep their distance: a mitre. It is cut
+/// where the line turns sharply, and nothing where it turns straight back.
+fn aside(middle: Vec2) -> Vec2 {
     // No `f32::max`, which knows what to do with NaN and is several jumps in wasm.
     let squared = middle.length_squared();
-    middle.perp() / if squared > SHORTEST { squared } else { SHORTEST }
+    middle.perp() / if squared > SHARP { squared } else { SHARP }
 }
 
 #[cfg(test)]
@@ -150,7 +181,7 @@ mod tests {
     #[test]
     fn left_bank_is_north_of_a_river_that_runs_east() {
         let (network, river) = river(&[(0.0, 0.0), (10.0, 0.0), (20.0, 0.0)], 4.0);
-        let banks = Banks::of_river(&network, &river, Width::Own { more: 0.0 });
+        let banks = Banks::of_river(&network, &river, Width::Own { more: 0.0 }, CourseShape::Smooth);
         assert_eq!(banks.left, [(0.0, 0.0), (10.0, -2.0), (20.0, -2.0), (20.4, -2.0)].map(Vec2::from));
         assert_eq!(banks.right, [(0.0, 0.0), (10.0, 2.0), (20.0, 2.0), (20.4, 2.0)].map(Vec2::from));
     }
@@ -158,14 +189,33 @@ mod tests {
     #[test]
     fn banks_keep_their_distance_round_a_corner() {
         let (network, river) = river(&[(0.0, 0.0), (20.0, 0.0), (20.0 + 10.0, 17.3), (40.0, 34.6)], 4.0);
-        let banks = Banks::of_river(&network, &river, Width::Even { half: 2.0 });
+        let banks = Banks::of_river(&network, &river, Width::Even { half: 2.0 }, CourseShape::Smooth);
         assert!((banks.left[1].y + 2.0).abs() < 1e-3 && (banks.right[1].y - 2.0).abs() < 1e-3);
     }
 
     #[test]
     fn doubling_back_makes_no_spike() {
         let (network, river) = river(&[(0.0, 0.0), (20.0, 0.0), (0.0, 0.0), (0.0, 0.0)], 4.0);
-        let banks = Banks::of_river(&network, &river, Width::Even { half: 2.0 });
+        let banks = Banks::of_river(&network, &river, Width::Even { half: 2.0 }, CourseShape::Smooth);
         assert!(banks.left.iter().chain(&banks.right).all(|at| at.is_finite() && at.abs().max_element() < 23.0));
+    }
+
+    #[test]
+    fn sharp_corners_of_rivers_as_grown_keep_their_width_and_are_round_outside() {
+        let (network, river) = river(&[(0.0, 0.0), (20.0, 0.0), (20.0, 20.0)], 4.0);
+        let banks = Banks::of_river(&network, &river, Width::Even { half: 2.0 }, CourseShape::Grown);
+        let corner = Vec2::new(20.0, 0.0);
+        let outside = 2.0 * std::f32::consts::FRAC_1_SQRT_2;
+        let expected = [(20.0, -2.0), (20.0 + outside, -outside), (22.0, 0.0)].map(Vec2::from);
+        assert!(banks.left[1..4].iter().zip(expected).all(|(at, expected)| at.distance(expected) < 1e-5), "{banks:?}");
+        assert_eq!(banks.right[1..4], [Vec2::new(20.0, 2.0), corner, Vec2::new(18.0, 0.0)]);
+        let mirrored = Banks::of_river(&mirror(&network), &river, Width::Even { half: 2.0 }, CourseShape::Grown);
+        assert!(mirrored.right.iter().zip(&banks.left).all(|(a, b)| *a == Vec2::new(b.x, -b.y)), "{mirrored:?}");
+    }
+
+    fn mirror(network: &Network) -> Network {
+        let mut mirrored = network.clone();
+        mirrored.vertices.iter_mut().for_each(|vertex| vertex.at.y = -vertex.at.y);
+        mirrored
     }
 }

@@ -6,6 +6,7 @@
 //!
 //! ```text
 //! tree ─► uncross ─► courses ─► simplify ─► evenly spaced, smooth ─► widths ─► meander
+//!                       └─────────────── as grown ───────────────────► widths
 //! ```
 //!
 //! No two rivers cross, at any time. The courses do not (`uncross.rs`); a vertex goes only if its triangle holds no other

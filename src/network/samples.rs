@@ -8,7 +8,7 @@ use crate::recipe::link;
 /// The settings of a plain rectangle, vertices a unit apart.
 pub(super) fn settings() -> NetworkSettings {
     let recipe =
-        link::read("land=rectangle&mouths=3&attractors=100&curl=0&trim=152&width=14&bank-variation=0&meander-rounds=24&great-rivers=1")
+        link::read("land=rectangle&mouths=3&attractors=100&curl=0&trim=152&courses=smooth&width=14&bank-variation=0&meander-rounds=24&great-rivers=1")
             .unwrap();
     NetworkSettings {
         spacing: 1.0,

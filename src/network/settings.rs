@@ -8,7 +8,7 @@ use crate::domain::Domain;
 use crate::geometry::{fast_max, fast_min};
 use crate::land::Land;
 use crate::random::{Purpose, Seed};
-use crate::recipe::{Key, MeanderModel, Recipe};
+use crate::recipe::{CourseShape, Key, MeanderModel, Recipe};
 
 /// The settings of the network stage, resolved.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,11 +27,13 @@ pub struct NetworkSettings {
     pub hairline: f32,
     /// The width of a river that drains everything.
     pub max_width: f32,
+    /// The lines that rivers follow.
+    pub courses: CourseShape,
     /// The share of the vertices that simplification takes out, of those that can go.
     pub simplify: f32,
     /// By what share of itself a bank's distance from the middle varies, at most.
     pub bank_variation: f32,
-    /// How rivers meander.
+    /// How rivers meander; not at all, if they are as grown.
     pub model: MeanderModel,
     /// The number of rounds.
     pub rounds: u32,
@@ -65,9 +67,13 @@ impl NetworkSettings {
             total_discharge: total_discharge.max(1),
             hairline: fast_min(HAIRLINE, stream_spacing * HAIRLINE_SHARE),
             max_width: recipe.number(Key::Width),
+            courses: recipe.get(),
             simplify: recipe.number(Key::Simplify) / 100.0,
             bank_variation: recipe.number(Key::BankVariation),
-            model: recipe.get(),
+            model: match recipe.get() {
+                CourseShape::Grown => MeanderModel::None,
+                CourseShape::Smooth => recipe.get(),
+            },
             rounds: recipe.integer(Key::MeanderRounds),
             strength: recipe.number(Key::MeanderStrength),
             mix: recipe.number(Key::MeanderMix),

@@ -1,5 +1,6 @@
 //! From a tree to rivers, as a stepper: courses, the order in which their vertices go, smooth courses, thinned out in a few
-//! steps, then widths and rounds of meandering. No step keeps a page waiting for long.
+//! steps, then widths and rounds of meandering. No step keeps a page waiting for long. Courses as grown keep all their vertices, the
+//! nodes of the tree, where they are: only widths are made.
 
 use thiserror::Error;
 
@@ -7,6 +8,7 @@ use super::courses::Courses;
 use super::meander::{Meander, smooth_courses, thin_out};
 use super::{Network, NetworkSettings};
 use crate::memory;
+use crate::recipe::CourseShape;
 use crate::tree::Tree;
 
 /// Why a tree cannot be made into rivers.
@@ -39,7 +41,7 @@ enum State {
     Between,
     Courses(Network),
     Ranked(Courses),
-    /// Smooth courses, and how often they may be thinned out.
+    /// Smooth courses, and how often they may be thinned out; or courses as grown, never.
     Smooth(Courses, Network, u32),
     Rivers(Courses, Box<Meander>),
 }
@@ -66,6 +68,10 @@ impl Shaping {
         self.state = match std::mem::take(&mut self.state) {
             State::Between => State::Between,
             State::Courses(network) => State::Ranked(Courses::ranked(network, self.settings.land.as_deref())),
+            State::Ranked(courses) if self.settings.courses == CourseShape::Grown => {
+                let network = courses.network.clone();
+                State::Smooth(courses, network, 0)
+            }
             State::Ranked(courses) => {
                 let network = smooth_courses(&courses, &self.settings);
                 State::Smooth(courses, network, THINNINGS)

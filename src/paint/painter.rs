@@ -19,7 +19,7 @@ use crate::land::Land;
 use crate::memory;
 use crate::network::Network;
 use crate::prune::{self, Trim};
-use crate::recipe::Style;
+use crate::recipe::{CourseShape, Style};
 use crate::tree::Tree;
 
 /// A tree to be painted, as far as it has grown.
@@ -35,6 +35,8 @@ pub struct Progress<'a> {
     pub total_discharge: u32,
     /// The width, in domain units, of a river that drains everything.
     pub max_width: f32,
+    /// The lines that rivers follow.
+    pub courses: CourseShape,
     /// The land; `None` if all of the domain is.
     pub land: Option<&'a Land>,
     /// The style.
@@ -67,6 +69,8 @@ pub struct Rivers<'a> {
     pub network: &'a Network,
     /// How many rounds that were.
     pub rounds: u32,
+    /// The lines that rivers follow.
+    pub courses: CourseShape,
     /// The land; `None` if all of the domain is.
     pub land: Option<&'a Land>,
     /// The style.
@@ -119,7 +123,7 @@ impl Painter {
         if self.is_finished {
             return None;
         }
-        let (tree, pen) = (progress.tree, Pen::new(self.view, widths(progress)));
+        let (tree, pen) = (progress.tree, Pen::new(self.view, widths(progress), progress.courses));
         if progress.finished || self.flow.is_stale(tree) {
             self.flow.measure(tree, &pen, progress.trim.channel_area);
             self.draw_changes(progress, &pen);
@@ -145,7 +149,7 @@ impl Painter {
         self.round = Some(rivers.rounds);
         self.is_finished = true;
         self.coverage.clear();
-        draw_network(&mut self.coverage, &self.view, rivers.network, palette(rivers.style).lines);
+        draw_network(&mut self.coverage, &self.view, rivers.network, rivers.courses, palette(rivers.style).lines);
         self.coverage.touch_all();
         self.lay_ground(rivers.land, rivers.style);
         self.compose(rivers.style)

@@ -6,16 +6,26 @@
 use super::coverage::Coverage;
 use super::palette::Lines;
 use super::skeleton;
-use super::strokes::{Vertex, middle, parabola};
+use super::strokes::{Vertex, middle, parabola, step};
 use super::view::View;
 use crate::network::{self, Network, Place};
+use crate::recipe::CourseShape;
 
 /// The margin that is added to each bank, in pixels, so that a brook can be seen.
 const VISIBLE_PX: f32 = 0.2;
 
 /// Draws a network.
-pub(super) fn draw_network(coverage: &mut Coverage, view: &View, network: &Network, lines: Lines) {
-    let mut draw_line = |line: Vec<Vertex>| draw(coverage, &line);
+pub(super) fn draw_network(
+    coverage: &mut Coverage,
+    view: &View,
+    network: &Network,
+    courses: CourseShape,
+    lines: Lines,
+) {
+    let mut draw_line = |line: Vec<Vertex>| match courses {
+        CourseShape::Smooth => draw_smooth(coverage, &line),
+        CourseShape::Grown => line.windows(2).for_each(|pair| step(coverage, pair[0], pair[1])),
+    };
     if lines == Lines::Skeleton {
         // The courses as they are: widths, and banks that vary, change nothing in a skeleton.
         let in_pixels = |vertex: &network::Vertex| (view.pixel(vertex.at), skeleton::WIDTH_PX * 0.5);
@@ -29,7 +39,7 @@ pub(super) fn draw_network(coverage: &mut Coverage, view: &View, network: &Netwo
 }
 
 /// Draws a line as a chain of parabolas round its vertices.
-fn draw(coverage: &mut Coverage, line: &[Vertex]) {
+fn draw_smooth(coverage: &mut Coverage, line: &[Vertex]) {
     let (Some(&first), Some(&last)) = (line.first(), line.last()) else { return };
     let mut from = first;
     for corner in line.windows(2) {

@@ -4,6 +4,7 @@ use glam::Vec2;
 
 use super::coverage::Coverage;
 use super::view::View;
+use crate::recipe::CourseShape;
 use crate::tree::{NO_PARENT, Tree};
 
 /// How wide rivers are drawn.
@@ -38,12 +39,13 @@ pub(super) const TAPER_NODES: u32 = 5;
 pub struct Pen {
     view: View,
     widths: Widths,
+    courses: CourseShape,
 }
 
 impl Pen {
     /// A pen for a view.
-    pub fn new(view: View, widths: Widths) -> Self {
-        Self { view, widths }
+    pub fn new(view: View, widths: Widths, courses: CourseShape) -> Self {
+        Self { view, widths, courses }
     }
 
     /// A node's radius in sixteenths of a pixel, at least 1.
@@ -65,9 +67,9 @@ impl Pen {
         ((radius_px * SIXTEENTHS) as u16).max(1)
     }
 
-    /// Draws the river from below a node to halfway to its child.
+    /// Draws the river from below a node to halfway to its child, or the step between them, if rivers are shown as grown.
     ///
-    /// A river's line is a chain of parabolas: each begins and ends halfway along a step and bends round the node
+    /// A smooth river's line is a chain of parabolas: each begins and ends halfway along a step and bends round the node
     /// between, so the line has no corners, and a tributary leaves its river along it. Nothing of a node is drawn before
     /// it has a child, so what is drawn never has to be taken back.
     pub fn draw(&self, coverage: &mut Coverage, tree: &Tree, radii: &[u16], child: usize) {
@@ -75,7 +77,8 @@ impl Pen {
         let vertex = |node: usize| (self.view.pixel(tree.at[node]), f32::from(radii[node]) / SIXTEENTHS);
         let (bend, end) = (vertex(node), middle(vertex(node), vertex(child)));
         match tree.parent[node] {
-            NO_PARENT => coverage.capsule(bend.0, bend.1, end.0, end.1),
+            _ if self.courses == CourseShape::Grown => step(coverage, bend, vertex(child)),
+            NO_PARENT => step(coverage, bend, end),
             parent => parabola(coverage, middle(vertex(parent as usize), bend), bend, end),
         }
     }
@@ -86,6 +89,11 @@ pub(super) type Vertex = (Vec2, f32);
 
 pub(super) fn middle(a: Vertex, b: Vertex) -> Vertex {
     ((a.0 + b.0) * 0.5, (a.1 + b.1) * 0.5)
+}
+
+/// Draws a straight piece.
+pub(super) fn step(coverage: &mut Coverage, from: Vertex, to: Vertex) {
+    coverage.capsule(from.0, from.1, to.0, to.1);
 }
 
 /// Draws a parabola as straight pieces, as many as keep it within a fifth of a pixel.
@@ -103,7 +111,7 @@ pub(super) fn parabola(coverage: &mut Coverage, start: Vertex, bend: Vertex, end
     let mut from = start;
     for piece in 1..=pieces {
         let to = point(piece as f32 / pieces as f32);
-        coverage.capsule(from.0, from.1, to.0, to.1);
+        step(coverage, from, to);
         from = to;
     }
 }
@@ -116,7 +124,7 @@ mod tests {
     #[test]
     fn squared_widths_add_where_rivers_join() {
         let view = View::new(&Domain::with_aspect(1.0), 4000, 4000).unwrap();
-        let pen = Pen::new(view, Widths::ByDischarge { full: 20.0, total_discharge: 10_000 });
+        let pen = Pen::new(view, Widths::ByDischarge { full: 20.0, total_discharge: 10_000 }, CourseShape::Smooth);
         let width = |discharge| f32::from(pen.radius(100, discharge));
         for (a, b) in [(2000, 3000), (500, 500), (100, 9000)] {
             let (arms, trunk) = (width(a) * width(a) + width(b) * width(b), width(a + b) * width(a + b));
@@ -127,7 +135,7 @@ mod tests {
     #[test]
     fn width_never_falls_with_depth_or_discharge() {
         let view = View::new(&Domain::with_aspect(1.0), 500, 500).unwrap();
-        let pen = Pen::new(view, Widths::ByDischarge { full: 20.0, total_discharge: 10_000 });
+        let pen = Pen::new(view, Widths::ByDischarge { full: 20.0, total_discharge: 10_000 }, CourseShape::Smooth);
         for (depth, discharge) in (0..9).flat_map(|depth| (0..200).map(move |i| (depth, i * 50))) {
             let here = pen.radius(depth, discharge);
             assert!(pen.radius(depth + 1, discharge) >= here && pen.radius(depth, discharge + 50) >= here);

@@ -89,6 +89,14 @@ choices! {
         Grid = "grid", "on a jittered grid";
     }
 
+    /// The lines that rivers follow.
+    CourseShape of Courses {
+        /// Simplified and smooth.
+        Smooth = "smooth", "smooth";
+        /// As the tree has grown, step by step.
+        Grown = "grown", "as grown";
+    }
+
     /// How rivers meander.
     MeanderModel of Meander {
         /// Each bend moves outward and downstream by its own curvature (Hodgin, Dragons Abound).
@@ -137,6 +145,7 @@ mod tests {
             check::<LandKind>(),
             check::<GrowthMethod>(),
             check::<Scatter>(),
+            check::<CourseShape>(),
             check::<MeanderModel>(),
             check::<Style>(),
         ];

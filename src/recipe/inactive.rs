@@ -1,6 +1,6 @@
 //! Which parameters have no effect in a recipe, and why: the one place where that is decided.
 
-use super::choice::{GrowthMethod, LandKind, MeanderModel, Style};
+use super::choice::{CourseShape, GrowthMethod, LandKind, MeanderModel, Style};
 use super::key::Key;
 use super::{Decimal, Recipe, Value};
 
@@ -41,9 +41,9 @@ impl Given<'_> {
             Key::Bending | Key::ChannelArea => self.not_draining(),
             Key::ValleySpacing => self.not_draining().or_else(|| self.no_valleys()),
             Key::HardnessScale => self.not_draining().or_else(|| self.no_hardness()),
-            Key::Trim | Key::Simplify => None,
+            Key::Trim | Key::Courses => None,
+            Key::Simplify | Key::Meander => self.as_grown(),
             Key::Width | Key::BankVariation => self.no_widths(),
-            Key::Meander => None,
             Key::MeanderRounds => self.no_meandering(),
             Key::MeanderElsewhere | Key::GreatRivers => self.no_rounds(),
             Key::FlatShare => self.no_rounds().or_else(|| self.no_great_rivers()),
@@ -115,18 +115,25 @@ impl Given<'_> {
         (is_skeleton && self.no_rounds().is_some()).then_some("the skeleton is one pixel wide everywhere")
     }
 
+    fn as_grown(&self) -> Reason {
+        match self.recipe.get() {
+            CourseShape::Grown => Some("rivers keep the steps of their tree"),
+            CourseShape::Smooth => None,
+        }
+    }
+
     fn no_meandering(&self) -> Reason {
-        (self.recipe.get::<MeanderModel>() == MeanderModel::None).then_some(STILL)
+        let is_still = self.recipe.get::<MeanderModel>() == MeanderModel::None;
+        self.as_grown().or_else(|| is_still.then_some(STILL))
     }
 
     fn no_rounds(&self) -> Reason {
-        self.is_zero(Key::MeanderRounds).then_some(STILL).or_else(|| self.no_meandering())
+        self.no_meandering().or_else(|| self.is_zero(Key::MeanderRounds).then_some(STILL))
     }
 
     fn no_bends(&self) -> Reason {
-        (self.is_zero(Key::GreatRivers) && self.is_zero(Key::MeanderElsewhere))
-            .then_some(STILL)
-            .or_else(|| self.no_rounds())
+        let has_none = self.is_zero(Key::GreatRivers) && self.is_zero(Key::MeanderElsewhere);
+        self.no_rounds().or_else(|| has_none.then_some(STILL))
     }
 
     fn no_great_rivers(&self) -> Reason {
@@ -181,7 +188,7 @@ mod tests {
     }
 
     /// A recipe in which next to everything does something, whatever the defaults are.
-    const LIVELY: &str = "land=rectangle&growth=colonize&curl=0.5&meander=bend&meander-rounds=60&meander-strength=0.5&great-rivers=3&meander-elsewhere=0.3&style=ink";
+    const LIVELY: &str = "land=rectangle&growth=colonize&curl=0.5&courses=smooth&meander=bend&meander-rounds=60&meander-strength=0.5&great-rivers=3&meander-elsewhere=0.3&style=ink";
 
     const NO_COAST: (&str, &str) =
         ("sea roughness mouth-spacing shores", "the whole rectangle is land, so there is no coast");
@@ -194,6 +201,7 @@ mod tests {
     const NOT_COLONIZING: (&str, &str) =
         ("scatter reach kill step momentum curl stretch", "only space colonization uses it");
     const BROWNIAN: (&str, &str) = ("mouths mouth-spacing shores attractors", "Brownian trees do not use it");
+    const NO_LONGER_SHAPED: &str = "simplify meander meander-rounds meander-strength meander-mix meander-elsewhere great-rivers flat-share neck clearance taper";
     const RECTANGULAR: &[(&str, &str)] = &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING];
 
     /// What is set over the lively recipe, and all keys that do nothing then, each with its reason.
@@ -270,6 +278,27 @@ mod tests {
                 NO_SENSITIVITY,
                 NOT_DRAINING,
                 ("meander-mix", "only bends that grow outward use it"),
+            ],
+        ),
+        (
+            "courses=grown",
+            &[
+                NO_COAST,
+                NOT_DRAWN,
+                NO_SENSITIVITY,
+                NOT_DRAINING,
+                (NO_LONGER_SHAPED, "rivers keep the steps of their tree"),
+            ],
+        ),
+        (
+            "courses=grown&meander=none&great-rivers=0&meander-elsewhere=0&style=skeleton",
+            &[
+                NO_COAST,
+                NOT_DRAWN,
+                NO_SENSITIVITY,
+                NOT_DRAINING,
+                (NO_LONGER_SHAPED, "rivers keep the steps of their tree"),
+                ("width bank-variation", "the skeleton is one pixel wide everywhere"),
             ],
         ),
         ("style=skeleton", RECTANGULAR),

@@ -34,6 +34,7 @@ pub enum Key {
     Bending,
     ChannelArea,
     Trim,
+    Courses,
     Simplify,
     Width,
     BankVariation,

@@ -10,7 +10,7 @@ pub struct Preset {
     pub name: &'static str,
     /// Its name on the page.
     pub label: &'static str,
-    /// One line that says how it looks.
+    /// A line or two that say how it looks, and what it suits.
     pub help: &'static str,
     /// Keys and the text of their values.
     pub values: &'static [(Key, &'static str)],
@@ -18,7 +18,7 @@ pub struct Preset {
 
 /// A pattern of the paper: momentum, curl, its stretch, and trim. It names all that a tree's pattern rests on, so that no default
 /// of the table shows through, and nothing of what it grows on: land, its mouths, how many attractors, looks.
-const fn pattern(momentum: Text, curl: Text, stretch: Text, trim: Text) -> [(Key, Text); 11] {
+const fn pattern(momentum: Text, curl: Text, stretch: Text, trim: Text) -> [(Key, Text); 13] {
     [
         (Key::Growth, "colonize"),
         (Key::Scatter, "random"),
@@ -28,8 +28,10 @@ const fn pattern(momentum: Text, curl: Text, stretch: Text, trim: Text) -> [(Key
         (Key::Momentum, momentum),
         (Key::Curl, curl),
         (Key::Stretch, stretch),
+        (Key::Valleys, "0"),
         (Key::Trim, trim),
         // Trees are shown as they have grown.
+        (Key::Courses, "grown"),
         (Key::Simplify, "0"),
         (Key::Meander, "none"),
     ]
@@ -42,37 +44,37 @@ pub static PRESETS: &[Preset] = &[
     Preset {
         name: "original",
         label: "Original",
-        help: "Space colonization as it is, with all its short side branches.",
+        help: "Space colonization as it is, with all its short side branches. Suits veins and roots; people did not take it for rivers.",
         values: &pattern("0", "0", "8", "0"),
     },
     Preset {
         name: "momentum",
         label: "Momentum",
-        help: "Every turn exaggerated: more curves, and here and there a zigzag.",
+        help: "Every turn exaggerated: more curves, and here and there a zigzag. Suits rough, restless rivers; the one picture in the study passed for real.",
         values: &pattern("0.45", "0", "8", "0"),
     },
     Preset {
         name: "curl",
         label: "Curl",
-        help: "Stretches turned left and right at random: winding, complex, busy at its ends.",
+        help: "Stretches turned left and right at random: winding, complex, busy at its ends. Suits tangled, imaginary country; people did not take it for rivers.",
         values: &pattern("0", "0.9", "7", "0"),
     },
     Preset {
         name: "trimmed-original",
         label: "Trimmed original",
-        help: "The plain procedure without its short side branches.",
+        help: "The plain procedure without its short side branches. Suits calm, schematic maps; people did not take it for rivers.",
         values: &pattern("0", "0", "8", "29"),
     },
     Preset {
         name: "trimmed-momentum",
         label: "Trimmed momentum",
-        help: "Exaggerated turns without short side branches.",
+        help: "Exaggerated turns without short side branches. Suits rugged country; a borderline case in the study.",
         values: &pattern("0.45", "0", "8", "29"),
     },
     Preset {
         name: "trimmed-curl",
         label: "Trimmed curl",
-        help: "Winding rivers without short side branches: what people took for real ones.",
+        help: "Winding rivers without short side branches. Suits natural maps: what people took for real rivers.",
         values: &pattern("0", "0.9", "7", "29"),
     },
 ];

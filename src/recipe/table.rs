@@ -3,7 +3,7 @@
 //! Links, attributes, command-line options, JSON, the page's controls and `docs/parameters.md` all come from here.
 //! Keys are added freely and never renamed: a shared link holds them.
 
-use super::choice::{Choice, GrowthMethod, LandKind, MeanderModel, Scatter, Style};
+use super::choice::{Choice, CourseShape, GrowthMethod, LandKind, MeanderModel, Scatter, Style};
 use super::key::{COUNT, Key};
 use super::parameter::{Kind, Parameter, Stage};
 use super::value::{Decimal, Sides};
@@ -345,6 +345,17 @@ pub static TABLE: [Parameter; COUNT] = {
             stage: Prune,
             logarithmic: false,
             kind: number(0.0, 400.0, 1.0, 22.0),
+        },
+        Parameter {
+            key: Key::Courses,
+            name: "courses",
+            label: "Courses",
+            help: "The lines that rivers follow: simplified and smooth, or the tree's own steps, with every sharp turn and without meanders.",
+            unit: "",
+            group: "Rivers",
+            stage: Shape,
+            logarithmic: false,
+            kind: Kind::Choice { choices: CourseShape::WORDS },
         },
         Parameter {
             key: Key::Simplify,

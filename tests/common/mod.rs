@@ -43,7 +43,8 @@ pub fn random_link(most_attractors: u32) -> impl Strategy<Value = String> {
     );
     let how = (0.0f64..=1.0, 0.0f64..=1.0, 0.0f64..=1.0, 0u32..=16, 0.0f64..=1.0);
     let guards = (1.0f64..=4.0, 0.0f64..=1.0, 1.0f64..=20.0);
-    let rivers = (0u32..=95, 0.0f64..=0.5, meanders, how, guards).prop_map(rivers_link);
+    let courses = prop_oneof![3 => Just("smooth"), 1 => Just("grown")];
+    let rivers = ((courses, 0u32..=95), 0.0f64..=0.5, meanders, how, guards).prop_map(rivers_link);
     let edition = prop_oneof![Just(String::new()), Just(format!("&edition={EDITION}"))];
     let start = (random_seed(), edition);
     (start, land, ground, growth, bends, finish, rivers).prop_map(|(start, land, ground, growth, bends, finish, rivers)| {
@@ -66,14 +67,14 @@ pub fn random_link(most_attractors: u32) -> impl Strategy<Value = String> {
     })
 }
 
-/// How a tree is made into rivers: simplification, uneven banks, the model and its rounds, how they meander, what keeps them apart.
-type Rivers = (u32, f64, (&'static str, u32), (f64, f64, f64, u32, f64), (f64, f64, f64));
+/// How a tree is made into rivers: the lines they follow and simplification, uneven banks, the model and its rounds, how they meander, what keeps them apart.
+type Rivers = ((&'static str, u32), f64, (&'static str, u32), (f64, f64, f64, u32, f64), (f64, f64, f64));
 
-fn rivers_link((simplify, bank_variation, (meander, rounds), how, guards): Rivers) -> String {
+fn rivers_link(((courses, simplify), bank_variation, (meander, rounds), how, guards): Rivers) -> String {
     let (strength, mix, meander_elsewhere, great_rivers, flat_share) = how;
     let (neck, clearance, taper) = guards;
     format!(
-        "&simplify={simplify}&bank-variation={bank_variation:.3}&meander={meander}&meander-rounds={rounds}&meander-strength={strength:.3}\
+        "&courses={courses}&simplify={simplify}&bank-variation={bank_variation:.3}&meander={meander}&meander-rounds={rounds}&meander-strength={strength:.3}\
          &meander-mix={mix:.3}&meander-elsewhere={meander_elsewhere:.3}&great-rivers={great_rivers}&flat-share={flat_share:.3}&neck={neck:.2}&clearance={clearance:.2}&taper={taper:.2}"
     )
 }

@@ -16,7 +16,7 @@ use super::banks::{Banks, Width};
 use super::{ExportError, rivers};
 use crate::network::{NONE, Network, River};
 use crate::paint::{Lines, palette_of};
-use crate::recipe::link;
+use crate::recipe::{CourseShape, link};
 use crate::session::Session;
 
 /// The map of a session's rivers as they are: the text of an SVG file.
@@ -41,7 +41,7 @@ pub fn svg(session: &Session) -> Result<String, ExportError> {
     // The shore is where rivers end; in a land without a sea nothing is clipped.
     let clip = if land.is_some() { "\" clip-path=\"url(#shore)" } else { "" };
     out.text("<g id=\"rivers").text(clip).text("\" fill=\"").colour(palette.river).text("\">\n");
-    draw_rivers(&mut out, network, width(palette.lines));
+    draw_rivers(&mut out, network, width(palette.lines), recipe.get());
     if palette.lines == Lines::Wide {
         out.text("</g>\n<g id=\"oxbows\" fill=\"").colour(palette.river).text("\">\n");
         draw_lakes(&mut out, network);
@@ -61,14 +61,14 @@ fn width(lines: Lines) -> Width {
 }
 
 /// A group an order, the highest last.
-fn draw_rivers(out: &mut Text, network: &Network, width: Width) {
+fn draw_rivers(out: &mut Text, network: &Network, width: Width, courses: CourseShape) {
     let highest = network.rivers.iter().map(|river| river.order).max().unwrap_or(0);
     for order in 1..=highest {
         out.text("<g id=\"order-").whole(order.into()).text("\">\n");
         for (id, river) in (0..).zip(&network.rivers).filter(|(_, river)| river.order == order) {
             out.text("<path id=\"river-").whole(id);
             describe(out, network, river);
-            outline(out, &Banks::of_river(network, river, width));
+            outline(out, &Banks::of_river(network, river, width, courses), courses);
         }
         out.text("</g>\n");
     }
@@ -88,21 +88,25 @@ fn draw_lakes(out: &mut Text, network: &Network) {
         let banks = Banks::of_lake(oxbow, VISIBLE);
         if !banks.left.is_empty() {
             out.text("<path id=\"oxbow-").whole(id).text("\" data-river=\"").whole(oxbow.river);
-            outline(out, &banks);
+            outline(out, &banks, CourseShape::Smooth);
         }
     }
 }
 
 /// The end of a path: down the left bank, round the end, and up the right bank.
 #[inline(never)]
-fn outline(out: &mut Text, banks: &Banks) {
+fn outline(out: &mut Text, banks: &Banks, courses: CourseShape) {
     let mut path = Path::default();
+    let draw = match courses {
+        CourseShape::Smooth => Path::smooth,
+        CourseShape::Grown => Path::straight,
+    };
     if let (Some(&source), Some(&end)) = (banks.left.first(), banks.right.last()) {
         path.start(source);
-        path.smooth(&banks.left);
+        draw(&mut path, &banks.left);
         path.half_circle(end);
         let upstream: Vec<_> = banks.right.iter().rev().copied().collect();
-        path.smooth(&upstream);
+        draw(&mut path, &upstream);
         path.close();
     }
     out.text("\" d=\"").text(path.data()).text("\"/>\n");

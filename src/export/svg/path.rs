@@ -36,8 +36,14 @@ impl Path {
 
     /// A line from corner to corner.
     pub fn line(&mut self, points: &[Vec2]) {
-        let [first, rest @ ..] = points else { return };
+        let [first, ..] = points else { return };
         self.start(*first);
+        self.straight(points);
+    }
+
+    /// A line from corner to corner, from the first of some points, where the path has come to.
+    pub fn straight(&mut self, points: &[Vec2]) {
+        let [_, rest @ ..] = points else { return };
         self.command("l");
         rest.iter().for_each(|&to| self.go_to(whole(to)));
     }

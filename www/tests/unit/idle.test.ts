@@ -26,6 +26,8 @@ const recipes = [
   "great-rivers=0&meander-elsewhere=0",
   "style=skeleton&meander=none",
   "style=skeleton&meander-rounds=0",
+  "courses=grown",
+  "courses=grown&style=skeleton",
 ].map((link) => merged(COARSE, link));
 
 /** What these do depends on whether anywhere two lines come near each other. */
@@ -120,8 +122,10 @@ test("every key that can be idle is so in some recipe, and does something in ano
     "attractors",
     "curl",
     "stretch",
+    "simplify",
     "width",
     "bank-variation",
+    "meander",
     "flat-share",
     "neck",
   ]) {
