@@ -76,7 +76,7 @@ fn kept(link: &str) -> Vec<f64> {
         let notched = |&(key, change): &(Key, &str)| {
             let mut recipe = recipe(seed);
             let value = f64::from(recipe.number(key)) + change.parse::<f64>().unwrap();
-            recipe.set(key, &format!("{value:.2}").trim_end_matches(".00")).unwrap();
+            recipe.set(key, format!("{value:.2}").trim_end_matches(".00")).unwrap();
             recipe
         };
         let before = Courses::of(recipe(seed));
