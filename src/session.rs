@@ -369,9 +369,19 @@ impl Session {
     /// What of the tree is short enough to be trimmed.
     pub fn trim(&self) -> Trim {
         let length = self.recipe.number(Key::Trim);
-        let channel_area = if self.growth.covers_hillsides() { self.recipe.integer(Key::ChannelArea) } else { 0 };
+        let channel_area = if self.growth.covers_hillsides() { self.channel_area() } else { 0 };
         let trim = Trim::new(length, self.growth.node_length(), !self.growth.mouths_are_chosen());
         Trim { channel_area, ..trim }
+    }
+
+    /// The area with which rivers begin: where no basin is as large, that of the largest, so that no map is bare for it.
+    fn channel_area(&self) -> u32 {
+        let asked = self.recipe.integer(Key::ChannelArea);
+        if self.growth.ending().is_none() {
+            return asked;
+        }
+        let discharge = Hydrology::of(self.tree()).discharge;
+        discharge.into_iter().max().map_or(asked, |largest| asked.min(largest))
     }
 
     /// The picture in numbers. While growth goes on this costs nothing, and does not know order and sources yet.

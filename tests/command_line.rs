@@ -53,7 +53,7 @@ fn recipe_may_begin_with_a_byte_order_mark() {
 
 #[test]
 fn network_has_columns_of_one_length_and_parents_first() {
-    let network = network("network.json", &["seed=kauri&attractors=400", "--attractors"]);
+    let network = network("network.json", &["seed=kauri&growth=colonize&attractors=400", "--attractors"]);
     let column = |name: &str| network["nodes"][name].as_array().unwrap().clone();
     let parents = column("parent");
     for name in ["x", "y", "tick", "depth", "order", "magnitude", "discharge"] {
@@ -68,7 +68,7 @@ fn network_has_columns_of_one_length_and_parents_first() {
 
 #[test]
 fn attractors_are_counted_and_asked_for_at_once() {
-    let network = network("both.json", &["--attractors", "250", "--attractors"]);
+    let network = network("both.json", &["growth=colonize", "--attractors", "250", "--attractors"]);
     assert_eq!(network["attractors"]["x"].as_array().unwrap().len(), 250);
 }
 
@@ -103,7 +103,7 @@ fn ending_says_what_is_written() {
 
 #[test]
 fn rivers_are_in_the_network_with_what_they_were_made_by() {
-    let network = network("rivers.json", &["attractors=400&meander=flow&meander-rounds=3&simplify=50"]);
+    let network = network("rivers.json", &["growth=colonize&attractors=400&meander=flow&meander-rounds=3&simplify=50"]);
     let resolved = &network["resolved"];
     assert_eq!((&resolved["meander"], &resolved["meander-rounds"]), (&"flow".into(), &3.into()));
     assert_eq!((&resolved["simplify"], &resolved["total-discharge"]), (&0.5.into(), &400.into()));
@@ -352,7 +352,7 @@ fn tracing_says_what_it_kept_and_a_link_takes_a_seed() {
 #[test]
 fn what_is_given_and_does_nothing_is_said() {
     let file = scratch("idle-recipe.json");
-    fs::write(&file, r#"{"land": "rectangle", "sea": 0.5, "aspect": 2}"#).unwrap();
+    fs::write(&file, r#"{"land": "rectangle", "sea": 0.4, "aspect": 2}"#).unwrap();
     let out = scratch("idle.json");
     let arguments = ["growth=brownian&mouths=9&sensitivity=64", "--recipe", file.to_str().unwrap(), "--kill", "1"];
     let output = riverseed(&[&["render", "-o", out.to_str().unwrap()], &arguments[..]].concat());

@@ -25,6 +25,12 @@ const WIDTH: u32 = 240;
 /// Names and links; but for the first, a link that leaves a key out means the value of the plain rectangle.
 const PICTURES: &[(&str, &str)] = &[
     ("default", ""),
+    ("drainage", "growth=drainage&attractors=2000&trim=30&channel-area=4&mouths=0"),
+    ("drainage-island", "growth=drainage&land=island&attractors=4000&trim=30&channel-area=4&mouths=0&style=map"),
+    (
+        "drainage-wild",
+        "growth=drainage&land=continent&attractors=4000&trim=30&channel-area=4&mouths=0&valleys=0.6&style=map",
+    ),
     ("original", "preset=original&attractors=1500"),
     ("momentum", "preset=momentum&attractors=1500"),
     ("curl", "preset=curl&attractors=1500"),

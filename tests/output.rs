@@ -154,7 +154,7 @@ fn render_by(runner: &[&str], kilobytes: u32, link: &str, out: &Path) -> Option<
 
 #[test]
 fn too_little_memory_is_an_error_and_never_another_picture() {
-    const LINK: &str = "seed=a&attractors=300000";
+    const LINK: &str = "seed=a&growth=colonize&attractors=300000";
     let folder = folder("memory");
     let whole = folder.join("whole.png");
     let Some(output) = render_within(4_000_000, LINK, &whole) else {

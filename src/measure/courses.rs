@@ -49,7 +49,7 @@ fn junction_angle(network: &Network, river: &River, upstream: f32) -> Option<f64
     let towards = |line: Vec<Vec2>| Some(direction(along(junction, &line, upstream)? - junction));
     let tributary = towards(places(river, river.end))?;
     let stem = towards(places(joined, river.junction))?;
-    Some(libm::acos(f64::from(tributary.dot(stem)).clamp(-1.0, 1.0)).to_degrees())
+    Some(libm::atan2f(tributary.perp_dot(stem).abs(), tributary.dot(stem)).to_degrees().into())
 }
 
 /// The point of a line that lies so far from its start; `None` if it is shorter.

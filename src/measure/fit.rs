@@ -15,8 +15,13 @@ pub(super) fn ratio(values: &[f64]) -> Option<f64> {
     if values.iter().any(|&value| value <= 0.0) {
         return None;
     }
-    let logs: Vec<(f64, f64)> = values.iter().enumerate().map(|(i, &value)| (i as f64, libm::log(value))).collect();
-    slope(&logs).map(libm::exp)
+    let logs: Vec<(f64, f64)> = values.iter().enumerate().map(|(i, &value)| (i as f64, log(value))).collect();
+    slope(&logs).map(|slope| libm::expf(slope as f32).into())
+}
+
+/// A natural logarithm, as exact as a float of 32 bits: one of 64 would take another kilobyte of the page's engine.
+pub(super) fn log(value: f64) -> f64 {
+    libm::logf(value as f32).into()
 }
 
 /// The value in the middle, of an even number the mean of the two; `None` of none.

@@ -101,7 +101,7 @@ pub fn hack_exponent(tree: &Tree, order: &[u8], area: &[u32]) -> Option<f64> {
         let ends = order[node] >= 2 && below.is_none_or(|below| order[below] != order[node]);
         let last = below.map_or(0.0, |below| distance(tree.at[node], tree.at[below]));
         let length = f64::from(above[node] + last);
-        (ends && area[node] > 0 && length > 0.0).then(|| (libm::log(area[node].into()), libm::log(length)))
+        (ends && area[node] > 0 && length > 0.0).then(|| (fit::log(area[node].into()), fit::log(length)))
     };
     let basins: Vec<(f64, f64)> = (0..tree.len()).filter_map(basin).collect();
     if basins.len() < LEAST_BASINS { None } else { fit::slope(&basins) }

@@ -73,12 +73,12 @@ choices! {
 
     /// How a tree of rivers grows.
     GrowthMethod of Growth {
+        /// Drainage: water goes where it costs least, and the more there is of it the less it costs.
+        Drainage = "drainage", "drainage";
         /// Space colonization: attractors draw rivers on.
         Colonize = "colonize", "space colonization";
         /// A Brownian tree of wandering particles, coarse to fine.
         Brownian = "brownian", "Brownian tree";
-        /// Drainage: water goes where it costs least, and the more there is of it the less it costs.
-        Drainage = "drainage", "drainage";
     }
 
     /// How attractors lie.

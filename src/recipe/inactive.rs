@@ -172,7 +172,9 @@ mod tests {
             ("meander-rounds=0", Key::MeanderRounds),
             ("great-rivers=0", Key::Taper),
             ("style=skeleton", Key::Width),
-            ("curl=0.5", Key::Stretch),
+            ("growth=colonize&curl=0.5", Key::Stretch),
+            ("growth=drainage&hardness=0.1", Key::HardnessScale),
+            ("growth=drainage&land=island", Key::MouthSpacing),
         ] {
             assert_eq!(reason(link, key), None, "{link}");
         }

@@ -80,7 +80,7 @@ pub static TABLE: [Parameter; COUNT] = {
             group: "Land",
             stage: Land,
             logarithmic: false,
-            kind: number(0.1, 0.8, 0.01, 0.6),
+            kind: number(0.1, 0.8, 0.01, 0.5),
         },
         Parameter {
             key: Key::Roughness,
@@ -141,7 +141,7 @@ pub static TABLE: [Parameter; COUNT] = {
             key: Key::Growth,
             name: "growth",
             label: "Growth",
-            help: "How rivers grow: pulled by attractors (space colonization), or as a Brownian tree of wandering particles.",
+            help: "How rivers grow: as water drains the land, pulled by attractors (space colonization), or as a Brownian tree of wandering particles.",
             unit: "",
             group: "Growth",
             stage: Grow,
@@ -163,12 +163,12 @@ pub static TABLE: [Parameter; COUNT] = {
             key: Key::Attractors,
             name: "attractors",
             label: "Attractors",
-            help: "Number of points that pull rivers toward them. More points make a finer network.",
+            help: "Number of points that pull rivers toward them, or, of drainage, of parcels that the map is divided into. More make a finer network.",
             unit: "",
             group: "Growth",
             stage: Grow,
             logarithmic: true,
-            kind: Kind::Integer { min: 100, max: 1_000_000, default: 6000 },
+            kind: Kind::Integer { min: 100, max: 1_000_000, default: 20_000 },
         },
         Parameter {
             key: Key::Scatter,
@@ -333,7 +333,7 @@ pub static TABLE: [Parameter; COUNT] = {
             group: "Drainage",
             stage: Prune,
             logarithmic: true,
-            kind: Kind::Integer { min: 1, max: 60, default: 8 },
+            kind: Kind::Integer { min: 1, max: 60, default: 6 },
         },
         Parameter {
             key: Key::Trim,
@@ -355,7 +355,7 @@ pub static TABLE: [Parameter; COUNT] = {
             group: "Rivers",
             stage: Shape,
             logarithmic: false,
-            kind: number(0.0, 95.0, 1.0, 60.0),
+            kind: number(0.0, 95.0, 1.0, 35.0),
         },
         Parameter {
             key: Key::Width,
@@ -399,7 +399,7 @@ pub static TABLE: [Parameter; COUNT] = {
             group: "Meanders",
             stage: Shape,
             logarithmic: false,
-            kind: Kind::Integer { min: 0, max: 400, default: 36 },
+            kind: Kind::Integer { min: 0, max: 400, default: 18 },
         },
         Parameter {
             key: Key::MeanderStrength,
@@ -454,7 +454,7 @@ pub static TABLE: [Parameter; COUNT] = {
             group: "Meanders",
             stage: Shape,
             logarithmic: false,
-            kind: number(0.0, 1.0, 0.01, 0.25),
+            kind: number(0.0, 1.0, 0.01, 0.2),
         },
         Parameter {
             key: Key::Neck,

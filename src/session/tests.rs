@@ -13,7 +13,7 @@ const NOTHING: usize = 100;
 /// An island whose ridge runs along the whole of its coast.
 const NO_COAST: &str = "land=drawn&roughness=0&aspect=1&outline=.MzMzzMMzzMzMMzzM..M1M1zKM1zKzKM1zKM1M1";
 
-const BENDS: &str = "attractors=300&trim=0&meander=flow&meander-rounds=3";
+const BENDS: &str = "growth=colonize&attractors=300&trim=0&meander=flow&meander-rounds=3";
 
 fn recipe(text: &str) -> Recipe {
     link::read(text).unwrap()
@@ -55,14 +55,15 @@ fn assert_same(session: &Session, expected: &Session) {
 fn recipe_that_there_is_no_memory_for_is_refused() {
     let refused = |text: &str| with_lists_up_to(NOTHING, || Session::new(recipe(text))).map(drop).unwrap_err();
     let attractors = SessionError::Grow(GrowError::OutOfMemory { attractors: 300, megabytes: 1 });
-    assert_eq!(refused("attractors=300"), attractors);
+    assert_eq!(refused("growth=colonize&attractors=300"), attractors);
+    assert_eq!(refused("growth=drainage&attractors=300"), attractors);
     let raster = refused("growth=brownian&sensitivity=60");
     assert!(matches!(raster, SessionError::Grow(GrowError::NoRoomForRaster { .. })), "{raster:?}");
 }
 
 #[test]
 fn tree_that_the_memory_ran_out_of_is_an_error_until_it_grows_anew() {
-    for text in ["attractors=300", "growth=brownian&sensitivity=60"] {
+    for text in ["growth=colonize&attractors=300", "growth=drainage&attractors=300", "growth=brownian&sensitivity=60"] {
         let mut session = planted(text);
         let failure = with_lists_up_to(NOTHING, || session.advance(u32::MAX)).unwrap_err();
         assert!(matches!(failure, SessionError::Grow(_)), "{failure:?}");
@@ -158,12 +159,12 @@ fn a_copy_has_come_as_far_and_goes_its_own_way() {
 #[test]
 fn advice_fits_how_rivers_grow() {
     let shortfall = |text: &str| finished(text).summary().shortfall();
-    for growth in ["growth=colonize", "growth=brownian&sensitivity=30"] {
+    for growth in ["growth=colonize", "growth=drainage", "growth=brownian&sensitivity=30"] {
         let summary = finished(&format!("attractors=300&{growth}&{NO_COAST}")).summary();
         assert_eq!(summary.shortfall(), Some(Shortfall::NoRiver), "{growth}: {summary:?}");
         assert_eq!(shortfall(&format!("attractors=300&{growth}")), None);
     }
-    assert_eq!(shortfall("attractors=300&kill=0.5&step=1.2"), Some(Shortfall::Unreached));
+    assert_eq!(shortfall("growth=colonize&attractors=300&kill=0.5&step=1.2"), Some(Shortfall::Unreached));
     // Attractors and their step do not matter to a Brownian tree.
     assert_eq!(shortfall("attractors=300&kill=0.5&step=1.2&growth=brownian&sensitivity=30"), None);
 }
@@ -184,7 +185,7 @@ fn changed_at_any_step_a_session_ends_as_a_fresh_one() {
         ("trim=0&meander-rounds=5&meander-strength=1", Stage::Shape),
         ("trim=70", Stage::Prune),
     ] {
-        let change = format!("attractors=300&{change}");
+        let change = format!("growth=colonize&attractors=300&{change}");
         let fresh = finished(&change);
         let mut session = grown(BENDS);
         loop {

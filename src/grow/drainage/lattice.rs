@@ -144,19 +144,13 @@ impl Lattice {
 }
 
 /// Whether an edge lies upon a triangle; one that only ends at a corner of it does not.
-fn is_upon((a, b): (Vec2, Vec2), triangle: [Vec2; 3]) -> bool {
-    let [c, d, e] = triangle;
-    match (triangle.contains(&a), triangle.contains(&b)) {
-        (true, true) => true,
-        (false, false) => {
-            is_in_triangle(a, c, d, e) || [(c, d), (d, e), (e, c)].into_iter().any(|side| meet((a, b), side))
-        }
-        (ends_here, _) => {
-            let (corner, away) = if ends_here { (a, b) } else { (b, a) };
-            let opposite = [(c, d), (d, e), (e, c)].into_iter().filter(|side| side.0 != corner && side.1 != corner);
-            is_in_triangle(away, c, d, e) || opposite.into_iter().any(|side| meet((a, b), side))
-        }
-    }
+#[inline(never)] // inlined it would weigh a kilobyte
+fn is_upon((a, b): (Vec2, Vec2), [c, d, e]: [Vec2; 3]) -> bool {
+    let is_corner = |end: Vec2| end == c || end == d || end == e;
+    let reaches_in = |end: Vec2| !is_corner(end) && is_in_triangle(end, c, d, e);
+    let is_side = is_corner(a) && is_corner(b);
+    let mut others = [(c, d), (d, e), (e, c)].into_iter().filter(|&(c, d)| a != c && a != d && b != c && b != d);
+    is_side || reaches_in(a) || reaches_in(b) || others.any(|side| meet((a, b), side))
 }
 
 /// Whether three points run clockwise, with y down.
@@ -174,11 +168,12 @@ fn half_extent(domain: &Domain, settings: &DrainageSettings) -> (usize, usize) {
     (cells(reach.x, side), cells(reach.y, side * HEIGHT))
 }
 
-/// Anywhere in a disc.
+/// Anywhere in a disc: in the square around it, drawn in if that is outside. (Sine and cosine would take the module 3 kB more.)
 fn jitter(chance: ItemHash, i: i32, j: i32) -> Vec2 {
-    let unit = |number| chance.unit([i as u32, j as u32, number]);
-    let angle = unit(0) * std::f32::consts::TAU;
-    Vec2::new(libm::cosf(angle), libm::sinf(angle)) * (JITTER * unit(1).sqrt())
+    let unit = |number| 2.0 * chance.unit([i as u32, j as u32, number]) - 1.0;
+    let at = Vec2::new(unit(0), unit(1));
+    let share = if at.length_squared() > 1.0 { std::f32::consts::FRAC_1_SQRT_2 } else { 1.0 };
+    at * (JITTER * share)
 }
 
 /// A flow that bends the plane: along the contours of fractal noise, so that it neither gathers nor scatters what it carries.

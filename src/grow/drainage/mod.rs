@@ -18,6 +18,8 @@ mod way;
 
 pub use settings::DrainageSettings;
 
+use std::sync::Arc;
+
 use super::{Ending, GrowError, GrowthSettings};
 use crate::memory::{Refused, can_allocate};
 use crate::tree::{LEAST_SLOPE, NO_PARENT, Tree};
@@ -37,7 +39,7 @@ const PARCELS_A_TICK: usize = 20_000;
 #[derive(Clone, Debug)]
 pub struct Drainage {
     settings: GrowthSettings,
-    parcels: Parcels,
+    parcels: Arc<Parcels>,
     /// What each parcel drained in the rounds so far, at least 1: the geometric mean of the last round and all before it.
     area: Vec<f32>,
     stage: Stage,
@@ -67,7 +69,7 @@ impl Drainage {
         if !can_allocate(Lattice::count(&settings.domain, &settings.drainage).saturating_mul(BYTES_A_CELL)) {
             return Err(too_much());
         }
-        let parcels = Parcels::new(&settings);
+        let parcels = Arc::new(Parcels::new(&settings));
         let area = vec![1.0; parcels.len()];
         let stage = if settings.drainage.valleys > 0.0 {
             Stage::Invasion(Invasion::new(&parcels, &settings.drainage).map_err(|_| too_much())?.into())

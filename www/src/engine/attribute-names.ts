@@ -7,7 +7,8 @@
 // biome-ignore format: a list of words
 export const NUMBERS = [
   "edition", "aspect", "sea", "roughness", "mouths", "mouth-spacing", "sensitivity", "attractors", "reach", "kill", "step", "momentum",
-  "curl", "stretch", "trim", "simplify", "width", "bank-variation", "meander-rounds", "meander-strength", "meander-mix", "meander-elsewhere",
+  "curl", "stretch", "valleys", "valley-spacing", "concavity", "captures", "hardness", "hardness-scale", "bending", "channel-area", "trim",
+  "simplify", "width", "bank-variation", "meander-rounds", "meander-strength", "meander-mix", "meander-elsewhere",
   "great-rivers", "flat-share", "neck", "clearance", "taper",
 ] as const;
 export const TEXTS = ["seed", "land", "outline", "sides", "shores", "growth", "scatter", "meander", "style"] as const;

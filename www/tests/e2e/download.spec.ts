@@ -107,7 +107,16 @@ test("JSON holds the whole network", async ({ page }) => {
   expect(name).toBe("riverseed-puriri.json");
   const file = JSON.parse(bytes.toString("utf8"));
   expect(file).toEqual(written(PLAIN).network);
-  expect(Object.keys(file)).toEqual(["recipe", "resolved", "domain", "growth", "measures", "nodes", "rivers", "oxbows"]);
+  expect(Object.keys(file)).toEqual([
+    "recipe",
+    "resolved",
+    "domain",
+    "growth",
+    "measures",
+    "nodes",
+    "rivers",
+    "oxbows",
+  ]);
   const { nodes, sources, oxbows } = pictureOf(PLAIN, 16, 16).summary;
   expect(Object.values<number[]>(file.nodes).map((column) => column.length)).toEqual(Array(8).fill(nodes));
   expect([file.rivers.length, file.oxbows.length]).toEqual([sources, oxbows]);
