@@ -1,4 +1,4 @@
-//! Rivers on a land of one's own, traced from a PNG that is white where there is land and black where there is water:
+//! Rivers on a land of one's own, a PNG that is white where there is land and black where there is water:
 //! `cargo run --features png --example own_land -- land.png`. Without a file it draws a round island.
 
 use std::error::Error;
@@ -6,16 +6,19 @@ use std::fs::File;
 use std::io::BufReader;
 use std::path::Path;
 
+use riverseed::domain::Domain;
 use riverseed::land::trace::trace;
-use riverseed::{Key, Recipe, Session, export, import};
+use riverseed::{Key, Land, Recipe, Session, export, import};
 
-/// Writes the land's rivers as SVG into a folder.
+/// Writes the land's rivers as SVG into a folder. The recipe has room for an outline of the land, which is what the file's link shows; the
+/// rivers run on the land itself, in full detail.
 pub fn write(folder: &Path, (width, height, rgba): (u32, u32, &[u8])) -> Result<(), Box<dyn Error>> {
     let traced = trace(width, height, rgba)?;
     let mut recipe: Recipe = "seed=matai&land=drawn".parse()?;
     recipe.set(Key::Aspect, &format!("{:.2}", traced.aspect))?;
     recipe.set(Key::Outline, &traced.outline.to_string())?;
-    let mut session = Session::new(recipe)?;
+    let land = Land::from_picture(&Domain::of(&recipe), width, height, rgba)?;
+    let mut session = Session::on_land(recipe, land)?;
     session.finish()?;
     Ok(std::fs::write(folder.join("matai.svg"), export::svg::svg(&session)?)?)
 }

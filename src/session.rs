@@ -30,6 +30,20 @@ pub enum SessionError {
         /// About how much is needed.
         megabytes: u32,
     },
+    /// The land that was given lies on another map than the recipe's.
+    #[error(
+        "the land given is for a map of {width} x {height} units, and the recipe's aspect makes one of {wanted_width} x {wanted_height}"
+    )]
+    OtherMap {
+        /// Width of the land's domain, in units, rounded.
+        width: u32,
+        /// Its height.
+        height: u32,
+        /// Width of the recipe's domain.
+        wanted_width: u32,
+        /// Its height.
+        wanted_height: u32,
+    },
 }
 
 /// A recipe with what its stages have made of it so far: land, tree, rivers.
@@ -49,6 +63,8 @@ pub struct Session {
     recipe: Recipe,
     /// `None` if all of the domain is land.
     land: Option<Arc<Land>>,
+    /// Whether the land was given, and is not the recipe's.
+    is_land_given: bool,
     growth: Growth,
     /// Once growth has ended.
     shaping: Option<Shaping>,
@@ -123,9 +139,24 @@ impl Session {
     /// If there is not enough memory.
     pub fn new(recipe: Recipe) -> Result<Self, SessionError> {
         let land = Land::of(&recipe);
+        Self::plant(recipe, land, false)
+    }
+
+    /// Plants the tree of a recipe on a land of its own, [`Land::from_mask`], say. The land stays, whatever recipe the session is
+    /// [changed](Session::change) to: of `land`, `sea`, `roughness` and `outline` nothing is seen. The recipe should name a drawn land, with an outline that is like
+    /// this one: links and files say no more of it than that.
+    ///
+    /// # Errors
+    /// If the land is for a map of another aspect than the recipe's, or there is not enough memory.
+    pub fn on_land(recipe: Recipe, land: Arc<Land>) -> Result<Self, SessionError> {
+        check_map(&recipe, &land)?;
+        Self::plant(recipe, Some(land), true)
+    }
+
+    fn plant(recipe: Recipe, land: Option<Arc<Land>>, is_land_given: bool) -> Result<Self, SessionError> {
         let growth = plant(&recipe, &land)?;
         let (generation, tree_generation) = (Generation::next(), Generation::next());
-        Ok(Self { recipe, land, growth, shaping: None, generation, tree_generation })
+        Ok(Self { recipe, land, is_land_given, growth, shaping: None, generation, tree_generation })
     }
 
     /// Another session that has come as far: what becomes of one does not touch the other. `clone` does the same, but ends the
@@ -155,7 +186,7 @@ impl Session {
         Domain::of(&self.recipe)
     }
 
-    /// The land; `None` if all of the domain is.
+    /// The land, given or the recipe's; `None` if all of the domain is.
     pub fn land(&self) -> Option<&Arc<Land>> {
         self.land.as_ref()
     }
@@ -165,11 +196,15 @@ impl Session {
     /// then there are no rivers.
     ///
     /// # Errors
-    /// As [`Session::new`]; everything is then as before.
+    /// As [`Session::new`] and [`Session::on_land`]; everything is then as before.
     pub fn change(&mut self, recipe: Recipe) -> Result<Option<Stage>, SessionError> {
         let stage = self.recipe.first_difference(&recipe);
         if matches!(stage, Some(Stage::Land | Stage::Grow)) {
-            let land = if stage == Some(Stage::Land) { Land::of(&recipe) } else { self.land.clone() };
+            let land = match (stage, &self.land) {
+                (_, Some(land)) if self.is_land_given => check_map(&recipe, land).map(|()| Some(land.clone()))?,
+                (Some(Stage::Land), _) => Land::of(&recipe),
+                (_, land) => land.clone(),
+            };
             self.growth = plant(&recipe, &land)?;
             self.land = land;
         }
@@ -387,6 +422,15 @@ impl Generation {
         static COUNT: AtomicU64 = AtomicU64::new(0);
         Self(COUNT.fetch_add(1, Ordering::Relaxed))
     }
+}
+
+/// Whether a land lies on the map of a recipe.
+fn check_map(recipe: &Recipe, land: &Land) -> Result<(), SessionError> {
+    let (size, wanted) = (land.size(), Domain::of(recipe).size);
+    let [width, height, wanted_width, wanted_height] =
+        [size.x, size.y, wanted.x, wanted.y].map(|length| length.round() as u32);
+    let other = SessionError::OtherMap { width, height, wanted_width, wanted_height };
+    if size == wanted { Ok(()) } else { Err(other) }
 }
 
 /// Begins the growth of a recipe on its land.

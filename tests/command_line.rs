@@ -231,6 +231,84 @@ fn picture_of_a_land_becomes_an_outline_that_renders() {
 }
 
 #[test]
+fn a_picture_given_as_land_is_the_land_and_links_hold_its_outline() {
+    let path = picture("mask.png", 0, 255);
+    let path = path.to_str().unwrap();
+    let said = |arguments: &[&str]| {
+        let output = riverseed(&[arguments, &["--land", path, "--attractors", "2400"]].concat());
+        assert!(output.status.success(), "{output:?}");
+        String::from_utf8(output.stderr).unwrap()
+    };
+    let out = scratch("masked.json");
+    let out = out.to_str().unwrap();
+    for growth in ["colonize", "drainage", "brownian"] {
+        // A Brownian tree has no attractors.
+        let first = said(&["render", "--growth", growth, "--trim", "0", "-o", out]);
+        let first = first.lines().next().unwrap();
+        assert!(first.contains("mask.png in full detail; links in files hold only its outline, of "), "{first}");
+        let network: serde_json::Value = serde_json::from_slice(&fs::read(out).unwrap()).unwrap();
+        let outline = riverseed(&["outline", path]).stdout;
+        let recipe = &network["recipe"];
+        assert_eq!((&recipe["land"], &recipe["aspect"]), (&"drawn".into(), &1.5.into()));
+        assert_eq!(recipe["outline"].as_str().unwrap(), String::from_utf8(outline).unwrap().trim());
+        // Rough coasts are the outline's, not the mask's.
+        for (axis, length) in [("x", "width"), ("y", "height")] {
+            let length = network["domain"][length].as_f64().unwrap();
+            let all = network["nodes"][axis].as_array().unwrap();
+            let off = |at: &serde_json::Value| (at.as_f64().unwrap() / length - 0.5).abs();
+            assert!(all.len() > 20, "{growth}: {}", all.len());
+            assert!(all.iter().all(|at| off(at) < 0.252), "{growth}: rivers leave the land");
+        }
+    }
+    for name in ["masked.svg", "masked.geojson", "masked.png"] {
+        said(&["render", "-o", scratch(name).to_str().unwrap()]);
+    }
+    assert!(said(&["measure"]).contains("in full detail"));
+    // What it wrote may be given again, with the same picture.
+    let again = scratch("masked-again.json");
+    said(&["render", "--growth", "drainage", "-o", out]);
+    said(&["render", "--recipe", out, "-o", again.to_str().unwrap()]);
+    assert_eq!(fs::read(out).unwrap(), fs::read(again).unwrap());
+    assert!(said(&["render", "--roughness", "0.5", "-o", out]).contains("'roughness' has no effect: the picture"));
+}
+
+#[test]
+fn what_does_not_go_with_a_picture_as_land_is_refused() {
+    let path = picture("mask-alone.png", 0, 255);
+    let path = path.to_str().unwrap();
+    let out = scratch("never-masked.png");
+    let _ = fs::remove_file(&out);
+    let refused = |arguments: &[&str]| refusal(&[&["render", "-o", out.to_str().unwrap()], arguments].concat());
+    let square = ".MzMzzMMzzMzMMzzM";
+    for (given, name) in
+        [(&["--outline", square] as &[&str], "outline"), (&["land=island"], "land"), (&["aspect=2"], "aspect")]
+    {
+        let (code, message) = refused(&[given, &["--land", path]].concat());
+        let reason = format!("mask-alone.png: the picture determines '{name}', and another value is given\n");
+        assert!(code == 2 && message.ends_with(&reason), "{code}, {message}");
+    }
+    for (ground, square, reason) in [(0, 0, "all water"), (255, 255, "all land")] {
+        let path = picture(&format!("masked {reason}.png"), ground, square);
+        let (code, message) = refused(&["--land", path.to_str().unwrap()]);
+        assert!(code == 1 && message.contains(reason), "{code}, {message}");
+    }
+    let junk = scratch("junk-mask.png");
+    fs::write(&junk, "junk").unwrap();
+    let (code, message) = refused(&["--land", junk.to_str().unwrap()]);
+    assert!(code == 1 && message.contains("junk-mask.png: this is no PNG"), "{message}");
+    let (code, message) = refused(&["--land", scratch("absent.png").to_str().unwrap()]);
+    assert!(code == 1 && message.contains("absent.png"), "{message}");
+    let large = scratch("large.png");
+    let mut encoder = png::Encoder::new(fs::File::create(&large).unwrap(), 5000, 20);
+    encoder.set_color(png::ColorType::Grayscale);
+    encoder.write_header().unwrap().write_image_data(&[0; 100_000]).unwrap();
+    let (code, message) = refused(&["--land", large.to_str().unwrap()]);
+    assert!(code == 1 && message.contains("too large: 5000 x 20 pixels, at most 4096 x 4096"), "{message}");
+    assert_eq!(refused(&["--land", "pangaea"]).0, 2);
+    assert!(!fs::exists(out).unwrap());
+}
+
+#[test]
 fn an_area_of_the_third_colour_stays_without_rivers() {
     let from_middle = |x: usize, y: usize| (x.abs_diff(60), y.abs_diff(40));
     let path = greys("area.png", |x, y| match from_middle(x, y) {

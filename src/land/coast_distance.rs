@@ -25,11 +25,17 @@ pub struct CoastDistance {
     heights: Vec<f32>,
     columns: usize,
     rows: usize,
+    /// The distance between corners, in units.
+    spacing: f32,
 }
 
 impl CoastDistance {
-    /// The distance between lattice corners, in units: finer than any visible bend of a coast.
+    /// The distance between lattice corners, in units, of all lands that a recipe describes: finer than any visible bend of
+    /// their coasts.
     pub const SPACING: f32 = 8.0;
+    /// The same of a land that is given as a mask, whose coasts may be of any shape: half of this is less than a coast's line is wide. A
+    /// divisor of the other, and a multiple of a cell.
+    pub const FINE_SPACING: f32 = 2.0;
 
     /// The land where a function is high: the sea is as much of the domain as asked for, where it is lowest.
     pub(super) fn with_sea(domain: &Domain, share: f32, height: impl Fn(Vec2) -> f32) -> Self {
@@ -41,34 +47,35 @@ impl CoastDistance {
         this.measured(&coast)
     }
 
-    /// The land of a coast, which says of each corner of the lattice, row by row, whether it is land.
-    pub(super) fn of_coast(domain: &Domain, coast: &[Piece], is_land: &[bool]) -> Self {
-        let (columns, rows) = Self::corners(domain);
+    /// The land of a coast, on a lattice with this distance between its corners; of each, row by row, is said whether it is land.
+    pub(super) fn of_coast(domain: &Domain, spacing: f32, coast: &[Piece], is_land: &[bool]) -> Self {
+        let (columns, rows) = Self::corners(domain, spacing);
         let heights = is_land.iter().map(|&is_land| if is_land { 1.0 } else { -1.0 }).collect();
-        Self { heights, columns, rows }.measured(coast)
+        Self { heights, columns, rows, spacing }.measured(coast)
     }
 
     /// All land but for a strait of a width, between two points.
     #[cfg(test)]
     pub(crate) fn of_strait(domain: &Domain, from: Vec2, to: Vec2, width: f32) -> Self {
         let across = (to - from).perp().normalize();
-        let (columns, rows) = Self::corners(domain);
-        let is_land = |i| ((corner(i, columns) - from).dot(across)).abs() > width / 2.0;
+        let (columns, rows) = Self::corners(domain, Self::SPACING);
+        let is_land = |i| ((corner(i, columns, Self::SPACING) - from).dot(across)).abs() > width / 2.0;
         let is_land: Vec<bool> = (0..columns * rows).map(is_land).collect();
         let coast = [0.5, -0.5].map(|side| [from + across * (width * side), to + across * (width * side)]);
-        Self::of_coast(domain, &coast, &is_land)
+        Self::of_coast(domain, Self::SPACING, &coast, &is_land)
     }
 
     /// How many columns and rows of corners a lattice has: one more each than would cover the domain.
-    pub(super) fn corners(domain: &Domain) -> (usize, usize) {
-        let corners = |length: f32| (length / Self::SPACING) as usize + 2;
+    pub(super) fn corners(domain: &Domain, spacing: f32) -> (usize, usize) {
+        let corners = |length: f32| (length / spacing) as usize + 2;
         (corners(domain.size.x), corners(domain.size.y))
     }
 
     fn sampled(domain: &Domain, height: impl Fn(Vec2) -> f32) -> Self {
-        let (columns, rows) = Self::corners(domain);
-        let heights = (0..columns * rows).map(|i| height(corner(i, columns))).collect();
-        Self { heights, columns, rows }
+        let spacing = Self::SPACING;
+        let (columns, rows) = Self::corners(domain, spacing);
+        let heights = (0..columns * rows).map(|i| height(corner(i, columns, spacing))).collect();
+        Self { heights, columns, rows, spacing }
     }
 
     /// Sinks islets, and makes land of ponds: a map has no room for the rivers of the one, and those of the land around
@@ -119,16 +126,25 @@ impl CoastDistance {
     fn crossing(&self, a: usize, b: usize) -> Option<Vec2> {
         let (from, to) = (self.heights[a], self.heights[b]);
         let crosses = (from > 0.0) != (to > 0.0);
-        crosses.then(|| corner(a, self.columns).lerp(corner(b, self.columns), from / (from - to)))
+        crosses.then(|| self.corner(a).lerp(self.corner(b), from / (from - to)))
+    }
+
+    fn corner(&self, i: usize) -> Vec2 {
+        corner(i, self.columns, self.spacing)
     }
 
     /// Puts distances from a coast in place of the heights, and keeps their signs.
     fn measured(mut self, coast: &[Piece]) -> Self {
-        let nearest = Nearest::of(coast, self.columns, self.rows);
+        let nearest = Nearest::of(coast, &self);
         for (height, squared) in self.heights.iter_mut().zip(nearest.squared) {
             *height = squared.sqrt() * if *height > 0.0 { 1.0 } else { -1.0 };
         }
         self
+    }
+
+    /// The distance between corners, in units.
+    pub(crate) fn spacing(&self) -> f32 {
+        self.spacing
     }
 
     /// How many columns and rows of corners there are.
@@ -152,7 +168,8 @@ impl CoastDistance {
     /// How far inland a point lies, in units; negative at sea. Points outside the domain have the value of its border.
     #[inline]
     pub fn height(&self, point: Vec2) -> f32 {
-        let ((column, x), (row, y)) = (lattice(point.x, self.columns), lattice(point.y, self.rows));
+        let at = point / self.spacing;
+        let ((column, x), (row, y)) = (lattice(at.x, self.columns), lattice(at.y, self.rows));
         let along = |row: usize| {
             let corners = &self.heights[row * self.columns + column..][..2];
             corners[0] * (1.0 - x) + corners[1] * x
@@ -163,20 +180,20 @@ impl CoastDistance {
     /// The way inland, and how much farther inland a step that way leads.
     #[inline]
     pub fn slope(&self, point: Vec2) -> Vec2 {
-        let step = Self::SPACING;
+        let step = self.spacing;
         let rise = |axis: Vec2| self.height(point + axis * step) - self.height(point - axis * step);
         Vec2::new(rise(Vec2::X), rise(Vec2::Y)) / (2.0 * step)
     }
 }
 
-fn corner(i: usize, columns: usize) -> Vec2 {
-    Vec2::new((i % columns) as f32, (i / columns) as f32) * CoastDistance::SPACING
+fn corner(i: usize, columns: usize, spacing: f32) -> Vec2 {
+    Vec2::new((i % columns) as f32, (i / columns) as f32) * spacing
 }
 
-/// The lattice interval a coordinate lies in, and where in it.
+/// The lattice interval a coordinate, in intervals, lies in, and where in it.
 #[inline]
 fn lattice(x: f32, corners: usize) -> (usize, f32) {
-    let x = (x / CoastDistance::SPACING).max(0.0).min((corners - 1) as f32);
+    let x = x.max(0.0).min((corners - 1) as f32);
     let index = (x as usize).min(corners - 2);
     (index, x - index as f32)
 }
@@ -194,14 +211,16 @@ struct Nearest<'a> {
     piece: Vec<u32>,
     squared: Vec<f32>,
     columns: usize,
+    spacing: f32,
 }
 
 impl<'a> Nearest<'a> {
-    fn of(coast: &'a [Piece], columns: usize, rows: usize) -> Self {
+    fn of(coast: &'a [Piece], lattice: &CoastDistance) -> Self {
+        let &CoastDistance { columns, rows, spacing, .. } = lattice;
         let squared = vec![FARTHEST * FARTHEST; columns * rows];
-        let mut this = Self { coast, piece: vec![u32::MAX; columns * rows], squared, columns };
+        let mut this = Self { coast, piece: vec![u32::MAX; columns * rows], squared, columns, spacing };
         for (piece, [from, to]) in (0..).zip(coast) {
-            for (column, row) in walk(*from / CoastDistance::SPACING, *to / CoastDistance::SPACING) {
+            for (column, row) in walk(*from / spacing, *to / spacing) {
                 for (column, row) in [(column, row), (column + 1, row), (column, row + 1), (column + 1, row + 1)] {
                     if (0..columns as i32).contains(&column) && (0..rows as i32).contains(&row) {
                         this.propose(column as usize, row as usize, piece);
@@ -251,7 +270,7 @@ impl<'a> Nearest<'a> {
         }
         work::count(1);
         if let Some([from, to]) = self.coast.get(piece as usize) {
-            let corner = Vec2::new(column as f32, row as f32) * CoastDistance::SPACING;
+            let corner = Vec2::new(column as f32, row as f32) * self.spacing;
             let squared = squared_distance(corner, *from, *to);
             if squared < self.squared[i] {
                 (self.squared[i], self.piece[i]) = (squared, piece);
@@ -287,8 +306,8 @@ mod tests {
         };
         let coast: Vec<Piece> = (0..200).map(|i| [at(i), at(i + 1)]).collect();
         let is_land: Vec<bool> =
-            (0..by_height.heights.len()).map(|i| (corner(i, by_height.columns) - centre).length() < radius).collect();
-        let by_coast = CoastDistance::of_coast(&domain, &coast, &is_land);
+            (0..by_height.heights.len()).map(|i| (by_height.corner(i) - centre).length() < radius).collect();
+        let by_coast = CoastDistance::of_coast(&domain, CoastDistance::SPACING, &coast, &is_land);
         for i in 0..=1000 {
             let point = domain.size * Vec2::new(i as f32 / 1000.0, (i * 7 % 1000) as f32 / 1000.0);
             let exact = radius - (point - centre).length();
@@ -316,11 +335,12 @@ mod tests {
             [from, from.lerp(toward, 0.05)]
         };
         let coast: Vec<Piece> = (0..40).map(|_| piece()).collect();
-        let (columns, rows) = CoastDistance::corners(&domain);
-        let coast_distance = CoastDistance::of_coast(&domain, &coast, &vec![true; columns * rows]);
+        let (columns, rows) = CoastDistance::corners(&domain, CoastDistance::SPACING);
+        let coast_distance =
+            CoastDistance::of_coast(&domain, CoastDistance::SPACING, &coast, &vec![true; columns * rows]);
         let mut far_off = 0;
         for (i, height) in coast_distance.heights.iter().enumerate() {
-            let exact = coast.iter().map(|[from, to]| squared_distance(corner(i, coast_distance.columns), *from, *to));
+            let exact = coast.iter().map(|[from, to]| squared_distance(coast_distance.corner(i), *from, *to));
             let exact = exact.fold(f32::INFINITY, f32::min).sqrt();
             assert!(height - exact > -0.01 && height - exact < 2.0, "{height} is not {exact}");
             far_off += u32::from(height - exact > 0.01);

@@ -26,21 +26,42 @@ pub(super) struct Grid {
     pub size: Vec2,
 }
 
-/// How many cells go into an interval of the lattice of coast distances.
-const CELLS: usize = (CoastDistance::SPACING / CELL_SIZE) as usize;
-
 impl Grid {
     /// The cells whose middles lie above water.
     pub fn above_water(domain: &Domain, coast_distance: &CoastDistance) -> Self {
-        let count = |length: f32| (length / CELL_SIZE).ceil() as usize;
-        let (columns, rows) = (count(domain.size.x), count(domain.size.y));
-        let mut heights = vec![0.0; columns.div_ceil(CELLS) + 1];
+        let (columns, rows) = extent(domain);
+        // How many go into an interval of the lattice.
+        let cells = (coast_distance.spacing() / CELL_SIZE) as usize;
+        let mut heights = vec![0.0; columns.div_ceil(cells) + 1];
         let mut runs = Vec::new();
         for row in 0..rows {
-            let y = ((row % CELLS) as f32 + 0.5) / CELLS as f32;
-            coast_distance.corners_between(row / CELLS, y, &mut heights);
-            land_of_row(row as u32, columns, &heights, &mut runs);
+            let y = ((row % cells) as f32 + 0.5) / cells as f32;
+            coast_distance.corners_between(row / cells, y, &mut heights);
+            land_of_row(row as u32, (columns, cells), &heights, &mut runs);
         }
+        Self::of_runs(domain, runs)
+    }
+
+    /// Cells of which is said, row by row, whether they are land; rows may have more columns than are needed.
+    #[cfg(feature = "files")]
+    pub fn of_cells(domain: &Domain, is_land: &[bool], row_length: usize) -> Self {
+        let (columns, rows) = extent(domain);
+        let mut runs = Vec::new();
+        for (row, cells) in (0..).zip(is_land.chunks(row_length).take(rows)) {
+            let mut start = 0;
+            for stretch in cells[..columns].chunk_by(|a, b| a == b) {
+                let end = start + stretch.len() as u32;
+                if stretch[0] {
+                    runs.push(Run { row, start, end, before: 0 });
+                }
+                start = end;
+            }
+        }
+        Self::of_runs(domain, runs)
+    }
+
+    fn of_runs(domain: &Domain, runs: Vec<Run>) -> Self {
+        let (columns, rows) = extent(domain);
         let mut cells = vec![Cell::Water; columns * rows];
         for Run { row, start, end, .. } in &runs {
             let first = *row as usize * columns;
@@ -134,6 +155,12 @@ impl Grid {
     }
 }
 
+/// How many columns and rows of cells cover a domain.
+fn extent(domain: &Domain) -> (usize, usize) {
+    let count = |length: f32| (length / CELL_SIZE).ceil() as usize;
+    (count(domain.size.x), count(domain.size.y))
+}
+
 /// How many cells are looked at together.
 const MANY: usize = 32;
 
@@ -145,8 +172,8 @@ fn has_water(row: &[Cell], columns: &Range<usize>) -> bool {
 }
 
 /// Adds the stretches of a row's cells that lie above water. From one lattice corner to the next the height is linear,
-/// so most cells need not be looked at one by one.
-fn land_of_row(row: u32, columns: usize, heights: &[f32], runs: &mut Vec<Run>) {
+/// so most cells need not be looked at one by one. There are so many columns, and so many cells in an interval.
+fn land_of_row(row: u32, (columns, cells): (usize, usize), heights: &[f32], runs: &mut Vec<Run>) {
     let mut start = None;
     let mut turn = |column: usize, is_land: bool| match start {
         None if is_land => start = Some(column as u32),
@@ -157,13 +184,13 @@ fn land_of_row(row: u32, columns: usize, heights: &[f32], runs: &mut Vec<Run>) {
         _ => {}
     };
     for (interval, ends) in heights.windows(2).enumerate() {
-        let (first, [left, right]) = (interval * CELLS, [ends[0], ends[1]]);
+        let (first, [left, right]) = (interval * cells, [ends[0], ends[1]]);
         if (left > 0.0) == (right > 0.0) {
             turn(first, left > 0.0);
             continue;
         }
-        for i in 0..CELLS.min(columns - first) {
-            let x = (i as f32 + 0.5) / CELLS as f32;
+        for i in 0..cells.min(columns - first) {
+            let x = (i as f32 + 0.5) / cells as f32;
             turn(first + i, left * (1.0 - x) + right * x > 0.0);
         }
     }

@@ -2,7 +2,11 @@
 
 use glam::Vec2;
 
+#[cfg(feature = "files")]
+use super::cell::CELL_SIZE;
 use super::coast_distance::{CoastDistance, Piece};
+#[cfg(feature = "files")]
+use super::grid::Grid;
 use super::kinds::Shape;
 use crate::domain::Domain;
 use crate::recipe::{GridPoint, Outline};
@@ -31,16 +35,24 @@ impl Drawing {
     /// An outline on a domain. Every line is moved by the same noise, so that lines which do not touch still do not,
     /// small islands stay, and ridges keep their place on the land.
     pub fn of(outline: &Outline, shape: &Shape) -> Self {
-        let size = shape.domain.size;
-        let on_domain = |line: &[GridPoint]| line.iter().map(|point| point.fraction() * size).collect::<Vec<_>>();
-        let mut this = Self {
-            coasts: outline.coasts().iter().map(|ring| past_border(&on_domain(ring), size)).collect(),
-            ridges: outline.ridges().iter().map(|line| on_domain(line)).collect(),
+        let fractions = |lines: &[Vec<GridPoint>]| -> Vec<Vec<Vec2>> {
+            lines.iter().map(|line| line.iter().map(|point| point.fraction()).collect()).collect()
         };
+        let mut this = Self::on(&shape.domain, fractions(outline.coasts()), fractions(outline.ridges()));
         if shape.roughness > 0.0 {
             this.roughen(shape);
         }
         this
+    }
+
+    /// Lines in fractions of a domain's width and height.
+    pub fn on(domain: &Domain, coasts: Vec<Vec<Vec2>>, ridges: Vec<Vec<Vec2>>) -> Self {
+        let size = domain.size;
+        let on_domain = |line: Vec<Vec2>| line.into_iter().map(|at| at * size).collect::<Vec<_>>();
+        Self {
+            coasts: coasts.into_iter().map(|ring| past_border(&on_domain(ring), size)).collect(),
+            ridges: ridges.into_iter().map(on_domain).collect(),
+        }
     }
 
     fn roughen(&mut self, shape: &Shape) {
@@ -62,12 +74,26 @@ impl Drawing {
         self.coasts.iter().flat_map(|ring| ring.iter().copied().zip(ring.iter().copied().cycle().skip(1)))
     }
 
-    /// The distances from the coasts: land is what lies within an odd number of them.
-    pub fn coast_distance(&self, domain: &Domain) -> CoastDistance {
+    /// The distances from the coasts, on a lattice with this distance between its corners: land is what lies within an odd number of
+    /// them.
+    pub fn coast_distance(&self, domain: &Domain, spacing: f32) -> CoastDistance {
         let coast: Vec<Piece> = self.edges().map(|(a, b)| [a, b]).collect();
-        let mut crossings = Crossings::over(domain);
-        coast.iter().for_each(|[a, b]| crossings.add(*a, *b));
-        CoastDistance::of_coast(domain, &coast, &crossings.into_land())
+        CoastDistance::of_coast(domain, spacing, &coast, &self.crossings(domain, spacing, Vec2::ZERO).into_land())
+    }
+
+    /// The cells whose middles lie within an odd number of coasts: nothing is lost between the corners of a lattice.
+    #[cfg(feature = "files")]
+    pub fn grid(&self, domain: &Domain) -> Grid {
+        let crossings = self.crossings(domain, CELL_SIZE, Vec2::splat(CELL_SIZE / 2.0));
+        let columns = crossings.columns;
+        Grid::of_cells(domain, &crossings.into_land(), columns)
+    }
+
+    /// What the coasts cross of a lattice that begins at a corner.
+    fn crossings(&self, domain: &Domain, spacing: f32, corner: Vec2) -> Crossings {
+        let mut crossings = Crossings::over(domain, spacing);
+        self.edges().for_each(|(a, b)| crossings.add(a - corner, b - corner));
+        crossings
     }
 }
 
@@ -128,25 +154,32 @@ struct Crossings {
     flips: Vec<bool>,
     columns: usize,
     rows: usize,
+    /// The distance between the corners of the lattice, in units.
+    spacing: f32,
 }
 
 impl Crossings {
-    fn over(domain: &Domain) -> Self {
-        let (columns, rows) = CoastDistance::corners(domain);
-        Self { flips: vec![false; columns * rows], columns, rows }
+    fn over(domain: &Domain, spacing: f32) -> Self {
+        let (columns, rows) = CoastDistance::corners(domain, spacing);
+        Self { flips: vec![false; columns * rows], columns, rows, spacing }
     }
 
     /// Notes where an edge crosses the rows of the lattice. Of an edge's two ends the upper counts: so two edges that
     /// meet on a row cross it once.
     fn add(&mut self, a: Vec2, b: Vec2) {
         let (upper, lower) = if a.y <= b.y { (a, b) } else { (b, a) };
-        for row in first(upper.y, self.rows)..first(lower.y, self.rows) {
-            let share = (row as f32 * CoastDistance::SPACING - upper.y) / (lower.y - upper.y);
-            let column = first(upper.x + (lower.x - upper.x) * share, self.columns);
+        for row in self.first(upper.y, self.rows)..self.first(lower.y, self.rows) {
+            let share = (row as f32 * self.spacing - upper.y) / (lower.y - upper.y);
+            let column = self.first(upper.x + (lower.x - upper.x) * share, self.columns);
             if column < self.columns {
                 self.flips[row * self.columns + column] ^= true;
             }
         }
+    }
+
+    /// The first lattice line at or beyond a coordinate, or as many as there are.
+    fn first(&self, x: f32, lines: usize) -> usize {
+        ((x / self.spacing).ceil().max(0.0) as usize).min(lines)
     }
 
     /// Of each corner, row by row, whether an odd number of edges lie to the west of it.
@@ -158,11 +191,6 @@ impl Crossings {
         };
         self.flips.into_iter().enumerate().map(corner).collect()
     }
-}
-
-/// The first lattice line at or beyond a coordinate, or as many as there are.
-fn first(x: f32, lines: usize) -> usize {
-    ((x / CoastDistance::SPACING).ceil().max(0.0) as usize).min(lines)
 }
 
 #[cfg(test)]
@@ -284,7 +312,7 @@ mod tests {
                 (a.y > at.y) != (b.y > at.y) && at.x > a.x + (b.x - a.x) * (at.y - a.y) / (b.y - a.y)
             });
             let is_land = crossings.count() % 2 == 1;
-            let height = drawing.coast_distance(&Domain::with_aspect(1.0)).height(at);
+            let height = drawing.coast_distance(&Domain::with_aspect(1.0), CoastDistance::SPACING).height(at);
             // Handed on from corner to corner, a distance may be a little too long.
             prop_assert!((-0.01..2.0).contains(&(height.abs() - distance)), "{} is not {}", height, distance);
             prop_assert!(distance < 0.01 || is_land == (height > 0.0));

@@ -70,7 +70,7 @@ impl Land {
         Self::on(Grid::above_water(domain, &coast_distance), coast_distance, ridges)
     }
 
-    fn on(mut grid: Grid, coast_distance: CoastDistance, ridges: Vec<Vec<Vec2>>) -> Self {
+    pub(super) fn on(mut grid: Grid, coast_distance: CoastDistance, ridges: Vec<Vec<Vec2>>) -> Self {
         work::count(grid.cells.len());
         let raised = grid.raise(&ridges);
         let mut regions = regions_of(&grid.runs);
@@ -87,6 +87,11 @@ impl Land {
     /// The height of every point.
     pub fn coast_distance(&self) -> &CoastDistance {
         &self.coast_distance
+    }
+
+    /// Width and height of the domain that it lies on, in units.
+    pub fn size(&self) -> Vec2 {
+        self.grid.size
     }
 
     /// Connected components of land, the largest first.
@@ -202,7 +207,7 @@ impl Land {
 /// no land: the drawing then counts as the plain rectangle. This is the only place that decides it.
 fn drawn(shape: &Shape, recipe: &Recipe) -> Option<(Grid, CoastDistance, Vec<Vec<Vec2>>)> {
     let drawing = Drawing::of(recipe.outline()?, shape);
-    let coast_distance = drawing.coast_distance(&shape.domain);
+    let coast_distance = drawing.coast_distance(&shape.domain, CoastDistance::SPACING);
     let grid = Grid::above_water(&shape.domain, &coast_distance);
     (LEAST_DRAWN..1.0).contains(&grid.share_of_land()).then_some((grid, coast_distance, drawing.ridges))
 }
@@ -277,8 +282,8 @@ mod tests {
     #[test]
     fn no_line_slips_through_a_diagonal_ridge() {
         let domain = Domain::with_aspect(1.0);
-        let (columns, rows) = CoastDistance::corners(&domain);
-        let coast_distance = CoastDistance::of_coast(&domain, &[], &vec![true; columns * rows]);
+        let (columns, rows) = CoastDistance::corners(&domain, CoastDistance::SPACING);
+        let coast_distance = CoastDistance::of_coast(&domain, CoastDistance::SPACING, &[], &vec![true; columns * rows]);
         let land = Land::new(&domain, coast_distance, vec![vec![Vec2::new(300.0, 100.0), Vec2::new(601.0, 401.0)]]);
         assert!(!land.sees(Vec2::new(500.0, 200.0), Vec2::new(400.0, 300.0)));
         assert!(land.sees(Vec2::new(500.0, 200.0), Vec2::new(600.0, 100.0)));

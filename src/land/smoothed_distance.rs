@@ -12,14 +12,23 @@ pub struct SmoothedDistance {
     heights: Vec<f32>,
     columns: usize,
     rows: usize,
+    /// The distance between control points, in units.
+    spacing: f32,
 }
+
+/// Over how many units at most distances are smoothed at a time.
+const FARTHEST_STRIDE: f32 = 32.0;
 
 impl SmoothedDistance {
     /// Smooths coast distances, for pictures.
     pub fn of(coast_distance: &CoastDistance) -> Self {
         let (columns, rows) = coast_distance.size();
-        let mut this = Self { heights: coast_distance.heights().to_vec(), columns, rows };
-        [1, 2, 4].into_iter().for_each(|stride| this.soften(stride));
+        let spacing = coast_distance.spacing();
+        let mut this = Self { heights: coast_distance.heights().to_vec(), columns, rows, spacing };
+        let most = (FARTHEST_STRIDE / spacing) as usize;
+        std::iter::successors(Some(1), |stride| Some(2 * stride))
+            .take_while(|stride| *stride <= most)
+            .for_each(|stride| this.soften(stride));
         this
     }
 
@@ -29,7 +38,7 @@ impl SmoothedDistance {
         /// Undoes, but for a little, what the surface smooths.
         const SHARPEN: f32 = -0.25;
         let least = if stride == 1 { SHARPEN } else { 0.0 };
-        let per_far = 1.0 / (4.0 * CoastDistance::SPACING * stride as f32);
+        let per_far = 1.0 / (4.0 * self.spacing * stride as f32);
         let (columns, rows) = ((1, self.columns), (self.columns, self.rows));
         for ((step, length), (aside, lines)) in [(columns, rows), (rows, columns)] {
             let before = self.heights.clone();
@@ -41,6 +50,11 @@ impl SmoothedDistance {
                 }
             }
         }
+    }
+
+    /// The distance between control points, in units.
+    pub(crate) fn spacing(&self) -> f32 {
+        self.spacing
     }
 
     /// How many columns and rows of control points there are.
@@ -65,7 +79,7 @@ impl SmoothedDistance {
 
     /// The distances of one y.
     pub(crate) fn across(&self, y: f32) -> Across<'_> {
-        let (row, t) = nearest(y, self.rows);
+        let (row, t) = nearest(y / self.spacing, self.rows);
         let rows = beside(row, self.rows).map(|row| &self.heights[row * self.columns..][..self.columns]);
         let controls = rows[0].iter().zip(rows[1]).zip(rows[2]);
         let heights = controls.map(|((&north, &here), &south)| Parabola::of([north, here, south]).at(t)).collect();
@@ -74,7 +88,7 @@ impl SmoothedDistance {
 
     /// Where an x lies: the nearest column, and how far beyond it, in intervals, from -0.5 to 0.5.
     pub(crate) fn column(&self, x: f32) -> (usize, f32) {
-        nearest(x, self.columns)
+        nearest(x / self.spacing, self.columns)
     }
 }
 
@@ -132,9 +146,8 @@ impl Parabola {
     }
 }
 
-/// The corner nearest to a coordinate, and how far beyond it that lies, in intervals.
+/// The corner nearest to a coordinate, and how far beyond it that lies, all in intervals.
 fn nearest(x: f32, corners: usize) -> (usize, f32) {
-    let x = x / CoastDistance::SPACING;
     // What is less than 0 becomes 0.
     let index = ((x + 0.5) as usize).min(corners - 1);
     (index, (x - index as f32).clamp(-0.5, 0.5))

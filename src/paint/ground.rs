@@ -7,7 +7,7 @@ use super::coverage::{Coverage, Rect};
 use super::palette::{Palette, mix};
 use super::ridges::ridges;
 use super::view::View;
-use crate::land::{Across, CoastDistance, Land, Parabola, SmoothedDistance};
+use crate::land::{Across, Land, Parabola, SmoothedDistance};
 
 /// Widths of lines, in units.
 pub(crate) const RING_WIDTH: f32 = 1.1;
@@ -18,7 +18,10 @@ pub(crate) const RIVERS_END: f32 = COAST_WIDTH * 0.5;
 
 /// Paints the ground of a picture, row by row. In place of opacity there is how far rivers show on it.
 pub(super) fn ground(view: &View, land: &Land, palette: &Palette) -> Vec<[u8; 4]> {
-    let (shown, shades) = (SmoothedDistance::of(land.coast_distance()), Shades::new(view.scale, palette));
+    let (shown, shades) = (
+        SmoothedDistance::of(land.coast_distance()),
+        Shades::new(view.scale, palette, land.coast_distance().spacing()),
+    );
     let (stretches, mut spans, mut spanned) = (stretches(view, &shown), Vec::new(), None);
     let mut pixels = Vec::with_capacity(view.width as usize * view.height as usize);
     for y in 0..view.height {
@@ -55,7 +58,7 @@ fn stretches(view: &View, shown: &SmoothedDistance) -> Vec<Stretch> {
     while start < width {
         let (column, first) = shown.column(view.point(Vec2::splat(start as f32 + 0.5)).x);
         // The pixels whose middles are nearest to this column, before the picture's end.
-        let rest = (0.5 - first) * CoastDistance::SPACING * view.scale;
+        let rest = (0.5 - first) * shown.spacing() * view.scale;
         let count = (rest.ceil().max(1.0) as usize).min(width - start);
         stretches.push(Stretch { count, column, first });
         start += count;
@@ -79,6 +82,8 @@ struct Shades {
     margin: f32,
     /// How far the next pixel is, in intervals of the lattice.
     step: f32,
+    /// The length of an interval, in units.
+    spacing: f32,
     /// The distances of the first and past the last, in units.
     first: f32,
     end: f32,
@@ -86,7 +91,7 @@ struct Shades {
 }
 
 impl Shades {
-    fn new(scale: f32, palette: &Palette) -> Self {
+    fn new(scale: f32, palette: &Palette, spacing: f32) -> Self {
         const PER_PIXEL: f32 = 16.0;
         let past = (COAST_WIDTH + 2.0 / scale).max(RING_WIDTH);
         let outermost = palette.rings.last().map_or(0.0, |ring| ring.0);
@@ -96,8 +101,17 @@ impl Shades {
         let count = ((last - first) * per_unit) as usize + 1;
         let colour = |i: usize| shore(scale, palette, first + (i as f32 + 0.5) / per_unit);
         let (colours, end) = ((0..count).map(colour).collect(), first + count as f32 / per_unit);
-        let step = 1.0 / (CoastDistance::SPACING * scale);
-        Self { colours, rings: palette.rings, margin: COAST_WIDTH * 0.5 + 0.75 / scale, step, first, end, per_unit }
+        let step = 1.0 / (spacing * scale);
+        Self {
+            colours,
+            rings: palette.rings,
+            margin: COAST_WIDTH * 0.5 + 0.75 / scale,
+            step,
+            spacing,
+            first,
+            end,
+            per_unit,
+        }
     }
 
     /// The spans of all rows that one row of corners is nearest to.
@@ -148,7 +162,7 @@ impl Shades {
     /// The distance of a line from its difference in height. They differ where the surface is flatter than a distance should
     /// be, as between two coasts: lines would be too wide there. (`clamp` could panic, and would bring all that prints floats into the page.)
     fn apart(&self, higher: f32, rise: Vec2) -> f32 {
-        (higher * CoastDistance::SPACING / rise.length().max(0.01)).max(-self.margin).min(self.margin)
+        (higher * self.spacing / rise.length().max(0.01)).max(-self.margin).min(self.margin)
     }
 
     fn at(&self, height: f32) -> [u8; 4] {
@@ -225,6 +239,7 @@ fn lay_ridges(view: &View, land: &Land, palette: &Palette, pixels: &mut [[u8; 4]
 mod tests {
     use super::*;
     use crate::domain::Domain;
+    use crate::land::CoastDistance;
     use crate::paint::palette::palette;
     use crate::recipe::Style;
 

@@ -368,6 +368,7 @@ const UNREACHED: &str =
 fn session_error(error: &SessionError) -> JsValue {
     let code = match error {
         SessionError::Grow(_) | SessionError::Shape(_) | SessionError::Copy { .. } => "too-large",
+        SessionError::OtherMap { .. } => "bad-params",
     };
     coded(code, &error.to_string())
 }

@@ -3,6 +3,7 @@
 //!
 //! Exit codes: 0 done, 1 the work failed, 2 the call or the recipe is wrong.
 
+mod mask;
 mod measure;
 mod output;
 mod table;
@@ -12,6 +13,7 @@ use std::fs::File;
 use std::io::{self, BufReader, Read, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use std::sync::Arc;
 
 use clap::parser::ValueSource;
 use clap::{Arg, ArgAction, ArgMatches, Command, crate_version, value_parser};
@@ -19,7 +21,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use riverseed::digest::DigestError;
 use riverseed::domain::Domain;
 use riverseed::export;
-use riverseed::import;
+use riverseed::import::png::{Image, ImportError};
 use riverseed::land::Land;
 use riverseed::land::trace::{Traced, trace};
 use riverseed::paint::{LONGEST_SIDE, PaintError, View};
@@ -66,6 +68,8 @@ enum Failure {
     Mismatch { option: &'static str, ending: &'static str },
     #[error("{}: {error}", path.display())]
     File { path: PathBuf, error: io::Error },
+    #[error("--land {}: {reason}", path.display())]
+    Land { path: PathBuf, reason: String },
     #[error("{}: {reason}", path.display())]
     Picture { path: PathBuf, reason: String },
     #[error("{differing} of {all} recipes give other rivers, pixels or files here")]
@@ -77,7 +81,7 @@ enum Failure {
 impl Failure {
     fn exit_code(&self) -> ExitCode {
         match self {
-            Self::Recipe(_) | Self::Ending { .. } | Self::Mismatch { .. } => ExitCode::from(2),
+            Self::Recipe(_) | Self::Ending { .. } | Self::Mismatch { .. } | Self::Land { .. } => ExitCode::from(2),
             Self::Session(_)
             | Self::Paint(_)
             | Self::Digest(_)
@@ -188,12 +192,16 @@ fn verify_command() -> Command {
         )
 }
 
-/// The option of a parameter.
+/// The option of a parameter. That of the land takes a picture, too.
 fn option(parameter: &'static Parameter) -> Arg {
+    let help = match parameter.key {
+        Key::Land => format!("{} Or a PNG that is the land itself: white is land, black water.", parameter.help),
+        _ => parameter.help.into(),
+    };
     Arg::new(parameter.name)
         .long(parameter.name)
         .value_name("VALUE")
-        .help(parameter.help)
+        .help(help)
         .allow_hyphen_values(true)
         .help_heading("Parameters")
 }
@@ -233,8 +241,8 @@ impl Form {
 
 fn render(matches: &ArgMatches) -> Result<(), Failure> {
     let Some(output) = matches.get_one::<PathBuf>("output") else { return Ok(()) };
-    let (recipe, given) = recipe(matches)?;
-    say_what_is_idle(&recipe, &given);
+    let order = Order::of(matches)?;
+    order.say_what_is_idle();
     let size = matches.get_one("size").copied().unwrap_or(LONGEST_SIDE);
     let wants_attractors = matches
         .get_occurrences::<String>("attractors")
@@ -246,18 +254,18 @@ fn render(matches: &ArgMatches) -> Result<(), Failure> {
             Err(Failure::Mismatch { option: "--attractors without a number", ending })
         }
         Form::Svg | Form::GeoJson | Form::Json if wants_size => Err(Failure::Mismatch { option: "--size", ending }),
-        Form::Png => write_png(Output::open(output)?, recipe, size),
-        form => write_network(Output::open(output)?, recipe, form, wants_attractors),
+        Form::Png => write_png(Output::open(output)?, order, size),
+        form => write_network(Output::open(output)?, order, form, wants_attractors),
     }
 }
 
-fn write_png(output: Output, recipe: Recipe, size: u32) -> Result<(), Failure> {
-    let progress = progress(&recipe, size);
-    let domain = Domain::of(&recipe);
+fn write_png(output: Output, order: Order, size: u32) -> Result<(), Failure> {
+    let progress = progress(&order.recipe, size);
+    let domain = Domain::of(&order.recipe);
     let height = View::height_for(&domain, size);
     let (width, height) = if height <= size { (size, height) } else { (View::width_for(&domain, size), size) };
     let mut picture = Picture::new(width, height)?;
-    let session = grow(recipe, &progress)?;
+    let session = grow(order, &progress)?;
     progress.set_message("painting");
     picture.paint(&session);
     progress.set_message("writing");
@@ -269,9 +277,9 @@ fn write_png(output: Output, recipe: Recipe, size: u32) -> Result<(), Failure> {
     Ok(())
 }
 
-fn write_network(output: Output, recipe: Recipe, form: Form, with_attractors: bool) -> Result<(), Failure> {
-    let progress = progress(&recipe, 0);
-    let session = grow(recipe, &progress)?;
+fn write_network(output: Output, order: Order, form: Form, with_attractors: bool) -> Result<(), Failure> {
+    let progress = progress(&order.recipe, 0);
+    let session = grow(order, &progress)?;
     progress.set_message("writing");
     output.write(|out| {
         match form {
@@ -285,18 +293,41 @@ fn write_network(output: Output, recipe: Recipe, form: Form, with_attractors: bo
     Ok(())
 }
 
-/// Warns of values that were given and have no effect.
-fn say_what_is_idle(recipe: &Recipe, given: &[String]) {
-    let land = Land::kind_of(recipe);
-    for name in given {
-        if let Some(reason) = Key::from_name(name).and_then(|key| recipe.inactive_reason(key, land)) {
-            eprintln!("riverseed: '{name}' has no effect: {reason}");
+/// What a call asks for: a recipe, and the land itself if that is given as a picture.
+struct Order {
+    recipe: Recipe,
+    /// The names that were given on purpose.
+    given: Vec<String>,
+    land: Option<Arc<Land>>,
+}
+
+impl Order {
+    fn of(matches: &ArgMatches) -> Result<Self, Failure> {
+        let (recipe, given) = recipe(matches)?;
+        match mask::path(matches) {
+            Some(path) => mask::order(path, recipe, given),
+            None => Ok(Self { recipe, given, land: None }),
+        }
+    }
+
+    /// Warns of values that were given and have no effect.
+    fn say_what_is_idle(&self) {
+        let kind = if self.land.is_some() { LandKind::Drawn } else { Land::kind_of(&self.recipe) };
+        let reason = |key| match (key, &self.land) {
+            (Key::Roughness, Some(_)) => Some("the picture determines the coast"),
+            _ => self.recipe.inactive_reason(key, kind),
+        };
+        for name in &self.given {
+            if let Some(reason) = Key::from_name(name).and_then(reason) {
+                eprintln!("riverseed: '{name}' has no effect: {reason}");
+            }
         }
     }
 }
 
 /// Reads link, file and options in the order in which they were given. Returns the names that were given on purpose, too: a
-/// network's file states every parameter, so of a file only those count that it states differently from the default.
+/// network's file states every parameter, so of a file only those count that it states differently from the default. A picture of a land
+/// is no part of a recipe.
 fn recipe(matches: &ArgMatches) -> Result<(Recipe, Vec<String>), Failure> {
     let mut parts: Vec<(usize, Vec<(String, String)>)> = Vec::new();
     let mut part = |id: &str, pairs: Vec<(String, String)>| {
@@ -313,7 +344,9 @@ fn recipe(matches: &ArgMatches) -> Result<(Recipe, Vec<String>), Failure> {
         if values.len() > 1 {
             return Err(RecipeError::Duplicate { key: name.into() }.into());
         }
-        if let [value] = values[..] {
+        if let [value] = values[..]
+            && !(name == Key::Land.parameter().name && mask::is_picture(value))
+        {
             part(name, vec![(name.into(), value.clone())]);
         }
     }
@@ -345,8 +378,11 @@ fn read_recipe(path: &Path) -> Result<String, Failure> {
 }
 
 /// Grows a recipe to its end.
-fn grow(recipe: Recipe, progress: &ProgressBar) -> Result<Session, Failure> {
-    let mut session = Session::new(recipe)?;
+fn grow(order: Order, progress: &ProgressBar) -> Result<Session, Failure> {
+    let mut session = match order.land {
+        Some(land) => Session::on_land(order.recipe, land)?,
+        None => Session::new(order.recipe)?,
+    };
     if is_undrawn(&session) {
         eprintln!("riverseed: land is 'drawn' but no outline shows both land and water; all of the map is land");
     }
@@ -388,8 +424,7 @@ fn progress(recipe: &Recipe, size: u32) -> ProgressBar {
 fn outline(matches: &ArgMatches) -> Result<(), Failure> {
     let Some(path) = matches.get_one::<PathBuf>("image") else { return Ok(()) };
     let picture = |reason: String| Failure::Picture { path: path.clone(), reason };
-    let file = File::open(path).map_err(Failure::file(path))?;
-    let image = import::png::read(BufReader::new(file)).map_err(|error| picture(error.to_string()))?;
+    let image = read_picture(path)?;
     let traced = trace(image.width, image.height, &image.rgba).map_err(|error| picture(error.to_string()))?;
     say_what_is_kept(&traced);
     let mut text = traced.outline.to_string();
@@ -404,6 +439,12 @@ fn outline(matches: &ArgMatches) -> Result<(), Failure> {
     Ok(())
 }
 
+fn read_picture(path: &Path) -> Result<Image, Failure> {
+    let file = File::open(path).map_err(Failure::file(path))?;
+    let picture = |error: ImportError| Failure::Picture { path: path.into(), reason: error.to_string() };
+    riverseed::import::png::read(BufReader::new(file)).map_err(picture)
+}
+
 /// Reports how much of a picture its outline has room for.
 fn say_what_is_kept(traced: &Traced) {
     let of = |kept: &[Vec<GridPoint>], all: usize, kind: LineKind| match all {
@@ -415,6 +456,10 @@ fn say_what_is_kept(traced: &Traced) {
     let coasts = of(coasts, traced.coasts, LineKind::Coast);
     let ridges = of(ridges, traced.ridges, LineKind::Ridge);
     eprintln!("riverseed: kept {coasts} and {ridges}, {points} points");
+    say_if_longer(traced);
+}
+
+fn say_if_longer(traced: &Traced) {
     if traced.is_longer {
         eprintln!(
             "riverseed: the image is more elongated than 4:1; land on its long edges is extended to the edge of the map"

@@ -35,7 +35,7 @@ map's edge, the land continues beyond that edge.
 `riverseed outline` makes an outline from a PNG. White is land; black and transparent are water; a third colour, or a mid grey, is a
 ridge. A thin ridge becomes a line along its middle; a wide one becomes the outline of an area without rivers. The command reports how
 much of the image fitted into the outline. An image longer than 4:1 is centred on the map, and what touches its long edges is extended to
-the map's edge.
+the map's edge. [`riverseed render --land`](command-line.md#a-picture-as-the-land) takes the PNG itself as the land, in full detail.
 
 ## Trimming
 

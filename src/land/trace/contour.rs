@@ -7,8 +7,6 @@ use super::ground::Ground;
 
 /// More of a block than this makes it land.
 const LEVEL: f32 = 0.5;
-/// Rings around less than this are specks, as a fraction of the picture's area.
-const SPECK: f32 = 1e-4;
 const NONE: u32 = u32::MAX;
 
 /// The closed lines between land and water, in fractions of width and height. Land at the picture's border is closed
@@ -24,7 +22,7 @@ pub(super) fn rings(ground: &Ground) -> Vec<Vec<Vec2>> {
             ring.push(squares.place(crossing));
             crossing = std::mem::replace(&mut next[crossing], NONE) as usize;
         }
-        if area(&ring) >= SPECK {
+        if area(&ring) >= ground.speck {
             rings.push(with_corners(&ring));
         }
     }

@@ -1,7 +1,24 @@
 //! The ground that a picture shows: the share of land of each block of pixels, and the ridges.
 
-/// Pictures are traced at no more than this many blocks a side: finer than the lattice of coast distances that an outline makes.
-const MOST_BLOCKS: usize = 512;
+/// How closely a picture is looked at.
+pub(super) struct Detail {
+    /// Pictures are looked at in no more than this many blocks a side.
+    most_blocks: usize,
+    /// Whether the stairs of a picture of two colours are taken out.
+    is_softened: bool,
+    /// Rings around less than this are specks, as a fraction of the picture's area.
+    speck: f32,
+}
+
+/// Rings around less than this are specks, in most pictures.
+pub(in crate::land) const SPECK: f32 = 1e-4;
+
+impl Detail {
+    /// For an outline: finer than the lattice of coast distances that it makes.
+    pub const OUTLINE: Self = Self { most_blocks: 512, is_softened: true, speck: SPECK };
+    /// For a mask: as fine as the cells of land. An islet or a pond of four cells is no speck.
+    pub const MASK: Self = Self { most_blocks: 2048, is_softened: false, speck: 4e-6 };
+}
 
 /// Blocks of a picture.
 pub(super) struct Ground {
@@ -15,14 +32,16 @@ pub(super) struct Ground {
     pub block: f32,
     /// The share of the picture's pixels that are more land than water.
     pub light: f32,
+    /// Rings around less than this are specks, as a fraction of the picture's area.
+    pub speck: f32,
     width: f32,
     height: f32,
 }
 
 impl Ground {
     /// Looks at a picture, given as RGBA. Neither side may be 0.
-    pub fn of(width: usize, height: usize, rgba: &[u8]) -> Self {
-        let block = width.max(height).div_ceil(MOST_BLOCKS);
+    pub fn of(width: usize, height: usize, rgba: &[u8], detail: &Detail) -> Self {
+        let block = width.max(height).div_ceil(detail.most_blocks);
         let (columns, rows) = (width.div_ceil(block), height.div_ceil(block));
         let mut sums = vec![Sum::default(); columns * rows];
         let picture = Picture { width, height, rgba };
@@ -33,20 +52,22 @@ impl Ground {
         }
         // A ridge one pixel wide counts in each block it crosses.
         let is_ridge = |sum: &Sum| u8::from(sum.ridges > 0 && sum.ridges * 2 >= block as u32);
+        let land: Vec<f32> = sums.iter().map(Sum::share).collect();
         Self {
             columns,
             rows,
-            land: softened(&sums.iter().map(Sum::share).collect::<Vec<_>>(), columns),
+            land: if detail.is_softened { softened(&land, columns) } else { land },
             ridges: sums.iter().map(is_ridge).collect(),
             block: block as f32,
             light: sums.iter().map(|sum| sum.light).sum::<u32>() as f32 / (width * height) as f32,
+            speck: detail.speck,
             width: width as f32,
             height: height as f32,
         }
     }
 
     /// Blocks without a picture, row by row.
-    pub fn of_blocks(columns: usize, land: Vec<f32>) -> Self {
+    pub fn of_blocks(columns: usize, land: Vec<f32>, speck: f32) -> Self {
         let rows = land.len() / columns;
         Self {
             columns,
@@ -55,6 +76,7 @@ impl Ground {
             ridges: Vec::new(),
             block: 1.0,
             light: 1.0,
+            speck,
             width: columns as f32,
             height: rows as f32,
         }
@@ -62,7 +84,7 @@ impl Ground {
 
     /// The same blocks with other land, of which there is 0 or 1 in each.
     pub fn with_land(&self, land: &[f32]) -> Self {
-        Self { land: softened(land, self.columns), ridges: Vec::new(), ..*self }
+        Self { land: softened(land, self.columns), ridges: Vec::new(), speck: SPECK, ..*self }
     }
 
     /// The picture's width over its height.

@@ -4,12 +4,15 @@ mod areas;
 mod contour;
 mod frame;
 mod ground;
+mod mask;
 mod ridges;
 
+use glam::Vec2;
 use thiserror::Error;
 
 use self::frame::Frame;
-use self::ground::Ground;
+pub(super) use self::ground::SPECK;
+use self::ground::{Detail, Ground};
 use super::queries::LEAST_DRAWN;
 use super::strokes::DrawError;
 use crate::recipe::Outline;
@@ -46,6 +49,16 @@ pub enum TraceError {
     Bytes {
         /// How many there are.
         bytes: usize,
+        /// Width, in pixels.
+        width: u32,
+        /// Height, in pixels.
+        height: u32,
+    },
+    /// Not a value for each pixel.
+    #[error("the mask has {pixels} values in place of one for each of {width} x {height} pixels")]
+    Pixels {
+        /// How many there are.
+        pixels: usize,
         /// Width, in pixels.
         width: u32,
         /// Height, in pixels.
@@ -103,27 +116,14 @@ const DUST: f32 = 1e-4;
 /// # Errors
 /// If the picture's size is out of range, or it shows no coast.
 pub fn trace(width: u32, height: u32, rgba: &[u8]) -> Result<Traced, TraceError> {
-    check_size(width, height, rgba.len())?;
-    if rgba.chunks_exact(4).all(|pixel| pixel[3] == 0) {
-        return Err(TraceError::Empty);
-    }
-    let ground = Ground::of(width as usize, height as usize, rgba);
-    let (mut coasts, mut ridges) = (contour::rings(&ground), ridges::lines(&ground));
-    let too_thin = |what| TraceError::TooThin { what, pixels: 2 * ground.block as u32 };
-    // A ring all of whose points lie on the border is that border.
-    if !coasts.iter().flatten().any(|point| point.min_element() > 0.0 && point.max_element() < 1.0) {
-        return Err(match ground.light {
-            light if light < DUST => TraceError::AllWater,
-            light if light > 1.0 - DUST => TraceError::AllLand,
-            light => too_thin(if light < 0.5 { "land" } else { "water" }),
-        });
-    }
+    check_is_picture(width, height, rgba)?;
+    let ground = Ground::of(width as usize, height as usize, rgba, &Detail::OUTLINE);
     let frame = Frame::of(&ground);
-    coasts.iter_mut().chain(&mut ridges).flatten().for_each(|point| *point = frame.place(*point));
+    let (coasts, ridges) = lines(&ground, |at| frame.place(at))?;
     let (all_coasts, all_ridges) = (coasts.len(), ridges.len());
     let outline = Outline::from_polylines(coasts, ridges).map_err(|error| match error {
-        DrawError::NoWater => too_thin("water"),
-        DrawError::TooSmall if ground.light > 2.0 * LEAST_DRAWN => too_thin("land"),
+        DrawError::NoWater => too_thin(&ground, "water"),
+        DrawError::TooSmall if ground.light > 2.0 * LEAST_DRAWN => too_thin(&ground, "land"),
         error => TraceError::Nothing(error),
     })?;
     Ok(Traced {
@@ -135,9 +135,37 @@ pub fn trace(width: u32, height: u32, rgba: &[u8]) -> Result<Traced, TraceError>
     })
 }
 
-/// The closed lines around blocks that are more land than water, in fractions of the blocks' width and height.
-pub(super) fn rings(columns: usize, land: Vec<f32>) -> Vec<Vec<glam::Vec2>> {
-    contour::rings(&Ground::of_blocks(columns, land))
+/// The coasts and the ridges of a picture, where they lie on its map.
+fn lines(ground: &Ground, place: impl Fn(Vec2) -> Vec2) -> Result<(Lines, Lines), TraceError> {
+    let (mut coasts, mut ridges) = (contour::rings(ground), ridges::lines(ground));
+    // A ring all of whose points lie on the border is that border.
+    if !coasts.iter().flatten().any(|point| point.min_element() > 0.0 && point.max_element() < 1.0) {
+        return Err(match ground.light {
+            light if light < DUST => TraceError::AllWater,
+            light if light > 1.0 - DUST => TraceError::AllLand,
+            light => too_thin(ground, if light < 0.5 { "land" } else { "water" }),
+        });
+    }
+    coasts.iter_mut().chain(&mut ridges).flatten().for_each(|point| *point = place(*point));
+    Ok((coasts, ridges))
+}
+
+/// Lines as points, in fractions of a width and a height.
+type Lines = Vec<Vec<Vec2>>;
+
+fn too_thin(ground: &Ground, what: &'static str) -> TraceError {
+    TraceError::TooThin { what, pixels: 2 * ground.block as u32 }
+}
+
+/// The closed lines around blocks that are more land than water, but for specks, in fractions of the blocks' width and height.
+pub(super) fn rings(columns: usize, land: Vec<f32>, speck: f32) -> Lines {
+    contour::rings(&Ground::of_blocks(columns, land, speck))
+}
+
+fn check_is_picture(width: u32, height: u32, rgba: &[u8]) -> Result<(), TraceError> {
+    check_size(width, height, rgba.len())?;
+    let is_empty = rgba.chunks_exact(4).all(|pixel| pixel[3] == 0);
+    if is_empty { Err(TraceError::Empty) } else { Ok(()) }
 }
 
 fn check_size(width: u32, height: u32, bytes: usize) -> Result<(), TraceError> {
@@ -155,7 +183,6 @@ fn check_size(width: u32, height: u32, bytes: usize) -> Result<(), TraceError> {
 mod tests {
     use super::*;
     use crate::property::cases;
-    use glam::Vec2;
     use proptest::prelude::*;
 
     const BLACK: [u8; 4] = [0, 0, 0, 255];

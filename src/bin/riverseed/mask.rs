@@ -1,0 +1,64 @@
+//! `--land map.png`: a picture that is the land itself. Links have room for its outline only.
+
+use std::path::Path;
+
+use clap::ArgMatches;
+use riverseed::domain::Domain;
+use riverseed::import::png::Image;
+use riverseed::land::Land;
+use riverseed::land::trace::{TraceError, trace};
+use riverseed::recipe::{Key, LandKind, Recipe};
+
+use super::{Failure, Order, read_picture, say_if_longer};
+
+/// Whether a value of `--land` is the path of a picture, and not a kind of land.
+pub fn is_picture(value: &str) -> bool {
+    Path::new(value).extension().is_some_and(|ending| ending.eq_ignore_ascii_case("png"))
+}
+
+/// The picture that `--land` names, if it names one.
+pub fn path(matches: &ArgMatches) -> Option<&Path> {
+    let value = matches.get_one::<String>(Key::Land.parameter().name)?;
+    is_picture(value).then(|| Path::new(value))
+}
+
+/// The recipe on the land of a picture: drawn land, of the picture's aspect, with its outline for links.
+pub fn order(path: &Path, mut recipe: Recipe, given: Vec<String>) -> Result<Order, Failure> {
+    let image = read_picture(path)?;
+    let Outlined { aspect, outline } = outlined(path, &image)?;
+    let values = [(Key::Land, LandKind::Drawn.word().name), (Key::Aspect, &aspect), (Key::Outline, &outline)];
+    for (key, value) in values {
+        let before = recipe.clone();
+        recipe.set(key, value)?;
+        // A link that this command wrote may be given again, with the same picture.
+        if given.iter().any(|name| *name == key.parameter().name) && before != recipe {
+            let reason = format!("the picture determines '{}', and another value is given", key.parameter().name);
+            return Err(Failure::Land { path: path.into(), reason });
+        }
+    }
+    let land = Land::from_picture(&Domain::of(&recipe), image.width, image.height, &image.rgba);
+    let land = land.map_err(|error| refused(path, &error))?;
+    Ok(Order { recipe, given, land: Some(land) })
+}
+
+struct Outlined {
+    aspect: String,
+    outline: String,
+}
+
+/// What links hold of a picture, and a word about how much that is.
+fn outlined(path: &Path, image: &Image) -> Result<Outlined, Failure> {
+    let traced = trace(image.width, image.height, &image.rgba).map_err(|error| refused(path, &error))?;
+    let lines = traced.outline.coasts().iter().chain(traced.outline.ridges());
+    let points = lines.map(Vec::len).sum::<usize>();
+    eprintln!(
+        "riverseed: the land is {} in full detail; links in files hold only its outline, of {points} points",
+        path.display()
+    );
+    say_if_longer(&traced);
+    Ok(Outlined { aspect: format!("{:.2}", traced.aspect), outline: traced.outline.to_string() })
+}
+
+fn refused(path: &Path, error: &TraceError) -> Failure {
+    Failure::Picture { path: path.into(), reason: error.to_string() }
+}

@@ -1,0 +1,120 @@
+//! Sliders that keep the map: a notch more sea, rougher coasts or a few more parcels, and the greater rivers of drainage stay where they
+//! are. Medians over eight fixed seeds; `cargo test --test steady -- --nocapture` prints them.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
+
+use std::collections::BTreeMap;
+
+use glam::Vec2;
+use riverseed::domain::AREA;
+use riverseed::network::{NONE, Network};
+use riverseed::recipe::link;
+use riverseed::session::Session;
+use riverseed::{Key, Recipe};
+
+/// The table's defaults, written out as they were when these bars were set. Courses are what growth and shaping make: no meanders.
+const DEFAULTS: &str = "attractors=12000&aspect=1.6&roughness=1&mouths=0&mouth-spacing=0&shores=nesw&sides=s&scatter=random&reach=2.3\
+                        &kill=1.1&step=0.38&momentum=0&curl=0.7&stretch=8&valley-spacing=32&concavity=0.5&captures=5&hardness=0.5\
+                        &hardness-scale=36&bending=2&channel-area=8&trim=7&simplify=60&width=16&meander=none";
+
+/// A river counts where it drains so many parcels.
+const GREATER: u32 = 60;
+
+/// The least share that is kept.
+const BAR: f64 = 0.7;
+
+/// A notch of each slider.
+const NOTCHES: [(Key, &str); 3] = [(Key::Sea, "+0.01"), (Key::Roughness, "-0.01"), (Key::Attractors, "+10")];
+
+/// Points along the greater rivers of a map, evenly.
+struct Courses {
+    spacing: f32,
+    points: Vec<Vec2>,
+}
+
+impl Courses {
+    fn of(recipe: Recipe) -> Self {
+        let spacing = (AREA / recipe.number(Key::Attractors)).sqrt();
+        let mut session = Session::new(recipe).unwrap();
+        Self { spacing, points: points(session.finish().unwrap(), spacing / 16.0) }
+    }
+
+    /// The share of these rivers that lies within half a spacing of those of another map.
+    fn kept_in(&self, other: &Self) -> f64 {
+        let far = self.spacing / 2.0;
+        let cell = |at: Vec2| ((at.x / far).floor() as i32, (at.y / far).floor() as i32);
+        let mut cells: BTreeMap<(i32, i32), Vec<Vec2>> = BTreeMap::new();
+        other.points.iter().for_each(|&at| cells.entry(cell(at)).or_default().push(at));
+        let is_kept = |&&at: &&Vec2| {
+            let (column, row) = cell(at);
+            let mut around =
+                (row - 1..=row + 1).flat_map(|row| (column - 1..=column + 1).map(move |column| (column, row)));
+            around
+                .any(|place| cells.get(&place).is_some_and(|near| near.iter().any(|&point| point.distance(at) <= far)))
+        };
+        self.points.iter().filter(is_kept).count() as f64 / self.points.len() as f64
+    }
+}
+
+/// A point every so many units along all that is great enough.
+fn points(network: &Network, every: f32) -> Vec<Vec2> {
+    let mut points = Vec::new();
+    for (vertex, &below) in network.vertices.iter().zip(&network.downstream()) {
+        if below == NONE || vertex.discharge < GREATER {
+            continue;
+        }
+        let to = network.vertices[below as usize].at;
+        let count = (vertex.at.distance(to) / every).ceil().max(1.0) as u32;
+        points.extend((0..count).map(|i| vertex.at.lerp(to, i as f32 / count as f32)));
+    }
+    points
+}
+
+/// How much is kept of the greater rivers of a link, as medians over eight seeds: after each notch, and of another seed.
+fn kept(link: &str) -> Vec<f64> {
+    let of_seed = |seed: u32| {
+        let recipe = |seed: u32| link::read(&format!("seed=s{seed}&{DEFAULTS}&{link}")).unwrap();
+        let notched = |&(key, change): &(Key, &str)| {
+            let mut recipe = recipe(seed);
+            let value = f64::from(recipe.number(key)) + change.parse::<f64>().unwrap();
+            recipe.set(key, format!("{value:.2}").trim_end_matches(".00")).unwrap();
+            recipe
+        };
+        let before = Courses::of(recipe(seed));
+        let after = NOTCHES.iter().map(notched).chain([recipe(seed + 8)]);
+        after.map(|after| before.kept_in(&Courses::of(after))).collect::<Vec<f64>>()
+    };
+    let rows: Vec<Vec<f64>> = (0..8).map(of_seed).collect();
+    (0..=NOTCHES.len()).map(|i| median(rows.iter().map(|row| row[i]).collect())).collect()
+}
+
+/// The mean of the two in the middle of eight.
+fn median(mut values: Vec<f64>) -> f64 {
+    values.sort_by(f64::total_cmp);
+    (values[3] + values[4]) / 2.0
+}
+
+fn told(link: &str, kept: &[f64]) -> String {
+    let names = NOTCHES.iter().map(|(key, change)| format!("{} {change}", key.parameter().name));
+    let shares =
+        names.chain(["another seed".into()]).zip(kept).map(|(name, kept)| format!("{name} {:.0} %", kept * 100.0));
+    format!("{link}: of the greater rivers is kept: {}", shares.collect::<Vec<_>>().join(", "))
+}
+
+#[test]
+fn notches_of_a_slider_keep_the_greater_rivers_of_drainage() {
+    for land in ["land=island&sea=0.6", "land=continent&sea=0.3"] {
+        // For comparison: there is no bar for space colonization, whose fronts meet elsewhere after any change.
+        let colonized = kept(&format!("{land}&growth=colonize&valleys=0"));
+        for grower in ["growth=drainage&valleys=0", "growth=drainage&valleys=0.2"] {
+            let link = format!("{land}&{grower}");
+            let kept = kept(&link);
+            let told = format!("{}\n{}", told(&link, &kept), told("with growth=colonize&valleys=0", &colonized));
+            println!("{told}");
+            let (another, notches) = kept.split_last().unwrap();
+            assert!(notches.iter().all(|&share| share >= BAR), "{told}");
+            assert!(notches.iter().zip(&colonized).all(|(share, colonized)| share > colonized), "{told}");
+            // Of rivers that have nothing to do with these, the measure says so.
+            assert!(*another < 0.2, "{told}");
+        }
+    }
+}
