@@ -79,6 +79,7 @@ pub struct Hydrology {
 
 impl Hydrology {
     /// Reads a tree. One pass from the sources down.
+    #[inline(never)] // one copy is enough
     pub fn of(tree: &Tree) -> Self {
         let count = tree.len();
         let mut this = Self {

@@ -15,9 +15,9 @@ pub struct Growth {
 
 #[derive(Clone, Debug)]
 enum Grower {
-    Colonize(Colonize),
-    Brownian(Brownian),
-    Drainage(Drainage),
+    Colonize(Box<Colonize>),
+    Brownian(Box<Brownian>),
+    Drainage(Box<Drainage>),
 }
 
 impl Growth {
@@ -27,13 +27,13 @@ impl Growth {
     /// If there is not enough memory.
     pub fn new(settings: GrowthSettings) -> Result<Self, GrowError> {
         let grower = match settings.method {
-            GrowthMethod::Colonize => Grower::Colonize(Colonize::new(settings.clone())?),
+            GrowthMethod::Colonize => Grower::Colonize(Colonize::new(settings.clone())?.into()),
             GrowthMethod::Brownian => {
                 let raster = Raster::of(&settings);
                 let sensitivity = settings.sensitivity / raster.side();
-                Grower::Brownian(Brownian::new(raster, settings.seed, sensitivity)?)
+                Grower::Brownian(Brownian::new(raster, settings.seed, sensitivity)?.into())
             }
-            GrowthMethod::Drainage => Grower::Drainage(Drainage::new(settings.clone())?),
+            GrowthMethod::Drainage => Grower::Drainage(Drainage::new(settings.clone())?.into()),
         };
         Ok(Self { settings, grower })
     }

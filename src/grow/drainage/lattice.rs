@@ -21,7 +21,7 @@ use crate::work;
 const JITTER: f32 = 0.4;
 
 /// A triangle's side for a spacing of 1: √(2/√3).
-const SIDE: f32 = 1.074_569_9;
+const SIDE: f32 = 1.074_57;
 
 /// A triangle's height, for a side of 1: √3/2.
 const HEIGHT: f32 = 0.866_025_4;
@@ -100,8 +100,8 @@ impl Lattice {
             for column in column.saturating_sub(reach).max(1)..(column + reach + 1).min(self.columns - 1) {
                 let from = row * self.columns + column;
                 let around = self.neighbours(from);
-                for way in 0..WAYS {
-                    let (a, b) = (self.at[from], self.at[around[way]]);
+                for (way, &to) in around[..WAYS].iter().enumerate() {
+                    let (a, b) = (self.at[from], self.at[to]);
                     let is_beside = a.max(b).cmplt(least).any() || a.min(b).cmpgt(most).any();
                     if !is_beside && is_upon((a, b), triangle) {
                         self.broken[from] |= 1 << way;

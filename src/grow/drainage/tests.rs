@@ -99,7 +99,7 @@ fn energy(parcels: &Parcels, way: &Way, concavity: f32) -> f64 {
             Way::OUT => parcels.cost_out(here as usize),
             to => parcels.cost_to(here as usize, to),
         };
-        f64::from(cost) * f64::from(areas[here as usize]).powf(1.0 - f64::from(concavity))
+        f64::from(cost) * libm::pow(areas[here as usize].into(), 1.0 - f64::from(concavity))
     };
     way.order.iter().map(step).sum()
 }

@@ -17,7 +17,10 @@ import {
 } from "./riverpage.ts";
 
 /** Few attractors: these tests are about controls. */
-const SMALL = "seed=kauri&attractors=300&edition=1";
+const SMALL = "seed=kauri&growth=colonize&attractors=300&edition=1";
+
+/** As rivers grow unless a link says otherwise; with fewer parcels they hardly capture one another. */
+const DRAINED = "seed=kauri&attractors=3000&edition=1";
 
 const adjustable = engine.parameters().filter(isAdjustable);
 
@@ -29,7 +32,14 @@ function reasonIn(link: string, key: string): string | undefined {
 const MANY = `${SMALL}&land=island&mouths=30`;
 
 /** Recipes in one of which every control has something to do. */
-const CONTEXTS = [SMALL, `${SMALL}&land=rectangle&curl=0`, MANY, `${SMALL}&growth=brownian`, `${SMALL}&meander=none`];
+const CONTEXTS = [
+  SMALL,
+  `${SMALL}&land=rectangle&curl=0`,
+  MANY,
+  DRAINED,
+  "seed=kauri&growth=brownian&edition=1",
+  `${SMALL}&meander=none`,
+];
 
 /** Many rivers that meander for long: here they come near each other. */
 const CLOSE = `${SMALL}&land=rectangle&mouths=3&curl=0&trim=88&great-rivers=16&meander-elsewhere=1&meander-rounds=120&meander-strength=1`;
@@ -37,6 +47,7 @@ const CLOSE = `${SMALL}&land=rectangle&mouths=3&curl=0&trim=88&great-rivers=16&m
 function contextOf(key: string): string {
   if (key === "neck" || key === "clearance") return CLOSE;
   if (key === "mouth-spacing") return MANY;
+  if (key === "growth") return DRAINED;
   const link = CONTEXTS.find((one) => reasonIn(one, key) === undefined);
   if (link === undefined) throw new Error(`${key} does nothing in any recipe here`);
   return link;
@@ -107,7 +118,7 @@ test("a preset is a way of space colonization, and goes back to it", async ({ pa
   await openUnfolded(page, "seed=kauri&growth=brownian&sensitivity=40&attractors=300");
   await expect(page.locator('#presets [aria-pressed="true"]')).toHaveCount(0);
   await page.getByRole("button", { name: "Momentum", exact: true }).click();
-  await expectAddress(page, "growth", null);
+  await expectAddress(page, "growth", "colonize");
   await expect(page.getByRole("slider", { name: "Momentum" })).toBeEnabled();
   await expectPictureOfAddress(page);
 });
@@ -141,7 +152,7 @@ for (const { key, label, stage, max, default: value } of adjustable.filter(({ mi
 }
 
 test("a slider that is dragged ends on the picture of its last value", async ({ page }) => {
-  await openUnfolded(page, "seed=kauri&attractors=3000");
+  await openUnfolded(page, "seed=kauri&growth=colonize&attractors=3000");
   const slider = row(page, "curl").getByRole("slider");
   await slider.scrollIntoViewIfNeeded();
   const box = await slider.boundingBox();
