@@ -10,7 +10,7 @@ pub struct Preset {
     pub name: &'static str,
     /// Its name on the page.
     pub label: &'static str,
-    /// A line or two that say how it looks, and what it suits.
+    /// What it looks like and suits.
     pub help: &'static str,
     /// Keys and the text of their values.
     pub values: &'static [(Key, &'static str)],
@@ -44,37 +44,37 @@ pub static PRESETS: &[Preset] = &[
     Preset {
         name: "original",
         label: "Original",
-        help: "Space colonization as it is, with all its short side branches. Suits veins and roots; people did not take it for rivers.",
+        help: "Space colonization as it is, with all its short side branches. Suits veins and roots.",
         values: &pattern("0", "0", "8", "0"),
     },
     Preset {
         name: "momentum",
         label: "Momentum",
-        help: "Every turn exaggerated: more curves, and here and there a zigzag. Suits rough, restless rivers; the one picture in the study passed for real.",
+        help: "Every turn exaggerated: more curves, and here and there a zigzag. Suits restless rivers.",
         values: &pattern("0.45", "0", "8", "0"),
     },
     Preset {
         name: "curl",
         label: "Curl",
-        help: "Stretches turned left and right at random: winding, complex, busy at its ends. Suits tangled, imaginary country; people did not take it for rivers.",
+        help: "Stretches turned left and right at random: winding, complex, busy at its ends. Suits tangled country.",
         values: &pattern("0", "0.9", "7", "0"),
     },
     Preset {
         name: "trimmed-original",
         label: "Trimmed original",
-        help: "The plain procedure without its short side branches. Suits calm, schematic maps; people did not take it for rivers.",
+        help: "The plain procedure without its short side branches. Suits calm, schematic maps.",
         values: &pattern("0", "0", "8", "29"),
     },
     Preset {
         name: "trimmed-momentum",
         label: "Trimmed momentum",
-        help: "Exaggerated turns without short side branches. Suits rugged country; a borderline case in the study.",
+        help: "Exaggerated turns without short side branches. Suits rugged country.",
         values: &pattern("0.45", "0", "8", "29"),
     },
     Preset {
         name: "trimmed-curl",
         label: "Trimmed curl",
-        help: "Winding rivers without short side branches. Suits natural maps: what people took for real rivers.",
+        help: "Winding rivers without short side branches: what people took for real ones. Suits natural maps.",
         values: &pattern("0", "0.9", "7", "29"),
     },
 ];

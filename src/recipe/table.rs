@@ -350,7 +350,7 @@ pub static TABLE: [Parameter; COUNT] = {
             key: Key::Courses,
             name: "courses",
             label: "Courses",
-            help: "The lines that rivers follow: simplified and smooth, or the tree's own steps, with every sharp turn and without meanders.",
+            help: "The lines that rivers follow: smooth, or the tree's own steps with every sharp turn.",
             unit: "",
             group: "Rivers",
             stage: Shape,
