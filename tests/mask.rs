@@ -173,7 +173,7 @@ fn land_given_stays_whatever_the_recipe_is_changed_to() {
     let land = mask.land();
     let mut session = Session::on_land(recipe(""), land.clone()).unwrap();
     let before = session.finish().unwrap().clone();
-    assert_eq!(session.change(recipe("roughness=0.2&curl=0.5")).unwrap(), Some(Stage::Land));
+    assert_eq!(session.change(recipe("roughness=0.2&bending=0.5")).unwrap(), Some(Stage::Land));
     assert!(Arc::ptr_eq(session.land().unwrap(), &land));
     assert_ne!(*session.finish().unwrap(), before);
     session.restart().unwrap();
