@@ -11,7 +11,18 @@ export const NUMBERS = [
   "simplify", "width", "bank-variation", "meander-rounds", "meander-strength", "meander-mix", "meander-elsewhere",
   "great-rivers", "flat-share", "neck", "clearance", "taper",
 ] as const;
-export const TEXTS = ["seed", "land", "outline", "sides", "shores", "growth", "scatter", "courses", "meander", "style"] as const;
+export const TEXTS = [
+  "seed",
+  "land",
+  "outline",
+  "sides",
+  "shores",
+  "growth",
+  "scatter",
+  "courses",
+  "meander",
+  "style",
+] as const;
 
 /** Keys that mean something else in HTML carry a prefix as attributes. */
 const PREFIXED: ReadonlySet<string> = new Set(["style", "width"]);
