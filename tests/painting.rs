@@ -53,6 +53,24 @@ proptest! {
     }
 
     #[test]
+    fn after_each_round_of_drainage_the_picture_is_that_of_painting_at_once(seed in "[a-z]{1,6}", captures in 1u32..6) {
+        let link = format!("growth=drainage&land=island&attractors=900&seed={seed}&captures={captures}&trim=40");
+        let (mut session, mut kept) = (Session::new(link::read(&link).unwrap()).unwrap(), picture());
+        let mut trees = 0;
+        while session.growth().ending().is_none() {
+            session.advance(1).unwrap();
+            kept.paint(&session);
+            if session.growth().trees() > trees {
+                trees = session.growth().trees();
+                let mut fresh = picture();
+                fresh.paint(&session);
+                prop_assert!(kept.pixmap().data() == fresh.pixmap().data(), "{link}: tree {trees}");
+            }
+        }
+        prop_assert_eq!(trees, captures, "{}", link);
+    }
+
+    #[test]
     fn changing_there_and_back_gives_the_same_picture(link in random_link(400), trim in 0u32..200) {
         let recipe = link::read(&link).unwrap();
         let mut other = recipe.clone();

@@ -84,6 +84,7 @@ fn no_drawn_coast_of_random_points_holds_a_tick() {
             check(&format!("{land}&attractors={attractors}&{growth}"));
         }
         check(&format!("{land}&growth=brownian&sensitivity=8"));
+        check(&format!("{land}&growth=drainage&attractors=40000&bending=4&captures=24&channel-area=1&trim=0"));
     }
 }
 

@@ -23,13 +23,25 @@ fn random_seed() -> impl Strategy<Value = String> {
     seed.prop_map(|seed| form_urlencoded::byte_serialize(seed.as_bytes()).collect())
 }
 
+/// Drainage over the whole of every range.
+fn drainage() -> impl Strategy<Value = String> {
+    let valleys = (prop_oneof![Just(0.0), 0.0f64..=1.0], 4.0f64..=60.0, 0u32..=24, 0.2f64..=0.8);
+    let ground = (0.0f64..=1.5, 8.0f64..=60.0, 0.0f64..=4.0, 1u32..=60);
+    (valleys, ground).prop_map(|((valleys, spacing, captures, concavity), (hardness, scale, bending, area))| {
+        format!(
+            "drainage&valleys={valleys:.2}&valley-spacing={spacing:.1}&captures={captures}&concavity={concavity:.2}\
+             &hardness={hardness:.2}&hardness-scale={scale:.1}&bending={bending:.2}&channel-area={area}"
+        )
+    })
+}
+
 /// Links over the whole of every range, with at most so many attractors.
 pub fn random_link(most_attractors: u32) -> impl Strategy<Value = String> {
     // Half of them on the plain rectangle, where more goes on in a second.
     let lands = proptest::sample::select(lands::words_of_lands_with_a_coast());
     let land = (prop_oneof![Just("rectangle"), lands], 0.1f64..=0.8, 0.0f64..=1.0, random_outline());
     let ground = (0.25f64..=4.0, prop_oneof![1u32..=5, 1u32..=64], 1u32..16, 100..=most_attractors, any::<bool>());
-    let procedure = prop_oneof![4 => Just("colonize"), 1 => Just("brownian")];
+    let procedure = prop_oneof![4 => Just("colonize".to_string()), 1 => Just("brownian".to_string()), 4 => drainage()];
     let mouths = (prop_oneof![Just(0), 0..=400], prop_oneof![Just(15u32), 1u32..16]);
     // A sensitivity of 8 takes some fifty times as long as one of 40.
     let sensitivity = prop_oneof![39 => 40u32..=64, 1 => 8u32..40];

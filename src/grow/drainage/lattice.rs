@@ -109,7 +109,7 @@ impl Lattice {
                 }
             }
         }
-        work::count(reach * reach);
+        work::count(WAYS * (2 * reach + 1) * (2 * reach + 1));
     }
 
     /// The numbers of a cell that tell it from all others, whatever the domain.
