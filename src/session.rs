@@ -142,9 +142,9 @@ impl Session {
         Self::plant(recipe, land, false)
     }
 
-    /// Plants the tree of a recipe on a land of its own, [`Land::from_mask`], say. The land stays, whatever recipe the session is
-    /// [changed](Session::change) to: of `land`, `sea`, `roughness` and `outline` nothing is seen. The recipe should name a drawn land, with an outline that is like
-    /// this one: links and files say no more of it than that.
+    /// Plants the tree of a recipe on a land of its own, `Land::from_mask`, say. The land stays, whatever recipe the session is
+    /// [changed](Session::change) to: of `land`, `sea`, `roughness` and `outline` nothing is seen. The recipe should name a drawn land,
+    /// with an outline that is like this one: links and files say no more of it than that.
     ///
     /// # Errors
     /// If the land is for a map of another aspect than the recipe's, or there is not enough memory.

@@ -136,6 +136,11 @@ impl Lattice {
         }
     }
 
+    /// Whether an inner cell is joined to any other: where the plane is bent most, some are not, and stand for no land.
+    pub fn has_edges(&self, cell: usize) -> bool {
+        (0..6).any(|way| self.is_edge(cell, way))
+    }
+
     /// Whether an inner cell and its neighbour that way are joined by an edge.
     pub fn is_edge(&self, cell: usize, way: usize) -> bool {
         let (from, way) = if way < WAYS { (cell, way) } else { (self.neighbours(cell)[way], way - WAYS) };

@@ -152,6 +152,7 @@ fn normal(bits: u32) -> f32 {
 fn is_land(settings: &GrowthSettings, lattice: &Lattice, cell: usize) -> bool {
     let at = lattice.at[cell];
     lattice.is_inner(cell)
+        && lattice.has_edges(cell)
         && settings.domain.contains(at)
         && settings.land.as_ref().is_none_or(|land| land.at(at) == Cell::Land)
 }
