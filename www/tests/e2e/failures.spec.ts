@@ -163,7 +163,7 @@ test("memory that runs out before the rivers are there is said, and no tree stan
 
 test("a panic on a slider's change leaves advice, not a frozen page", async ({ page }) => {
   await trapOn(page, "river_change");
-  await page.goto("./?attractors=300");
+  await page.goto("./?growth=colonize&attractors=300");
   await finished(page);
   await unfold(page);
   await page.evaluate(() => Object.assign(globalThis, { trap: true }));
@@ -176,7 +176,7 @@ test("a panic on a slider's change leaves advice, not a frozen page", async ({ p
 
 test("after a panic the rivers can still be had as a file", async ({ page }) => {
   await trapOn(page, "river_change");
-  await page.goto("./?attractors=300");
+  await page.goto("./?growth=colonize&attractors=300");
   await finished(page);
   await unfold(page);
   await page.evaluate(() => Object.assign(globalThis, { trap: true }));
@@ -211,7 +211,7 @@ test("a river too large for this device is refused and the last one stays", asyn
     };
     WebAssembly.instantiate = refusing as unknown as typeof instantiate;
   });
-  await page.goto("./?attractors=300");
+  await page.goto("./?growth=colonize&attractors=300");
   await finished(page);
   await unfold(page);
   await page.evaluate(() => Object.assign(globalThis, { refuse: true }));

@@ -1,7 +1,7 @@
 import { expect, type Locator, type Page, test } from "@playwright/test";
 import { openFinished } from "./riverpage.ts";
 
-const SMALL = "seed=kauri&attractors=300";
+const SMALL = "seed=kauri&growth=colonize&attractors=300";
 
 function group(page: Page, heading: string): Locator {
   return page.locator(".group").filter({ has: page.getByRole("heading", { name: heading, exact: true }) });
@@ -9,7 +9,7 @@ function group(page: Page, heading: string): Locator {
 
 test("at first all headings stand in the panel, and one group is open", async ({ page }) => {
   await openFinished(page, SMALL);
-  await expect(page.locator(".group > summary")).toHaveCount(6);
+  await expect(page.locator(".group > summary")).toHaveCount(7);
   await expect(page.locator(".group[open]")).toHaveCount(1);
   await expect(page.getByRole("slider", { name: "Curl" })).toHaveCount(0);
 });
@@ -37,7 +37,7 @@ test("what is seldom wanted stands under More", async ({ page }) => {
 test("a folded group says how many of its values are changed", async ({ page }) => {
   await openFinished(page, `${SMALL}&curl=0.4&momentum=0.1`);
   await expect(group(page, "Bends").locator("summary")).toContainText("2 changed");
-  await expect(group(page, "Growth").locator("summary")).toContainText("1 changed");
+  await expect(group(page, "Growth").locator("summary")).toContainText("2 changed");
   await page.getByRole("button", { name: "Reset all" }).click();
   await expect(group(page, "Bends").locator("summary")).not.toContainText("changed");
 });

@@ -43,7 +43,7 @@ test("the address is replaced, never pushed, and at a bounded rate", async ({ pa
     };
   });
   await ownClock(page);
-  await openUnfolded(page, "seed=kauri&attractors=200");
+  await openUnfolded(page, "seed=kauri&growth=colonize&attractors=200");
   await stopClock(page);
   const before = await page.evaluate(() => history.length);
   await page.getByRole("slider", { name: "Curl" }).focus();
