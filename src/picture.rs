@@ -29,8 +29,6 @@ pub struct Picture {
     painter: Painter,
     /// The generation, domain and land of the session that it shows; `None` before it is painted.
     shown: Option<(Generation, Domain, Option<Arc<Land>>)>,
-    /// Which of the trees that a session's growth goes through.
-    tree: u32,
     /// The trimmed tree whose rivers it shows; `None` if it shows none.
     rivers_of: Option<Generation>,
 }
@@ -41,12 +39,7 @@ impl Picture {
     /// # Errors
     /// If a side is out of range, or there is not enough memory.
     pub fn new(width: u32, height: u32) -> Result<Self, PaintError> {
-        Ok(Self {
-            painter: Painter::new(&Domain::with_aspect(1.0), width, height)?,
-            shown: None,
-            tree: 0,
-            rivers_of: None,
-        })
+        Ok(Self { painter: Painter::new(&Domain::with_aspect(1.0), width, height)?, shown: None, rivers_of: None })
     }
 
     /// Brings the picture up to date with its session, however that has changed. Where their aspects differ, the map's edges
@@ -85,11 +78,10 @@ impl Picture {
         if !is_on_same_land {
             self.painter.invalidate_ground(&now.1);
         }
-        let tree = session.growth().trees();
-        if !is_same || self.tree != tree {
+        if !is_same {
             self.painter.reset();
         }
-        (self.shown, self.tree) = (Some(now), tree);
+        self.shown = Some(now);
     }
 
     /// The picture: RGBA, opaque.

@@ -238,7 +238,7 @@ impl Session {
         self.tree_generation = Generation::next();
     }
 
-    /// Another one whenever results are discarded, by [`Session::change`] and [`Session::restart`]: while it stays the same the
+    /// Another one whenever results are discarded, by [`Session::change`], [`Session::restart`] or a round of drainage: while it stays the same the
     /// session only advances.
     pub(crate) fn generation(&self) -> Generation {
         self.generation
@@ -279,7 +279,11 @@ impl Session {
 
     fn step(&mut self) -> Result<bool, SessionError> {
         if self.growth.ending().is_none() {
+            let trees = self.growth.trees();
             self.growth.tick();
+            if self.growth.trees() != trees {
+                self.generation = Generation::next();
+            }
             return self.growth.failure().map_or(Ok(true), |failure| Err(failure.into()));
         }
         if let Some(failure) = self.growth.failure() {
@@ -377,11 +381,7 @@ impl Session {
     /// The area with which rivers begin: where no basin is as large, that of the largest, so that no map is bare for it.
     fn channel_area(&self) -> u32 {
         let asked = self.recipe.integer(Key::ChannelArea);
-        if self.growth.ending().is_none() {
-            return asked;
-        }
-        let discharge = Hydrology::of(self.tree()).discharge;
-        discharge.into_iter().max().map_or(asked, |largest| asked.min(largest))
+        self.growth.largest_basin().map_or(asked, |largest| asked.min(largest))
     }
 
     /// The picture in numbers. While growth goes on this costs nothing, and does not know order and sources yet.

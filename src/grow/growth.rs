@@ -161,6 +161,14 @@ impl Growth {
         }
     }
 
+    /// The discharge of the largest river, once growth has ended; of drainage only, which knows it.
+    pub fn largest_basin(&self) -> Option<u32> {
+        match &self.grower {
+            Grower::Colonize(_) | Grower::Brownian(_) => None,
+            Grower::Drainage(growth) => growth.largest_basin(),
+        }
+    }
+
     /// Whether the tree covers hillsides, too, so that rivers begin only where enough of them drains.
     pub fn covers_hillsides(&self) -> bool {
         match self.settings.method {

@@ -4,10 +4,10 @@
 //! A parcel comes in by its own height, never by that of the level that has been flooded: flooding a hollow at one level would fill it as
 //! a front does, from all sides.
 
+use super::directions::{FlowDirections, NONE};
 use super::parcels::{DEVIATION, Parcels};
 use super::queue::Queue;
 use super::settings::DrainageSettings;
-use super::way::{NONE, Way};
 use crate::memory::Refused;
 use crate::random::Purpose;
 use crate::work;
@@ -27,18 +27,21 @@ const BORDER: f32 = 2.0;
 pub(super) struct Invasion {
     height: Vec<f32>,
     frontier: Queue,
-    way: Way,
+    directions: FlowDirections,
 }
 
 impl Invasion {
     /// Begins at all outlets.
     pub fn new(parcels: &Parcels, settings: &DrainageSettings) -> Result<Self, Refused> {
-        let mut this =
-            Self { height: heights(parcels, settings), frontier: Queue::default(), way: Way::new(parcels.len()) };
+        let mut this = Self {
+            height: heights(parcels, settings),
+            frontier: Queue::default(),
+            directions: FlowDirections::new(parcels.len()),
+        };
         this.frontier.reserve(parcels.outlets.len())?;
         for outlet in &parcels.outlets {
             this.frontier.push(this.height[outlet.parcel as usize], outlet.parcel);
-            this.way.to[outlet.parcel as usize] = Way::OUT;
+            this.directions.to[outlet.parcel as usize] = FlowDirections::OUT;
         }
         Ok(this)
     }
@@ -49,10 +52,10 @@ impl Invasion {
         work::count(6 * count);
         for _ in 0..count {
             let Some(here) = self.frontier.pop() else { return Ok(false) };
-            self.way.order.push(here);
+            self.directions.order.push(here);
             for there in parcels.neighbours[here as usize].into_iter().filter(|&there| there != NONE) {
-                if self.way.to[there as usize] == NONE {
-                    self.way.to[there as usize] = here;
+                if self.directions.to[there as usize] == NONE {
+                    self.directions.to[there as usize] = here;
                     self.frontier.push(self.height[there as usize], there);
                 }
             }
@@ -61,8 +64,8 @@ impl Invasion {
     }
 
     /// How each parcel drains.
-    pub fn into_way(self) -> Way {
-        self.way
+    pub fn into_directions(self) -> FlowDirections {
+        self.directions
     }
 }
 

@@ -7,6 +7,7 @@
 //!
 //! Where it starts decides the large shape: from equal areas a calm network comes, from the areas of an invasion a wild one.
 
+mod directions;
 mod invasion;
 mod lattice;
 mod outlets;
@@ -14,7 +15,6 @@ mod parcels;
 mod queue;
 mod round;
 mod settings;
-mod way;
 
 pub use settings::DrainageSettings;
 
@@ -23,16 +23,16 @@ use std::sync::Arc;
 use super::{Ending, GrowError, GrowthSettings};
 use crate::memory::{Refused, can_allocate};
 use crate::tree::{LEAST_SLOPE, NO_PARENT, Tree};
+use directions::{FlowDirections, NONE};
 use invasion::Invasion;
 use lattice::Lattice;
 use parcels::Parcels;
 use round::Round;
-use way::{NONE, Way};
 
-/// What drainage takes of each cell of its lattice, as measured.
+/// What drainage takes for each cell of its lattice: by count 100, and room for lists that grow.
 const BYTES_A_CELL: usize = 140;
 
-/// So many parcels are settled in a tick at most that shows nothing.
+/// The number of parcels that a tick deals with at most when it shows nothing: some milliseconds of work.
 const PARCELS_A_TICK: usize = 20_000;
 
 /// Growth in progress.
@@ -49,6 +49,8 @@ pub struct Drainage {
     /// How many rounds are over.
     rounds: u32,
     mouths: u32,
+    /// How many parcels the largest river drains, once growth has ended.
+    largest_basin: Option<u32>,
     ending: Option<Ending>,
 }
 
@@ -78,7 +80,7 @@ impl Drainage {
         };
         let node = vec![NONE; parcels.len()];
         let tree = Tree { tick_starts: vec![0], ..Tree::default() };
-        Ok(Self { settings, parcels, area, stage, tree, node, rounds: 0, mouths: 0, ending: None })
+        Ok(Self { settings, parcels, area, stage, tree, node, rounds: 0, mouths: 0, largest_basin: None, ending: None })
     }
 
     /// Grows by one tick. Returns whether there is more to grow.
@@ -115,7 +117,7 @@ impl Drainage {
     /// Takes the areas of the invasion to begin with.
     fn follow_valleys(&mut self) -> Result<(), Refused> {
         let Stage::Invasion(invasion) = std::mem::replace(&mut self.stage, Stage::Over) else { return Ok(()) };
-        let areas = invasion.into_way().areas();
+        let areas = invasion.into_directions().areas();
         let exponent = self.settings.drainage.valleys;
         self.area = areas.into_iter().map(|area| libm::powf(area.max(1) as f32, exponent)).collect();
         self.begin_round()
@@ -130,9 +132,9 @@ impl Drainage {
     /// All parcels have found their way: the next round knows how much water there is.
     fn end_round(&mut self) -> Result<(), Refused> {
         let Stage::Round(round) = std::mem::replace(&mut self.stage, Stage::Over) else { return Ok(()) };
-        let areas = round.way().areas();
+        let areas = round.directions().areas();
         if self.rounds > 0 {
-            self.regrow(round.way());
+            self.regrow(round.directions());
         }
         self.rounds += 1;
         for (area, new) in self.area.iter_mut().zip(&areas) {
@@ -142,7 +144,8 @@ impl Drainage {
         if self.rounds <= self.settings.drainage.captures {
             return self.begin_round();
         }
-        self.raise(round.way(), &areas);
+        self.raise(round.directions(), &areas);
+        self.largest_basin = areas.iter().copied().max();
         self.ending = Some(Ending::Complete);
         Ok(())
     }
@@ -151,16 +154,16 @@ impl Drainage {
     fn grow(&mut self) {
         let Self { parcels, stage: Stage::Round(round), tree, node, mouths, .. } = self else { return };
         let known = tree.len() - *mouths as usize;
-        if round.way().order.len() > known {
+        if round.directions().order.len() > known {
             tree.tick_starts.push(tree.len() as u32);
         }
-        for &parcel in &round.way().order[known..] {
-            plant(parcels, round.way(), parcel, tree, node, mouths);
+        for &parcel in &round.directions().order[known..] {
+            plant(parcels, round.directions(), parcel, tree, node, mouths);
         }
     }
 
     /// Makes another tree of the same parcels, with as many nodes in each tick.
-    fn regrow(&mut self, way: &Way) {
+    fn regrow(&mut self, directions: &FlowDirections) {
         let count = self.tree.len();
         let mut tree = Tree {
             at: Vec::with_capacity(count),
@@ -169,23 +172,23 @@ impl Drainage {
             ..Tree::default()
         };
         self.mouths = 0;
-        for &parcel in &way.order {
-            plant(&self.parcels, way, parcel, &mut tree, &mut self.node, &mut self.mouths);
+        for &parcel in &directions.order {
+            plant(&self.parcels, directions, parcel, &mut tree, &mut self.node, &mut self.mouths);
         }
         let ticks = self.tree.tick_starts.iter().map(|&start| start.min(tree.len() as u32)).collect();
         self.tree = Tree { tick_starts: ticks, ..tree };
     }
 
     /// Gives the nodes of the finished tree their elevations: the cost of the way to the sea, by the areas that have come of it.
-    fn raise(&mut self, way: &Way, areas: &[u32]) {
+    fn raise(&mut self, directions: &FlowDirections, areas: &[u32]) {
         let Self { parcels, tree, node, settings, .. } = self;
         let concavity = settings.drainage.concavity;
         let steepness = steepness(parcels.len(), concavity);
         tree.elevation = vec![0.0; tree.len()];
-        for &parcel in &way.order {
+        for &parcel in &directions.order {
             let here = parcel as usize;
-            let (below, cost) = match way.to[here] {
-                Way::OUT => (0.0, parcels.cost_out(here)),
+            let (below, cost) = match directions.to[here] {
+                FlowDirections::OUT => (0.0, parcels.cost_out(here)),
                 to => (tree.elevation[node[to as usize] as usize], parcels.cost_to(here, to)),
             };
             let fall = steepness * cost * libm::powf(areas[here] as f32, -concavity);
@@ -224,6 +227,11 @@ impl Drainage {
         self.mouths
     }
 
+    /// How many parcels the largest river drains; `None` while growth goes on, and without any parcel.
+    pub fn largest_basin(&self) -> Option<u32> {
+        self.largest_basin
+    }
+
     /// How growth ended; `None` while it goes on.
     pub fn ending(&self) -> Option<Ending> {
         self.ending
@@ -242,15 +250,22 @@ fn steepness(parcels: usize, concavity: f32) -> f32 {
 }
 
 /// Adds a parcel's node, and the mouth that it flows to if that is its own.
-fn plant(parcels: &Parcels, way: &Way, parcel: u32, tree: &mut Tree, node: &mut [u32], mouths: &mut u32) {
+fn plant(
+    parcels: &Parcels,
+    directions: &FlowDirections,
+    parcel: u32,
+    tree: &mut Tree,
+    node: &mut [u32],
+    mouths: &mut u32,
+) {
     let mut add = |at, parent, drained| {
         tree.at.push(at);
         tree.parent.push(parent);
         tree.drained.push(drained);
         tree.at.len() as u32 - 1
     };
-    let below = match way.to[parcel as usize] {
-        Way::OUT => {
+    let below = match directions.to[parcel as usize] {
+        FlowDirections::OUT => {
             *mouths += 1;
             add(parcels.outlets[parcels.outlet_of[parcel as usize] as usize].at, NO_PARENT, 0)
         }

@@ -6,8 +6,8 @@
 
 use glam::Vec2;
 
+use super::directions::NONE;
 use super::lattice::Lattice;
-use super::way::NONE;
 use crate::grow::GrowthSettings;
 use crate::grow::mouths::{mouths, on_chosen_sides};
 use crate::land::{Land, Region};

@@ -2,10 +2,10 @@
 
 use glam::Vec2;
 
+use super::directions::NONE;
 use super::lattice::{Lattice, WAYS};
 use super::outlets::{self, Outlet};
 use super::settings::DrainageSettings;
-use super::way::NONE;
 use crate::grow::GrowthSettings;
 use crate::land::Cell;
 use crate::random::Purpose;

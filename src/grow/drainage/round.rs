@@ -2,9 +2,9 @@
 //! less the more water there was in the round before: S = k A^−θ (Flint 1974), as in optimal channel networks
 //! (Rodriguez-Iturbe, Rinaldo and others 1992).
 
+use super::directions::{FlowDirections, NONE};
 use super::parcels::Parcels;
 use super::queue::Queue;
-use super::way::{NONE, Way};
 use crate::memory::Refused;
 use crate::work;
 
@@ -13,11 +13,11 @@ use crate::work;
 pub(super) struct Round {
     /// What the cheapest known way to the sea costs.
     pub cost: Vec<f32>,
-    /// A^−θ of each parcel: what a step down from it costs, beside the ground.
-    ease: Vec<f32>,
+    /// A^−θ of each parcel: the slope of the step down from it, but for the ground.
+    slope: Vec<f32>,
     is_settled: Vec<bool>,
     queue: Queue,
-    way: Way,
+    directions: FlowDirections,
 }
 
 impl Round {
@@ -27,16 +27,16 @@ impl Round {
         work::count(count);
         let mut this = Self {
             cost: vec![f32::INFINITY; count],
-            ease: area.iter().map(|&area| libm::powf(area, -concavity)).collect(),
+            slope: area.iter().map(|&area| libm::powf(area, -concavity)).collect(),
             is_settled: vec![false; count],
             queue: Queue::default(),
-            way: Way::new(count),
+            directions: FlowDirections::new(count),
         };
         this.queue.reserve(parcels.outlets.len())?;
         for outlet in &parcels.outlets {
             let parcel = outlet.parcel as usize;
-            let cost = parcels.cost_out(parcel) * this.ease[parcel];
-            (this.cost[parcel], this.way.to[parcel]) = (cost, Way::OUT);
+            let cost = parcels.cost_out(parcel) * this.slope[parcel];
+            (this.cost[parcel], this.directions.to[parcel]) = (cost, FlowDirections::OUT);
             this.queue.push(cost, outlet.parcel);
         }
         Ok(this)
@@ -58,22 +58,22 @@ impl Round {
     }
 
     fn settle(&mut self, parcels: &Parcels, here: u32) {
-        self.way.order.push(here);
+        self.directions.order.push(here);
         let cost = self.cost[here as usize];
         for (way, there) in parcels.neighbours[here as usize].into_iter().enumerate() {
             if there == NONE || self.is_settled[there as usize] {
                 continue;
             }
-            let through = cost + parcels.cost(here as usize, way) * self.ease[there as usize];
+            let through = cost + parcels.cost(here as usize, way) * self.slope[there as usize];
             if through < self.cost[there as usize] {
-                (self.cost[there as usize], self.way.to[there as usize]) = (through, here);
+                (self.cost[there as usize], self.directions.to[there as usize]) = (through, here);
                 self.queue.push(through, there);
             }
         }
     }
 
     /// How each parcel drains, as far as is known.
-    pub fn way(&self) -> &Way {
-        &self.way
+    pub fn directions(&self) -> &FlowDirections {
+        &self.directions
     }
 }

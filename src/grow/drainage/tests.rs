@@ -56,18 +56,18 @@ fn edges(parcels: &Parcels) -> Vec<(Vec2, Vec2)> {
 
 /// Every way to the sea relaxed until nothing changes (Bellman and Ford), with the ties that a queue leaves out.
 fn relaxed(parcels: &Parcels, area: &[f32], concavity: f32) -> Vec<f32> {
-    let ease: Vec<f32> = area.iter().map(|&area| libm::powf(area, -concavity)).collect();
+    let slope: Vec<f32> = area.iter().map(|&area| libm::powf(area, -concavity)).collect();
     let mut cost = vec![f32::INFINITY; parcels.len()];
     for outlet in &parcels.outlets {
         let parcel = outlet.parcel as usize;
-        cost[parcel] = parcels.cost_out(parcel) * ease[parcel];
+        cost[parcel] = parcels.cost_out(parcel) * slope[parcel];
     }
     loop {
         let before = cost.clone();
         for here in 0..parcels.len() {
             for way in 0..6 {
                 if let Some(&there) = cost.get(parcels.neighbours[here][way] as usize) {
-                    let through = there + parcels.cost(here, way) * ease[here];
+                    let through = there + parcels.cost(here, way) * slope[here];
                     cost[here] = cost[here].min(through);
                 }
             }
@@ -79,29 +79,29 @@ fn relaxed(parcels: &Parcels, area: &[f32], concavity: f32) -> Vec<f32> {
 }
 
 /// How many parcels each drains, one walk to the sea at a time.
-fn recounted(way: &Way) -> Vec<u32> {
-    let mut areas = vec![0; way.to.len()];
-    for &start in &way.order {
+fn recounted(directions: &FlowDirections) -> Vec<u32> {
+    let mut areas = vec![0; directions.to.len()];
+    for &start in &directions.order {
         let mut here = start;
-        while here != Way::OUT {
+        while here != FlowDirections::OUT {
             areas[here as usize] += 1;
-            here = way.to[here as usize];
+            here = directions.to[here as usize];
         }
     }
     areas
 }
 
 /// The energy of a network under the law that its rounds go by.
-fn energy(parcels: &Parcels, way: &Way, concavity: f32) -> f64 {
-    let areas = way.areas();
+fn energy(parcels: &Parcels, directions: &FlowDirections, concavity: f32) -> f64 {
+    let areas = directions.areas();
     let step = |&here: &u32| {
-        let cost = match way.to[here as usize] {
-            Way::OUT => parcels.cost_out(here as usize),
+        let cost = match directions.to[here as usize] {
+            FlowDirections::OUT => parcels.cost_out(here as usize),
             to => parcels.cost_to(here as usize, to),
         };
         f64::from(cost) * libm::pow(areas[here as usize].into(), 1.0 - f64::from(concavity))
     };
-    way.order.iter().map(step).sum()
+    directions.order.iter().map(step).sum()
 }
 
 fn whole_round(parcels: &Parcels, area: &[f32], concavity: f32) -> Round {
@@ -136,8 +136,8 @@ proptest! {
             let round = whole_round(&parcels, &area, settings.drainage.concavity);
             let twin = relaxed(&parcels, &area, settings.drainage.concavity);
             prop_assert_eq!(&round.cost, &twin, "{}", recipe);
-            let areas = round.way().areas();
-            prop_assert_eq!(&areas, &recounted(round.way()));
+            let areas = round.directions().areas();
+            prop_assert_eq!(&areas, &recounted(round.directions()));
             for (area, new) in area.iter_mut().zip(areas) {
                 *area = (*area * new.max(1) as f32).sqrt();
             }
@@ -153,7 +153,7 @@ proptest! {
         let heights = invasion::heights(&parcels, &settings.drainage);
         // By scanning all that lies beside what has been taken.
         let mut to = vec![NONE; parcels.len()];
-        parcels.outlets.iter().for_each(|outlet| to[outlet.parcel as usize] = Way::OUT);
+        parcels.outlets.iter().for_each(|outlet| to[outlet.parcel as usize] = FlowDirections::OUT);
         let (mut order, mut is_taken) = (Vec::new(), vec![false; parcels.len()]);
         while let Some(lowest) = (0..parcels.len())
             .filter(|&i| to[i] != NONE && !is_taken[i])
@@ -167,8 +167,8 @@ proptest! {
                 }
             }
         }
-        let way = invasion.into_way();
-        prop_assert_eq!((way.to, way.order), (to, order));
+        let directions = invasion.into_directions();
+        prop_assert_eq!((directions.to, directions.order), (to, order));
     }
 
     #[test]
@@ -210,10 +210,10 @@ proptest! {
         let mut last = f64::INFINITY;
         for _ in 0..6 {
             let round = whole_round(&parcels, &area, concavity);
-            let now = energy(&parcels, round.way(), concavity);
+            let now = energy(&parcels, round.directions(), concavity);
             prop_assert!(now <= last * 1.001, "{recipe}: {last}, then {now}");
             last = now;
-            for (area, new) in area.iter_mut().zip(round.way().areas()) {
+            for (area, new) in area.iter_mut().zip(round.directions().areas()) {
                 *area = (*area * new.max(1) as f32).sqrt();
             }
         }
