@@ -70,10 +70,19 @@ impl Given<'_> {
     }
 
     fn not_colonizing(&self) -> Reason {
-        match self.recipe.get() {
-            GrowthMethod::Colonize => None,
-            GrowthMethod::Brownian | GrowthMethod::Drainage => Some("only space colonization uses it"),
-        }
+        self.unless_grown_by(GrowthMethod::Colonize, "only space colonization uses it")
+    }
+
+    fn not_brownian(&self) -> Reason {
+        self.unless_grown_by(GrowthMethod::Brownian, "only Brownian trees use it")
+    }
+
+    fn not_draining(&self) -> Reason {
+        self.unless_grown_by(GrowthMethod::Drainage, "only drainage uses it")
+    }
+
+    fn unless_grown_by(&self, method: GrowthMethod, reason: &'static str) -> Reason {
+        (self.recipe.get::<GrowthMethod>() != method).then_some(reason)
     }
 
     fn brownian(&self) -> Reason {
@@ -83,26 +92,12 @@ impl Given<'_> {
         }
     }
 
-    fn not_draining(&self) -> Reason {
-        match self.recipe.get() {
-            GrowthMethod::Drainage => None,
-            GrowthMethod::Colonize | GrowthMethod::Brownian => Some("only drainage uses it"),
-        }
-    }
-
     fn no_valleys(&self) -> Reason {
         self.is_zero(Key::Valleys).then_some("there are no valleys")
     }
 
     fn no_hardness(&self) -> Reason {
         self.is_zero(Key::Hardness).then_some("all ground is equally hard")
-    }
-
-    fn not_brownian(&self) -> Reason {
-        match self.recipe.get() {
-            GrowthMethod::Brownian => None,
-            GrowthMethod::Colonize | GrowthMethod::Drainage => Some("only Brownian trees use it"),
-        }
     }
 
     fn no_curl(&self) -> Reason {

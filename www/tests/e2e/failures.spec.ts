@@ -161,7 +161,7 @@ test("memory that runs out before the rivers are there is said, and no tree stan
   await expectFailure(page, "no-memory", /fewer attractors/);
 });
 
-test("a panic on a slider's change leaves advice, not a frozen page", async ({ page }) => {
+async function panicOnASlider(page: Page): Promise<void> {
   await trapOn(page, "river_change");
   await page.goto("./?growth=colonize&attractors=300");
   await finished(page);
@@ -169,19 +169,17 @@ test("a panic on a slider's change leaves advice, not a frozen page", async ({ p
   await page.evaluate(() => Object.assign(globalThis, { trap: true }));
   await page.getByRole("slider", { name: "Curl" }).press("ArrowRight");
   await expectFailure(page, "panic", /report the link/);
+}
+
+test("a panic on a slider's change leaves advice, not a frozen page", async ({ page }) => {
+  await panicOnASlider(page);
   await page.getByRole("slider", { name: "Trim" }).press("ArrowRight");
   await page.getByRole("button", { name: "Restart" }).click();
   await expectFailure(page, "panic", /report the link/);
 });
 
 test("after a panic the rivers can still be had as a file", async ({ page }) => {
-  await trapOn(page, "river_change");
-  await page.goto("./?growth=colonize&attractors=300");
-  await finished(page);
-  await unfold(page);
-  await page.evaluate(() => Object.assign(globalThis, { trap: true }));
-  await page.getByRole("slider", { name: "Curl" }).press("ArrowRight");
-  await expectFailure(page, "panic", /report the link/);
+  await panicOnASlider(page);
   await page.getByRole("button", { name: "Download" }).click();
   await page.getByRole("menuitem", { name: /^SVG / }).click();
   await expect(page.locator("#shared")).toContainText(".svg is in your downloads");
