@@ -74,8 +74,10 @@ pub mod picture;
 #[path = "../tests/common/property.rs"]
 mod property;
 pub mod prune;
+mod queue;
 pub mod random;
 pub mod recipe;
+pub mod relief;
 pub mod session;
 mod simplify;
 mod skeletonize;

@@ -55,7 +55,8 @@ impl Picture {
         let (recipe, land) = (session.recipe(), session.land().map(Arc::as_ref));
         let (courses, style) = (recipe.get(), recipe.get());
         if let Some((network, rounds)) = session.network().zip(session.rounds()) {
-            return self.painter.paint_rivers(&Rivers { network, rounds, courses, land, style });
+            let relief = session.relief().map(|relief| (relief, recipe.number(Key::Shade)));
+            return self.painter.paint_rivers(&Rivers { network, rounds, courses, land, relief, style });
         }
         let growth = session.growth();
         self.painter.paint(&Progress {
@@ -140,7 +141,7 @@ mod tests {
         let mut picture = Picture::new(100, 80).unwrap();
         picture.paint(&session);
         let before = painted(&session);
-        session.change(link::read(&format!("{SMALL}&width=30&style=map")).unwrap()).unwrap();
+        session.change(link::read(&format!("{SMALL}&width=30&style=atlas")).unwrap()).unwrap();
         let mut steps = 0;
         while session.phase() == Phase::Shaping {
             assert_eq!(picture.paint(&session), None);
@@ -158,7 +159,7 @@ mod tests {
         let mut picture = Picture::new(100, 80).unwrap();
         picture.paint(&session);
         for change in
-            ["aspect=0.5", "land=valley", "land=rectangle", "land=rectangle&momentum=0.5", "style=map", "width=30"]
+            ["aspect=0.5", "land=valley", "land=rectangle", "land=rectangle&momentum=0.5", "style=atlas", "width=30"]
         {
             session.change(link::read(&format!("{SMALL}&{change}")).unwrap()).unwrap();
             while session.advance(50).unwrap() {}

@@ -32,6 +32,8 @@ pub enum Purpose {
     Courses = 6,
     /// Hard and soft ground, and the heights that valleys are found by.
     Ground = 7,
+    /// Where hillsides are steep.
+    Relief = 8,
 }
 
 impl Seed {

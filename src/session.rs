@@ -11,7 +11,8 @@ use crate::land::Land;
 use crate::memory;
 use crate::network::{Meander, NONE, Network, NetworkSettings, ShapeError, Shaping, ask_for_memory};
 use crate::prune::{self, Pruned, Trim};
-use crate::recipe::{Key, Recipe, Stage};
+use crate::recipe::{Key, Recipe, Stage, Style};
+use crate::relief::{Relief, ReliefError, ReliefSettings, ReliefSolver};
 use crate::tree::{Hydrology, Tree};
 
 /// Why a recipe cannot be made into rivers.
@@ -24,6 +25,9 @@ pub enum SessionError {
     /// Its tree cannot be made into rivers.
     #[error(transparent)]
     Shape(#[from] ShapeError),
+    /// There can be no relief.
+    #[error(transparent)]
+    Relief(#[from] ReliefError),
     /// It cannot be copied.
     #[error("a copy of the rivers needs about {megabytes} MB, and the allocation failed")]
     Copy {
@@ -68,9 +72,18 @@ pub struct Session {
     growth: Growth,
     /// Once growth has ended.
     shaping: Option<Shaping>,
+    /// Once rivers are finished, if the style shows it.
+    relief: Option<Relieving>,
     generation: Generation,
     /// Another one whenever the trimmed tree is discarded.
     tree_generation: Generation,
+}
+
+/// A relief, or one in the making.
+#[derive(Clone, Debug)]
+enum Relieving {
+    Going(Box<ReliefSolver>),
+    Done(Arc<Relief>),
 }
 
 /// The kind of step that a session makes next.
@@ -82,6 +95,8 @@ pub enum Phase {
     Shaping,
     /// A round of meandering.
     Meandering,
+    /// A part of the relief that belongs to the finished rivers.
+    Relief,
     /// Nothing: there is nothing more to do.
     Finished,
 }
@@ -156,7 +171,7 @@ impl Session {
     fn plant(recipe: Recipe, land: Option<Arc<Land>>, is_land_given: bool) -> Result<Self, SessionError> {
         let growth = plant(&recipe, &land)?;
         let (generation, tree_generation) = (Generation::next(), Generation::next());
-        Ok(Self { recipe, land, is_land_given, growth, shaping: None, generation, tree_generation })
+        Ok(Self { recipe, land, is_land_given, growth, shaping: None, relief: None, generation, tree_generation })
     }
 
     /// Another session that has come as far: what becomes of one does not touch the other. `clone` does the same, but ends the
@@ -209,6 +224,9 @@ impl Session {
             self.land = land;
         }
         self.recipe = recipe;
+        if stage.is_some_and(|stage| stage != Stage::Paint) {
+            self.relief = None;
+        }
         if matches!(stage, Some(Stage::Land | Stage::Grow | Stage::Prune)) {
             self.discard_rivers();
         }
@@ -235,6 +253,7 @@ impl Session {
 
     fn discard_rivers(&mut self) {
         self.shaping = None;
+        self.relief = None;
         self.tree_generation = Generation::next();
     }
 
@@ -291,6 +310,7 @@ impl Session {
         }
         match &mut self.shaping {
             None => self.shaping = Some(self.shape()?),
+            Some(shaping) if shaping.is_finished() => self.raise()?,
             Some(shaping) => {
                 shaping.step();
             }
@@ -307,6 +327,42 @@ impl Session {
         Shaping::new(&tree, self.growth.may_cross(), self.network_settings())
     }
 
+    /// Whether the style shows a relief that is not there yet.
+    fn wants_relief(&self) -> bool {
+        self.recipe.get::<Style>().has_relief() && self.relief().is_none()
+    }
+
+    /// Makes a step of the relief.
+    fn raise(&mut self) -> Result<(), SessionError> {
+        if !self.wants_relief() {
+            return Ok(());
+        }
+        match &mut self.relief {
+            None => self.relief = Some(Relieving::Going(self.relief_solver()?.into())),
+            Some(Relieving::Going(solver)) => {
+                if let Some(relief) = solver.step()? {
+                    self.relief = Some(Relieving::Done(relief.into()));
+                }
+            }
+            Some(Relieving::Done(_)) => {}
+        }
+        Ok(())
+    }
+
+    fn relief_solver(&self) -> Result<ReliefSolver, ReliefError> {
+        static EMPTY: Network = Network { vertices: Vec::new(), rivers: Vec::new(), oxbows: Vec::new() };
+        let settings = ReliefSettings::new(&self.recipe, self.land.clone(), self.growth.total_discharge());
+        ReliefSolver::new(self.network().unwrap_or(&EMPTY), &settings)
+    }
+
+    /// The relief; `None` as long as rivers are not finished, and in a style that shows none.
+    pub fn relief(&self) -> Option<&Arc<Relief>> {
+        match &self.relief {
+            Some(Relieving::Done(relief)) => Some(relief),
+            _ => None,
+        }
+    }
+
     /// Whether there is nothing more to do.
     pub fn is_finished(&self) -> bool {
         self.phase() == Phase::Finished
@@ -315,6 +371,7 @@ impl Session {
     /// The kind of step that comes next.
     pub fn phase(&self) -> Phase {
         match &self.shaping {
+            Some(shaping) if shaping.is_finished() && self.wants_relief() => Phase::Relief,
             Some(shaping) if shaping.is_finished() => Phase::Finished,
             Some(shaping) if shaping.network().is_some() => Phase::Meandering,
             Some(_) => Phase::Shaping,
@@ -330,7 +387,7 @@ impl Session {
             (Phase::Growing, _) => self.growth.progress(),
             (Phase::Meandering, Some(meander)) => meander.rounds() as f32 / meander.settings().rounds.max(1) as f32,
             (Phase::Finished, _) => 1.0,
-            (Phase::Shaping | Phase::Meandering, _) => 0.0,
+            (Phase::Shaping | Phase::Meandering | Phase::Relief, _) => 0.0,
         }
     }
 

@@ -230,7 +230,7 @@ fn rivers_of_an_svg_end_at_the_coast() {
 fn svg_looks_like_the_picture() {
     for link in [
         "seed=kauri&aspect=1&attractors=2000",
-        "seed=rimu&aspect=1&attractors=2000&land=island&style=map&mouths=9&meander-rounds=200&width=30",
+        "seed=rimu&aspect=1&attractors=2000&land=island&style=atlas&mouths=9&meander-rounds=200&width=30",
         "seed=totara&aspect=1&land=valley&growth=brownian&sensitivity=24",
     ] {
         let session = finished(link);

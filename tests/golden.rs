@@ -26,10 +26,10 @@ const WIDTH: u32 = 240;
 const PICTURES: &[(&str, &str)] = &[
     ("default", ""),
     ("drainage", "growth=drainage&attractors=2000&trim=30&channel-area=4&mouths=0"),
-    ("drainage-island", "growth=drainage&land=island&attractors=4000&trim=30&channel-area=4&mouths=0&style=map"),
+    ("drainage-island", "growth=drainage&land=island&attractors=4000&trim=30&channel-area=4&mouths=0&style=atlas"),
     (
         "drainage-wild",
-        "growth=drainage&land=continent&attractors=4000&trim=30&channel-area=4&mouths=0&valleys=0.6&style=map",
+        "growth=drainage&land=continent&attractors=4000&trim=30&channel-area=4&mouths=0&valleys=0.6&style=atlas",
     ),
     ("original", "preset=original&attractors=1500"),
     ("momentum", "preset=momentum&attractors=1500"),
@@ -56,25 +56,25 @@ const PICTURES: &[(&str, &str)] = &[
     ("flow", "meander=flow&great-rivers=9&meander-rounds=60&attractors=1500&trim=39"),
     ("skeleton-meanders", "style=skeleton&great-rivers=9&attractors=1500&trim=39"),
     ("uneven", "bank-variation=0.5&width=40&mouths=1&attractors=800&great-rivers=0&trim=54"),
-    ("brownian-flow", "growth=brownian&sensitivity=40&trim=59&meander=flow&great-rivers=4&style=map&land=continent"),
+    ("brownian-flow", "growth=brownian&sensitivity=40&trim=59&meander=flow&great-rivers=4&style=atlas&land=continent"),
     ("island", "land=island&mouths=6&attractors=2000&trim=24"),
     ("dark", "style=dark&land=island&seed=kauri&attractors=2000&trim=24"),
-    ("continent", "land=continent&style=map&attractors=2000&trim=24"),
-    ("archipelago", "land=archipelago&mouths=9&attractors=2000&style=map&trim=24"),
+    ("continent", "land=continent&style=atlas&attractors=2000&trim=24"),
+    ("archipelago", "land=archipelago&mouths=9&attractors=2000&style=atlas&trim=24"),
     ("valley", "land=valley&attractors=2000&trim=24"),
     ("basin", "land=basin&mouths=7&attractors=2000&style=skeleton&trim=23"),
     (
         "drawn",
-        "land=drawn&roughness=0.3&mouths=4&attractors=2000&style=map&outline=.3CgA5Tmy30twyhyhrhz8lJzMgAyja2zMUez8NeyhILtwGsmyI9gAMza2P7WuR8R8UeMDZNGsf_EfmyGsrhMDuDR8wEWuzMa2.jMZmoUa4mZgA.AAzMHr2ZJm__AA__..TMgAcznr",
+        "land=drawn&roughness=0.3&mouths=4&attractors=2000&style=atlas&outline=.3CgA5Tmy30twyhyhrhz8lJzMgAyja2zMUez8NeyhILtwGsmyI9gAMza2P7WuR8R8UeMDZNGsf_EfmyGsrhMDuDR8wEWuzMa2.jMZmoUa4mZgA.AAzMHr2ZJm__AA__..TMgAcznr",
     ),
     (
         "closed-ridges",
-        "land=drawn&roughness=0.3&mouths=4&attractors=2000&style=map&outline=.-SgA8kqZ1qyLtA2ikf5gbI7mQ26OItziFbpqF-gAHqXJKhN-Q2FxauCDk6EKtAJdz1PW6VWa..f_k5dcqUY5r9U5qXRwnrO_jrOFdqQoYPVLWmZMYMcVa3fGe4f_k5..v_Zmu8dTsSfRpRelnTbknTXopRUnsST7u8V5v_Zm..jMnrnrqPsyoUx6mZ&trim=24",
+        "land=drawn&roughness=0.3&mouths=4&attractors=2000&style=atlas&outline=.-SgA8kqZ1qyLtA2ikf5gbI7mQ26OItziFbpqF-gAHqXJKhN-Q2FxauCDk6EKtAJdz1PW6VWa..f_k5dcqUY5r9U5qXRwnrO_jrOFdqQoYPVLWmZMYMcVa3fGe4f_k5..v_Zmu8dTsSfRpRelnTbknTXopRUnsST7u8V5v_Zm..jMnrnrqPsyoUx6mZ&trim=24",
     ),
     ("brownian", "growth=brownian&sensitivity=24&trim=50"),
-    ("brownian-island", "growth=brownian&sensitivity=32&trim=50&land=island&style=map"),
+    ("brownian-island", "growth=brownian&sensitivity=32&trim=50&land=island&style=atlas"),
     ("brownian-archipelago", "growth=brownian&sensitivity=32&trim=50&land=archipelago"),
-    ("brownian-valley", "growth=brownian&sensitivity=40&trim=59&land=valley&style=map"),
+    ("brownian-valley", "growth=brownian&sensitivity=40&trim=59&land=valley&style=atlas"),
 ];
 
 fn picture(recipe: Recipe, width: u32) -> Pixmap {

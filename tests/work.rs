@@ -117,7 +117,7 @@ fn no_change_holds_a_page() {
     let recipe = format!("attractors=20000&step=0.5{WILD}");
     let mut session = most.plant(&recipe);
     most.finish(&mut session);
-    for change in ["width=39", "simplify=5", "meander-strength=0.9", "trim=1", "style=map", "land=valley"] {
+    for change in ["width=39", "simplify=5", "meander-strength=0.9", "trim=1", "style=atlas", "land=valley"] {
         let changed = link::pairs(change).unwrap();
         let changed = link::apply(session.recipe().clone(), &changed).unwrap();
         let stage = most.count(change, || session.change(changed).unwrap());

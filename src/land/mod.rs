@@ -33,5 +33,5 @@ pub use regions::{Cells, Run};
 pub use regions::{Region, Shore};
 #[doc(hidden)]
 pub use smoothed_distance::SmoothedDistance;
-pub(crate) use smoothed_distance::{Across, Parabola};
+pub(crate) use smoothed_distance::{Across, Parabola, beside, nearest};
 pub use strokes::DrawError;

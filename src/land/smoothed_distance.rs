@@ -147,14 +147,14 @@ impl Parabola {
 }
 
 /// The corner nearest to a coordinate, and how far beyond it that lies, all in intervals.
-fn nearest(x: f32, corners: usize) -> (usize, f32) {
+pub(crate) fn nearest(x: f32, corners: usize) -> (usize, f32) {
     // What is less than 0 becomes 0.
     let index = ((x + 0.5) as usize).min(corners - 1);
     (index, (x - index as f32).clamp(-0.5, 0.5))
 }
 
 /// A corner between the one before and the one after; the border stands in for what lies beyond.
-fn beside(i: usize, corners: usize) -> [usize; 3] {
+pub(crate) fn beside(i: usize, corners: usize) -> [usize; 3] {
     [i.saturating_sub(1), i, (i + 1).min(corners - 1)]
 }
 

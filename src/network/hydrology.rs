@@ -3,14 +3,16 @@
 //! A tree grown by drainage brings its elevations. Other rivers flow through no terrain; but rivers flatten downstream: slope falls as a power of discharge. So 'flat' has a meaning by discharge alone, and
 //! slopes summed from the mouth up are elevations that always fall toward the sea.
 
+use glam::Vec2;
+
 use super::{NONE, Network};
-use crate::geometry::{distance, fast_max};
+use crate::geometry::{distance, fast_max, fast_min};
 use crate::tree::LEAST_SLOPE;
 
-/// The slope of a river that drains a share of everything: S ∝ Q^−0.4, as width, depth and velocity ∝ Q^0.5, Q^0.4 and Q^0.1
-/// of Leopold and Maddock (1953) leave it (Pelletier 2021).
+/// The slope of a river that drains a share of everything: S ∝ Q^−0.5, as Flint (1974) found it for mountain streams, so that it is
+/// steep in inverse proportion to its width.
 pub fn slope(share: f32) -> f32 {
-    LEAST_SLOPE * libm::powf(share.max(1e-6), -0.4)
+    LEAST_SLOPE / share.max(1e-6).sqrt()
 }
 
 /// The slope at each vertex, downstream. That of a tree's own elevations is taken over some way, as their ground is hard here and soft
@@ -46,6 +48,7 @@ fn has_elevations(network: &Network) -> bool {
 pub fn elevations(network: &Network, total_discharge: u32) -> Vec<f32> {
     let downstream = network.downstream();
     let is_given = has_elevations(network);
+    let straightness = if is_given { Vec::new() } else { straightness(network) };
     let mut elevations = vec![f32::NAN; network.vertices.len()];
     let mut upward = Vec::new();
     for start in 0..network.vertices.len() as u32 {
@@ -61,7 +64,10 @@ pub fn elevations(network: &Network, total_discharge: u32) -> Vec<f32> {
                 None => 0.0,
                 Some(next) => {
                     let below = elevations[downstream[i as usize] as usize];
-                    let law = || slope(vertex.discharge as f32 / total_discharge as f32) * distance(vertex.at, next.at);
+                    let law = || {
+                        let share = vertex.discharge as f32 / total_discharge as f32;
+                        slope(share) * distance(vertex.at, next.at) * straightness[i as usize]
+                    };
                     // However short the way, a river falls.
                     let own = if is_given { vertex.elevation } else { below + law() };
                     own.max(below.next_up())
@@ -70,6 +76,31 @@ pub fn elevations(network: &Network, total_discharge: u32) -> Vec<f32> {
         }
     }
     elevations
+}
+
+/// The straight way over the way along the river, around each vertex: a river that winds through a plain does not climb.
+fn straightness(network: &Network) -> Vec<f32> {
+    const VERTICES: usize = 12;
+    let mut straightness = vec![1.0; network.vertices.len()];
+    for river in &network.rivers {
+        let course: Vec<_> = network.course(river).map(|vertex| vertex.at).collect();
+        let along = lengths(&course);
+        for (i, at) in river.vertex_range().enumerate() {
+            let (upper, lower) = (i.saturating_sub(VERTICES), (i + VERTICES).min(course.len() - 1));
+            let way = along[lower] - along[upper];
+            straightness[at] = if way > 0.0 { fast_min(distance(course[upper], course[lower]) / way, 1.0) } else { 1.0 };
+        }
+    }
+    straightness
+}
+
+/// How far each point of a line lies from its first, along it.
+fn lengths(line: &[Vec2]) -> Vec<f32> {
+    let mut along = vec![0.0; line.len()];
+    for i in 1..line.len() {
+        along[i] = along[i - 1] + distance(line[i - 1], line[i]);
+    }
+    along
 }
 
 #[cfg(test)]

@@ -4,12 +4,15 @@
 //! will certainly stay (its depth can only grow), so those are drawn at once, the growing tips a little later; when
 //! growth is over, all that stays is drawn. The finished picture is the one painted at once, to the byte.
 
+use std::sync::Arc;
+
 use tiny_skia::Pixmap;
 
 use super::coverage::{Coverage, Rect};
 use super::flow::Flow;
 use super::ground::ground;
-use super::palette::{Lines, palette};
+use super::palette::{LAND_ONLY, Lines, palette};
+use super::relief::{Surface, lay_casing};
 use super::rivers::draw_network;
 use super::strokes::{Pen, Widths};
 use super::view::{PaintError, View};
@@ -20,6 +23,7 @@ use crate::memory;
 use crate::network::Network;
 use crate::prune::{self, Trim};
 use crate::recipe::{CourseShape, Style};
+use crate::relief::Relief;
 use crate::tree::Tree;
 
 /// A tree to be painted, as far as it has grown.
@@ -54,6 +58,8 @@ pub struct Painter {
     flow: Flow,
     /// The picture without rivers, in a style; painted when it is first needed, and not for plain land.
     ground: Option<(Style, Vec<[u8; 4]>)>,
+    /// The relief on the ground, and how much it is exaggerated.
+    raised: Option<(Arc<Relief>, f32)>,
     /// Whether nothing of the picture can be kept.
     is_blank: bool,
     /// Whether the picture shows a finished tree.
@@ -73,6 +79,8 @@ pub struct Rivers<'a> {
     pub courses: CourseShape,
     /// The land; `None` if all of the domain is.
     pub land: Option<&'a Land>,
+    /// The relief, and by how much its slopes are exaggerated; `None` while there is none.
+    pub relief: Option<(&'a Arc<Relief>, f32)>,
     /// The style.
     pub style: Style,
 }
@@ -94,7 +102,7 @@ impl Painter {
         let pixmap = Pixmap::new(width, height).ok_or(none.clone())?;
         let coverage = Coverage::new(width, height).ok_or(none)?;
         let (drawn, flow) = (Vec::new(), Flow::default());
-        Ok(Self { view, pixmap, coverage, drawn, flow, ground: None, is_blank: true, is_finished: false, round: None })
+        Ok(Self { view, pixmap, coverage, drawn, flow, ground: None, raised: None, is_blank: true, is_finished: false, round: None })
     }
 
     /// The picture: RGBA, opaque.
@@ -106,6 +114,7 @@ impl Painter {
     pub fn invalidate_ground(&mut self, next: &Domain) {
         self.view = self.view.of(next);
         self.ground = None;
+        self.raised = None;
     }
 
     /// Forgets the picture: another tree, trim, width or style comes next.
@@ -143,15 +152,23 @@ impl Painter {
 
     /// Paints rivers, in place of the tree that they were. Returns the rectangle that changed; `None` if nothing did.
     pub fn paint_rivers(&mut self, rivers: &Rivers<'_>) -> Option<Rect> {
-        if self.round == Some(rivers.rounds) {
+        let is_raised = same_relief(self.raised.as_ref(), rivers.relief);
+        if self.round == Some(rivers.rounds) && is_raised {
             return None;
         }
         self.round = Some(rivers.rounds);
         self.is_finished = true;
         self.coverage.clear();
-        draw_network(&mut self.coverage, &self.view, rivers.network, rivers.courses, palette(rivers.style).lines);
+        draw_network(&mut self.coverage, &self.view, rivers.network, rivers.courses, palette(rivers.style).lines, 0.0);
         self.coverage.touch_all();
+        if !is_raised {
+            self.ground = None;
+        }
         self.lay_ground(rivers.land, rivers.style);
+        if !is_raised && let Some((relief, exaggeration)) = rivers.relief {
+            self.raise_ground(rivers, relief, exaggeration);
+        }
+        self.raised = rivers.relief.map(|(relief, exaggeration)| (relief.clone(), exaggeration));
         self.compose(rivers.style)
     }
 
@@ -159,6 +176,25 @@ impl Painter {
     fn lay_ground(&mut self, land: Option<&Land>, style: Style) {
         if self.ground.as_ref().is_none_or(|(painted, _)| *painted != style) {
             self.ground = land.map(|land| (style, ground(&self.view, land, palette(style))));
+            self.raised = None;
+        }
+    }
+
+    /// Lays relief over a fresh ground, and casings along the rivers.
+    fn raise_ground(&mut self, rivers: &Rivers<'_>, relief: &Relief, exaggeration: f32) {
+        let palette = palette(rivers.style);
+        let Some(tints) = palette.relief else { return };
+        let count = self.view.width as usize * self.view.height as usize;
+        let [r, g, b] = palette.plain;
+        let (_, pixels) = self.ground.get_or_insert_with(|| (rivers.style, vec![[r, g, b, 255]; count]));
+        let shares = rivers.land.map_or_else(
+            || vec![255; count],
+            |land| ground(&self.view, land, &LAND_ONLY).into_iter().map(|[share, ..]| share).collect(),
+        );
+        Surface::new(relief, exaggeration).lay(&self.view, tints, palette.plain, &shares, pixels);
+        if let Some(mut coverage) = Coverage::new(self.view.width, self.view.height) {
+            draw_network(&mut coverage, &self.view, rivers.network, rivers.courses, palette.lines, tints.casing.margin);
+            lay_casing(&self.view, coverage, &tints.casing, pixels);
         }
     }
 
@@ -208,6 +244,14 @@ impl Painter {
             }
         }
         Some(around)
+    }
+}
+
+fn same_relief(shown: Option<&(Arc<Relief>, f32)>, next: Option<(&Arc<Relief>, f32)>) -> bool {
+    match (shown, next) {
+        (None, None) => true,
+        (Some((shown, by)), Some((next, by_next))) => Arc::ptr_eq(shown, next) && *by == by_next,
+        (None, Some(_)) | (Some(_), None) => false,
     }
 }
 

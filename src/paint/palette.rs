@@ -24,6 +24,41 @@ pub(crate) struct Palette {
     /// Land where all of the domain is.
     pub plain: Colour,
     pub lines: Lines,
+    /// How it shows relief; `None` if it does not.
+    pub relief: Option<&'static Tints>,
+}
+
+/// How a style shows relief.
+#[derive(Debug)]
+pub(crate) struct Tints {
+    /// Colours by height, as shares of the highest; the first is 0.
+    pub stops: &'static [(f32, Colour)],
+    /// What colours are multiplied by where there is no light, and where there is as much as on flat land.
+    pub light: [f32; 2],
+    /// What lies around rivers.
+    pub casing: Casing,
+}
+
+/// What lies around rivers.
+#[derive(Debug)]
+pub(crate) struct Casing {
+    pub colour: Colour,
+    pub strength: f32,
+    /// How far it reaches on either side, in units, before it is blurred.
+    pub margin: f32,
+    /// The radius of its blur, in units, and by how much that is made up for.
+    pub blur: f32,
+    pub gain: f32,
+}
+
+impl Tints {
+    /// The colour at a height.
+    pub fn at(&self, height: f32) -> Colour {
+        let above = self.stops.iter().position(|stop| stop.0 >= height).unwrap_or(self.stops.len() - 1);
+        let ((from, low), (to, high)) = (self.stops[above.saturating_sub(1)], self.stops[above]);
+        let share = if to > from { ((height - from) / (to - from)).min(1.0) } else { 0.0 };
+        mix(low, high, share)
+    }
 }
 
 /// How a style draws rivers.
@@ -40,7 +75,8 @@ pub(crate) fn palette(style: Style) -> &'static Palette {
     match style {
         Style::Ink => &INK,
         Style::Dark => &DARK,
-        Style::Map => &MAP,
+        Style::Atlas => &ATLAS,
+        Style::Night => &NIGHT,
         Style::Skeleton => &SKELETON,
     }
 }
@@ -57,14 +93,47 @@ static DARK: Palette = Palette {
     ..even([0x16, 0x1f, 0x2b], [0x0f, 0x15, 0x1e], [0x6d, 0x8c, 0xa6], [0x6e, 0x60, 0x4c], [0x9c, 0xc6, 0xe8])
 };
 
-/// A map as atlases colour it: green lowland, blue water.
-static MAP: Palette = Palette {
-    lowland: [0xdc, 0xe6, 0xc8],
-    inland: [0xf1, 0xea, 0xd3],
-    deep: [0xa9, 0xcc, 0xdf],
-    fade: 160.0,
-    ..even([0xe8, 0xe9, 0xcf], [0xcb, 0xe2, 0xec], [0x5f, 0x93, 0xb0], [0xb0, 0x97, 0x74], [0x2f, 0x74, 0xa8])
+/// An atlas page.
+static ATLAS: Palette = Palette {
+    shallows: [0xcf, 0xe3, 0xe6],
+    deep: [0x8f, 0xb6, 0xc6],
+    fade: 150.0,
+    rings: &[(3.5, 0.34), (8.1, 0.27), (14.1, 0.22), (21.8, 0.17), (31.5, 0.14), (43.7, 0.11)],
+    relief: Some(&Tints {
+        stops: &[
+            (0.0, [0xcf, 0xdc, 0xb4]),
+            (0.18, [0xe2, 0xe4, 0xbf]),
+            (0.42, [0xf0, 0xe6, 0xc8]),
+            (0.7, [0xe6, 0xcf, 0xa8]),
+            (1.0, [0xd3, 0xb5, 0x8f]),
+        ],
+        light: [0.42, 1.0],
+        casing: Casing { colour: [0xf7, 0xf1, 0xdd], strength: 0.35, margin: 0.55, blur: 0.0, gain: 1.0 },
+    }),
+    ..even([0xdc, 0xe3, 0xbe], [0x8f, 0xb6, 0xc6], [0x3c, 0x64, 0x78], [0xa0, 0x86, 0x66], [0x2a, 0x6f, 0x9e])
 };
+
+/// The land by night.
+static NIGHT: Palette = Palette {
+    shallows: [0x16, 0x30, 0x3d],
+    deep: [0x09, 0x13, 0x1a],
+    fade: 150.0,
+    rings: &[(3.5, 0.34), (8.1, 0.27), (14.1, 0.22), (21.8, 0.17)],
+    relief: Some(&Tints {
+        stops: &[
+            (0.0, [0x1f, 0x3a, 0x3a]),
+            (0.3, [0x2b, 0x44, 0x42]),
+            (0.6, [0x4a, 0x52, 0x48]),
+            (1.0, [0x75, 0x69, 0x5a]),
+        ],
+        light: [0.35, 1.0],
+        casing: Casing { colour: [0x4f, 0xa8, 0xd8], strength: 0.5, margin: 0.3, blur: 2.0, gain: 2.5 },
+    }),
+    ..even([0x24, 0x3e, 0x3d], [0x09, 0x13, 0x1a], [0x7f, 0xb3, 0xc6], [0x6e, 0x60, 0x4c], [0xb5, 0xe0, 0xf7])
+};
+
+/// What of a picture is land: white, and all else black.
+pub(crate) static LAND_ONLY: Palette = even([0xff; 3], [0; 3], [0; 3], [0xff; 3], [0; 3]);
 
 /// White on black, the coast dim.
 static SKELETON: Palette = Palette { lines: Lines::Skeleton, ..even([0; 3], [0; 3], [0x58; 3], [0x38; 3], [0xff; 3]) };
@@ -91,6 +160,7 @@ const fn even(land: Colour, water: Colour, coast: Colour, ridge: Colour, river: 
         river,
         plain: land,
         lines: Lines::Wide,
+        relief: None,
     }
 }
 

@@ -14,13 +14,14 @@ use crate::recipe::CourseShape;
 /// The margin that is added to each bank, in pixels, so that a brook can be seen.
 const VISIBLE_PX: f32 = 0.2;
 
-/// Draws a network.
+/// Draws a network. `margin` is added to each bank, in units.
 pub(super) fn draw_network(
     coverage: &mut Coverage,
     view: &View,
     network: &Network,
     courses: CourseShape,
     lines: Lines,
+    margin: f32,
 ) {
     let mut draw_line = |line: Vec<Vertex>| match courses {
         CourseShape::Smooth => draw_smooth(coverage, &line),
@@ -31,7 +32,7 @@ pub(super) fn draw_network(
         let in_pixels = |vertex: &network::Vertex| (view.pixel(vertex.at), skeleton::WIDTH_PX * 0.5);
         network.rivers.iter().for_each(|river| draw_line(network.course(river).map(in_pixels).collect()));
     } else {
-        let in_pixels = |place: &Place| (view.pixel(place.at), place.half * view.scale + VISIBLE_PX);
+        let in_pixels = |place: &Place| (view.pixel(place.at), (place.half + margin) * view.scale + VISIBLE_PX);
         let mut draw_middle = |line: Vec<Place>| draw_line(line.iter().map(in_pixels).collect());
         network.rivers.iter().for_each(|river| draw_middle(network.middle(river)));
         network.oxbows.iter().for_each(|oxbow| draw_middle(oxbow.middle()));

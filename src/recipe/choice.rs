@@ -113,10 +113,19 @@ choices! {
         Ink = "ink", "ink";
         /// White lines one pixel wide on black, as in the study of the paper (figure 6.1).
         Skeleton = "skeleton", "skeleton";
-        /// A coloured map: green lowland, blue rivers and sea.
-        Map = "map", "map";
+        /// An atlas page: green lowland, brown mountains, soft shade, blue rivers and sea.
+        Atlas = "atlas", "atlas";
+        /// The land by night, rivers shining.
+        Night = "night", "night";
         /// Light ink on dark paper, for dark pages.
         Dark = "dark", "dark";
+    }
+}
+
+impl Style {
+    /// Whether it shows how high the land is.
+    pub fn has_relief(self) -> bool {
+        matches!(self, Self::Atlas | Self::Night)
     }
 }
 

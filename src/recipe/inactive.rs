@@ -49,6 +49,7 @@ impl Given<'_> {
             Key::FlatShare => self.no_rounds().or_else(|| self.no_great_rivers()),
             Key::MeanderStrength | Key::Neck | Key::Clearance | Key::Taper => self.no_bends(),
             Key::MeanderMix => self.no_bends().or_else(|| self.no_choice_of_direction()),
+            Key::Mountains | Key::Plains | Key::Shade => self.no_relief(),
             Key::Style => None,
         }
     }
@@ -108,6 +109,10 @@ impl Given<'_> {
     fn no_widths(&self) -> Reason {
         let is_skeleton = self.recipe.get::<Style>() == Style::Skeleton;
         (is_skeleton && self.no_rounds().is_some()).then_some("the skeleton is one pixel wide everywhere")
+    }
+
+    fn no_relief(&self) -> Reason {
+        (!self.recipe.get::<Style>().has_relief()).then_some("this style shows no relief")
     }
 
     fn as_grown(&self) -> Reason {

@@ -48,6 +48,9 @@ pub enum Key {
     Neck,
     Clearance,
     Taper,
+    Mountains,
+    Plains,
+    Shade,
     Style,
 }
 

@@ -81,7 +81,7 @@ impl Recipe {
     /// ```
     /// use riverseed::recipe::{Style, link};
     ///
-    /// assert_eq!(link::read("style=map")?.get::<Style>(), Style::Map);
+    /// assert_eq!(link::read("style=atlas")?.get::<Style>(), Style::Atlas);
     /// # Ok::<(), riverseed::recipe::RecipeError>(())
     /// ```
     pub fn get<C: Choice>(&self) -> C {

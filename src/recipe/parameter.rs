@@ -17,6 +17,8 @@ pub enum Stage {
     Prune,
     /// Making rivers of it: courses, widths, meanders.
     Shape,
+    /// Giving the land the heights that belong to them.
+    Relief,
     /// Drawing it.
     Paint,
 }
@@ -29,6 +31,7 @@ impl Stage {
             Self::Grow => "grow",
             Self::Prune => "prune",
             Self::Shape => "shape",
+            Self::Relief => "relief",
             Self::Paint => "paint",
         }
     }

@@ -149,7 +149,7 @@ mod tests {
         assert_eq!(style("seed=a", DARK), Style::Dark);
         assert_eq!(style("seed=a&preset=curl", DARK), Style::Dark);
         assert_eq!(style("seed=a", PAGE), Style::Ink);
-        assert_eq!(style("style=map", DARK), Style::Map);
+        assert_eq!(style("style=atlas", DARK), Style::Atlas);
         assert_eq!(style("style=ink", DARK), Style::Ink);
         // Named, if badly: what is used then is told, and must be true.
         assert_eq!(style("style=neon", DARK), Style::Ink);
@@ -161,7 +161,7 @@ mod tests {
         assert_eq!(shared("seed=a", DARK), "seed=a&edition=1");
         assert_eq!(shared("seed=a&style=ink", DARK), "seed=a&edition=1&style=ink");
         assert_eq!(shared("seed=a&style=ink", PAGE), "seed=a&edition=1");
-        for text in ["", "style=ink", "style=dark&curl=1", "style=map", "style=neon"] {
+        for text in ["", "style=ink", "style=dark&curl=1", "style=atlas", "style=neon"] {
             for options in [PAGE, DARK, WIDGET] {
                 let first = read(text, options);
                 assert_eq!(read(&first.shared_link(), options).recipe, first.recipe, "{text} {options:?}");

@@ -10,7 +10,7 @@ use super::value::{Decimal, Sides};
 
 /// All parameters, in the order in which links and tables list them; row `i` is that of the key numbered `i`.
 pub static TABLE: [Parameter; COUNT] = {
-    use Stage::{Grow, Land, Paint, Prune, Shape};
+    use Stage::{Grow, Land, Paint, Prune, Relief, Shape};
     const fn number(min: f64, max: f64, step: f64, default: f64) -> Kind {
         let (min, max) = (Decimal::new(min), Decimal::new(max));
         Kind::Number { min, max, step: Decimal::new(step), default: Decimal::new(default) }
@@ -499,6 +499,39 @@ pub static TABLE: [Parameter; COUNT] = {
             stage: Shape,
             logarithmic: false,
             kind: number(1.0, 20.0, 0.5, 6.0),
+        },
+        Parameter {
+            key: Key::Mountains,
+            name: "mountains",
+            label: "Mountains",
+            help: "How steep the land is far from the sea. Rivers stay where they are.",
+            unit: "",
+            group: "Relief",
+            stage: Relief,
+            logarithmic: false,
+            kind: number(0.2, 4.0, 0.1, 1.5),
+        },
+        Parameter {
+            key: Key::Plains,
+            name: "plains",
+            label: "Plains",
+            help: "How far inland the land goes on rising more and more: plains by the sea, mountains behind.",
+            unit: "units",
+            group: "Relief",
+            stage: Relief,
+            logarithmic: false,
+            kind: number(0.0, 400.0, 5.0, 200.0),
+        },
+        Parameter {
+            key: Key::Shade,
+            name: "shade",
+            label: "Shade",
+            help: "How much slopes are exaggerated for the light that falls on them.",
+            unit: "",
+            group: "Relief",
+            stage: Paint,
+            logarithmic: false,
+            kind: number(0.0, 1.0, 0.05, 0.45),
         },
         Parameter {
             key: Key::Style,

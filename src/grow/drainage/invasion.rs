@@ -6,9 +6,9 @@
 
 use super::directions::{FlowDirections, NONE};
 use super::parcels::{DEVIATION, Parcels};
-use super::queue::Queue;
 use super::settings::DrainageSettings;
 use crate::memory::Refused;
+use crate::queue::Queue;
 use crate::random::Purpose;
 use crate::work;
 

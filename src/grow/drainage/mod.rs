@@ -12,7 +12,7 @@ mod invasion;
 mod lattice;
 mod outlets;
 mod parcels;
-mod queue;
+
 mod round;
 mod settings;
 

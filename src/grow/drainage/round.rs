@@ -4,8 +4,8 @@
 
 use super::directions::{FlowDirections, NONE};
 use super::parcels::Parcels;
-use super::queue::Queue;
 use crate::memory::Refused;
+use crate::queue::Queue;
 use crate::work;
 
 /// A round in progress.

@@ -3,7 +3,7 @@ import { elementSnippet, iframeSnippet } from "../../src/share/snippets.ts";
 import { engine } from "../core.ts";
 import { address, fixChance, openFinished } from "./riverpage.ts";
 
-const LINK = "seed=kowhai&attractors=300&style=map&width=20";
+const LINK = "seed=kowhai&attractors=300&style=atlas&width=20";
 
 test.use({ permissions: ["clipboard-read", "clipboard-write"] });
 

@@ -73,7 +73,7 @@ test("growth is spread over its time, not made in a leap", () => {
 
 test("after 1.2 seconds more than half of what is drawn in the end is there", () => {
   const banner = "land=rectangle&aspect=3&sides=e&mouths=1&attractors=2500";
-  for (const link of ["", "seed=skye", "aspect=0.7&style=map", banner]) {
+  for (const link of ["", "seed=skye", "aspect=0.7&style=atlas", banner]) {
     const seen: Uint8Array[] = [];
     framesOf(link, [800, 500], (river, frame) => {
       if (frame === 0 || frame === 72) seen.push(pixelsOf(river));

@@ -41,5 +41,5 @@ const style = (link: string): string | null => new URLSearchParams(link).get("st
 test("on a dark page it is the dark style, unless another is chosen", () => {
   expect(style(planted("seed=a", true).link)).toBe("dark");
   expect(style(planted("seed=a").link)).toBeNull();
-  expect(style(planted("style=map", true).link)).toBe("map");
+  expect(style(planted("style=atlas", true).link)).toBe("map");
 });

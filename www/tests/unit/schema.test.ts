@@ -23,7 +23,7 @@ const WITH_LAKES =
 const LINKS = [
   WITH_LAKES,
   "seed=kauri&land=rectangle&attractors=600",
-  "seed=kea&land=archipelago&attractors=600&mouths=9&curl=0.9&stretch=5&meander=flow&style=map",
+  "seed=kea&land=archipelago&attractors=600&mouths=9&curl=0.9&stretch=5&meander=flow&style=atlas",
   "seed=totara&land=island&growth=brownian&sensitivity=40&trim=50",
   // Land shut off from the sea: no rivers at all.
   "land=drawn&roughness=0&aspect=1&attractors=100&outline=.MzMzzMMzzMzMMzzM..M1M1zKM1zKzKM1zKM1M1..M4M4zHM4zHzHM4zHM4M4",

@@ -25,7 +25,7 @@ test("attributes are the table's keys, two of them with a prefix", async ({ page
     blog,
     '<river-seed seed="rimu" attractors="300" meander-rounds="5" river-style="map" river-width="20" land="island"></river-seed>',
   );
-  const link = canonical("seed=rimu&attractors=300&meander-rounds=5&style=map&width=20&land=island");
+  const link = canonical("seed=rimu&attractors=300&meander-rounds=5&style=atlas&width=20&land=island");
   expect((await heard(events, "complete")).detail["link"]).toBe(link);
   await expectPicture(page, link);
 });
@@ -50,7 +50,7 @@ test("properties set before the class is known count, and are attributes afterwa
     river.i18n = { replay: "Once more" };
   });
   await page.addScriptTag({ type: "module", url: "/widget/river-seed.js" });
-  const link = canonical("seed=totara&attractors=300&style=map&meander-rounds=3");
+  const link = canonical("seed=totara&attractors=300&style=atlas&meander-rounds=3");
   expect((await heard(events, "complete")).detail["link"]).toBe(link);
   await expect(page.getByRole("button", { name: "Once more" })).toBeVisible();
   const reflected = { seed: "totara", attractors: "300", "river-style": "map", "meander-rounds": "3", controls: "" };
@@ -143,12 +143,12 @@ for (const [what, scheme, attributes, isDark] of [
   ["the light theme on a dark page", "dark", 'theme="light"', false],
   ["a page that says it is light", "dark", 'style="color-scheme: light"', false],
   ["a style of the author's choice", "dark", 'river-style="map"', false],
-  ["a style in the recipe", "dark", 'recipe="style=map"', false],
+  ["a style in the recipe", "dark", 'recipe="style=atlas"', false],
 ] as const) {
   test(`light rivers on dark paper with ${what}: ${isDark}`, async ({ page, blog }) => {
     await page.emulateMedia({ colorScheme: scheme });
     const events = await open(page, blog, `<river-seed attractors="300" ${attributes}></river-seed>`);
-    const style = attributes.includes("map") ? "&style=map" : isDark ? "&style=dark" : "";
+    const style = attributes.includes("map") ? "&style=atlas" : isDark ? "&style=dark" : "";
     expect((await heard(events, "complete")).detail["link"]).toBe(canonical(`attractors=300${style}`));
     await expectPicture(page, canonical(`attractors=300${style}`));
   });

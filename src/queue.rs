@@ -1,4 +1,4 @@
-//! A queue of parcels, the cheapest first; of equally cheap ones, that with the lower number.
+//! A queue of numbered items, the cheapest first; of equally cheap ones, that with the lower number.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -7,7 +7,7 @@ use crate::memory::{Refused, can_allocate};
 use crate::sort;
 
 #[derive(Clone, Debug, Default)]
-pub(super) struct Queue(BinaryHeap<Reverse<u64>>);
+pub(crate) struct Queue(BinaryHeap<Reverse<u64>>);
 
 impl Queue {
     /// Asks for the memory of so many more entries.
@@ -22,8 +22,8 @@ impl Queue {
     }
 
     #[inline]
-    pub fn push(&mut self, cost: f32, parcel: u32) {
-        self.0.push(Reverse(u64::from(sort::key(cost)) << 32 | u64::from(parcel)));
+    pub fn push(&mut self, cost: f32, item: u32) {
+        self.0.push(Reverse(u64::from(sort::key(cost)) << 32 | u64::from(item)));
     }
 
     /// Takes out the cheapest.

@@ -1,0 +1,116 @@
+//! The cells of a map, and a rim of one cell around them: so every cell of the map has eight neighbours.
+
+use glam::Vec2;
+
+use super::CELL_SIZE;
+use super::settings::ReliefSettings;
+use crate::land::{Parabola, SmoothedDistance};
+
+/// Which cells are land, and how far each is from the sea.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Cells {
+    /// Of a row, the rim included.
+    pub columns: usize,
+    /// With the rim.
+    pub rows: usize,
+    /// How far inland the middle of each lies, in units; 0 or less at sea.
+    pub inland: Vec<f32>,
+}
+
+/// What lies beyond the map where land runs on, or nothing is known: it is no land, and water does not run there.
+const BEYOND: f32 = f32::NEG_INFINITY;
+
+impl Cells {
+    pub fn new(settings: &ReliefSettings) -> Self {
+        let size = (settings.domain.size / CELL_SIZE).ceil();
+        let (columns, rows) = (size.x as usize + 2, size.y as usize + 2);
+        let mut this = Self { columns, rows, inland: vec![BEYOND; columns * rows] };
+        match &settings.land {
+            Some(land) => this.measure(&SmoothedDistance::of(land.coast_distance())),
+            None => this.open(settings),
+        }
+        if !(0..this.inland.len()).any(|cell| this.is_sea(cell)) {
+            // Water has to leave somewhere.
+            this.inland.iter_mut().filter(|inland| **inland == BEYOND).for_each(|inland| *inland = 0.0);
+        }
+        this
+    }
+
+    /// Takes over the distances that pictures show.
+    fn measure(&mut self, distance: &SmoothedDistance) {
+        for row in 1..self.rows - 1 {
+            let across = distance.across(coordinate(row));
+            for column in 1..self.columns - 1 {
+                let (nearest, t) = distance.column(coordinate(column));
+                self.inland[row * self.columns + column] = Parabola::of(across.around(nearest)).at(t);
+            }
+        }
+    }
+
+    /// All is land; the sea lies beyond some sides.
+    fn open(&mut self, settings: &ReliefSettings) {
+        let size = settings.domain.size;
+        let is_open = |side| settings.sides.contains(side);
+        for row in 0..self.rows {
+            for column in 0..self.columns {
+                let at = Vec2::new(coordinate(column), coordinate(row));
+                let sides = [('n', at.y), ('e', size.x - at.x), ('s', size.y - at.y), ('w', at.x)];
+                let open = sides.into_iter().filter(|&(side, _)| is_open(side)).map(|(_, far)| far);
+                let (is_rim_row, is_rim_column) =
+                    (row == 0 || row + 1 == self.rows, column == 0 || column + 1 == self.columns);
+                let nearest = open.fold(f32::INFINITY, f32::min);
+                let is_corner = is_rim_row && is_rim_column;
+                self.inland[row * self.columns + column] = match is_rim_row || is_rim_column {
+                    true if is_corner || nearest > CELL_SIZE => BEYOND,
+                    true => nearest.min(0.0),
+                    // Where the last cells reach over the border.
+                    false => nearest.max(CELL_SIZE * 0.1),
+                };
+            }
+        }
+    }
+
+    #[inline]
+    pub fn is_land(&self, cell: usize) -> bool {
+        self.inland[cell] > 0.0
+    }
+
+    #[inline]
+    pub fn is_sea(&self, cell: usize) -> bool {
+        self.inland[cell] <= 0.0 && self.inland[cell] > BEYOND
+    }
+
+    /// The cell of a point; of one beyond the map, the nearest.
+    #[inline]
+    pub fn of(&self, point: Vec2) -> usize {
+        let index = |x: f32, count: usize| ((x / CELL_SIZE) as usize + 1).min(count - 2);
+        index(point.y, self.rows) * self.columns + index(point.x, self.columns)
+    }
+
+    /// The cells to the west, east, north and south.
+    #[inline]
+    pub fn beside(&self, cell: usize) -> [usize; 4] {
+        [cell - 1, cell + 1, cell - self.columns, cell + self.columns]
+    }
+
+    /// The eight cells around one.
+    pub fn around(&self, cell: usize) -> [usize; 8] {
+        let (north, south) = (cell - self.columns, cell + self.columns);
+        [cell - 1, cell + 1, north - 1, north, north + 1, south - 1, south, south + 1]
+    }
+
+    /// All cells of the map that are land, row by row.
+    pub fn land(&self) -> impl Iterator<Item = usize> + '_ {
+        (0..self.inland.len()).filter(|&cell| self.is_land(cell))
+    }
+
+    /// Where the middle of a cell lies.
+    pub fn point(&self, cell: usize) -> Vec2 {
+        Vec2::new(coordinate(cell % self.columns), coordinate(cell / self.columns))
+    }
+}
+
+/// The middle of a column or row, in units.
+fn coordinate(index: usize) -> f32 {
+    (index as f32 - 0.5) * CELL_SIZE
+}

@@ -1,0 +1,61 @@
+//! Relief: the height field that belongs to a finished network.
+//!
+//! Height is the cost of walking up from the sea, where hillsides are steep and rivers are stairs that cost little: the eikonal
+//! equation |∇h| = s(x) with the coast and the rivers as sources, solved by fast marching (Sethian 1996). Each cell takes its height from a
+//! lower neighbour, so there is no pit; and the surface creases only where two basins meet, which makes those creases divides.
+//!
+//! ```text
+//! network ─► heights along rivers ─► rivers on cells ─► march ⇄ lower what stands too high ─► march from the final rivers
+//! land ────► steepness ───────────────────────────────────┘
+//! ```
+
+mod channels;
+mod cells;
+mod march;
+mod settings;
+mod solver;
+mod steepness;
+#[cfg(test)]
+mod tests;
+
+use glam::Vec2;
+
+pub use settings::ReliefSettings;
+pub use solver::{ReliefError, ReliefSolver};
+
+/// The side of a cell, in units.
+pub const CELL_SIZE: f32 = 2.0;
+
+/// How many metres of height a unit stands for, in files.
+pub const METRES: f32 = 50.0;
+
+/// The heights of a map's cells, row by row, from north to south.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Relief {
+    columns: usize,
+    rows: usize,
+    heights: Vec<f32>,
+}
+
+impl Relief {
+    /// How many cells lie side by side. The last may reach over the map's border.
+    pub fn columns(&self) -> usize {
+        self.columns
+    }
+
+    /// How many rows of cells there are.
+    pub fn rows(&self) -> usize {
+        self.rows
+    }
+
+    /// Heights over the sea, in units, row by row: positive on land, 0 or less at sea.
+    pub fn heights(&self) -> &[f32] {
+        &self.heights
+    }
+
+    /// The height of the cell of a point of the map.
+    pub fn at(&self, point: Vec2) -> f32 {
+        let cell = |x: f32, count: usize| ((x / CELL_SIZE) as usize).min(count - 1);
+        self.heights[cell(point.y, self.rows) * self.columns + cell(point.x, self.columns)]
+    }
+}

@@ -1,0 +1,54 @@
+//! The settings of the relief stage, in domain units.
+
+use std::sync::Arc;
+
+use fastnoise_lite::{FastNoiseLite, FractalType, NoiseType};
+
+use crate::domain::Domain;
+use crate::land::Land;
+use crate::random::{Purpose, Seed};
+use crate::recipe::{Key, Recipe, Sides};
+
+/// The settings of the relief stage, resolved.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ReliefSettings {
+    /// The seed's 64 bits.
+    pub seed: Seed,
+    /// The rectangle.
+    pub domain: Domain,
+    /// The land; `None` if all of the domain is.
+    pub land: Option<Arc<Land>>,
+    /// The sides beyond which lies the sea, where all of the domain is land.
+    pub sides: Sides,
+    /// The discharge of a river that drains everything.
+    pub total_discharge: u32,
+    /// The steepness of hillsides far from any coast, in height a unit of way.
+    pub mountains: f32,
+    /// How far from the coast hillsides become as steep as that, in units.
+    pub plains: f32,
+}
+
+impl ReliefSettings {
+    /// The settings of a recipe on some land; `total_discharge` is the discharge of a river that drained everything.
+    pub fn new(recipe: &Recipe, land: Option<Arc<Land>>, total_discharge: u32) -> Self {
+        Self {
+            seed: Seed::from_text(recipe.seed()),
+            domain: Domain::of(recipe),
+            land,
+            sides: recipe.sides(Key::Sides),
+            total_discharge: total_discharge.max(1),
+            mountains: recipe.number(Key::Mountains),
+            plains: recipe.number(Key::Plains),
+        }
+    }
+
+    /// Noise over the map, from −1 to 1.
+    pub(super) fn noise(&self, index: u32, wavelength: f32, octaves: i32) -> FastNoiseLite {
+        let mut noise = FastNoiseLite::with_seed(self.seed.item_hash(Purpose::Relief).bits([index, 0, 0]) as i32);
+        noise.set_noise_type(Some(NoiseType::OpenSimplex2));
+        noise.set_fractal_type(Some(FractalType::FBm));
+        noise.set_fractal_octaves(Some(octaves));
+        noise.set_frequency(Some(1.0 / wavelength));
+        noise
+    }
+}
