@@ -110,9 +110,9 @@ mod tests {
     use glam::Vec2;
 
     #[test]
-    fn four_times_the_slope_takes_a_thirty_second_of_the_discharge() {
-        assert!((slope(0.01) / slope(0.32) - 4.0).abs() < 1e-4);
-        assert_eq!(slope(1.0), 3e-4);
+    fn four_times_the_slope_takes_a_sixteenth_of_the_discharge() {
+        assert!((slope(0.01) / slope(0.16) - 4.0).abs() < 1e-4);
+        assert_eq!(slope(1.0), LEAST_SLOPE);
         assert!(slope(0.0).is_finite());
     }
 

@@ -188,7 +188,7 @@ mod tests {
     }
 
     /// A recipe in which next to everything does something, whatever the defaults are.
-    const LIVELY: &str = "land=rectangle&growth=colonize&curl=0.5&courses=smooth&meander=bend&meander-rounds=60&meander-strength=0.5&great-rivers=3&meander-elsewhere=0.3&style=ink";
+    const LIVELY: &str = "land=rectangle&growth=colonize&curl=0.5&courses=smooth&meander=bend&meander-rounds=60&meander-strength=0.5&great-rivers=3&meander-elsewhere=0.3&style=atlas";
 
     const NO_COAST: (&str, &str) =
         ("sea roughness mouth-spacing shores", "the whole rectangle is land, so there is no coast");
@@ -202,6 +202,7 @@ mod tests {
         ("scatter reach kill step momentum curl stretch", "only space colonization uses it");
     const BROWNIAN: (&str, &str) = ("mouths mouth-spacing shores attractors", "Brownian trees do not use it");
     const NO_LONGER_SHAPED: &str = "simplify meander meander-rounds meander-strength meander-mix meander-elsewhere great-rivers flat-share neck clearance taper";
+    const NO_RELIEF: (&str, &str) = ("mountains plains shade", "this style shows no relief");
     const RECTANGULAR: &[(&str, &str)] = &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING];
 
     /// What is set over the lively recipe, and all keys that do nothing then, each with its reason.
@@ -299,9 +300,11 @@ mod tests {
                 NOT_DRAINING,
                 (NO_LONGER_SHAPED, "rivers keep the steps of their tree"),
                 ("width bank-variation", "the skeleton is one pixel wide everywhere"),
+                NO_RELIEF,
             ],
         ),
-        ("style=skeleton", RECTANGULAR),
+        ("style=ink", &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, NO_RELIEF]),
+        ("style=skeleton", &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, NO_RELIEF]),
         (
             "style=skeleton&meander-rounds=0",
             &[
@@ -311,6 +314,7 @@ mod tests {
                 NOT_DRAINING,
                 ("meander-strength meander-mix meander-elsewhere great-rivers flat-share neck clearance taper", STILL),
                 ("width bank-variation", "the skeleton is one pixel wide everywhere"),
+                NO_RELIEF,
             ],
         ),
         (
@@ -325,6 +329,7 @@ mod tests {
                     STILL,
                 ),
                 ("width bank-variation", "the skeleton is one pixel wide everywhere"),
+                NO_RELIEF,
             ],
         ),
         ("growth=drainage", &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_COLONIZING]),

@@ -53,7 +53,7 @@ impl Reading {
 }
 
 /// The style of rivers on dark pages whose link names none.
-const DARK_PAGES: Style = Style::Dark;
+const DARK_PAGES: Style = Style::Night;
 
 /// How far a widget goes with a way of growing.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -146,8 +146,8 @@ mod tests {
     #[test]
     fn a_dark_page_has_its_own_style_unless_the_link_names_one() {
         let style = |text, options| read(text, options).recipe.get::<Style>();
-        assert_eq!(style("seed=a", DARK), Style::Dark);
-        assert_eq!(style("seed=a&preset=curl", DARK), Style::Dark);
+        assert_eq!(style("seed=a", DARK), Style::Night);
+        assert_eq!(style("seed=a&preset=curl", DARK), Style::Night);
         assert_eq!(style("seed=a", PAGE), Style::Ink);
         assert_eq!(style("style=atlas", DARK), Style::Atlas);
         assert_eq!(style("style=ink", DARK), Style::Ink);

@@ -71,6 +71,19 @@ impl Channels {
         lowered
     }
 
+    /// Lets rivers that pass one cell be equally high there, the higher as high as the lower.
+    pub fn meet(&mut self, cells: usize) {
+        /// By trials, two or three are enough.
+        const TIMES: usize = 20;
+        for _ in 0..TIMES {
+            let mut lowest = vec![f32::INFINITY; cells];
+            self.steps().for_each(|(cell, height)| lowest[cell] = lowest[cell].min(height));
+            if self.lower(&lowest) == 0.0 {
+                return;
+            }
+        }
+    }
+
     /// Makes every river fall from each cell to the next, its end being where it joins another, or the sea.
     pub fn let_fall(&mut self) {
         for river in 0..self.0.len() {

@@ -86,6 +86,7 @@ impl ReliefSolver {
         let lowered = self.channels.lower(&self.march.height);
         self.passes += 1;
         if lowered < ENOUGH * self.channels.steps().count() as f32 || self.passes == MOST_PASSES {
+            self.channels.meet(self.cells.inland.len());
             self.channels.let_fall();
             let mut held = vec![f32::INFINITY; self.cells.inland.len()];
             for (cell, height) in self.channels.steps().filter(|&(cell, _)| self.cells.is_land(cell)) {

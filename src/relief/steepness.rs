@@ -45,7 +45,7 @@ impl Ground {
         let sample = |i: usize| {
             let at = Vec2::new((i % columns) as f32, (i / columns) as f32) * APART;
             // Fractal noise has a deviation of about a third.
-            libm::expf(1.6 * wide.get_noise_2d(at.x, at.y) + 0.9 * fine.get_noise_2d(at.x, at.y))
+            libm::expf(1.5 * wide.get_noise_2d(at.x, at.y) + 0.7 * fine.get_noise_2d(at.x, at.y))
         };
         Self { columns, samples: (0..columns * rows).map(sample).collect() }
     }

@@ -20,9 +20,9 @@ use crate::session::{Phase, Session, SessionError, Shortfall};
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
 /** The stages of a river, in the order in which they run. */
-export type Stage = "land" | "grow" | "prune" | "shape" | "paint";
-/** What a river's next step does: a tick of growth; rivers made of the tree, in a few; a round of meandering; nothing. */
-export type Phase = "growing" | "shaping" | "meandering" | "finished";
+export type Stage = "land" | "grow" | "prune" | "shape" | "relief" | "paint";
+/** What a river's next step does: a tick of growth; rivers made of the tree, in a few; a round of meandering; a part of the relief; nothing. */
+export type Phase = "growing" | "shaping" | "meandering" | "relief" | "finished";
 /** A row of the parameter table. */
 export interface Parameter {
   readonly key: string;
@@ -268,6 +268,7 @@ impl River {
             Phase::Growing => "growing",
             Phase::Shaping => "shaping",
             Phase::Meandering => "meandering",
+            Phase::Relief => "relief",
             Phase::Finished => "finished",
         }
         .into()
@@ -360,7 +361,7 @@ const UNREACHED: &str =
 
 pub(super) fn session_error(error: &SessionError) -> JsValue {
     let code = match error {
-        SessionError::Grow(_) | SessionError::Shape(_) | SessionError::Copy { .. } => "too-large",
+        SessionError::Grow(_) | SessionError::Shape(_) | SessionError::Relief(_) | SessionError::Copy { .. } => "too-large",
         SessionError::OtherMap { .. } => "bad-params",
     };
     coded(code, &error.to_string())

@@ -9,7 +9,7 @@ pub mod property;
 pub mod twin;
 
 use proptest::prelude::*;
-use riverseed::recipe::EDITION;
+use riverseed::recipe::{Choice, EDITION, Style};
 
 /// Outlines of any lines, mostly crossing themselves and each other; some of nothing.
 fn random_outline() -> impl Strategy<Value = String> {
@@ -35,6 +35,10 @@ fn drainage() -> impl Strategy<Value = String> {
     })
 }
 
+fn style() -> impl Strategy<Value = &'static str> {
+    proptest::sample::select(Style::WORDS.iter().map(|word| word.name).collect::<Vec<_>>())
+}
+
 /// Links over the whole of every range, with at most so many attractors.
 pub fn random_link(most_attractors: u32) -> impl Strategy<Value = String> {
     // Half of them on the plain rectangle, where more goes on in a second.
@@ -48,7 +52,7 @@ pub fn random_link(most_attractors: u32) -> impl Strategy<Value = String> {
     let growth = (2.1f64..=12.0, 0.5f64..=1.4, 0.2f64..=1.2, procedure, sensitivity, mouths);
     let zero_or = |most: f64| prop_oneof![Just(0.0), 0.0..=most];
     let bends = (zero_or(0.9), zero_or(2.0), 1u32..=64);
-    let finish = (prop_oneof![Just(0u32), 0u32..=60, 0u32..=400], 1.0f64..=40.0, 0usize..4);
+    let finish = (prop_oneof![Just(0u32), 0u32..=60, 0u32..=400], 1.0f64..=40.0, style());
     let meanders = (
         prop_oneof![3 => Just("bend"), 2 => Just("flow"), 1 => Just("none")],
         prop_oneof![4 => 0u32..=60, 1 => 0u32..=400],
@@ -70,7 +74,6 @@ pub fn random_link(most_attractors: u32) -> impl Strategy<Value = String> {
             |set: u32| "nesw".chars().enumerate().filter(|(i, _)| set >> i & 1 == 1).map(|(_, c)| c).collect::<String>();
         let (sides, shores) = (initials(sides), initials(shores));
         let scatter = if grid { "grid" } else { "random" };
-        let style = ["ink", "skeleton", "map", "dark"][style];
         format!(
             "seed={seed}{edition}&growth={procedure}&sensitivity={sensitivity}&mouth-spacing={mouth_spacing}&shores={shores}&land={land}&outline={outline}&sea={sea:.3}&roughness={roughness:.3}&aspect={aspect:.3}&mouths={mouths}&sides={sides}&attractors={attractors}&scatter={scatter}\
              &reach={reach:.3}&kill={kill:.3}&step={step:.3}&momentum={momentum:.3}&curl={curl:.3}&stretch={stretch}\

@@ -45,6 +45,7 @@ export function alternative(seed: string, phase: Phase, summary: Summary, writte
 
 /** The step between growing and meandering is too short to be spoken of. */
 function doing(phase: Phase): string {
+  if (phase === "relief") return "raising the land";
   return phase === "meandering" ? "meandering" : "growing";
 }
 
@@ -59,7 +60,7 @@ function headed(word: string): string {
 }
 
 function progressOf(phase: Phase, summary: Summary): string {
-  if (phase !== "meandering") return `${counted(summary.nodes, "node", "nodes", count)} so far`;
+  if (phase !== "meandering" && phase !== "relief") return `${counted(summary.nodes, "node", "nodes", count)} so far`;
   const oxbows = summary.oxbows === 0 ? "" : `, ${oxbowsOf(summary, count)}`;
   return `${counted(summary.rounds, "round", "rounds", count)} so far${oxbows}`;
 }

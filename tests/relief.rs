@@ -1,0 +1,158 @@
+//! Relief: every river falls, every drop of water finds the sea, and nothing else disturbs it.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
+
+mod common;
+
+use common::{property, random_link};
+use proptest::prelude::*;
+use riverseed::network::NONE;
+use riverseed::recipe::{Key, link};
+use riverseed::relief::{CELL_SIZE, Relief};
+use riverseed::session::{Phase, Session};
+
+fn finished(text: &str) -> Session {
+    let mut session = Session::new(link::read(text).unwrap()).unwrap();
+    session.finish().unwrap();
+    session
+}
+
+fn relief(session: &Session) -> &Relief {
+    session.relief().unwrap()
+}
+
+/// The cells around one, those beyond the map left out.
+fn around(relief: &Relief, cell: usize) -> Vec<usize> {
+    let (columns, rows) = (relief.columns(), relief.rows());
+    let near = |i: usize, count: usize| i.saturating_sub(1)..=(i + 1).min(count - 1);
+    let (column, row) = (cell % columns, cell / columns);
+    near(row, rows)
+        .flat_map(|row| near(column, columns).map(move |column| row * columns + column))
+        .filter(|&beside| beside != cell)
+        .collect()
+}
+
+/// Whether the sea lies beyond the border of a cell at it.
+fn leaves_the_map(session: &Session, relief: &Relief, cell: usize) -> bool {
+    let sides = session.recipe().sides(Key::Sides);
+    let (column, row) = (cell % relief.columns(), cell / relief.columns());
+    let is_at =
+        [('w', column == 0), ('e', column + 1 == relief.columns()), ('n', row == 0), ('s', row + 1 == relief.rows())];
+    session.land().is_none() && is_at.into_iter().any(|(side, is_at)| is_at && sides.contains(side))
+}
+
+/// The cells of land that have no lower neighbour and no sea beside them.
+fn pits(session: &Session) -> Vec<usize> {
+    let relief = relief(session);
+    let heights = relief.heights();
+    let is_pit = |&cell: &usize| {
+        heights[cell] > 0.0
+            && !leaves_the_map(session, relief, cell)
+            && around(relief, cell).into_iter().all(|beside| heights[beside] >= heights[cell])
+    };
+    (0..heights.len()).filter(is_pit).collect()
+}
+
+/// Where rivers climb from one vertex's cell to the next, counted. Where two rivers pass one cell, the lower counts, and the other may
+/// be this much higher below it.
+fn climbs(session: &Session) -> usize {
+    const AS_GOOD_AS_LEVEL: f32 = 0.01;
+    let (network, relief) = (session.network().unwrap(), relief(session));
+    let mut climbs = 0;
+    for river in &network.rivers {
+        let mut last = f32::INFINITY;
+        for vertex in network.course(river) {
+            let height = relief.at(vertex.at);
+            climbs += usize::from(height > last + AS_GOOD_AS_LEVEL && last > 0.0);
+            last = height;
+        }
+    }
+    climbs
+}
+
+proptest! {
+    #![proptest_config(property::large(160))]
+
+    #[test]
+    fn no_land_is_a_pit_and_no_river_climbs(text in random_link(2500)) {
+        let mut recipe = link::read(&text).unwrap();
+        recipe.set(Key::Style, "atlas").unwrap();
+        let mut session = Session::new(recipe).unwrap();
+        session.finish().unwrap();
+        prop_assert_eq!(pits(&session), Vec::<usize>::new());
+        prop_assert_eq!(climbs(&session), 0);
+        prop_assert!(relief(&session).heights().iter().all(|height| height.is_finite()));
+    }
+}
+
+#[test]
+fn no_land_of_usual_maps_is_a_pit() {
+    for land in common::lands::every_land() {
+        for growth in ["drainage", "colonize", "brownian&sensitivity=24"] {
+            let session = finished(&format!("seed=kea&{land}&growth={growth}&attractors=3000&style=night"));
+            assert_eq!((pits(&session), climbs(&session)), (vec![], 0), "{land}, {growth}");
+        }
+    }
+}
+
+#[test]
+fn relief_is_made_for_finished_rivers_and_kept_while_only_the_look_changes() {
+    const ATLAS: &str = "seed=kea&mouths=3";
+    let with = |change: &str| {
+        let mut recipe = link::read(ATLAS).unwrap();
+        for pair in "attractors=1500&style=atlas".split('&').chain(change.split('&')).filter(|pair| !pair.is_empty()) {
+            let (key, value) = pair.split_once('=').unwrap();
+            recipe.set(Key::from_name(key).unwrap(), value).unwrap();
+        }
+        recipe
+    };
+    let mut session = Session::new(with("")).unwrap();
+    let mut steps = 0;
+    while session.advance(1).unwrap() {
+        assert!(session.relief().is_none(), "before all rivers are finished");
+        steps += usize::from(session.phase() == Phase::Relief);
+    }
+    assert!(steps > 10, "in {steps} steps");
+    let first = session.relief().unwrap().clone();
+    for change in ["style=night", "style=atlas&shade=1", "style=ink", "style=atlas"] {
+        session.change(with(change)).unwrap();
+        session.finish().unwrap();
+        assert!(std::sync::Arc::ptr_eq(session.relief().unwrap(), &first), "{change}");
+    }
+    for change in ["mountains=3", "plains=50", "width=20", "trim=40", "attractors=1400", "sea=0.3"] {
+        session.change(with(change)).unwrap();
+        assert!(session.relief().is_none(), "{change}");
+        session.finish().unwrap();
+        assert!(*relief(&session) != *first, "{change}");
+        let mut fresh = Session::new(with(change)).unwrap();
+        fresh.finish().unwrap();
+        assert!(relief(&session) == relief(&fresh), "{change}");
+    }
+    assert!(finished("seed=kea&attractors=300").relief().is_none(), "ink shows none");
+}
+
+#[test]
+fn between_neighbours_no_step_is_higher_than_a_hillside_rises() {
+    // With slopes of at most e to the 2.2 times that of mountains; banks of rivers are not looked at.
+    let session = finished("seed=kea&attractors=3000&style=atlas");
+    let (relief, network) = (relief(&session), session.network().unwrap());
+    let mut is_river = vec![false; relief.heights().len()];
+    for river in network.rivers.iter() {
+        let course: Vec<_> = network.course(river).map(|vertex| vertex.at).collect();
+        for pair in course.windows(2) {
+            for i in 0..=8 {
+                let at = pair[0].lerp(pair[1], i as f32 / 8.0) / CELL_SIZE;
+                is_river[(at.y as usize).min(relief.rows() - 1) * relief.columns()
+                    + (at.x as usize).min(relief.columns() - 1)] = true;
+            }
+        }
+        assert!(river.junction == NONE || river.parent != NONE);
+    }
+    let most = CELL_SIZE * 1.5 * libm::expf(2.2);
+    for (cell, &height) in relief.heights().iter().enumerate().filter(|(_, height)| **height > 0.0) {
+        for beside in [cell + 1, cell + relief.columns()] {
+            let Some(&other) = relief.heights().get(beside).filter(|height| **height > 0.0) else { continue };
+            let is_bank = is_river[cell] || is_river[beside];
+            assert!(is_bank || (height - other).abs() <= most || beside % relief.columns() == 0, "{height} and {other}");
+        }
+    }
+}
