@@ -86,12 +86,16 @@ export interface Lines {
 }
 /** What a picture shows, in numbers. */
 export interface Summary {
+  /** How its rivers grow: a word of the parameter `growth`. */
+  readonly growth: string;
   readonly ticks: number;
   readonly nodes: number;
   readonly mouths: number;
   readonly sources: number;
   readonly order: number;
+  /** Attractors scattered, or parcels of drainage; 0 for a Brownian tree. */
   readonly attractors: number;
+  /** How many of them no river reaches. */
   readonly unreached: number;
   /** Rounds that rivers have meandered. */
   readonly rounds: number;
@@ -250,7 +254,7 @@ impl River {
         list(&self.notices)
     }
 
-    /// Gives it a picture of this size, to be painted anew. If it throws, everything is as before.
+    /// Gives it a picture of this size, which is then painted again. If it throws, everything is as before.
     pub fn resize(&mut self, width_px: u32, height_px: u32) -> Result<(), JsValue> {
         self.picture = Some(Picture::new(width_px, height_px).map_err(|error| paint_error(&error))?);
         Ok(())
@@ -344,9 +348,11 @@ impl River {
             (Some(Ending::NodeLimit), _) => Some("The tree grew to its limit of nodes and was stopped."),
             (_, Some(Shortfall::NoRiver)) => Some("No river grew: no land lies open to the sea."),
             (_, Some(Shortfall::Unreached)) => Some(UNREACHED),
+            (_, Some(Shortfall::CutOff)) => Some(CUT_OFF),
             (_, None) => None,
         };
         object(&[
+            ("growth", summary.growth.word().name.into()),
             ("ticks", summary.ticks.into()),
             ("nodes", summary.nodes.into()),
             ("mouths", summary.mouths.into()),
@@ -364,6 +370,8 @@ impl River {
 
 const UNREACHED: &str =
     "Rivers do not reach all land: a shorter step, a longer kill distance or reach, or mouths less far apart helps.";
+const CUT_OFF: &str =
+    "Some land has no way to a river mouth: a gap in the ridges that cut it off, or more river mouths, helps.";
 
 fn session_error(error: &SessionError) -> JsValue {
     let code = match error {
