@@ -15,7 +15,7 @@ use crate::picture::Picture;
 use crate::recipe::link::{self, Notice};
 use crate::recipe::preset::{PRESETS, Preset};
 use crate::recipe::reading::{self, ReadOptions, Reading};
-use crate::recipe::table::TABLE;
+use crate::recipe::table::{self, TABLE};
 use crate::recipe::{Decimal, GridPoint, Key, Kind, LONGEST_OUTLINE, Outline, Parameter, Stage, Value};
 use crate::session::{Phase, Session, SessionError, Shortfall};
 
@@ -113,10 +113,10 @@ fn start() {
     std::panic::set_hook(Box::new(|panic| web_sys::console::error_1(&panic.to_string().into())));
 }
 
-/// The parameter table.
+/// The parameter table, group by group.
 #[wasm_bindgen(unchecked_return_type = "Parameter[]")]
 pub fn parameters() -> Array {
-    TABLE.iter().map(row).collect()
+    table::by_group().map(row).collect()
 }
 
 /// All presets.
@@ -344,6 +344,7 @@ impl River {
     #[wasm_bindgen(unchecked_return_type = "Summary")]
     pub fn summary(&self) -> Object {
         let summary = self.session.summary();
+        let growth = Key::Growth.parameter().text_of(self.session.recipe().value(Key::Growth));
         let stopped = match (summary.ending, summary.shortfall()) {
             (Some(Ending::NodeLimit), _) => Some("The tree grew to its limit of nodes and was stopped."),
             (_, Some(Shortfall::NoRiver)) => Some("No river grew: no land lies open to the sea."),
@@ -352,7 +353,7 @@ impl River {
             (_, None) => None,
         };
         object(&[
-            ("growth", summary.growth.word().name.into()),
+            ("growth", growth.into()),
             ("ticks", summary.ticks.into()),
             ("nodes", summary.nodes.into()),
             ("mouths", summary.mouths.into()),
@@ -370,8 +371,7 @@ impl River {
 
 const UNREACHED: &str =
     "Rivers do not reach all land: a shorter step, a longer kill distance or reach, or mouths less far apart helps.";
-const CUT_OFF: &str =
-    "Some land has no way to a river mouth: a gap in the ridges that cut it off, or more river mouths, helps.";
+const CUT_OFF: &str = "Rivers do not reach all land: a gap in the ridges, or more mouths, helps.";
 
 fn session_error(error: &SessionError) -> JsValue {
     let code = match error {
