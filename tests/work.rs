@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 use lands::every_land;
 use riverseed::random::{Purpose, Seed};
 use riverseed::recipe::{Stage, link};
-use riverseed::session::Session;
+use riverseed::session::{Phase, Session};
 use riverseed::work;
 
 /// Closed lines of so many points in all, anywhere on the map: they cross themselves and each other.
@@ -109,6 +109,21 @@ const CLOSED_LANDS: [&str; 4] = [
 fn no_extreme_of_drainage_holds_a_tick_where_water_can_hardly_leave() {
     for (land, drainage) in CLOSED_LANDS.iter().flat_map(|land| EXTREMES_OF_DRAINAGE.map(|drainage| (land, drainage))) {
         check(&format!("{land}&attractors=20000&trim=0&{drainage}"));
+    }
+}
+
+/// However many parcels there are, a tick settles some thousand of them; what begins and ends a round looks at each once.
+#[test]
+fn a_tick_of_drainage_is_a_small_part_of_a_round() {
+    const RECIPE: &str = "growth=drainage&land=rectangle&attractors=300000&valleys=0.5&captures=2&bending=0";
+    let mut session = Session::new(link::read(RECIPE).unwrap()).unwrap();
+    let parcels = u64::from(session.growth().total_discharge());
+    while session.phase() == Phase::Growing {
+        let before = work::steps();
+        session.advance(1).unwrap();
+        // A whole round takes six a parcel.
+        let most = 2 * parcels;
+        assert!(work::steps() - before < most, "{} elementary steps, over {most}", work::steps() - before);
     }
 }
 

@@ -13,7 +13,7 @@ const INTRODUCTION: &str = "\
 <!-- Written by `make docs` from the parameter table, src/recipe/table.rs: change it there. -->
 
 A recipe is a value for each of these parameters; a parameter that is left out has its default. The same keys are used in links
-(`seed=kauri&curl=0.6`), as command-line options (`--curl 0.6`), in JSON recipes, and as attributes of `<river-seed>`, where
+(`seed=kauri&valleys=0.6`), as command-line options (`--valleys 0.6`), in JSON recipes, and as attributes of `<river-seed>`, where
 `style` and `width` are written `river-style` and `river-width`. The tables below follow the groups of the page's controls.
 
 Numbers keep four decimal places. Units of length:
