@@ -514,15 +514,6 @@ pub static TABLE: [Parameter; COUNT] = {
     ]
 };
 
-/// The groups, in the order in which people see them: first what applies however rivers grow, then what drainage uses, which is
-/// the default.
-pub const GROUPS: [&str; 8] = ["Seed", "Land", "Growth", "Drainage", "Bends", "Finish", "Rivers", "Meanders"];
-
-/// All parameters, group by group. Links and files keep the order of [`TABLE`].
-pub fn by_group() -> impl Iterator<Item = &'static Parameter> {
-    GROUPS.iter().flat_map(|group| TABLE.iter().filter(move |parameter| parameter.group == *group))
-}
-
 impl Key {
     /// The row of this key.
     pub fn parameter(self) -> &'static Parameter {
@@ -546,13 +537,6 @@ mod tests {
             assert_eq!(parameter.key as usize, i, "{}", parameter.name);
             assert_eq!(Key::from_name(parameter.name), Some(parameter.key));
         }
-    }
-
-    #[test]
-    fn every_parameter_is_in_one_of_the_groups() {
-        let mut keys: Vec<_> = by_group().map(|parameter| parameter.key as usize).collect();
-        keys.sort_unstable();
-        assert_eq!(keys, (0..TABLE.len()).collect::<Vec<_>>());
     }
 
     #[test]

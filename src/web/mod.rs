@@ -15,7 +15,7 @@ use crate::picture::Picture;
 use crate::recipe::link::{self, Notice};
 use crate::recipe::preset::{PRESETS, Preset};
 use crate::recipe::reading::{self, ReadOptions, Reading};
-use crate::recipe::table::{self, TABLE};
+use crate::recipe::table::TABLE;
 use crate::recipe::{Decimal, GridPoint, Key, Kind, LONGEST_OUTLINE, Outline, Parameter, Stage, Value};
 use crate::session::{Phase, Session, SessionError, Shortfall};
 
@@ -113,10 +113,10 @@ fn start() {
     std::panic::set_hook(Box::new(|panic| web_sys::console::error_1(&panic.to_string().into())));
 }
 
-/// The parameter table, group by group.
+/// The parameter table.
 #[wasm_bindgen(unchecked_return_type = "Parameter[]")]
 pub fn parameters() -> Array {
-    table::by_group().map(row).collect()
+    TABLE.iter().map(row).collect()
 }
 
 /// All presets.

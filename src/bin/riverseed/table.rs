@@ -4,7 +4,7 @@ use std::io::{self, Write};
 
 use riverseed::recipe::choice::Word;
 use riverseed::recipe::preset::{PRESETS, Preset};
-use riverseed::recipe::table::{GROUPS, TABLE};
+use riverseed::recipe::table::TABLE;
 use riverseed::recipe::{Kind, LONGEST_OUTLINE, Parameter};
 
 const INTRODUCTION: &str = "\
@@ -57,11 +57,23 @@ and 10,000 besides; a Brownian tree makes at most one node per cell of the land'
 pub fn print() -> io::Result<()> {
     let mut out = io::stdout().lock();
     out.write_all(INTRODUCTION.as_bytes())?;
-    for group in GROUPS {
+    for group in groups() {
         write_group(&mut out, group)?;
     }
     write_presets(&mut out)?;
     out.write_all(NOTES.as_bytes())
+}
+
+/// The groups: what applies however rivers grow and what the default way uses come first, the others in the order of their
+/// parameters, as in the page's panel.
+fn groups() -> Vec<&'static str> {
+    let mut groups = vec!["Seed", "Land", "Growth", "Drainage"];
+    for parameter in &TABLE {
+        if !groups.contains(&parameter.group) {
+            groups.push(parameter.group);
+        }
+    }
+    groups
 }
 
 fn write_group(out: &mut impl Write, group: &str) -> io::Result<()> {
