@@ -12,7 +12,7 @@ use riverseed::recipe::{Stage, link};
 use riverseed::session::{Phase, Session};
 use riverseed::work;
 
-/// Closed lines of so many points in all, anywhere on the map: they cross themselves and each other.
+/// Closed lines with this number of points in all, anywhere on the map: they cross themselves and each other.
 fn coasts(seed: &str, lines: u32, points: u32) -> String {
     const ALPHABET: &[u8] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
     let mut chance = Seed::from_text(seed).stream(Purpose::Land);

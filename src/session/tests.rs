@@ -65,7 +65,7 @@ fn recipe_that_there_is_no_memory_for_is_refused() {
 }
 
 #[test]
-fn tree_that_the_memory_ran_out_of_is_an_error_until_it_grows_anew() {
+fn tree_that_the_memory_ran_out_of_is_an_error_until_it_grows_again() {
     for text in ["growth=colonize&attractors=300", "growth=drainage&attractors=300", "growth=brownian&sensitivity=60"] {
         let mut session = planted(text);
         let failure = with_lists_up_to(NOTHING, || session.advance(u32::MAX)).unwrap_err();

@@ -52,7 +52,7 @@ export interface Preset {
   readonly help: string;
   readonly values: readonly (readonly [key: string, value: string])[];
 }
-/** Something in a link that had to be mended. */
+/** Something in a link that had to be corrected. */
 export interface Notice {
   readonly key: string;
   readonly message: string;
@@ -265,7 +265,7 @@ impl River {
         self.session.restart().map_err(|error| session_error(&error))
     }
 
-    /// Goes on by so many steps at most: ticks of growth, then a few that make rivers of the tree, then rounds of
+    /// Advances by this number of steps at most: ticks of growth, then a few that make rivers of the tree, then rounds of
     /// meandering. Returns whether there is more to do. Throws an Error with the code `no-memory` if there is not
     /// enough: what is there then is no picture of the recipe.
     pub fn advance(&mut self, steps: u32) -> Result<bool, JsValue> {

@@ -35,7 +35,7 @@ fn drainage() -> impl Strategy<Value = String> {
     })
 }
 
-/// Links over the whole of every range, with at most so many attractors.
+/// Links over the whole of every range, with at most this number of attractors.
 pub fn random_link(most_attractors: u32) -> impl Strategy<Value = String> {
     // Half of them on the plain rectangle, where more goes on in a second.
     let lands = proptest::sample::select(lands::words_of_lands_with_a_coast());

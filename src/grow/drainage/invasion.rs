@@ -48,7 +48,7 @@ impl Invasion {
         Ok(this)
     }
 
-    /// Invades so many more parcels. Returns whether there are more.
+    /// Invades `count` more parcels. Returns whether there are more.
     pub fn advance(&mut self, parcels: &Parcels, count: usize) -> Result<bool, Refused> {
         self.frontier.reserve(6 * count)?;
         work::count(6 * count);

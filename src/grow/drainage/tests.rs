@@ -201,7 +201,7 @@ proptest! {
     }
 
     #[test]
-    fn energy_never_rises_from_round_to_round(recipe in recipes()) {
+    fn energy_rises_by_a_thousandth_at_most_from_round_to_round(recipe in recipes()) {
         // There is no theorem: now and then it rises by a few ten-thousandths, and by a hundredth with few parcels, or with another
         // exponent than nature's.
         let mut settings = settings(&recipe);
@@ -257,7 +257,8 @@ fn the_floor_of_a_valley_carries_its_trunk() {
     const FLOOR: f32 = 420.0;
     for seed in ["kauri", "rimu", "totara"] {
         // Walls rise from the floor to either side, four times as steeply as the floor does from the sea in the south.
-        let text = format!("seed={seed}&land=rectangle&sides=s&aspect=1&attractors=1600&valleys=1&bending=1");
+        let text =
+            format!("seed={seed}&land=rectangle&sides=s&aspect=1&attractors=1600&valleys=1&hardness=0&bending=1");
         let mut growth = Drainage::new(settings(&text)).unwrap();
         let heights = growth.parcels.at.iter().map(|at| (at.x - FLOOR).abs() + 0.25 * (1000.0 - at.y)).collect();
         growth.stage = Stage::Invasion(Invasion::over(heights, &growth.parcels).unwrap().into());
@@ -271,7 +272,7 @@ fn the_floor_of_a_valley_carries_its_trunk() {
         let trunk: Vec<Vec2> = nodes.map(|node| tree.at[node]).collect();
         let farthest = trunk.iter().map(|at| (at.x - FLOOR).abs()).fold(0.0, f32::max);
         let upper = trunk.iter().map(|at| at.y).fold(f32::INFINITY, f32::min);
-        assert!(upper < 600.0, "{seed}: the trunk ends at {upper}");
+        assert!(upper < 500.0, "{seed}: the trunk ends at {upper}");
         assert!(farthest < 3.0 * growth.settings.drainage.spacing, "{seed}: the trunk leaves the floor by {farthest}");
     }
 }

@@ -13,7 +13,7 @@ export interface Controls {
   show(values: Values): void;
 }
 
-/** By key: the values on show, those that a page has if nothing is said, and why some do nothing. */
+/** By key: the values on show, the defaults of the page, and why some do nothing. */
 export interface Values {
   values: ReadonlyMap<string, string>;
   defaults: ReadonlyMap<string, string>;

@@ -23,8 +23,8 @@ export function sizeOf(summary: Summary, written: Count): string {
 /** How many attractors, or parcels of drainage, no river reaches. A Brownian tree has neither. */
 function unreachedOf({ growth, attractors, unreached }: Summary): string {
   if (attractors === 0) return "";
-  const names = growth === "drainage" ? (["parcel", "parcels"] as const) : (["attractor", "attractors"] as const);
-  return `; ${count(unreached)} of ${counted(attractors, ...names, count)} unreached`;
+  const name = growth === "drainage" ? "parcel" : "attractor";
+  return `; ${count(unreached)} of ${counted(attractors, name, `${name}s`, count)} unreached`;
 }
 
 /** What growth left: how many nodes there are, what it did not reach, and why it ended early, if it did. */
