@@ -24,6 +24,7 @@ const GROUPS = {
   "Growth from 10,000 to 1,000,000 attractors, R = 3": scaling,
   "Growth on land, against growth on the plain rectangle, a node each (100,000 attractors, R = 3)": onLand,
   "Brownian tree on 1024² cells, sensitivity 12": brownian,
+  "Drainage from the recipe to its last round, and to the finished picture of an island at 1024²": drainage,
   "Drawing 100,000 segments at 1024²": drawing,
   "A slider or a pen moves: regrow and redraw 15,000 attractors at 1024²": slider,
   "Rivers of a default map, and their rounds of meandering": rivers,
@@ -129,6 +130,27 @@ async function brownian() {
   guide("wasm", median(asWasm), "ms");
 }
 
+async function drainage() {
+  const [few, many] = [6_000, 100_000];
+  const sides = [native, wasm];
+  const times = await inTurn(5, ...sides.flatMap((side) => [[side, `drain ${few}`, 5], [side, `drain ${many}`]]));
+  for (const [i, side] of sides.entries()) {
+    const [short, long] = times.slice(2 * i);
+    const exponent = Math.log(median(ratios(long, short))) / Math.log(many / few);
+    row(`${side.name}: exponent from 6,000 to 100,000 parcels`, exponent, "", atMost(1.1));
+  }
+  const [, nativeLong, wasmShort, wasmLong] = times;
+  row("wasm: 6,000 parcels", median(wasmShort), "ms", atMost(25));
+  row("wasm: 100,000 parcels", median(wasmLong), "ms", atMost(600));
+  guide("100,000 parcels: wasm / native", median(ratios(wasmLong, nativeLong)), "×");
+  const growths = ["drainage", "colonize"];
+  const [drained, colonized] = await inTurn(7, ...growths.map((growth) => [wasm, `finish ${growth} ${few}`, 3]));
+  row("wasm: from a link to the finished picture, 6,000 parcels", median(drained), "ms", atMost(60));
+  guide("that of drainage / of space colonization", median(ratios(drained, colonized)), "×");
+  const [whole] = await inTurn(5, [wasm, "finish drainage 20000"]);
+  guide("wasm: with 20,000 parcels, the table's default", median(whole), "ms");
+}
+
 async function drawing() {
   const ways = { "mask-ribbons": "ribbons filled into a mask", ribbons: "ribbons filled", strokes: "strokes" };
   for (const side of [native, wasm]) {
@@ -149,8 +171,8 @@ async function drawing() {
 async function slider() {
   for (const [what, task] of [
     ["R = 3", "slider 15000"],
-    ["the page's defaults", "page-slider 15000"],
-    ["drawn land, roughened anew, the page's 6,000 attractors", "pen"],
+    ["space colonization at the table's reach and kill", "page-slider 15000"],
+    ["space colonization of 6,000 attractors on a drawn land whose roughness changes", "pen"],
   ]) {
     // Moved, a slider asks for one picture right after the other.
     const [natively, asWasm] = await inTurn(9, [native, task, 5], [wasm, task, 5]);

@@ -67,6 +67,8 @@ fn repetition(task: &str) -> Option<Repetition> {
         ["land", kind] => shaping(kind),
         ["grow-on", kind, attractors] => growth_on(kind, attractors),
         ["brownian", side, sensitivity] => brownian(side, sensitivity),
+        ["drain", attractors] => drainage(attractors),
+        ["finish", growth, attractors] => finished(growth, attractors),
         ["literal-brownian", side, sensitivity] => literal_brownian(side, sensitivity),
         ["capsules"] => capsules(),
         ["mask-ribbons"] => mask_ribbons(),
@@ -177,6 +179,27 @@ fn brownian(side: &str, sensitivity: &str) -> Option<Repetition> {
 fn literal_brownian(side: &str, sensitivity: &str) -> Option<Repetition> {
     let (raster, sensitivity) = (square(side)?, sensitivity.parse().ok()?);
     Some(Box::new(move || literal::grow(&raster, Seed::from_text("kauri"), sensitivity).len() as u32))
+}
+
+// ---- drainage
+
+/// Drainage of a square from the recipe to its last round; the number of nodes.
+fn drainage(attractors: &str) -> Option<Repetition> {
+    let recipe = recipe(&format!("growth=drainage&aspect=1&mouths=0&captures=5&attractors={attractors}"))?;
+    Some(Box::new(move || all_grown(&recipe).map_or(0, |growth| growth.tree().len() as u32)))
+}
+
+/// An island from its link to the finished picture; the number of rivers.
+fn finished(growth: &str, attractors: &str) -> Option<Repetition> {
+    let link = format!("growth={growth}&land=island&mouths=0&attractors={attractors}");
+    let rivers = move || -> Option<u32> {
+        let mut session = Session::new(recipe(&link)?).ok()?;
+        let mut picture = Picture::new(SIDE, SIDE).ok()?;
+        session.advance(u32::MAX).ok()?;
+        picture.paint(&session);
+        Some(session.network()?.rivers.len() as u32)
+    };
+    Some(Box::new(move || rivers().unwrap_or(0)))
 }
 
 // ---- the network

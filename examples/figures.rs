@@ -19,7 +19,9 @@ const GAP: f32 = 40.0;
 
 /// Space colonization at three moments: attractors with lines to the nodes that they pull, and the tree.
 fn growth() -> Result<String, Box<dyn Error>> {
-    let recipe: Recipe = "seed=rata&land=rectangle&sides=s&aspect=1&mouths=2&attractors=160&curl=0".parse()?;
+    let recipe: Recipe = "seed=rata&growth=colonize&land=rectangle&sides=s&aspect=1&mouths=2&attractors=160&scatter=random&reach=2.3&kill=1.1&\
+                          step=0.38&momentum=0&curl=0"
+        .parse()?;
     let mut session = Session::new(recipe)?;
     let mut panels = Vec::new();
     for share in [0.08, 0.45, 1.0] {
@@ -61,9 +63,11 @@ fn colonized(session: &Session) -> Result<String, std::fmt::Error> {
 
 /// The same rivers after 0, 50 and 150 rounds of meandering, with the oxbow lakes that are left by then.
 fn meanders() -> Result<String, Box<dyn Error>> {
-    let recipe: Recipe = "seed=kea&land=rectangle&sides=s&aspect=1&mouths=1&attractors=160&simplify=80&width=22&\
+    let recipe: Recipe =
+        "seed=kea&growth=drainage&land=rectangle&sides=s&aspect=1&mouths=1&attractors=160&valleys=0.2&captures=5&\
+                          channel-area=6&trim=22&simplify=80&width=22&\
                           meander=flow&meander-rounds=150&meander-strength=0.8"
-        .parse()?;
+            .parse()?;
     let mut session = Session::new(recipe)?;
     let mut panels = Vec::new();
     for rounds in [0, 50, 150] {

@@ -9,7 +9,7 @@ use riverseed::{Recipe, Session, export};
 
 /// Writes the GeoJSON into a folder.
 pub fn write(folder: &Path) -> Result<(), Box<dyn Error>> {
-    let recipe: Recipe = "seed=totara&land=archipelago&mouths=12".parse()?;
+    let recipe: Recipe = "seed=totara&growth=colonize&land=archipelago&mouths=12".parse()?;
     let mut session = Session::new(recipe)?;
     session.finish()?;
     Ok(export::geojson::write(BufWriter::new(File::create(folder.join("totara.geojson"))?), &session)?)

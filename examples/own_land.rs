@@ -14,7 +14,7 @@ use riverseed::{Key, Land, Recipe, Session, export, import};
 /// rivers run on the land itself, in full detail.
 pub fn write(folder: &Path, (width, height, rgba): (u32, u32, &[u8])) -> Result<(), Box<dyn Error>> {
     let traced = trace(width, height, rgba)?;
-    let mut recipe: Recipe = "seed=matai&land=drawn".parse()?;
+    let mut recipe: Recipe = "seed=matai&growth=drainage&land=drawn".parse()?;
     recipe.set(Key::Aspect, &format!("{:.2}", traced.aspect))?;
     recipe.set(Key::Outline, &traced.outline.to_string())?;
     let land = Land::from_picture(&Domain::of(&recipe), width, height, rgba)?;

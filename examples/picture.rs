@@ -8,7 +8,7 @@ use riverseed::{Picture, Recipe, Session, export};
 
 /// Writes the picture into a folder.
 pub fn write(folder: &Path) -> Result<(), Box<dyn Error>> {
-    let recipe: Recipe = "seed=kauri&land=island&style=atlas".parse()?;
+    let recipe: Recipe = "seed=kauri&growth=drainage&land=island&style=atlas".parse()?;
     let mut session = Session::new(recipe)?;
     session.finish()?;
     let mut picture = Picture::new(1200, 750)?;

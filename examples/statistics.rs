@@ -47,6 +47,6 @@ pub fn statistics(link: &str) -> Result<Statistics, Box<dyn Error>> {
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
-    println!("{:#?}", statistics("seed=kauri&land=rectangle")?);
+    println!("{:#?}", statistics("seed=kauri&growth=drainage&land=rectangle")?);
     Ok(())
 }

@@ -11,7 +11,7 @@ const SHARES: [f32; 3] = [0.1, 0.4, 0.9];
 
 /// Writes the pictures into a folder.
 pub fn write(folder: &Path) -> Result<(), Box<dyn Error>> {
-    let recipe: Recipe = "seed=kea&land=basin&sea=0.3&style=dark".parse()?;
+    let recipe: Recipe = "seed=kea&growth=drainage&land=basin&sea=0.3&style=dark".parse()?;
     let link = recipe.to_string();
     let mut session = Session::new(recipe)?;
     let mut picture = Picture::new(800, 500)?;

@@ -7,7 +7,7 @@ use riverseed::{Recipe, Session, export};
 
 /// Writes the SVG into a folder.
 pub fn write(folder: &Path) -> Result<(), Box<dyn Error>> {
-    let recipe: Recipe = "seed=rimu&land=continent&sides=w&style=ink".parse()?;
+    let recipe: Recipe = "seed=rimu&growth=drainage&land=continent&sides=w&style=ink".parse()?;
     let mut session = Session::new(recipe)?;
     session.finish()?;
     Ok(std::fs::write(folder.join("rimu.svg"), export::svg::svg(&session)?)?)

@@ -68,7 +68,7 @@ if (($#)); then
 fi
 echo "Exploring $(wc -l <"$logs/properties") properties for $minutes minutes."
 end=$(($(date +%s) + 60 * minutes))
-# Without an end: whoever waits for the slowest property of a round explores nothing meanwhile.
+# Without an end: waiting for the slowest property of a round would explore nothing meanwhile.
 while (($(date +%s) < end)); do
   shuf "$logs/properties" | while read -r property; do
     echo "$(od -An -N8 -tu8 /dev/urandom)" "$end" "$property"

@@ -1,7 +1,7 @@
 #!/usr/bin/env node
 // Builds the wasm packages that wasm-pack.toml describes, and weighs each against its limits.
 //
-//   node scripts/wasm.mjs           the packages of the page and the widget; too much weight is only said
+//   node scripts/wasm.mjs           the packages of the page and the widget; too much weight is only reported
 //   node scripts/wasm.mjs weigh     weighs what is built; too much weight is a failure
 //   node scripts/wasm.mjs figures   target/figures-wasm, the module that `make bench` times
 //
@@ -137,7 +137,7 @@ function weigh({ "out-dir": dir, "out-name": name, budget, aim }) {
   return isLight;
 }
 
-/** Other tools make other bytes: whoever has them is told whose the limits are. */
+/** Other tools make other bytes: with them, the message says whose the limits are. */
 function tooLarge() {
   const { rustc, "wasm-opt": optimiser } = settings["weighed-with"];
   const [ours] = ask("rustc", "--version").split("\n");

@@ -1,8 +1,8 @@
 //! Riverseed: a river network that grows from a word.
 //!
-//! A [recipe](recipe::Recipe) holds a seed text and parameters. Rivers [grow] from their mouths into the [land] by space
-//! colonization or as a Brownian tree, are [trimmed](prune), read for their [hydrology](tree::Hydrology), made into a
-//! [network] of rivers that meander, and [painted](paint). Data flows one way:
+//! A [recipe](recipe::Recipe) holds a seed text and parameters. Rivers [grow] from their mouths into the [land], as water
+//! drains it, by space colonization or as a Brownian tree, are [trimmed](prune), read for their [hydrology](tree::Hydrology), made into
+//! a [network] of rivers that meander, and [painted](paint). Data flows one way:
 //!
 //! ```text
 //! recipe ─► land ─► grow ─► prune ─► network ─► paint / export
@@ -15,7 +15,7 @@
 //! ```
 //! use riverseed::{Recipe, Session, export};
 //!
-//! let recipe: Recipe = "seed=kauri&land=island".parse()?;
+//! let recipe: Recipe = "seed=kauri&growth=drainage&land=island".parse()?;
 //! let mut session = Session::new(recipe)?;
 //! let rivers = &session.finish()?.rivers;
 //! println!("{} rivers, the greatest of order {:?}", rivers.len(), rivers.iter().map(|river| river.order).max());

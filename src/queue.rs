@@ -10,7 +10,7 @@ use crate::sort;
 pub(crate) struct Queue(BinaryHeap<Reverse<u64>>);
 
 impl Queue {
-    /// Asks for the memory of so many more entries.
+    /// Asks for the memory of more entries.
     pub fn reserve(&mut self, more: usize) -> Result<(), Refused> {
         if self.0.capacity() - self.0.len() >= more {
             return Ok(());

@@ -11,7 +11,7 @@ use crate::land::Land;
 use crate::memory;
 use crate::network::{Meander, NONE, Network, NetworkSettings, ShapeError, Shaping, ask_for_memory};
 use crate::prune::{self, Pruned, Trim};
-use crate::recipe::{Key, Recipe, Stage, Style};
+use crate::recipe::{GrowthMethod, Key, Recipe, Stage, Style};
 use crate::relief::{Relief, ReliefError, ReliefSettings, ReliefSolver};
 use crate::tree::{Hydrology, Tree};
 
@@ -104,6 +104,8 @@ pub enum Phase {
 /// A picture in numbers.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Summary {
+    /// How its rivers grow.
+    pub growth: GrowthMethod,
     /// Ticks grown.
     pub ticks: u32,
     /// Nodes: of the trimmed tree once it is grown.
@@ -114,9 +116,9 @@ pub struct Summary {
     pub sources: u32,
     /// The highest stream order (Strahler) of the rivers; 0 until there are any.
     pub order: u8,
-    /// Attractors scattered: 0 for a Brownian tree.
+    /// Attractors scattered, or parcels of drainage: 0 for a Brownian tree.
     pub attractors: u32,
-    /// Attractors that no river came near enough to.
+    /// Attractors that no river came near enough to, or parcels from which no way leads to the sea.
     pub unreached: u32,
     /// How growth ended; `None` while it goes on.
     pub ending: Option<Ending>,
@@ -131,7 +133,10 @@ impl Summary {
     pub fn shortfall(&self) -> Option<Shortfall> {
         match self.ending {
             Some(Ending::Complete) if self.nodes == 0 => Some(Shortfall::NoRiver),
-            Some(Ending::Complete) if self.unreached > self.attractors / 10 => Some(Shortfall::Unreached),
+            Some(Ending::Complete) if self.unreached > self.attractors / 10 => match self.growth {
+                GrowthMethod::Drainage => Some(Shortfall::CutOff),
+                GrowthMethod::Colonize | GrowthMethod::Brownian => Some(Shortfall::Unreached),
+            },
             _ => None,
         }
     }
@@ -145,6 +150,8 @@ pub enum Shortfall {
     /// Space colonization left over a tenth of the attractors: the step is too long for the kill distance, the reach too
     /// short, or mouths lie too far apart.
     Unreached,
+    /// In drainage over a tenth of the parcels have no way to a mouth: ridges cut them off, or their land has none.
+    CutOff,
 }
 
 impl Session {
@@ -445,6 +452,7 @@ impl Session {
     pub fn summary(&self) -> Summary {
         let tree = self.growth.tree();
         let so_far = Summary {
+            growth: self.growth.settings().method,
             ticks: tree.tick_starts.len() as u32 - 1,
             nodes: tree.len() as u32,
             mouths: self.growth.mouths(),

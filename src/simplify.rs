@@ -1,7 +1,7 @@
 //! Simplifying lines by the method of Visvalingam and Whyatt (1993): the point that makes the least difference goes
 //! first, and the difference is the area of the triangle with its neighbours.
 //!
-//! Areas compare across lines, and keep their ratios when a drawing is stretched: so many lines can share one budget of
+//! Areas compare across lines, and keep their ratios when a drawing is stretched: so any number of lines can share one budget of
 //! points, whatever the shape of their domain.
 
 use std::cmp::Reverse;

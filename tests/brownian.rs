@@ -219,7 +219,7 @@ fn recipes_grow_on_all_their_land() {
     }
 }
 
-/// A round island with a ring of ridge along its coast, which is open to the east over so many cells.
+/// A round island with a ring of ridge along its coast, which is open to the east over some cells.
 fn ringed(side: i32, gap: i32) -> Raster {
     let island = disc(side);
     Raster::new(side, side, 1.0, |x, y| {
@@ -299,7 +299,7 @@ fn a_finer_sensitivity_keeps_the_coarser_tree_of_its_octave() {
     }
 }
 
-/// The mean over so many seeds, in standard errors of it.
+/// The mean over all seeds, in standard errors of it.
 fn mean_in_errors(seeds: usize, of_seed: impl Fn(usize) -> Vec2) -> Vec2 {
     let all: Vec<Vec2> = (0..seeds).map(of_seed).collect();
     let mean = all.iter().sum::<Vec2>() / seeds as f32;

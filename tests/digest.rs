@@ -1,6 +1,6 @@
 //! The committed digests: natively, in wasm and in every browser, the same recipes give the same rivers and pixels.
 //!
-//! `RIVERSEED_REFRESH=1 cargo test --test digest` writes them anew, for a change that is meant to change pictures,
+//! `RIVERSEED_REFRESH=1 cargo test --test digest` writes them again, for a change that is meant to change pictures,
 //! and then fails, so that nobody refreshes by accident.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
@@ -48,5 +48,5 @@ fn refresh(lines: &[(&str, &str)]) {
     }
     let text: String = lines.iter().map(|(_, link)| format!("{} {link}\n", now(link))).collect();
     std::fs::write(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/digest.txt"), text).unwrap();
-    panic!("the digests are written anew: look at what has changed, then run without RIVERSEED_REFRESH");
+    panic!("the digests are written again: look at what has changed, then run without RIVERSEED_REFRESH");
 }

@@ -55,7 +55,7 @@ fn check_svg(session: &Session) {
     assert!((tree.size().width() - size.x).abs() < 0.01 && (tree.size().height() - size.y).abs() < 0.01);
 }
 
-/// Checks a GeoJSON: rivers hang together, lakes are closed.
+/// Checks a GeoJSON: rivers are connected, lakes are closed.
 fn check_geojson(session: &Session) {
     let features = collection(session).features;
     let id = |feature: &geojson::Feature, key: &str| feature.property(key).and_then(serde_json::Value::as_u64);

@@ -1,6 +1,6 @@
 //! Golden pictures, compared pixel for pixel. Each is also an example of a link and what it draws.
 //!
-//! `RIVERSEED_REFRESH=1 cargo test --all-features --test golden` draws them anew and then fails. After a mismatch,
+//! `RIVERSEED_REFRESH=1 cargo test --all-features --test golden` draws them again and then fails. After a mismatch,
 //! `target/golden` holds expected, difference and actual side by side.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 #![cfg(feature = "png")]
@@ -153,7 +153,7 @@ fn every_picture_is_its_golden_one() {
             changed.push(name);
         }
     }
-    assert!(!refresh, "the pictures are drawn anew: look at them, then run without RIVERSEED_REFRESH");
+    assert!(!refresh, "the pictures are drawn again: look at them, then run without RIVERSEED_REFRESH");
     assert!(changed.is_empty(), "these have changed, see target/golden: {changed:?}");
 }
 
@@ -179,10 +179,10 @@ fn readme_s_picture_is_what_its_link_draws() {
     if std::env::var_os("RIVERSEED_REFRESH").is_some() {
         let picture = picture(link::read(&carried).unwrap(), 1000);
         write(File::create(&path).unwrap(), &picture, &carried).unwrap();
-        panic!("the README's picture is drawn anew: look at it, then run without RIVERSEED_REFRESH");
+        panic!("the README's picture is drawn again: look at it, then run without RIVERSEED_REFRESH");
     }
-    let readme = include_str!("../README.md");
-    assert!(readme.contains(&carried), "the README does not name the picture's link, {carried}");
-    let drawn = rgb(&picture(link::read(&carried).unwrap(), 1000));
-    assert!(drawn == expected, "draw it again: the command stands below it in the README");
+    let (_, command) = include_str!("../README.md").split_once("`riverseed render \"").unwrap();
+    let recipe = link::read(command.split_once('"').unwrap().0).unwrap();
+    assert_eq!(link::read(&carried).unwrap(), recipe, "the README's picture carries another link");
+    assert!(rgb(&picture(recipe, 1000)) == expected, "draw it again: the command stands below it in the README");
 }

@@ -165,6 +165,36 @@ fn mouths_lie_on_the_chosen_shores() {
     }
 }
 
+/// Where a tree of drainage meets the coast.
+fn mouths_of_drainage(link: &str) -> (Vec<Vec2>, GrowthSettings) {
+    let mut growth = Growth::new(settings(&format!("growth=drainage&attractors=2000&{link}"))).unwrap();
+    while growth.tick() {}
+    let tree = growth.tree();
+    let mouths = (0..tree.len()).filter(|&node| tree.parent_of(node).is_none()).map(|node| tree.at[node]).collect();
+    (mouths, growth.settings().clone())
+}
+
+#[test]
+fn mouths_of_drainage_are_as_many_as_far_apart_and_on_the_shores_that_are_asked_for() {
+    for (kind, seed) in ["island", "basin"].iter().flat_map(|kind| (0..4).map(move |seed| (kind, seed))) {
+        let land = format!("land={kind}&seed={seed}&roughness=0.2");
+        let (all, _) = mouths_of_drainage(&format!("{land}&mouths=0"));
+        let (chosen, settings) = mouths_of_drainage(&format!("{land}&mouths=5"));
+        let asked: u32 = settings.basins.iter().sum();
+        assert_eq!(chosen.len(), asked as usize, "{land}");
+        assert!(asked >= 5 && all.len() > 2 * chosen.len(), "{land}: {}", all.len());
+        let (apart, _) = mouths_of_drainage(&format!("{land}&mouths=0&mouth-spacing=150"));
+        let pairs = apart.iter().enumerate().flat_map(|(i, a)| apart[..i].iter().map(move |b| a.distance(*b)));
+        assert!(apart.len() > 3 && pairs.min_by(f32::total_cmp).unwrap() > 150.0, "{land}: {}", apart.len());
+        for (shores, way) in [("n", Vec2::NEG_Y), ("e", Vec2::X), ("s", Vec2::Y), ("w", Vec2::NEG_X)] {
+            let (mouths, settings) = mouths_of_drainage(&format!("{land}&mouths=0&shores={shores}"));
+            let centre = settings.domain.size / 2.0;
+            let is_there = |at: &Vec2| (*at - centre).dot(way) > 0.0;
+            assert!(!mouths.is_empty() && mouths.iter().all(is_there), "{land}: not on {shores} alone");
+        }
+    }
+}
+
 #[test]
 fn one_attractor_more_leaves_the_others_where_they_are() {
     let places = |n: u32| scatter(&settings(&format!("attractors={n}")));
@@ -288,8 +318,8 @@ fn cross(a: Vec2, b: Vec2, c: Vec2, d: Vec2) -> bool {
 }
 
 #[test]
-fn no_river_of_either_growth_crosses_a_ridge() {
-    for (seed, growth) in (0..6).flat_map(|seed| ["colonize", "brownian"].map(|growth| (seed, growth))) {
+fn no_river_crosses_a_ridge_however_it_grows() {
+    for (seed, growth) in (0..6).flat_map(|seed| ["colonize", "brownian", "drainage"].map(|growth| (seed, growth))) {
         let link = format!("seed={seed}&growth={growth}&sensitivity=40&land=valley&roughness=1&attractors=1500");
         let mut grown = Growth::new(settings(&link)).unwrap();
         while grown.tick() {}

@@ -239,7 +239,7 @@ fn check_elevations(network: &Network, total_discharge: u32) {
 
 /// A wide river's neck lay across a bay, and the river broke through it.
 #[test]
-fn no_river_breaks_through_a_neck_of_water() {
+fn no_river_breaks_through_a_strait() {
     let link = "seed=ofmcjd&growth=colonize&sensitivity=43&mouth-spacing=373&shores=s&land=basin&sea=0.115&roughness=0.757&aspect=2.850\
         &mouths=1&sides=w&attractors=178&scatter=random&reach=6.408&kill=1.237&step=0.932&momentum=0.000&curl=0.920&stretch=25\
         &trim=0&width=36.39&style=dark&simplify=41&bank-variation=0.210&meander=flow&meander-rounds=29&meander-strength=0.199\

@@ -129,7 +129,7 @@ fn signal_leaves_nothing_behind_and_an_older_file_as_it_was() {
         // By the shell, whose `kill` is always there.
         let kill = format!("kill -{signal} {}", process.id());
         assert!(Command::new("sh").args(["-c", &kill]).status().unwrap().success());
-        // A process may have been told by whoever started this test to ignore some signals: then it writes all of it.
+        // The parent of this test may have made it ignore some signals: then it writes all of it.
         match process.wait().unwrap().signal() {
             Some(by) => assert!(by == number && fs::read_to_string(&out).unwrap() == "older", "{signal}"),
             None => assert!(fs::read(&out).unwrap().starts_with(PNG), "{signal}"),
@@ -138,7 +138,7 @@ fn signal_leaves_nothing_behind_and_an_older_file_as_it_was() {
     }
 }
 
-/// Renders with so many kilobytes of addresses; `None` where the shell cannot limit them.
+/// Renders with a limit on its address space, in kilobytes; `None` where the shell cannot limit them.
 fn render_within(kilobytes: u32, link: &str, out: &Path) -> Option<Output> {
     render_by(&[], kilobytes, link, out)
 }

@@ -11,7 +11,7 @@ use riverseed::picture::Picture;
 use riverseed::recipe::{Key, Recipe, link};
 use riverseed::session::{Phase, Session};
 
-/// The picture after painting every so many ticks.
+/// The picture after painting every `ticks` ticks.
 fn painted(recipe: &Recipe, ticks: u32) -> Vec<u8> {
     let (mut session, mut picture) = (Session::new(recipe.clone()).unwrap(), picture());
     while session.advance(ticks).unwrap() {

@@ -63,11 +63,11 @@ fn the_schema_s_recipe_is_the_table_of_parameters() {
     if std::env::var_os("RIVERSEED_REFRESH").is_some() {
         schema["$defs"]["recipe"] = recipe_schema();
         fs::write(SCHEMA, serde_json::to_string_pretty(&schema).unwrap() + "\n").unwrap();
-        panic!("the schema is written anew: run without RIVERSEED_REFRESH");
+        panic!("the schema is written again: run without RIVERSEED_REFRESH");
     }
     assert!(
         schema["$defs"]["recipe"] == recipe_schema(),
-        "write it anew: RIVERSEED_REFRESH=1 cargo test --all-features --test schema"
+        "write it again: RIVERSEED_REFRESH=1 cargo test --all-features --test schema"
     );
 }
 
@@ -100,5 +100,5 @@ fn the_table_of_members_in_the_page_about_files_is_the_schema_s() {
         fs::write(PAGE, format!("{before}{HEAD}{table}\n{after}")).unwrap();
         panic!("the page's table is written again: run without RIVERSEED_REFRESH");
     }
-    assert!(found == table.trim_end(), "write it anew: RIVERSEED_REFRESH=1 cargo test --all-features --test schema");
+    assert!(found == table.trim_end(), "write it again: RIVERSEED_REFRESH=1 cargo test --all-features --test schema");
 }

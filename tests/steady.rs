@@ -16,7 +16,7 @@ const DEFAULTS: &str = "attractors=12000&aspect=1.6&roughness=1&mouths=0&mouth-s
                         &kill=1.1&step=0.38&momentum=0&curl=0.7&stretch=8&valley-spacing=32&concavity=0.5&captures=5&hardness=0.5\
                         &hardness-scale=36&bending=2&channel-area=8&trim=7&simplify=60&width=16&meander=none";
 
-/// A river counts where it drains so many parcels.
+/// A river counts where it drains this number of parcels.
 const GREATER: u32 = 60;
 
 /// The least share that is kept.
@@ -55,7 +55,7 @@ impl Courses {
     }
 }
 
-/// A point every so many units along all that is great enough.
+/// A point at every step of this length along all that is great enough.
 fn points(network: &Network, every: f32) -> Vec<Vec2> {
     let mut points = Vec::new();
     for (vertex, &below) in network.vertices.iter().zip(&network.downstream()) {

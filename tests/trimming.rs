@@ -63,7 +63,7 @@ proptest! {
     }
 
     #[test]
-    fn regular_endings_stay_and_no_river_ends_anew(link in random_link(600), t in 0u32..40) {
+    fn regular_endings_stay_and_no_river_ends_elsewhere(link in random_link(600), t in 0u32..40) {
         let tree = grown(&link);
         let hydrology = Hydrology::of(&tree);
         let pruned = trim(&tree, &hydrology, nodes(t));

@@ -9,10 +9,10 @@ use std::collections::BTreeMap;
 use lands::every_land;
 use riverseed::random::{Purpose, Seed};
 use riverseed::recipe::{Stage, link};
-use riverseed::session::Session;
+use riverseed::session::{Phase, Session};
 use riverseed::work;
 
-/// Closed lines of so many points in all, anywhere on the map: they cross themselves and each other.
+/// Closed lines with this number of points in all, anywhere on the map: they cross themselves and each other.
 fn coasts(seed: &str, lines: u32, points: u32) -> String {
     const ALPHABET: &[u8] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
     let mut chance = Seed::from_text(seed).stream(Purpose::Land);
@@ -69,7 +69,7 @@ fn check(recipe: &str) {
     most.check(&session);
 }
 
-/// A mouth more was searched for among fifty thousand places, all of them anew for each, in a single tick: over 100 million
+/// A mouth more was searched for among fifty thousand places, all of them again for each, in a single tick: over 100 million
 /// elementary steps, and as much for the next.
 #[test]
 fn no_drawn_coast_of_random_points_holds_a_tick() {
@@ -81,10 +81,49 @@ fn no_drawn_coast_of_random_points_holds_a_tick() {
             (1000, "reach=12&step=0.2&mouths=64&mouth-spacing=0&meander=none"),
             (3000, "reach=12&curl=2&momentum=0.9&mouths=64&mouth-spacing=0&scatter=grid"),
         ] {
-            check(&format!("{land}&attractors={attractors}&{growth}"));
+            check(&format!("{land}&growth=colonize&attractors={attractors}&{growth}"));
         }
         check(&format!("{land}&growth=brownian&sensitivity=8"));
-        check(&format!("{land}&growth=drainage&attractors=40000&bending=4&captures=24&channel-area=1&trim=0"));
+        for drainage in EXTREMES_OF_DRAINAGE {
+            check(&format!("{land}&attractors=20000&trim=0&{drainage}"));
+        }
+    }
+}
+
+/// Drainage at both ends of its ranges: an invasion alone decides, or nothing but distance.
+const EXTREMES_OF_DRAINAGE: [&str; 3] = [
+    "growth=drainage&valleys=1&valley-spacing=60&concavity=0.8&hardness=1.5&hardness-scale=60&captures=24&bending=4&channel-area=1",
+    "growth=drainage&valleys=1&valley-spacing=4&concavity=0.2&hardness=1.5&hardness-scale=8&captures=24&bending=4&channel-area=1",
+    "growth=drainage&valleys=0&concavity=0.2&hardness=0&captures=0&bending=0&channel-area=60",
+];
+
+/// Lands that water can hardly leave: without a coast, with one outlet, and with a part that ridges shut off.
+const CLOSED_LANDS: [&str; 4] = [
+    "land=drawn&roughness=0&aspect=1&outline=.MzMzzMMzzMzMMzzM..M1M1zKM1zKzKM1zKM1M1",
+    "land=island&mouths=1",
+    "land=rectangle&sides=s&mouths=1&mouth-spacing=400",
+    "land=drawn&roughness=0&aspect=1&outline=.MzMzzMMzzMzMMzzM..YAYAnnYAnnnnYAnnYAYA",
+];
+
+#[test]
+fn no_extreme_of_drainage_holds_a_tick_where_water_can_hardly_leave() {
+    for (land, drainage) in CLOSED_LANDS.iter().flat_map(|land| EXTREMES_OF_DRAINAGE.map(|drainage| (land, drainage))) {
+        check(&format!("{land}&attractors=20000&trim=0&{drainage}"));
+    }
+}
+
+/// However many parcels there are, a tick settles some thousand of them; what begins and ends a round looks at each once.
+#[test]
+fn a_tick_of_drainage_is_a_small_part_of_a_round() {
+    const RECIPE: &str = "growth=drainage&land=rectangle&attractors=300000&valleys=0.5&captures=2&bending=0";
+    let mut session = Session::new(link::read(RECIPE).unwrap()).unwrap();
+    let parcels = u64::from(session.growth().total_discharge());
+    while session.phase() == Phase::Growing {
+        let before = work::steps();
+        session.advance(1).unwrap();
+        // A whole round takes six a parcel.
+        let most = 2 * parcels;
+        assert!(work::steps() - before < most, "{} elementary steps, over {most}", work::steps() - before);
     }
 }
 
@@ -92,7 +131,7 @@ fn no_drawn_coast_of_random_points_holds_a_tick() {
 #[test]
 fn a_search_for_a_mouth_ends_soon() {
     let begun = work::steps();
-    check(&format!("seed=b&land=drawn&outline={}&attractors=100&reach=12", coasts("b", 1, 240)));
+    check(&format!("seed=b&growth=colonize&land=drawn&outline={}&attractors=100&reach=12", coasts("b", 1, 240)));
     assert!(work::steps() - begun < 300_000_000, "{}", work::steps() - begun);
 }
 
@@ -102,27 +141,33 @@ const WILD: &str = "&trim=0&simplify=0&width=40&neck=4&clearance=1&meander-round
 #[test]
 fn no_land_holds_a_step_however_its_rivers_grow_and_meander() {
     for land in every_land() {
-        check(&format!("{land}&roughness=1&attractors=100&reach=12&step=0.2{WILD}"));
-        check(&format!("{land}&roughness=1&attractors=3000&reach=12&step=0.2{WILD}"));
+        check(&format!("{land}&roughness=1&growth=colonize&attractors=100&reach=12&step=0.2{WILD}"));
+        check(&format!("{land}&roughness=1&growth=colonize&attractors=3000&reach=12&step=0.2{WILD}"));
         check(&format!("{land}&roughness=1&growth=brownian&sensitivity=8{WILD}"));
+        check(&format!("{land}&roughness=1&{}&attractors=3000{WILD}", EXTREMES_OF_DRAINAGE[0]));
     }
-    check(&format!("attractors=20000&step=0.5{WILD}"));
+    for growth in ["colonize&step=0.5", "drainage&channel-area=1"] {
+        check(&format!("attractors=20000&growth={growth}{WILD}"));
+    }
 }
 
 /// A change of how rivers are shaped made all steps up to the first round of meandering in one call. Now it makes none, and a
 /// change of land or growth only plants.
 #[test]
 fn no_change_holds_a_page() {
-    let mut most = Most::default();
-    let recipe = format!("attractors=20000&step=0.5{WILD}");
-    let mut session = most.plant(&recipe);
-    most.finish(&mut session);
-    for change in ["width=39", "simplify=5", "meander-strength=0.9", "trim=1", "style=atlas", "land=valley"] {
-        let changed = link::pairs(change).unwrap();
-        let changed = link::apply(session.recipe().clone(), &changed).unwrap();
-        let stage = most.count(change, || session.change(changed).unwrap());
-        assert!(most.0[change] == 0 || stage < Some(Stage::Prune), "{change}: {} elementary steps", most.0[change]);
+    for growth in ["colonize&step=0.5", "drainage&channel-area=2"] {
+        let mut most = Most::default();
+        let mut session = most.plant(&format!("attractors=20000&growth={growth}{WILD}"));
         most.finish(&mut session);
-        most.check(&session);
+        for change in
+            ["width=39", "simplify=5", "meander-strength=0.9", "channel-area=1", "trim=1", "style=atlas", "land=valley"]
+        {
+            let changed = link::pairs(change).unwrap();
+            let changed = link::apply(session.recipe().clone(), &changed).unwrap();
+            let stage = most.count(change, || session.change(changed).unwrap());
+            assert!(most.0[change] == 0 || stage < Some(Stage::Prune), "{change}: {} elementary steps", most.0[change]);
+            most.finish(&mut session);
+            most.check(&session);
+        }
     }
 }

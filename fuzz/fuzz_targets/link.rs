@@ -1,5 +1,5 @@
 //! Any link text is read leniently into a recipe in range; strictly it is read into the same one, or refused, and then the
-//! lenient reading has said what it mended.
+//! lenient reading has reported what it corrected.
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;

@@ -7,7 +7,7 @@ setup_node() {
   [[ -n $(version_of npm) ]] || die "npm is missing: it comes with Node.js from https://nodejs.org, or as a package of its own."
   case $(node scripts/packages.mjs) in
     whole) return ;;
-    foreign) say "www/node_modules was made on another system, or for another Node.js: it is made anew" && rm -rf www/node_modules ;;
+    foreign) say "www/node_modules was made on another system, or for another Node.js: it is made again" && rm -rf www/node_modules ;;
   esac
   install_packages
   # A folder that has lost files may look whole to npm.

@@ -4,7 +4,7 @@
 //! that ends it: a node tries to grow only when its set of attractors has changed since it last tried. Sets of old
 //! nodes only shrink, so every node stops growing. Once all have, those that still have attractors reach out for the
 //! nearest of them; when not even that makes a node, growth is over, and attractors that stay unreached are counted.
-//! (Unless land is left over that no river sees, beyond a neck too narrow for a step: then it gets a mouth of its own. Or
+//! (Unless land is left over that no river sees, beyond an isthmus too narrow for a step: then it gets a mouth of its own. Or
 //! unless most are: then a gap among the first attractors has cut the river off, and its last node runs straight on.)
 
 use glam::Vec2;

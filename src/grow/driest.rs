@@ -123,7 +123,7 @@ mod tests {
     }
 
     #[test]
-    fn a_place_that_sees_too_little_is_not_counted_anew() {
+    fn a_place_that_sees_too_little_is_not_counted_again() {
         let seen = [5, 9, 3, 1, 0];
         let mut places = Search::among((0..seen.len()).map(shore));
         assert_eq!(search(&mut places, |i| seen[i]), Some(1));

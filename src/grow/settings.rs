@@ -151,7 +151,7 @@ impl GrowthSettings {
         self.sides.contains(side).then(|| (from + way * share).clamp(Vec2::ZERO, size))
     }
 
-    /// Whether two points of land hang together.
+    /// Whether two points of land are connected.
     pub(in crate::grow) fn is_same_region(&self, a: Vec2, b: Vec2) -> bool {
         let Some(land) = &self.land else { return true };
         land.regions().iter().any(|region| land.is_in(region, a) && land.is_in(region, b))
@@ -188,7 +188,7 @@ fn watered<'a>(land: Option<&'a Land>, basins: &'a [u32]) -> impl Iterator<Item 
 /// the land has one, even if there are then more than asked for: no island lies bare beside full ones. Only regions with a
 /// coast have any.
 fn share_out(regions: &[Region], mouths: u32) -> Vec<u32> {
-    /// One in so many cells of land is a fair share.
+    /// A region with one in this number of cells of land has a fair share.
     const FAIR: u32 = 100;
     let land: u32 = regions.iter().map(|region| region.cells).sum();
     let mut shares = vec![0; regions.len()];

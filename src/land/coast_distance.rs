@@ -47,7 +47,7 @@ impl CoastDistance {
         this.measured(&coast)
     }
 
-    /// The land of a coast, on a lattice with this distance between its corners; of each, row by row, is said whether it is land.
+    /// The land of a coast, on a lattice with this distance between its corners; `is_land` lists them row by row.
     pub(super) fn of_coast(domain: &Domain, spacing: f32, coast: &[Piece], is_land: &[bool]) -> Self {
         let (columns, rows) = Self::corners(domain, spacing);
         let heights = is_land.iter().map(|&is_land| if is_land { 1.0 } else { -1.0 }).collect();

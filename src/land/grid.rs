@@ -42,7 +42,7 @@ impl Grid {
         Self::of_runs(domain, runs)
     }
 
-    /// Cells of which is said, row by row, whether they are land; rows may have more columns than are needed.
+    /// Cells from a list, row by row, of whether each is land; rows may have more columns than are needed.
     #[cfg(feature = "files")]
     pub fn of_cells(domain: &Domain, is_land: &[bool], row_length: usize) -> Self {
         let (columns, rows) = extent(domain);
@@ -172,7 +172,7 @@ fn has_water(row: &[Cell], columns: &Range<usize>) -> bool {
 }
 
 /// Adds the stretches of a row's cells that lie above water. From one lattice corner to the next the height is linear,
-/// so most cells need not be looked at one by one. There are so many columns, and so many cells in an interval.
+/// so most cells need not be looked at one by one. The pair is the number of columns and of cells in an interval.
 fn land_of_row(row: u32, (columns, cells): (usize, usize), heights: &[f32], runs: &mut Vec<Run>) {
     let mut start = None;
     let mut turn = |column: usize, is_land: bool| match start {

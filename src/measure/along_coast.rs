@@ -5,7 +5,7 @@ use glam::Vec2;
 use crate::geometry::distance;
 use crate::network::{NONE, Network};
 
-/// A river on its way to the sea comes near the coast: so many spacings above its mouth count for nothing.
+/// A river on its way to the sea comes near the coast: this far above its mouth nothing counts, in spacings.
 const LAST_BIT: f32 = 2.0;
 
 /// The length of river within one spacing of a coast, in units, but for the last two spacings of the way to each mouth. `inland`

@@ -6,19 +6,19 @@ use super::index::Index;
 use crate::geometry::{direction, distance};
 use crate::network::{Network, River};
 
-/// Rivers are beside each other nearer than so many spacings.
+/// Rivers are beside each other if they are nearer than this, in spacings.
 const BESIDE: f32 = 2.0;
 
 /// The cosine of 20°: what runs in about the same direction.
 const SAME_DIRECTION: f32 = 0.939_692_6;
 
-/// For so many spacings rivers may run beside each other.
+/// How far rivers may run beside each other, in spacings.
 const LONG: f32 = 10.0;
 
-/// The places of a course are so many spacings apart.
+/// How far apart the places of a course are, in spacings.
 const STEP: f32 = 0.5;
 
-/// A course's direction is that from so many places before to as many after.
+/// A course's direction is that from this number of places before to as many after.
 const AROUND: usize = 4;
 
 /// So many places in a row may be farther apart, or in other directions, without an end.

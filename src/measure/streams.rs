@@ -136,8 +136,8 @@ mod tests {
         tree.len() - 1
     }
 
-    /// Adds a stream of an order and all that flows into it: so many side branches of each order as are said of the difference of the orders,
-    /// and at its head two streams of the order below. A stream of order w is length(w) long.
+    /// Adds a stream of an order and all that flows into it: `branches` side branches of each lower order,
+    /// by how much lower it is, and at its head two streams of the order below. A stream of order w is length(w) long.
     fn add_stream(tree: &mut Tree, below: usize, order: u32, length: fn(u32) -> f32, branches: fn(u32) -> u32) {
         let sides: Vec<u32> = (1..order).flat_map(|k| (0..branches(k)).map(move |_| order - k)).collect();
         let link = length(order) / (sides.len() + 1) as f32;

@@ -7,7 +7,7 @@ use crate::geometry::distance;
 use crate::network::{NONE, Network, River, Vertex};
 use crate::sort;
 
-/// Trunks meet at a mouth if they do within so many of its widths.
+/// Trunks meet at a mouth if they do within this distance of it, in its widths.
 const WIDTHS: f32 = 3.0;
 
 /// Trunks are of similar size if the smaller one's discharge is at least this share of the larger's.

@@ -1,7 +1,8 @@
 //! Slope and elevation of rivers.
 //!
-//! A tree grown by drainage brings its elevations. Other rivers flow through no terrain; but rivers flatten downstream: slope falls as a power of discharge. So 'flat' has a meaning by discharge alone, and
-//! slopes summed from the mouth up are elevations that always fall toward the sea.
+//! A tree grown by drainage brings its elevations. Other rivers flow through no terrain; but rivers flatten downstream: slope falls as
+//! a power of discharge. So 'flat' has a meaning by discharge alone, and slopes summed from the mouth up are elevations that always
+//! fall toward the sea.
 
 use glam::Vec2;
 

@@ -64,7 +64,7 @@ enum WidgetLimit {
 
 /// Within these limits no step of a river, above all of those that make rivers of a tree, holds up a page for longer
 /// than a blink, even where its policy refuses workers. They hold in workers too: the same tag is the same river
-/// everywhere. Whoever wants more makes a picture of it.
+/// everywhere. Authors who want more can use a picture of it.
 fn widget_limit(method: GrowthMethod) -> WidgetLimit {
     match method {
         GrowthMethod::Colonize | GrowthMethod::Drainage => WidgetLimit::AtMost(Key::Attractors, 20_000),
@@ -73,7 +73,7 @@ fn widget_limit(method: GrowthMethod) -> WidgetLimit {
 }
 
 impl WidgetLimit {
-    /// Brings a recipe within the limit, and tells if it was not.
+    /// Brings a recipe within the limit, and reports if it was not.
     fn keep(self, recipe: &mut Recipe) -> Option<Notice> {
         let (key, limit, is_beyond, exceeds): (_, _, fn(&u32, &u32) -> bool, _) = match self {
             Self::AtMost(key, limit) => (key, limit, u32::gt, "exceeds"),
@@ -151,7 +151,7 @@ mod tests {
         assert_eq!(style("seed=a", PAGE), Style::Ink);
         assert_eq!(style("style=atlas", DARK), Style::Atlas);
         assert_eq!(style("style=ink", DARK), Style::Ink);
-        // Named, if badly: what is used then is told, and must be true.
+        // Named, if badly: the notice says which style is used instead, and must be true.
         assert_eq!(style("style=neon", DARK), Style::Ink);
     }
 

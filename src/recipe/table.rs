@@ -328,7 +328,7 @@ pub static TABLE: [Parameter; COUNT] = {
             key: Key::ChannelArea,
             name: "channel-area",
             label: "Channel area",
-            help: "A river begins where so many parcels drain. Smaller areas make a denser network.",
+            help: "Number of parcels that must drain before a river begins. Smaller areas make a denser network.",
             unit: "parcels",
             group: "Drainage",
             stage: Prune,

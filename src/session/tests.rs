@@ -13,6 +13,9 @@ const NOTHING: usize = 100;
 /// An island whose ridge runs along the whole of its coast.
 const NO_COAST: &str = "land=drawn&roughness=0&aspect=1&outline=.MzMzzMMzzMzMMzzM..M1M1zKM1zKzKM1zKM1M1";
 
+/// An island whose middle, a quarter of it, lies within a ring of ridges.
+const CUT_OFF: &str = "land=drawn&roughness=0&aspect=1&outline=.MzMzzMMzzMzMMzzM..YAYAnnYAnnnnYAnnYAYA";
+
 const BENDS: &str = "growth=colonize&attractors=300&trim=0&meander=flow&meander-rounds=3";
 
 fn recipe(text: &str) -> Recipe {
@@ -62,7 +65,7 @@ fn recipe_that_there_is_no_memory_for_is_refused() {
 }
 
 #[test]
-fn tree_that_the_memory_ran_out_of_is_an_error_until_it_grows_anew() {
+fn tree_that_the_memory_ran_out_of_is_an_error_until_it_grows_again() {
     for text in ["growth=colonize&attractors=300", "growth=drainage&attractors=300", "growth=brownian&sensitivity=60"] {
         let mut session = planted(text);
         let failure = with_lists_up_to(NOTHING, || session.advance(u32::MAX)).unwrap_err();
@@ -165,6 +168,9 @@ fn advice_fits_how_rivers_grow() {
         assert_eq!(shortfall(&format!("attractors=300&{growth}")), None);
     }
     assert_eq!(shortfall("growth=colonize&attractors=300&kill=0.5&step=1.2"), Some(Shortfall::Unreached));
+    // Nor to drainage, which leaves dry only what has no way to the sea: here the middle of an island, within a ring of ridges.
+    assert_eq!(shortfall("growth=drainage&attractors=300&kill=0.5&step=1.2"), None);
+    assert_eq!(shortfall(&format!("growth=drainage&attractors=900&{CUT_OFF}")), Some(Shortfall::CutOff));
     // Attractors and their step do not matter to a Brownian tree.
     assert_eq!(shortfall("attractors=300&kill=0.5&step=1.2&growth=brownian&sensitivity=30"), None);
 }

@@ -50,7 +50,7 @@ export interface Preset {
   readonly help: string;
   readonly values: readonly (readonly [key: string, value: string])[];
 }
-/** Something in a link that had to be mended. */
+/** Something in a link that had to be corrected. */
 export interface Notice {
   readonly key: string;
   readonly message: string;
@@ -84,12 +84,16 @@ export interface Lines {
 }
 /** What a picture shows, in numbers. */
 export interface Summary {
+  /** How its rivers grow: a word of the parameter `growth`. */
+  readonly growth: string;
   readonly ticks: number;
   readonly nodes: number;
   readonly mouths: number;
   readonly sources: number;
   readonly order: number;
+  /** Attractors scattered, or parcels of drainage; 0 for a Brownian tree. */
   readonly attractors: number;
+  /** How many of them no river reaches. */
   readonly unreached: number;
   /** Rounds that rivers have meandered. */
   readonly rounds: number;
@@ -243,7 +247,7 @@ impl River {
         list(&self.notices)
     }
 
-    /// Gives it a picture of this size, to be painted anew. If it throws, everything is as before.
+    /// Gives it a picture of this size, which is then painted again. If it throws, everything is as before.
     pub fn resize(&mut self, width_px: u32, height_px: u32) -> Result<(), JsValue> {
         self.picture = Some(Picture::new(width_px, height_px).map_err(|error| paint_error(&error))?);
         Ok(())
@@ -254,7 +258,7 @@ impl River {
         self.session.restart().map_err(|error| session_error(&error))
     }
 
-    /// Goes on by so many steps at most: ticks of growth, then a few that make rivers of the tree, then rounds of
+    /// Advances by this number of steps at most: ticks of growth, then a few that make rivers of the tree, then rounds of
     /// meandering. Returns whether there is more to do. Throws an Error with the code `no-memory` if there is not
     /// enough: what is there then is no picture of the recipe.
     pub fn advance(&mut self, steps: u32) -> Result<bool, JsValue> {
@@ -334,13 +338,16 @@ impl River {
     #[wasm_bindgen(unchecked_return_type = "Summary")]
     pub fn summary(&self) -> Object {
         let summary = self.session.summary();
+        let growth = Key::Growth.parameter().text_of(self.session.recipe().value(Key::Growth));
         let stopped = match (summary.ending, summary.shortfall()) {
             (Some(Ending::NodeLimit), _) => Some("The tree grew to its limit of nodes and was stopped."),
             (_, Some(Shortfall::NoRiver)) => Some("No river grew: no land lies open to the sea."),
             (_, Some(Shortfall::Unreached)) => Some(UNREACHED),
+            (_, Some(Shortfall::CutOff)) => Some(CUT_OFF),
             (_, None) => None,
         };
         object(&[
+            ("growth", growth.into()),
             ("ticks", summary.ticks.into()),
             ("nodes", summary.nodes.into()),
             ("mouths", summary.mouths.into()),
@@ -358,6 +365,7 @@ impl River {
 
 const UNREACHED: &str =
     "Rivers do not reach all land: a shorter step, a longer kill distance or reach, or mouths less far apart helps.";
+const CUT_OFF: &str = "Rivers do not reach all land: a gap in the ridges, or more mouths, helps.";
 
 pub(super) fn session_error(error: &SessionError) -> JsValue {
     let code = match error {

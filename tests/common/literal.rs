@@ -22,7 +22,7 @@ pub struct Node {
     pub exact: At,
 }
 
-/// Grows a tree on a raster, down to a step of so many cells.
+/// Grows a tree on a raster, down to a step of this number of cells.
 pub fn grow(raster: &Raster, seed: Seed, sensitivity: f32) -> Vec<Node> {
     let mut literal = Literal {
         columns: raster.columns(),

@@ -39,7 +39,7 @@ fn style() -> impl Strategy<Value = &'static str> {
     proptest::sample::select(Style::WORDS.iter().map(|word| word.name).collect::<Vec<_>>())
 }
 
-/// Links over the whole of every range, with at most so many attractors.
+/// Links over the whole of every range, with at most this number of attractors.
 pub fn random_link(most_attractors: u32) -> impl Strategy<Value = String> {
     // Half of them on the plain rectangle, where more goes on in a second.
     let lands = proptest::sample::select(lands::words_of_lands_with_a_coast());

@@ -1,4 +1,4 @@
-//! What is known of rivers, worked out anew by definition.
+//! What is known of rivers, worked out again by definition.
 
 use glam::DVec2;
 use riverseed::network::{NONE, Network, Oxbow, River};

@@ -1,4 +1,4 @@
-//! What files say is what the session holds: every value of SVG, GeoJSON and JSON is worked out anew, by its definition, from the
+//! What files say is what the session holds: every value of SVG, GeoJSON and JSON is worked out again, by its definition, from the
 //! tree and the rivers.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 #![cfg(feature = "cli")]

@@ -65,7 +65,7 @@ setup() { new_machine; }
   called 1 "npm install"
 }
 
-@test "packages of another lock file are installed anew" {
+@test "packages of another lock file are installed again" {
   set_up node
   echo >>"$checkout/www/package-lock.json"
   set_up node
@@ -73,7 +73,7 @@ setup() { new_machine; }
   called 2 "npm install"
 }
 
-@test "packages that another system installed are made anew" {
+@test "packages that another system installed are made again" {
   set_up node
   sed -i.old 's/"system":"[^"]*"/"system":"plan9 mips node 20"/' "$checkout/www/node_modules/.installed.json"
   set_up node

@@ -1,4 +1,4 @@
-# scripts/wasm.mjs: when the wasm packages are built anew, with which flags, and what they may weigh.
+# scripts/wasm.mjs: when the wasm packages are built again, with which flags, and what they may weigh.
 
 load machine
 setup() {

@@ -15,7 +15,7 @@ debian_machine() {
   forget_calls
 }
 
-# Whether set-up mends what a test broke, by making the toolchain anew, and then rests.
+# Whether set-up mends what a test broke, by making the toolchain again, and then rests.
 mends() {
   wasm_rust rustc --version
   failed
@@ -80,19 +80,19 @@ mends() {
   said "rustc 1.96.0"
 }
 
-@test "an emptied toolchain folder is made anew" {
+@test "an emptied toolchain folder is made again" {
   debian_machine
   rm -r "${made:?}"/*
   mends
 }
 
-@test "a toolchain that lost one library is made anew" {
+@test "a toolchain that lost one library is made again" {
   debian_machine
   rm "$made/lib/rustlib/wasm32-unknown-unknown/lib/libtest-0.rlib"
   mends
 }
 
-@test "a toolchain with a library cut short is made anew" {
+@test "a toolchain with a library cut short is made again" {
   debian_machine
   : >"$made/lib/rustlib/wasm32-unknown-unknown/lib/libcore-0.rlib"
   mends

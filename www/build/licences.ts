@@ -1,4 +1,4 @@
-/** Licences in the site: those of others ask that whoever hands out their work hands out their words with it. */
+/** Licences in the site: those of others ask everybody who distributes their work to distribute the licence with it. */
 
 import { readFileSync } from "node:fs";
 import type { Plugin } from "vite";

@@ -1,7 +1,7 @@
 #!/usr/bin/env node
 // Prints what the built widget weighs on its way to a reader, in bytes of gzip, beside what it may.
 //
-//   node scripts/weigh-widget.mjs            too much is only said: another compiler makes another module
+//   node scripts/weigh-widget.mjs            too much is only reported: another compiler makes another module
 //   node scripts/weigh-widget.mjs --strict   too much is a failure
 
 import { readFileSync } from "node:fs";
@@ -13,7 +13,7 @@ const FOLDER = new URL("../dist-widget/", import.meta.url);
 const EMBED = ["river-seed.js", "worker.js", "riverseed_bg.wasm"];
 const EMBED_HERE = ["river-seed.js", "tag-page-backend.js", "riverseed_bg.wasm"];
 
-// The element was 6,000: giving up what never answers, and opening anew what answers no more, took 600; the attributes of drainage and
+// The element was 6,000: giving up what never answers, and reopening what answers no more, took 600; the attributes of drainage and
 // of courses take 60.
 const LIMITS = [
   ["element and loader", ["river-seed.js"], 6_700],

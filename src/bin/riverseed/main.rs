@@ -398,6 +398,11 @@ fn grow(order: Order, progress: &ProgressBar) -> Result<Session, Failure> {
             let advice = "a shorter 'step', a longer 'kill' or 'reach', or less 'mouth-spacing' helps";
             eprintln!("riverseed: rivers leave {unreached} of {attractors} attractors unreached; {advice}");
         }
+        Some(Shortfall::CutOff) => {
+            let (parcels, unreached) = (session.growth().attractors(), session.growth().unreached());
+            let advice = "a gap in the ridges that cut them off, or more 'mouths' (0 for all), helps";
+            eprintln!("riverseed: {unreached} of {parcels} parcels have no way to a river mouth; {advice}");
+        }
         None => {}
     }
     Ok(session)

@@ -13,15 +13,18 @@ const INTRODUCTION: &str = "\
 <!-- Written by `make docs` from the parameter table, src/recipe/table.rs: change it there. -->
 
 A recipe is a value for each of these parameters; a parameter that is left out has its default. The same keys are used in links
-(`seed=kauri&curl=0.6`), as command-line options (`--curl 0.6`), in JSON recipes, and as attributes of `<river-seed>`, where
+(`seed=kauri&valleys=0.6`), as command-line options (`--valleys 0.6`), in JSON recipes, and as attributes of `<river-seed>`, where
 `style` and `width` are written `river-style` and `river-width`. The tables below follow the groups of the page's controls.
 
 Numbers keep four decimal places. Units of length:
 
 - a *unit* is a domain unit: the map's area is always a million square units, whatever its aspect;
-- a *spacing* is the mean distance between attractors, √(area of land / number of attractors);
+- a *spacing* is the distance between streams that growth begins with: in space colonization the mean distance between attractors,
+  √(area of land that has river mouths / `attractors`); in drainage the mean distance between parcels, √(1,000,000 / `attractors`),
+  whatever the land; in a Brownian tree, for `clearance`, its `sensitivity`;
 - a *width* is the width of the river at that point;
-- a *node* is one step of growth.
+- a *node* is one step of growth;
+- a *parcel* is a piece of land that drains itself, in drainage.
 ";
 
 const NOTES: &str = "
@@ -39,14 +42,15 @@ the map's edge. [`riverseed render --land`](command-line.md#a-picture-as-the-lan
 
 ## Trimming
 
-A branch's length is that of its nodes: one `step` each in space colonization, 1.1 units on average in a Brownian tree. `trim` is rounded
-to whole nodes. In a Brownian tree, rivers that reach the sea on their own are trimmed too if they are shorter than that; the longest one
-always stays.
+A branch's length is that of its nodes: one `step` each in space colonization, a spacing in drainage, 1.1 units on average in a Brownian
+tree. `trim` is rounded to whole nodes. In a Brownian tree, and in drainage with `mouths=0`, rivers that reach the sea on their own are
+trimmed too if they are shorter than that; the longest one always stays. In drainage, rivers are trimmed after `channel-area` has decided
+where they begin.
 
 ## Limits
 
-Growth always ends. Space colonization makes at most 10 nodes per attractor, and 10,000 besides; a Brownian tree makes at most one node
-per cell of the land's grid. So the recipe limits how much memory is used.
+Growth always ends. Drainage makes one node per parcel and one per river mouth; space colonization makes at most 10 nodes per attractor,
+and 10,000 besides; a Brownian tree makes at most one node per cell of the land's grid. So the recipe limits how much memory is used.
 ";
 
 /// Writes the page.
@@ -60,9 +64,10 @@ pub fn print() -> io::Result<()> {
     out.write_all(NOTES.as_bytes())
 }
 
-/// The groups, in the order of their first parameters.
+/// The groups: what applies however rivers grow and what the default way uses come first, the others in the order of their
+/// parameters, as in the page's panel.
 fn groups() -> Vec<&'static str> {
-    let mut groups = Vec::new();
+    let mut groups = vec!["Seed", "Land", "Growth", "Drainage"];
     for parameter in &TABLE {
         if !groups.contains(&parameter.group) {
             groups.push(parameter.group);

@@ -16,7 +16,7 @@ impl FlowDirections {
     /// Through the parcel's own outlet.
     pub const OUT: u32 = u32::MAX - 1;
 
-    /// Of so many parcels none is known.
+    /// None of these parcels is known yet.
     pub fn new(parcels: usize) -> Self {
         Self { to: vec![NONE; parcels], order: Vec::with_capacity(parcels) }
     }

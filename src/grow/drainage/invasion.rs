@@ -33,11 +33,13 @@ pub(super) struct Invasion {
 impl Invasion {
     /// Begins at all outlets.
     pub fn new(parcels: &Parcels, settings: &DrainageSettings) -> Result<Self, Refused> {
-        let mut this = Self {
-            height: heights(parcels, settings),
-            frontier: Queue::default(),
-            directions: FlowDirections::new(parcels.len()),
-        };
+        Self::over(heights(parcels, settings), parcels)
+    }
+
+    /// Begins at all outlets of parcels of these heights.
+    pub fn over(height: Vec<f32>, parcels: &Parcels) -> Result<Self, Refused> {
+        let directions = FlowDirections::new(parcels.len());
+        let mut this = Self { height, frontier: Queue::default(), directions };
         this.frontier.reserve(parcels.outlets.len())?;
         for outlet in &parcels.outlets {
             this.frontier.push(this.height[outlet.parcel as usize], outlet.parcel);
@@ -46,7 +48,7 @@ impl Invasion {
         Ok(this)
     }
 
-    /// Invades so many more parcels. Returns whether there are more.
+    /// Invades `count` more parcels. Returns whether there are more.
     pub fn advance(&mut self, parcels: &Parcels, count: usize) -> Result<bool, Refused> {
         self.frontier.reserve(6 * count)?;
         work::count(6 * count);

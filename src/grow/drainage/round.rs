@@ -42,7 +42,7 @@ impl Round {
         Ok(this)
     }
 
-    /// Settles so many more parcels. Returns whether there may be more.
+    /// Settles `count` more parcels. Returns whether there may be more.
     pub fn advance(&mut self, parcels: &Parcels, count: usize) -> Result<bool, Refused> {
         self.queue.reserve(6 * count)?;
         work::count(6 * count);

@@ -1,4 +1,4 @@
-//! A picture as the land itself, at full detail: of an outline only so many points have room in a link.
+//! A picture as the land itself, at full detail: a link has room for only a limited number of points of an outline.
 
 use std::sync::Arc;
 

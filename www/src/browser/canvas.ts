@@ -39,7 +39,7 @@ export interface Fit {
  * alone, not on where it begins, so that nothing turns soft when it is moved without a word.
  *
  * Made smaller by a CSS transform, as slides and cards are before they come forward, an element counts as large as it is laid out:
- * nobody is told when the transform ends. Made larger it counts as it is seen.
+ * no event comes when the transform ends. Made larger it counts as it is seen.
  */
 export function fitOf(element: HTMLElement, devicePixelRatio: number): Fit {
   // Unlike offsetWidth with what there is behind the point.
@@ -50,7 +50,7 @@ export function fitOf(element: HTMLElement, devicePixelRatio: number): Fit {
   // Less than a hundredth is noise.
   const scale = enlargement > 1.01 ? enlargement : 1;
   const ratio = scale * pixelsPerUnit(area * scale * scale, devicePixelRatio);
-  // Browsers lay out in 64ths of a pixel, and round what they tell: so much over a whole one is none.
+  // Browsers lay out in 64ths of a pixel, and round what they report: this much over a whole one is none.
   const pixels = each(laidOut, (length) => Math.ceil(length * ratio - 1 / 32));
   return { pixels, css: each(pixels, (length) => length / ratio) };
 }
@@ -65,12 +65,12 @@ function each<T>({ width, height }: { width: T; height: T }, map: (length: T) =>
   return { width: map(width), height: map(height) };
 }
 
-/** How many pixels a canvas has to the unit, for a box of so many square units. */
+/** How many pixels a canvas has to the unit, for a box of this area in square units. */
 function pixelsPerUnit(area: number, devicePixelRatio: number): number {
   return Math.min(devicePixelRatio, RATIO_CAP, Math.sqrt(AREA_CAP / area));
 }
 
-/** While a window is dragged wider the old picture is stretched; it is drawn anew when the hand rests this long. */
+/** While a window is dragged wider the old picture is stretched; it is redrawn when the hand rests this long. */
 export const RESIZE_PAUSE_MS = 120;
 
 /** Follows a place's size, in the screen's pixels if the browser can: they change alone between two screens. */

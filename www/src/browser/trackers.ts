@@ -15,7 +15,7 @@ const NAMES: readonly string[] = [
   "ref", "ref_src", "ref_url",
 ];
 
-/** Address text without them: its reader did not put them there, so they are nothing to tell of. What stays is as it was. */
+/** Address text without them: its reader did not put them there, so they are not reported. What stays is as it was. */
 export function withoutTrackers(text: string): string {
   return text
     .split("&")

@@ -13,7 +13,7 @@ export interface Controls {
   show(values: Values): void;
 }
 
-/** By key: the values on show, those that a page has if nothing is said, and why some do nothing. */
+/** By key: the values on show, the defaults of the page, and why some do nothing. */
 export interface Values {
   values: ReadonlyMap<string, string>;
   defaults: ReadonlyMap<string, string>;
@@ -45,12 +45,12 @@ export function controls(table: readonly Parameter[], change: Change, disclosure
   };
 }
 
-function grouped(table: readonly Parameter[]): Map<string, Parameter[]> {
-  const groups = new Map<string, Parameter[]>();
-  for (const parameter of table) {
-    const members = groups.get(parameter.group);
-    if (members) members.push(parameter);
-    else groups.set(parameter.group, [parameter]);
-  }
-  return groups;
+/** What applies however rivers grow, then what the default way uses; the others follow in the table's order. */
+const FIRST = ["Land", "Growth", "Drainage"];
+
+/** Parameters by their headings, in the order of the panel. */
+export function grouped(table: readonly Parameter[]): Map<string, Parameter[]> {
+  const headings = new Set([...FIRST, ...table.map(({ group }) => group)]);
+  const members = (heading: string) => table.filter(({ group }) => group === heading);
+  return new Map([...headings].map((heading) => [heading, members(heading)]));
 }

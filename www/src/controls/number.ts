@@ -18,12 +18,12 @@ const KEY_SHARE: Record<string, [direction: 1 | -1, share: number]> = {
 export function numberControl(parameter: Parameter, range: Range, change: Change): Field {
   const slider = sliderFor(parameter, range);
   const exact = exactField(parameter);
-  const told = (text: string) => change(parameter.key, text);
+  const commit = (text: string) => change(parameter.key, text);
   let shown = parameter.default;
 
-  slider.addEventListener("input", () => told(textAt(slider.valueAsNumber, range)));
-  if (range.isLog) slider.addEventListener("keydown", (event) => stepByKey(event, Number(shown), range, told));
-  exact.addEventListener("change", () => told(exact.value));
+  slider.addEventListener("input", () => commit(textAt(slider.valueAsNumber, range)));
+  if (range.isLog) slider.addEventListener("keydown", (event) => stepByKey(event, Number(shown), range, commit));
+  exact.addEventListener("change", () => commit(exact.value));
 
   return {
     element: slider,
@@ -67,9 +67,9 @@ function showOnSlider(slider: HTMLInputElement, text: string, range: Range, unit
 }
 
 /** A step of a thousandth of the way is too little at the low end, where it would round to the value it came from. */
-function stepByKey(event: KeyboardEvent, value: number, range: Range, told: (text: string) => void): void {
+function stepByKey(event: KeyboardEvent, value: number, range: Range, commit: (text: string) => void): void {
   const step = KEY_SHARE[event.key];
   if (!step || event.altKey || event.ctrlKey || event.metaKey) return;
   event.preventDefault();
-  told(logStep(value, ...step, range));
+  commit(logStep(value, ...step, range));
 }

@@ -56,7 +56,9 @@ export function presets(all: readonly Preset[], choose: (preset: Preset) => void
     show(shown) {
       const current = made.find(({ preset }) => isShown(preset, shown));
       for (const one of made) one.button.setAttribute("aria-pressed", String(one === current));
-      help.textContent = current?.preset.help ?? "Ways of growing: choose one, then change what you like.";
+      help.textContent =
+        current?.preset.help ??
+        "Patterns of the river paper (space colonization): choose one, then change what you like.";
     },
     focus: () => last?.focus({ preventScroll: true }),
   };

@@ -8,7 +8,7 @@ import { aspectOf } from "../widget/attributes.ts";
 import { Heights } from "./heights.ts";
 import { HostPage } from "./host-page.ts";
 import { heightMessage } from "./messages.ts";
-import { failureNote, mendedNote } from "./notes.ts";
+import { correctionsNote, failureNote } from "./notes.ts";
 import { readQuery } from "./query.ts";
 
 const root = document.documentElement;
@@ -33,13 +33,13 @@ function measure(): void {
 river.addEventListener("ready", ({ detail }) => {
   shape(detail.link);
   root.dataset["state"] = "ready";
-  if (detail.notices.length > 0) document.body.append(mendedNote(detail.notices));
+  if (detail.notices.length > 0) document.body.append(correctionsNote(detail.notices));
   measure();
 });
 
 river.addEventListener("error", ({ detail }) => {
   if (root.dataset["state"] === "ready") {
-    document.body.append(mendedNote([detail]));
+    document.body.append(correctionsNote([detail]));
     return;
   }
   root.dataset["state"] = "failed";

@@ -1,13 +1,13 @@
-/** When a height is told: once it has come to rest, and only if it is another one. */
+/** When a height is posted: once it has come to rest, and only if it has changed. */
 
-/** A window that is dragged changes the height every frame; the page around lays itself out anew each time it is told. */
+/** A window that is dragged changes the height every frame; the page around would lay itself out again for each. */
 export const REST_MS = 60;
 
 export class Heights {
-  #told: number | undefined;
+  #posted: number | undefined;
   #timer: ReturnType<typeof setTimeout> | undefined;
 
-  constructor(private readonly tell: (height: number) => void) {}
+  constructor(private readonly post: (height: number) => void) {}
 
   changed(height: number): void {
     clearTimeout(this.#timer);
@@ -17,8 +17,8 @@ export class Heights {
   }
 
   #settle(height: number): void {
-    if (height === this.#told) return;
-    this.#told = height;
-    this.tell(height);
+    if (height === this.#posted) return;
+    this.#posted = height;
+    this.post(height);
   }
 }

@@ -11,9 +11,9 @@ export interface Surroundings {
 }
 
 /**
- * The origin of the page around: as the browser tells it, or else (older Firefox) of the page that asked for this one.
+ * The origin of the page around: as the browser gives it, or else (older Firefox) of the page that asked for this one.
  * Undefined where there is no page around, where it has no origin (a file, a sandbox), and where it asks not to be named: then
- * nothing is said to anybody.
+ * nothing is posted.
  */
 export function hostOrigin({ self, parent, location, document }: Surroundings): string | undefined {
   if (parent === self) return undefined;

@@ -5,7 +5,7 @@ import { advice } from "../engine/advice.ts";
 import { PageError } from "../engine/errors.ts";
 import type { ErrorDetail } from "../widget/events.ts";
 
-/** In the river's place: what happened, what can be done, and its name for whoever runs the page. */
+/** In the river's place: what happened, what can be done, and its name for the owner of the page. */
 export function failureNote({ code, message }: ErrorDetail): HTMLElement {
   const { title, text } = advice(new PageError(code, message));
   return el(
@@ -17,12 +17,12 @@ export function failureNote({ code, message }: ErrorDetail): HTMLElement {
   );
 }
 
-/** Over the river, until it is dismissed: what of the link had to be mended. */
-export function mendedNote(notices: readonly { readonly message: string }[]): HTMLElement {
+/** Over the river, until it is dismissed: what in the link had to be corrected. */
+export function correctionsNote(notices: readonly { readonly message: string }[]): HTMLElement {
   const close = el("button", { type: "button" }, "Dismiss");
   const note = el(
     "div",
-    { class: "note mended", role: "status" },
+    { class: "note corrected", role: "status" },
     el("ul", {}, ...notices.map(({ message }) => el("li", {}, message))),
     close,
   );

@@ -3,7 +3,7 @@
  * through `named`, so that nobody is shown a stack trace or a blank canvas.
  */
 
-const CODES = [
+export const CODES = [
   "wasm-unsupported",
   "wasm-fetch",
   "wasm-mime",

@@ -9,12 +9,12 @@ export class Recipe {
   #idle: ReadonlyMap<string, string> = new Map();
   readonly #notices = new Map<string, string>();
   #defaults: ReadonlyMap<string, string>;
-  /** Whether somebody has said how it looks: the author of a link, or whoever chose a style. */
+  /** Whether somebody chose how it looks: the author of a link, or a person at the controls. */
   #isStyled = false;
 
   /** On a dark page a recipe that nobody has given a style is shown in that for dark pages. */
   constructor(
-    private readonly read: (text: string, options?: ReadOptions) => Reading,
+    private readonly readLink: (text: string, options?: ReadOptions) => Reading,
     private readonly isOnDark: () => boolean = () => false,
   ) {
     this.#reading = this.#take("");
@@ -53,7 +53,7 @@ export class Recipe {
 
   /** What a widget does not grow of it, in words. */
   get widgetNotices(): string[] {
-    return this.read(this.link, { widget: true }).notices.map(({ message }) => message);
+    return this.readLink(this.link, { widget: true }).notices.map(({ message }) => message);
   }
 
   get seed(): string {
@@ -69,7 +69,7 @@ export class Recipe {
   /** Goes back to what is shown. */
   restore(shown: string): void {
     this.#notices.clear();
-    this.#takeValues(new Map(this.read(shown).values));
+    this.#takeValues(new Map(this.readLink(shown).values));
   }
 
   /** Changes some values. A note about another one stays until it is dismissed; one about these is out of date. */
@@ -85,7 +85,7 @@ export class Recipe {
 
   /** The page has become dark, or light. */
   refresh(): void {
-    this.#defaults = new Map(this.#read("").values);
+    this.#defaults = new Map(this.#readHere("").values);
     this.set([]);
   }
 
@@ -93,14 +93,14 @@ export class Recipe {
     this.#notices.clear();
   }
 
-  /** A style that nobody has chosen is not told: the core knows which it is. */
+  /** A style that nobody chose is left out: the core knows which it is. */
   #takeValues(values: Map<string, string>): void {
     if (!this.#isStyled) values.delete("style");
     this.#take(linkText(values));
   }
 
   #take(text: string): Reading {
-    const reading = this.#read(text);
+    const reading = this.#readHere(text);
     this.#reading = reading;
     this.#values = new Map(reading.values);
     this.#idle = new Map(reading.idle);
@@ -111,7 +111,8 @@ export class Recipe {
     return reading;
   }
 
-  #read(text: string): Reading {
-    return this.read(text, { dark: this.isOnDark() });
+  /** Reads a link as it is shown on this page. */
+  #readHere(text: string): Reading {
+    return this.readLink(text, { dark: this.isOnDark() });
   }
 }

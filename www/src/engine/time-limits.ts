@@ -13,18 +13,18 @@ export const DOWNLOAD_SILENCE_MS = 10_000;
  */
 export const WORKER_SILENCE_MS = 10_000;
 /**
- * The one exception is said beforehand: a picture for a file is painted in one step. 67 million pixels, the most there may be, take
+ * The one exception is announced beforehand: a picture for a file is painted in one step. 67 million pixels, the most there may be, take
  * a desk computer a few seconds and an old phone half a minute and more.
  */
 export const PAINTING_SILENCE_MS = 120_000;
-/** A script that is fetched late is given up after so long: how far it has come cannot be seen, so slow lines have twice the time. */
+/** A script that is fetched late is given up after this time: how far it has come cannot be seen, so slow lines have twice the time. */
 export const SCRIPT_MS = 20_000;
 
 /** The watch counts ticks and does not compare times: a machine that slept wakes up one tick later. */
 const TICK_MS = 1000;
 
 export interface Watch {
-  /** There was a sign of life: the time begins anew, and until the next one it is as long as said here. */
+  /** There was a sign of life: the time starts over, and runs for `limitMs` until the next one. */
   heard(limitMs?: number): void;
   end(): void;
 }

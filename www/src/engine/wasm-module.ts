@@ -27,7 +27,7 @@ export function once<Given extends unknown[], T>(
   };
 }
 
-/** Fetches a module, and links it with its script. It tells of every part of the module that arrives. */
+/** Fetches a module, and links it with its script. It reports every part of the module that arrives. */
 export async function start<T>(
   url: string,
   link: (compiled: WebAssembly.Module) => Promise<T>,
@@ -62,7 +62,7 @@ async function compiledFrom(url: string, progress: () => void): Promise<WebAssem
   }
 }
 
-/** Reads a copy, so that the response itself is compiled as it comes, and cached. What is wrong with it is said there. */
+/** Reads a copy, so that the response itself is compiled as it comes, and cached. What is wrong with it is reported there. */
 async function tellOfParts({ body }: Response, heard: () => void): Promise<void> {
   const reader = body?.getReader();
   try {

@@ -29,7 +29,7 @@ export function listenForImages(elements: ImageDropElements, found: (file: File)
   document.addEventListener("paste", (event) => foundIn(event.clipboardData));
 }
 
-/** The first picture among what was dropped or pasted; if there is none, whatever file there is, to be told it is none. */
+/** The first picture among what was dropped or pasted; if there is none, any file there is, to be refused by name. */
 function pictureAmong(data: DataTransfer | null): File | undefined {
   const files = [...(data?.files ?? [])];
   return files.find(({ type }) => type.startsWith("image/")) ?? files[0];

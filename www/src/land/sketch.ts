@@ -113,7 +113,7 @@ export interface Counts {
   readonly ridges: number;
 }
 
-/** What is kept of so many lines, in words. */
+/** How many of all lines were kept, in words. */
 export function tally({ coasts, ridges }: Lines, all: Counts): string {
   const counted = (count: number, one: string) => `${count} ${one}${count === 1 ? "" : "s"}`;
   const share = (kept: number, of: number, one: string) => (kept < of ? `${kept} of ` : "") + counted(of, one);

@@ -137,7 +137,7 @@ class Page {
     if (key === "land" && text === "drawn" && this.#recipe.values.get("outline") === "") this.#drawing.open();
   }
 
-  /** A preset is pressed. What it changes unasked is said, with the way back to before it, or to before the first of several. */
+  /** A preset is pressed. A note says what it changes unasked, with the way back to before it, or to before the first of several. */
   #press(preset: Preset): void {
     const { engine } = this.core;
     const before = this.#presetUndo ?? { link: this.#recipe.link, values: this.#recipe.values };
@@ -180,7 +180,7 @@ class Page {
     });
   }
 
-  /** Whatever asks the engine for something in answer to a person: if it fails, that is said. */
+  /** Runs what asks the engine for something in answer to a person, and shows its failure. */
   #attempt(work: () => void): void {
     try {
       work();
@@ -287,7 +287,7 @@ function describeSeed(table: readonly Parameter[]): void {
   elements.seedHelp.textContent = seed.help;
 }
 
-/** A failure that leaves no picture: said in its place, once also on the console for whoever runs the site. */
+/** A failure that leaves no picture: shown in its place, and once on the console for the owner of the site. */
 function fail(thrown: unknown): void {
   const error = named(thrown);
   console.warn(`riverseed: ${error.code}: ${error.message}`);

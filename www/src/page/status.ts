@@ -19,7 +19,7 @@ export class Announcer {
     }, ANNOUNCE_AFTER_MS);
   }
 
-  /** Whatever was about to be said is out of date. */
+  /** Drops what was about to be announced: it is out of date. */
   hush(): void {
     clearTimeout(this.#timer);
   }
@@ -34,7 +34,7 @@ export function showNotices(box: HTMLElement, notices: readonly (string | Node)[
   box.replaceChildren(...(notices.length > 0 ? [list, close] : []));
 }
 
-/** A note with the way back from what it tells of. */
+/** A note with the way back from what it reports. */
 export function undoable(message: string, name: string, undo: () => void): HTMLElement {
   const button = el("button", { type: "button", class: "quiet" }, name);
   button.addEventListener("click", undo);

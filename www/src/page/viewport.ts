@@ -8,7 +8,7 @@ import { RiverPlayer, type ShowMode } from "../player/river-player.ts";
 import { displayFrames } from "../player/scheduler.ts";
 
 export interface ViewportElements {
-  /** Holds the picture and what stands under it; is told the river's shape. */
+  /** Holds the picture and what stands under it; takes on the river's shape. */
   sheet: HTMLElement;
   /** Has the river's shape. */
   frame: HTMLElement;
@@ -46,7 +46,7 @@ export class RiverViewport {
     return this.#player.link;
   }
 
-  /** A river of a link, for whoever wants one: as far as the one on the viewport has come, and with a future of its own. */
+  /** A river of a link, for a file: as far as the one on the viewport has come, and with a future of its own. */
   copy(link: string): FullRiver {
     const river = this.#player.river?.copy();
     if (!river) return new this.core.engine.River(link);

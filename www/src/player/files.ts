@@ -30,7 +30,7 @@ export function fileOf(river: FullRiver, core: FullCore, format: Format): Promis
   return FORMATS[format](river, core);
 }
 
-/** Its picture, so many pixels on the long side. Tells when it begins to paint, which is one step. */
+/** Its picture, `size` pixels on the long side. Reports when it begins to paint, which is one step. */
 export async function pngOf(
   river: River,
   memory: WebAssembly.Memory,

@@ -245,7 +245,7 @@ export class FrameLoop {
     this.#animate(phase, (elapsed * this.#speed) / 1000);
   }
 
-  /** Goes on by so many seconds of the animation. What does not fit makes it longer, rather than falling ever further behind. */
+  /** Advances by some seconds of the animation. What does not fit makes it longer, rather than falling ever further behind. */
   #animate(phase: Phase, seconds: number): void {
     const pace = this.#paceOf(phase);
     if (this.#paced !== phase) {

@@ -20,16 +20,18 @@ export function sizeOf(summary: Summary, written: Count): string {
   return `${rivers}, ${sources}, Strahler order ${written(summary.order)}${oxbows}`;
 }
 
-/** What the search left: how many nodes grew, how many attractors nothing reached, and why it ended early, if it did. */
+/** How many attractors, or parcels of drainage, no river reaches. A Brownian tree has neither. */
+function unreachedOf({ growth, attractors, unreached }: Summary): string {
+  if (attractors === 0) return "";
+  const name = growth === "drainage" ? "parcel" : "attractor";
+  return `; ${count(unreached)} of ${counted(attractors, name, `${name}s`, count)} unreached`;
+}
+
+/** What growth left: how many nodes there are, what it did not reach, and why it ended early, if it did. */
 export function remainderOf(summary: Summary): string {
   const nodes = counted(summary.nodes, "node", "nodes", count);
-  // A Brownian tree has no attractors.
-  const unreached =
-    summary.attractors === 0
-      ? ""
-      : `; ${count(summary.unreached)} of ${counted(summary.attractors, "attractor", "attractors", count)} unreached`;
   const stopped = summary.stopped ? ` ${summary.stopped}` : "";
-  return `${nodes}${unreached}.${stopped}`;
+  return `${nodes}${unreachedOf(summary)}.${stopped}`;
 }
 
 /** The sentence of the finished state. */

@@ -9,7 +9,7 @@ import { fileName, save } from "./share.ts";
 export interface DownloadElements {
   download: HTMLButtonElement;
   formats: HTMLElement;
-  /** Where is said what happens. */
+  /** Where it is announced what happens. */
   shared: HTMLElement;
 }
 

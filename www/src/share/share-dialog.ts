@@ -13,7 +13,7 @@ export interface ShareElements {
   close: HTMLButtonElement;
   /** Takes the forms. */
   forms: HTMLElement;
-  /** Where is said what happens. */
+  /** Where it is announced what happens. */
   status: HTMLElement;
 }
 

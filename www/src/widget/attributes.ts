@@ -9,7 +9,7 @@ const BEHAVIOUR = ["recipe", "loading", "theme", "alt", "wasm-url"] as const;
 /** Attributes that are there or not. */
 const FLAGS = ["still", "controls"] as const;
 
-/** The shapes a river may have, and the one it has if nothing is said: the box has it before the engine is there. */
+/** The shapes a river may have, and the one it has by default: the box has it before the engine is there. */
 export const ASPECT = { min: 0.25, max: 4, default: 1.6 };
 
 export const OBSERVED = [...[...NUMBERS, ...TEXTS].map(attributeOf), ...BEHAVIOUR, ...FLAGS, "aria-label", "lang"];

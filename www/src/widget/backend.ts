@@ -12,7 +12,7 @@ export interface Listener {
   lost(): void;
 }
 
-/** After so many workers that did not answer it is the page itself: the next would hardly do better. */
+/** After this number of workers that did not answer, the page itself takes over: the next would hardly do better. */
 const MOST_LOST = 2;
 let lost = 0;
 
@@ -31,7 +31,7 @@ export function importPageBackend(): Promise<typeof import("./page-backend.ts")>
   return limited(SCRIPT_MS, "its script", () => import("./page-backend.ts"));
 }
 
-/** Nothing if there is none to be had: whatever the reason, the page itself is tried next and says what is wrong. */
+/** Nothing if the browser gives none: whatever the reason, the page itself is tried next and says what is wrong. */
 async function openWorkerBackend(listener: Listener, wasmUrl: string | undefined): Promise<Backend | undefined> {
   if (lost >= MOST_LOST || !("transferControlToOffscreen" in HTMLCanvasElement.prototype)) return;
   let worker: Worker | undefined;

@@ -1,4 +1,4 @@
-/** The river engine without the element, for whoever wants rivers and draws them in a way of their own. */
+/** The river engine without the element, for programs that draw rivers in a way of their own. */
 
 export { named, PageError } from "../engine/errors.ts";
 export type * from "../engine/types.ts";

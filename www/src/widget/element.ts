@@ -326,7 +326,7 @@ export class RiverSeed extends Base {
     void this.#report(error);
   }
 
-  /** Says it once: to whoever listens and says so, otherwise on the console. */
+  /** Reports it once: as an event, and on the console unless a listener prevents that. */
   async #report(error: PageError): Promise<void> {
     const { code, message } = error;
     // Fetched when it is needed; if it does not arrive either, the name has to do.
@@ -373,7 +373,7 @@ reflect(RiverSeed.prototype);
 export type * from "./events.ts";
 export type { Strings } from "./strings.ts";
 
-/** What every element tells, and what this one tells in its own way. */
+/** The events of every element, and those that this one has of its own. */
 type Events = Omit<HTMLElementEventMap, keyof RiverSeedEventMap> & RiverSeedEventMap;
 
 export interface RiverSeed extends Properties {

@@ -7,11 +7,11 @@ import type { Notice, Phase, Summary } from "../engine/types.ts";
 export interface ReadyDetail {
   /** Its canonical link: what is shown, defaults left out. */
   link: string;
-  /** What had to be mended in what the attributes and the recipe say. */
+  /** What in the attributes and the recipe had to be corrected. */
   notices: readonly Notice[];
 }
 
-/** It goes on; told a few times a second. */
+/** It goes on; dispatched a few times a second. */
 export interface ProgressDetail {
   phase: Phase;
   summary: Summary;
@@ -26,7 +26,7 @@ export interface CompleteDetail {
 /** There is no river to be seen, or no other than before. */
 export interface ErrorDetail {
   code: Code;
-  /** What happened, for whoever runs the page. */
+  /** What happened, for the owner of the page. */
   message: string;
   /** What can be done about it. */
   advice: string;

@@ -23,7 +23,7 @@ export interface Reading {
   link: string;
   seed: string;
   aspect: number;
-  /** What had to be mended. */
+  /** What had to be corrected. */
   notices: readonly Notice[];
 }
 

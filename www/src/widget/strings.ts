@@ -17,7 +17,7 @@ export interface Strings {
   replay: string;
   /** The name of the picture, unless its author gave one. */
   alternative: (told: Told) => string;
-  /** Said once when the river is finished. */
+  /** Announced once when the river is finished. */
   finished: (told: Told) => string;
   /** What stands in the place of a picture that failed and has no fallback. */
   failed: string;

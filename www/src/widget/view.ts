@@ -1,4 +1,4 @@
-/** What is to be seen of a widget: what its author put there until there is a river, the canvas, the button, and what is said. */
+/** What is to be seen of a widget: what its author put there until there is a river, the canvas, the button, and announcements. */
 
 import { type Fit, fitOf, type Size } from "../browser/canvas.ts";
 import { el, setText } from "../browser/dom.ts";
@@ -38,7 +38,7 @@ export class View {
     this.#applyRules();
   }
 
-  /** Lays the canvas over the whole frame, whatever its pixels: for the time until it is painted anew. */
+  /** Lays the canvas over the whole frame, whatever its pixels: until it is painted again. */
   stretch(): void {
     this.#layout = "";
     this.#applyRules();
@@ -126,7 +126,7 @@ export class View {
     this.#button.classList.toggle("dark", isDark);
   }
 
-  /** Says something politely; what has been said is not said again. */
+  /** Announces something politely, once. */
   say(text: string): void {
     setText(this.#status, text);
   }

@@ -8,7 +8,7 @@ import { observeSize } from "../browser/canvas.ts";
  */
 const MARGIN_PX = 150;
 
-/** What a watched element is told. */
+/** What a watched element is notified of. */
 export interface Watcher {
   near(isNear: boolean): void;
   resized(): void;

@@ -189,7 +189,7 @@ test("the element's attributes are taken from the query, and nothing else is", a
   ]);
 });
 
-test("what had to be mended is said over the river, as text, and can be dismissed", async ({ page }) => {
+test("what had to be corrected is shown over the river, as text, and can be dismissed", async ({ page }) => {
   await page.goto(`./embed.html?seed=kowhai&attractors=300&curl=99&%3Cimg%20src=x%20onerror=alert(1)%3E=1`);
   const note = page.getByRole("status").filter({ hasText: "curl" });
   await expect(note).toContainText("curl: 99 is not between 0 and 2: 2 is used");

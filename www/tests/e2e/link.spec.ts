@@ -73,7 +73,7 @@ test("loading the address bar's link again shows the same picture", async ({ pag
   expect(await shown(page)).toEqual(before);
 });
 
-test("what had to be mended in a link is said, can be dismissed, and a river is there", async ({ page }) => {
+test("what had to be corrected in a link is shown, can be dismissed, and a river is there", async ({ page }) => {
   await openFinished(page, "curl=99&mouths=junk&depth=3&seed=rimu");
   const notes = page.locator("#notices");
   await expect(notes.getByRole("listitem")).toHaveCount(3);
@@ -85,14 +85,14 @@ test("what had to be mended in a link is said, can be dismissed, and a river is 
   await expect(notes).toBeHidden();
 });
 
-test("what a social network hangs on to a link is not told of, and not kept", async ({ page }) => {
+test("what a social network hangs on to a link is not reported, and not kept", async ({ page }) => {
   await openFinished(page, "fbclid=IwAR0xyz&seed=rimu&attractors=300&utm_source=facebook&utm_medium=social");
   await expect(page.locator("#notices")).toBeHidden();
   await expectAddress(page, "fbclid", null);
   expect(address(page).get("seed")).toBe("rimu");
   await page.goto("./embed.html?seed=rimu&attractors=300&fbclid=IwAR0xyz&gclid=1#utm_source=facebook");
   await expect(page.locator("html")).toHaveAttribute("data-state", "ready");
-  await expect(page.locator(".mended")).toHaveCount(0);
+  await expect(page.locator(".corrected")).toHaveCount(0);
 });
 
 test("hostile text stays text", async ({ page }) => {

@@ -29,7 +29,7 @@ class Stage implements Growing {
   #handles = 0;
   readonly loop: FrameLoop;
 
-  /** Grows until its last tick; with rounds, it is then made into rivers and meanders for so many. */
+  /** Grows until its last tick; with rounds, it is then made into rivers, which meander for that many. */
   constructor(
     readonly lastTick = 600,
     readonly meanders?: number,

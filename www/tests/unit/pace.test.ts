@@ -38,7 +38,7 @@ const LANDS = ["rectangle", "island", "continent", "archipelago", "valley", "bas
 /** Rivers from one short side to the other, and from all sides, with as many rounds as there may be. */
 const REST = ["sides=w&mouths=1&meander-rounds=6", "sides=nesw&mouths=12&meander-rounds=400"];
 
-for (const growth of ["colonize&attractors=600", "brownian&sensitivity=64"])
+for (const growth of ["colonize&attractors=600", "brownian&sensitivity=64", "drainage&attractors=600&captures=24"])
   test(`a river of any shape and land ends within four seconds: ${growth}`, () => {
     for (const [i, land] of LANDS.entries())
       for (const [j, aspect] of [0.25, 1, 3, 4].entries()) {
@@ -47,18 +47,25 @@ for (const growth of ["colonize&attractors=600", "brownian&sensitivity=64"])
       }
   }, 300_000);
 
-test("so does one of 60,000 attractors, and a banner from its short side", () => {
+test("so does one of 60,000 attractors or parcels, and a banner from its short side", () => {
   for (const link of [
-    "attractors=60000&meander-rounds=12",
-    "land=rectangle&aspect=3&sides=w&mouths=1&attractors=60000&meander=none&step=0.2",
+    "growth=colonize&attractors=60000&meander-rounds=12",
+    "growth=colonize&land=rectangle&aspect=3&sides=w&mouths=1&attractors=60000&meander=none&step=0.2",
+    "growth=drainage&attractors=60000&meander-rounds=12",
+    "growth=drainage&land=rectangle&aspect=3&sides=w&mouths=1&attractors=60000&captures=24&meander=none",
     "growth=brownian&sensitivity=12&meander=none",
-    "attractors=100&land=rectangle&sides=w&aspect=4",
+    "growth=colonize&attractors=100&land=rectangle&sides=w&aspect=4",
+    "growth=drainage&attractors=100&land=rectangle&sides=w&aspect=4",
   ])
     expect(framesOf(link), link).toBeLessThanOrEqual(LONGEST);
 }, 300_000);
 
 test("growth is spread over its time, not made in a leap", () => {
-  const links = ["", "land=rectangle&aspect=3&sides=w&mouths=1", "growth=brownian", "land=archipelago&aspect=0.25"];
+  const links = ["drainage", "colonize", "brownian"].flatMap((growth) =>
+    ["", "&land=rectangle&aspect=3&sides=w&mouths=1", "&land=archipelago&aspect=0.25"].map(
+      (land) => `growth=${growth}${land}`,
+    ),
+  );
   for (const link of links) {
     let [last, most] = [0, 0];
     const frames = framesOf(link, [16, 16], (river) => {
@@ -73,7 +80,10 @@ test("growth is spread over its time, not made in a leap", () => {
 
 test("after 1.2 seconds more than half of what is drawn in the end is there", () => {
   const banner = "land=rectangle&aspect=3&sides=e&mouths=1&attractors=2500";
-  for (const link of ["", "seed=skye", "aspect=0.7&style=atlas", banner]) {
+  const links = ["drainage", "colonize"].flatMap((growth) =>
+    ["", "&seed=skye", "&aspect=0.7&style=atlas", `&${banner}`].map((rest) => `growth=${growth}${rest}`),
+  );
+  for (const link of links) {
     const seen: Uint8Array[] = [];
     framesOf(link, [800, 500], (river, frame) => {
       if (frame === 0 || frame === 72) seen.push(pixelsOf(river));

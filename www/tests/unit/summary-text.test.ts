@@ -5,8 +5,10 @@ import { linesOf } from "../../src/digest/lines.ts";
 import { speedName } from "../../src/page/transport.ts";
 import { alternative, caption, sentence } from "../../src/player/summary-text.ts";
 import { fileName } from "../../src/share/share.ts";
+import { engine } from "../core.ts";
 
 const summary = {
+  growth: "colonize",
   ticks: 400,
   nodes: 12_345,
   mouths: 1,
@@ -26,8 +28,24 @@ test("the finished state is a sentence with its counts", () => {
   );
 });
 
+test("drainage has parcels, not attractors", () => {
+  expect(sentence({ ...summary, growth: "drainage" })).toMatch(/; 18 of 4,000 parcels unreached\.$/);
+  expect(sentence({ ...summary, growth: "drainage", attractors: 1 })).toMatch(/ of 1 parcel unreached\.$/);
+});
+
+test("a river of the engine says whether it has attractors or parcels", () => {
+  const summaryOf = (growth: string) => {
+    const river = new engine.River(`growth=${growth}&attractors=100`);
+    while (river.advance(100));
+    return sentence(river.summary());
+  };
+  expect(summaryOf("colonize")).toMatch(/ attractors unreached/);
+  expect(summaryOf("drainage")).toMatch(/ parcels unreached/);
+  expect(summaryOf("brownian")).not.toMatch(/unreached/);
+});
+
 test("where there are no attractors none are counted", () => {
-  const brownian = { ...summary, attractors: 0, unreached: 0 };
+  const brownian = { ...summary, growth: "brownian", attractors: 0, unreached: 0 };
   expect(sentence(brownian)).toBe("1 river, 210 sources, Strahler order 5. 12,345 nodes.");
 });
 

@@ -105,7 +105,7 @@ test("ready comes once, before complete; progress in between", async ({ page, bl
 const JUNK = `<river-seed seed="${"x".repeat(500)}" attractors="many" aspect="-3" reach="1e99" river-style="<b>" outline="!!!"
   recipe="%%%&=&seed&frogs=7&amp;curl=NaN" theme="pink" loading="never" still="sideways" lang="no language"></river-seed>`;
 
-test("junk is mended, and said", async ({ page, blog }) => {
+test("junk is corrected, and reported", async ({ page, blog }) => {
   const said = complaints(page);
   const events = await open(page, blog, JUNK);
   const { detail } = await heard(events, "ready");

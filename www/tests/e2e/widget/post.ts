@@ -41,7 +41,7 @@ export async function listen(page: Page): Promise<() => Promise<Heard[]>> {
   return () => page.evaluate(() => (globalThis as unknown as { heard_: Heard[] }).heard_);
 }
 
-/** Waits until so many events of a type were heard; the last of them. */
+/** Waits until a number of events of a type were heard; the last of them. */
 export async function heard(events: () => Promise<Heard[]>, type: string, count = 1): Promise<Heard> {
   const those = async (): Promise<Heard[]> => (await events()).filter((event) => event.type === type);
   await expect.poll(async () => (await those()).length).toBeGreaterThanOrEqual(count);

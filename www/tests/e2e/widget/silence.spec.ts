@@ -104,7 +104,7 @@ test("an engine that never comes is given up by name, and a new try finds it", a
   await expectRiver(page, "rimu");
 });
 
-test("an engine that stops half-way is given up, and a later widget tries anew", async ({ page, blog }) => {
+test("an engine that stops half-way is given up, and a later widget tries again", async ({ page, blog }) => {
   const half = readFileSync(join(BUILT, "riverseed_bg.wasm")).subarray(0, 60_000);
   blog.answer(ENGINE, { body: half, hangs: true });
   const events = await open(page, blog, widget("rimu"));
@@ -184,7 +184,7 @@ async function endWorker(page: Page): Promise<void> {
   await expect.poll(() => page.workers().length).toBe(0);
 }
 
-/** Waits until each of these has gone on since so many events. */
+/** Waits until each of these has gone on since it had sent that number of events. */
 async function expectProgress(events: () => Promise<Heard[]>, since: number, ids: string[]): Promise<void> {
   for (const id of ids) {
     const isHeard = async () =>

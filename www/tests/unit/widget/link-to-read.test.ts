@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
-import { linkToRead } from "../../src/widget/scene.ts";
-import { engine } from "../core.ts";
+import { linkToRead } from "../../../src/widget/scene.ts";
+import { engine } from "../../core.ts";
 
 /** The river of what a widget asks for. */
 function planted(text: string, isDark = false): InstanceType<typeof engine.River> {
