@@ -33,6 +33,12 @@ pub(crate) fn sorted(values: &[f32]) -> Vec<f32> {
     argsort(values.iter().map(|&value| key(value))).into_iter().map(|i| values[i]).collect()
 }
 
+/// The value that a share of all values lies below; 0 of none.
+pub(crate) fn quantile(values: &[f32], share: f32) -> f32 {
+    let sorted = sorted(values);
+    sorted.get((sorted.len() as f32 * share) as usize).copied().unwrap_or(0.0)
+}
+
 /// A number's key: as `f32::total_cmp` orders numbers.
 pub(crate) fn key(value: f32) -> u32 {
     let bits = value.to_bits();

@@ -11,7 +11,7 @@ mod flow;
 pub(crate) mod ground;
 mod ink;
 mod painter;
-mod relief;
+pub(crate) mod relief;
 pub(crate) mod palette;
 pub(crate) mod ridges;
 mod rivers;

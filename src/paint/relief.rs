@@ -7,7 +7,7 @@ use super::palette::{Colour, Casing, Tints, mix};
 use super::view::View;
 use crate::land::{Parabola, beside, nearest};
 use crate::relief::{CELL_SIZE, Relief};
-use crate::sort;
+use crate::sort::quantile;
 
 /// The directions that light comes from, each with its share: north-west, west and north, the lower the stronger (Imhof 1965 lets
 /// light come from the north-west and turn with the ridges).
@@ -16,6 +16,9 @@ const LIGHTS: [(Vec2, f32, f32); 3] = [
     (Vec2::new(-1.0, 0.0), 50.0, 0.25),
     (Vec2::new(0.0, -1.0), 55.0, 0.2),
 ];
+
+/// What has the colour of the highest land lies above this share of all.
+pub(crate) const HIGHEST: f32 = 0.99;
 
 /// A relief as a style shows it: how high and how light each cell is.
 pub(super) struct Surface {
@@ -30,10 +33,7 @@ impl Surface {
     pub fn new(relief: &Relief, exaggeration: f32) -> Self {
         let (columns, rows) = (relief.columns(), relief.rows());
         let heights: Vec<f32> = relief.heights().iter().map(|height| height.max(0.0)).collect();
-        let land = || relief.heights().iter().zip(0..).filter(|(height, _)| **height > 0.0);
-        // Some of all cells do as well as all.
-        let some: Vec<f32> = land().map(|(height, _)| *height).step_by(7).collect();
-        let highest = quantile(&some, 0.99).max(f32::MIN_POSITIVE);
+        let highest = relief.quantile(HIGHEST).max(f32::MIN_POSITIVE);
         let lights = LIGHTS.map(|(way, altitude, share)| {
             let altitude = altitude * (std::f32::consts::PI / 180.0);
             (way * libm::cosf(altitude)).extend(libm::sinf(altitude)) * share
@@ -48,7 +48,8 @@ impl Surface {
                 light[here + column] = lit(rise * (exaggeration / (2.0 * CELL_SIZE)), &lights);
             }
         }
-        let some: Vec<f32> = land().map(|(_, i): (_, usize)| light[i]).step_by(7).collect();
+        let land = relief.heights().iter().zip(&light).filter(|(height, _)| **height > 0.0);
+        let some: Vec<f32> = land.map(|(_, light)| *light).step_by(7).collect();
         let usual = quantile(&some, 0.5).max(0.05);
         light.iter_mut().for_each(|light| *light /= usual);
         Self { columns, rows, tint: heights.iter().map(|height| height / highest).collect(), light }
@@ -92,12 +93,6 @@ fn lit(rise: Vec2, lights: &[Vec3; 3]) -> f32 {
     let normal = (-rise).extend(1.0);
     let length = normal.length();
     lights.iter().map(|light| (normal.dot(*light) / length).max(0.0)).sum()
-}
-
-/// The value that a share of all values lies below; 0 of none.
-fn quantile(values: &[f32], share: f32) -> f32 {
-    let sorted = sort::sorted(values);
-    sorted.get((sorted.len() as f32 * share) as usize).copied().unwrap_or(0.0)
 }
 
 /// The colours of all heights and lights, looked up.

@@ -9,8 +9,10 @@
 //! land ────► steepness ───────────────────────────────────┘
 //! ```
 
-mod channels;
 mod cells;
+mod channels;
+#[cfg(feature = "files")]
+mod contours;
 mod march;
 mod settings;
 mod solver;
@@ -19,6 +21,8 @@ mod steepness;
 mod tests;
 
 use glam::Vec2;
+
+use crate::sort::quantile;
 
 pub use settings::ReliefSettings;
 pub use solver::{ReliefError, ReliefSolver};
@@ -51,6 +55,13 @@ impl Relief {
     /// Heights over the sea, in units, row by row: positive on land, 0 or less at sea.
     pub fn heights(&self) -> &[f32] {
         &self.heights
+    }
+
+    /// The height that a share of all land lies below, in units; 0 without land.
+    pub fn quantile(&self, share: f32) -> f32 {
+        // Some of all cells do as well as all.
+        let some: Vec<f32> = self.heights.iter().copied().filter(|height| *height > 0.0).step_by(7).collect();
+        quantile(&some, share)
     }
 
     /// The height of the cell of a point of the map.

@@ -7,16 +7,19 @@ use super::text::Text;
 use crate::land::{Land, SmoothedDistance};
 use crate::paint::ground::{COAST_WIDTH, RING_WIDTH, RIVERS_END, way_to};
 use crate::paint::palette::{Colour, Palette, mix};
+use crate::paint::relief::HIGHEST;
 use crate::paint::ridges;
+use crate::relief::Relief;
 
 /// In how many steps land and sea change colour.
 const SHADES: u32 = 16;
 
 /// Writes what rivers are drawn on. Each shade is laid over the one before, so there are no gaps between them.
-pub(super) fn ground(out: &mut Text, size: Vec2, land: Option<&Land>, palette: &Palette) {
+pub(super) fn ground(out: &mut Text, size: Vec2, land: Option<&Land>, relief: Option<&Relief>, palette: &Palette) {
     let Some(land) = land else {
         out.text("<rect id=\"land\"");
         sheet(out, size, palette.plain);
+        tints(out, relief, palette);
         return;
     };
     let shown = &SmoothedDistance::of(land.coast_distance());
@@ -38,8 +41,32 @@ pub(super) fn ground(out: &mut Text, size: Vec2, land: Option<&Land>, palette: &
     for step in 1..=steps {
         area(out, shown, palette.fade * way_to(share(step)), mix(palette.lowland, palette.inland, share(step)));
     }
+    if relief.is_some() {
+        out.text("<g clip-path=\"url(#shore)\">\n");
+        tints(out, relief, palette);
+        out.text("<path fill=\"none\"");
+        line(out, palette.coast, COAST_WIDTH, &level(shown, 0.0, 1));
+        out.text("</g>\n");
+    }
     ridges(out, land, palette);
     out.text("</g>\n");
+}
+
+/// Heights in colours, each laid over the one below. Light would need a picture: shapes have none.
+fn tints(out: &mut Text, relief: Option<&Relief>, palette: &Palette) {
+    const STEPS: u32 = 16;
+    let Some((relief, tints)) = relief.zip(palette.relief) else { return };
+    let highest = relief.quantile(HIGHEST);
+    for step in 0..STEPS {
+        let share = step as f32 / STEPS as f32;
+        let mut path = Path::default();
+        for ring in relief.rings_above(share * highest) {
+            // Every second point is enough.
+            path.ring(&ring.into_iter().step_by(2).collect::<Vec<_>>());
+        }
+        let colour = tints.at(share + 0.5 / STEPS as f32);
+        out.text("<path fill=\"").colour(colour).text("\" d=\"").text(path.data()).text("\"/>\n");
+    }
 }
 
 fn sheet(out: &mut Text, size: Vec2, colour: Colour) {

@@ -37,7 +37,7 @@ pub fn svg(session: &Session) -> Result<String, ExportError> {
     out.text("</title>\n<metadata id=\"riverseed\">").escaped(&link::write(recipe));
     out.text("</metadata>\n<clipPath id=\"map\"><path d=\"M0 0H").units(size.x).text("V").units(size.y);
     out.text("H0z\"/></clipPath>\n<g clip-path=\"url(#map)\">\n");
-    ground::ground(&mut out, size, land.map(Arc::as_ref), palette);
+    ground::ground(&mut out, size, land.map(Arc::as_ref), session.relief().map(Arc::as_ref), palette);
     // The shore is where rivers end; in a land without a sea nothing is clipped.
     let clip = if land.is_some() { "\" clip-path=\"url(#shore)" } else { "" };
     out.text("<g id=\"rivers").text(clip).text("\" fill=\"").colour(palette.river).text("\">\n");

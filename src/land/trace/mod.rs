@@ -158,7 +158,7 @@ fn too_thin(ground: &Ground, what: &'static str) -> TraceError {
 }
 
 /// The closed lines around blocks that are more land than water, but for specks, in fractions of the blocks' width and height.
-pub(super) fn rings(columns: usize, land: Vec<f32>, speck: f32) -> Lines {
+pub(crate) fn rings(columns: usize, land: Vec<f32>, speck: f32) -> Lines {
     contour::rings(&Ground::of_blocks(columns, land, speck))
 }
 

@@ -17,7 +17,7 @@ test.use({ colorScheme: "dark" });
 
 test("a dark page shows the dark style, and its address does not name it", async ({ page }) => {
   await openFinished(page, LINK);
-  await expectPicture(page, `${LINK}&style=dark`);
+  await expectPicture(page, `${LINK}&style=night`);
   await expectAddress(page, "style", null);
   await page.emulateMedia({ colorScheme: "light", reducedMotion: "reduce" });
   await expectPicture(page, LINK);
@@ -26,7 +26,7 @@ test("a dark page shows the dark style, and its address does not name it", async
 test("a style that is chosen on a dark page stays, in the address too", async ({ page }) => {
   await openUnfolded(page, LINK);
   const style = page.locator('[data-key="style"] select');
-  await expect(style).toHaveValue("dark");
+  await expect(style).toHaveValue("night");
   await expect(page.locator('details:has([data-key="style"])')).not.toContainText("changed");
   await style.selectOption("ink");
   await expectAddress(page, "style", "ink");
@@ -44,12 +44,12 @@ test("what counts as changed follows the page when it turns dark or light", asyn
   await expect(style).toHaveValue("ink");
   await expect(heading).not.toContainText("changed");
   await expect(reset).toBeHidden();
-  await style.selectOption("dark");
+  await style.selectOption("night");
   await expect(heading).toContainText("1 changed");
   await expect(reset).toHaveAccessibleName("Reset Style to ink");
   await page.emulateMedia({ colorScheme: "dark", reducedMotion: "reduce" });
   await expect(heading).not.toContainText("changed");
   await style.selectOption("ink");
   await expect(heading).toContainText("1 changed");
-  await expect(reset).toHaveAccessibleName("Reset Style to dark");
+  await expect(reset).toHaveAccessibleName("Reset Style to night");
 });

@@ -110,8 +110,8 @@ test("on a dark page a recipe without a style is shown in the dark one, and its 
   const recipe = new Recipe(engine.readLink, () => true);
   recipe.open("seed=rimu");
   expect(recipe.link).toBe("seed=rimu&edition=1");
-  expect(recipe.shown).toBe("seed=rimu&edition=1&style=dark");
-  expect(recipe.values.get("style")).toBe("dark");
+  expect(recipe.shown).toBe("seed=rimu&edition=1&style=night");
+  expect(recipe.values.get("style")).toBe("night");
   recipe.set([["trim", "9"]]);
   expect(recipe.link).toBe("seed=rimu&edition=1&trim=9");
   recipe.restore(recipe.shown);
@@ -120,7 +120,7 @@ test("on a dark page a recipe without a style is shown in the dark one, and its 
 
 test("on a dark page a style that was chosen is shown, and told by the link, which is read back to the same", () => {
   const recipe = new Recipe(engine.readLink, () => true);
-  for (const style of ["ink", "map", "dark"]) {
+  for (const style of ["ink", "atlas", "dark"]) {
     recipe.open("seed=rimu");
     recipe.set([["style", style]]);
     expect(recipe.values.get("style")).toBe(style);
@@ -150,12 +150,12 @@ test("when pages become dark, a style that was chosen stays, and where none was 
   recipe.open("seed=rimu");
   expect(style()).toEqual(["ink", "ink"]);
   flip();
-  expect(style()).toEqual(["dark", "dark"]);
+  expect(style()).toEqual(["night", "night"]);
   flip();
   recipe.set([["style", "ink"]]);
   recipe.restore(recipe.shown);
   flip();
-  expect(style()).toEqual(["ink", "dark"]);
+  expect(style()).toEqual(["ink", "night"]);
   expect(recipe.link).toBe("seed=rimu&edition=1&style=ink");
 });
 

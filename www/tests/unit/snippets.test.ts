@@ -20,7 +20,7 @@ test("an element has a river's values as attributes, its room, and a picture tha
 
 test("keys that HTML has for itself carry a prefix", () => {
   expect(elementSnippet(shared("seed=a&width=20&style=atlas"), "p.png")).toContain(
-    `<river-seed seed="a" river-width="20" river-style="map" style="display:block;`,
+    `<river-seed seed="a" river-width="20" river-style="atlas" style="display:block;`,
   );
 });
 

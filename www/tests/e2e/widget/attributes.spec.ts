@@ -23,7 +23,7 @@ test("attributes are the table's keys, two of them with a prefix", async ({ page
   const events = await open(
     page,
     blog,
-    '<river-seed seed="rimu" attractors="300" meander-rounds="5" river-style="map" river-width="20" land="island"></river-seed>',
+    '<river-seed seed="rimu" attractors="300" meander-rounds="5" river-style="atlas" river-width="20" land="island"></river-seed>',
   );
   const link = canonical("seed=rimu&attractors=300&meander-rounds=5&style=atlas&width=20&land=island");
   expect((await heard(events, "complete")).detail["link"]).toBe(link);
@@ -46,14 +46,14 @@ test("properties set before the class is known count, and are attributes afterwa
   blog.answer("/", { body: post("<river-seed></river-seed>").replace(/<script type="module".*?<\/script>/, "") });
   await page.goto(blog.origin);
   await change(page, (river) => {
-    Object.assign(river, { seed: "totara", attractors: 300, riverStyle: "map", meanderRounds: 3, controls: true });
+    Object.assign(river, { seed: "totara", attractors: 300, riverStyle: "atlas", meanderRounds: 3, controls: true });
     river.i18n = { replay: "Once more" };
   });
   await page.addScriptTag({ type: "module", url: "/widget/river-seed.js" });
   const link = canonical("seed=totara&attractors=300&style=atlas&meander-rounds=3");
   expect((await heard(events, "complete")).detail["link"]).toBe(link);
   await expect(page.getByRole("button", { name: "Once more" })).toBeVisible();
-  const reflected = { seed: "totara", attractors: "300", "river-style": "map", "meander-rounds": "3", controls: "" };
+  const reflected = { seed: "totara", attractors: "300", "river-style": "atlas", "meander-rounds": "3", controls: "" };
   for (const [name, value] of Object.entries(reflected)) {
     await expect(page.locator("river-seed")).toHaveAttribute(name, value);
   }
@@ -142,13 +142,13 @@ for (const [what, scheme, attributes, isDark] of [
   ["the dark theme on a light page", "light", 'theme="dark"', true],
   ["the light theme on a dark page", "dark", 'theme="light"', false],
   ["a page that says it is light", "dark", 'style="color-scheme: light"', false],
-  ["a style of the author's choice", "dark", 'river-style="map"', false],
+  ["a style of the author's choice", "dark", 'river-style="atlas"', false],
   ["a style in the recipe", "dark", 'recipe="style=atlas"', false],
 ] as const) {
   test(`light rivers on dark paper with ${what}: ${isDark}`, async ({ page, blog }) => {
     await page.emulateMedia({ colorScheme: scheme });
     const events = await open(page, blog, `<river-seed attractors="300" ${attributes}></river-seed>`);
-    const style = attributes.includes("map") ? "&style=atlas" : isDark ? "&style=dark" : "";
+    const style = attributes.includes("atlas") ? "&style=atlas" : isDark ? "&style=night" : "";
     expect((await heard(events, "complete")).detail["link"]).toBe(canonical(`attractors=300${style}`));
     await expectPicture(page, canonical(`attractors=300${style}`));
   });

@@ -32,7 +32,7 @@ test("no attribute means something else in HTML, but for those that are prefixed
 
 test("what an element asks for is its recipe, with its attributes in place of what that says", () => {
   expect(linkOf(element({}))).toBe("");
-  expect(linkOf(element({ seed: "a&b=c", "river-style": "map", "meander-rounds": "3" }))).toBe(
+  expect(linkOf(element({ seed: "a&b=c", "river-style": "atlas", "meander-rounds": "3" }))).toBe(
     "meander-rounds=3&seed=a%26b%3Dc&style=atlas",
   );
   expect(linkOf(element({ recipe: "?seed=x&seed=y&curl=1&preset=curl", seed: "z", curl: "" }))).toBe(

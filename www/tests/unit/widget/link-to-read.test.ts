@@ -39,7 +39,7 @@ test("whatever the text, there is a river", () => {
 const style = (link: string): string | null => new URLSearchParams(link).get("style");
 
 test("on a dark page it is the dark style, unless another is chosen", () => {
-  expect(style(planted("seed=a", true).link)).toBe("dark");
+  expect(style(planted("seed=a", true).link)).toBe("night");
   expect(style(planted("seed=a").link)).toBeNull();
-  expect(style(planted("style=atlas", true).link)).toBe("map");
+  expect(style(planted("style=atlas", true).link)).toBe("atlas");
 });
