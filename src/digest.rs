@@ -28,7 +28,7 @@ pub enum DigestError {
     Export(#[from] ExportError),
 }
 
-/// Grows, paints and exports a recipe and returns the FNV-1a hash (64 bits) of its tree, its hydrology, its rivers, its pixels, the
+/// Grows, paints and exports a recipe and returns the FNV-1a hash (64 bits) of its tree, its hydrology, its rivers, its relief, its pixels, the
 /// text of its SVG and all that its GeoJSON and its JSON hold, as 16 hexadecimal digits.
 ///
 /// # Errors
@@ -63,6 +63,9 @@ pub fn digest(recipe: &Recipe) -> Result<String, DigestError> {
                 mobility.to_bits(),
             ]);
         });
+    }
+    if let Some(relief) = session.relief() {
+        hash.words(relief.heights().iter().map(|height| height.to_bits()));
     }
     hash.bytes(picture.pixmap().data());
     hash.bytes(svg::svg(&session)?.as_bytes());
