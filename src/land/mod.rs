@@ -25,6 +25,7 @@ mod strokes;
 pub mod trace;
 mod walk;
 
+pub(crate) use outline::{divided, in_units};
 pub use cell::{CELL_SIZE, Cell};
 pub use coast_distance::CoastDistance;
 pub use queries::Land;

@@ -2,8 +2,8 @@
 
 use glam::Vec2;
 
-use crate::grow::GrowthSettings;
-use crate::land::{CELL_SIZE, Cell, Land};
+use crate::grow::{GrowthSettings, Start};
+use crate::land::{CELL_SIZE, Cell, Land, Region};
 use crate::recipe::Sides;
 
 /// Cells of land, water and ridges: the raster of availability of Demiurge, part 2. What lies beyond it is none of them, and
@@ -16,6 +16,19 @@ pub struct Raster {
     /// The domain's, in units: the last cells may reach over it.
     size: Vec2,
     cells: Vec<Cell>,
+    /// Where alone rivers begin; if none is given, they do wherever there is water beside land.
+    pub(super) stems: Vec<Stem>,
+}
+
+/// A mouth that is drawn, and what of its river is.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Stem {
+    /// A cell of water beside land.
+    pub mouth: Place,
+    /// The direction away from the sea.
+    pub inland: Vec2,
+    /// Points along the river, in units, from its mouth on.
+    pub course: Vec<Vec2>,
 }
 
 impl Raster {
@@ -24,14 +37,19 @@ impl Raster {
         let (columns, rows) = (columns.max(1), rows.max(1));
         let cells = (0..rows).flat_map(|row| (0..columns).map(move |column| (column, row)));
         let cells = cells.map(|(column, row)| cell(column, row)).collect();
-        Self { columns, rows, side, size: Vec2::new(columns as f32, rows as f32) * side, cells }
+        Self { columns, rows, side, size: Vec2::new(columns as f32, rows as f32) * side, cells, stems: Vec::new() }
     }
 
-    /// The raster of a recipe. A plain rectangle gets the sea it lacks: a line of water cells along the chosen sides.
+    /// The raster of a recipe. A plain rectangle gets the sea it lacks: a line of water cells along the chosen sides, or the cells of the
+    /// mouths that are drawn.
     pub fn of(settings: &GrowthSettings) -> Self {
         let size = settings.domain.size;
-        let raster = match &settings.land {
+        let mut raster = match &settings.land {
             Some(land) => Self::of_land(land),
+            None if !settings.starts.is_empty() => {
+                let [columns, rows] = size.to_array().map(|length| (length / CELL_SIZE).ceil() as i32);
+                Self::new(columns, rows, CELL_SIZE, |_, _| Cell::Land)
+            }
             None => Self::with_sea(
                 (size.x / CELL_SIZE).ceil() as i32,
                 (size.y / CELL_SIZE).ceil() as i32,
@@ -39,16 +57,42 @@ impl Raster {
                 settings.sides,
             ),
         };
-        Self { size, ..raster }
+        raster.size = size;
+        settings.starts.iter().for_each(|start| raster.begin_at(start));
+        if let Some(land) = settings.land.as_deref().filter(|_| !settings.starts.is_empty()) {
+            let dry = land.regions().iter().zip(&settings.basins).filter(|(_, starts)| **starts == 0);
+            dry.filter(|(region, _)| !region.shores.is_empty()).for_each(|(region, _)| raster.fill(region, Cell::Water));
+        }
+        raster
+    }
+
+    /// Lets a river begin: in the water beside its mouth or, on a rectangle, in the cell of that, which becomes water.
+    fn begin_at(&mut self, Start { mouth, course }: &Start) {
+        let cell = |x: f32, cells: i32| ((x / self.side) as i32).min(cells - 1);
+        let shore = Place { column: cell(mouth.at.x, self.columns), row: cell(mouth.at.y, self.rows) };
+        let water = shore.beside().into_iter().find(|&at| self.cell(at) == Some(Cell::Water));
+        let mouth_cell = water.unwrap_or(shore);
+        self.flood(mouth_cell);
+        self.stems.push(Stem { mouth: mouth_cell, inland: mouth.inland, course: course.clone() });
+    }
+
+    /// Whether a river may begin in a cell of water.
+    pub(super) fn may_be_mouth(&self, at: Place) -> bool {
+        self.stems.is_empty() || self.stems.iter().any(|stem| stem.mouth == at)
+    }
+
+    fn fill(&mut self, region: &Region, cell: Cell) {
+        for run in &region.runs {
+            let first = run.row as usize * self.columns as usize;
+            self.cells[first + run.start as usize..first + run.end as usize].fill(cell);
+        }
     }
 
     /// What ridges cut off from the sea is no land here: particles born there would count, and none can make a river.
     fn of_land(land: &Land) -> Self {
         let mut this = Self::new(land.columns(), land.rows(), CELL_SIZE, |column, row| land.cell(column, row));
-        for run in land.regions().iter().filter(|region| region.shores.is_empty()).flat_map(|region| &region.runs) {
-            let first = run.row as usize * this.columns as usize;
-            this.cells[first + run.start as usize..first + run.end as usize].fill(Cell::Ridge);
-        }
+        let shut_off = land.regions().iter().filter(|region| region.shores.is_empty());
+        shut_off.for_each(|region| this.fill(region, Cell::Ridge));
         this
     }
 

@@ -56,6 +56,8 @@ pub(super) struct Water {
     /// Water beside land: the water nearest to a place on land is always of these.
     shore: Pyramid,
     ridges: Option<Pyramid>,
+    /// Water beside land in which no river begins, where mouths are drawn.
+    closed: Option<Pyramid>,
 }
 
 /// What a particle sees from a place on land.
@@ -71,15 +73,17 @@ enum Sight {
 impl Water {
     /// Surveys a raster.
     pub fn new(raster: Raster) -> Self {
-        let (mut shore, mut ridges) = (Pyramid::new(&raster), None);
+        let (mut shore, mut ridges, mut closed) = (Pyramid::new(&raster), None, None);
         for (place, &cell) in (0..).map(|i| raster.place(i)).zip(raster.cells()) {
             match cell {
                 Cell::Ridge => ridges.get_or_insert_with(|| Pyramid::new(&raster)).insert(place),
-                Cell::Water if is_beside_land(&raster, place) => shore.insert(place),
-                Cell::Water | Cell::Land => {}
+                Cell::Water if !is_beside_land(&raster, place) => {}
+                Cell::Water if raster.may_be_mouth(place) => shore.insert(place),
+                Cell::Water => closed.get_or_insert_with(|| Pyramid::new(&raster)).insert(place),
+                Cell::Land => {}
             }
         }
-        Self { raster, shore, ridges }
+        Self { raster, shore, ridges, closed }
     }
 
     /// Turns a cell of land into water.
@@ -152,7 +156,11 @@ impl Water {
         match water {
             _ if to_ridge < step.near => Sight::Ridge,
             Some((target, squared)) if squared < step.near => Sight::Water(target),
-            _ => Sight::Clear(step.clearance(water.map_or(i32::MAX, |(_, squared)| squared).min(to_ridge))),
+            _ => {
+                let clear = step.clearance(water.map_or(i32::MAX, |(_, squared)| squared).min(to_ridge));
+                let closed = self.closed.as_ref().and_then(|closed| closed.nearest(at, i32::MAX));
+                Sight::Clear(closed.map_or(clear, |(_, squared)| clear.min(squared - 1)))
+            }
         }
     }
 }
