@@ -25,9 +25,9 @@ mod strokes;
 pub mod trace;
 mod walk;
 
-pub(crate) use outline::{divided, in_units};
 pub use cell::{CELL_SIZE, Cell};
 pub use coast_distance::CoastDistance;
+pub(crate) use outline::{divided, in_units};
 pub use queries::Land;
 #[doc(hidden)]
 pub use regions::{Cells, Run};

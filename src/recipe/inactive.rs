@@ -234,10 +234,7 @@ mod tests {
                 NOT_DRAINING,
             ],
         ),
-        (
-            "land=drawn&outline=...gAgA",
-            &[NO_COAST, ("sides mouths", DRAWN_MOUTHS), NO_SENSITIVITY, NOT_DRAINING],
-        ),
+        ("land=drawn&outline=...gAgA", &[NO_COAST, ("sides mouths", DRAWN_MOUTHS), NO_SENSITIVITY, NOT_DRAINING]),
         // A drawing that is not the land gives no mouths either.
         (
             "land=island&outline=...gAgA",

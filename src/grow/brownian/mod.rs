@@ -6,7 +6,7 @@
 //! are discarded at once, and so are those that leave the raster or come near a ridge.
 //!
 //! Ridges shut coarse steps out of the land behind them, and there it would stay empty: so few of all particles of a fine step
-//! are born where rivers come in that its passes would end. Where there are ridges, then, a step first has passes for what
+//! are born where rivers come in that its passes would end. Where there are ridges or drawn mouths, then, a step first has passes for what
 //! the coarser ones left: only particles born farther from water than a step are let go, as long as any of them makes a river.
 //!
 //! The first step is the shorter side of the raster. When fewer than one in twenty of the particles that were born on land
@@ -159,7 +159,7 @@ impl Brownian {
             Some((step, self.pass.fruitful > 0))
         } else {
             next_step(step, self.pass.impact(), self.sensitivity)
-                .map(|next| (next, next < step && self.strands.water.has_ridges()))
+                .map(|next| (next, next < step && self.strands.water.may_leave_gaps()))
         };
         let raster = &self.strands.water.raster;
         match next {

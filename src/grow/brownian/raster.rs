@@ -61,7 +61,8 @@ impl Raster {
         settings.starts.iter().for_each(|start| raster.begin_at(start));
         if let Some(land) = settings.land.as_deref().filter(|_| !settings.starts.is_empty()) {
             let dry = land.regions().iter().zip(&settings.basins).filter(|(_, starts)| **starts == 0);
-            dry.filter(|(region, _)| !region.shores.is_empty()).for_each(|(region, _)| raster.fill(region, Cell::Water));
+            dry.filter(|(region, _)| !region.shores.is_empty())
+                .for_each(|(region, _)| raster.fill(region, Cell::Water));
         }
         raster
     }

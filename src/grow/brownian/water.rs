@@ -98,9 +98,9 @@ impl Water {
         self.raster.cell(at) == Some(Cell::Land)
     }
 
-    /// Whether there are ridges at all.
-    pub fn has_ridges(&self) -> bool {
-        self.ridges.is_some()
+    /// Whether coarse steps may leave land without a river: behind ridges, and far from the mouths that are drawn.
+    pub fn may_leave_gaps(&self) -> bool {
+        self.ridges.is_some() || !self.raster.stems.is_empty()
     }
 
     /// Whether a particle may be born at a place on land: neither water nor a ridge is near.
