@@ -122,14 +122,18 @@ fn land_without_a_start_stays_dry() {
         let growth = grown(&link::read(&plain(&link)).unwrap());
         assert_eq!(growth.mouths(), 1, "{link}");
         assert!(growth.tree().at.len() > 20 && growth.tree().at.iter().all(|at| at.x < 450.0), "{link}");
+        // Attractors lie where rivers run.
+        let is_watered =
+            growth.settings().method != GrowthMethod::Colonize || growth.unreached() * 10 < growth.attractors();
+        assert!(is_watered, "{link}: {} of {}", growth.unreached(), growth.attractors());
     }
 }
 
 #[test]
 fn one_mouth_waters_the_whole_land() {
     // Near every place of the land there is a river, however far from the only mouth it is.
-    for growth in ALL {
-        let link = format!("land=drawn&growth={growth}&sensitivity=20&attractors=1500&outline={ISLAND}...ZmGa");
+    for (growth, seed) in ALL.into_iter().flat_map(|growth| (0..5).map(move |seed| (growth, seed))) {
+        let link = format!("land=drawn&growth={growth}&seed={seed}&attractors=1500&outline={ISLAND}...ZmGa");
         let growth = grown(&link::read(&plain(&link)).unwrap());
         let land = growth.settings().land().unwrap();
         let places = (0..40 * 40).map(|i| Vec2::new((i % 40) as f32, (i / 40) as f32) / 40.0 * land.size());

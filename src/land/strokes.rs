@@ -201,6 +201,19 @@ mod tests {
         assert!(outline.coasts().iter().flatten().all(|point| point.fraction().y > 0.4));
     }
 
+    #[test]
+    fn a_river_too_short_for_a_course_is_its_mouth() {
+        let river = |length: f32| vec![Vec2::new(0.2, 0.5), Vec2::new(0.2 + length, 0.5)];
+        let rivers = vec![river(0.0), river(0.009), river(0.2)];
+        let outline = Outline::from_polylines(vec![], vec![], rivers.clone()).unwrap();
+        assert_eq!(outline.rivers().iter().map(Vec::len).collect::<Vec<_>>(), [1, 1, 2]);
+        assert_eq!(outline.rivers()[1][0], GridPoint::nearest(river(0.0)[0]));
+        // Where a coast is drawn, it must be land; a ridge needs one.
+        let speck = circle(Vec2::splat(0.5), 0.003, 50);
+        assert_eq!(Outline::from_polylines(vec![speck], vec![], rivers.clone()), Err(DrawError::TooSmall));
+        assert_eq!(Outline::from_polylines(vec![], vec![river(0.5)], rivers), Err(DrawError::NoCoast));
+    }
+
     proptest! {
         #![proptest_config(cases(256))]
 

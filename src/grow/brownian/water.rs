@@ -168,3 +168,27 @@ impl Water {
 fn is_beside_land(raster: &Raster, at: Place) -> bool {
     at.beside().into_iter().any(|at| raster.cell(at).is_some_and(|cell| cell != Cell::Water))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::grow::brownian::raster::Stem;
+    use crate::recipe::Sides;
+    use glam::Vec2;
+
+    #[test]
+    fn a_particle_never_strays_over_water_that_is_closed_to_it() {
+        let mut raster = Raster::with_sea(200, 200, 1.0, Sides::SOUTH);
+        let mouth = Place { column: 20, row: 199 };
+        raster.stems.push(Stem { mouth, inland: Vec2::NEG_Y, course: Vec::new() });
+        let water = Water::new(raster);
+        let step = Step::of(16.0, false);
+        for (at, clear) in [((180, 190), Some(9 * 9 - 1)), ((20, 180), Some(10 * 10)), ((20, 195), None)] {
+            match (water.look(Place { column: at.0, row: at.1 }, &step), clear) {
+                (Sight::Clear(found), Some(expected)) => assert_eq!(found, expected, "{at:?}"),
+                (Sight::Water(target), None) => assert_eq!(water.raster.place(target), mouth),
+                _ => panic!("{at:?}"),
+            }
+        }
+    }
+}
