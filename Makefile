@@ -37,7 +37,7 @@ widget: wasm ## build <river-seed> into www/dist-widget, and weigh it
 	@$(npm) build:widget
 
 .PHONY: wasm
-wasm: ## build the wasm packages into www/pkg and www/pkg-full, and weigh them
+wasm: ## build the wasm packages into www/pkg, www/pkg-full and www/pkg-trace, and weigh them
 	@$(setup) rust wasm node
 	@$(run) scripts/lib/lock.sh target/wasm.lock "another build of the wasm packages" node scripts/wasm.mjs
 
@@ -111,10 +111,10 @@ check: widget ## format, lints, types, documentation, weights and licences: not 
 	$(run) cargo clippy --quiet --all-targets --all-features -- -D warnings
 	CUSTOM_LIBFUZZER_PATH=target/unlinked $(run) cargo clippy --quiet --locked --manifest-path fuzz/Cargo.toml --target-dir target -- -D warnings
 	$(wasm) cargo clippy --quiet --lib --examples $(wasm32) -- -D warnings
-	$(wasm) cargo clippy --quiet --lib $(WASM_TESTS:%=--test %) $(wasm32) --features files -- -D warnings
+	$(wasm) cargo clippy --quiet --lib $(WASM_TESTS:%=--test %) $(wasm32) --features rivers,tracing,files -- -D warnings
 	RUSTDOCFLAGS="-D warnings" $(run) cargo doc --quiet --no-deps --all-features
 	RUSTDOCFLAGS="-D warnings" $(wasm) cargo doc --quiet --no-deps --lib $(wasm32)
-	RUSTDOCFLAGS="-D warnings" $(wasm) cargo doc --quiet --no-deps --lib $(wasm32) --features files
+	RUSTDOCFLAGS="-D warnings" $(wasm) cargo doc --quiet --no-deps --lib $(wasm32) --features rivers,tracing,files
 	scripts/crate.sh pack
 	$(npm) types
 	$(npm) lint
@@ -168,4 +168,4 @@ docs: wasm ## write what is generated in docs/ again: the parameters, the JSON f
 
 .PHONY: clean
 clean: ## remove what was built here; tools in ~/.cache/riverseed and www/node_modules stay
-	rm -rf target www/pkg www/pkg-full www/dist www/dist-widget www/tests/consumers/node_modules www/test-results www/playwright-report
+	rm -rf target www/pkg www/pkg-full www/pkg-trace www/dist www/dist-widget www/tests/consumers/node_modules www/test-results www/playwright-report

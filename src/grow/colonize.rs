@@ -104,9 +104,9 @@ impl Colonize {
         // A usual tree's memory at once, so that no frame waits for a long array to move.
         this.reserve(this.usual_nodes() + this.stem_nodes()).map_err(|_| GrowError::out_of_memory(&this.settings))?;
         this.tree.tick_starts.push(0);
-        let mut courses = this.settings.starts.clone().into_iter().map(|start| start.course);
-        for mouth in mouths(&this.settings) {
-            this.plant(mouth, &courses.next().unwrap_or_default());
+        let starts = this.settings.starts.clone();
+        for (i, mouth) in mouths(&this.settings).into_iter().enumerate() {
+            this.plant(mouth, starts.get(i).map_or(&[], |start| &start.course));
         }
         this.capture_from(0);
         Ok(this)

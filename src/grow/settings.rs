@@ -25,7 +25,7 @@ pub struct GrowthSettings {
     /// How many of them in each region of the land, largest first. Regions without one stay dry.
     pub basins: Vec<u32>,
     /// The mouths that are drawn, in the place of all others; empty if none are.
-    pub starts: Vec<Start>,
+    pub starts: Arc<[Start]>,
     /// How far apart mouths are at least.
     pub mouth_spacing: f32,
     /// Which sides of a plain rectangle have the sea: of one with starts all.

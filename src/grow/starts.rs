@@ -1,6 +1,8 @@
 //! Starts: the mouths that a drawing gives (the paper's start nodes), each with the course that is drawn of its river. Where there are
 //! any, there are no other mouths, and land without one stays dry.
 
+use std::sync::Arc;
+
 use glam::Vec2;
 
 use super::Mouth;
@@ -33,7 +35,7 @@ const ASHORE: usize = 6;
 const APART: f32 = 4.0;
 
 /// The starts of a recipe, in the order of their drawing.
-pub(in crate::grow) fn starts(recipe: &Recipe, domain: &Domain, land: Option<&Land>) -> Vec<Start> {
+pub(in crate::grow) fn starts(recipe: &Recipe, domain: &Domain, land: Option<&Land>) -> Arc<[Start]> {
     let of_rectangle = || in_units(recipe.rivers(), domain);
     let mut starts: Vec<Start> = Vec::new();
     let mut left = (LONGEST / PIECE) as usize;
@@ -46,7 +48,7 @@ pub(in crate::grow) fn starts(recipe: &Recipe, domain: &Domain, land: Option<&La
             starts.push(start);
         }
     }
-    starts
+    starts.into()
 }
 
 /// The start that a line gives, with a course of so many points at most; `None` if there is no coast at all.
@@ -94,7 +96,7 @@ mod tests {
     use crate::recipe::{Key, link};
 
     /// The starts of a smooth drawing on a square: a land from 200 to 800, with a lake from 440 to 560, and rivers.
-    fn of(ridges: &[&[(f32, f32)]], rivers: &[&[(f32, f32)]]) -> (Vec<Start>, Option<std::sync::Arc<Land>>) {
+    fn of(ridges: &[&[(f32, f32)]], rivers: &[&[(f32, f32)]]) -> (Arc<[Start]>, Option<Arc<Land>>) {
         let square = |near: f32, far: f32| vec![(near, near), (far, near), (far, far), (near, far)];
         on(&[&square(0.2, 0.8), &square(0.44, 0.56)], ridges, rivers)
     }
@@ -103,7 +105,7 @@ mod tests {
         coasts: &[&[(f32, f32)]],
         ridges: &[&[(f32, f32)]],
         rivers: &[&[(f32, f32)]],
-    ) -> (Vec<Start>, Option<std::sync::Arc<Land>>) {
+    ) -> (Arc<[Start]>, Option<Arc<Land>>) {
         use crate::recipe::{GridPoint, Outline};
         let lines = |lines: &[&[(f32, f32)]]| {
             lines.iter().map(|line| line.iter().map(|&at| GridPoint::nearest(at.into())).collect()).collect()
@@ -139,7 +141,7 @@ mod tests {
         assert!(
             near(starts[1].mouth.at, 200.0, 700.0) && near(starts[1].course[starts[1].course.len() - 1], 400.0, 700.0)
         );
-        for start in &starts {
+        for start in starts.iter() {
             assert!(start.course.windows(2).all(|pair| pair[0].distance(pair[1]) < PIECE + 0.01));
         }
     }
@@ -185,6 +187,6 @@ mod tests {
         let mut recipe = link::read("land=drawn&outline=...gAgA").unwrap();
         assert_eq!(starts(&recipe, &Domain::of(&recipe), None).len(), 1);
         recipe.set(Key::Land, "rectangle").unwrap();
-        assert_eq!(starts(&recipe, &Domain::of(&recipe), None), []);
+        assert_eq!(starts(&recipe, &Domain::of(&recipe), None).len(), 0);
     }
 }

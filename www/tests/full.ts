@@ -1,4 +1,4 @@
-/** The full engine in Node: with files, traced pictures and digests. */
+/** The full engine in Node: with files and digests. */
 
 import { readFileSync } from "node:fs";
 import * as full from "../pkg-full/riverseed_full.js";

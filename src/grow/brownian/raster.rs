@@ -1,5 +1,7 @@
 //! The raster that a Brownian tree grows in.
 
+use std::sync::Arc;
+
 use glam::Vec2;
 
 use crate::grow::{GrowthSettings, Start};
@@ -16,19 +18,10 @@ pub struct Raster {
     /// The domain's, in units: the last cells may reach over it.
     size: Vec2,
     cells: Vec<Cell>,
-    /// Where alone rivers begin; if none is given, they do wherever there is water beside land.
-    pub(super) stems: Vec<Stem>,
-}
-
-/// A mouth that is drawn, and what of its river is.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Stem {
-    /// A cell of water beside land.
-    pub mouth: Place,
-    /// The direction away from the sea.
-    pub inland: Vec2,
-    /// Points along the river, in units, from its mouth on.
-    pub course: Vec<Vec2>,
+    /// The mouths that are drawn, where alone rivers begin; if none is, they do wherever there is water beside land.
+    pub(super) starts: Arc<[Start]>,
+    /// The cell of each of them, of water beside land.
+    pub(super) mouths: Vec<Place>,
 }
 
 impl Raster {
@@ -37,7 +30,15 @@ impl Raster {
         let (columns, rows) = (columns.max(1), rows.max(1));
         let cells = (0..rows).flat_map(|row| (0..columns).map(move |column| (column, row)));
         let cells = cells.map(|(column, row)| cell(column, row)).collect();
-        Self { columns, rows, side, size: Vec2::new(columns as f32, rows as f32) * side, cells, stems: Vec::new() }
+        Self {
+            columns,
+            rows,
+            side,
+            size: Vec2::new(columns as f32, rows as f32) * side,
+            cells,
+            starts: Arc::default(),
+            mouths: Vec::new(),
+        }
     }
 
     /// The raster of a recipe. A plain rectangle gets the sea it lacks: a line of water cells along the chosen sides, or the cells of the
@@ -58,7 +59,9 @@ impl Raster {
             ),
         };
         raster.size = size;
-        settings.starts.iter().for_each(|start| raster.begin_at(start));
+        raster.mouths = settings.starts.iter().map(|start| raster.mouth_cell(start.mouth.at)).collect();
+        (0..raster.mouths.len()).for_each(|i| raster.flood(raster.mouths[i]));
+        raster.starts = settings.starts.clone();
         if let Some(land) = settings.land.as_deref().filter(|_| !settings.starts.is_empty()) {
             let dry = land.regions().iter().zip(&settings.basins).filter(|(_, starts)| **starts == 0);
             dry.filter(|(region, _)| !region.shores.is_empty())
@@ -67,19 +70,16 @@ impl Raster {
         raster
     }
 
-    /// Lets a river begin: in the water beside its mouth or, on a rectangle, in the cell of that, which becomes water.
-    fn begin_at(&mut self, Start { mouth, course }: &Start) {
+    /// The cell of a mouth: water beside it or, on a rectangle, its own.
+    fn mouth_cell(&self, mouth: Vec2) -> Place {
         let cell = |x: f32, cells: i32| ((x / self.side) as i32).min(cells - 1);
-        let shore = Place { column: cell(mouth.at.x, self.columns), row: cell(mouth.at.y, self.rows) };
-        let water = shore.beside().into_iter().find(|&at| self.cell(at) == Some(Cell::Water));
-        let mouth_cell = water.unwrap_or(shore);
-        self.flood(mouth_cell);
-        self.stems.push(Stem { mouth: mouth_cell, inland: mouth.inland, course: course.clone() });
+        let shore = Place { column: cell(mouth.x, self.columns), row: cell(mouth.y, self.rows) };
+        shore.beside().into_iter().find(|&at| self.cell(at) == Some(Cell::Water)).unwrap_or(shore)
     }
 
     /// Whether a river may begin in a cell of water.
     pub(super) fn may_be_mouth(&self, at: Place) -> bool {
-        self.stems.is_empty() || self.stems.iter().any(|stem| stem.mouth == at)
+        self.mouths.is_empty() || self.mouths.contains(&at)
     }
 
     fn fill(&mut self, region: &Region, cell: Cell) {

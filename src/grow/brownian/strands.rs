@@ -9,8 +9,9 @@
 
 use glam::{IVec2, Vec2};
 
-use super::raster::{Place, Stem};
+use super::raster::Place;
 use super::water::Water;
+use crate::grow::Start;
 use crate::land::Cell;
 use crate::memory::{self, Refused};
 use crate::random::Stream;
@@ -69,26 +70,27 @@ impl Strands {
 
     /// Draws the rivers whose courses are given, as far as there is room for them.
     pub fn draw_stems(&mut self) -> Result<(), Refused> {
-        for stem in self.water.raster.stems.clone() {
+        let starts = self.water.raster.starts.clone();
+        for (i, start) in starts.iter().enumerate() {
             // A point of a course lies two cells from the last at most.
-            self.reserve(stem.course.len())?;
-            self.draw_stem(&stem);
+            self.reserve(start.course.len())?;
+            self.draw_stem(self.water.raster.mouths[i], start);
         }
         Ok(())
     }
 
     /// Draws a river behind a point that moves along its course: so its bends have room, however sharp they are drawn.
-    fn draw_stem(&mut self, Stem { mouth, inland, course }: &Stem) {
-        if self.is_beside_river(*mouth) {
+    fn draw_stem(&mut self, place: Place, Start { mouth, course }: &Start) {
+        if self.is_beside_river(place) {
             return;
         }
-        let (mut tip, mut exact) = (Tip { place: *mouth, node: None }, middle(*mouth));
+        let (mut tip, mut exact) = (Tip { place, node: None }, middle(place));
         for at in course {
             let target = (*at / self.water.raster.side() * PARTS as f32).as_ivec2();
             while (target - exact).abs().max_element() > BEHIND {
                 // At the coast there may be room straight inland alone.
-                let is_at_coast = (exact - middle(*mouth)).abs().max_element() < BEHIND;
-                let inland = is_at_coast.then_some((inland * BEHIND as f32).as_ivec2());
+                let is_at_coast = (exact - middle(place)).abs().max_element() < BEHIND;
+                let inland = is_at_coast.then_some((mouth.inland * BEHIND as f32).as_ivec2());
                 let ways = [target - exact].into_iter().chain(inland);
                 let mut cells = ways.filter_map(|way| line(exact, exact + way, 1).next());
                 let Some(next) = cells.find(|&next| self.has_room(place_of(next), tip)) else { break };

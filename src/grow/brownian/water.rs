@@ -75,13 +75,17 @@ impl Water {
     pub fn new(raster: Raster) -> Self {
         let (mut shore, mut ridges, mut closed) = (Pyramid::new(&raster), None, None);
         for (place, &cell) in (0..).map(|i| raster.place(i)).zip(raster.cells()) {
-            match cell {
-                Cell::Ridge => ridges.get_or_insert_with(|| Pyramid::new(&raster)).insert(place),
-                Cell::Water if !is_beside_land(&raster, place) => {}
-                Cell::Water if raster.may_be_mouth(place) => shore.insert(place),
-                Cell::Water => closed.get_or_insert_with(|| Pyramid::new(&raster)).insert(place),
-                Cell::Land => {}
-            }
+            let kind = match cell {
+                Cell::Ridge => &mut ridges,
+                Cell::Water if !is_beside_land(&raster, place) => continue,
+                Cell::Water if !raster.may_be_mouth(place) => &mut closed,
+                Cell::Water => {
+                    shore.insert(place);
+                    continue;
+                }
+                Cell::Land => continue,
+            };
+            kind.get_or_insert_with(|| Pyramid::new(&raster)).insert(place);
         }
         Self { raster, shore, ridges, closed }
     }
@@ -100,7 +104,7 @@ impl Water {
 
     /// Whether coarse steps may leave land without a river: behind ridges, and far from the mouths that are drawn.
     pub fn may_leave_gaps(&self) -> bool {
-        self.ridges.is_some() || !self.raster.stems.is_empty()
+        self.ridges.is_some() || !self.raster.mouths.is_empty()
     }
 
     /// Whether a particle may be born at a place on land: neither water nor a ridge is near.
@@ -172,15 +176,13 @@ fn is_beside_land(raster: &Raster, at: Place) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::grow::brownian::raster::Stem;
     use crate::recipe::Sides;
-    use glam::Vec2;
 
     #[test]
     fn a_particle_never_strays_over_water_that_is_closed_to_it() {
         let mut raster = Raster::with_sea(200, 200, 1.0, Sides::SOUTH);
         let mouth = Place { column: 20, row: 199 };
-        raster.stems.push(Stem { mouth, inland: Vec2::NEG_Y, course: Vec::new() });
+        raster.mouths.push(mouth);
         let water = Water::new(raster);
         let step = Step::of(16.0, false);
         for (at, clear) in [((180, 190), Some(9 * 9 - 1)), ((20, 180), Some(10 * 10)), ((20, 195), None)] {

@@ -10,6 +10,7 @@ const CODES = [
   "wasm-csp",
   "wasm-timeout",
   "no-files",
+  "no-tracing",
   "bad-params",
   "too-large",
   "no-memory",
@@ -46,7 +47,14 @@ export function named(thrown: unknown): PageError {
   return new PageError("unknown", thrown.message);
 }
 
-const RECOVERABLE: ReadonlySet<Code> = new Set(["no-files", "bad-params", "too-large", "no-land", "bad-image"]);
+const RECOVERABLE: ReadonlySet<Code> = new Set([
+  "no-files",
+  "no-tracing",
+  "bad-params",
+  "too-large",
+  "no-land",
+  "bad-image",
+]);
 
 /** A failure after which the picture on the page is still good, so that a note beside it is enough. */
 export function isRecoverable(error: PageError): boolean {

@@ -12,6 +12,7 @@ import { SeedBox } from "../controls/seed.ts";
 import { isRecoverable, named } from "../engine/errors.ts";
 import { type FullCore, loadFull } from "../engine/full.ts";
 import { Recipe } from "../engine/recipe.ts";
+import { loadTracing } from "../engine/tracing.ts";
 import type { Parameter, Phase, Preset, Summary } from "../engine/types.ts";
 import { Drawing } from "../land/drawing.ts";
 import { listenForImages } from "../land/image-drop.ts";
@@ -112,9 +113,9 @@ class Page {
   /** Turns a picture of a land into the land. */
   async #trace(file: Blob): Promise<void> {
     try {
-      const { engine } = this.core;
-      const { rgba, width, height } = await pixelsOf(file, engine.longestTracedSide());
-      const traced = engine.traceImage(rgba, width, height);
+      const tracing = await loadTracing();
+      const { rgba, width, height } = await pixelsOf(file, tracing.longestTracedSide());
+      const traced = tracing.traceImage(rgba, width, height);
       this.#drawing.take(traced);
       this.#set([["aspect", traced.aspect.toFixed(2)]], "settle");
     } catch (thrown) {

@@ -1,7 +1,7 @@
 import { deflateSync } from "node:zlib";
 import { expect, type Page, test } from "@playwright/test";
 import { engine } from "../core.ts";
-import { full } from "../full.ts";
+import { traceImage } from "../tracing.ts";
 import { violations } from "./axe.ts";
 import {
   address,
@@ -269,7 +269,7 @@ test("what is too small for a land is said, and stays to be drawn on", async ({ 
 });
 
 test("a drawn land of a link is there to be drawn on", async ({ page }) => {
-  const { outline } = full.traceImage(
+  const { outline } = traceImage(
     new Uint8Array(64 * 64 * 4).map((_, i) => ((i >> 2) % 64 < 30 ? 255 : 0)),
     64,
     64,
@@ -347,6 +347,16 @@ for (const [name, buffer, message] of [
     await expect(page.locator("#notices")).toBeHidden();
   });
 }
+
+test("a picture is refused while the part that traces does not arrive, and traced when it does", async ({ page }) => {
+  await openFinished(page, SMALL);
+  await page.route("**/riverseed_trace*.wasm", (route) => route.abort());
+  await choose(page, ISLAND);
+  await expect(page.locator("#notices")).toContainText("could not be downloaded");
+  await page.unroute("**/riverseed_trace*.wasm");
+  await choose(page, ISLAND);
+  await expectAddress(page, "land", "drawn");
+});
 
 /** The head of a PNG of too many pixels: its size alone is looked at. */
 function tooLarge(): Buffer {

@@ -2,7 +2,7 @@ import { expect, test } from "vitest";
 import { pathText } from "../../src/land/overlay.ts";
 import { type LineKind, pointsOf, Sketch, tally } from "../../src/land/sketch.ts";
 import { engine } from "../core.ts";
-import { full } from "../full.ts";
+import { traceImage } from "../tracing.ts";
 
 function draw(sketch: Sketch, kind: LineKind, ...places: [x: number, y: number][]): void {
   const [first = [0, 0], ...rest] = places;
@@ -101,7 +101,7 @@ test("the core keeps mouths and courses of rivers, on a land or alone", () => {
 test("what is no land is an error with a name", () => {
   expect(() => engine.outlineOf([], [], [])).toThrow(expect.objectContaining({ code: "no-land" }));
   expect(() => engine.outlineLines(".AAA")).toThrow(/coast that begins at character 1/);
-  expect(() => full.traceImage(new Uint8Array(4), 40, 40)).toThrow(/4 bytes/);
+  expect(() => traceImage(new Uint8Array(4), 40, 40)).toThrow(/4 bytes/);
 });
 
 test("a path is drawn through all points, and a coast is closed", () => {

@@ -1,0 +1,26 @@
+//! Plain objects and errors.
+
+use js_sys::{Error, Object, Reflect};
+use wasm_bindgen::prelude::*;
+
+/// A JavaScript Error that code can tell by its `code` and a person by its message.
+pub(super) fn coded(code: &str, message: &str) -> JsValue {
+    let error = Error::new(message);
+    set(&error, &[("code", code.into())]);
+    error.into()
+}
+
+/// A plain object.
+pub(super) fn object(members: &[(&str, JsValue)]) -> Object {
+    let object = Object::new();
+    set(&object, members);
+    object
+}
+
+/// Gives a fresh object properties.
+pub(super) fn set(object: &Object, members: &[(&str, JsValue)]) {
+    for (name, value) in members {
+        // Setting a property of a fresh, extensible object cannot fail.
+        let _ = Reflect::set(object, &JsValue::from_str(name), value);
+    }
+}

@@ -1,0 +1,32 @@
+/** The tracing of pictures: a wasm module of its own, fetched when somebody opens a picture. */
+
+import init, { longestTracedSide, type Traced, traceImage } from "../../pkg-trace/riverseed_trace.js";
+import wasmUrl from "../../pkg-trace/riverseed_trace_bg.wasm?url";
+import { PageError } from "./errors.ts";
+import { once, start } from "./wasm-module.ts";
+
+export type { Traced } from "../../pkg-trace/riverseed_trace.js";
+
+export interface Tracing {
+  readonly longestTracedSide: () => number;
+  readonly traceImage: (rgba: Uint8Array, width: number, height: number) => Traced;
+}
+
+const load = once(() =>
+  start(wasmUrl, async (compiled): Promise<Tracing> => {
+    await init({ module_or_path: compiled });
+    return { longestTracedSide, traceImage };
+  }),
+);
+
+/** Without it the map is as good as before: that it did not arrive is no failure of the page. */
+export async function loadTracing(): Promise<Tracing> {
+  try {
+    return await load();
+  } catch {
+    throw new PageError(
+      "no-tracing",
+      "The part that traces pictures could not be downloaded. Check the connection and try again.",
+    );
+  }
+}
