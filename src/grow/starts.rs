@@ -64,15 +64,19 @@ fn start(line: &[Vec2], domain: &Domain, land: Option<&Land>, most: usize) -> Op
         Some(land) => on_coast(land, entry)?,
         None => on_border(domain.size, entry),
     };
-    let allows = |from: Vec2, to: Vec2| land.is_none_or(|land| land.allows(from, to));
     // Cells of the coast that stand in the way of a line which has just come ashore do not end it.
     let ashore = inland.len().min(ASHORE);
-    let tied = (0..ashore).rev().find(|&i| allows(mouth.at, inland[i])).unwrap_or(0);
+    let tied = (0..ashore).rev().find(|&i| allows(land, mouth.at, inland[i])).unwrap_or(0);
     let mut way = inland.get(tied).map(|&to| divided(&[mouth.at, to], PIECE, false)).unwrap_or_default();
     way.extend(inland.iter().skip(tied + 1));
-    let closed = way.windows(2).position(|pair| !allows(pair[0], pair[1]));
+    let closed = way.windows(2).position(|pair| !allows(land, pair[0], pair[1]));
     way.truncate(closed.map_or(way.len(), |last| last + 1).min(most));
     Some(Start { mouth, course: way })
+}
+
+#[inline(never)] // each copy weighs half a kilobyte
+fn allows(land: Option<&Land>, from: Vec2, to: Vec2) -> bool {
+    land.is_none_or(|land| land.allows(from, to))
 }
 
 /// The mouth on a coast that is nearest to a point.

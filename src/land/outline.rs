@@ -37,11 +37,11 @@ impl Drawing {
     /// An outline on a domain. Every line is moved by the same noise, so that lines which do not touch still do not,
     /// small islands stay, and ridges and rivers keep their place on the land.
     pub fn of(outline: &Outline, shape: &Shape) -> Self {
-        let fractions = |lines: &[Vec<GridPoint>]| -> Vec<Vec<Vec2>> {
-            lines.iter().map(|line| line.iter().map(|point| point.fraction()).collect()).collect()
-        };
-        let mut this = Self::on(&shape.domain, fractions(outline.coasts()), fractions(outline.ridges()));
-        this.rivers = in_units(outline.rivers(), &shape.domain);
+        let domain = &shape.domain;
+        let [coasts, ridges, rivers] =
+            [outline.coasts(), outline.ridges(), outline.rivers()].map(|lines| in_units(lines, domain));
+        let coasts = coasts.iter().map(|ring| past_border(ring, domain.size)).collect();
+        let mut this = Self { coasts, ridges, rivers };
         if shape.roughness > 0.0 {
             this.roughen(shape);
         }
@@ -62,12 +62,11 @@ impl Drawing {
     fn roughen(&mut self, shape: &Shape) {
         let piece = (self.length() / MOST_PIECES).max(PIECE);
         let bend = bend(shape);
-        let rough = |line: &Vec<Vec2>, is_closed| -> Vec<Vec2> {
-            divided(line, piece, is_closed).into_iter().map(&bend).collect()
-        };
-        self.coasts = self.coasts.iter().map(|ring| rough(ring, true)).collect();
-        self.ridges = self.ridges.iter().map(|line| rough(line, false)).collect();
-        self.rivers = self.rivers.iter().map(|line| rough(line, false)).collect();
+        for (lines, is_closed) in [(&mut self.coasts, true), (&mut self.ridges, false), (&mut self.rivers, false)] {
+            for line in lines {
+                *line = divided(line, piece, is_closed).into_iter().map(&bend).collect();
+            }
+        }
     }
 
     fn length(&self) -> f32 {

@@ -47,19 +47,20 @@ impl Outline {
         ridges: Vec<Vec<Vec2>>,
         rivers: Vec<Vec<Vec2>>,
     ) -> Result<Self, DrawError> {
-        if !coasts.iter().chain(&ridges).chain(&rivers).flatten().all(|point| point.is_finite()) {
+        use LineKind::{Coast, Ridge, River};
+        let mut given = [(Coast, coasts), (Ridge, ridges), (River, rivers)];
+        if !given.iter().flat_map(|(_, lines)| lines).flatten().all(|point| point.is_finite()) {
             return Err(DrawError::NotANumber);
         }
-        let is_drawn = !coasts.is_empty() || !ridges.is_empty() || rivers.is_empty();
-        let lines = |lines: Vec<Vec<Vec2>>, kind| lines.into_iter().filter_map(move |points| Line::new(kind, points));
-        let land = lines(coasts, LineKind::Coast).chain(lines(ridges, LineKind::Ridge));
-        let mut all: Vec<Line> = land.chain(lines(rivers, LineKind::River)).collect();
+        let [has_coasts, has_ridges, has_rivers] = [0, 1, 2].map(|kind| !given[kind].1.is_empty());
+        let lines =
+            given.iter_mut().flat_map(|(kind, lines)| lines.drain(..).filter_map(|points| Line::new(*kind, points)));
+        let mut all: Vec<Line> = lines.collect();
         keep_largest(&mut all);
         let least = least_area(&all);
         let of_kind = |kind| all.iter().filter(|line| line.kind == kind).map(|line| line.simplified(least)).collect();
-        let (coasts, ridges): (Vec<_>, Vec<_>) = (of_kind(LineKind::Coast), of_kind(LineKind::Ridge));
-        let rivers: Vec<_> = of_kind(LineKind::River);
-        if !is_drawn {
+        let [coasts, ridges, rivers]: [Vec<_>; 3] = [Coast, Ridge, River].map(of_kind);
+        if has_rivers && !has_coasts && !has_ridges {
             return Ok(Self::new(coasts, ridges, rivers)?);
         }
         if coasts.is_empty() {

@@ -175,8 +175,8 @@ pub fn outline_of(
     ridges: Vec<Float32Array>,
     rivers: Vec<Float32Array>,
 ) -> Result<String, JsValue> {
-    let lines = |lines: Vec<Float32Array>| lines.iter().map(points).collect();
-    let outline = Outline::from_polylines(lines(coasts), lines(ridges), lines(rivers));
+    let [coasts, ridges, rivers] = [coasts, ridges, rivers].map(|lines| lines.iter().map(points).collect());
+    let outline = Outline::from_polylines(coasts, ridges, rivers);
     outline.map(|outline| outline.to_string()).map_err(|error| coded("no-land", &error.to_string()))
 }
 
