@@ -17,7 +17,7 @@ use crate::work;
 pub struct Start {
     /// The place on a coast that lies nearest to where the drawn river enters the land; on the border of a plain rectangle.
     pub mouth: Mouth,
-    /// Points of the river's course from its mouth on, [`PIECE`] apart at most, as far as it runs over land; none where nothing but a
+    /// Points of the river's course from its mouth on, at most 2 units apart, as far as it runs over land; none where nothing but a
     /// mouth is drawn.
     pub course: Vec<Vec2>,
 }
