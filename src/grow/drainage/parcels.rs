@@ -7,7 +7,7 @@ use super::lattice::{Lattice, WAYS};
 use super::outlets::{self, Outlet};
 use super::settings::DrainageSettings;
 use crate::grow::GrowthSettings;
-use crate::land::{Cell, CoastDistance};
+use crate::land::{Cell, CoastDistance, Land};
 use crate::random::Purpose;
 use crate::work;
 
@@ -173,5 +173,10 @@ fn is_land(settings: &GrowthSettings, lattice: &Lattice, cell: usize) -> bool {
     lattice.is_inner(cell)
         && lattice.has_edges(cell)
         && settings.domain.contains(at)
-        && settings.land.as_ref().is_none_or(|land| land.at(at) == Cell::Land)
+        && settings.land.as_ref().is_none_or(|land| land.at(at) == Cell::Land && !is_dry(settings, land, at))
+}
+
+/// Whether a place lies on land without a mouth, where mouths are drawn: it stays dry.
+fn is_dry(settings: &GrowthSettings, land: &Land, at: Vec2) -> bool {
+    !settings.starts.is_empty() && !settings.watered().any(|region| land.is_in(region, at))
 }
