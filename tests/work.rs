@@ -171,3 +171,23 @@ fn no_change_holds_a_page() {
         }
     }
 }
+
+/// As long a course as a drawing holds is followed at once, and so are as many mouths.
+#[test]
+fn no_scribbled_rivers_hold_a_tick() {
+    let course = format!("..{}", coasts("a", 1, 240));
+    let mouths = coasts("b", 140, 140).replace('.', "...");
+    let land = coasts("c", 1, 120);
+    let half = format!("{land}..{}", coasts("d", 1, 120));
+    for outline in [&course, &mouths, &half] {
+        let drawn = format!("seed=a&land=drawn&outline={outline}");
+        for growth in [
+            "colonize&attractors=1000&reach=12&kill=0.5&step=0.2",
+            "colonize&attractors=20000&reach=12&step=0.2&curl=2&trim=400&meander=none",
+            "brownian&sensitivity=8",
+            "drainage&attractors=40000&bending=4&captures=24&channel-area=1&trim=0",
+        ] {
+            check(&format!("{drawn}&growth={growth}"));
+        }
+    }
+}

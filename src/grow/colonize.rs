@@ -13,7 +13,9 @@ use super::attractors::{Attractors, NO_NODE};
 use super::changed::Changed;
 use super::driest::Search;
 use super::heading::{heading, is_duplicate};
+use super::starts::PIECE;
 use super::{BYTES_AN_ATTRACTOR, GrowError, GrowthSettings, Mouth, Pull, mouths, shores};
+use crate::geometry::{direction, length};
 use crate::land::Shore;
 use crate::memory::{self, Refused};
 use crate::tree::{NO_PARENT, Tree};
@@ -100,24 +102,44 @@ impl Colonize {
             settings,
         };
         // A usual tree's memory at once, so that no frame waits for a long array to move.
-        this.reserve(this.usual_nodes()).map_err(|_| GrowError::out_of_memory(&this.settings))?;
+        this.reserve(this.usual_nodes() + this.stem_nodes()).map_err(|_| GrowError::out_of_memory(&this.settings))?;
         this.tree.tick_starts.push(0);
-        for mouth in mouths(&this.settings) {
-            this.plant(mouth);
+        let starts = this.settings.starts.clone();
+        for (i, mouth) in mouths(&this.settings).into_iter().enumerate() {
+            this.plant(mouth, starts.get(i).map_or(&[], |start| &start.course));
         }
         this.capture_from(0);
         Ok(this)
     }
 
-    /// Plants a mouth and its stem, the start nodes of the paper: about a spacing straight inland, so that no river
-    /// leaves along the coast.
-    fn plant(&mut self, Mouth { at, inland }: Mouth) {
-        let mut pilot = StraightTip { tip: self.add(at, NO_PARENT), inland };
-        for _ in 0..stem_nodes(&self.settings) {
-            pilot.tip = self.extend(pilot).unwrap_or(pilot.tip);
+    /// Plants a mouth and its stem, the start nodes of the paper: along the course that is drawn of its river or, if none is, about a
+    /// spacing straight inland, so that no river leaves along the coast.
+    fn plant(&mut self, Mouth { at, inland }: Mouth, course: &[Vec2]) {
+        let mouth = self.add(at, NO_PARENT);
+        let mut pilot = self.follow(course, StraightTip { tip: mouth, inland });
+        if pilot.tip == mouth {
+            for _ in 0..stem_nodes(&self.settings) {
+                pilot.tip = self.extend(pilot).unwrap_or(pilot.tip);
+            }
         }
         self.pilots.push(pilot);
         self.mouths.push(at);
+    }
+
+    /// Extends a river along a course, a step at a time, until that or the land ends.
+    fn follow(&mut self, course: &[Vec2], mut pilot: StraightTip) -> StraightTip {
+        for &ahead in course {
+            loop {
+                let way = ahead - self.tree.at[pilot.tip as usize];
+                if length(way) < self.settings.step {
+                    break;
+                }
+                let onward = StraightTip { inland: direction(way), ..pilot };
+                let Some(tip) = self.extend(onward) else { return pilot };
+                pilot = StraightTip { tip, ..onward };
+            }
+        }
+        pilot
     }
 
     /// Grows by one tick, everywhere at once. Returns whether there is more to grow. A tick that only searches for where
@@ -272,7 +294,7 @@ impl Colonize {
         if (self.is_searching() || is_patch(self.unreached - self.attractors.remaining().count() as u32))
             && let Some(Shore { at, inland }) = self.driest_shore()
         {
-            self.plant(Mouth { at, inland });
+            self.plant(Mouth { at, inland }, &[]);
         }
     }
 
@@ -374,6 +396,12 @@ impl Colonize {
         memory::reserve(&mut self.shoots.from_mouth, nodes)?;
         memory::reserve(&mut self.shoots.youngest, nodes)?;
         memory::reserve(&mut self.shoots.elder, nodes)
+    }
+
+    /// How many nodes the drawn courses have at most.
+    fn stem_nodes(&self) -> usize {
+        let points: usize = self.settings.starts.iter().map(|start| start.course.len()).sum();
+        (points as f32 * PIECE / self.settings.step) as usize
     }
 
     /// About how many nodes a tree has, rather too many: by trials over reach 2.4 to 10, kill 0.5 to 2 and step 0.2 to 1

@@ -16,6 +16,7 @@ mod mouths;
 mod pull;
 mod scatter;
 mod settings;
+mod starts;
 
 pub use brownian::Brownian;
 #[doc(hidden)]
@@ -33,6 +34,7 @@ pub use pull::Pull;
 #[doc(hidden)]
 pub use scatter::scatter;
 pub use settings::GrowthSettings;
+pub use starts::Start;
 
 use thiserror::Error;
 

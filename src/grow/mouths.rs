@@ -20,8 +20,11 @@ pub struct Mouth {
 /// How far a mouth may stray from the middle of its share of the coast, as a part of that share.
 const STRAY: f32 = 0.7;
 
-/// Places the mouths of a recipe: along the sides of a plain rectangle, else on the coasts of the regions that have any.
+/// Places the mouths of a recipe: where they are drawn, or along the sides of a plain rectangle, else on the coasts of the regions that have any.
 pub fn mouths(settings: &GrowthSettings) -> Vec<Mouth> {
+    if !settings.starts.is_empty() {
+        return settings.starts.iter().map(|start| start.mouth).collect();
+    }
     let Some(land) = &settings.land else { return on_sides(settings) };
     let mut chance = settings.seed.stream(Purpose::Mouths);
     let regions = land.regions().iter().zip(&settings.basins);
@@ -31,9 +34,11 @@ pub fn mouths(settings: &GrowthSettings) -> Vec<Mouth> {
         .collect()
 }
 
-/// The places where rivers may reach the sea; none on a plain rectangle, which has a border and no coast.
+/// The places where more rivers may reach the sea: none where mouths are drawn, or on a plain rectangle, which has a border and no
+/// coast.
 pub fn shores(settings: &GrowthSettings) -> impl Iterator<Item = Shore> {
-    settings.watered().flat_map(|region| chosen_shores(region, settings.shores))
+    let is_free = settings.starts.is_empty();
+    settings.watered().filter(move |_| is_free).flat_map(|region| chosen_shores(region, settings.shores))
 }
 
 /// The shores of a region that lie on some sides as seen from the middle of its coast: so the north shore of an island looks north,

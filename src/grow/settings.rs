@@ -4,7 +4,8 @@ use std::sync::Arc;
 
 use glam::Vec2;
 
-use super::DrainageSettings;
+use super::starts::starts;
+use super::{DrainageSettings, Start};
 use crate::domain::{AREA, Domain};
 use crate::land::{CELL_SIZE, Land, Region};
 use crate::random::Seed;
@@ -23,9 +24,11 @@ pub struct GrowthSettings {
     pub mouths: u32,
     /// How many of them in each region of the land, largest first. Regions without one stay dry.
     pub basins: Vec<u32>,
+    /// The mouths that are drawn, in the place of all others; empty if none are.
+    pub starts: Arc<[Start]>,
     /// How far apart mouths are at least.
     pub mouth_spacing: f32,
-    /// Which sides of a plain rectangle have the sea.
+    /// Which sides of a plain rectangle have the sea: of one with starts all.
     pub sides: Sides,
     /// Where on a coast they lie, as seen from its middle.
     pub shores: Sides,
@@ -72,10 +75,17 @@ impl GrowthSettings {
     /// Resolves a recipe whose land has been shaped before; `None` if all of the domain is.
     pub fn new(recipe: &Recipe, land: Option<Arc<Land>>) -> Self {
         let attractors = recipe.integer(Key::Attractors);
-        let mouths = mouths_of(recipe);
+        let domain = Domain::of(recipe);
+        let starts = starts(recipe, &domain, land.as_deref());
+        let is_drawn = !starts.is_empty();
+        let mouths = if is_drawn { starts.len() as u32 } else { mouths_of(recipe) };
         let is_lake = recipe.get::<LandKind>() == LandKind::Basin;
         let asked = if is_lake { MOUTHS_OF_A_LAKE * mouths } else { mouths };
-        let basins = land.as_ref().map(|land| share_out(land.regions(), asked)).unwrap_or_default();
+        let basins = match &land {
+            Some(land) if is_drawn => starts_in(land, &starts),
+            Some(land) => share_out(land.regions(), asked),
+            None => Vec::new(),
+        };
         let area = match &land {
             None => AREA,
             Some(land) => watered(Some(land), &basins).map(|region| region.cells as f32 * CELL_SIZE * CELL_SIZE).sum(),
@@ -85,12 +95,13 @@ impl GrowthSettings {
         let spacings = |key| recipe.number(key) * spacing;
         Self {
             seed: Seed::from_text(recipe.seed()),
-            domain: Domain::of(recipe),
+            domain,
             land,
+            starts,
             basins,
             mouths,
             mouth_spacing: recipe.number(Key::MouthSpacing),
-            sides: recipe.sides(Key::Sides),
+            sides: if is_drawn { Sides::ALL } else { recipe.sides(Key::Sides) },
             shores: recipe.sides(Key::Shores),
             method: recipe.get(),
             sensitivity: recipe.number(Key::Sensitivity),
@@ -176,6 +187,12 @@ fn mouths_of(recipe: &Recipe) -> u32 {
         0 if recipe.get::<GrowthMethod>() != GrowthMethod::Drainage => USUAL,
         mouths => mouths,
     }
+}
+
+/// How many starts lie in each region.
+fn starts_in(land: &Land, starts: &[Start]) -> Vec<u32> {
+    let count = |region| starts.iter().filter(|start| land.is_in(region, start.mouth.at)).count() as u32;
+    land.regions().iter().map(count).collect()
 }
 
 fn watered<'a>(land: Option<&'a Land>, basins: &'a [u32]) -> impl Iterator<Item = &'a Region> {

@@ -29,10 +29,11 @@ impl Given<'_> {
             Key::Seed | Key::Edition | Key::Aspect | Key::Land | Key::Growth => None,
             Key::Sea => self.no_coast().or_else(|| self.sea_is_drawn()),
             Key::Roughness => self.no_coast(),
-            Key::Sides => self.sea_is_drawn().or_else(|| self.sides_are_given()),
-            Key::Outline => (self.land != LandKind::Drawn).then_some("the land is not drawn"),
-            Key::MouthSpacing | Key::Shores => self.no_coast().or_else(|| self.brownian()),
-            Key::Mouths | Key::Attractors => self.brownian(),
+            Key::Sides => self.mouths_are_drawn().or_else(|| self.sea_is_drawn()).or_else(|| self.sides_are_given()),
+            Key::Outline => self.nothing_is_drawn(),
+            Key::MouthSpacing | Key::Shores => self.no_coast().or_else(|| self.no_choice_of_mouths()),
+            Key::Mouths => self.no_choice_of_mouths(),
+            Key::Attractors => self.brownian(),
             Key::Scatter | Key::Reach | Key::Kill | Key::Step => self.not_colonizing(),
             Key::Momentum | Key::Curl => self.not_colonizing(),
             Key::Stretch => self.not_colonizing().or_else(|| self.no_curl()),
@@ -55,6 +56,18 @@ impl Given<'_> {
 
     fn no_coast(&self) -> Reason {
         (self.land == LandKind::Rectangle).then_some("the whole rectangle is land, so there is no coast")
+    }
+
+    fn nothing_is_drawn(&self) -> Reason {
+        (self.land != LandKind::Drawn && self.recipe.rivers().is_empty()).then_some("the land is not drawn")
+    }
+
+    fn mouths_are_drawn(&self) -> Reason {
+        (!self.recipe.rivers().is_empty()).then_some("the drawing determines where rivers begin")
+    }
+
+    fn no_choice_of_mouths(&self) -> Reason {
+        self.brownian().or_else(|| self.mouths_are_drawn())
     }
 
     fn sea_is_drawn(&self) -> Reason {
@@ -187,6 +200,7 @@ mod tests {
 
     const NO_COAST: (&str, &str) =
         ("sea roughness mouth-spacing shores", "the whole rectangle is land, so there is no coast");
+    const DRAWN_MOUTHS: &str = "the drawing determines where rivers begin";
     const NOT_DRAWN: (&str, &str) = ("outline", "the land is not drawn");
     const NO_SENSITIVITY: (&str, &str) = ("sensitivity", "only Brownian trees use it");
     const NOT_DRAINING: (&str, &str) = (
@@ -210,6 +224,21 @@ mod tests {
         (
             "land=drawn&outline=.MzMzzMMzzMzM",
             &[("sea sides", "the drawing determines where the sea is"), NO_SENSITIVITY, NOT_DRAINING],
+        ),
+        (
+            "land=drawn&outline=.MzMzzMMzzMzM...gAgA",
+            &[
+                ("sea", "the drawing determines where the sea is"),
+                ("sides mouths mouth-spacing shores", DRAWN_MOUTHS),
+                NO_SENSITIVITY,
+                NOT_DRAINING,
+            ],
+        ),
+        ("land=drawn&outline=...gAgA", &[NO_COAST, ("sides mouths", DRAWN_MOUTHS), NO_SENSITIVITY, NOT_DRAINING]),
+        // A drawing that is not the land gives no mouths either.
+        (
+            "land=island&outline=...gAgA",
+            &[("sides", "this land has the sea all around it"), NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING],
         ),
         ("land=island", &[("sides", "this land has the sea all around it"), NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING]),
         (

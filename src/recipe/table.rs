@@ -64,7 +64,7 @@ pub static TABLE: [Parameter; COUNT] = {
             key: Key::Outline,
             name: "outline",
             label: "Outline",
-            help: "The coasts and ridges of a drawn land. Without any, the whole rectangle is land.",
+            help: "The coasts, ridges and rivers of a drawn land. Without a coast, the whole rectangle is land.",
             unit: "",
             group: "Land",
             stage: Land,

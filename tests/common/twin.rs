@@ -203,10 +203,39 @@ fn remove(settings: &GrowthSettings, blue: &mut [Option<Vec2>], black: &mut [Bla
 fn start_nodes(settings: &GrowthSettings) -> (Vec<Black>, Vec<(usize, Vec2)>) {
     let (mut black, mut ends) = (Vec::new(), Vec::new());
     for mouth in mouths(settings) {
-        black.extend(stem(settings, mouth, black.len() as u32, 0));
-        ends.push((black.len() - 1, mouth.inland));
+        let first = black.len() as u32;
+        let drawn = settings.starts.iter().find(|start| start.mouth == mouth);
+        let drawn = drawn.and_then(|start| drawn_stem(settings, &start.course, mouth, first));
+        let (stem, inland) = drawn.unwrap_or_else(|| (stem(settings, mouth, first, 0), mouth.inland));
+        black.extend(stem);
+        ends.push((black.len() - 1, inland));
     }
     (black, ends)
+}
+
+/// A mouth and the river that is drawn from it, one step after the other toward the next point that is not nearer than a step; and the
+/// last step's direction. `None` if there is no room for one.
+fn drawn_stem(settings: &GrowthSettings, course: &[Vec2], mouth: Mouth, first: u32) -> Option<(Vec<Black>, Vec2)> {
+    let mut stem = vec![node(mouth.at, NO_PARENT, 0, 0)];
+    let (mut onward, mut next) = (None, 0);
+    while next < course.len() {
+        let from = stem[stem.len() - 1].at;
+        let way = course[next] - from;
+        let far = squared_distance(course[next], from).sqrt();
+        if far < settings.step {
+            next += 1;
+            continue;
+        }
+        let direction = way / far;
+        let at = from + direction * settings.step;
+        if !settings.allows(from, at) {
+            break;
+        }
+        let last = stem.len() as u32 - 1;
+        stem.push(node(at, first + last, 0, last + 1));
+        onward = Some(direction);
+    }
+    onward.map(|onward| (stem, onward))
 }
 
 /// A mouth and its stem, whose nodes are numbered from the first on.

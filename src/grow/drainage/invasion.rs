@@ -22,6 +22,9 @@ const GAIN: f32 = 0.65;
 /// How much higher the ground is at a border where land runs on.
 const BORDER: f32 = 2.0;
 
+/// How much lower the ground is along a drawn river: lower than any other.
+const STEM: f32 = 20.0;
+
 /// An invasion in progress.
 #[derive(Clone, Debug)]
 pub(super) struct Invasion {
@@ -81,7 +84,8 @@ pub(super) fn heights(parcels: &Parcels, settings: &DrainageSettings) -> Vec<f32
         .map(|i| {
             let (at, [column, row]) = (parcels.at[i], parcels.identity[i]);
             let own = CHANCE * (2.0 * chance.unit([column, row, 1]) - 1.0);
-            DEVIATION * noise.get_noise_2d(at.x, at.y) + own + tilt * distance[i] as f32 + BORDER * parcels.border[i]
+            let border = BORDER * parcels.border[i] + STEM * (parcels.toll[i] - 1.0);
+            DEVIATION * noise.get_noise_2d(at.x, at.y) + own + tilt * distance[i] as f32 + border
         })
         .collect()
 }

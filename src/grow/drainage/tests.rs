@@ -28,6 +28,8 @@ fn recipes() -> impl Strategy<Value = String> {
         "land=valley",
         "land=basin",
         "land=drawn&outline=.MzMzzMMzzMzM",
+        "land=drawn&outline=.MzMzzMMzzMzM...MzgAcAgAgAcA...gAMz",
+        "land=drawn&outline=...AAgAMzczTMmZgAgA...zM__",
     ]);
     let shape = (0u32..1000, 100u32..900, 0.2f32..0.7, 0.3f32..3.0);
     let ground = (0.0f32..=1.0, 4.0f32..60.0, 0.2f32..0.8, 0u32..6, 0.0f32..1.5, 0.0f32..=4.0);

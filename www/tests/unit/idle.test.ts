@@ -6,7 +6,7 @@ import { engine, parameter, pictureOf } from "../core.ts";
 const PLAIN =
   "growth=colonize&simplify=60&aspect=1.5&land=rectangle&sea=0.5&roughness=0.5&curl=0&trim=20&width=14&great-rivers=1&style=ink";
 const COARSE = `${PLAIN}&attractors=100&sensitivity=64&mouths=9&meander-rounds=10`;
-const OUTLINE = engine.outlineOf([Float32Array.of(0.2, 0.2, 0.8, 0.25, 0.75, 0.8, 0.2, 0.7)], []);
+const OUTLINE = engine.outlineOf([Float32Array.of(0.2, 0.2, 0.8, 0.25, 0.75, 0.8, 0.2, 0.7)], [], []);
 const lands = parameter("land").choices?.map(({ value }) => `land=${value}`) ?? [];
 const growths = parameter("growth").choices?.map(({ value }) => `growth=${value}`) ?? [];
 /** Valleys and hard ground lie many parcels apart. */
