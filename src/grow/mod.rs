@@ -14,8 +14,10 @@ mod growth;
 mod heading;
 mod mouths;
 mod pull;
+mod queue;
 mod scatter;
 mod settings;
+mod waiting;
 
 pub use brownian::Brownian;
 #[doc(hidden)]
@@ -25,6 +27,8 @@ pub use colonize::stem_nodes;
 pub use colonize::{Colonize, Ending};
 pub use drainage::{Drainage, DrainageSettings};
 pub use growth::Growth;
+#[doc(hidden)]
+pub use heading::curl_toward;
 pub use mouths::Mouth;
 #[doc(hidden)]
 pub use mouths::{mouths, shores};
