@@ -5,13 +5,13 @@ mod common;
 
 use common::lands::every_land;
 use common::plain::plain;
-use common::property::large;
+use common::property::{cases, large};
 use common::{random_link, twin};
 use glam::Vec2;
 use proptest::prelude::*;
 use riverseed::grow::{Colonize, Ending, Growth, GrowthSettings, scatter};
 use riverseed::land::Cell;
-use riverseed::recipe::{link, preset::PRESETS};
+use riverseed::recipe::{Key, link, preset::PRESETS};
 use riverseed::tree::Tree;
 
 fn settings(link: &str) -> GrowthSettings {
@@ -224,6 +224,18 @@ proptest! {
     #[test]
     fn any_recipe_equals_the_brute_force_twin(link in random_link(300)) {
         assert_equals_twin(&link);
+    }
+}
+
+proptest! {
+    #![proptest_config(cases(80))]
+
+    #[test]
+    fn any_recipe_with_valleys_equals_its_brute_force_twin(link in random_link(300), valleys in 0.01f32..=1.0) {
+        let mut recipe = link::read(&link).unwrap();
+        recipe.set(Key::Growth, "colonize").unwrap();
+        recipe.set(Key::Valleys, &format!("{valleys:.3}")).unwrap();
+        assert_equals_twin(&link::write(&recipe));
     }
 }
 
