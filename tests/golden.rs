@@ -31,6 +31,8 @@ const PICTURES: &[(&str, &str)] = &[
         "drainage-wild",
         "growth=drainage&land=continent&attractors=4000&trim=30&channel-area=4&mouths=0&valleys=0.6&style=map",
     ),
+    ("valleys-island", "valleys=0.2&curl=0.7&land=island&attractors=4000&trim=24&mouths=0&style=map"),
+    ("valleys-wild", "valleys=1&land=continent&attractors=4000&trim=24&mouths=0&style=map"),
     ("original", "preset=original&attractors=1500"),
     ("momentum", "preset=momentum&attractors=1500"),
     ("curl", "preset=curl&attractors=1500"),

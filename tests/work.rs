@@ -135,6 +135,17 @@ fn a_search_for_a_mouth_ends_soon() {
     assert!(work::steps() - begun < 300_000_000, "{}", work::steps() - begun);
 }
 
+/// With valleys a tick takes up so many attractors, however long the way to each is.
+#[test]
+fn no_tick_along_valleys_takes_long() {
+    for land in every_land().into_iter().chain([format!("land=drawn&outline={}", coasts("c", 8, 240))]) {
+        check(&format!("{land}&growth=colonize&valleys=0.5&attractors=100&reach=12&kill=0.5&step=0.2&meander=none"));
+        check(&format!(
+            "{land}&growth=colonize&valleys=1&attractors=20000&reach=12&step=0.2&curl=2&mouths=64&meander=none"
+        ));
+    }
+}
+
 /// Rivers that meander as much as recipes allow.
 const WILD: &str = "&trim=0&simplify=0&width=40&neck=4&clearance=1&meander-rounds=12&meander-strength=1&meander-elsewhere=1&great-rivers=16&flat-share=1";
 

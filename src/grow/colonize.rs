@@ -6,14 +6,19 @@
 //! nearest of them; when not even that makes a node, growth is over, and attractors that stay unreached are counted.
 //! (Unless land is left over that no river sees, beyond an isthmus too narrow for a step: then it gets a mouth of its own. Or
 //! unless most are: then a gap among the first attractors has cut the river off, and its last node runs straight on.)
+//!
+//! With valleys attractors have heights, and pull one at a time: the lowest within reach of any node draws a river to itself, step by step,
+//! then the lowest of those within reach by then (as water invades the ground: Wilkinson and Willemsen 1983).
 
 use glam::Vec2;
 
 use super::attractors::{Attractors, NO_NODE};
 use super::changed::Changed;
+use super::drainage::{can_lay_out, front};
 use super::driest::Search;
-use super::heading::{heading, is_duplicate};
+use super::heading::{curl_toward, heading, is_clockwise, is_duplicate};
 use super::starts::PIECE;
+use super::waiting::Waiting;
 use super::{BYTES_AN_ATTRACTOR, GrowError, GrowthSettings, Mouth, Pull, mouths, shores};
 use crate::geometry::{direction, length};
 use crate::land::Shore;
@@ -41,6 +46,12 @@ pub struct Colonize {
     shoots: Shoots,
     /// Nodes whose attractors have changed since they last tried to grow.
     changed: Changed,
+    /// With valleys, the attractors that a river may come to next.
+    waiting: Option<Box<Waiting>>,
+    /// How many nodes a tick has with valleys, but for the rest of a river's way to an attractor.
+    nodes_a_tick: usize,
+    /// How many nodes have looked for attractors.
+    captured: usize,
     /// Room for one tick's work, kept between ticks.
     trying: Vec<u32>,
     /// Rivers that no attractor has reached yet.
@@ -83,10 +94,12 @@ impl Colonize {
     /// # Errors
     /// If there is not enough memory.
     pub fn new(settings: GrowthSettings) -> Result<Self, GrowError> {
-        if !memory::can_allocate(settings.attractors as usize * BYTES_AN_ATTRACTOR) {
+        let has_room = memory::can_allocate(settings.attractors as usize * BYTES_AN_ATTRACTOR);
+        if !has_room || (settings.has_valleys() && !can_lay_out(&settings)) {
             return Err(GrowError::out_of_memory(&settings));
         }
-        let attractors = Attractors::new(&settings)?;
+        let (attractors, places) = Attractors::new(&settings)?;
+        let waiting = settings.has_valleys().then(|| Waiting::new(places)).transpose();
         let mut this = Self {
             mouths: Vec::new(),
             search: None,
@@ -95,6 +108,9 @@ impl Colonize {
             tree: Tree::default(),
             shoots: Shoots::default(),
             changed: Changed::default(),
+            waiting: waiting.map_err(|_| GrowError::out_of_memory(&settings))?.map(Box::new),
+            nodes_a_tick: front(settings.attractors as usize),
+            captured: 0,
             trying: Vec::new(),
             pilots: Vec::new(),
             node_limit: MOST_NODES_PER_ATTRACTOR * settings.attractors as usize + MOST_NODES_BESIDES,
@@ -108,7 +124,7 @@ impl Colonize {
         for (i, mouth) in mouths(&this.settings).into_iter().enumerate() {
             this.plant(mouth, starts.get(i).map_or(&[], |start| &start.course));
         }
-        this.capture_from(0);
+        this.capture();
         Ok(this)
     }
 
@@ -152,10 +168,7 @@ impl Colonize {
         self.tree.tick_starts.push(born_from as u32);
         if !self.is_searching() {
             self.extend_pilots();
-            self.grow();
-            if self.tree.len() == born_from && self.ending.is_none() {
-                self.reach_out();
-            }
+            self.grow(born_from);
         }
         if self.tree.len() == born_from && self.ending.is_none() {
             self.seed_unreached_land();
@@ -167,7 +180,7 @@ impl Colonize {
         if self.tree.len() == born_from && self.is_dry() {
             self.extend_last_tip();
         }
-        self.capture_from(born_from);
+        self.capture();
         self.use_up();
         if self.tree.len() == born_from {
             self.tree.tick_starts.pop();
@@ -176,8 +189,20 @@ impl Colonize {
         self.ending.is_none()
     }
 
+    /// Grows at all nodes, or where the ground is lowest.
+    fn grow(&mut self, born_from: usize) {
+        if self.waiting.is_none() {
+            self.grow_everywhere();
+            if self.tree.len() == born_from && self.ending.is_none() {
+                self.reach_out();
+            }
+        } else if self.tree.len() == born_from {
+            self.follow_valleys();
+        }
+    }
+
     /// Steps 3 and 4 of the paper: every node whose attractors have changed tries to grow.
-    fn grow(&mut self) {
+    fn grow_everywhere(&mut self) {
         let mut trying = std::mem::take(&mut self.trying);
         self.changed.drain_into(&mut trying);
         if self.tree.len() + trying.len() > self.node_limit {
@@ -195,16 +220,72 @@ impl Colonize {
         let index = node as usize;
         let Some(pull) = self.shoots.pull[index].direction() else { return };
         let at = self.tree.at[index];
-        let came_from = self.tree.parent_of(index).map(|parent| self.tree.at[parent]);
-        let bent = heading(&self.settings, at, came_from, pull, self.shoots.from_mouth[index], tick);
-        // A bend that would leave the land is not made: a river beside the coast must not stop growing because of it.
-        let straight = at + pull * self.settings.step;
-        let child = [bent, straight].into_iter().find(|&child| self.settings.allows(at, child));
+        let clockwise = is_clockwise(&self.settings, self.shoots.from_mouth[index]);
+        let steps = self.steps(index, pull, clockwise, [at.x.to_bits(), at.y.to_bits(), tick]);
+        let child = steps.into_iter().find(|&child| self.settings.allows(at, child));
         if let Some(child) = child
             && !self.has_twin(index, child)
         {
             self.add(child, node);
         }
+    }
+
+    /// Where a step of a node may lead: bent by momentum and curl, or straight. A bend that would leave the land is not made: a river
+    /// beside the coast must not stop growing because of it.
+    fn steps(&self, node: usize, pull: Vec2, clockwise: bool, identity: [u32; 3]) -> [Vec2; 2] {
+        let at = self.tree.at[node];
+        let came_from = self.tree.parent_of(node).map(|parent| self.tree.at[parent]);
+        let bent = heading(&self.settings, at, came_from, pull, clockwise, identity);
+        [bent, at + pull * self.settings.step]
+    }
+
+    /// The lowest attractor within reach of a node draws a river to itself, then the next lowest. What a tick shows of that changes no
+    /// tree.
+    fn follow_valleys(&mut self) {
+        self.use_up();
+        let enough = self.tree.len() + self.nodes_a_tick;
+        while self.tree.len() < enough
+            && self.ending.is_none()
+            && let Some((rank, place)) = self.waiting.as_mut().and_then(|waiting| waiting.next())
+        {
+            work::count(1);
+            self.grow_toward(rank, place);
+        }
+    }
+
+    /// A river grows from its nearest node to an attractor, until that is used up or no step brings it nearer.
+    fn grow_toward(&mut self, rank: u32, place: u32) {
+        let first = self.tree.len();
+        while let Some((node, squared, attractor)) = self.attractors.remaining_at(place) {
+            let steps = (self.tree.len() - first) as u32;
+            let Some(child) = self.step_toward(node as usize, squared, attractor, steps) else {
+                self.waiting.iter_mut().for_each(|waiting| waiting.put_back(rank));
+                return;
+            };
+            if self.tree.len() >= self.node_limit {
+                self.ending = Some(Ending::NodeLimit);
+                return;
+            }
+            if self.reserve(1).is_err() {
+                self.ending = Some(Ending::OutOfMemory);
+                return;
+            }
+            self.add(child, node);
+            self.capture();
+            self.use_up();
+        }
+    }
+
+    /// A step from a node that brings it nearer to an attractor, at such a distance squared, after so many.
+    fn step_toward(&self, node: usize, squared: f32, attractor: Vec2, steps: u32) -> Option<Vec2> {
+        let at = self.tree.at[node];
+        let pull = Pull::toward(at, attractor).direction()?;
+        let ([column, row], clockwise) = curl_toward(&self.settings, attractor);
+        self.steps(node, pull, clockwise, [column, row, steps]).into_iter().find(|&child| {
+            child.distance_squared(attractor) < squared
+                && self.settings.allows(at, child)
+                && !self.has_twin(node, child)
+        })
     }
 
     /// When nothing else grows: nodes that still have attractors, but balanced ones, or ones that no bend led to, grow
@@ -249,18 +330,23 @@ impl Colonize {
     }
 
     /// Step 2 of the paper, for new nodes only: attractors that are now nearer to one of them change hands.
-    fn capture_from(&mut self, first: usize) {
+    fn capture(&mut self) {
         self.changed.grow(self.tree.len());
-        let Self { settings, attractors, tree, shoots, changed, .. } = self;
-        for node in first..tree.len() {
+        let Self { settings, attractors, tree, shoots, changed, waiting, captured, .. } = self;
+        for node in *captured..tree.len() {
             let at = tree.at[node];
-            let gained = attractors.capture(node as u32, at, settings.hidden_from(at), |owner, pull| {
-                shoots.pull[owner as usize].subtract(pull);
-                changed.insert(owner);
+            let gained = attractors.capture(node as u32, at, settings.hidden_from(at), |place, owner, pull| {
+                if let Some(waiting) = waiting {
+                    waiting.join(place);
+                } else if owner != NO_NODE {
+                    shoots.pull[owner as usize].subtract(pull);
+                    changed.insert(owner);
+                }
             });
             shoots.pull[node].add(gained);
             changed.insert(node as u32);
         }
+        *captured = tree.len();
     }
 
     /// Step 5 of the paper: attractors that a river has come near to are used up, and drain into it.
@@ -416,4 +502,35 @@ impl Colonize {
 /// How many nodes of a stem make about a spacing.
 pub fn stem_nodes(settings: &GrowthSettings) -> u32 {
     ((settings.spacing / settings.step + 0.5) as u32).max(1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::recipe::link;
+
+    fn grown(link: &str, nodes_a_tick: usize) -> Tree {
+        let mut growth = Colonize::new(GrowthSettings::of(&link::read(link).unwrap())).unwrap();
+        growth.nodes_a_tick = nodes_a_tick;
+        while growth.tick() {}
+        growth.tree
+    }
+
+    #[test]
+    fn how_much_a_tick_shows_changes_no_tree() {
+        for link in
+            ["land=island", "land=archipelago&mouths=20", "land=valley&reach=8&curl=1.5", "land=basin&momentum=0.5"]
+        {
+            let link = format!("{link}&growth=colonize&valleys=0.4&attractors=2000&seed=kauri");
+            let at_once = grown(&link, usize::MAX / 2);
+            for nodes_a_tick in [1, 7, 100] {
+                let tree = grown(&link, nodes_a_tick);
+                assert!(tree.tick_starts.len() > at_once.tick_starts.len(), "{link}");
+                assert_eq!(
+                    (tree.at, tree.parent, tree.drained),
+                    (at_once.at.clone(), at_once.parent.clone(), at_once.drained.clone())
+                );
+            }
+        }
+    }
 }

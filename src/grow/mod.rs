@@ -14,9 +14,11 @@ mod growth;
 mod heading;
 mod mouths;
 mod pull;
+mod queue;
 mod scatter;
 mod settings;
 mod starts;
+mod waiting;
 
 pub use brownian::Brownian;
 #[doc(hidden)]
@@ -26,6 +28,8 @@ pub use colonize::stem_nodes;
 pub use colonize::{Colonize, Ending};
 pub use drainage::{Drainage, DrainageSettings};
 pub use growth::Growth;
+#[doc(hidden)]
+pub use heading::curl_toward;
 pub use mouths::Mouth;
 #[doc(hidden)]
 pub use mouths::{mouths, shores};

@@ -40,7 +40,8 @@ pub struct GrowthSettings {
     pub attractors: u32,
     /// How they lie.
     pub scatter: Scatter,
-    /// The mean distance between attractors, √(area of land / number): the unit of the three lengths below in a recipe.
+    /// The mean distance between attractors, √(area of land / number), or with valleys √(area of the domain / number): the unit of the
+    /// three lengths below in a recipe.
     pub spacing: f32,
     /// How far an attractor pulls (the paper's distance of step 2).
     pub reach: f32,
@@ -90,7 +91,10 @@ impl GrowthSettings {
             None => AREA,
             Some(land) => watered(Some(land), &basins).map(|region| region.cells as f32 * CELL_SIZE * CELL_SIZE).sum(),
         };
-        let spacing = (area.max(LEAST_AREA) / attractors as f32).sqrt();
+        let drainage = DrainageSettings::new(recipe);
+        let has_valleys = recipe.get::<GrowthMethod>() == GrowthMethod::Colonize && drainage.valleys > 0.0;
+        // With valleys the land hides attractors, and moves none.
+        let spacing = if has_valleys { drainage.spacing } else { (area.max(LEAST_AREA) / attractors as f32).sqrt() };
         let attractors = attractors.min((area / (spacing * spacing)).round() as u32);
         let spacings = |key| recipe.number(key) * spacing;
         Self {
@@ -114,7 +118,7 @@ impl GrowthSettings {
             momentum: recipe.number(Key::Momentum),
             curl: recipe.number(Key::Curl),
             stretch: recipe.integer(Key::Stretch),
-            drainage: DrainageSettings::new(recipe),
+            drainage,
         }
     }
 }
@@ -124,6 +128,11 @@ impl GrowthSettings {
     #[doc(hidden)]
     pub fn land(&self) -> Option<&Arc<Land>> {
         self.land.as_ref()
+    }
+
+    /// Whether the lowest attractor in reach pulls first, and not all at once.
+    pub fn has_valleys(&self) -> bool {
+        self.method == GrowthMethod::Colonize && self.drainage.valleys > 0.0
     }
 
     /// The regions of the land that have a mouth; the plain rectangle has no regions.

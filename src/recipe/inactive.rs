@@ -34,13 +34,15 @@ impl Given<'_> {
             Key::MouthSpacing | Key::Shores => self.no_coast().or_else(|| self.no_choice_of_mouths()),
             Key::Mouths => self.no_choice_of_mouths(),
             Key::Attractors => self.brownian(),
-            Key::Scatter | Key::Reach | Key::Kill | Key::Step => self.not_colonizing(),
+            Key::Scatter => self.not_colonizing().or_else(|| self.has_cells()),
+            Key::Reach | Key::Kill | Key::Step => self.not_colonizing(),
             Key::Momentum | Key::Curl => self.not_colonizing(),
             Key::Stretch => self.not_colonizing().or_else(|| self.no_curl()),
             Key::Sensitivity => self.not_brownian(),
-            Key::Valleys | Key::Concavity | Key::Captures | Key::Hardness => self.not_draining(),
+            Key::Valleys => self.brownian(),
+            Key::Concavity | Key::Captures | Key::Hardness => self.not_draining(),
             Key::Bending | Key::ChannelArea => self.not_draining(),
-            Key::ValleySpacing => self.not_draining().or_else(|| self.no_valleys()),
+            Key::ValleySpacing => self.brownian().or_else(|| self.no_valleys()),
             Key::HardnessScale => self.not_draining().or_else(|| self.no_hardness()),
             Key::Trim | Key::Courses => None,
             Key::Simplify | Key::Meander => self.as_grown(),
@@ -107,6 +109,10 @@ impl Given<'_> {
 
     fn no_valleys(&self) -> Reason {
         self.is_zero(Key::Valleys).then_some("there are no valleys")
+    }
+
+    fn has_cells(&self) -> Reason {
+        (!self.is_zero(Key::Valleys)).then_some("with valleys, attractors lie in cells of the map")
     }
 
     fn no_hardness(&self) -> Reason {
@@ -188,6 +194,8 @@ mod tests {
             ("great-rivers=0", Key::Taper),
             ("style=skeleton", Key::Width),
             ("growth=colonize&curl=0.5", Key::Stretch),
+            ("growth=colonize&valleys=0", Key::Scatter),
+            ("growth=colonize&valleys=0.3", Key::ValleySpacing),
             ("growth=drainage&hardness=0.1", Key::HardnessScale),
             ("growth=drainage&land=island", Key::MouthSpacing),
         ] {
@@ -196,22 +204,22 @@ mod tests {
     }
 
     /// A recipe in which next to everything does something, whatever the defaults are.
-    const LIVELY: &str = "land=rectangle&growth=colonize&curl=0.5&courses=smooth&meander=bend&meander-rounds=60&meander-strength=0.5&great-rivers=3&meander-elsewhere=0.3&style=ink";
+    const LIVELY: &str = "land=rectangle&growth=colonize&valleys=0.3&curl=0.5&courses=smooth&meander=bend&meander-rounds=60&meander-strength=0.5&great-rivers=3&meander-elsewhere=0.3&style=ink";
 
     const NO_COAST: (&str, &str) =
         ("sea roughness mouth-spacing shores", "the whole rectangle is land, so there is no coast");
     const DRAWN_MOUTHS: &str = "the drawing determines where rivers begin";
     const NOT_DRAWN: (&str, &str) = ("outline", "the land is not drawn");
     const NO_SENSITIVITY: (&str, &str) = ("sensitivity", "only Brownian trees use it");
-    const NOT_DRAINING: (&str, &str) = (
-        "valleys valley-spacing concavity captures hardness hardness-scale bending channel-area",
-        "only drainage uses it",
-    );
+    const NOT_DRAINING: (&str, &str) =
+        ("concavity captures hardness hardness-scale bending channel-area", "only drainage uses it");
+    const IN_CELLS: (&str, &str) = ("scatter", "with valleys, attractors lie in cells of the map");
     const NOT_COLONIZING: (&str, &str) =
         ("scatter reach kill step momentum curl stretch", "only space colonization uses it");
-    const BROWNIAN: (&str, &str) = ("mouths mouth-spacing shores attractors", "Brownian trees do not use it");
+    const BROWNIAN: (&str, &str) =
+        ("mouths mouth-spacing shores attractors valleys valley-spacing", "Brownian trees do not use it");
     const NO_LONGER_SHAPED: &str = "simplify meander meander-rounds meander-strength meander-mix meander-elsewhere great-rivers flat-share neck clearance taper";
-    const RECTANGULAR: &[(&str, &str)] = &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING];
+    const RECTANGULAR: &[(&str, &str)] = &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS];
 
     /// What is set over the lively recipe, and all keys that do nothing then, each with its reason.
     const EXPECTED: &[(&str, &[(&str, &str)])] = &[
@@ -223,7 +231,11 @@ mod tests {
         ("land=drawn&outline=.gAgAhhgAgAhh", RECTANGULAR),
         (
             "land=drawn&outline=.MzMzzMMzzMzM",
-            &[("sea sides", "the drawing determines where the sea is"), NO_SENSITIVITY, NOT_DRAINING],
+            &[("sea sides", "the drawing determines where the sea is"), NO_SENSITIVITY, NOT_DRAINING, IN_CELLS],
+        ),
+        (
+            "land=island",
+            &[("sides", "this land has the sea all around it"), NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS],
         ),
         (
             "land=drawn&outline=.MzMzzMMzzMzM...gAgA",
@@ -232,25 +244,28 @@ mod tests {
                 ("sides mouths mouth-spacing shores", DRAWN_MOUTHS),
                 NO_SENSITIVITY,
                 NOT_DRAINING,
+                IN_CELLS,
             ],
         ),
-        ("land=drawn&outline=...gAgA", &[NO_COAST, ("sides mouths", DRAWN_MOUTHS), NO_SENSITIVITY, NOT_DRAINING]),
+        ("land=drawn&outline=...gAgA", &[NO_COAST, ("sides mouths", DRAWN_MOUTHS), NO_SENSITIVITY, NOT_DRAINING, IN_CELLS]),
         // A drawing that is not the land gives no mouths either.
         (
             "land=island&outline=...gAgA",
-            &[("sides", "this land has the sea all around it"), NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING],
+            &[("sides", "this land has the sea all around it"), NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS],
         ),
-        ("land=island", &[("sides", "this land has the sea all around it"), NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING]),
         (
             "land=archipelago",
-            &[("sides", "this land has the sea all around it"), NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING],
+            &[("sides", "this land has the sea all around it"), NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS],
         ),
-        ("land=continent", &[NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING]),
-        ("land=valley", &[NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING]),
-        ("land=basin", &[("sides", "rivers flow to the lake in the middle"), NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING]),
+        ("land=continent", &[NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS]),
+        ("land=valley", &[NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS]),
+        (
+            "land=basin",
+            &[("sides", "rivers flow to the lake in the middle"), NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS],
+        ),
         ("land=continent&growth=brownian", &[NOT_DRAWN, NOT_DRAINING, BROWNIAN, NOT_COLONIZING]),
         ("growth=brownian", &[NO_COAST, NOT_DRAWN, NOT_DRAINING, BROWNIAN, NOT_COLONIZING]),
-        ("curl=0", &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, ("stretch", "there is no curl")]),
+        ("curl=0", &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS, ("stretch", "there is no curl")]),
         (
             "meander=none",
             &[
@@ -258,6 +273,7 @@ mod tests {
                 NOT_DRAWN,
                 NO_SENSITIVITY,
                 NOT_DRAINING,
+                IN_CELLS,
                 (
                     "meander-rounds meander-strength meander-mix meander-elsewhere great-rivers flat-share neck clearance taper",
                     STILL,
@@ -271,6 +287,7 @@ mod tests {
                 NOT_DRAWN,
                 NO_SENSITIVITY,
                 NOT_DRAINING,
+                IN_CELLS,
                 ("meander-strength meander-mix meander-elsewhere great-rivers flat-share neck clearance taper", STILL),
             ],
         ),
@@ -281,18 +298,19 @@ mod tests {
                 NOT_DRAWN,
                 NO_SENSITIVITY,
                 NOT_DRAINING,
+                IN_CELLS,
                 ("meander-strength meander-mix neck clearance taper", STILL),
                 ("flat-share", "there are no great rivers"),
             ],
         ),
         (
             "great-rivers=0",
-            &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, ("flat-share", "there are no great rivers")],
+            &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS, ("flat-share", "there are no great rivers")],
         ),
         ("meander-elsewhere=0", RECTANGULAR),
         (
             "meander-strength=0",
-            &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, ("meander-mix", "bends do not move")],
+            &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS, ("meander-mix", "bends do not move")],
         ),
         (
             "meander=flow",
@@ -301,6 +319,7 @@ mod tests {
                 NOT_DRAWN,
                 NO_SENSITIVITY,
                 NOT_DRAINING,
+                IN_CELLS,
                 ("meander-mix", "only bends that grow outward use it"),
             ],
         ),
@@ -311,6 +330,7 @@ mod tests {
                 NOT_DRAWN,
                 NO_SENSITIVITY,
                 NOT_DRAINING,
+                IN_CELLS,
                 (NO_LONGER_SHAPED, "rivers keep the steps of their tree"),
             ],
         ),
@@ -321,6 +341,7 @@ mod tests {
                 NOT_DRAWN,
                 NO_SENSITIVITY,
                 NOT_DRAINING,
+                IN_CELLS,
                 (NO_LONGER_SHAPED, "rivers keep the steps of their tree"),
                 ("width bank-variation", "the skeleton is one pixel wide everywhere"),
             ],
@@ -333,6 +354,7 @@ mod tests {
                 NOT_DRAWN,
                 NO_SENSITIVITY,
                 NOT_DRAINING,
+                IN_CELLS,
                 ("meander-strength meander-mix meander-elsewhere great-rivers flat-share neck clearance taper", STILL),
                 ("width bank-variation", "the skeleton is one pixel wide everywhere"),
             ],
@@ -344,6 +366,7 @@ mod tests {
                 NOT_DRAWN,
                 NO_SENSITIVITY,
                 NOT_DRAINING,
+                IN_CELLS,
                 (
                     "meander-rounds meander-strength meander-mix meander-elsewhere great-rivers flat-share neck clearance taper",
                     STILL,
@@ -356,6 +379,7 @@ mod tests {
             "growth=drainage&land=island",
             &[("sides", "this land has the sea all around it"), NOT_DRAWN, NO_SENSITIVITY, NOT_COLONIZING],
         ),
+        ("valleys=0", &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, ("valley-spacing", "there are no valleys")]),
         (
             "growth=drainage&valleys=0&hardness=0",
             &[

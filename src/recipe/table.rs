@@ -251,7 +251,7 @@ pub static TABLE: [Parameter; COUNT] = {
             key: Key::Valleys,
             name: "valleys",
             label: "Valleys",
-            help: "How much deep valleys decide where water goes: 0 for calm, map-like networks, 1 for wild ones.",
+            help: "How much deep valleys decide where water goes: 0 for calm, map-like networks, 1 for wild ones. At 0 space colonization is the paper's.",
             unit: "",
             group: "Drainage",
             stage: Grow,

@@ -24,6 +24,15 @@ fn random_seed() -> impl Strategy<Value = String> {
     seed.prop_map(|seed| form_urlencoded::byte_serialize(seed.as_bytes()).collect())
 }
 
+/// Space colonization, half of it as in the paper.
+fn colonize() -> impl Strategy<Value = String> {
+    prop_oneof![
+        Just("colonize&valleys=0".to_string()),
+        (0.01f64..=1.0, 4.0f64..=60.0)
+            .prop_map(|(valleys, spacing)| format!("colonize&valleys={valleys:.2}&valley-spacing={spacing:.1}")),
+    ]
+}
+
 /// Drainage over the whole of every range.
 fn drainage() -> impl Strategy<Value = String> {
     let valleys = (prop_oneof![Just(0.0), 0.0f64..=1.0], 4.0f64..=60.0, 0u32..=24, 0.2f64..=0.8);
@@ -42,7 +51,7 @@ pub fn random_link(most_attractors: u32) -> impl Strategy<Value = String> {
     let lands = proptest::sample::select(lands::words_of_lands_with_a_coast());
     let land = (prop_oneof![Just("rectangle"), lands], 0.1f64..=0.8, 0.0f64..=1.0, random_outline());
     let ground = (0.25f64..=4.0, prop_oneof![1u32..=5, 1u32..=64], 1u32..16, 100..=most_attractors, any::<bool>());
-    let procedure = prop_oneof![4 => Just("colonize".to_string()), 1 => Just("brownian".to_string()), 4 => drainage()];
+    let procedure = prop_oneof![4 => colonize(), 1 => Just("brownian".to_string()), 4 => drainage()];
     let mouths = (prop_oneof![Just(0), 0..=400], prop_oneof![Just(15u32), 1u32..16]);
     // A sensitivity of 8 takes some fifty times as long as one of 40.
     let sensitivity = prop_oneof![39 => 40u32..=64, 1 => 8u32..40];

@@ -36,8 +36,14 @@ pub(super) struct Parcels {
 impl Parcels {
     /// Lays out the parcels of a land.
     pub fn new(settings: &GrowthSettings) -> Self {
-        let drainage = &settings.drainage;
-        let lattice = Lattice::new(&settings.domain, drainage);
+        let mut this = Self::without_costs(settings);
+        this.weigh(&settings.drainage);
+        this
+    }
+
+    /// The same where no water is to find its way: what it costs to cross from one to another is left at 0.
+    pub fn without_costs(settings: &GrowthSettings) -> Self {
+        let lattice = Lattice::new(&settings.domain, &settings.drainage);
         let cells: Vec<usize> = (0..lattice.at.len()).filter(|&cell| is_land(settings, &lattice, cell)).collect();
         let mut number = vec![NONE; lattice.at.len()];
         for (i, &cell) in (0..).zip(&cells) {
@@ -53,7 +59,6 @@ impl Parcels {
             ..Self::default()
         };
         this.join_neighbours(settings, &lattice, &cells, &number);
-        this.weigh(drainage);
         this.outlets = outlets::find(settings, &lattice, &cells, &this.neighbours);
         this.outlet_of = vec![NONE; cells.len()];
         for (i, outlet) in (0..).zip(&this.outlets) {

@@ -4,7 +4,7 @@
 
 use super::directions::{FlowDirections, NONE};
 use super::parcels::Parcels;
-use super::queue::Queue;
+use crate::grow::queue::Queue;
 use crate::memory::Refused;
 use crate::work;
 

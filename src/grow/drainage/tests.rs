@@ -151,9 +151,9 @@ proptest! {
     fn invasion_takes_the_lowest_parcel_beside_it(recipe in recipes()) {
         let settings = settings(&recipe);
         let parcels = Parcels::new(&settings);
-        let mut invasion = Invasion::new(&parcels, &settings.drainage).unwrap();
+        let mut invasion = Invasion::new(&settings, &parcels).unwrap();
         while invasion.advance(&parcels, 5).unwrap() {}
-        let heights = invasion::heights(&parcels, &settings.drainage);
+        let heights = heights::heights(&settings, &parcels);
         // By scanning all that lies beside what has been taken.
         let mut to = vec![NONE; parcels.len()];
         parcels.outlets.iter().for_each(|outlet| to[outlet.parcel as usize] = FlowDirections::OUT);

@@ -1,4 +1,4 @@
-//! A queue of parcels, the cheapest first; of equally cheap ones, that with the lower number.
+//! A queue of parcels or attractors, the cheapest first; of equally cheap ones, that with the lower number.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
