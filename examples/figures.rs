@@ -19,7 +19,7 @@ const GAP: f32 = 40.0;
 
 /// Space colonization at three moments: attractors with lines to the nodes that they pull, and the tree.
 fn growth() -> Result<String, Box<dyn Error>> {
-    let recipe: Recipe = "seed=rata&growth=colonize&land=rectangle&sides=s&aspect=1&mouths=2&attractors=160&scatter=random&reach=2.3&kill=1.1&\
+    let recipe: Recipe = "seed=rata&growth=colonize&valleys=0&land=rectangle&sides=s&aspect=1&mouths=2&attractors=160&scatter=random&reach=2.3&kill=1.1&\
                           step=0.38&momentum=0&curl=0"
         .parse()?;
     let mut session = Session::new(recipe)?;

@@ -53,7 +53,7 @@ fn recipe_may_begin_with_a_byte_order_mark() {
 
 #[test]
 fn network_has_columns_of_one_length_and_parents_first() {
-    let network = network("network.json", &["seed=kauri&growth=colonize&attractors=400", "--attractors"]);
+    let network = network("network.json", &["seed=kauri&growth=colonize&valleys=0&attractors=400", "--attractors"]);
     let column = |name: &str| network["nodes"][name].as_array().unwrap().clone();
     let parents = column("parent");
     for name in ["x", "y", "tick", "depth", "order", "magnitude", "discharge"] {
@@ -68,7 +68,7 @@ fn network_has_columns_of_one_length_and_parents_first() {
 
 #[test]
 fn attractors_are_counted_and_asked_for_at_once() {
-    let network = network("both.json", &["growth=colonize", "--attractors", "250", "--attractors"]);
+    let network = network("both.json", &["growth=colonize&valleys=0", "--attractors", "250", "--attractors"]);
     assert_eq!(network["attractors"]["x"].as_array().unwrap().len(), 250);
 }
 
@@ -103,7 +103,8 @@ fn ending_says_what_is_written() {
 
 #[test]
 fn rivers_are_in_the_network_with_what_they_were_made_by() {
-    let network = network("rivers.json", &["growth=colonize&attractors=400&meander=flow&meander-rounds=3&simplify=50"]);
+    let network =
+        network("rivers.json", &["growth=colonize&valleys=0&attractors=400&meander=flow&meander-rounds=3&simplify=50"]);
     let resolved = &network["resolved"];
     assert_eq!((&resolved["meander"], &resolved["meander-rounds"]), (&"flow".into(), &3.into()));
     assert_eq!((&resolved["simplify"], &resolved["total-discharge"]), (&0.5.into(), &400.into()));
@@ -120,7 +121,7 @@ fn measures_are_printed_beside_nature_s() {
         assert!(output.status.success() && output.stderr.is_empty(), "{output:?}");
         String::from_utf8(output.stdout).unwrap()
     };
-    let link = "seed=kauri&land=rectangle&growth=colonize&attractors=3000&trim=2";
+    let link = "seed=kauri&land=rectangle&growth=colonize&valleys=0&attractors=3000&trim=2";
     let lines = printed(&[link]);
     let line = |label: &str| lines.lines().find(|line| line.starts_with(label)).unwrap();
     assert_eq!(lines.lines().count(), 1 + TABLE.len(), "{lines}");

@@ -154,10 +154,15 @@ fn render_by(runner: &[&str], kilobytes: u32, link: &str, out: &Path) -> Option<
 
 #[test]
 fn too_little_memory_is_an_error_and_never_another_picture() {
-    const LINK: &str = "seed=a&growth=colonize&attractors=300000";
-    let folder = folder("memory");
+    check_too_little_memory("memory", "seed=a&growth=colonize&valleys=0&attractors=300000");
+    // Half of the cells of the plane lie in the sea.
+    check_too_little_memory("valleys", "seed=a&growth=colonize&valleys=0.2&attractors=600000");
+}
+
+fn check_too_little_memory(name: &str, link: &str) {
+    let folder = folder(name);
     let whole = folder.join("whole.png");
-    let Some(output) = render_within(4_000_000, LINK, &whole) else {
+    let Some(output) = render_within(4_000_000, link, &whole) else {
         eprintln!("skipped: this shell cannot limit memory");
         return;
     };
@@ -166,7 +171,7 @@ fn too_little_memory_is_an_error_and_never_another_picture() {
     let mut refused = 0;
     for kilobytes in [60_000, 70_000, 80_000, 90_000, 110_000] {
         let out = folder.join(format!("{kilobytes}.png"));
-        let Some(output) = render_within(kilobytes, LINK, &out) else { continue };
+        let Some(output) = render_within(kilobytes, link, &out) else { continue };
         let said = String::from_utf8_lossy(&output.stderr).into_owned();
         if output.status.success() {
             assert!(fs::read(&out).unwrap() == whole, "{kilobytes}: another picture");

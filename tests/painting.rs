@@ -116,7 +116,7 @@ proptest! {
 /// Its picture was another once.
 #[test]
 fn changing_the_procedure_of_growth_alone_gives_its_picture() {
-    let link = "seed=a&growth=colonize&sensitivity=40&mouth-spacing=0&land=rectangle&outline=&sea=0.100&roughness=0.000&aspect=0.250&mouths=1&sides=n&attractors=100&scatter=random&reach=2.100&kill=0.500&step=0.200&momentum=0.000&curl=0.000&stretch=1&trim=0&width=1.00&style=ink";
+    let link = "seed=a&growth=colonize&valleys=0&sensitivity=40&mouth-spacing=0&land=rectangle&outline=&sea=0.100&roughness=0.000&aspect=0.250&mouths=1&sides=n&attractors=100&scatter=random&reach=2.100&kill=0.500&step=0.200&momentum=0.000&curl=0.000&stretch=1&trim=0&width=1.00&style=ink";
     check_change(link, link);
 }
 

@@ -152,7 +152,10 @@ fn between_neighbours_no_step_is_higher_than_a_hillside_rises() {
         for beside in [cell + 1, cell + relief.columns()] {
             let Some(&other) = relief.heights().get(beside).filter(|height| **height > 0.0) else { continue };
             let is_bank = is_river[cell] || is_river[beside];
-            assert!(is_bank || (height - other).abs() <= most || beside % relief.columns() == 0, "{height} and {other}");
+            assert!(
+                is_bank || (height - other).abs() <= most || beside % relief.columns() == 0,
+                "{height} and {other}"
+            );
         }
     }
 }

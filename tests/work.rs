@@ -135,6 +135,17 @@ fn a_search_for_a_mouth_ends_soon() {
     assert!(work::steps() - begun < 300_000_000, "{}", work::steps() - begun);
 }
 
+/// With valleys a tick takes up so many attractors, however long the way to each is.
+#[test]
+fn no_tick_along_valleys_takes_long() {
+    for land in every_land().into_iter().chain([format!("land=drawn&outline={}", coasts("c", 8, 240))]) {
+        check(&format!("{land}&growth=colonize&valleys=0.5&attractors=100&reach=12&kill=0.5&step=0.2&meander=none"));
+        check(&format!(
+            "{land}&growth=colonize&valleys=1&attractors=20000&reach=12&step=0.2&curl=2&mouths=64&meander=none"
+        ));
+    }
+}
+
 /// Rivers that meander as much as recipes allow.
 const WILD: &str = "&trim=0&simplify=0&width=40&neck=4&clearance=1&meander-rounds=12&meander-strength=1&meander-elsewhere=1&great-rivers=16&flat-share=1";
 
@@ -168,6 +179,26 @@ fn no_change_holds_a_page() {
             assert!(most.0[change] == 0 || stage < Some(Stage::Prune), "{change}: {} elementary steps", most.0[change]);
             most.finish(&mut session);
             most.check(&session);
+        }
+    }
+}
+
+/// As long a course as a drawing holds is followed at once, and so are as many mouths.
+#[test]
+fn no_scribbled_rivers_hold_a_tick() {
+    let course = format!("..{}", coasts("a", 1, 240));
+    let mouths = coasts("b", 140, 140).replace('.', "...");
+    let land = coasts("c", 1, 120);
+    let half = format!("{land}..{}", coasts("d", 1, 120));
+    for outline in [&course, &mouths, &half] {
+        let drawn = format!("seed=a&land=drawn&outline={outline}");
+        for growth in [
+            "colonize&attractors=1000&reach=12&kill=0.5&step=0.2",
+            "colonize&attractors=20000&reach=12&step=0.2&curl=2&trim=400&meander=none",
+            "brownian&sensitivity=8",
+            "drainage&attractors=40000&bending=4&captures=24&channel-area=1&trim=0",
+        ] {
+            check(&format!("{drawn}&growth={growth}"));
         }
     }
 }

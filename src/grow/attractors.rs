@@ -98,8 +98,8 @@ pub(super) struct Attractors {
 }
 
 impl Attractors {
-    /// Scatters the attractors of a recipe and sorts them into cells.
-    pub fn new(settings: &GrowthSettings) -> Result<Self, GrowError> {
+    /// Scatters the attractors of a recipe and sorts them into cells. Returns them, and the place that each has come to.
+    pub fn new(settings: &GrowthSettings) -> Result<(Self, Vec<u32>), GrowError> {
         let places = scatter(settings);
         let cell = settings.reach / cells_a_reach(settings) as f32 * OVER_ROUNDING;
         let count = |length: f32| ((length / cell) as i32 + 1).max(1);
@@ -119,8 +119,8 @@ impl Attractors {
             count: places.len() as u32,
             cells_a_reach: cells_a_reach(settings),
         };
-        this.fill(&places).map_err(|_| GrowError::out_of_memory(settings))?;
-        Ok(this)
+        let places = this.fill(&places).map_err(|_| GrowError::out_of_memory(settings))?;
+        Ok((this, places))
     }
 
     /// How many there are, used up or not.
@@ -128,8 +128,9 @@ impl Attractors {
         self.count
     }
 
-    /// A counting sort by cell, each cell rounded up to whole blocks.
-    fn fill(&mut self, places: &[Vec2]) -> Result<(), Refused> {
+    /// A counting sort by cell, each cell rounded up to whole blocks. Returns the place of each attractor: four times its block, and its
+    /// lane.
+    fn fill(&mut self, places: &[Vec2]) -> Result<Vec<u32>, Refused> {
         let mut filled = vec![0u32; self.first_block.len()];
         places.iter().for_each(|&at| filled[self.cell_of(at)] += 1);
         let mut blocks = 0;
@@ -142,16 +143,19 @@ impl Attractors {
         memory::lengthen(&mut self.pulls, blocks, Pulls::default())?;
         memory::lengthen(&mut self.hits, 2 * blocks, Hit::default())?;
         let unreached = self.reach * self.reach;
+        let mut found = Vec::new();
+        memory::reserve(&mut found, places.len())?;
         for &at in places {
             let cell = self.cell_of(at);
             filled[cell] -= 1;
-            let block = &mut self.blocks[(self.first_block[cell] + filled[cell] / 4) as usize];
-            let lane = (filled[cell] % 4) as usize;
+            let place = 4 * self.first_block[cell] + filled[cell];
+            found.push(place);
+            let (block, lane) = (&mut self.blocks[place as usize / 4], place as usize % 4);
             block.x.as_mut_array()[lane] = at.x;
             block.y.as_mut_array()[lane] = at.y;
             block.near.as_mut_array()[lane] = unreached;
         }
-        Ok(())
+        Ok(found)
     }
 
     fn cell_of(&self, at: Vec2) -> usize {
@@ -159,11 +163,11 @@ impl Attractors {
         (index(at.y, self.rows) * self.columns + index(at.x, self.columns)) as usize
     }
 
-    /// Gives a new node all attractors that it is nearest to, says which pull whom no longer, and returns how they pull it.
-    /// Where two nodes are equally near, the earlier keeps the attractor. Land that is `hiding` some is asked which.
-    pub fn capture(&mut self, node: u32, at: Vec2, hiding: Option<&Land>, release: impl FnMut(u32, Pull)) -> Pull {
+    /// Gives a new node all attractors that it is nearest to, and returns how they pull it. Says the place of each, whose it was, if
+    /// anybody's, and how it pulled that one. Where two nodes are equally near, the earlier keeps the attractor. Land that is `hiding` some is asked which.
+    pub fn capture(&mut self, node: u32, at: Vec2, hiding: Option<&Land>, taken: impl FnMut(u32, u32, Pull)) -> Pull {
         let hits = self.find_nearer(at, hiding.is_none());
-        self.hand_over(hits, node, at, hiding, release)
+        self.hand_over(hits, node, at, hiding, taken)
     }
 
     /// Looks for attractors that a place is nearer to than their nearest node. Returns how many blocks have some: the first
@@ -216,7 +220,7 @@ impl Attractors {
         node: u32,
         at: Vec2,
         hiding: Option<&Land>,
-        mut release: impl FnMut(u32, Pull),
+        mut taken: impl FnMut(u32, u32, Pull),
     ) -> Pull {
         let mut gained = Pulls::default();
         for &Hit { block: index, mut lanes } in &self.hits[..hits] {
@@ -233,9 +237,7 @@ impl Attractors {
             while lanes != 0 {
                 let lane = next(&mut lanes);
                 let previous_owner = std::mem::replace(&mut block.owner[lane], node);
-                if previous_owner != NO_NODE {
-                    release(previous_owner, before.lane(lane));
-                }
+                taken(index * 4 + lane as u32, previous_owner, before.lane(lane));
             }
         }
         gained.sum()
@@ -250,6 +252,14 @@ impl Attractors {
                 release(block.owner[lane], self.pulls[index].lane(lane));
             }
         }
+    }
+
+    /// Owner, squared distance and place of the attractor at a place of the index; `None` if it is used up.
+    pub fn remaining_at(&self, place: u32) -> Option<(u32, f32, Vec2)> {
+        let (block, lane) = (&self.blocks[place as usize / 4], place as usize % 4);
+        let near = block.near.as_array()[lane];
+        let at = Vec2::new(block.x.as_array()[lane], block.y.as_array()[lane]);
+        (near != USED_UP).then_some((block.owner[lane], near, at))
     }
 
     /// The attractors within reach of a point that are not used up, and who owns each.

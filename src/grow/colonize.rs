@@ -6,14 +6,21 @@
 //! nearest of them; when not even that makes a node, growth is over, and attractors that stay unreached are counted.
 //! (Unless land is left over that no river sees, beyond an isthmus too narrow for a step: then it gets a mouth of its own. Or
 //! unless most are: then a gap among the first attractors has cut the river off, and its last node runs straight on.)
+//!
+//! With valleys attractors have heights, and pull one at a time: the lowest within reach of any node draws a river to itself, step by step,
+//! then the lowest of those within reach by then (as water invades the ground: Wilkinson and Willemsen 1983).
 
 use glam::Vec2;
 
 use super::attractors::{Attractors, NO_NODE};
 use super::changed::Changed;
+use super::drainage::{can_lay_out, front};
 use super::driest::Search;
-use super::heading::{heading, is_duplicate};
+use super::heading::{curl_toward, heading, is_clockwise, is_duplicate};
+use super::starts::PIECE;
+use super::waiting::Waiting;
 use super::{BYTES_AN_ATTRACTOR, GrowError, GrowthSettings, Mouth, Pull, mouths, shores};
+use crate::geometry::{direction, length};
 use crate::land::Shore;
 use crate::memory::{self, Refused};
 use crate::tree::{NO_PARENT, Tree};
@@ -39,6 +46,12 @@ pub struct Colonize {
     shoots: Shoots,
     /// Nodes whose attractors have changed since they last tried to grow.
     changed: Changed,
+    /// With valleys, the attractors that a river may come to next.
+    waiting: Option<Box<Waiting>>,
+    /// How many nodes a tick has with valleys, but for the rest of a river's way to an attractor.
+    nodes_a_tick: usize,
+    /// How many nodes have looked for attractors.
+    captured: usize,
     /// Room for one tick's work, kept between ticks.
     trying: Vec<u32>,
     /// Rivers that no attractor has reached yet.
@@ -81,10 +94,12 @@ impl Colonize {
     /// # Errors
     /// If there is not enough memory.
     pub fn new(settings: GrowthSettings) -> Result<Self, GrowError> {
-        if !memory::can_allocate(settings.attractors as usize * BYTES_AN_ATTRACTOR) {
+        let has_room = memory::can_allocate(settings.attractors as usize * BYTES_AN_ATTRACTOR);
+        if !has_room || (settings.has_valleys() && !can_lay_out(&settings)) {
             return Err(GrowError::out_of_memory(&settings));
         }
-        let attractors = Attractors::new(&settings)?;
+        let (attractors, places) = Attractors::new(&settings)?;
+        let waiting = settings.has_valleys().then(|| Waiting::new(places)).transpose();
         let mut this = Self {
             mouths: Vec::new(),
             search: None,
@@ -93,6 +108,9 @@ impl Colonize {
             tree: Tree::default(),
             shoots: Shoots::default(),
             changed: Changed::default(),
+            waiting: waiting.map_err(|_| GrowError::out_of_memory(&settings))?.map(Box::new),
+            nodes_a_tick: front(settings.attractors as usize),
+            captured: 0,
             trying: Vec::new(),
             pilots: Vec::new(),
             node_limit: MOST_NODES_PER_ATTRACTOR * settings.attractors as usize + MOST_NODES_BESIDES,
@@ -100,24 +118,44 @@ impl Colonize {
             settings,
         };
         // A usual tree's memory at once, so that no frame waits for a long array to move.
-        this.reserve(this.usual_nodes()).map_err(|_| GrowError::out_of_memory(&this.settings))?;
+        this.reserve(this.usual_nodes() + this.stem_nodes()).map_err(|_| GrowError::out_of_memory(&this.settings))?;
         this.tree.tick_starts.push(0);
-        for mouth in mouths(&this.settings) {
-            this.plant(mouth);
+        let starts = this.settings.starts.clone();
+        for (i, mouth) in mouths(&this.settings).into_iter().enumerate() {
+            this.plant(mouth, starts.get(i).map_or(&[], |start| &start.course));
         }
-        this.capture_from(0);
+        this.capture();
         Ok(this)
     }
 
-    /// Plants a mouth and its stem, the start nodes of the paper: about a spacing straight inland, so that no river
-    /// leaves along the coast.
-    fn plant(&mut self, Mouth { at, inland }: Mouth) {
-        let mut pilot = StraightTip { tip: self.add(at, NO_PARENT), inland };
-        for _ in 0..stem_nodes(&self.settings) {
-            pilot.tip = self.extend(pilot).unwrap_or(pilot.tip);
+    /// Plants a mouth and its stem, the start nodes of the paper: along the course that is drawn of its river or, if none is, about a
+    /// spacing straight inland, so that no river leaves along the coast.
+    fn plant(&mut self, Mouth { at, inland }: Mouth, course: &[Vec2]) {
+        let mouth = self.add(at, NO_PARENT);
+        let mut pilot = self.follow(course, StraightTip { tip: mouth, inland });
+        if pilot.tip == mouth {
+            for _ in 0..stem_nodes(&self.settings) {
+                pilot.tip = self.extend(pilot).unwrap_or(pilot.tip);
+            }
         }
         self.pilots.push(pilot);
         self.mouths.push(at);
+    }
+
+    /// Extends a river along a course, a step at a time, until that or the land ends.
+    fn follow(&mut self, course: &[Vec2], mut pilot: StraightTip) -> StraightTip {
+        for &ahead in course {
+            loop {
+                let way = ahead - self.tree.at[pilot.tip as usize];
+                if length(way) < self.settings.step {
+                    break;
+                }
+                let onward = StraightTip { inland: direction(way), ..pilot };
+                let Some(tip) = self.extend(onward) else { return pilot };
+                pilot = StraightTip { tip, ..onward };
+            }
+        }
+        pilot
     }
 
     /// Grows by one tick, everywhere at once. Returns whether there is more to grow. A tick that only searches for where
@@ -130,10 +168,7 @@ impl Colonize {
         self.tree.tick_starts.push(born_from as u32);
         if !self.is_searching() {
             self.extend_pilots();
-            self.grow();
-            if self.tree.len() == born_from && self.ending.is_none() {
-                self.reach_out();
-            }
+            self.grow(born_from);
         }
         if self.tree.len() == born_from && self.ending.is_none() {
             self.seed_unreached_land();
@@ -145,7 +180,7 @@ impl Colonize {
         if self.tree.len() == born_from && self.is_dry() {
             self.extend_last_tip();
         }
-        self.capture_from(born_from);
+        self.capture();
         self.use_up();
         if self.tree.len() == born_from {
             self.tree.tick_starts.pop();
@@ -154,8 +189,20 @@ impl Colonize {
         self.ending.is_none()
     }
 
+    /// Grows at all nodes, or where the ground is lowest.
+    fn grow(&mut self, born_from: usize) {
+        if self.waiting.is_none() {
+            self.grow_everywhere();
+            if self.tree.len() == born_from && self.ending.is_none() {
+                self.reach_out();
+            }
+        } else if self.tree.len() == born_from {
+            self.follow_valleys();
+        }
+    }
+
     /// Steps 3 and 4 of the paper: every node whose attractors have changed tries to grow.
-    fn grow(&mut self) {
+    fn grow_everywhere(&mut self) {
         let mut trying = std::mem::take(&mut self.trying);
         self.changed.drain_into(&mut trying);
         if self.tree.len() + trying.len() > self.node_limit {
@@ -173,16 +220,72 @@ impl Colonize {
         let index = node as usize;
         let Some(pull) = self.shoots.pull[index].direction() else { return };
         let at = self.tree.at[index];
-        let came_from = self.tree.parent_of(index).map(|parent| self.tree.at[parent]);
-        let bent = heading(&self.settings, at, came_from, pull, self.shoots.from_mouth[index], tick);
-        // A bend that would leave the land is not made: a river beside the coast must not stop growing because of it.
-        let straight = at + pull * self.settings.step;
-        let child = [bent, straight].into_iter().find(|&child| self.settings.allows(at, child));
+        let clockwise = is_clockwise(&self.settings, self.shoots.from_mouth[index]);
+        let steps = self.steps(index, pull, clockwise, [at.x.to_bits(), at.y.to_bits(), tick]);
+        let child = steps.into_iter().find(|&child| self.settings.allows(at, child));
         if let Some(child) = child
             && !self.has_twin(index, child)
         {
             self.add(child, node);
         }
+    }
+
+    /// Where a step of a node may lead: bent by momentum and curl, or straight. A bend that would leave the land is not made: a river
+    /// beside the coast must not stop growing because of it.
+    fn steps(&self, node: usize, pull: Vec2, clockwise: bool, identity: [u32; 3]) -> [Vec2; 2] {
+        let at = self.tree.at[node];
+        let came_from = self.tree.parent_of(node).map(|parent| self.tree.at[parent]);
+        let bent = heading(&self.settings, at, came_from, pull, clockwise, identity);
+        [bent, at + pull * self.settings.step]
+    }
+
+    /// The lowest attractor within reach of a node draws a river to itself, then the next lowest. What a tick shows of that changes no
+    /// tree.
+    fn follow_valleys(&mut self) {
+        self.use_up();
+        let enough = self.tree.len() + self.nodes_a_tick;
+        while self.tree.len() < enough
+            && self.ending.is_none()
+            && let Some((rank, place)) = self.waiting.as_mut().and_then(|waiting| waiting.next())
+        {
+            work::count(1);
+            self.grow_toward(rank, place);
+        }
+    }
+
+    /// A river grows from its nearest node to an attractor, until that is used up or no step brings it nearer.
+    fn grow_toward(&mut self, rank: u32, place: u32) {
+        let first = self.tree.len();
+        while let Some((node, squared, attractor)) = self.attractors.remaining_at(place) {
+            let steps = (self.tree.len() - first) as u32;
+            let Some(child) = self.step_toward(node as usize, squared, attractor, steps) else {
+                self.waiting.iter_mut().for_each(|waiting| waiting.put_back(rank));
+                return;
+            };
+            if self.tree.len() >= self.node_limit {
+                self.ending = Some(Ending::NodeLimit);
+                return;
+            }
+            if self.reserve(1).is_err() {
+                self.ending = Some(Ending::OutOfMemory);
+                return;
+            }
+            self.add(child, node);
+            self.capture();
+            self.use_up();
+        }
+    }
+
+    /// A step from a node that brings it nearer to an attractor, at such a distance squared, after so many.
+    fn step_toward(&self, node: usize, squared: f32, attractor: Vec2, steps: u32) -> Option<Vec2> {
+        let at = self.tree.at[node];
+        let pull = Pull::toward(at, attractor).direction()?;
+        let ([column, row], clockwise) = curl_toward(&self.settings, attractor);
+        self.steps(node, pull, clockwise, [column, row, steps]).into_iter().find(|&child| {
+            child.distance_squared(attractor) < squared
+                && self.settings.allows(at, child)
+                && !self.has_twin(node, child)
+        })
     }
 
     /// When nothing else grows: nodes that still have attractors, but balanced ones, or ones that no bend led to, grow
@@ -227,18 +330,23 @@ impl Colonize {
     }
 
     /// Step 2 of the paper, for new nodes only: attractors that are now nearer to one of them change hands.
-    fn capture_from(&mut self, first: usize) {
+    fn capture(&mut self) {
         self.changed.grow(self.tree.len());
-        let Self { settings, attractors, tree, shoots, changed, .. } = self;
-        for node in first..tree.len() {
+        let Self { settings, attractors, tree, shoots, changed, waiting, captured, .. } = self;
+        for node in *captured..tree.len() {
             let at = tree.at[node];
-            let gained = attractors.capture(node as u32, at, settings.hidden_from(at), |owner, pull| {
-                shoots.pull[owner as usize].subtract(pull);
-                changed.insert(owner);
+            let gained = attractors.capture(node as u32, at, settings.hidden_from(at), |place, owner, pull| {
+                if let Some(waiting) = waiting {
+                    waiting.join(place);
+                } else if owner != NO_NODE {
+                    shoots.pull[owner as usize].subtract(pull);
+                    changed.insert(owner);
+                }
             });
             shoots.pull[node].add(gained);
             changed.insert(node as u32);
         }
+        *captured = tree.len();
     }
 
     /// Step 5 of the paper: attractors that a river has come near to are used up, and drain into it.
@@ -272,7 +380,7 @@ impl Colonize {
         if (self.is_searching() || is_patch(self.unreached - self.attractors.remaining().count() as u32))
             && let Some(Shore { at, inland }) = self.driest_shore()
         {
-            self.plant(Mouth { at, inland });
+            self.plant(Mouth { at, inland }, &[]);
         }
     }
 
@@ -376,6 +484,12 @@ impl Colonize {
         memory::reserve(&mut self.shoots.elder, nodes)
     }
 
+    /// How many nodes the drawn courses have at most.
+    fn stem_nodes(&self) -> usize {
+        let points: usize = self.settings.starts.iter().map(|start| start.course.len()).sum();
+        (points as f32 * PIECE / self.settings.step) as usize
+    }
+
     /// About how many nodes a tree has, rather too many: by trials over reach 2.4 to 10, kill 0.5 to 2 and step 0.2 to 1
     /// the number goes with kill^−½ and step^−¾ (both in spacings).
     fn usual_nodes(&self) -> usize {
@@ -388,4 +502,35 @@ impl Colonize {
 /// How many nodes of a stem make about a spacing.
 pub fn stem_nodes(settings: &GrowthSettings) -> u32 {
     ((settings.spacing / settings.step + 0.5) as u32).max(1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::recipe::link;
+
+    fn grown(link: &str, nodes_a_tick: usize) -> Tree {
+        let mut growth = Colonize::new(GrowthSettings::of(&link::read(link).unwrap())).unwrap();
+        growth.nodes_a_tick = nodes_a_tick;
+        while growth.tick() {}
+        growth.tree
+    }
+
+    #[test]
+    fn how_much_a_tick_shows_changes_no_tree() {
+        for link in
+            ["land=island", "land=archipelago&mouths=20", "land=valley&reach=8&curl=1.5", "land=basin&momentum=0.5"]
+        {
+            let link = format!("{link}&growth=colonize&valleys=0.4&attractors=2000&seed=kauri");
+            let at_once = grown(&link, usize::MAX / 2);
+            for nodes_a_tick in [1, 7, 100] {
+                let tree = grown(&link, nodes_a_tick);
+                assert!(tree.tick_starts.len() > at_once.tick_starts.len(), "{link}");
+                assert_eq!(
+                    (tree.at, tree.parent, tree.drained),
+                    (at_once.at.clone(), at_once.parent.clone(), at_once.drained.clone())
+                );
+            }
+        }
+    }
 }

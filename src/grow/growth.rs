@@ -151,10 +151,11 @@ impl Growth {
         }
     }
 
-    /// Whether each mouth was asked for: a Brownian tree has one wherever its particles met the coast, and drainage wherever water
+    /// Whether each mouth was asked for: unless they are drawn, a Brownian tree has one wherever its particles met the coast, and drainage wherever water
     /// leaves the land, most of them a brook's.
     pub fn mouths_are_chosen(&self) -> bool {
         match self.settings.method {
+            _ if !self.settings.starts.is_empty() => true,
             GrowthMethod::Colonize => true,
             GrowthMethod::Brownian => false,
             GrowthMethod::Drainage => self.settings.mouths > 0,

@@ -9,16 +9,15 @@ use crate::random::{ItemHash, Purpose};
 ///
 /// * `pull`: the paper's v₂, a unit vector.
 /// * `came_from`: the node's parent, if it is not a mouth.
-/// * `nodes_from_mouth`: how many steps the node is from its mouth; decides the sense of the curl, so that every
-///   branch bends in regular stretches, whatever grew elsewhere.
-/// * `tick`: with the node's place, the identity that the curl's random angle is drawn by.
+/// * `clockwise`: the sense of the curl.
+/// * `identity`: what the curl's random angle is drawn by.
 pub fn heading(
     settings: &GrowthSettings,
     node: Vec2,
     came_from: Option<Vec2>,
     pull: Vec2,
-    nodes_from_mouth: u32,
-    tick: u32,
+    clockwise: bool,
+    identity: [u32; 3],
 ) -> Vec2 {
     let mut direction = pull;
     if settings.momentum > 0.0
@@ -27,9 +26,26 @@ pub fn heading(
         direction = with_momentum(direction, (node - parent) / settings.step, settings.momentum);
     }
     if settings.curl > 0.0 {
-        direction = with_curl(settings, direction, node, nodes_from_mouth, tick);
+        direction = with_curl(settings, direction, clockwise, identity);
     }
     node + direction * settings.step
+}
+
+/// The sense of the curl at a node so many steps from its mouth: clockwise in the first stretch, then in turn, so that every branch bends in
+/// regular stretches, whatever grew elsewhere.
+pub fn is_clockwise(settings: &GrowthSettings, nodes_from_mouth: u32) -> bool {
+    (nodes_from_mouth / settings.stretch).is_multiple_of(2)
+}
+
+/// The identity of an attractor, and the sense of the curl toward it, by chance the same in squares of the plane as wide as a stretch is long:
+/// both stay the same when what lies downstream changes.
+pub fn curl_toward(settings: &GrowthSettings, attractor: Vec2) -> ([u32; 2], bool) {
+    const FINE: f32 = 0.25;
+    let cell =
+        |size: f32| ((attractor - settings.domain.size / 2.0) / size).floor().to_array().map(|i| i as i32 as u32);
+    let [column, row] = cell(settings.stretch as f32 * settings.step);
+    let clockwise = curl_hash(settings).bits([column, row, u32::MAX]).is_multiple_of(2);
+    (cell(FINE * settings.spacing), clockwise)
 }
 
 /// Whether a child would lie on one that is there already, within an eighth of a step: such twins would pass for
@@ -50,11 +66,10 @@ fn with_momentum(v2: Vec2, v1: Vec2, k: f32) -> Vec2 {
     if squared > VANISHING { u / squared.sqrt() } else { v2 }
 }
 
-/// Turns a direction by a random angle in [0, θ_c), clockwise in the first stretch, then in turn.
-fn with_curl(settings: &GrowthSettings, direction: Vec2, node: Vec2, nodes_from_mouth: u32, tick: u32) -> Vec2 {
-    let chance = curl_hash(settings).unit([node.x.to_bits(), node.y.to_bits(), tick]);
+/// Turns a direction by a random angle in [0, θ_c).
+fn with_curl(settings: &GrowthSettings, direction: Vec2, clockwise: bool, identity: [u32; 3]) -> Vec2 {
+    let chance = curl_hash(settings).unit(identity);
     let (sine, cosine) = sine_and_cosine(settings.curl * chance);
-    let clockwise = (nodes_from_mouth / settings.stretch).is_multiple_of(2);
     direction.rotate(Vec2::new(cosine, if clockwise { sine } else { -sine }))
 }
 
@@ -97,7 +112,8 @@ mod tests {
     fn turn(settings: &GrowthSettings, angle: f32, nodes_from_mouth: u32) -> f32 {
         let pull = Vec2::new(libm::cosf(angle), libm::sinf(angle));
         let parent = Vec2::NEG_X * settings.step;
-        let child = heading(settings, Vec2::ZERO, Some(parent), pull, nodes_from_mouth, 5);
+        let clockwise = is_clockwise(settings, nodes_from_mouth);
+        let child = heading(settings, Vec2::ZERO, Some(parent), pull, clockwise, [0, 0, 5]);
         libm::atan2f(child.y, child.x)
     }
 

@@ -16,6 +16,8 @@ mod mouths;
 mod pull;
 mod scatter;
 mod settings;
+mod starts;
+mod waiting;
 
 pub use brownian::Brownian;
 #[doc(hidden)]
@@ -25,6 +27,8 @@ pub use colonize::stem_nodes;
 pub use colonize::{Colonize, Ending};
 pub use drainage::{Drainage, DrainageSettings};
 pub use growth::Growth;
+#[doc(hidden)]
+pub use heading::curl_toward;
 pub use mouths::Mouth;
 #[doc(hidden)]
 pub use mouths::{mouths, shores};
@@ -33,6 +37,7 @@ pub use pull::Pull;
 #[doc(hidden)]
 pub use scatter::scatter;
 pub use settings::GrowthSettings;
+pub use starts::Start;
 
 use thiserror::Error;
 

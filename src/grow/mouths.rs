@@ -6,6 +6,7 @@ use super::GrowthSettings;
 use crate::land::{Land, Region, Shore};
 use crate::random::{Purpose, Stream};
 use crate::recipe::Sides;
+use crate::sort;
 use crate::work;
 
 /// The root of a river tree.
@@ -20,20 +21,30 @@ pub struct Mouth {
 /// How far a mouth may stray from the middle of its share of the coast, as a part of that share.
 const STRAY: f32 = 0.7;
 
-/// Places the mouths of a recipe: along the sides of a plain rectangle, else on the coasts of the regions that have any.
+/// Places the mouths of a recipe: where they are drawn, or along the sides of a plain rectangle, else on the coasts of the regions that have any.
 pub fn mouths(settings: &GrowthSettings) -> Vec<Mouth> {
+    if !settings.starts.is_empty() {
+        return settings.starts.iter().map(|start| start.mouth).collect();
+    }
     let Some(land) = &settings.land else { return on_sides(settings) };
     let mut chance = settings.seed.stream(Purpose::Mouths);
     let regions = land.regions().iter().zip(&settings.basins);
-    let chosen = |region| chosen_shores(region, settings.shores);
-    regions
-        .flat_map(|(region, &count)| on_coast(land, &chosen(region), count, settings.mouth_spacing, &mut chance))
-        .collect()
+    let on_region = |(region, &count): (&Region, &u32)| {
+        let coast = chosen_shores(region, settings.shores);
+        if settings.has_valleys() {
+            steadily_on_coast(settings, land, &coast, count)
+        } else {
+            on_coast(land, &coast, count, settings.mouth_spacing, &mut chance)
+        }
+    };
+    regions.flat_map(on_region).collect()
 }
 
-/// The places where rivers may reach the sea; none on a plain rectangle, which has a border and no coast.
+/// The places where more rivers may reach the sea: none where mouths are drawn, or on a plain rectangle, which has a border and no
+/// coast.
 pub fn shores(settings: &GrowthSettings) -> impl Iterator<Item = Shore> {
-    settings.watered().flat_map(|region| chosen_shores(region, settings.shores))
+    let is_free = settings.starts.is_empty();
+    settings.watered().filter(move |_| is_free).flat_map(|region| chosen_shores(region, settings.shores))
 }
 
 /// The shores of a region that lie on some sides as seen from the middle of its coast: so the north shore of an island looks north,
@@ -86,6 +97,51 @@ fn on_coast(land: &Land, coast: &[Shore], count: u32, apart: f32, chance: &mut S
         }
     }
     mouths
+}
+
+/// Places mouths on a coast so that they stay where they are when it changes a little. Each cell of the plane that it runs through has a
+/// place, which weighs more by chance, in a bay, and if the coast does not just touch the cell. Mouths are the places that are
+/// farthest from any that weighs more: so they keep apart, and what changes in one place leaves the others alone.
+fn steadily_on_coast(settings: &GrowthSettings, land: &Land, coast: &[Shore], count: u32) -> Vec<Mouth> {
+    // In units; less where many are asked for.
+    let side = if settings.mouths > 16 { 25.0 } else { 50.0 };
+    let chance = settings.seed.item_hash(Purpose::Mouths);
+    let weight = |&(fitness, [column, row], shore): &Place| {
+        // Much by chance, so that a little more or less of a bay seldom decides, and no more for the best of places.
+        ((2.0 * fitness).clamp(0.0, 1.6) / (1.005 - chance.unit([column, row, 2])), shore)
+    };
+    let weighed: Vec<(f32, Shore)> = places_by_cell(settings, land, coast, side).iter().map(weight).collect();
+    work::count(weighed.len() * weighed.len());
+    let remoteness = |&(weight, shore): &(f32, Shore)| {
+        let greater = weighed.iter().filter(|(other, _)| *other > weight);
+        greater.map(|(_, other)| other.at.distance(shore.at)).fold(f32::INFINITY, f32::min)
+    };
+    let remoteness: Vec<f32> = weighed.iter().map(remoteness).collect();
+    let remotest_first = sort::argsort(remoteness.iter().map(|&far| !sort::key(far)));
+    let chosen = remotest_first.into_iter().take(count as usize).filter(|&i| remoteness[i] > settings.mouth_spacing);
+    chosen.map(|i| Mouth { at: weighed[i].1.at, inland: weighed[i].1.inland }).collect()
+}
+
+/// How fit a place on a coast is for a mouth, its cell of the plane, and itself.
+type Place = (f32, [u32; 2], Shore);
+
+/// The fittest place in each cell of the plane: in a bay, and near a point of the cell that is given by chance, so that it hardly moves.
+fn places_by_cell(settings: &GrowthSettings, land: &Land, coast: &[Shore], side: f32) -> Vec<Place> {
+    let chance = settings.seed.item_hash(Purpose::Mouths);
+    let (columns, rows) = ((settings.domain.size.x / side) as usize + 1, (settings.domain.size.y / side) as usize + 1);
+    let mut fittest: Vec<Option<Place>> = vec![None; columns * rows];
+    work::count(8 * coast.len());
+    for &shore in coast {
+        let cell = [shore.at.x, shore.at.y].map(|along| (along / side) as u32);
+        let point = Vec2::new(chance.unit([cell[0], cell[1], 0]), chance.unit([cell[0], cell[1], 1]));
+        let corner = Vec2::new(cell[0] as f32, cell[1] as f32);
+        let fitness = 1.0 + land.shelter(shore.at) - shore.at.distance((corner + point) * side) / side;
+        let fittest = &mut fittest[cell[1] as usize * columns + cell[0] as usize];
+        if fittest.is_none_or(|(other, ..)| fitness > other) {
+            *fittest = Some((fitness, cell, shore));
+        }
+    }
+    fittest.into_iter().flatten().collect()
 }
 
 /// Places mouths along the chosen sides, one in each equal share of their common length, so that they keep apart.
@@ -168,12 +224,17 @@ mod tests {
         }
     }
 
+    const GROWTHS: [&str; 2] = ["growth=colonize&valleys=0", "growth=colonize&valleys=0.2"];
+
     #[test]
     fn mouths_lie_in_bays_rather_than_on_capes() {
-        for kind in lands_with_a_coast() {
+        for (kind, growth) in
+            lands_with_a_coast().into_iter().flat_map(|kind| GROWTHS.map(|growth| (kind.clone(), growth)))
+        {
             let (mut at_mouths, mut along_coasts) = (Vec::new(), Vec::new());
             for seed in 0..8 {
-                let link = format!("{kind}&roughness=1&sea=0.4&mouths=6&mouth-spacing=0&shores=nesw&seed={seed}");
+                let link =
+                    format!("{kind}&{growth}&roughness=1&sea=0.4&mouths=6&mouth-spacing=0&shores=nesw&seed={seed}");
                 let settings = GrowthSettings::of(&link::read(&link).unwrap());
                 let land = settings.land.as_ref().unwrap();
                 at_mouths.extend(mouths(&settings).iter().map(|mouth| land.shelter(mouth.at)));
@@ -181,7 +242,7 @@ mod tests {
             }
             let mean = |shelters: &[f32]| shelters.iter().sum::<f32>() / shelters.len() as f32;
             let (mouths, coasts) = (mean(&at_mouths), mean(&along_coasts));
-            assert!(mouths > coasts + 0.03, "{kind}: {mouths} at mouths, {coasts} along coasts");
+            assert!(mouths > coasts + 0.03, "{kind}, {growth}: {mouths} at mouths, {coasts} along coasts");
         }
     }
 
@@ -200,8 +261,10 @@ mod tests {
     fn mouths_of_a_coast_keep_as_far_apart_as_asked() {
         for kind in lands_with_a_coast() {
             let mut counts = Vec::new();
-            for apart in [0, 60, 150, 400] {
-                let link = format!("{kind}&seed=kauri&shores=nesw&attractors=300&mouths=40&mouth-spacing={apart}");
+            for (apart, growth) in [0, 60, 150, 400].into_iter().flat_map(|apart| GROWTHS.map(|growth| (apart, growth)))
+            {
+                let link =
+                    format!("{kind}&{growth}&seed=kauri&shores=nesw&attractors=300&mouths=40&mouth-spacing={apart}");
                 let regions = grown_mouths(&link);
                 for mouths in &regions {
                     let pairs =
@@ -211,7 +274,8 @@ mod tests {
                 }
                 counts.push(regions.iter().map(Vec::len).sum::<usize>());
             }
-            assert!(counts[0] >= 40 && counts[3] < 20 && counts[3] > 0, "{kind}: {counts:?} mouths");
+            assert!(counts[..2].iter().all(|&count| count >= 40), "{kind}: {counts:?} mouths");
+            assert!(counts[6..].iter().all(|&count| (1..20).contains(&count)), "{kind}: {counts:?} mouths");
         }
     }
 }

@@ -1,15 +1,21 @@
-//! Where attractors lie: anywhere on land that has a river mouth, or each in a cell of a grid.
+//! Where attractors lie: anywhere on land that has a river mouth, or each in a cell of a grid; or, where they follow valleys, each in a
+//! cell of the plane.
 
 use glam::Vec2;
 
 use super::GrowthSettings;
+use super::drainage::attractors_by_height;
 use crate::land::{CELL_SIZE, Cells, Land};
 use crate::random::{Purpose, Stream};
 use crate::recipe::Scatter;
 use crate::work;
 
-/// Places the attractors, in the order of their drawing: one more leaves all others where they are, unless on a grid.
+/// Places the attractors, in the order of their drawing: one more leaves all others where they are, unless on a grid. With valleys the
+/// lowest comes first.
 pub fn scatter(settings: &GrowthSettings) -> Vec<Vec2> {
+    if settings.has_valleys() {
+        return attractors_by_height(settings);
+    }
     let mut chance = settings.seed.stream(Purpose::Attractors);
     match (&settings.land, settings.scatter) {
         (None, Scatter::Random) => {
@@ -29,13 +35,13 @@ pub fn scatter(settings: &GrowthSettings) -> Vec<Vec2> {
 }
 
 /// Which cells of land have a river mouth: a map, since there may be millions of places and hundreds of regions.
-struct Watered {
+pub(super) struct Watered {
     cells: Vec<bool>,
     columns: usize,
 }
 
 impl Watered {
-    fn of(settings: &GrowthSettings, land: &Land) -> Self {
+    pub fn of(settings: &GrowthSettings, land: &Land) -> Self {
         let columns = land.columns() as usize;
         let mut cells = vec![false; columns * land.rows() as usize];
         for run in settings.watered().flat_map(|region| &region.runs) {
@@ -46,7 +52,7 @@ impl Watered {
     }
 
     /// Whether a point of the domain lies in such a cell; on its far borders none does.
-    fn holds(&self, place: Vec2) -> bool {
+    pub fn holds(&self, place: Vec2) -> bool {
         let (column, row) = ((place.x / CELL_SIZE) as usize, (place.y / CELL_SIZE) as usize);
         column < self.columns && self.cells.get(row * self.columns + column) == Some(&true)
     }

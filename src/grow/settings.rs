@@ -4,7 +4,8 @@ use std::sync::Arc;
 
 use glam::Vec2;
 
-use super::DrainageSettings;
+use super::starts::starts;
+use super::{DrainageSettings, Start};
 use crate::domain::{AREA, Domain};
 use crate::land::{CELL_SIZE, Land, Region};
 use crate::random::Seed;
@@ -23,9 +24,11 @@ pub struct GrowthSettings {
     pub mouths: u32,
     /// How many of them in each region of the land, largest first. Regions without one stay dry.
     pub basins: Vec<u32>,
+    /// The mouths that are drawn, in the place of all others; empty if none are.
+    pub starts: Arc<[Start]>,
     /// How far apart mouths are at least.
     pub mouth_spacing: f32,
-    /// Which sides of a plain rectangle have the sea.
+    /// Which sides of a plain rectangle have the sea: of one with starts all.
     pub sides: Sides,
     /// Where on a coast they lie, as seen from its middle.
     pub shores: Sides,
@@ -37,7 +40,8 @@ pub struct GrowthSettings {
     pub attractors: u32,
     /// How they lie.
     pub scatter: Scatter,
-    /// The mean distance between attractors, √(area of land / number): the unit of the three lengths below in a recipe.
+    /// The mean distance between attractors, √(area of land / number), or with valleys √(area of the domain / number): the unit of the
+    /// three lengths below in a recipe.
     pub spacing: f32,
     /// How far an attractor pulls (the paper's distance of step 2).
     pub reach: f32,
@@ -72,25 +76,36 @@ impl GrowthSettings {
     /// Resolves a recipe whose land has been shaped before; `None` if all of the domain is.
     pub fn new(recipe: &Recipe, land: Option<Arc<Land>>) -> Self {
         let attractors = recipe.integer(Key::Attractors);
-        let mouths = mouths_of(recipe);
+        let domain = Domain::of(recipe);
+        let starts = starts(recipe, &domain, land.as_deref());
+        let is_drawn = !starts.is_empty();
+        let mouths = if is_drawn { starts.len() as u32 } else { mouths_of(recipe) };
         let is_lake = recipe.get::<LandKind>() == LandKind::Basin;
         let asked = if is_lake { MOUTHS_OF_A_LAKE * mouths } else { mouths };
-        let basins = land.as_ref().map(|land| share_out(land.regions(), asked)).unwrap_or_default();
+        let basins = match &land {
+            Some(land) if is_drawn => starts_in(land, &starts),
+            Some(land) => share_out(land.regions(), asked),
+            None => Vec::new(),
+        };
         let area = match &land {
             None => AREA,
             Some(land) => watered(Some(land), &basins).map(|region| region.cells as f32 * CELL_SIZE * CELL_SIZE).sum(),
         };
-        let spacing = (area.max(LEAST_AREA) / attractors as f32).sqrt();
+        let drainage = DrainageSettings::new(recipe);
+        let has_valleys = recipe.get::<GrowthMethod>() == GrowthMethod::Colonize && drainage.valleys > 0.0;
+        // With valleys the land hides attractors, and moves none.
+        let spacing = if has_valleys { drainage.spacing } else { (area.max(LEAST_AREA) / attractors as f32).sqrt() };
         let attractors = attractors.min((area / (spacing * spacing)).round() as u32);
         let spacings = |key| recipe.number(key) * spacing;
         Self {
             seed: Seed::from_text(recipe.seed()),
-            domain: Domain::of(recipe),
+            domain,
             land,
+            starts,
             basins,
             mouths,
             mouth_spacing: recipe.number(Key::MouthSpacing),
-            sides: recipe.sides(Key::Sides),
+            sides: if is_drawn { Sides::ALL } else { recipe.sides(Key::Sides) },
             shores: recipe.sides(Key::Shores),
             method: recipe.get(),
             sensitivity: recipe.number(Key::Sensitivity),
@@ -103,7 +118,7 @@ impl GrowthSettings {
             momentum: recipe.number(Key::Momentum),
             curl: recipe.number(Key::Curl),
             stretch: recipe.integer(Key::Stretch),
-            drainage: DrainageSettings::new(recipe),
+            drainage,
         }
     }
 }
@@ -113,6 +128,11 @@ impl GrowthSettings {
     #[doc(hidden)]
     pub fn land(&self) -> Option<&Arc<Land>> {
         self.land.as_ref()
+    }
+
+    /// Whether the lowest attractor in reach pulls first, and not all at once.
+    pub fn has_valleys(&self) -> bool {
+        self.method == GrowthMethod::Colonize && self.drainage.valleys > 0.0
     }
 
     /// The regions of the land that have a mouth; the plain rectangle has no regions.
@@ -176,6 +196,12 @@ fn mouths_of(recipe: &Recipe) -> u32 {
         0 if recipe.get::<GrowthMethod>() != GrowthMethod::Drainage => USUAL,
         mouths => mouths,
     }
+}
+
+/// How many starts lie in each region.
+fn starts_in(land: &Land, starts: &[Start]) -> Vec<u32> {
+    let count = |region| starts.iter().filter(|start| land.is_in(region, start.mouth.at)).count() as u32;
+    land.regions().iter().map(count).collect()
 }
 
 fn watered<'a>(land: Option<&'a Land>, basins: &'a [u32]) -> impl Iterator<Item = &'a Region> {

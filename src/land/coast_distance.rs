@@ -54,6 +54,12 @@ impl CoastDistance {
         Self { heights, columns, rows, spacing }.measured(coast)
     }
 
+    /// The distances from some lines, as if land lay on both sides of them.
+    pub(crate) fn from_lines(domain: &Domain, lines: &[Piece]) -> Self {
+        let (columns, rows) = Self::corners(domain, Self::SPACING);
+        Self::of_coast(domain, Self::SPACING, lines, &vec![true; columns * rows])
+    }
+
     /// All land but for a strait of a width, between two points.
     #[cfg(test)]
     pub(crate) fn of_strait(domain: &Domain, from: Vec2, to: Vec2, width: f32) -> Self {

@@ -27,6 +27,7 @@ mod walk;
 
 pub use cell::{CELL_SIZE, Cell};
 pub use coast_distance::CoastDistance;
+pub(crate) use outline::{divided, in_units};
 pub use queries::Land;
 #[doc(hidden)]
 pub use regions::{Cells, Run};

@@ -1,4 +1,4 @@
-//! The land of a drawn outline: its coasts and ridges in units, roughened, and the coast distances that they make.
+//! The land of a drawn outline: its lines in units, roughened, and the coast distances that they make.
 
 use glam::Vec2;
 
@@ -29,16 +29,19 @@ pub(super) struct Drawing {
     /// Closed lines between land and water.
     pub coasts: Vec<Vec<Vec2>>,
     pub ridges: Vec<Vec<Vec2>>,
+    /// The courses of rivers, from their mouths.
+    pub rivers: Vec<Vec<Vec2>>,
 }
 
 impl Drawing {
     /// An outline on a domain. Every line is moved by the same noise, so that lines which do not touch still do not,
-    /// small islands stay, and ridges keep their place on the land.
+    /// small islands stay, and ridges and rivers keep their place on the land.
     pub fn of(outline: &Outline, shape: &Shape) -> Self {
-        let fractions = |lines: &[Vec<GridPoint>]| -> Vec<Vec<Vec2>> {
-            lines.iter().map(|line| line.iter().map(|point| point.fraction()).collect()).collect()
-        };
-        let mut this = Self::on(&shape.domain, fractions(outline.coasts()), fractions(outline.ridges()));
+        let domain = &shape.domain;
+        let [coasts, ridges, rivers] =
+            [outline.coasts(), outline.ridges(), outline.rivers()].map(|lines| in_units(lines, domain));
+        let coasts = coasts.iter().map(|ring| past_border(ring, domain.size)).collect();
+        let mut this = Self { coasts, ridges, rivers };
         if shape.roughness > 0.0 {
             this.roughen(shape);
         }
@@ -52,17 +55,18 @@ impl Drawing {
         Self {
             coasts: coasts.into_iter().map(|ring| past_border(&on_domain(ring), size)).collect(),
             ridges: ridges.into_iter().map(on_domain).collect(),
+            rivers: Vec::new(),
         }
     }
 
     fn roughen(&mut self, shape: &Shape) {
         let piece = (self.length() / MOST_PIECES).max(PIECE);
         let bend = bend(shape);
-        let rough = |line: &Vec<Vec2>, is_closed| -> Vec<Vec2> {
-            divided(line, piece, is_closed).into_iter().map(&bend).collect()
-        };
-        self.coasts = self.coasts.iter().map(|ring| rough(ring, true)).collect();
-        self.ridges = self.ridges.iter().map(|line| rough(line, false)).collect();
+        for (lines, is_closed) in [(&mut self.coasts, true), (&mut self.ridges, false), (&mut self.rivers, false)] {
+            for line in lines {
+                *line = divided(line, piece, is_closed).into_iter().map(&bend).collect();
+            }
+        }
     }
 
     fn length(&self) -> f32 {
@@ -95,6 +99,11 @@ impl Drawing {
         self.edges().for_each(|(a, b)| crossings.add(a - corner, b - corner));
         crossings
     }
+}
+
+/// Lines of an outline on a domain.
+pub(crate) fn in_units(lines: &[Vec<GridPoint>], domain: &Domain) -> Vec<Vec<Vec2>> {
+    lines.iter().map(|line| line.iter().map(|point| point.fraction() * domain.size).collect()).collect()
 }
 
 /// How a rough land moves every point of the plane.
@@ -134,7 +143,7 @@ fn side(x: f32, length: f32) -> f32 {
 }
 
 /// A line with points added so that none are farther apart than a piece.
-fn divided(line: &[Vec2], piece: f32, is_closed: bool) -> Vec<Vec2> {
+pub(crate) fn divided(line: &[Vec2], piece: f32, is_closed: bool) -> Vec<Vec2> {
     let mut points = Vec::new();
     let edges = if is_closed { line.len() } else { line.len().saturating_sub(1) };
     for (i, &a) in line.iter().enumerate().take(edges) {
@@ -208,7 +217,7 @@ mod tests {
         let lines = |lines: &[&[(f32, f32)]]| {
             lines.iter().map(|line| line.iter().map(|&at| GridPoint::nearest(at.into())).collect()).collect()
         };
-        let outline = Outline::new(lines(coasts), lines(ridges)).unwrap();
+        let outline = Outline::new(lines(coasts), lines(ridges), vec![]).unwrap();
         link::read(&format!("land=drawn&roughness=0&aspect=1&outline={outline}")).unwrap()
     }
 
@@ -299,7 +308,7 @@ mod tests {
             at in (0f32..1000.0, 0f32..1000.0),
         ) {
             let ring: Vec<Vec2> = ring.into_iter().map(|point| Vec2::from(point) * 1000.0).collect();
-            let drawing = Drawing { coasts: vec![ring], ridges: vec![] };
+            let drawing = Drawing { coasts: vec![ring], ridges: vec![], rivers: vec![] };
             // At a corner of the lattice the distance is exact.
             let at = (Vec2::from(at) / CoastDistance::SPACING).floor() * CoastDistance::SPACING;
             let nearest = |(a, b): (Vec2, Vec2)| {

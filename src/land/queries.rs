@@ -26,6 +26,7 @@ pub struct Land {
     grid: Grid,
     regions: Vec<Region>,
     ridges: Vec<Vec<Vec2>>,
+    rivers: Vec<Vec<Vec2>>,
     /// What no river crosses: where land ends.
     borders: Obstacles,
     hides: Hides,
@@ -48,8 +49,8 @@ impl Land {
     pub fn of(recipe: &Recipe) -> Option<Arc<Self>> {
         let shape = Shape::of(recipe);
         if shape.kind == LandKind::Drawn {
-            let (grid, coast_distance, ridges) = drawn(&shape, recipe)?;
-            return Some(Arc::new(Self::on(grid, coast_distance, ridges)));
+            let (grid, coast_distance, Drawing { ridges, rivers, .. }) = drawn(&shape, recipe)?;
+            return Some(Arc::new(Self { rivers, ..Self::on(grid, coast_distance, ridges) }));
         }
         Some(Arc::new(Self::new(&shape.domain, shape.coast_distance()?, shape.ridges())))
     }
@@ -81,7 +82,7 @@ impl Land {
             (0..=1, _) => Hides::Ridges(grid.obstacles(&raised)),
             _ => Hides::Borders,
         };
-        Self { coast_distance, grid, regions, ridges, borders, hides }
+        Self { coast_distance, grid, regions, ridges, rivers: Vec::new(), borders, hides }
     }
 
     /// The height of every point.
@@ -117,6 +118,11 @@ impl Land {
     /// The ridges that no river crosses, as polylines.
     pub fn ridges(&self) -> &[Vec<Vec2>] {
         &self.ridges
+    }
+
+    /// The courses that are drawn of rivers, as polylines from their mouths.
+    pub(crate) fn rivers(&self) -> &[Vec<Vec2>] {
+        &self.rivers
     }
 
     /// The cell of a point; water outside the domain.
@@ -203,13 +209,13 @@ impl Land {
     }
 }
 
-/// The cells, coast distances and ridges of a recipe's outline; `None` if there is no outline, or it leaves no water or next to
+/// The cells, coast distances and lines of a recipe's outline; `None` if there is no outline, or it leaves no water or next to
 /// no land: the drawing then counts as the plain rectangle. This is the only place that decides it.
-fn drawn(shape: &Shape, recipe: &Recipe) -> Option<(Grid, CoastDistance, Vec<Vec<Vec2>>)> {
+fn drawn(shape: &Shape, recipe: &Recipe) -> Option<(Grid, CoastDistance, Drawing)> {
     let drawing = Drawing::of(recipe.outline()?, shape);
     let coast_distance = drawing.coast_distance(&shape.domain, CoastDistance::SPACING);
     let grid = Grid::above_water(&shape.domain, &coast_distance);
-    (LEAST_DRAWN..1.0).contains(&grid.share_of_land()).then_some((grid, coast_distance, drawing.ridges))
+    (LEAST_DRAWN..1.0).contains(&grid.share_of_land()).then_some((grid, coast_distance, drawing))
 }
 
 #[cfg(test)]

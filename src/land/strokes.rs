@@ -41,22 +41,33 @@ impl Outline {
     /// [limit](LONGEST_OUTLINE), and with them specks, and the smallest of too many lines.
     ///
     /// # Errors
-    /// If what is left is no land, or all of it.
-    pub fn from_polylines(coasts: Vec<Vec<Vec2>>, ridges: Vec<Vec<Vec2>>) -> Result<Self, DrawError> {
-        if !coasts.iter().chain(&ridges).flatten().all(|point| point.is_finite()) {
+    /// If what is left is no land, or all of it. Rivers alone run on the whole domain.
+    pub fn from_polylines(
+        coasts: Vec<Vec<Vec2>>,
+        ridges: Vec<Vec<Vec2>>,
+        rivers: Vec<Vec<Vec2>>,
+    ) -> Result<Self, DrawError> {
+        use LineKind::{Coast, Ridge, River};
+        let mut given = [(Coast, coasts), (Ridge, ridges), (River, rivers)];
+        if !given.iter().flat_map(|(_, lines)| lines).flatten().all(|point| point.is_finite()) {
             return Err(DrawError::NotANumber);
         }
-        let lines = |lines: Vec<Vec<Vec2>>, kind| lines.into_iter().filter_map(move |points| Line::new(kind, points));
-        let mut all: Vec<Line> = lines(coasts, LineKind::Coast).chain(lines(ridges, LineKind::Ridge)).collect();
+        let [has_coasts, has_ridges, has_rivers] = [0, 1, 2].map(|kind| !given[kind].1.is_empty());
+        let lines =
+            given.iter_mut().flat_map(|(kind, lines)| lines.drain(..).filter_map(|points| Line::new(*kind, points)));
+        let mut all: Vec<Line> = lines.collect();
         keep_largest(&mut all);
         let least = least_area(&all);
         let of_kind = |kind| all.iter().filter(|line| line.kind == kind).map(|line| line.simplified(least)).collect();
-        let (coasts, ridges): (Vec<_>, Vec<_>) = (of_kind(LineKind::Coast), of_kind(LineKind::Ridge));
+        let [coasts, ridges, rivers]: [Vec<_>; 3] = [Coast, Ridge, River].map(of_kind);
+        if has_rivers && !has_coasts && !has_ridges {
+            return Ok(Self::new(coasts, ridges, rivers)?);
+        }
         if coasts.is_empty() {
             return Err(if ridges.is_empty() { DrawError::TooSmall } else { DrawError::NoCoast });
         }
         check_land(&coasts)?;
-        Ok(Self::new(coasts, ridges)?)
+        Ok(Self::new(coasts, ridges, rivers)?)
     }
 }
 
@@ -80,9 +91,14 @@ impl Line {
         // A straight ridge has a box of no area.
         let sides = match kind {
             LineKind::Coast => high - low,
-            LineKind::Ridge => Vec2::splat((high - low).max_element()),
+            LineKind::Ridge | LineKind::River => Vec2::splat((high - low).max_element()),
         };
-        let size = sides.element_product() * AREA;
+        let mut size = sides.element_product() * AREA;
+        if kind == LineKind::River && size < SPECK {
+            // A mouth, with no course to speak of.
+            points.truncate(1);
+            size = SPECK;
+        }
         let areas = significance(&points, kind == LineKind::Coast).into_iter().map(|area| area * AREA).collect();
         (points.len() >= kind.fewest() && size >= SPECK).then_some(Self { kind, points, areas, size })
     }
@@ -151,12 +167,12 @@ mod tests {
     }
 
     fn refusal(coasts: Vec<Vec<Vec2>>, ridges: Vec<Vec<Vec2>>) -> DrawError {
-        Outline::from_polylines(coasts, ridges).unwrap_err()
+        Outline::from_polylines(coasts, ridges, vec![]).unwrap_err()
     }
 
     #[test]
     fn a_circle_keeps_its_area_and_costs_no_more_than_it_needs() {
-        let outline = Outline::from_polylines(vec![circle(Vec2::splat(0.5), 0.3, 2000)], vec![]).unwrap();
+        let outline = Outline::from_polylines(vec![circle(Vec2::splat(0.5), 0.3, 2000)], vec![], vec![]).unwrap();
         let area: f32 = (0..500).map(|i| land_on_row(outline.coasts(), (i as f32 + 0.5) / 500.0) / 500.0).sum();
         assert!((area / (std::f32::consts::PI * 0.09) - 1.0).abs() < 0.01, "{area}");
         assert!((40..200).contains(&outline.coasts()[0].len()), "{}", outline.coasts()[0].len());
@@ -181,9 +197,22 @@ mod tests {
             let centre = Vec2::new((i % 10) as f32, (i / 10) as f32) / 10.0 + 0.05;
             circle(centre, 0.02 + 0.0002 * i as f32, 30)
         });
-        let outline = Outline::from_polylines(islands.collect(), vec![]).unwrap();
+        let outline = Outline::from_polylines(islands.collect(), vec![], vec![]).unwrap();
         assert!((30..80).contains(&outline.coasts().len()), "{}", outline.coasts().len());
         assert!(outline.coasts().iter().flatten().all(|point| point.fraction().y > 0.4));
+    }
+
+    #[test]
+    fn a_river_too_short_for_a_course_is_its_mouth() {
+        let river = |length: f32| vec![Vec2::new(0.2, 0.5), Vec2::new(0.2 + length, 0.5)];
+        let rivers = vec![river(0.0), river(0.009), river(0.2)];
+        let outline = Outline::from_polylines(vec![], vec![], rivers.clone()).unwrap();
+        assert_eq!(outline.rivers().iter().map(Vec::len).collect::<Vec<_>>(), [1, 1, 2]);
+        assert_eq!(outline.rivers()[1][0], GridPoint::nearest(river(0.0)[0]));
+        // Where a coast is drawn, it must be land; a ridge needs one.
+        let speck = circle(Vec2::splat(0.5), 0.003, 50);
+        assert_eq!(Outline::from_polylines(vec![speck], vec![], rivers.clone()), Err(DrawError::TooSmall));
+        assert_eq!(Outline::from_polylines(vec![], vec![river(0.5)], rivers), Err(DrawError::NoCoast));
     }
 
     proptest! {
@@ -193,12 +222,13 @@ mod tests {
         fn any_lines_fit_or_are_refused(
             coasts in proptest::collection::vec(proptest::collection::vec((-200i16..1200, -200i16..1200), 0..400), 0..5),
             ridges in proptest::collection::vec(proptest::collection::vec((-200i16..1200, -200i16..1200), 0..100), 0..4),
+            rivers in proptest::collection::vec(proptest::collection::vec((-200i16..1200, -200i16..1200), 0..100), 0..4),
         ) {
             let thousandths = |(x, y): (i16, i16)| Vec2::new(f32::from(x), f32::from(y)) / 1000.0;
             let lines = |lines: Vec<Vec<(i16, i16)>>| -> Vec<Vec<Vec2>> {
                 lines.into_iter().map(|line| line.into_iter().map(thousandths).collect()).collect()
             };
-            if let Ok(outline) = Outline::from_polylines(lines(coasts), lines(ridges)) {
+            if let Ok(outline) = Outline::from_polylines(lines(coasts), lines(ridges), lines(rivers)) {
                 let text = outline.to_string();
                 prop_assert!(text.len() <= LONGEST_OUTLINE);
                 prop_assert_eq!(Outline::parse(&text), Ok(outline));

@@ -12,7 +12,8 @@ fn finished(text: &str) -> Session {
     session
 }
 
-const LINK: &str = "seed=kauri&growth=colonize&land=island&sea=0.5&attractors=4000&trim=2&width=40&meander=none";
+const LINK: &str =
+    "seed=kauri&growth=colonize&valleys=0&land=island&sea=0.5&attractors=4000&trim=2&width=40&meander=none";
 
 /// Turned by a right angle and twice as large: what floats say to the bit.
 fn turned(at: Vec2) -> Vec2 {
@@ -59,7 +60,8 @@ fn trees_are_measured_alike_however_they_are_turned() {
 
 #[test]
 fn a_small_map_has_no_ratios_but_lengths() {
-    let measures = Measures::of(&finished("seed=kauri&growth=colonize&land=rectangle&attractors=100&trim=20")).unwrap();
+    let measures =
+        Measures::of(&finished("seed=kauri&growth=colonize&valleys=0&land=rectangle&attractors=100&trim=20")).unwrap();
     assert_eq!((measures.bifurcation_ratio, measures.tokunaga_c, measures.hack_exponent), (None, None, None));
     assert!(measures.drainage_density > 0.0);
     let unborn = Session::new(link::read(LINK).unwrap()).unwrap();
@@ -76,14 +78,14 @@ fn a_map_without_rivers_has_lengths_of_nothing() {
 #[test]
 fn colonization_and_drainage_are_measured_by_one_ruler_and_what_is_idle_is_none() {
     let of = |growth: &str| ruler(&Session::new(link::read(&format!("land=island&{growth}")).unwrap()).unwrap());
-    assert_eq!(of("growth=colonize&attractors=400"), 50.0);
+    assert_eq!(of("growth=colonize&valleys=0&attractors=400"), 50.0);
     assert_eq!(of("growth=drainage&attractors=400"), 50.0);
     assert_eq!(of("growth=brownian&attractors=400&sensitivity=40"), 40.0);
 }
 
 #[test]
 fn density_is_length_by_area_of_land() {
-    let session = finished("seed=kauri&growth=colonize&land=rectangle&attractors=400&meander=none");
+    let session = finished("seed=kauri&growth=colonize&valleys=0&land=rectangle&attractors=400&meander=none");
     let measures = Measures::of(&session).unwrap();
     let length = total_length(session.network().unwrap());
     assert!((measures.drainage_density - length / 1e6).abs() < 1e-9);
@@ -92,7 +94,7 @@ fn density_is_length_by_area_of_land() {
 
 #[test]
 fn a_rectangle_s_coasts_are_its_chosen_sides() {
-    let session = finished("land=rectangle&growth=colonize&aspect=1&sides=nw&attractors=100");
+    let session = finished("land=rectangle&growth=colonize&valleys=0&aspect=1&sides=nw&attractors=100");
     let at = |x: f32, y: f32| inland(&session, Vec2::new(x, y));
     assert_eq!((at(300.0, 20.0), at(30.0, 500.0), at(990.0, 600.0)), (20.0, 30.0, 600.0));
 }

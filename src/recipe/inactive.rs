@@ -29,17 +29,20 @@ impl Given<'_> {
             Key::Seed | Key::Edition | Key::Aspect | Key::Land | Key::Growth => None,
             Key::Sea => self.no_coast().or_else(|| self.sea_is_drawn()),
             Key::Roughness => self.no_coast(),
-            Key::Sides => self.sea_is_drawn().or_else(|| self.sides_are_given()),
-            Key::Outline => (self.land != LandKind::Drawn).then_some("the land is not drawn"),
-            Key::MouthSpacing | Key::Shores => self.no_coast().or_else(|| self.brownian()),
-            Key::Mouths | Key::Attractors => self.brownian(),
-            Key::Scatter | Key::Reach | Key::Kill | Key::Step => self.not_colonizing(),
+            Key::Sides => self.mouths_are_drawn().or_else(|| self.sea_is_drawn()).or_else(|| self.sides_are_given()),
+            Key::Outline => self.nothing_is_drawn(),
+            Key::MouthSpacing | Key::Shores => self.no_coast().or_else(|| self.no_choice_of_mouths()),
+            Key::Mouths => self.no_choice_of_mouths(),
+            Key::Attractors => self.brownian(),
+            Key::Scatter => self.not_colonizing().or_else(|| self.has_cells()),
+            Key::Reach | Key::Kill | Key::Step => self.not_colonizing(),
             Key::Momentum | Key::Curl => self.not_colonizing(),
             Key::Stretch => self.not_colonizing().or_else(|| self.no_curl()),
             Key::Sensitivity => self.not_brownian(),
-            Key::Valleys | Key::Concavity | Key::Captures | Key::Hardness => self.not_draining(),
+            Key::Valleys => self.brownian(),
+            Key::Concavity | Key::Captures | Key::Hardness => self.not_draining(),
             Key::Bending | Key::ChannelArea => self.not_draining(),
-            Key::ValleySpacing => self.not_draining().or_else(|| self.no_valleys()),
+            Key::ValleySpacing => self.brownian().or_else(|| self.no_valleys()),
             Key::HardnessScale => self.not_draining().or_else(|| self.no_hardness()),
             Key::Trim | Key::Courses => None,
             Key::Simplify | Key::Meander => self.as_grown(),
@@ -56,6 +59,18 @@ impl Given<'_> {
 
     fn no_coast(&self) -> Reason {
         (self.land == LandKind::Rectangle).then_some("the whole rectangle is land, so there is no coast")
+    }
+
+    fn nothing_is_drawn(&self) -> Reason {
+        (self.land != LandKind::Drawn && self.recipe.rivers().is_empty()).then_some("the land is not drawn")
+    }
+
+    fn mouths_are_drawn(&self) -> Reason {
+        (!self.recipe.rivers().is_empty()).then_some("the drawing determines where rivers begin")
+    }
+
+    fn no_choice_of_mouths(&self) -> Reason {
+        self.brownian().or_else(|| self.mouths_are_drawn())
     }
 
     fn sea_is_drawn(&self) -> Reason {
@@ -95,6 +110,10 @@ impl Given<'_> {
 
     fn no_valleys(&self) -> Reason {
         self.is_zero(Key::Valleys).then_some("there are no valleys")
+    }
+
+    fn has_cells(&self) -> Reason {
+        (!self.is_zero(Key::Valleys)).then_some("with valleys, attractors lie in cells of the map")
     }
 
     fn no_hardness(&self) -> Reason {
@@ -180,6 +199,8 @@ mod tests {
             ("great-rivers=0", Key::Taper),
             ("style=skeleton", Key::Width),
             ("growth=colonize&curl=0.5", Key::Stretch),
+            ("growth=colonize&valleys=0", Key::Scatter),
+            ("growth=colonize&valleys=0.3", Key::ValleySpacing),
             ("growth=drainage&hardness=0.1", Key::HardnessScale),
             ("growth=drainage&land=island", Key::MouthSpacing),
         ] {
@@ -188,22 +209,23 @@ mod tests {
     }
 
     /// A recipe in which next to everything does something, whatever the defaults are.
-    const LIVELY: &str = "land=rectangle&growth=colonize&curl=0.5&courses=smooth&meander=bend&meander-rounds=60&meander-strength=0.5&great-rivers=3&meander-elsewhere=0.3&style=atlas";
+    const LIVELY: &str = "land=rectangle&growth=colonize&valleys=0.3&curl=0.5&courses=smooth&meander=bend&meander-rounds=60&meander-strength=0.5&great-rivers=3&meander-elsewhere=0.3&style=atlas";
 
     const NO_COAST: (&str, &str) =
         ("sea roughness mouth-spacing shores", "the whole rectangle is land, so there is no coast");
+    const DRAWN_MOUTHS: &str = "the drawing determines where rivers begin";
     const NOT_DRAWN: (&str, &str) = ("outline", "the land is not drawn");
     const NO_SENSITIVITY: (&str, &str) = ("sensitivity", "only Brownian trees use it");
-    const NOT_DRAINING: (&str, &str) = (
-        "valleys valley-spacing concavity captures hardness hardness-scale bending channel-area",
-        "only drainage uses it",
-    );
+    const NOT_DRAINING: (&str, &str) =
+        ("concavity captures hardness hardness-scale bending channel-area", "only drainage uses it");
+    const IN_CELLS: (&str, &str) = ("scatter", "with valleys, attractors lie in cells of the map");
     const NOT_COLONIZING: (&str, &str) =
         ("scatter reach kill step momentum curl stretch", "only space colonization uses it");
-    const BROWNIAN: (&str, &str) = ("mouths mouth-spacing shores attractors", "Brownian trees do not use it");
+    const BROWNIAN: (&str, &str) =
+        ("mouths mouth-spacing shores attractors valleys valley-spacing", "Brownian trees do not use it");
     const NO_LONGER_SHAPED: &str = "simplify meander meander-rounds meander-strength meander-mix meander-elsewhere great-rivers flat-share neck clearance taper";
     const NO_RELIEF: (&str, &str) = ("mountains plains shade", "this style shows no relief");
-    const RECTANGULAR: &[(&str, &str)] = &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING];
+    const RECTANGULAR: &[(&str, &str)] = &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS];
 
     /// What is set over the lively recipe, and all keys that do nothing then, each with its reason.
     const EXPECTED: &[(&str, &[(&str, &str)])] = &[
@@ -215,19 +237,41 @@ mod tests {
         ("land=drawn&outline=.gAgAhhgAgAhh", RECTANGULAR),
         (
             "land=drawn&outline=.MzMzzMMzzMzM",
-            &[("sea sides", "the drawing determines where the sea is"), NO_SENSITIVITY, NOT_DRAINING],
+            &[("sea sides", "the drawing determines where the sea is"), NO_SENSITIVITY, NOT_DRAINING, IN_CELLS],
         ),
-        ("land=island", &[("sides", "this land has the sea all around it"), NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING]),
+        (
+            "land=island",
+            &[("sides", "this land has the sea all around it"), NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS],
+        ),
+        (
+            "land=drawn&outline=.MzMzzMMzzMzM...gAgA",
+            &[
+                ("sea", "the drawing determines where the sea is"),
+                ("sides mouths mouth-spacing shores", DRAWN_MOUTHS),
+                NO_SENSITIVITY,
+                NOT_DRAINING,
+                IN_CELLS,
+            ],
+        ),
+        ("land=drawn&outline=...gAgA", &[NO_COAST, ("sides mouths", DRAWN_MOUTHS), NO_SENSITIVITY, NOT_DRAINING, IN_CELLS]),
+        // A drawing that is not the land gives no mouths either.
+        (
+            "land=island&outline=...gAgA",
+            &[("sides", "this land has the sea all around it"), NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS],
+        ),
         (
             "land=archipelago",
-            &[("sides", "this land has the sea all around it"), NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING],
+            &[("sides", "this land has the sea all around it"), NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS],
         ),
-        ("land=continent", &[NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING]),
-        ("land=valley", &[NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING]),
-        ("land=basin", &[("sides", "rivers flow to the lake in the middle"), NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING]),
+        ("land=continent", &[NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS]),
+        ("land=valley", &[NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS]),
+        (
+            "land=basin",
+            &[("sides", "rivers flow to the lake in the middle"), NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS],
+        ),
         ("land=continent&growth=brownian", &[NOT_DRAWN, NOT_DRAINING, BROWNIAN, NOT_COLONIZING]),
         ("growth=brownian", &[NO_COAST, NOT_DRAWN, NOT_DRAINING, BROWNIAN, NOT_COLONIZING]),
-        ("curl=0", &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, ("stretch", "there is no curl")]),
+        ("curl=0", &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS, ("stretch", "there is no curl")]),
         (
             "meander=none",
             &[
@@ -235,6 +279,7 @@ mod tests {
                 NOT_DRAWN,
                 NO_SENSITIVITY,
                 NOT_DRAINING,
+                IN_CELLS,
                 (
                     "meander-rounds meander-strength meander-mix meander-elsewhere great-rivers flat-share neck clearance taper",
                     STILL,
@@ -248,6 +293,7 @@ mod tests {
                 NOT_DRAWN,
                 NO_SENSITIVITY,
                 NOT_DRAINING,
+                IN_CELLS,
                 ("meander-strength meander-mix meander-elsewhere great-rivers flat-share neck clearance taper", STILL),
             ],
         ),
@@ -258,18 +304,19 @@ mod tests {
                 NOT_DRAWN,
                 NO_SENSITIVITY,
                 NOT_DRAINING,
+                IN_CELLS,
                 ("meander-strength meander-mix neck clearance taper", STILL),
                 ("flat-share", "there are no great rivers"),
             ],
         ),
         (
             "great-rivers=0",
-            &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, ("flat-share", "there are no great rivers")],
+            &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS, ("flat-share", "there are no great rivers")],
         ),
         ("meander-elsewhere=0", RECTANGULAR),
         (
             "meander-strength=0",
-            &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, ("meander-mix", "bends do not move")],
+            &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS, ("meander-mix", "bends do not move")],
         ),
         (
             "meander=flow",
@@ -278,6 +325,7 @@ mod tests {
                 NOT_DRAWN,
                 NO_SENSITIVITY,
                 NOT_DRAINING,
+                IN_CELLS,
                 ("meander-mix", "only bends that grow outward use it"),
             ],
         ),
@@ -288,6 +336,7 @@ mod tests {
                 NOT_DRAWN,
                 NO_SENSITIVITY,
                 NOT_DRAINING,
+                IN_CELLS,
                 (NO_LONGER_SHAPED, "rivers keep the steps of their tree"),
             ],
         ),
@@ -298,13 +347,14 @@ mod tests {
                 NOT_DRAWN,
                 NO_SENSITIVITY,
                 NOT_DRAINING,
+                IN_CELLS,
                 (NO_LONGER_SHAPED, "rivers keep the steps of their tree"),
                 ("width bank-variation", "the skeleton is one pixel wide everywhere"),
                 NO_RELIEF,
             ],
         ),
-        ("style=ink", &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, NO_RELIEF]),
-        ("style=skeleton", &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, NO_RELIEF]),
+        ("style=ink", &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS, NO_RELIEF]),
+        ("style=skeleton", &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS, NO_RELIEF]),
         (
             "style=skeleton&meander-rounds=0",
             &[
@@ -312,6 +362,7 @@ mod tests {
                 NOT_DRAWN,
                 NO_SENSITIVITY,
                 NOT_DRAINING,
+                IN_CELLS,
                 ("meander-strength meander-mix meander-elsewhere great-rivers flat-share neck clearance taper", STILL),
                 ("width bank-variation", "the skeleton is one pixel wide everywhere"),
                 NO_RELIEF,
@@ -324,6 +375,7 @@ mod tests {
                 NOT_DRAWN,
                 NO_SENSITIVITY,
                 NOT_DRAINING,
+                IN_CELLS,
                 (
                     "meander-rounds meander-strength meander-mix meander-elsewhere great-rivers flat-share neck clearance taper",
                     STILL,
@@ -337,6 +389,7 @@ mod tests {
             "growth=drainage&land=island",
             &[("sides", "this land has the sea all around it"), NOT_DRAWN, NO_SENSITIVITY, NOT_COLONIZING],
         ),
+        ("valleys=0", &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, ("valley-spacing", "there are no valleys")]),
         (
             "growth=drainage&valleys=0&hardness=0",
             &[

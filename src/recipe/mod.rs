@@ -106,6 +106,12 @@ impl Recipe {
         }
     }
 
+    /// The courses that are drawn of rivers; none unless the land is drawn.
+    pub fn rivers(&self) -> &[Vec<GridPoint>] {
+        let outline = self.outline().filter(|_| self.get::<LandKind>() == LandKind::Drawn);
+        outline.map_or(&[], Outline::rivers)
+    }
+
     /// Sets a parameter from its text, as a link, an option or a JSON string spells it.
     ///
     /// # Errors

@@ -1,7 +1,7 @@
-//! A drawn land as a value: coasts and ridges on a fine grid, and their one spelling as text.
+//! A drawn land as a value: coasts, ridges and rivers on a fine grid, and their one spelling as text.
 //!
-//! The text needs no escaping in a link. A coast is a dot and its points, a ridge two dots and its points; a point is
-//! four characters of base64url, two for how far east and two for how far south it lies, in 4095ths of the domain.
+//! The text needs no escaping in a link. A coast is a dot and its points, a ridge two dots and its points, a river three; a point
+//! is four characters of base64url, two for how far east and two for how far south it lies, in 4095ths of the domain.
 
 use std::fmt;
 
@@ -55,6 +55,8 @@ pub enum LineKind {
     Coast,
     /// An open line that no river crosses.
     Ridge,
+    /// The course of a river from its mouth, which may be all that is drawn of it.
+    River,
 }
 
 impl LineKind {
@@ -63,6 +65,7 @@ impl LineKind {
         match self {
             Self::Coast => 3,
             Self::Ridge => 2,
+            Self::River => 1,
         }
     }
 
@@ -70,6 +73,7 @@ impl LineKind {
         match self {
             Self::Coast => ".",
             Self::Ridge => "..",
+            Self::River => "...",
         }
     }
 
@@ -84,6 +88,7 @@ impl fmt::Display for LineKind {
         f.write_str(match self {
             Self::Coast => "coast",
             Self::Ridge => "ridge",
+            Self::River => "river",
         })
     }
 }
@@ -131,11 +136,12 @@ pub enum OutlineError {
 }
 
 /// A drawn land: coasts, of which any two may cross or lie within each other (what lies within an odd number of them is
-/// land), and ridges. Without any coast there is nothing drawn, and then there are no ridges either.
+/// land), ridges and rivers. Without any coast all of the domain is land, and then there are no ridges either.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Outline {
     coasts: Vec<Vec<GridPoint>>,
     ridges: Vec<Vec<GridPoint>>,
+    rivers: Vec<Vec<GridPoint>>,
 }
 
 impl Outline {
@@ -143,8 +149,12 @@ impl Outline {
     ///
     /// # Errors
     /// Those of [`parse`](Self::parse), with the place where the text would be wrong.
-    pub fn new(coasts: Vec<Vec<GridPoint>>, ridges: Vec<Vec<GridPoint>>) -> Result<Self, OutlineError> {
-        let this = Self { coasts, ridges };
+    pub fn new(
+        coasts: Vec<Vec<GridPoint>>,
+        ridges: Vec<Vec<GridPoint>>,
+        rivers: Vec<Vec<GridPoint>>,
+    ) -> Result<Self, OutlineError> {
+        let this = Self { coasts, ridges, rivers };
         Self::parse(&this.to_string())
     }
 
@@ -173,8 +183,9 @@ impl Outline {
 
     /// Reads the first line of a text that begins at a place, and returns what follows it.
     fn take_line<'a>(&mut self, text: &'a [u8], at: usize) -> Result<&'a [u8], OutlineError> {
-        let line = text.strip_prefix(b".").ok_or(OutlineError::NoBeginning)?;
-        let (kind, line) = line.strip_prefix(b".").map_or((LineKind::Coast, line), |line| (LineKind::Ridge, line));
+        let kinds = [LineKind::River, LineKind::Ridge, LineKind::Coast].into_iter();
+        let mut begun = kinds.filter_map(|kind| Some((kind, text.strip_prefix(kind.mark().as_bytes())?)));
+        let (kind, line) = begun.next().ok_or(OutlineError::NoBeginning)?;
         let (digits, rest) = line.split_at(line.iter().position(|&c| c == b'.').unwrap_or(line.len()));
         if digits.is_empty() && !rest.is_empty() {
             return Err(OutlineError::BadCharacter { at: at + kind.length_of(0) });
@@ -189,13 +200,14 @@ impl Outline {
         match kind {
             LineKind::Coast => self.coasts.push(points),
             LineKind::Ridge => self.ridges.push(points),
+            LineKind::River => self.rivers.push(points),
         }
         Ok(rest)
     }
 
     /// Whether nothing is drawn.
     pub fn is_empty(&self) -> bool {
-        self.coasts.is_empty()
+        self.coasts.is_empty() && self.rivers.is_empty()
     }
 
     /// The closed lines between land and water, of three points at least; the last point is joined to the first.
@@ -207,12 +219,18 @@ impl Outline {
     pub fn ridges(&self) -> &[Vec<GridPoint>] {
         &self.ridges
     }
+
+    /// The courses that are drawn of rivers, each from its mouth, of one point at least.
+    pub fn rivers(&self) -> &[Vec<GridPoint>] {
+        &self.rivers
+    }
 }
 
 impl fmt::Display for Outline {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let mut text = String::new();
-        for (kind, lines) in [(LineKind::Coast, &self.coasts), (LineKind::Ridge, &self.ridges)] {
+        let rivers = (LineKind::River, &self.rivers);
+        for (kind, lines) in [(LineKind::Coast, &self.coasts), (LineKind::Ridge, &self.ridges), rivers] {
             for line in lines {
                 text.push_str(kind.mark());
                 line.iter().for_each(|point| point.write(&mut text));
@@ -237,8 +255,10 @@ mod tests {
         #![proptest_config(cases(256))]
 
         #[test]
-        fn every_outline_reads_back_and_needs_no_escaping(coasts in lines(3, 4), ridges in lines(2, 3)) {
-            let outline = Outline::new(coasts, ridges).unwrap();
+        fn every_outline_reads_back_and_needs_no_escaping(
+            coasts in lines(3, 3), ridges in lines(2, 3), rivers in lines(1, 2),
+        ) {
+            let outline = Outline::new(coasts, ridges, rivers).unwrap();
             let text = outline.to_string();
             prop_assert_eq!(Outline::parse(&text), Ok(outline));
             prop_assert_eq!(form_urlencoded::byte_serialize(text.as_bytes()).collect::<String>(), text);
@@ -268,8 +288,11 @@ mod tests {
         assert_eq!(error(short), "the ridge that begins at character 14 has too few points: 1, at least 2 are wanted");
         assert_eq!(error("..AAAABBBB"), "there are ridges but no coast");
         assert!(error(&".A".repeat(600)).contains("1200 characters, at most 1000"));
-        assert!(error(".AAAABBBBCCCC...AAAA").starts_with("character 16 is none of A to Z"));
-        assert!(error("........").starts_with("character 3 is none of A to Z"));
+        assert!(error(".AAAABBBBCCCC....AAAA").starts_with("character 17 is none of A to Z"));
+        assert!(error("........").starts_with("character 4 is none of A to Z"));
+        assert!(error("...").starts_with("the river that begins at character 1 has too few points: 0, at least 1"));
+        assert!(error(".AAAABBBBCCCC...AAA").starts_with("the river that begins at character 14 ends within a point"));
+        assert_eq!(error("..AAAABBBB...AAAA"), "there are ridges but no coast");
         assert!(error(".AAAABBBBCCCC..").contains("at character 14 has too few points: 0"));
         assert_eq!(Outline::parse(""), Ok(Outline::default()));
     }

@@ -58,7 +58,8 @@ fn assert_same(session: &Session, expected: &Session) {
 fn recipe_that_there_is_no_memory_for_is_refused() {
     let refused = |text: &str| with_lists_up_to(NOTHING, || Session::new(recipe(text))).map(drop).unwrap_err();
     let attractors = SessionError::Grow(GrowError::OutOfMemory { attractors: 300, megabytes: 1 });
-    assert_eq!(refused("growth=colonize&attractors=300"), attractors);
+    assert_eq!(refused("growth=colonize&valleys=1&land=rectangle&aspect=1&attractors=300"), attractors);
+    assert_eq!(refused("growth=colonize&valleys=0&attractors=300"), attractors);
     assert_eq!(refused("growth=drainage&attractors=300"), attractors);
     let raster = refused("growth=brownian&sensitivity=60");
     assert!(matches!(raster, SessionError::Grow(GrowError::NoRoomForRaster { .. })), "{raster:?}");
@@ -66,7 +67,12 @@ fn recipe_that_there_is_no_memory_for_is_refused() {
 
 #[test]
 fn tree_that_the_memory_ran_out_of_is_an_error_until_it_grows_again() {
-    for text in ["growth=colonize&attractors=300", "growth=drainage&attractors=300", "growth=brownian&sensitivity=60"] {
+    for text in [
+        "growth=colonize&valleys=0&attractors=300",
+        "growth=colonize&valleys=0.3&attractors=300",
+        "growth=drainage&attractors=300",
+        "growth=brownian&sensitivity=60",
+    ] {
         let mut session = planted(text);
         let failure = with_lists_up_to(NOTHING, || session.advance(u32::MAX)).unwrap_err();
         assert!(matches!(failure, SessionError::Grow(_)), "{failure:?}");

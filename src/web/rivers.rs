@@ -81,6 +81,8 @@ export interface Lines {
   /** Closed: the last point is joined to the first. */
   readonly coasts: readonly Float32Array[];
   readonly ridges: readonly Float32Array[];
+  /** Each from its mouth; of one point if nothing more of it is drawn. */
+  readonly rivers: readonly Float32Array[];
 }
 /** What a picture shows, in numbers. */
 export interface Summary {
@@ -172,9 +174,13 @@ pub fn fresh_seed() -> Result<String, JsValue> {
 
 /// The outline of lines with any number of points, simplified until it fits a link. Throws an Error if that is no land.
 #[wasm_bindgen(js_name = outlineOf)]
-pub fn outline_of(coasts: Vec<Float32Array>, ridges: Vec<Float32Array>) -> Result<String, JsValue> {
-    let lines = |lines: Vec<Float32Array>| lines.iter().map(points).collect();
-    let outline = Outline::from_polylines(lines(coasts), lines(ridges));
+pub fn outline_of(
+    coasts: Vec<Float32Array>,
+    ridges: Vec<Float32Array>,
+    rivers: Vec<Float32Array>,
+) -> Result<String, JsValue> {
+    let [coasts, ridges, rivers] = [coasts, ridges, rivers].map(|lines| lines.iter().map(points).collect());
+    let outline = Outline::from_polylines(coasts, ridges, rivers);
     outline.map(|outline| outline.to_string()).map_err(|error| coded("no-land", &error.to_string()))
 }
 
@@ -185,7 +191,9 @@ pub fn outline_lines(text: &str) -> Result<Object, JsValue> {
     let flat = |line: &Vec<GridPoint>| -> Vec<f32> { line.iter().flat_map(|at| at.fraction().to_array()).collect() };
     let lines =
         |lines: &[Vec<GridPoint>]| lines.iter().map(|line| Float32Array::from(&flat(line)[..])).collect::<Array>();
-    Ok(object(&[("coasts", lines(outline.coasts()).into()), ("ridges", lines(outline.ridges()).into())]))
+    let lines = [("coasts", outline.coasts()), ("ridges", outline.ridges()), ("rivers", outline.rivers())]
+        .map(|(kind, of_kind)| (kind, lines(of_kind).into()));
+    Ok(object(&lines))
 }
 
 /// The points of a line given as x and y in turn; half a point at the end is left out.

@@ -11,16 +11,26 @@ pub mod twin;
 use proptest::prelude::*;
 use riverseed::recipe::{Choice, EDITION, Style};
 
-/// Outlines of any lines, mostly crossing themselves and each other; some of nothing.
-fn random_outline() -> impl Strategy<Value = String> {
-    let lines = "([.]([A-Za-z0-9_-]{4}){3,9}){1,3}([.]{2}([A-Za-z0-9_-]{4}){2,9}){0,2}";
-    prop_oneof![Just(String::new()), lines]
+/// Outlines of any lines, mostly crossing themselves and each other; some of nothing, or of rivers alone.
+pub fn random_outline() -> impl Strategy<Value = String> {
+    let lines =
+        "([.]([A-Za-z0-9_-]{4}){3,9}){1,3}([.]{2}([A-Za-z0-9_-]{4}){2,9}){0,2}([.]{3}([A-Za-z0-9_-]{4}){1,9}){0,2}";
+    prop_oneof![2 => Just(String::new()), 4 => lines, 1 => "([.]{3}([A-Za-z0-9_-]{4}){1,9}){1,4}"]
 }
 
 /// Any text that a seed may be, escaped; mostly a short word, which is easier to read in a failure.
 fn random_seed() -> impl Strategy<Value = String> {
     let seed = prop_oneof![9 => "[a-z]{1,8}", 1 => "[^\\p{C}\u{fffd}]{0,64}"];
     seed.prop_map(|seed| form_urlencoded::byte_serialize(seed.as_bytes()).collect())
+}
+
+/// Space colonization, half of it as in the paper.
+fn colonize() -> impl Strategy<Value = String> {
+    prop_oneof![
+        Just("colonize&valleys=0".to_string()),
+        (0.01f64..=1.0, 4.0f64..=60.0)
+            .prop_map(|(valleys, spacing)| format!("colonize&valleys={valleys:.2}&valley-spacing={spacing:.1}")),
+    ]
 }
 
 /// Drainage over the whole of every range.
@@ -45,7 +55,7 @@ pub fn random_link(most_attractors: u32) -> impl Strategy<Value = String> {
     let lands = proptest::sample::select(lands::words_of_lands_with_a_coast());
     let land = (prop_oneof![Just("rectangle"), lands], 0.1f64..=0.8, 0.0f64..=1.0, random_outline());
     let ground = (0.25f64..=4.0, prop_oneof![1u32..=5, 1u32..=64], 1u32..16, 100..=most_attractors, any::<bool>());
-    let procedure = prop_oneof![4 => Just("colonize".to_string()), 1 => Just("brownian".to_string()), 4 => drainage()];
+    let procedure = prop_oneof![4 => colonize(), 1 => Just("brownian".to_string()), 4 => drainage()];
     let mouths = (prop_oneof![Just(0), 0..=400], prop_oneof![Just(15u32), 1u32..16]);
     // A sensitivity of 8 takes some fifty times as long as one of 40.
     let sensitivity = prop_oneof![39 => 40u32..=64, 1 => 8u32..40];

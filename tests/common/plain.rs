@@ -6,10 +6,12 @@ use riverseed::recipe::preset;
 const PLAIN: &str = "growth=colonize&aspect=1.5&land=rectangle&sea=0.5&roughness=0.5&mouths=3&attractors=6000&curl=0&stretch=8&trim=20&simplify=60&width=14\
                      &meander-rounds=24&meander-elsewhere=0.3&great-rivers=1&flat-share=0.25&style=ink";
 
-/// A link with all of [`PLAIN`] that neither it nor its preset names.
+/// A link with all of [`PLAIN`] that neither it nor its preset names. Drainage has the table's valleys, space colonization none.
 pub fn plain(link: &str) -> String {
+    let valleys = if link.contains("growth=drainage") { "" } else { "&valleys=0" };
+    let whole = format!("{PLAIN}{valleys}");
     let named = |key: &str| link.split('&').any(|pair| pair.split('=').next() == Some(key)) || preset_names(link, key);
-    let rest = PLAIN.split('&').filter(|pair| !pair.split('=').next().is_some_and(named));
+    let rest = whole.split('&').filter(|pair| !pair.split('=').next().is_some_and(named));
     [link].into_iter().filter(|link| !link.is_empty()).chain(rest).collect::<Vec<_>>().join("&")
 }
 

@@ -3,7 +3,7 @@
 //! crate are where things lie at the start, the fixed-point sum of pulls and the hash that random angles come from.
 
 use glam::Vec2;
-use riverseed::grow::{GrowthSettings, Mouth, Pull, mouths, scatter, shores, stem_nodes};
+use riverseed::grow::{GrowthSettings, Mouth, Pull, curl_toward, mouths, scatter, shores, stem_nodes};
 use riverseed::random::Purpose;
 use riverseed::tree::NO_PARENT;
 
@@ -19,8 +19,81 @@ pub struct Black {
     tried: Vec<u32>,
 }
 
-/// Grows by the numbered steps of the paper.
+/// Grows by the numbered steps of the paper, or where valleys lead.
 pub fn grow(settings: &GrowthSettings) -> Vec<Black> {
+    if settings.has_valleys() { grow_along_valleys(settings) } else { grow_everywhere(settings) }
+}
+
+/// One blue node after another: the lowest that is within reach of any black node, all of them looked at each time. A black node that has come
+/// to no step toward a blue node is not asked for one again.
+fn grow_along_valleys(settings: &GrowthSettings) -> Vec<Black> {
+    let mut blue: Vec<Option<Vec2>> = scatter(settings).into_iter().map(Some).collect();
+    let (mut black, mut pilots) = start_nodes(settings);
+    let mut stuck = vec![None; blue.len()];
+    loop {
+        let mut born = run_inland(settings, &blue, &black, &mut pilots, 0);
+        remove(settings, &mut blue, &mut black);
+        if born.is_empty() {
+            while let Some(lowest) = lowest_in_reach(settings, &blue, &black, &stuck) {
+                stuck[lowest] = run_toward(settings, &mut blue, &mut black, lowest);
+            }
+            if let Some(mouth) = mouth_for_the_rest(settings, &blue, &black) {
+                born = stem(settings, mouth, black.len() as u32, 0);
+                pilots.push((black.len() + born.len() - 1, mouth.inland));
+            } else if blue.iter().flatten().count() > blue.len() / 2 {
+                born.extend(extend_last_tip(settings, &black, 0));
+                pilots.extend(born.first().map(|_| (black.len(), onward(settings, &black))));
+            }
+        }
+        if born.is_empty() {
+            drain_the_rest(settings, &blue, &mut black);
+            return black;
+        }
+        black.extend(born);
+    }
+}
+
+/// The first blue node that some black node reaches, and that is not stuck at its closest.
+fn lowest_in_reach(
+    settings: &GrowthSettings,
+    blue: &[Option<Vec2>],
+    black: &[Black],
+    stuck: &[Option<usize>],
+) -> Option<usize> {
+    let closest = |blue: Vec2| closest(settings, blue, black, settings.reach);
+    (0..blue.len()).find(|&i| blue[i].and_then(closest).is_some_and(|node| stuck[i] != Some(node)))
+}
+
+/// A river runs to a blue node. Returns the black node that it is stuck at, if it is.
+fn run_toward(
+    settings: &GrowthSettings,
+    blue: &mut [Option<Vec2>],
+    black: &mut Vec<Black>,
+    lowest: usize,
+) -> Option<usize> {
+    for step in 0.. {
+        let Some(aim) = blue[lowest] else { break };
+        let from = closest(settings, aim, black, settings.reach)?;
+        let parent = &black[from];
+        let v2 = Pull::toward(parent.at, aim).direction()?;
+        let came_from = black.get(parent.parent as usize).map(|node| node.at);
+        let ([column, row], to_the_right) = curl_toward(settings, aim);
+        let u = with_momentum(settings, parent.at, came_from, v2);
+        let u = curled(settings, u, to_the_right, [column, row, step]);
+        let is_step = |at: &Vec2| {
+            squared_distance(*at, aim) < squared_distance(parent.at, aim)
+                && settings.allows(parent.at, *at)
+                && !has_twin(settings, black, from, *at)
+        };
+        let steps = [parent.at + u * settings.step, parent.at + v2 * settings.step];
+        let Some(at) = steps.into_iter().find(is_step) else { return Some(from) };
+        black.push(node(at, from as u32, 0, black[from].from_mouth + 1));
+        remove(settings, blue, black);
+    }
+    None
+}
+
+fn grow_everywhere(settings: &GrowthSettings) -> Vec<Black> {
     // Step 1: start nodes, and blue nodes spread over the space.
     let mut blue: Vec<Option<Vec2>> = scatter(settings).into_iter().map(Some).collect();
     let (mut black, mut pilots) = start_nodes(settings);
@@ -47,11 +120,15 @@ pub fn grow(settings: &GrowthSettings) -> Vec<Black> {
         black.extend(born);
         remove(settings, &mut blue, &mut black);
     }
-    // What is left drains to the node it is assigned to.
-    for (node, blue) in assign(settings, &blue, &black).into_iter().enumerate() {
+    drain_the_rest(settings, &blue, &mut black);
+    black
+}
+
+/// What is left drains to the node it is assigned to.
+fn drain_the_rest(settings: &GrowthSettings, blue: &[Option<Vec2>], black: &mut [Black]) {
+    for (node, blue) in assign(settings, blue, black).into_iter().enumerate() {
         black[node].drained += blue.len() as u32;
     }
-    black
 }
 
 fn node(at: Vec2, parent: u32, tick: u32, from_mouth: u32) -> Black {
@@ -104,8 +181,11 @@ fn grow_all(
         assigned.iter().filter_map(|&b| blue[b as usize]).for_each(|b| sum.add(Pull::toward(parent.at, b)));
         if let Some(v2) = sum.direction() {
             let came_from = black.get(parent.parent as usize).map(|node| node.at);
-            let bent = parent.at
-                + curled(settings, with_momentum(settings, parent.at, came_from, v2), parent, tick) * settings.step;
+            let identity = [parent.at.x.to_bits(), parent.at.y.to_bits(), tick];
+            // For the first c nodes of a branch to the right, then to the left.
+            let to_the_right = parent.from_mouth % (2 * settings.stretch) < settings.stretch;
+            let u = curled(settings, with_momentum(settings, parent.at, came_from, v2), to_the_right, identity);
+            let bent = parent.at + u * settings.step;
             let straight = parent.at + v2 * settings.step;
             let at = if settings.allows(parent.at, bent) { bent } else { straight };
             if settings.allows(parent.at, at) && !has_twin(settings, black, i, at) {
@@ -175,14 +255,13 @@ fn with_momentum(settings: &GrowthSettings, at: Vec2, came_from: Option<Vec2>, v
     Vec2::new(x / length, y / length)
 }
 
-/// Section 4.3: turned by a random angle up to θ_c, to the right for the first c nodes of a branch, then to the left.
-fn curled(settings: &GrowthSettings, u: Vec2, node: &Black, tick: u32) -> Vec2 {
+/// Section 4.3: turned by a random angle up to θ_c, to the right or to the left.
+fn curled(settings: &GrowthSettings, u: Vec2, to_the_right: bool, identity: [u32; 3]) -> Vec2 {
     if settings.curl == 0.0 {
         return u;
     }
     let hash = settings.seed.item_hash(Purpose::Curl);
-    let angle = settings.curl * hash.unit([node.at.x.to_bits(), node.at.y.to_bits(), tick]);
-    let to_the_right = node.from_mouth % (2 * settings.stretch) < settings.stretch;
+    let angle = settings.curl * hash.unit(identity);
     // By doubles, which are rounded once.
     let (sine, cosine) = (libm::sin(f64::from(angle)) as f32, libm::cos(f64::from(angle)) as f32);
     let sine = if to_the_right { sine } else { -sine };
@@ -203,10 +282,39 @@ fn remove(settings: &GrowthSettings, blue: &mut [Option<Vec2>], black: &mut [Bla
 fn start_nodes(settings: &GrowthSettings) -> (Vec<Black>, Vec<(usize, Vec2)>) {
     let (mut black, mut ends) = (Vec::new(), Vec::new());
     for mouth in mouths(settings) {
-        black.extend(stem(settings, mouth, black.len() as u32, 0));
-        ends.push((black.len() - 1, mouth.inland));
+        let first = black.len() as u32;
+        let drawn = settings.starts.iter().find(|start| start.mouth == mouth);
+        let drawn = drawn.and_then(|start| drawn_stem(settings, &start.course, mouth, first));
+        let (stem, inland) = drawn.unwrap_or_else(|| (stem(settings, mouth, first, 0), mouth.inland));
+        black.extend(stem);
+        ends.push((black.len() - 1, inland));
     }
     (black, ends)
+}
+
+/// A mouth and the river that is drawn from it, one step after the other toward the next point that is not nearer than a step; and the
+/// last step's direction. `None` if there is no room for one.
+fn drawn_stem(settings: &GrowthSettings, course: &[Vec2], mouth: Mouth, first: u32) -> Option<(Vec<Black>, Vec2)> {
+    let mut stem = vec![node(mouth.at, NO_PARENT, 0, 0)];
+    let (mut onward, mut next) = (None, 0);
+    while next < course.len() {
+        let from = stem[stem.len() - 1].at;
+        let way = course[next] - from;
+        let far = squared_distance(course[next], from).sqrt();
+        if far < settings.step {
+            next += 1;
+            continue;
+        }
+        let direction = way / far;
+        let at = from + direction * settings.step;
+        if !settings.allows(from, at) {
+            break;
+        }
+        let last = stem.len() as u32 - 1;
+        stem.push(node(at, first + last, 0, last + 1));
+        onward = Some(direction);
+    }
+    onward.map(|onward| (stem, onward))
 }
 
 /// A mouth and its stem, whose nodes are numbered from the first on.

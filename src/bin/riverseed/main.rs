@@ -410,7 +410,8 @@ fn grow(order: Order, progress: &ProgressBar) -> Result<Session, Failure> {
 
 /// Whether a drawn land is asked for and nothing that could be land is drawn.
 fn is_undrawn(session: &Session) -> bool {
-    session.recipe().get::<LandKind>() == LandKind::Drawn && session.land().is_none()
+    let recipe = session.recipe();
+    recipe.get::<LandKind>() == LandKind::Drawn && session.land().is_none() && recipe.rivers().is_empty()
 }
 
 /// A bar on standard error for long work; invisible where that is not a terminal.

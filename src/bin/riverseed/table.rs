@@ -30,10 +30,16 @@ Numbers keep four decimal places. Units of length:
 const NOTES: &str = "
 ## Drawn land
 
-`land=drawn` reads coasts and ridges from `outline`. Each line starts with a dot for a coast or two dots for a ridge, followed by its
-points. A point is four base64url characters: two for its distance from the west edge, two for its distance from the north edge, each a
-whole number from 0 to 4095 across the domain. A point is on land if it is inside an odd number of coasts. Where a coast runs along the
+`land=drawn` reads coasts, ridges and rivers from `outline`. Each line starts with a dot for a coast, two dots for a ridge or three for a
+river, followed by its points. A point is four base64url characters: two for its distance from the west edge, two for its distance from the
+north edge, each a whole number from 0 to 4095 across the domain. A point is on land if it is inside an odd number of coasts. Where a coast runs along the
 map's edge, the land continues beyond that edge.
+
+A river is drawn from its mouth, which may be all that is drawn of it. The mouth comes to lie on the nearest coast, or where the line comes
+ashore; without any coast, on the nearest edge of the map. Where rivers are drawn, there are no other mouths: `mouths`, `mouth-spacing`,
+`shores` and `sides` have no effect, and land without a mouth stays dry. A course is followed as far as neither water nor a ridge is in its
+way, and all courses together over 10,000 units. It is there before anything grows, and the rest of the tree grows from it. For example,
+`land=drawn&outline=...AAgAMzczTMmZgAgAmZTM...zM-t` draws no coast, a river that flows west, and a mouth in the south.
 
 `riverseed outline` makes an outline from a PNG. White is land; black and transparent are water; a third colour, or a mid grey, is a
 ridge. A thin ridge becomes a line along its middle; a wide one becomes the outline of an area without rivers. The command reports how
@@ -43,8 +49,8 @@ the map's edge. [`riverseed render --land`](command-line.md#a-picture-as-the-lan
 ## Trimming
 
 A branch's length is that of its nodes: one `step` each in space colonization, a spacing in drainage, 1.1 units on average in a Brownian
-tree. `trim` is rounded to whole nodes. In a Brownian tree, and in drainage with `mouths=0`, rivers that reach the sea on their own are
-trimmed too if they are shorter than that; the longest one always stays. In drainage, rivers are trimmed after `channel-area` has decided
+tree. `trim` is rounded to whole nodes. In a Brownian tree, and in drainage with `mouths=0`, unless mouths are
+drawn, rivers that reach the sea on their own are trimmed too if they are shorter than that; the longest one always stays. In drainage, rivers are trimmed after `channel-area` has decided
 where they begin.
 
 ## Limits

@@ -6,12 +6,15 @@
 //! are discarded at once, and so are those that leave the raster or come near a ridge.
 //!
 //! Ridges shut coarse steps out of the land behind them, and there it would stay empty: so few of all particles of a fine step
-//! are born where rivers come in that its passes would end. Where there are ridges, then, a step first has passes for what
+//! are born where rivers come in that its passes would end. Where there are ridges or drawn mouths, then, a step first has passes for what
 //! the coarser ones left: only particles born farther from water than a step are let go, as long as any of them makes a river.
 //!
 //! The first step is the shorter side of the raster. When fewer than one in twenty of the particles that were born on land
 //! has made a river, the step is halved (the document counts particles born at sea too, but then density would depend on
 //! the share of sea); the last passes have exactly the requested step (the sensitivity), so that no two values draw the same.
+//!
+//! Where mouths are drawn, rivers begin there alone: all other water beside land is left alone by particles, who are lost in it.
+//! A course that is drawn is river before the first pass.
 //!
 //! Growth ends: every pass but the last of its step makes at least one cell of land water, a pass has a bounded number of
 //! particles, and a particle makes a bounded number of moves. About 200 passes are usual for a raster of 1024 × 1024.
@@ -105,7 +108,8 @@ impl Brownian {
         let total_discharge = (raster.available() as f32 * DENSITY / sensitivity) as u32;
         let mut chance = seed.stream(Purpose::Particles);
         let pass = Pass::new(&raster, first.max(sensitivity), false, order, &mut chance);
-        let strands = Strands::new(Water::new(raster)).map_err(|_| GrowError::no_room_for(cells))?;
+        let mut strands = Strands::new(Water::new(raster)).map_err(|_| GrowError::no_room_for(cells))?;
+        strands.draw_stems().map_err(|_| GrowError::no_room_for(cells))?;
         Ok(Self { strands, pass, sensitivity, total_discharge, chance, order, ending: None })
     }
 
@@ -155,7 +159,7 @@ impl Brownian {
             Some((step, self.pass.fruitful > 0))
         } else {
             next_step(step, self.pass.impact(), self.sensitivity)
-                .map(|next| (next, next < step && self.strands.water.has_ridges()))
+                .map(|next| (next, next < step && self.strands.water.may_leave_gaps()))
         };
         let raster = &self.strands.water.raster;
         match next {

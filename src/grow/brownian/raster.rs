@@ -1,9 +1,11 @@
 //! The raster that a Brownian tree grows in.
 
+use std::sync::Arc;
+
 use glam::Vec2;
 
-use crate::grow::GrowthSettings;
-use crate::land::{CELL_SIZE, Cell, Land};
+use crate::grow::{GrowthSettings, Start};
+use crate::land::{CELL_SIZE, Cell, Land, Region};
 use crate::recipe::Sides;
 
 /// Cells of land, water and ridges: the raster of availability of Demiurge, part 2. What lies beyond it is none of them, and
@@ -16,6 +18,10 @@ pub struct Raster {
     /// The domain's, in units: the last cells may reach over it.
     size: Vec2,
     cells: Vec<Cell>,
+    /// The mouths that are drawn, where alone rivers begin; if none is, they do wherever there is water beside land.
+    pub(super) starts: Arc<[Start]>,
+    /// The cell of each of them, of water beside land.
+    pub(super) mouths: Vec<Place>,
 }
 
 impl Raster {
@@ -24,14 +30,27 @@ impl Raster {
         let (columns, rows) = (columns.max(1), rows.max(1));
         let cells = (0..rows).flat_map(|row| (0..columns).map(move |column| (column, row)));
         let cells = cells.map(|(column, row)| cell(column, row)).collect();
-        Self { columns, rows, side, size: Vec2::new(columns as f32, rows as f32) * side, cells }
+        Self {
+            columns,
+            rows,
+            side,
+            size: Vec2::new(columns as f32, rows as f32) * side,
+            cells,
+            starts: Arc::default(),
+            mouths: Vec::new(),
+        }
     }
 
-    /// The raster of a recipe. A plain rectangle gets the sea it lacks: a line of water cells along the chosen sides.
+    /// The raster of a recipe. A plain rectangle gets the sea it lacks: a line of water cells along the chosen sides, or the cells of the
+    /// mouths that are drawn.
     pub fn of(settings: &GrowthSettings) -> Self {
         let size = settings.domain.size;
-        let raster = match &settings.land {
+        let mut raster = match &settings.land {
             Some(land) => Self::of_land(land),
+            None if !settings.starts.is_empty() => {
+                let [columns, rows] = size.to_array().map(|length| (length / CELL_SIZE).ceil() as i32);
+                Self::new(columns, rows, CELL_SIZE, |_, _| Cell::Land)
+            }
             None => Self::with_sea(
                 (size.x / CELL_SIZE).ceil() as i32,
                 (size.y / CELL_SIZE).ceil() as i32,
@@ -39,16 +58,42 @@ impl Raster {
                 settings.sides,
             ),
         };
-        Self { size, ..raster }
+        raster.size = size;
+        raster.mouths = settings.starts.iter().map(|start| raster.mouth_cell(start.mouth.at)).collect();
+        (0..raster.mouths.len()).for_each(|i| raster.flood(raster.mouths[i]));
+        raster.starts = settings.starts.clone();
+        if let Some(land) = settings.land.as_deref().filter(|_| !settings.starts.is_empty()) {
+            let dry = land.regions().iter().zip(&settings.basins).filter(|(_, starts)| **starts == 0);
+            dry.filter(|(region, _)| !region.shores.is_empty())
+                .for_each(|(region, _)| raster.fill(region, Cell::Water));
+        }
+        raster
+    }
+
+    /// The cell of a mouth: water beside it or, on a rectangle, its own.
+    fn mouth_cell(&self, mouth: Vec2) -> Place {
+        let cell = |x: f32, cells: i32| ((x / self.side) as i32).min(cells - 1);
+        let shore = Place { column: cell(mouth.x, self.columns), row: cell(mouth.y, self.rows) };
+        shore.beside().into_iter().find(|&at| self.cell(at) == Some(Cell::Water)).unwrap_or(shore)
+    }
+
+    /// Whether a river may begin in a cell of water.
+    pub(super) fn may_be_mouth(&self, at: Place) -> bool {
+        self.mouths.is_empty() || self.mouths.contains(&at)
+    }
+
+    fn fill(&mut self, region: &Region, cell: Cell) {
+        for run in &region.runs {
+            let first = run.row as usize * self.columns as usize;
+            self.cells[first + run.start as usize..first + run.end as usize].fill(cell);
+        }
     }
 
     /// What ridges cut off from the sea is no land here: particles born there would count, and none can make a river.
     fn of_land(land: &Land) -> Self {
         let mut this = Self::new(land.columns(), land.rows(), CELL_SIZE, |column, row| land.cell(column, row));
-        for run in land.regions().iter().filter(|region| region.shores.is_empty()).flat_map(|region| &region.runs) {
-            let first = run.row as usize * this.columns as usize;
-            this.cells[first + run.start as usize..first + run.end as usize].fill(Cell::Ridge);
-        }
+        let shut_off = land.regions().iter().filter(|region| region.shores.is_empty());
+        shut_off.for_each(|region| this.fill(region, Cell::Ridge));
         this
     }
 

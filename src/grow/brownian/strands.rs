@@ -11,6 +11,7 @@ use glam::{IVec2, Vec2};
 
 use super::raster::Place;
 use super::water::Water;
+use crate::grow::Start;
 use crate::land::Cell;
 use crate::memory::{self, Refused};
 use crate::random::Stream;
@@ -22,6 +23,9 @@ const LONGEST: i32 = 5;
 
 /// Positions are whole 256ths of a cell, so that lines are the same everywhere.
 const PARTS: i32 = 256;
+
+/// How far a drawn river lags behind the point that it follows, in parts of a cell.
+const BEHIND: i32 = 3 * PARTS;
 
 const NO_NODE: u32 = u32::MAX;
 
@@ -64,6 +68,38 @@ impl Strands {
         memory::reserve(&mut self.exact, nodes)
     }
 
+    /// Draws the rivers whose courses are given, as far as there is room for them.
+    pub fn draw_stems(&mut self) -> Result<(), Refused> {
+        let starts = self.water.raster.starts.clone();
+        for (i, start) in starts.iter().enumerate() {
+            // A point of a course lies two cells from the last at most.
+            self.reserve(start.course.len())?;
+            self.draw_stem(self.water.raster.mouths[i], start);
+        }
+        Ok(())
+    }
+
+    /// Draws a river behind a point that moves along its course: so its bends have room, however sharp they are drawn.
+    fn draw_stem(&mut self, place: Place, Start { mouth, course }: &Start) {
+        if self.is_beside_river(place) {
+            return;
+        }
+        let (mut tip, mut exact) = (Tip { place, node: None }, middle(place));
+        for at in course {
+            let target = (*at / self.water.raster.side() * PARTS as f32).as_ivec2();
+            while (target - exact).abs().max_element() > BEHIND {
+                // At the coast there may be room straight inland alone.
+                let is_at_coast = (exact - middle(place)).abs().max_element() < BEHIND;
+                let inland = is_at_coast.then_some((mouth.inland * BEHIND as f32).as_ivec2());
+                let ways = [target - exact].into_iter().chain(inland);
+                let mut cells = ways.filter_map(|way| line(exact, exact + way, 1).next());
+                let Some(next) = cells.find(|&next| self.has_room(place_of(next), tip)) else { break };
+                tip = self.extend(tip, place_of(next), next);
+                exact = next;
+            }
+        }
+    }
+
     /// Draws from a cell of water toward a particle. Returns whether there was room for a cell at least.
     pub fn draw(&mut self, target: u32, particle: Place, chance: &mut Stream) -> bool {
         let place = self.water.raster.place(target);
@@ -74,8 +110,9 @@ impl Strands {
         let start = node.map_or(middle(place), |node| self.exact[node as usize]);
         let mut tip = Tip { place, node };
         let mut is_drawn = false;
-        for exact in line(start, middle(particle), chance) {
-            let next = Place { column: exact.x.div_euclid(PARTS), row: exact.y.div_euclid(PARTS) };
+        let end = middle(particle);
+        for exact in line(start, end, most_cells(end - start, chance)) {
+            let next = place_of(exact);
             if !self.has_room(next, tip) {
                 break;
             }
@@ -140,11 +177,14 @@ fn middle(place: Place) -> IVec2 {
     IVec2::new(place.column, place.row) * PARTS + PARTS / 2
 }
 
+fn place_of(exact: IVec2) -> Place {
+    Place { column: exact.x.div_euclid(PARTS), row: exact.y.div_euclid(PARTS) }
+}
+
 /// Points on a straight line, a cell apart along the axis on which it is longer, from after its start until its end's
-/// cell, or as far as strands reach: each lies in another cell, which touches the one before.
-fn line(from: IVec2, to: IVec2, chance: &mut Stream) -> impl Iterator<Item = IVec2> {
+/// cell, or so many at most: each lies in another cell, which touches the one before.
+fn line(from: IVec2, to: IVec2, most: i32) -> impl Iterator<Item = IVec2> {
     let way = to - from;
-    let most = most_cells(way, chance);
     let length = way.abs().max_element().max(1);
     // Up to half a cell past the end, but not to the border of its cell.
     let cells = ((length - PARTS / 2 + PARTS - 1) / PARTS).min(most).max(1);

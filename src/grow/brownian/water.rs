@@ -56,6 +56,8 @@ pub(super) struct Water {
     /// Water beside land: the water nearest to a place on land is always of these.
     shore: Pyramid,
     ridges: Option<Pyramid>,
+    /// Water beside land in which no river begins, where mouths are drawn.
+    closed: Option<Pyramid>,
 }
 
 /// What a particle sees from a place on land.
@@ -71,15 +73,21 @@ enum Sight {
 impl Water {
     /// Surveys a raster.
     pub fn new(raster: Raster) -> Self {
-        let (mut shore, mut ridges) = (Pyramid::new(&raster), None);
+        let (mut shore, mut ridges, mut closed) = (Pyramid::new(&raster), None, None);
         for (place, &cell) in (0..).map(|i| raster.place(i)).zip(raster.cells()) {
-            match cell {
-                Cell::Ridge => ridges.get_or_insert_with(|| Pyramid::new(&raster)).insert(place),
-                Cell::Water if is_beside_land(&raster, place) => shore.insert(place),
-                Cell::Water | Cell::Land => {}
-            }
+            let kind = match cell {
+                Cell::Ridge => &mut ridges,
+                Cell::Water if !is_beside_land(&raster, place) => continue,
+                Cell::Water if !raster.may_be_mouth(place) => &mut closed,
+                Cell::Water => {
+                    shore.insert(place);
+                    continue;
+                }
+                Cell::Land => continue,
+            };
+            kind.get_or_insert_with(|| Pyramid::new(&raster)).insert(place);
         }
-        Self { raster, shore, ridges }
+        Self { raster, shore, ridges, closed }
     }
 
     /// Turns a cell of land into water.
@@ -94,9 +102,9 @@ impl Water {
         self.raster.cell(at) == Some(Cell::Land)
     }
 
-    /// Whether there are ridges at all.
-    pub fn has_ridges(&self) -> bool {
-        self.ridges.is_some()
+    /// Whether coarse steps may leave land without a river: behind ridges, and far from the mouths that are drawn.
+    pub fn may_leave_gaps(&self) -> bool {
+        self.ridges.is_some() || !self.raster.mouths.is_empty()
     }
 
     /// Whether a particle may be born at a place on land: neither water nor a ridge is near.
@@ -152,11 +160,37 @@ impl Water {
         match water {
             _ if to_ridge < step.near => Sight::Ridge,
             Some((target, squared)) if squared < step.near => Sight::Water(target),
-            _ => Sight::Clear(step.clearance(water.map_or(i32::MAX, |(_, squared)| squared).min(to_ridge))),
+            _ => {
+                let clear = step.clearance(water.map_or(i32::MAX, |(_, squared)| squared).min(to_ridge));
+                let closed = self.closed.as_ref().and_then(|closed| closed.nearest(at, i32::MAX));
+                Sight::Clear(closed.map_or(clear, |(_, squared)| clear.min(squared - 1)))
+            }
         }
     }
 }
 
 fn is_beside_land(raster: &Raster, at: Place) -> bool {
     at.beside().into_iter().any(|at| raster.cell(at).is_some_and(|cell| cell != Cell::Water))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::recipe::Sides;
+
+    #[test]
+    fn a_particle_never_strays_over_water_that_is_closed_to_it() {
+        let mut raster = Raster::with_sea(200, 200, 1.0, Sides::SOUTH);
+        let mouth = Place { column: 20, row: 199 };
+        raster.mouths.push(mouth);
+        let water = Water::new(raster);
+        let step = Step::of(16.0, false);
+        for (at, clear) in [((180, 190), Some(9 * 9 - 1)), ((20, 180), Some(10 * 10)), ((20, 195), None)] {
+            match (water.look(Place { column: at.0, row: at.1 }, &step), clear) {
+                (Sight::Clear(found), Some(expected)) => assert_eq!(found, expected, "{at:?}"),
+                (Sight::Water(target), None) => assert_eq!(water.raster.place(target), mouth),
+                _ => panic!("{at:?}"),
+            }
+        }
+    }
 }

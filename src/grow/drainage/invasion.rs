@@ -5,22 +5,12 @@
 //! a front does, from all sides.
 
 use super::directions::{FlowDirections, NONE};
-use super::parcels::{DEVIATION, Parcels};
-use super::settings::DrainageSettings;
+use super::heights::heights;
+use super::parcels::Parcels;
+use crate::grow::GrowthSettings;
 use crate::memory::Refused;
 use crate::queue::Queue;
-use crate::random::Purpose;
 use crate::work;
-
-/// How far chance of its own raises a parcel, against noise of the valleys' wavelength from −1 to 1.
-const CHANCE: f32 = 0.45;
-
-/// The octaves of the ground, down to a wavelength of about two parcels.
-const OCTAVES: i32 = 5;
-const GAIN: f32 = 0.65;
-
-/// How much higher the ground is at a border where land runs on.
-const BORDER: f32 = 2.0;
 
 /// An invasion in progress.
 #[derive(Clone, Debug)]
@@ -32,8 +22,8 @@ pub(super) struct Invasion {
 
 impl Invasion {
     /// Begins at all outlets.
-    pub fn new(parcels: &Parcels, settings: &DrainageSettings) -> Result<Self, Refused> {
-        Self::over(heights(parcels, settings), parcels)
+    pub fn new(settings: &GrowthSettings, parcels: &Parcels) -> Result<Self, Refused> {
+        Self::over(heights(settings, parcels), parcels)
     }
 
     /// Begins at all outlets of parcels of these heights.
@@ -69,38 +59,4 @@ impl Invasion {
     pub fn into_directions(self) -> FlowDirections {
         self.directions
     }
-}
-
-/// The heights that are invaded, before any river has worn them down: fractal noise, chance, and a rise away from the outlets.
-pub(super) fn heights(parcels: &Parcels, settings: &DrainageSettings) -> Vec<f32> {
-    let noise = settings.noise(3, settings.valley_spacing, OCTAVES, GAIN);
-    let chance = settings.seed.item_hash(Purpose::Ground);
-    let distance = distances(parcels);
-    let tilt = settings.spacing / settings.valley_spacing;
-    (0..parcels.len())
-        .map(|i| {
-            let (at, [column, row]) = (parcels.at[i], parcels.identity[i]);
-            let own = CHANCE * (2.0 * chance.unit([column, row, 1]) - 1.0);
-            DEVIATION * noise.get_noise_2d(at.x, at.y) + own + tilt * distance[i] as f32 + BORDER * parcels.border[i]
-        })
-        .collect()
-}
-
-/// How many parcels away the nearest outlet is.
-fn distances(parcels: &Parcels) -> Vec<u32> {
-    let mut distance = vec![u32::MAX; parcels.len()];
-    let mut reached: Vec<u32> = parcels.outlets.iter().map(|outlet| outlet.parcel).collect();
-    reached.iter().for_each(|&parcel| distance[parcel as usize] = 0);
-    let mut next = 0;
-    while let Some(&here) = reached.get(next) {
-        next += 1;
-        for there in parcels.neighbours[here as usize].into_iter().filter(|&there| there != NONE) {
-            if distance[there as usize] == u32::MAX {
-                distance[there as usize] = distance[here as usize] + 1;
-                reached.push(there);
-            }
-        }
-    }
-    work::count(6 * reached.len());
-    distance
 }

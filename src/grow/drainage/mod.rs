@@ -8,14 +8,15 @@
 //! Where it starts decides the large shape: from equal areas a calm network comes, from the areas of an invasion a wild one.
 
 mod directions;
+mod heights;
 mod invasion;
 mod lattice;
 mod outlets;
 mod parcels;
-
 mod round;
 mod settings;
 
+pub(super) use heights::attractors_by_height;
 pub use settings::DrainageSettings;
 
 use std::sync::Arc;
@@ -68,13 +69,13 @@ impl Drainage {
     /// If there is not enough memory.
     pub fn new(settings: GrowthSettings) -> Result<Self, GrowError> {
         let too_much = || GrowError::out_of_memory(&settings);
-        if !can_allocate(Lattice::count(&settings.domain, &settings.drainage).saturating_mul(BYTES_A_CELL)) {
+        if !can_lay_out(&settings) {
             return Err(too_much());
         }
         let parcels = Arc::new(Parcels::new(&settings));
         let area = vec![1.0; parcels.len()];
         let stage = if settings.drainage.valleys > 0.0 {
-            Stage::Invasion(Invasion::new(&parcels, &settings.drainage).map_err(|_| too_much())?.into())
+            Stage::Invasion(Invasion::new(&settings, &parcels).map_err(|_| too_much())?.into())
         } else {
             Stage::Round(Round::new(&parcels, &area, settings.drainage.concavity).map_err(|_| too_much())?.into())
         };
@@ -238,8 +239,13 @@ impl Drainage {
     }
 }
 
+/// Whether there is memory for the parcels of some settings.
+pub(super) fn can_lay_out(settings: &GrowthSettings) -> bool {
+    can_allocate(Lattice::count(&settings.domain, &settings.drainage).saturating_mul(BYTES_A_CELL))
+}
+
 /// How many parcels the front gains in a tick: about as many as lie along one side of the map.
-fn front(parcels: usize) -> usize {
+pub(super) fn front(parcels: usize) -> usize {
     ((parcels as f32).sqrt() as usize).max(8)
 }
 

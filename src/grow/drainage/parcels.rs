@@ -7,7 +7,7 @@ use super::lattice::{Lattice, WAYS};
 use super::outlets::{self, Outlet};
 use super::settings::DrainageSettings;
 use crate::grow::GrowthSettings;
-use crate::land::Cell;
+use crate::land::{Cell, CoastDistance, Land};
 use crate::random::Purpose;
 use crate::work;
 
@@ -25,6 +25,8 @@ pub(super) struct Parcels {
     /// How near each lies to a border of the domain where land runs on, from 0, not near, to 1, at it. The ground rises toward such
     /// borders, so that divides lie along them, and not rivers.
     pub border: Vec<f32>,
+    /// The share of a step's cost that is left there: 1, but little along the rivers that are drawn, so that water keeps to them.
+    pub toll: Vec<f32>,
     /// Where water leaves the land.
     pub outlets: Vec<Outlet>,
     /// The outlet beside a parcel; [`NONE`] for most.
@@ -34,8 +36,14 @@ pub(super) struct Parcels {
 impl Parcels {
     /// Lays out the parcels of a land.
     pub fn new(settings: &GrowthSettings) -> Self {
-        let drainage = &settings.drainage;
-        let lattice = Lattice::new(&settings.domain, drainage);
+        let mut this = Self::without_costs(settings);
+        this.weigh(&settings.drainage);
+        this
+    }
+
+    /// The same where no water is to find its way: what it costs to cross from one to another is left at 0.
+    pub fn without_costs(settings: &GrowthSettings) -> Self {
+        let lattice = Lattice::new(&settings.domain, &settings.drainage);
         let cells: Vec<usize> = (0..lattice.at.len()).filter(|&cell| is_land(settings, &lattice, cell)).collect();
         let mut number = vec![NONE; lattice.at.len()];
         for (i, &cell) in (0..).zip(&cells) {
@@ -45,12 +53,12 @@ impl Parcels {
             at: cells.iter().map(|&cell| lattice.at[cell]).collect(),
             identity: cells.iter().map(|&cell| lattice.identity(cell)).collect(),
             border: cells.iter().map(|&cell| nearness_to_border(settings, lattice.at[cell])).collect(),
+            toll: cells.iter().map(tolls(settings, &lattice)).collect(),
             neighbours: vec![[NONE; 6]; cells.len()],
             costs: vec![[0.0; WAYS]; cells.len()],
             ..Self::default()
         };
         this.join_neighbours(settings, &lattice, &cells, &number);
-        this.weigh(drainage);
         this.outlets = outlets::find(settings, &lattice, &cells, &this.neighbours);
         this.outlet_of = vec![NONE; cells.len()];
         for (i, outlet) in (0..).zip(&this.outlets) {
@@ -118,7 +126,8 @@ impl Parcels {
                     let [i, j] = self.identity[parcel];
                     let own = CHANCE * normal(chance.bits([i, j, 2 + way as u32]));
                     let ground = 0.5 * (hardness[parcel] + hardness[there]);
-                    self.costs[parcel][way] = self.at[parcel].distance(*to) * libm::expf(own + ground);
+                    let toll = self.toll[parcel].max(self.toll[there]);
+                    self.costs[parcel][way] = self.at[parcel].distance(*to) * libm::expf(own + ground) * toll;
                 }
             }
         }
@@ -131,15 +140,30 @@ pub(super) const DEVIATION: f32 = 3.0;
 /// How much harder the ground is at a border where land runs on: e to the power of this.
 const BORDER: f32 = 1.5;
 
-/// How near a place lies to a border of the domain where land runs on. A rectangle has the sea beyond its chosen sides.
+/// How near a place lies to a border of the domain where land runs on. A rectangle has the sea beyond its chosen sides, unless
+/// mouths are drawn.
 fn nearness_to_border(settings: &GrowthSettings, at: Vec2) -> f32 {
     const SPACINGS: f32 = 8.0;
     let far = settings.domain.size - at;
-    let is_closed = |side| settings.land.is_some() || !settings.sides.contains(side);
+    let is_closed = |side| settings.land.is_some() || !settings.starts.is_empty() || !settings.sides.contains(side);
     let sides = [('n', at.y), ('e', far.x), ('s', far.y), ('w', at.x)].into_iter();
     let nearest = sides.filter(|&(side, _)| is_closed(side)).map(|(_, far)| far).fold(f32::INFINITY, f32::min);
     let share = (1.0 - nearest / (SPACINGS * settings.drainage.spacing)).max(0.0);
     share * share
+}
+
+/// The tolls of cells. They rise so steeply beside a drawn river that the cheapest way follows its bends.
+fn tolls(settings: &GrowthSettings, lattice: &Lattice) -> impl Fn(&usize) -> f32 {
+    const LEAST: f32 = 0.01;
+    const BESIDE: f32 = 0.1;
+    let courses = settings.starts.iter().map(|start| &start.course);
+    let pieces: Vec<[Vec2; 2]> = courses.flat_map(|course| course.windows(2)).map(|pair| [pair[0], pair[1]]).collect();
+    let distance = (!pieces.is_empty()).then(|| CoastDistance::from_lines(&settings.domain, &pieces));
+    move |&cell| {
+        let away = |distance: &CoastDistance| distance.height(lattice.at[cell]) / settings.drainage.spacing;
+        let squared = distance.as_ref().map_or(f32::INFINITY, |distance| away(distance) * away(distance));
+        (LEAST + BESIDE * squared * squared).min(1.0)
+    }
 }
 
 /// About a normal deviate: the sum of four random numbers (Irwin and Hall).
@@ -154,5 +178,10 @@ fn is_land(settings: &GrowthSettings, lattice: &Lattice, cell: usize) -> bool {
     lattice.is_inner(cell)
         && lattice.has_edges(cell)
         && settings.domain.contains(at)
-        && settings.land.as_ref().is_none_or(|land| land.at(at) == Cell::Land)
+        && settings.land.as_ref().is_none_or(|land| land.at(at) == Cell::Land && !is_dry(settings, land, at))
+}
+
+/// Whether a place lies on land without a mouth, where mouths are drawn: it stays dry.
+fn is_dry(settings: &GrowthSettings, land: &Land, at: Vec2) -> bool {
+    !settings.starts.is_empty() && !settings.watered().any(|region| land.is_in(region, at))
 }

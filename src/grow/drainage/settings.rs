@@ -4,7 +4,7 @@ use fastnoise_lite::{FastNoiseLite, FractalType, NoiseType};
 
 use crate::domain::AREA;
 use crate::random::{Purpose, Seed};
-use crate::recipe::{Key, Recipe};
+use crate::recipe::{GrowthMethod, Key, Recipe};
 
 /// The settings of drainage, resolved: spacings turned into lengths.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -13,7 +13,7 @@ pub struct DrainageSettings {
     pub seed: Seed,
     /// The mean distance between parcels, √(area of the domain / attractors): the land hides parcels, it does not move any.
     pub spacing: f32,
-    /// How much the valleys of an invasion decide where water goes first, from 0 to 1: the exponent of its areas.
+    /// How much valleys decide, from 0 to 1: the exponent of the areas of an invasion, or how uneven the ground is that attractors lie on.
     pub valleys: f32,
     /// How far apart those valleys are, in units: the wavelength of the ground that is invaded.
     pub valley_spacing: f32,
@@ -34,6 +34,7 @@ impl DrainageSettings {
     pub fn new(recipe: &Recipe) -> Self {
         let spacing = (AREA / recipe.integer(Key::Attractors) as f32).sqrt();
         let spacings = |key| recipe.number(key) * spacing;
+        let is_drainage = recipe.get::<GrowthMethod>() == GrowthMethod::Drainage;
         Self {
             seed: Seed::from_text(recipe.seed()),
             spacing,
@@ -43,7 +44,8 @@ impl DrainageSettings {
             captures: recipe.integer(Key::Captures),
             hardness: recipe.number(Key::Hardness),
             hardness_scale: spacings(Key::HardnessScale),
-            bending: spacings(Key::Bending),
+            // Attractors lie where their cells are.
+            bending: if is_drainage { spacings(Key::Bending) } else { 0.0 },
         }
     }
 

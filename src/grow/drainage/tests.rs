@@ -28,6 +28,8 @@ fn recipes() -> impl Strategy<Value = String> {
         "land=valley",
         "land=basin",
         "land=drawn&outline=.MzMzzMMzzMzM",
+        "land=drawn&outline=.MzMzzMMzzMzM...MzgAcAgAgAcA...gAMz",
+        "land=drawn&outline=...AAgAMzczTMmZgAgA...zM__",
     ]);
     let shape = (0u32..1000, 100u32..900, 0.2f32..0.7, 0.3f32..3.0);
     let ground = (0.0f32..=1.0, 4.0f32..60.0, 0.2f32..0.8, 0u32..6, 0.0f32..1.5, 0.0f32..=4.0);
@@ -149,9 +151,9 @@ proptest! {
     fn invasion_takes_the_lowest_parcel_beside_it(recipe in recipes()) {
         let settings = settings(&recipe);
         let parcels = Parcels::new(&settings);
-        let mut invasion = Invasion::new(&parcels, &settings.drainage).unwrap();
+        let mut invasion = Invasion::new(&settings, &parcels).unwrap();
         while invasion.advance(&parcels, 5).unwrap() {}
-        let heights = invasion::heights(&parcels, &settings.drainage);
+        let heights = heights::heights(&settings, &parcels);
         // By scanning all that lies beside what has been taken.
         let mut to = vec![NONE; parcels.len()];
         parcels.outlets.iter().for_each(|outlet| to[outlet.parcel as usize] = FlowDirections::OUT);

@@ -121,7 +121,7 @@ pub fn trace(width: u32, height: u32, rgba: &[u8]) -> Result<Traced, TraceError>
     let frame = Frame::of(&ground);
     let (coasts, ridges) = lines(&ground, |at| frame.place(at))?;
     let (all_coasts, all_ridges) = (coasts.len(), ridges.len());
-    let outline = Outline::from_polylines(coasts, ridges).map_err(|error| match error {
+    let outline = Outline::from_polylines(coasts, ridges, Vec::new()).map_err(|error| match error {
         DrawError::NoWater => too_thin(&ground, "water"),
         DrawError::TooSmall if ground.light > 2.0 * LEAST_DRAWN => too_thin(&ground, "land"),
         error => TraceError::Nothing(error),

@@ -5,11 +5,11 @@ import { named } from "../engine/errors.ts";
 import type { Traced } from "../engine/tracing.ts";
 import type { Lines } from "../engine/types.ts";
 import { showLines } from "./overlay.ts";
-import { type LineKind, pointsOf, Sketch, tally } from "./sketch.ts";
+import { LINE_KINDS, type LineKind, pointsOf, Sketch, tally } from "./sketch.ts";
 
 /** What the core knows of outlines. */
 export interface Outliner {
-  outlineOf(coasts: Float32Array[], ridges: Float32Array[]): string;
+  outlineOf(coasts: Float32Array[], ridges: Float32Array[], rivers: Float32Array[]): string;
   outlineLines(text: string): Lines;
 }
 
@@ -21,6 +21,7 @@ export interface DrawingElements {
   status: HTMLElement;
   coast: HTMLButtonElement;
   ridge: HTMLButtonElement;
+  river: HTMLButtonElement;
   undo: HTMLButtonElement;
   clear: HTMLButtonElement;
   done: HTMLButtonElement;
@@ -32,10 +33,11 @@ export interface DrawingEvents {
   failed(error: unknown): void;
 }
 
-const NOTHING: Lines = { coasts: [], ridges: [] };
+const NOTHING: Lines = { coasts: [], ridges: [], rivers: [] };
 const HINTS: Record<LineKind, string> = {
   coast: "Draw a coast: it closes when you lift the pen. Within land it makes a lake.",
   ridge: "Draw a ridge across the land: no river will cross it.",
+  river: "Draw a river from its mouth inland, or touch the coast where one shall begin.",
 };
 
 const LONGER = " It is longer than a map can be: what is at its long sides goes on beyond them.";
@@ -57,8 +59,7 @@ export class Drawing {
   ) {
     elements.draw.addEventListener("click", () => this.open());
     elements.done.addEventListener("click", () => this.close());
-    elements.coast.addEventListener("click", () => this.#choose("coast"));
-    elements.ridge.addEventListener("click", () => this.#choose("ridge"));
+    for (const kind of LINE_KINDS) elements[kind].addEventListener("click", () => this.#choose(kind));
     elements.undo.addEventListener("click", () => this.#edit(() => this.#sketch.undo()));
     elements.clear.addEventListener("click", () => this.#edit(() => this.#sketch.clear()));
     document.addEventListener("keydown", (event) => this.#onKey(event));
@@ -114,8 +115,7 @@ export class Drawing {
 
   #choose(kind: LineKind): void {
     this.#kind = kind;
-    this.elements.coast.setAttribute("aria-pressed", String(kind === "coast"));
-    this.elements.ridge.setAttribute("aria-pressed", String(kind === "ridge"));
+    for (const each of LINE_KINDS) this.elements[each].setAttribute("aria-pressed", String(each === kind));
     this.#say(HINTS[kind]);
   }
 
@@ -195,7 +195,8 @@ export class Drawing {
       return;
     }
     try {
-      const outline = this.core.outlineOf(pointsOf(lines, "coast"), pointsOf(lines, "ridge"));
+      const of = (kind: LineKind) => pointsOf(lines, kind);
+      const outline = this.core.outlineOf(of("coast"), of("ridge"), of("river"));
       this.#become(outline, this.core.outlineLines(outline));
       if (!isLive) this.#say(`${tally(this.#kept, this.#sketch.counts)}.`);
     } catch (thrown) {
@@ -222,9 +223,9 @@ export class Drawing {
 
   /** A button that has nothing left to do gives the focus to the tool in hand; it would be lost otherwise. */
   #keepFocus(): void {
-    const { undo, clear, coast, ridge } = this.elements;
+    const { undo, clear } = this.elements;
     const isLost = [undo, clear].some((button) => button.disabled && button === document.activeElement);
-    if (isLost) (this.#kind === "coast" ? coast : ridge).focus({ preventScroll: true });
+    if (isLost) this.elements[this.#kind].focus({ preventScroll: true });
   }
 
   #say(text: string): void {

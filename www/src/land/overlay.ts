@@ -1,7 +1,7 @@
 /** Lines over the picture, in fractions of its width and height. */
 
 import type { Lines } from "../engine/types.ts";
-import { type Line, pointsOf } from "./sketch.ts";
+import { LINE_KINDS, type Line, pointsOf } from "./sketch.ts";
 
 const SVG = "http://www.w3.org/2000/svg";
 
@@ -10,8 +10,8 @@ export function showLines(sheet: SVGSVGElement, kept: Lines, raw: readonly Line[
   sheet.replaceChildren(
     ...kept.coasts.map((line) => path(line, "coast", true)),
     ...kept.ridges.map((line) => path(line, "ridge", false)),
-    ...pointsOf(raw, "coast").map((line) => path(line, "coast raw", false)),
-    ...pointsOf(raw, "ridge").map((line) => path(line, "ridge raw", false)),
+    ...kept.rivers.map((line) => path(line, "river", false)),
+    ...LINE_KINDS.flatMap((kind) => pointsOf(raw, kind).map((line) => path(line, `${kind} raw`, false))),
   );
 }
 
@@ -27,6 +27,8 @@ function path(points: Float32Array, name: string, isClosed: boolean): SVGPathEle
 export function pathText(points: Float32Array, isClosed: boolean): string {
   const places: string[] = [];
   for (let i = 0; i + 1 < points.length; i += 2) places.push(`${fraction(points[i])} ${fraction(points[i + 1])}`);
+  // A line of one point, the mouth of a river, is a dot.
+  if (places.length === 1) places.push(...places);
   return places.length === 0 ? "" : `M${places.join("L")}${isClosed ? "Z" : ""}`;
 }
 

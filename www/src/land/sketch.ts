@@ -2,7 +2,9 @@
 
 import type { Lines } from "../engine/types.ts";
 
-export type LineKind = "coast" | "ridge";
+/** In the order of their tools. */
+export const LINE_KINDS = ["coast", "ridge", "river"] as const;
+export type LineKind = (typeof LINE_KINDS)[number];
 
 export interface Line {
   readonly kind: LineKind;
@@ -24,8 +26,8 @@ export class Sketch {
   }
 
   get counts(): Counts {
-    const ridges = this.lines.filter(({ kind }) => kind === "ridge").length;
-    return { coasts: this.lines.length - ridges, ridges };
+    const of = (kind: LineKind) => this.lines.filter((line) => line.kind === kind).length;
+    return { coasts: of("coast"), ridges: of("ridge"), rivers: of("river") };
   }
 
   /** Whether the pen is down. */
@@ -38,19 +40,19 @@ export class Sketch {
   }
 
   /** Takes lines over from elsewhere; undo takes them back one by one. */
-  open({ coasts, ridges }: Lines): void {
+  open({ coasts, ridges, rivers }: Lines): void {
     const line = (kind: LineKind) => (points: Float32Array) => ({ kind, points: [...points] });
-    const lines = [...coasts.map(line("coast")), ...ridges.map(line("ridge"))];
+    const lines = [...coasts.map(line("coast")), ...ridges.map(line("ridge")), ...rivers.map(line("river"))];
     this.#live = undefined;
     this.#past = lines.map((_, i) => lines.slice(0, i));
     this.#lines = lines;
   }
 
   /** Puts other lines in the place of all; undo brings the old ones back. */
-  replace({ coasts, ridges }: Lines): void {
+  replace(lines: Lines): void {
     const before = this.#lines;
     const past = this.#past;
-    this.open({ coasts, ridges });
+    this.open(lines);
     this.#past = [...past, before];
   }
 
@@ -69,11 +71,11 @@ export class Sketch {
     return true;
   }
 
-  /** Lifts the pen. A mere touch is no line. */
+  /** Lifts the pen. A mere touch is no line, but the mouth of a river. */
   end(): void {
     const live = this.#live;
     this.#live = undefined;
-    if (live && live.points.length >= 4) this.#become([...this.#lines, live]);
+    if (live && (live.points.length >= 4 || live.kind === "river")) this.#become([...this.#lines, live]);
   }
 
   /** Forgets the line under the pen. */
@@ -111,14 +113,21 @@ function inside(x: number): number {
 export interface Counts {
   readonly coasts: number;
   readonly ridges: number;
+  /** A picture shows none. */
+  readonly rivers?: number;
 }
 
 /** How many of all lines were kept, in words. */
-export function tally({ coasts, ridges }: Lines, all: Counts): string {
+export function tally({ coasts, ridges, rivers }: Lines, all: Counts): string {
   const counted = (count: number, one: string) => `${count} ${one}${count === 1 ? "" : "s"}`;
   const share = (kept: number, of: number, one: string) => (kept < of ? `${kept} of ` : "") + counted(of, one);
-  const points = [...coasts, ...ridges].reduce((sum, line) => sum + line.length / 2, 0);
-  const kept = [share(coasts.length, all.coasts, "coast")];
-  if (all.ridges > 0) kept.push(share(ridges.length, all.ridges, "ridge"));
+  const points = [...coasts, ...ridges, ...rivers].reduce((sum, line) => sum + line.length / 2, 0);
+  const kinds = [
+    [coasts, all.coasts, "coast"],
+    [ridges, all.ridges, "ridge"],
+    [rivers, all.rivers ?? 0, "river"],
+  ] as const;
+  const shown = kinds.filter(([, drawn]) => drawn > 0);
+  const kept = shown.map(([lines, drawn, one]) => share(lines.length, drawn, one));
   return `${kept.join(" and ")}, ${counted(points, "point")}`;
 }

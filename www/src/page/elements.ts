@@ -42,6 +42,7 @@ export const elements = {
     status: find("#drawing-status", HTMLElement),
     coast: find("#tool-coast", HTMLButtonElement),
     ridge: find("#tool-ridge", HTMLButtonElement),
+    river: find("#tool-river", HTMLButtonElement),
     undo: find("#undo", HTMLButtonElement),
     clear: find("#clear", HTMLButtonElement),
     import: find("#import", HTMLButtonElement),

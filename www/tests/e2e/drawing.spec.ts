@@ -197,6 +197,45 @@ test("ridges, undo and clear change the link, and escape ends drawing", async ({
   await expect(page.getByRole("button", { name: "Draw", exact: true })).toBeFocused();
 });
 
+test("a river is drawn by hand, a touch is a mouth, and both go with undo", async ({ page }) => {
+  await openTool(page);
+  await draw(page, BLOB);
+  await expect.poll(() => linesIn(page).coasts.length).toBe(1);
+  const river = page.getByRole("button", { name: "River" });
+  await river.focus();
+  await page.keyboard.press("Enter");
+  await expect(river).toHaveAttribute("aria-pressed", "true");
+  await expect(page.locator("#drawing-status")).toContainText("Draw a river from its mouth");
+  await draw(page, [
+    [0.95, 0.5],
+    [0.7, 0.45],
+    [0.5, 0.6],
+  ]);
+  await expect.poll(() => linesIn(page).rivers.length).toBe(1);
+  await expectPictureOfAddress(page);
+  const one = await shown(page);
+  await draw(page, [[0.3, 0.3]]);
+  await expect.poll(() => linesIn(page).rivers[1]?.length).toBe(2);
+  await expect(page.locator("#drawing-status")).toContainText("1 coast and 2 rivers, ");
+  await expect(page.locator("#sketch path.river")).toHaveCount(2);
+  await expectPictureOfAddress(page);
+  expect((await shown(page)).sha256).not.toBe(one.sha256);
+  await page.keyboard.press("Control+z");
+  await expect.poll(() => linesIn(page).rivers.length).toBe(1);
+  await expectPictureOfAddress(page);
+  expect(await shown(page)).toEqual(one);
+});
+
+test("rivers drawn without a coast start at the edges of the map", async ({ page }) => {
+  await openTool(page);
+  await page.getByRole("button", { name: "River" }).click();
+  await draw(page, [[0.98, 0.5]]);
+  await expectAddress(page, "land", "drawn");
+  await expect(page.locator("#drawing-status")).toContainText("1 river, 1 point.");
+  await expectPictureOfAddress(page);
+  await expect(page.locator("#notices")).toBeHidden();
+});
+
 test("Clear and Undo by keyboard keep the focus among the tools", async ({ page }) => {
   await openTool(page);
   await draw(page, BLOB);

@@ -4,9 +4,9 @@ import { engine, parameter, pictureOf } from "../core.ts";
 
 /** What decides whether others do something; coarse and soon done, since every value of every key is drawn. */
 const PLAIN =
-  "growth=colonize&simplify=60&aspect=1.5&land=rectangle&sea=0.5&roughness=0.5&curl=0&trim=20&width=14&great-rivers=1&style=ink";
+  "growth=colonize&valleys=0&simplify=60&aspect=1.5&land=rectangle&sea=0.5&roughness=0.5&curl=0&trim=20&width=14&great-rivers=1&style=ink";
 const COARSE = `${PLAIN}&attractors=100&sensitivity=64&mouths=9&meander-rounds=10`;
-const OUTLINE = engine.outlineOf([Float32Array.of(0.2, 0.2, 0.8, 0.25, 0.75, 0.8, 0.2, 0.7)], []);
+const OUTLINE = engine.outlineOf([Float32Array.of(0.2, 0.2, 0.8, 0.25, 0.75, 0.8, 0.2, 0.7)], [], []);
 const lands = parameter("land").choices?.map(({ value }) => `land=${value}`) ?? [];
 const growths = parameter("growth").choices?.map(({ value }) => `growth=${value}`) ?? [];
 /** Valleys and hard ground lie many parcels apart. */
@@ -15,7 +15,7 @@ const styles = parameter("style").choices?.map(({ value }) => `style=${value}`) 
 const meanders = parameter("meander").choices?.map(({ value }) => `meander=${value}`) ?? [];
 const recipes = [
   ...[...lands, `land=drawn&outline=${OUTLINE}`].flatMap((land) =>
-    growths.map((growth) => `${land}&${growth}${growth.endsWith("drainage") ? `&${FINE}` : ""}`),
+    growths.map((growth) => `${land}&${growth}${growth.endsWith("brownian") ? "" : `&${FINE}`}`),
   ),
   ...styles,
   ...meanders,

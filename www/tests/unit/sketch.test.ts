@@ -1,10 +1,10 @@
 import { expect, test } from "vitest";
 import { pathText } from "../../src/land/overlay.ts";
-import { pointsOf, Sketch, tally } from "../../src/land/sketch.ts";
+import { type LineKind, pointsOf, Sketch, tally } from "../../src/land/sketch.ts";
 import { engine } from "../core.ts";
 import { traceImage } from "../tracing.ts";
 
-function draw(sketch: Sketch, kind: "coast" | "ridge", ...places: [x: number, y: number][]): void {
+function draw(sketch: Sketch, kind: LineKind, ...places: [x: number, y: number][]): void {
   const [first = [0, 0], ...rest] = places;
   sketch.begin(kind, ...first);
   for (const place of rest) sketch.extend(...place);
@@ -18,12 +18,14 @@ const SQUARE: [number, number][] = [
   [0.2, 0.8],
 ];
 
-test("a line counts while it is drawn, and a mere touch never", () => {
+test("a line counts while it is drawn, and a mere touch never, but for the mouth of a river", () => {
   const sketch = new Sketch();
   sketch.begin("coast", 0.1, 0.1);
   expect([sketch.lines.length, sketch.isLive]).toEqual([1, true]);
   sketch.end();
   expect([sketch.lines.length, sketch.isLive, sketch.canUndo]).toEqual([0, false, false]);
+  draw(sketch, "river", [0.1, 0.1]);
+  expect([sketch.counts.rivers, sketch.isLive, sketch.canUndo]).toEqual([1, false, true]);
 });
 
 test("a pen that leaves the map draws along its border, one that rests adds nothing", () => {
@@ -40,7 +42,7 @@ test("undo takes back lines, clearing, and an import, one after another", () => 
   const counts: number[] = [];
   draw(sketch, "coast", ...SQUARE);
   draw(sketch, "ridge", [0.3, 0.3], [0.6, 0.6]);
-  sketch.replace({ coasts: [new Float32Array(6), new Float32Array(6), new Float32Array(6)], ridges: [] });
+  sketch.replace({ coasts: [new Float32Array(6), new Float32Array(6), new Float32Array(6)], ridges: [], rivers: [] });
   sketch.clear();
   for (;;) {
     counts.push(sketch.lines.length);
@@ -52,7 +54,9 @@ test("undo takes back lines, clearing, and an import, one after another", () => 
 
 test("lines of a link are taken back one by one", () => {
   const sketch = new Sketch();
-  sketch.open({ coasts: [new Float32Array(6)], ridges: [new Float32Array(4)] });
+  sketch.open({ coasts: [new Float32Array(6)], ridges: [new Float32Array(4)], rivers: [new Float32Array(2)] });
+  expect(sketch.lines.map(({ kind }) => kind)).toEqual(["coast", "ridge", "river"]);
+  sketch.undo();
   expect(sketch.lines.map(({ kind }) => kind)).toEqual(["coast", "ridge"]);
   sketch.undo();
   expect(sketch.lines.map(({ kind }) => kind)).toEqual(["coast"]);
@@ -64,7 +68,7 @@ test("the core keeps what is drawn and gives it back", () => {
   const sketch = new Sketch();
   draw(sketch, "coast", ...SQUARE);
   draw(sketch, "ridge", [0.3, 0.3], [0.6, 0.6]);
-  const outline = engine.outlineOf(pointsOf(sketch.lines, "coast"), pointsOf(sketch.lines, "ridge"));
+  const outline = outlineOf(sketch);
   const lines = engine.outlineLines(outline);
   expect(tally(lines, { coasts: 1, ridges: 1 })).toBe("1 coast and 1 ridge, 6 points");
   expect(tally(lines, { coasts: 4, ridges: 2 })).toBe("1 of 4 coasts and 1 of 2 ridges, 6 points");
@@ -76,8 +80,26 @@ test("the core keeps what is drawn and gives it back", () => {
   expect(reading.link).toBe(`seed=kauri&edition=1&land=drawn&outline=${outline}`);
 });
 
+function outlineOf({ lines }: Sketch): string {
+  return engine.outlineOf(pointsOf(lines, "coast"), pointsOf(lines, "ridge"), pointsOf(lines, "river"));
+}
+
+test("the core keeps mouths and courses of rivers, on a land or alone", () => {
+  for (const coasts of [[SQUARE], []]) {
+    const sketch = new Sketch();
+    for (const coast of coasts) draw(sketch, "coast", ...coast);
+    draw(sketch, "river", [0.2, 0.5]);
+    draw(sketch, "river", [0.8, 0.4], [0.6, 0.5], [0.5, 0.4]);
+    const lines = engine.outlineLines(outlineOf(sketch));
+    expect(lines.rivers.map(({ length }) => length / 2)).toEqual([1, 3]);
+    expect(lines.rivers[0]?.[1]).toBeCloseTo(0.5, 3);
+    const land = coasts.length > 0 ? "1 coast and " : "";
+    expect(tally(lines, sketch.counts)).toBe(`${land}2 rivers, ${coasts.length * 4 + 4} points`);
+  }
+});
+
 test("what is no land is an error with a name", () => {
-  expect(() => engine.outlineOf([], [])).toThrow(expect.objectContaining({ code: "no-land" }));
+  expect(() => engine.outlineOf([], [], [])).toThrow(expect.objectContaining({ code: "no-land" }));
   expect(() => engine.outlineLines(".AAA")).toThrow(/coast that begins at character 1/);
   expect(() => traceImage(new Uint8Array(4), 40, 40)).toThrow(/4 bytes/);
 });
@@ -85,4 +107,5 @@ test("what is no land is an error with a name", () => {
 test("a path is drawn through all points, and a coast is closed", () => {
   expect(pathText(Float32Array.of(0, 0, 0.5, 0.25, 1, 1), true)).toBe("M0 0L0.5 0.25L1 1Z");
   expect(pathText(new Float32Array(), true)).toBe("");
+  expect(pathText(Float32Array.of(0.5, 0.25), false)).toBe("M0.5 0.25L0.5 0.25");
 });

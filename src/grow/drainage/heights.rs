@@ -1,0 +1,129 @@
+//! The heights that valleys are found by, before any river has worn them down: fractal noise, chance, and a rise away from where
+//! water leaves the land.
+
+use glam::Vec2;
+
+use super::directions::NONE;
+use super::parcels::{DEVIATION, Parcels};
+use crate::grow::GrowthSettings;
+use crate::grow::scatter::Watered;
+use crate::random::Purpose;
+use crate::sort;
+use crate::work;
+
+/// How far chance of its own raises a parcel, against noise of the valleys' wavelength from −1 to 1.
+const CHANCE: f32 = 0.45;
+
+/// The octaves of the ground, down to a wavelength of about two parcels.
+const OCTAVES: i32 = 5;
+const GAIN: f32 = 0.65;
+
+/// How much higher the ground is at a border where rivers should not run along.
+const BORDER: f32 = 2.0;
+
+/// How much lower the ground is along a drawn river: lower than any other.
+const STEM: f32 = 20.0;
+
+/// The heights of parcels that are invaded.
+pub(super) fn heights(settings: &GrowthSettings, parcels: &Parcels) -> Vec<f32> {
+    let stem = |(height, toll): (f32, &f32)| height + STEM * (toll - 1.0);
+    let heights = ground(settings, parcels, 1.0, &from_outlets(parcels), &parcels.border);
+    heights.into_iter().zip(&parcels.toll).map(stem).collect()
+}
+
+/// The attractors of space colonization that follows valleys, one in each cell of the plane, the lowest first.
+pub(in crate::grow) fn attractors_by_height(settings: &GrowthSettings) -> Vec<Vec2> {
+    let parcels = Parcels::without_costs(settings);
+    let distance = from_outlets(&parcels);
+    let rim = nearness_to_rim(&parcels, &distance);
+    // The root, as a little unevenness changes the way of most rivers already.
+    let heights = ground(settings, &parcels, settings.drainage.valleys.sqrt(), &distance, &rim);
+    let watered = settings.land.as_deref().map(|land| Watered::of(settings, land));
+    let by_height = sort::argsort(heights.into_iter().map(sort::key)).into_iter().map(|i| parcels.at[i]);
+    by_height.filter(|&at| watered.as_ref().is_none_or(|watered| watered.holds(at))).collect()
+}
+
+/// Ground so uneven, that rises with the distance from outlets, and toward borders: from 0, not near, to 1, at one.
+fn ground(settings: &GrowthSettings, parcels: &Parcels, unevenness: f32, distance: &[u32], border: &[f32]) -> Vec<f32> {
+    let settings = &settings.drainage;
+    let noise = settings.noise(3, settings.valley_spacing, OCTAVES, GAIN);
+    let chance = settings.seed.item_hash(Purpose::Ground);
+    let tilt = settings.spacing / settings.valley_spacing;
+    (0..parcels.len())
+        .map(|i| {
+            let (at, [column, row]) = (parcels.at[i], parcels.identity[i]);
+            let own = CHANCE * (2.0 * chance.unit([column, row, 1]) - 1.0);
+            let uneven = DEVIATION * noise.get_noise_2d(at.x, at.y) + own;
+            unevenness * uneven + tilt * distance[i] as f32 + BORDER * border[i]
+        })
+        .collect()
+}
+
+fn from_outlets(parcels: &Parcels) -> Vec<u32> {
+    distances(parcels, parcels.outlets.iter().map(|outlet| outlet.parcel).collect())
+}
+
+/// How near each parcel lies to where land ends, at a coast, a ridge or the border of the domain, so that rivers do not run along it. Around
+/// outlets nothing is near, since rivers are to come in from there.
+fn nearness_to_rim(parcels: &Parcels, from_outlets: &[u32]) -> Vec<f32> {
+    const PARCELS: f32 = 6.0;
+    let is_rim = |&parcel: &u32| parcels.neighbours[parcel as usize].contains(&NONE);
+    let from_rim = distances(parcels, (0..parcels.len() as u32).filter(is_rim).collect());
+    let nearness = |(from_rim, &from_outlet): (u32, &u32)| {
+        let near = (1.0 - from_rim as f32 / PARCELS).max(0.0);
+        near * near * (from_outlet as f32 / (2.0 * PARCELS)).min(1.0)
+    };
+    from_rim.into_iter().zip(from_outlets).map(nearness).collect()
+}
+
+/// How many parcels away the nearest of some is; 0 where none of them can be reached: such land is as high as any.
+fn distances(parcels: &Parcels, mut reached: Vec<u32>) -> Vec<u32> {
+    let mut distance = vec![u32::MAX; parcels.len()];
+    reached.iter().for_each(|&parcel| distance[parcel as usize] = 0);
+    let mut next = 0;
+    while let Some(&here) = reached.get(next) {
+        next += 1;
+        for there in parcels.neighbours[here as usize].into_iter().filter(|&there| there != NONE) {
+            if distance[there as usize] == u32::MAX {
+                distance[there as usize] = distance[here as usize] + 1;
+                reached.push(there);
+            }
+        }
+    }
+    work::count(6 * reached.len());
+    distance.iter_mut().filter(|distance| **distance == u32::MAX).for_each(|distance| *distance = 0);
+    distance
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::grow::scatter;
+    use crate::recipe::link;
+
+    fn settings(link: &str) -> GrowthSettings {
+        GrowthSettings::of(&link::read(&format!("growth=colonize&seed=kauri&{link}")).unwrap())
+    }
+
+    #[test]
+    fn land_hides_attractors_and_moves_none() {
+        let whole = scatter(&settings("land=rectangle&valleys=0.5&attractors=900"));
+        let island = scatter(&settings("land=island&valleys=0.5&attractors=900"));
+        assert!(island.len() < 600 && island.len() > 200 && island.iter().all(|at| whole.contains(at)));
+    }
+
+    #[test]
+    fn lowest_attractors_lie_near_mouths_and_highest_along_borders() {
+        // The south alone has the sea; with next to no unevenness only tilt and borders are left.
+        let settings = settings("land=rectangle&sides=s&mouths=1&valleys=0.01&attractors=4000&aspect=1");
+        let places = scatter(&settings);
+        let mouth = crate::grow::mouths(&settings)[0].at;
+        let mean = |places: &[Vec2], of: &dyn Fn(Vec2) -> f32| {
+            places.iter().map(|&at| of(at)).sum::<f32>() / places.len() as f32
+        };
+        let from_border = |at: Vec2| at.min(Vec2::splat(1000.0) - at).min_element();
+        let (lowest, highest) = (&places[..400], &places[places.len() - 400..]);
+        assert!(mean(lowest, &|at| at.distance(mouth)) < 400.0 && mean(highest, &|at| at.distance(mouth)) > 600.0);
+        assert!(mean(highest, &from_border) < 30.0 && mean(lowest, &from_border) > 60.0);
+    }
+}

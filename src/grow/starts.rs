@@ -1,0 +1,196 @@
+//! Starts: the mouths that a drawing gives (the paper's start nodes), each with the course that is drawn of its river. Where there are
+//! any, there are no other mouths, and land without one stays dry.
+
+use std::sync::Arc;
+
+use glam::Vec2;
+
+use super::Mouth;
+use crate::domain::Domain;
+use crate::geometry::distance;
+use crate::land::{Cell, Land, divided, in_units};
+use crate::recipe::Recipe;
+use crate::work;
+
+/// A mouth that a drawing gives.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Start {
+    /// The place on a coast that lies nearest to where the drawn river enters the land; on the border of a plain rectangle.
+    pub mouth: Mouth,
+    /// Points of the river's course from its mouth on, at most 2 units apart, as far as it runs over land; none where nothing but a
+    /// mouth is drawn.
+    pub course: Vec<Vec2>,
+}
+
+/// How far apart points of a course are at most, in units.
+pub(in crate::grow) const PIECE: f32 = 2.0;
+
+/// How far courses are followed, all together, in units: ten times across the map. What is drawn beyond that would be a scribble.
+const LONGEST: f32 = 10_000.0;
+
+/// How many points of a course lie ashore, but beside the coast.
+const ASHORE: usize = 6;
+
+/// Mouths that are nearer to each other than this, in units, are one.
+const APART: f32 = 4.0;
+
+/// The starts of a recipe, in the order of their drawing.
+pub(in crate::grow) fn starts(recipe: &Recipe, domain: &Domain, land: Option<&Land>) -> Arc<[Start]> {
+    let of_rectangle = || in_units(recipe.rivers(), domain);
+    let mut starts: Vec<Start> = Vec::new();
+    let mut left = (LONGEST / PIECE) as usize;
+    for mut line in land.map_or_else(of_rectangle, |land| land.rivers().to_vec()) {
+        line.iter_mut().for_each(|at| *at = at.clamp(Vec2::ZERO, domain.size));
+        if let Some(start) = start(&line, domain, land, left)
+            && starts.iter().all(|other| other.mouth.at.distance(start.mouth.at) > APART)
+        {
+            left -= start.course.len();
+            starts.push(start);
+        }
+    }
+    starts.into()
+}
+
+/// The start that a line gives, with a course of so many points at most; `None` if there is no coast at all.
+fn start(line: &[Vec2], domain: &Domain, land: Option<&Land>, most: usize) -> Option<Start> {
+    let pieces = divided(line, PIECE, false);
+    work::count(pieces.len());
+    let is_land = |at: &Vec2| land.is_none_or(|land| land.at(*at) == Cell::Land);
+    let (entry, inland) = match pieces.iter().position(is_land) {
+        Some(first) if line.len() > 1 => (pieces[first], &pieces[first..]),
+        _ => (pieces[0], &[][..]),
+    };
+    let mouth = match land {
+        Some(land) => on_coast(land, entry)?,
+        None => on_border(domain.size, entry),
+    };
+    // Cells of the coast that stand in the way of a line which has just come ashore do not end it.
+    let ashore = inland.len().min(ASHORE);
+    let tied = (0..ashore).rev().find(|&i| allows(land, mouth.at, inland[i])).unwrap_or(0);
+    let mut way = inland.get(tied).map(|&to| divided(&[mouth.at, to], PIECE, false)).unwrap_or_default();
+    way.extend(inland.iter().skip(tied + 1));
+    let closed = way.windows(2).position(|pair| !allows(land, pair[0], pair[1]));
+    way.truncate(closed.map_or(way.len(), |last| last + 1).min(most));
+    Some(Start { mouth, course: way })
+}
+
+#[inline(never)] // each copy weighs half a kilobyte
+fn allows(land: Option<&Land>, from: Vec2, to: Vec2) -> bool {
+    land.is_none_or(|land| land.allows(from, to))
+}
+
+/// The mouth on a coast that is nearest to a point.
+fn on_coast(land: &Land, point: Vec2) -> Option<Mouth> {
+    let shores = land.regions().iter().flat_map(|region| &region.shores);
+    let nearest = shores.map(|shore| (distance(shore.at, point), shore)).reduce(|a, b| if b.0 < a.0 { b } else { a });
+    nearest.map(|(_, shore)| Mouth { at: shore.at, inland: shore.inland })
+}
+
+/// The mouth on the border of a rectangle that is nearest to a point in it.
+fn on_border(size: Vec2, point: Vec2) -> Mouth {
+    let far = size - point;
+    let sides = [(point.y, Vec2::Y), (far.x, Vec2::NEG_X), (far.y, Vec2::NEG_Y), (point.x, Vec2::X)];
+    let (away, inland) = sides.into_iter().fold((f32::INFINITY, Vec2::Y), |a, b| if b.0 < a.0 { b } else { a });
+    Mouth { at: (point - inland * away).clamp(Vec2::ZERO, size), inland }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::recipe::{Key, link};
+
+    /// The starts of a smooth drawing on a square: a land from 200 to 800, with a lake from 440 to 560, and rivers.
+    fn of(ridges: &[&[(f32, f32)]], rivers: &[&[(f32, f32)]]) -> (Arc<[Start]>, Option<Arc<Land>>) {
+        let square = |near: f32, far: f32| vec![(near, near), (far, near), (far, far), (near, far)];
+        on(&[&square(0.2, 0.8), &square(0.44, 0.56)], ridges, rivers)
+    }
+
+    fn on(
+        coasts: &[&[(f32, f32)]],
+        ridges: &[&[(f32, f32)]],
+        rivers: &[&[(f32, f32)]],
+    ) -> (Arc<[Start]>, Option<Arc<Land>>) {
+        use crate::recipe::{GridPoint, Outline};
+        let lines = |lines: &[&[(f32, f32)]]| {
+            lines.iter().map(|line| line.iter().map(|&at| GridPoint::nearest(at.into())).collect()).collect()
+        };
+        let outline = Outline::new(lines(coasts), lines(ridges), lines(rivers)).unwrap();
+        let recipe = link::read(&format!("land=drawn&roughness=0&aspect=1&outline={outline}")).unwrap();
+        let land = Land::of(&recipe);
+        (starts(&recipe, &Domain::of(&recipe), land.as_deref()), land)
+    }
+
+    fn near(at: Vec2, x: f32, y: f32) -> bool {
+        at.distance(Vec2::new(x, y)) < 3.0
+    }
+
+    #[test]
+    fn a_point_is_a_mouth_on_the_nearest_coast_wherever_it_lies() {
+        for (point, mouth) in [((0.3, 0.5), (200.0, 500.0)), ((0.9, 0.4), (800.0, 400.0)), ((0.0, 0.0), (200.0, 200.0))]
+        {
+            let (starts, _) = of(&[], &[&[point]]);
+            assert!(near(starts[0].mouth.at, mouth.0, mouth.1) && starts[0].course.is_empty(), "{:?}", starts[0].mouth);
+        }
+        let (starts, _) = of(&[], &[&[(0.5, 0.5)]]);
+        let lake = (starts[0].mouth.at - 500.0).abs().max_element();
+        assert!((59.0..62.0).contains(&lake), "{lake}");
+    }
+
+    #[test]
+    fn a_line_enters_the_land_where_it_comes_ashore_and_is_tied_to_the_coast_where_it_begins_inland() {
+        let (starts, _) = of(&[], &[&[(0.1, 0.3), (0.4, 0.35)], &[(0.25, 0.7), (0.4, 0.7)]]);
+        assert!(
+            near(starts[0].mouth.at, 200.0, 317.0) && near(starts[0].course[starts[0].course.len() - 1], 400.0, 350.0)
+        );
+        assert!(
+            near(starts[1].mouth.at, 200.0, 700.0) && near(starts[1].course[starts[1].course.len() - 1], 400.0, 700.0)
+        );
+        for start in starts.iter() {
+            assert!(start.course.windows(2).all(|pair| pair[0].distance(pair[1]) < PIECE + 0.01));
+        }
+    }
+
+    #[test]
+    fn a_course_ends_before_the_first_water_or_ridge_in_its_way() {
+        let across: &[(f32, f32)] = &[(0.1, 0.5), (0.9, 0.5)];
+        let end = |ridges: &[&[(f32, f32)]]| {
+            let (starts, land) = of(ridges, &[across]);
+            let course = &starts[0].course;
+            assert!(course.windows(2).all(|pair| land.as_deref().unwrap().allows(pair[0], pair[1])));
+            course[course.len() - 1].x
+        };
+        assert!((435.0..440.0).contains(&end(&[])), "{}", end(&[]));
+        let ridge: &[(f32, f32)] = &[(0.35, 0.3), (0.35, 0.7)];
+        assert!((345.0..350.0).contains(&end(&[ridge])), "{}", end(&[ridge]));
+    }
+
+    #[test]
+    fn on_a_rectangle_rivers_start_at_the_nearest_border() {
+        let (starts, land) = on(&[], &[], &[&[(0.3, 0.1)], &[(0.9, 0.4), (0.5, 0.5)], &[(0.2, 1.0)], &[(0.1, 0.6)]]);
+        assert!(land.is_none());
+        let mouths: Vec<(Vec2, Vec2)> = starts.iter().map(|start| (start.mouth.at, start.mouth.inland)).collect();
+        let expected =
+            [(300.0, 0.0, Vec2::Y), (1000.0, 400.0, Vec2::NEG_X), (200.0, 1000.0, Vec2::NEG_Y), (0.0, 600.0, Vec2::X)];
+        for ((at, inland), (x, y, expected)) in mouths.into_iter().zip(expected) {
+            assert!(near(at, x, y) && inland == expected, "{at} {inland}");
+        }
+        assert!(near(starts[1].course[0], 1000.0, 400.0));
+    }
+
+    #[test]
+    fn mouths_at_one_place_are_one_and_scribbles_end() {
+        let (starts, _) = of(&[], &[&[(0.1, 0.3)], &[(0.12, 0.3), (0.4, 0.3)], &[(0.1, 0.6)]]);
+        assert_eq!(starts.len(), 2);
+        let scribble: Vec<(f32, f32)> = (0..240).map(|i| (i as f32 / 240.0, (i % 2) as f32)).collect();
+        let (starts, _) = on(&[], &[], &[&scribble]);
+        assert_eq!(starts[0].course.len(), (LONGEST / PIECE) as usize);
+    }
+
+    #[test]
+    fn rivers_of_another_kind_of_land_are_none() {
+        let mut recipe = link::read("land=drawn&outline=...gAgA").unwrap();
+        assert_eq!(starts(&recipe, &Domain::of(&recipe), None).len(), 1);
+        recipe.set(Key::Land, "rectangle").unwrap();
+        assert_eq!(starts(&recipe, &Domain::of(&recipe), None).len(), 0);
+    }
+}
