@@ -1,8 +1,4 @@
-<<<<<<<< HEAD:src/queue.rs
 //! A queue of numbered items, the cheapest first; of equally cheap ones, that with the lower number.
-========
-//! A queue of parcels or attractors, the cheapest first; of equally cheap ones, that with the lower number.
->>>>>>>> main:src/grow/queue.rs
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;

@@ -1,7 +1,7 @@
 //! Attractors that wait for a river to come to them, the lowest first: what space colonization goes by where it follows valleys.
 
-use crate::queue::Queue;
 use crate::memory::Refused;
+use crate::queue::Queue;
 
 /// No rank, of an attractor that need not join those that wait.
 const NONE: u32 = u32::MAX;

@@ -89,7 +89,8 @@ fn straightness(network: &Network) -> Vec<f32> {
         for (i, at) in river.vertex_range().enumerate() {
             let (upper, lower) = (i.saturating_sub(VERTICES), (i + VERTICES).min(course.len() - 1));
             let way = along[lower] - along[upper];
-            straightness[at] = if way > 0.0 { fast_min(distance(course[upper], course[lower]) / way, 1.0) } else { 1.0 };
+            straightness[at] =
+                if way > 0.0 { fast_min(distance(course[upper], course[lower]) / way, 1.0) } else { 1.0 };
         }
     }
     straightness

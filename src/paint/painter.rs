@@ -102,7 +102,18 @@ impl Painter {
         let pixmap = Pixmap::new(width, height).ok_or(none.clone())?;
         let coverage = Coverage::new(width, height).ok_or(none)?;
         let (drawn, flow) = (Vec::new(), Flow::default());
-        Ok(Self { view, pixmap, coverage, drawn, flow, ground: None, raised: None, is_blank: true, is_finished: false, round: None })
+        Ok(Self {
+            view,
+            pixmap,
+            coverage,
+            drawn,
+            flow,
+            ground: None,
+            raised: None,
+            is_blank: true,
+            is_finished: false,
+            round: None,
+        })
     }
 
     /// The picture: RGBA, opaque.

@@ -3,7 +3,7 @@
 use glam::{Vec2, Vec3};
 
 use super::coverage::Coverage;
-use super::palette::{Colour, Casing, Tints, mix};
+use super::palette::{Casing, Colour, Tints, mix};
 use super::view::View;
 use crate::land::{Parabola, beside, nearest};
 use crate::relief::{CELL_SIZE, Relief};
@@ -44,7 +44,10 @@ impl Surface {
             for column in 0..columns {
                 let [west, _, east] = beside(column, columns);
                 let here = row * columns;
-                let rise = Vec2::new(heights[here + east] - heights[here + west], heights[south + column] - heights[north + column]);
+                let rise = Vec2::new(
+                    heights[here + east] - heights[here + west],
+                    heights[south + column] - heights[north + column],
+                );
                 light[here + column] = lit(rise * (exaggeration / (2.0 * CELL_SIZE)), &lights);
             }
         }
@@ -68,7 +71,9 @@ impl Surface {
             let rows = beside(middle, self.rows);
             self.blend(&self.tint, rows, t, &mut tint);
             self.blend(&self.light, rows, t, &mut light);
-            for ((pixel, &share), &(column, t)) in row.iter_mut().zip(shares).zip(&columns).filter(|((_, share), _)| **share > 0) {
+            for ((pixel, &share), &(column, t)) in
+                row.iter_mut().zip(shares).zip(&columns).filter(|((_, share), _)| **share > 0)
+            {
                 let around = beside(column, self.columns);
                 let at = |values: &[f32]| Parabola::of(around.map(|column| values[column])).at(t);
                 let colour = colours.at(at(&tint), at(&light));

@@ -2,12 +2,12 @@
 
 use thiserror::Error;
 
+use super::Relief;
 use super::cells::Cells;
 use super::channels::Channels;
 use super::march::March;
 use super::settings::ReliefSettings;
 use super::steepness::rises;
-use super::Relief;
 use crate::memory::{Refused, can_allocate};
 use crate::network::Network;
 

@@ -377,7 +377,9 @@ const CUT_OFF: &str = "Rivers do not reach all land: a gap in the ridges, or mor
 
 pub(super) fn session_error(error: &SessionError) -> JsValue {
     let code = match error {
-        SessionError::Grow(_) | SessionError::Shape(_) | SessionError::Relief(_) | SessionError::Copy { .. } => "too-large",
+        SessionError::Grow(_) | SessionError::Shape(_) | SessionError::Relief(_) | SessionError::Copy { .. } => {
+            "too-large"
+        }
         SessionError::OtherMap { .. } => "bad-params",
     };
     coded(code, &error.to_string())
