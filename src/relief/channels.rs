@@ -4,6 +4,7 @@ use glam::Vec2;
 
 use super::CELL_SIZE;
 use super::cells::Cells;
+use crate::geometry::distance;
 use crate::network::{NONE, Network, hydrology};
 
 /// A river's path.
@@ -132,7 +133,7 @@ impl Path {
     fn walk(&mut self, cells: &Cells, from: Option<(Vec2, f32)>, to: (Vec2, f32)) {
         let from = from.unwrap_or(to);
         // At most a cell to the side each time.
-        let count = (from.0.distance(to.0) / (0.5 * CELL_SIZE)).ceil().max(1.0);
+        let count = (distance(from.0, to.0) / (0.5 * CELL_SIZE)).ceil().max(1.0);
         for i in 1..=count as usize {
             let share = i as f32 / count;
             self.enter(cells.of(from.0.lerp(to.0, share).max(Vec2::ZERO)), from.1 + (to.1 - from.1) * share);
