@@ -32,16 +32,14 @@ pub struct CoastDistance {
 impl CoastDistance {
     /// The distance between lattice corners, in units, of all lands that a recipe describes: finer than any visible bend of
     /// their coasts.
-    pub const SPACING: f32 = 8.0;
+    pub const SPACING: f32 = 4.0;
     /// The same of a land that is given as a mask, whose coasts may be of any shape: half of this is less than a coast's line is wide. A
     /// divisor of the other, and a multiple of a cell.
     pub const FINE_SPACING: f32 = 2.0;
 
     /// The land where a function is high: the sea is as much of the domain as asked for, where it is lowest.
     pub(super) fn with_sea(domain: &Domain, share: f32, height: impl Fn(Vec2) -> f32) -> Self {
-        let mut this = Self::sampled(domain, height);
-        let level = quantile(&this.heights, share);
-        this.heights.iter_mut().for_each(|height| *height -= level);
+        let mut this = Self::sampled(domain, share, height);
         this.remove_islets_and_ponds();
         let coast = this.contour();
         this.measured(&coast)
@@ -77,17 +75,34 @@ impl CoastDistance {
         (corners(domain.size.x), corners(domain.size.y))
     }
 
-    fn sampled(domain: &Domain, height: impl Fn(Vec2) -> f32) -> Self {
+    /// Heights above the level of the sea, which every other corner tells. The corners between are asked only where the coast may
+    /// pass; elsewhere nothing but the side of it counts.
+    fn sampled(domain: &Domain, share: f32, height: impl Fn(Vec2) -> f32) -> Self {
+        const NEAR: f32 = 16.0;
         let spacing = Self::SPACING;
-        let (columns, rows) = Self::corners(domain, spacing);
-        let heights = (0..columns * rows).map(|i| height(corner(i, columns, spacing))).collect();
-        Self { heights, columns, rows, spacing }
+        let ((columns, rows), (every_other, others)) =
+            (Self::corners(domain, spacing), Self::corners(domain, 2.0 * spacing));
+        let mut coarse: Vec<f32> =
+            (0..every_other * others).map(|i| height(corner(i, every_other, 2.0 * spacing))).collect();
+        let level = quantile(&coarse, share);
+        coarse.iter_mut().for_each(|height| *height -= level);
+        let sample = |i: usize| {
+            let (column, row) = (i % columns, i / columns);
+            let [west, east] = [column / 2, column.div_ceil(2)];
+            let [north, south] = [row / 2, row.div_ceil(2)].map(|row| row * every_other);
+            let first = coarse[north + west];
+            let is_like = |i: usize| coarse[i].abs() > NEAR && (coarse[i] > 0.0) == (first > 0.0);
+            let is_known = (column | row) % 2 == 0
+                || [north + west, north + east, south + west, south + east].into_iter().all(is_like);
+            if is_known { first } else { height(corner(i, columns, spacing)) - level }
+        };
+        Self { heights: (0..columns * rows).map(sample).collect(), columns, rows, spacing }
     }
 
     /// Sinks islets, and makes land of ponds: a map has no room for the rivers of the one, and those of the land around
     /// run through the other. Ponds are waters of under a hundredth of the domain, unless there is no other water.
     fn remove_islets_and_ponds(&mut self) {
-        const ISLET: u32 = 4;
+        const ISLET: u32 = 25;
         const LEVELLED: f32 = 1.0;
         let pond = self.heights.len() as u32 / 100;
         for run in self.regions(Cell::Land).iter().skip(1).filter(|land| land.cells < ISLET).flat_map(|land| &land.runs)

@@ -1,7 +1,7 @@
 //! The shapes that land comes in, each bent by seeded noise.
 
 use fastnoise_lite::{CellularReturnType, FastNoiseLite, FractalType, NoiseType};
-use glam::{Vec2, Vec2Swizzles};
+use glam::{Mat2, Vec2, Vec2Swizzles};
 
 use super::CoastDistance;
 use crate::domain::Domain;
@@ -40,34 +40,8 @@ impl Shape {
         if matches!(self.kind, LandKind::Rectangle | LandKind::Drawn) {
             return None;
         }
-        let (coarse, fine, islands) = (self.noise(0, 1.6, 3), self.noise(1, 5.0, 5), self.cellular());
-        // Straits between islands are narrow: much would close them.
-        let strength = if self.kind == LandKind::Archipelago { 0.28 } else { 0.45 };
-        let height = |point: Vec2| {
-            let Vec2 { x, y } = point;
-            let bend = (coarse.get_noise_2d(x, y) + 0.35 * fine.get_noise_2d(x, y)) * self.roughness;
-            self.plain(point, bend, &coarse, &islands) + bend * self.span() * strength
-        };
-        Some(CoastDistance::with_sea(&self.domain, self.sea, height))
-    }
-
-    /// The height of the shape without its bends, in units; where it comes near the border, it bends all the same.
-    fn plain(&self, point: Vec2, bend: f32, noise: &FastNoiseLite, islands: &FastNoiseLite) -> f32 {
-        let from_centre = ((point - self.domain.size / 2.0) / (self.domain.size / self.span())).length();
-        match self.kind {
-            LandKind::Rectangle | LandKind::Drawn => self.span(),
-            LandKind::Island => -from_centre - self.moat(point, -bend),
-            LandKind::Basin => from_centre + self.moat(point, bend),
-            LandKind::Continent | LandKind::Valley => self.side_distance(point),
-            LandKind::Archipelago => {
-                // The gap between the distances to the nearest and the next of some scattered centres: 0 midway, so that
-                // straits lie there however low the sea is.
-                let aside = noise.get_noise_2d(point.y + 3000.0, point.x) * self.span() * 0.35 * self.roughness;
-                let island = islands.get_noise_2d(point.x + aside, point.y - aside);
-                let size = noise.get_noise_2d(point.x * 1.7 + 5000.0, point.y * 1.7);
-                (island * 1.9 + size * 0.45) * self.span() - self.moat(point, 0.0)
-            }
-        }
+        let relief = Relief::of(self);
+        Some(CoastDistance::with_sea(&self.domain, self.sea, |point| relief.height(point)))
     }
 
     /// The ridges of the shape, as polylines: of a valley two, from the coast inland, bent a little even on smooth land.
@@ -88,44 +62,9 @@ impl Shape {
         [(0, 0.17), (1, 0.63)].map(ridge).into()
     }
 
-    /// The distance to the nearest side that has the sea.
-    fn side_distance(&self, point: Vec2) -> f32 {
-        let far = self.domain.size - point;
-        [('n', point.y), ('e', far.x), ('s', far.y), ('w', point.x)]
-            .into_iter()
-            .filter(|&(side, _)| self.sides.contains(side))
-            .fold(f32::INFINITY, |least, (_, distance)| least.min(distance))
-    }
-
-    /// A drop toward the border of the domain, so that land surrounded by sea is not cut by it, nor a lake by land. Its contours are
-    /// rectangles with round corners, the rounder the farther inside, and stray with the coast (`bend`, up to about 1 either way)
-    /// as far as there is room: so no coast is straight for it.
-    fn moat(&self, point: Vec2, bend: f32) -> f32 {
-        /// The coast strays over this share of its distance to the border, and over at most a fifth of the way out.
-        const STRAY: f32 = 0.4;
-        const ROOM: f32 = 0.2;
-        let within = if self.kind == LandKind::Basin { self.sea } else { 1.0 - self.sea };
-        let room = (1.0 - within.sqrt()).min(ROOM);
-        // Straits alone make islands rough.
-        let (inside, steep, stray) =
-            if self.kind == LandKind::Archipelago { (0.3, 6.6, 0.0) } else { (0.45, 8.0, STRAY * room) };
-        let out = (point / self.domain.size * 2.0 - 1.0) * (1.0 + bend * stray);
-        let out = out * out;
-        let fourth_power = out.x * out.x + out.y * out.y;
-        let outside = (fourth_power - inside).max(0.0);
-        outside * outside * self.span() * steep
-    }
-
     /// The shorter side of the domain, which sets the scale of all shapes.
     fn span(&self) -> f32 {
         self.domain.size.min_element()
-    }
-
-    fn cellular(&self) -> FastNoiseLite {
-        let mut noise = self.noise(3, 3.2, 1);
-        noise.set_noise_type(Some(NoiseType::Cellular));
-        noise.set_cellular_return_type(Some(CellularReturnType::Distance2Sub));
-        noise
     }
 
     /// Noise with about this many bumps across the domain.
@@ -137,5 +76,106 @@ impl Shape {
         noise.set_fractal_octaves(Some(octaves));
         noise.set_frequency(Some(bumps / self.span()));
         noise
+    }
+}
+
+/// What the height of a shape is made of. All but the frame's part lies along a grain of the seed's own: at a tilt, and longer
+/// along it than across, as folds and faults are.
+struct Relief<'a> {
+    shape: &'a Shape,
+    /// From units to units along and across the grain.
+    grain: Mat2,
+    /// Where an island is highest, along the grain, and how high, in units.
+    peaks: [(Vec2, f32); 2],
+    trough: (f32, f32),
+    long: f32,
+    /// How far the sea strays off each side, north, east, south and west, in units over the length of the side.
+    slants: [f32; 4],
+    warp: [FastNoiseLite; 2],
+    broad: FastNoiseLite,
+    fine: FastNoiseLite,
+    islands: FastNoiseLite,
+}
+
+impl<'a> Relief<'a> {
+    fn of(shape: &'a Shape) -> Self {
+        let chance = |what: u32, number: u32| shape.seed.item_hash(Purpose::Land).unit([6, what, number]);
+        let size = shape.domain.size;
+        // Near a diagonal there is the most room.
+        let tilt = libm::atan2f(size.y, size.x) * (0.5 + 0.6 * chance(0, 0)) * if chance(0, 1) < 0.5 { -1.0 } else { 1.0 };
+        let (sin, cos) = libm::sincosf(tilt);
+        let grain = Mat2::from_cols(Vec2::new(cos, -sin), Vec2::new(sin, cos));
+        let long = 1.15 + 0.35 * chance(0, 2);
+        let peak = |number: u32, far: f32, height: f32| {
+            let at = Vec2::new(chance(1, number), chance(2, number)) - 0.5;
+            (grain * (at * (size - 0.5 * shape.span()) * far), height * shape.span())
+        };
+        let peaks = [peak(0, 0.25, 0.2), peak(1, 1.0, 0.15 * chance(3, 1))];
+        let trough = (0.5 * (chance(3, 2) - 0.5), 0.5 * (chance(3, 3) - 0.3).max(0.0));
+        let slants = [0, 1, 2, 3].map(|side| {
+            let slant = 2.0 * chance(4, side) - 1.0;
+            slant * 0.8 * shape.sea.min(1.0 - shape.sea)
+        });
+        let warp = [0, 1].map(|index| shape.noise(index, 1.3, 2));
+        let mut islands = shape.noise(3, 3.0, 1);
+        islands.set_noise_type(Some(NoiseType::Cellular));
+        islands.set_cellular_return_type(Some(CellularReturnType::Distance2Sub));
+        Self { shape, grain, peaks, trough, long, slants, warp, broad: shape.noise(6, 1.25, 5), fine: shape.noise(7, 12.0, 4), islands }
+    }
+
+    /// The height of a point, in units.
+    fn height(&self, point: Vec2) -> f32 {
+        let (shape, span) = (self.shape, self.shape.span());
+        let at = self.grain * (point - shape.domain.size / 2.0);
+        let strays = [0, 1].map(|i| self.warp[i].get_noise_2d(at.x, at.y));
+        let at = at + Vec2::from(strays) * (shape.roughness * span * 0.12);
+        let wild = (0.5 + 1.2 * strays[1]).clamp(0.25, 1.0);
+        let bend = shape.roughness
+            * (0.65 * self.broad.get_noise_2d(at.x, at.y) + 0.14 * wild * self.fine.get_noise_2d(at.x, at.y));
+        bend * span
+            + match shape.kind {
+                LandKind::Rectangle | LandKind::Drawn => span,
+                LandKind::Island => self.peaked(at) - self.moat(point, bend),
+                LandKind::Basin => self.moat(point, -bend) - self.peaked(at),
+                LandKind::Continent | LandKind::Valley => self.side_distance(point),
+                // The gap between the distances to the nearest and the next of some scattered centres: 0 midway, so that
+                // straits lie there however low the sea is.
+                LandKind::Archipelago => {
+                    let island = self.islands.get_noise_2d(at.x, at.y);
+                    (island.min(-0.5) * 1.6 + strays[0] * 0.7) * span + 0.5 * self.peaked(at) - self.moat(point, bend)
+                }
+            }
+    }
+
+    /// How high it is on the nearest slope.
+    fn peaked(&self, at: Vec2) -> f32 {
+        let span = self.shape.span();
+        let stretch = Vec2::new(1.0 / self.long, self.long);
+        let peaked = self.peaks.iter().fold(f32::NEG_INFINITY, |most, (peak, height)| most.max(height - ((at - *peak) * stretch).length()));
+        let (place, depth) = self.trough;
+        let off = (at.x * 0.9 + at.y * 0.436) / span - place;
+        peaked - (1.0 - off.abs() / 0.12).max(0.0) * depth * span
+    }
+
+    /// The distance to the nearest side that has the sea.
+    fn side_distance(&self, point: Vec2) -> f32 {
+        let (size, sides) = (self.shape.domain.size, self.shape.sides);
+        let (share, far) = (point / size - 0.5, size - point);
+        [('n', point.y, share.x, size.y), ('e', far.x, share.y, size.x), ('s', far.y, share.x, size.y), ('w', point.x, share.y, size.x)]
+            .into_iter()
+            .zip(self.slants)
+            .filter(|((side, ..), _)| sides.contains(*side))
+            .fold(f32::INFINITY, |least, ((_, distance, along, depth), slant)| least.min(distance + slant * along * depth))
+    }
+
+    /// A drop toward the border of the domain, so that land surrounded by sea is not cut by it, nor a lake by land.
+    fn moat(&self, point: Vec2, bend: f32) -> f32 {
+        let shape = self.shape;
+        let within = if shape.kind == LandKind::Basin { shape.sea } else { 1.0 - shape.sea };
+        let room = 0.5 * (1.0 - within.sqrt());
+        let margin = room * (0.3 - 1.6 * bend).max(0.0);
+        let inside = point.min(shape.domain.size - point) / shape.span() - margin;
+        let near = (1.0 - inside / 0.2).max(Vec2::ZERO).length_squared();
+        near * near * 4.0 * self.shape.span()
     }
 }
