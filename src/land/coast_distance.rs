@@ -75,26 +75,26 @@ impl CoastDistance {
         (corners(domain.size.x), corners(domain.size.y))
     }
 
-    /// Heights above the level of the sea, which every other corner tells. The corners between are asked only where the coast may
-    /// pass; elsewhere nothing but the side of it counts.
+    /// Heights above the sea, whose level the corners of a coarse lattice tell. Between these, height is asked for only where the
+    /// coast may pass; elsewhere nothing counts but on which side of it a corner lies.
     fn sampled(domain: &Domain, share: f32, height: impl Fn(Vec2) -> f32) -> Self {
-        const NEAR: f32 = 16.0;
+        /// Corners along an interval of the coarse lattice.
+        const STRIDE: usize = 4;
+        /// Where height is this near to the level, in units, the coast may pass.
+        const NEAR: f32 = 24.0;
         let spacing = Self::SPACING;
-        let ((columns, rows), (every_other, others)) =
-            (Self::corners(domain, spacing), Self::corners(domain, 2.0 * spacing));
-        let mut coarse: Vec<f32> =
-            (0..every_other * others).map(|i| height(corner(i, every_other, 2.0 * spacing))).collect();
-        let level = quantile(&coarse, share);
+        let far = STRIDE as f32 * spacing;
+        let ((columns, rows), (across, down)) = (Self::corners(domain, spacing), Self::corners(domain, far));
+        let mut coarse: Vec<f32> = (0..across * down).map(|i| height(corner(i, across, far))).collect();
+        let level = quantile(&of_squares(domain, far, &coarse, across), share);
         coarse.iter_mut().for_each(|height| *height -= level);
+        let between = |i: usize| [i / STRIDE, i.div_ceil(STRIDE)];
         let sample = |i: usize| {
-            let (column, row) = (i % columns, i / columns);
-            let [west, east] = [column / 2, column.div_ceil(2)];
-            let [north, south] = [row / 2, row.div_ceil(2)].map(|row| row * every_other);
-            let first = coarse[north + west];
-            let is_like = |i: usize| coarse[i].abs() > NEAR && (coarse[i] > 0.0) == (first > 0.0);
-            let is_known = (column | row) % 2 == 0
-                || [north + west, north + east, south + west, south + east].into_iter().all(is_like);
-            if is_known { first } else { height(corner(i, columns, spacing)) - level }
+            let ([west, east], rows) = (between(i % columns), between(i / columns).map(|row| row * across));
+            let first = coarse[rows[0] + west];
+            let is_alike = |height: f32| height.abs() > NEAR && (height > 0.0) == (first > 0.0);
+            let is_alike = rows.iter().all(|row| is_alike(coarse[row + west]) && is_alike(coarse[row + east]));
+            if is_alike { first } else { height(corner(i, columns, spacing)) - level }
         };
         Self { heights: (0..columns * rows).map(sample).collect(), columns, rows, spacing }
     }
@@ -217,6 +217,14 @@ fn lattice(x: f32, corners: usize) -> (usize, f32) {
     let x = x.max(0.0).min((corners - 1) as f32);
     let index = (x as usize).min(corners - 2);
     (index, x - index as f32)
+}
+
+/// The heights of a lattice's corners, each as often as it is the corner of a square whose middle lies in the domain: so each counts for
+/// the area around it.
+fn of_squares(domain: &Domain, spacing: f32, heights: &[f32], columns: usize) -> Vec<f32> {
+    let is_inside = |&i: &usize| domain.contains(corner(i, columns, spacing) + spacing / 2.0);
+    let squares = (0..heights.len()).filter(is_inside);
+    squares.flat_map(|i| [i, i + 1, i + columns, i + columns + 1]).map(|i| heights[i]).collect()
 }
 
 /// The value below which the given share of some values lies.

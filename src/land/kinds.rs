@@ -114,13 +114,13 @@ impl<'a> Relief<'a> {
         let trough = (0.5 * (chance(3, 2) - 0.5), 0.5 * (chance(3, 3) - 0.3).max(0.0));
         let slants = [0, 1, 2, 3].map(|side| {
             let slant = 2.0 * chance(4, side) - 1.0;
-            slant * 0.8 * shape.sea.min(1.0 - shape.sea)
+            (slant + 0.3f32.copysign(slant)) * 0.75 * shape.sea.min(1.0 - shape.sea)
         });
         let warp = [0, 1].map(|index| shape.noise(index, 1.3, 2));
-        let mut islands = shape.noise(3, 3.0, 1);
+        let mut islands = shape.noise(3, 3.2, 1);
         islands.set_noise_type(Some(NoiseType::Cellular));
         islands.set_cellular_return_type(Some(CellularReturnType::Distance2Sub));
-        Self { shape, grain, peaks, trough, long, slants, warp, broad: shape.noise(6, 1.25, 5), fine: shape.noise(7, 12.0, 4), islands }
+        Self { shape, grain, peaks, trough, long, slants, warp, broad: shape.noise(6, 1.25, 4), fine: shape.noise(7, 12.0, 4), islands }
     }
 
     /// The height of a point, in units.
@@ -130,8 +130,9 @@ impl<'a> Relief<'a> {
         let strays = [0, 1].map(|i| self.warp[i].get_noise_2d(at.x, at.y));
         let at = at + Vec2::from(strays) * (shape.roughness * span * 0.12);
         let wild = (0.5 + 1.2 * strays[1]).clamp(0.25, 1.0);
+        let broad = if shape.kind == LandKind::Archipelago { 0.3 } else { 0.65 };
         let bend = shape.roughness
-            * (0.65 * self.broad.get_noise_2d(at.x, at.y) + 0.14 * wild * self.fine.get_noise_2d(at.x, at.y));
+            * (broad * self.broad.get_noise_2d(at.x, at.y) + 0.14 * wild * self.fine.get_noise_2d(at.x, at.y));
         bend * span
             + match shape.kind {
                 LandKind::Rectangle | LandKind::Drawn => span,
@@ -142,7 +143,7 @@ impl<'a> Relief<'a> {
                 // straits lie there however low the sea is.
                 LandKind::Archipelago => {
                     let island = self.islands.get_noise_2d(at.x, at.y);
-                    (island.min(-0.5) * 1.6 + strays[0] * 0.7) * span + 0.5 * self.peaked(at) - self.moat(point, bend)
+                    (island * 1.5 + strays[0] * 0.9) * span + 0.3 * self.peaked(at) - self.moat(point, bend)
                 }
             }
     }
@@ -168,14 +169,17 @@ impl<'a> Relief<'a> {
             .fold(f32::INFINITY, |least, ((_, distance, along, depth), slant)| least.min(distance + slant * along * depth))
     }
 
-    /// A drop toward the border of the domain, so that land surrounded by sea is not cut by it, nor a lake by land.
+    /// A drop toward the border of the domain, so that land surrounded by sea is not cut by it, nor a lake by land. It begins at a
+    /// margin that strays with the coast (`bend`), so that no coast is straight for it, and ends in a wall.
     fn moat(&self, point: Vec2, bend: f32) -> f32 {
-        let shape = self.shape;
-        let within = if shape.kind == LandKind::Basin { shape.sea } else { 1.0 - shape.sea };
+        let Shape { kind, domain, sea, .. } = self.shape;
+        let within = if *kind == LandKind::Basin { *sea } else { 1.0 - sea };
         let room = 0.5 * (1.0 - within.sqrt());
+        let wide = if *kind == LandKind::Archipelago { 0.7 * room } else { (1.4 * room).min(0.22) };
         let margin = room * (0.3 - 1.6 * bend).max(0.0);
-        let inside = point.min(shape.domain.size - point) / shape.span() - margin;
-        let near = (1.0 - inside / 0.2).max(Vec2::ZERO).length_squared();
-        near * near * 4.0 * self.shape.span()
+        let inside = point.min(domain.size - point) / self.shape.span();
+        let near = (1.0 - (inside - margin) / wide).max(Vec2::ZERO).length_squared();
+        let wall = 0.06 * room / (inside.min_element().max(0.0) + 0.015 * room);
+        (near * near * 4.0 + wall) * self.shape.span()
     }
 }
