@@ -135,6 +135,10 @@ impl CoastDistance {
                 let northwest = row * self.columns + column;
                 // Round the square, so that crossings pair up in the order they come in.
                 let round = [northwest, northwest + 1, northwest + self.columns + 1, northwest + self.columns];
+                let land = round.iter().filter(|&&corner| self.heights[corner] > 0.0).count();
+                if land % 4 == 0 {
+                    continue;
+                }
                 let crossings: Vec<Vec2> =
                     (0..4).filter_map(|side| self.crossing(round[side], round[(side + 1) % 4])).collect();
                 pieces.extend(crossings.chunks_exact(2).map(|pair| [pair[0], pair[1]]));

@@ -79,17 +79,19 @@ impl Shape {
     }
 }
 
-/// What the height of a shape is made of. All but the frame's part lies along a grain of the seed's own: at a tilt, and longer
-/// along it than across, as folds and faults are.
+/// What the height of a shape is made of. Noise and islands lie along a grain, as folds and faults do: a tilt of the seed's own, so
+/// that the frame does not show in them.
 struct Relief<'a> {
     shape: &'a Shape,
-    /// From units to units along and across the grain.
+    /// Turns to along and across the grain.
     grain: Mat2,
-    /// Where an island is highest, along the grain, and how high, in units.
+    /// The tops of the cones that an island is made of, along the grain, and how high they are, in units.
     peaks: [(Vec2, f32); 2],
+    /// How much longer a cone is than a round one, and how much narrower.
+    length: f32,
+    /// Where a trough crosses the cones, and how deep it is, in spans: a strait, two inlets, or nothing.
     trough: (f32, f32),
-    long: f32,
-    /// How far the sea strays off each side, north, east, south and west, in units over the length of the side.
+    /// How far the coast of each side, north, east, south and west, runs aslant: by this share of the domain from end to end.
     slants: [f32; 4],
     warp: [FastNoiseLite; 2],
     broad: FastNoiseLite,
@@ -100,85 +102,100 @@ struct Relief<'a> {
 impl<'a> Relief<'a> {
     fn of(shape: &'a Shape) -> Self {
         let chance = |what: u32, number: u32| shape.seed.item_hash(Purpose::Land).unit([6, what, number]);
-        let size = shape.domain.size;
-        // Near a diagonal there is the most room.
-        let tilt = libm::atan2f(size.y, size.x) * (0.5 + 0.6 * chance(0, 0)) * if chance(0, 1) < 0.5 { -1.0 } else { 1.0 };
-        let (sin, cos) = libm::sincosf(tilt);
+        let (size, span) = (shape.domain.size, shape.span());
+        // There is the most room near a diagonal.
+        let tilt = libm::atan2f(size.y, size.x) * (0.5 + 0.6 * chance(0, 0));
+        let (sin, cos) = libm::sincosf(if chance(0, 1) < 0.5 { -tilt } else { tilt });
         let grain = Mat2::from_cols(Vec2::new(cos, -sin), Vec2::new(sin, cos));
-        let long = 1.15 + 0.35 * chance(0, 2);
         let peak = |number: u32, far: f32, height: f32| {
-            let at = Vec2::new(chance(1, number), chance(2, number)) - 0.5;
-            (grain * (at * (size - 0.5 * shape.span()) * far), height * shape.span())
+            let off = Vec2::new(chance(1, number), chance(2, number)) - 0.5;
+            (grain * (off * (size - 0.5 * span) * far), height * span)
         };
-        let peaks = [peak(0, 0.25, 0.2), peak(1, 1.0, 0.15 * chance(3, 1))];
-        let trough = (0.5 * (chance(3, 2) - 0.5), 0.5 * (chance(3, 3) - 0.3).max(0.0));
-        let slants = [0, 1, 2, 3].map(|side| {
+        let slant = |side: u32| {
             let slant = 2.0 * chance(4, side) - 1.0;
             (slant + 0.3f32.copysign(slant)) * 0.75 * shape.sea.min(1.0 - shape.sea)
-        });
-        let warp = [0, 1].map(|index| shape.noise(index, 1.3, 2));
+        };
+        let mut fine = shape.noise(7, 12.0, 4);
+        fine.set_fractal_gain(Some(0.7));
         let mut islands = shape.noise(3, 3.2, 1);
         islands.set_noise_type(Some(NoiseType::Cellular));
         islands.set_cellular_return_type(Some(CellularReturnType::Distance2Sub));
-        Self { shape, grain, peaks, trough, long, slants, warp, broad: shape.noise(6, 1.25, 4), fine: shape.noise(7, 12.0, 4), islands }
+        Self {
+            shape,
+            grain,
+            peaks: [peak(0, 0.25, 0.2), peak(1, 1.0, 0.15 * chance(3, 1))],
+            length: 1.15 + 0.35 * chance(0, 2),
+            trough: (0.5 * (chance(3, 2) - 0.5), 0.5 * (chance(3, 3) - 0.3).max(0.0)),
+            slants: [0, 1, 2, 3].map(slant),
+            warp: [0, 1].map(|index| shape.noise(index, 1.3, 2)),
+            broad: shape.noise(6, 1.25, 4),
+            fine,
+            islands,
+        }
     }
 
     /// The height of a point, in units.
     fn height(&self, point: Vec2) -> f32 {
-        let (shape, span) = (self.shape, self.shape.span());
-        let at = self.grain * (point - shape.domain.size / 2.0);
+        let (kind, roughness, span) = (self.shape.kind, self.shape.roughness, self.shape.span());
+        let at = self.grain * (point - self.shape.domain.size / 2.0);
         let strays = [0, 1].map(|i| self.warp[i].get_noise_2d(at.x, at.y));
-        let at = at + Vec2::from(strays) * (shape.roughness * span * 0.12);
-        let wild = (0.5 + 1.2 * strays[1]).clamp(0.25, 1.0);
-        let broad = if shape.kind == LandKind::Archipelago { 0.3 } else { 0.65 };
-        let bend = shape.roughness
-            * (broad * self.broad.get_noise_2d(at.x, at.y) + 0.14 * wild * self.fine.get_noise_2d(at.x, at.y));
-        bend * span
-            + match shape.kind {
-                LandKind::Rectangle | LandKind::Drawn => span,
-                LandKind::Island => self.peaked(at) - self.moat(point, bend),
-                LandKind::Basin => self.moat(point, -bend) - self.peaked(at),
-                LandKind::Continent | LandKind::Valley => self.side_distance(point),
+        let at = at + Vec2::from(strays) * (roughness * span * 0.12);
+        // Straits between islands are narrow: much would close them.
+        let broad = if kind == LandKind::Archipelago { 0.3 } else { 0.65 };
+        // Some coasts are wild and others gentle.
+        let fine = 0.2 * (0.5 + 1.2 * strays[1]).clamp(0.4, 1.0);
+        let bend =
+            roughness * (broad * self.broad.get_noise_2d(at.x, at.y) + fine * self.fine.get_noise_2d(at.x, at.y));
+        let plain = match kind {
+            LandKind::Rectangle | LandKind::Drawn => span,
+            LandKind::Island => self.cones(at) - self.moat(point, bend),
+            LandKind::Basin => self.moat(point, -bend) - self.cones(at),
+            LandKind::Continent | LandKind::Valley => self.side_distance(point),
+            LandKind::Archipelago => {
                 // The gap between the distances to the nearest and the next of some scattered centres: 0 midway, so that
-                // straits lie there however low the sea is.
-                LandKind::Archipelago => {
-                    let island = self.islands.get_noise_2d(at.x, at.y);
-                    (island * 1.5 + strays[0] * 0.9) * span + 0.3 * self.peaked(at) - self.moat(point, bend)
-                }
+                // straits lie there.
+                let island = self.islands.get_noise_2d(at.x, at.y);
+                (island * 1.5 + strays[0] * 0.9) * span + 0.3 * self.cones(at) - self.moat(point, bend)
             }
+        };
+        plain + bend * span
     }
 
-    /// How high it is on the nearest slope.
-    fn peaked(&self, at: Vec2) -> f32 {
-        let span = self.shape.span();
-        let stretch = Vec2::new(1.0 / self.long, self.long);
-        let peaked = self.peaks.iter().fold(f32::NEG_INFINITY, |most, (peak, height)| most.max(height - ((at - *peak) * stretch).length()));
-        let (place, depth) = self.trough;
-        let off = (at.x * 0.9 + at.y * 0.436) / span - place;
-        peaked - (1.0 - off.abs() / 0.12).max(0.0) * depth * span
+    /// The height of the higher cone, less the trough.
+    fn cones(&self, at: Vec2) -> f32 {
+        const WIDTH: f32 = 0.12;
+        /// Across the grain, but not quite.
+        const ACROSS: Vec2 = Vec2::new(0.9, 0.436);
+        let (span, stretch) = (self.shape.span(), Vec2::new(1.0 / self.length, self.length));
+        let cone = |(peak, height): &(Vec2, f32)| height - ((at - *peak) * stretch).length();
+        let highest = self.peaks.iter().map(cone).fold(f32::NEG_INFINITY, f32::max);
+        let off = (at.dot(ACROSS) / span - self.trough.0).abs();
+        highest - (1.0 - off / WIDTH).max(0.0) * self.trough.1 * span
     }
 
-    /// The distance to the nearest side that has the sea.
+    /// The distance to the nearest side that has the sea, a side that runs aslant.
     fn side_distance(&self, point: Vec2) -> f32 {
-        let (size, sides) = (self.shape.domain.size, self.shape.sides);
-        let (share, far) = (point / size - 0.5, size - point);
-        [('n', point.y, share.x, size.y), ('e', far.x, share.y, size.x), ('s', far.y, share.x, size.y), ('w', point.x, share.y, size.x)]
+        let size = self.shape.domain.size;
+        let (far, off) = (size - point, (point / size - 0.5) * size.yx());
+        [('n', point.y, off.x), ('e', far.x, off.y), ('s', far.y, off.x), ('w', point.x, off.y)]
             .into_iter()
             .zip(self.slants)
-            .filter(|((side, ..), _)| sides.contains(*side))
-            .fold(f32::INFINITY, |least, ((_, distance, along, depth), slant)| least.min(distance + slant * along * depth))
+            .filter(|((side, ..), _)| self.shape.sides.contains(*side))
+            .fold(f32::INFINITY, |least, ((_, distance, off), slant)| least.min(distance + slant * off))
     }
 
     /// A drop toward the border of the domain, so that land surrounded by sea is not cut by it, nor a lake by land. It begins at a
-    /// margin that strays with the coast (`bend`), so that no coast is straight for it, and ends in a wall.
+    /// margin that strays with the coast (`bend`), so that no coast is straight for it, and ends in a wall. The less room there is
+    /// around the land, the nearer to the border both are.
     fn moat(&self, point: Vec2, bend: f32) -> f32 {
         let Shape { kind, domain, sea, .. } = self.shape;
         let within = if *kind == LandKind::Basin { *sea } else { 1.0 - sea };
         let room = 0.5 * (1.0 - within.sqrt());
-        let wide = if *kind == LandKind::Archipelago { 0.7 * room } else { (1.4 * room).min(0.22) };
-        let margin = room * (0.3 - 1.6 * bend).max(0.0);
+        // Islands of an archipelago may lie anywhere.
+        let width = if *kind == LandKind::Archipelago { 0.7 * room } else { (1.4 * room).min(0.22) };
+        let margin = room * (0.3 - 2.0 * bend).max(0.0);
         let inside = point.min(domain.size - point) / self.shape.span();
-        let near = (1.0 - (inside - margin) / wide).max(Vec2::ZERO).length_squared();
+        let near = (1.0 - (inside - margin) / width).max(Vec2::ZERO).length_squared();
         let wall = 0.06 * room / (inside.min_element().max(0.0) + 0.015 * room);
         (near * near * 4.0 + wall) * self.shape.span()
     }
