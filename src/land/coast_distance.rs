@@ -30,7 +30,7 @@ pub struct CoastDistance {
 }
 
 impl CoastDistance {
-    /// The distance between lattice corners, in units, of all lands that a recipe describes: finer than any visible bend of
+    /// The distance between lattice corners, in units, of all lands that a recipe describes: half of the shortest wave of
     /// their coasts.
     pub const SPACING: f32 = 4.0;
     /// The same of a land that is given as a mask, whose coasts may be of any shape: half of this is less than a coast's line is wide. A

@@ -113,7 +113,9 @@ impl<'a> Relief<'a> {
         };
         let slant = |side: u32| {
             let slant = 2.0 * chance(4, side) - 1.0;
-            (slant + 0.3f32.copysign(slant)) * 0.75 * shape.sea.min(1.0 - shape.sea)
+            // All parts of a valley between and beside its ridges need a coast.
+            let most = if shape.kind == LandKind::Valley { 0.35 } else { 0.75 };
+            (slant + 0.3f32.copysign(slant)) * most * shape.sea.min(1.0 - shape.sea)
         };
         let mut fine = shape.noise(7, 12.0, 4);
         fine.set_fractal_gain(Some(0.7));

@@ -247,10 +247,7 @@ mod tests {
                 IN_CELLS,
             ],
         ),
-        (
-            "land=drawn&outline=...gAgA",
-            &[NO_COAST, ("sides mouths", DRAWN_MOUTHS), NO_SENSITIVITY, NOT_DRAINING, IN_CELLS],
-        ),
+        ("land=drawn&outline=...gAgA", &[NO_COAST, ("sides mouths", DRAWN_MOUTHS), NO_SENSITIVITY, NOT_DRAINING, IN_CELLS]),
         // A drawing that is not the land gives no mouths either.
         (
             "land=island&outline=...gAgA",
