@@ -30,11 +30,13 @@ pub struct CoastDistance {
 }
 
 impl CoastDistance {
-    /// The distance between lattice corners, in units, of all lands that a recipe describes: half of the shortest wave of
+    /// The distance between lattice corners, in units, of all shapes that a recipe names: half of the shortest wave of
     /// their coasts.
     pub const SPACING: f32 = 4.0;
+    /// The same of a drawn land, whose coasts have few points, and of lines.
+    pub const COARSE_SPACING: f32 = 8.0;
     /// The same of a land that is given as a mask, whose coasts may be of any shape: half of this is less than a coast's line is wide. A
-    /// divisor of the other, and a multiple of a cell.
+    /// divisor of the others, and a multiple of a cell.
     pub const FINE_SPACING: f32 = 2.0;
 
     /// The land where a function is high: the sea is as much of the domain as asked for, where it is lowest.
@@ -54,8 +56,8 @@ impl CoastDistance {
 
     /// The distances from some lines, as if land lay on both sides of them.
     pub(crate) fn from_lines(domain: &Domain, lines: &[Piece]) -> Self {
-        let (columns, rows) = Self::corners(domain, Self::SPACING);
-        Self::of_coast(domain, Self::SPACING, lines, &vec![true; columns * rows])
+        let (columns, rows) = Self::corners(domain, Self::COARSE_SPACING);
+        Self::of_coast(domain, Self::COARSE_SPACING, lines, &vec![true; columns * rows])
     }
 
     /// All land but for a strait of a width, between two points.

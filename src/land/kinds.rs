@@ -143,9 +143,13 @@ impl<'a> Relief<'a> {
         let strays = [0, 1].map(|i| self.warp[i].get_noise_2d(at.x, at.y));
         let at = at + Vec2::from(strays) * (roughness * span * 0.12);
         // Straits between islands are narrow: much would close them.
-        let broad = if kind == LandKind::Archipelago { 0.3 } else { 0.65 };
+        let broad = match kind {
+            LandKind::Archipelago => 0.3,
+            LandKind::Continent | LandKind::Valley => 0.45,
+            _ => 0.58,
+        };
         // Some coasts are wild and others gentle.
-        let fine = 0.2 * (0.5 + 1.2 * strays[1]).clamp(0.4, 1.0);
+        let fine = 0.18 * (0.5 + 1.2 * strays[1]).clamp(0.4, 1.0);
         let bend =
             roughness * (broad * self.broad.get_noise_2d(at.x, at.y) + fine * self.fine.get_noise_2d(at.x, at.y));
         let plain = match kind {
@@ -188,10 +192,10 @@ impl<'a> Relief<'a> {
 
     /// A drop toward the border of the domain, so that land surrounded by sea is not cut by it, nor a lake by land. It begins at a
     /// margin that strays with the coast (`bend`), so that no coast is straight for it, and ends in a wall. The less room there is
-    /// around the land, the nearer to the border both are.
+    /// around land of more than half of the map, the nearer to the border both are.
     fn moat(&self, point: Vec2, bend: f32) -> f32 {
         let Shape { kind, domain, sea, .. } = self.shape;
-        let within = if *kind == LandKind::Basin { *sea } else { 1.0 - sea };
+        let within = if *kind == LandKind::Basin { *sea } else { 1.0 - sea }.max(0.5);
         let room = 0.5 * (1.0 - within.sqrt());
         // Islands of an archipelago may lie anywhere.
         let width = if *kind == LandKind::Archipelago { 0.7 * room } else { (1.4 * room).min(0.22) };

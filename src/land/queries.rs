@@ -215,7 +215,7 @@ impl Land {
 /// no land: the drawing then counts as the plain rectangle. This is the only place that decides it.
 fn drawn(shape: &Shape, recipe: &Recipe) -> Option<(Grid, CoastDistance, Drawing)> {
     let drawing = Drawing::of(recipe.outline()?, shape);
-    let coast_distance = drawing.coast_distance(&shape.domain, CoastDistance::SPACING);
+    let coast_distance = drawing.coast_distance(&shape.domain, CoastDistance::COARSE_SPACING);
     let grid = Grid::above_water(&shape.domain, &coast_distance);
     (LEAST_DRAWN..1.0).contains(&grid.share_of_land()).then_some((grid, coast_distance, drawing))
 }
