@@ -80,7 +80,7 @@ pub static TABLE: [Parameter; COUNT] = {
             group: "Land",
             stage: Land,
             logarithmic: false,
-            kind: number(0.1, 0.8, 0.01, 0.5),
+            kind: number(0.1, 0.8, 0.01, 0.55),
         },
         Parameter {
             key: Key::Roughness,
