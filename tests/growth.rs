@@ -118,17 +118,11 @@ fn no_preset_and_no_default_runs_dry() {
 #[test]
 fn no_kind_of_land_is_left_dry() {
     let lands = every_land();
-    let mut dry = Vec::new();
     for (land, seed) in lands.iter().flat_map(|land| (0..40).map(move |seed| (land, seed))) {
         let growth = grown(&format!("{land}&seed={seed}&attractors=1500"));
         let (unreached, all) = (growth.unreached(), growth.attractors());
-        assert!(unreached * 8 <= all, "{land}, seed {seed}: {unreached} of {all} are unreached");
-        if unreached * 20 > all {
-            dry.push((land, seed, unreached));
-        }
+        assert!(unreached * 20 <= all, "{land}, seed {seed}: {unreached} of {all} are unreached");
     }
-    // Of a valley of seed 7 a river's tips stop short of the last corner behind a ridge.
-    assert!(dry.len() <= 1, "{dry:?}");
 }
 
 #[test]
@@ -175,7 +169,7 @@ fn mouths_lie_on_the_chosen_shores() {
 
 /// Where a tree of drainage meets the coast.
 fn mouths_of_drainage(link: &str) -> (Vec<Vec2>, GrowthSettings) {
-    let mut growth = Growth::new(settings(&format!("growth=drainage&attractors=2000&{link}"))).unwrap();
+    let mut growth = Growth::new(settings(&format!("growth=drainage&attractors=4000&{link}"))).unwrap();
     while growth.tick() {}
     let tree = growth.tree();
     let mouths = (0..tree.len()).filter(|&node| tree.parent_of(node).is_none()).map(|node| tree.at[node]).collect();

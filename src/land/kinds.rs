@@ -142,26 +142,26 @@ impl<'a> Relief<'a> {
         let at = self.grain * (point - self.shape.domain.size / 2.0);
         let strays = [0, 1].map(|i| self.warp[i].get_noise_2d(at.x, at.y));
         let at = at + Vec2::from(strays) * (roughness * span * 0.12);
-        // Straits between islands are narrow: much would close them.
-        let broad = match kind {
-            LandKind::Archipelago => 0.3,
-            LandKind::Continent | LandKind::Valley => 0.45,
-            _ => 0.58,
+        // Straits between islands are narrow, and much would close them; but their shores are steep, so that it takes more to show.
+        let (broad, fine) = match kind {
+            LandKind::Archipelago => (0.3, 0.36),
+            LandKind::Continent | LandKind::Valley => (0.45, 0.22),
+            _ => (0.58, 0.3),
         };
         // Some coasts are wild and others gentle.
-        let fine = 0.18 * (0.5 + 1.2 * strays[1]).clamp(0.4, 1.0);
+        let fine = fine * (0.5 + 1.2 * strays[1]).clamp(0.4, 1.0);
         let bend =
             roughness * (broad * self.broad.get_noise_2d(at.x, at.y) + fine * self.fine.get_noise_2d(at.x, at.y));
         let plain = match kind {
             LandKind::Rectangle | LandKind::Drawn => span,
-            LandKind::Island => self.cones(at) - self.moat(point, bend),
-            LandKind::Basin => self.moat(point, -bend) - self.cones(at),
+            LandKind::Island => self.cones(at) - self.moat(point, bend, strays[0]),
+            LandKind::Basin => self.moat(point, -bend, strays[0]) - self.cones(at),
             LandKind::Continent | LandKind::Valley => self.side_distance(point),
             LandKind::Archipelago => {
                 // The gap between the distances to the nearest and the next of some scattered centres: 0 midway, so that
                 // straits lie there.
                 let island = self.islands.get_noise_2d(at.x, at.y);
-                (island * 1.5 + strays[0] * 0.9) * span + 0.3 * self.cones(at) - self.moat(point, bend)
+                (island * 1.5 + strays[0] * 0.9) * span + 0.3 * self.cones(at) - self.moat(point, bend, strays[0])
             }
         };
         plain + bend * span
@@ -191,15 +191,15 @@ impl<'a> Relief<'a> {
     }
 
     /// A drop toward the border of the domain, so that land surrounded by sea is not cut by it, nor a lake by land. It begins at a
-    /// margin that strays with the coast (`bend`), so that no coast is straight for it, and ends in a wall. The less room there is
-    /// around land of more than half of the map, the nearer to the border both are.
-    fn moat(&self, point: Vec2, bend: f32) -> f32 {
+    /// margin that strays by itself and with the coast (`bend`), so that no coast is straight for it, and ends in a wall. The less room
+    /// there is around land of more than half of the map, the nearer to the border both are.
+    fn moat(&self, point: Vec2, bend: f32, stray: f32) -> f32 {
         let Shape { kind, domain, sea, .. } = self.shape;
         let within = if *kind == LandKind::Basin { *sea } else { 1.0 - sea }.max(0.5);
         let room = 0.5 * (1.0 - within.sqrt());
         // Islands of an archipelago may lie anywhere.
         let width = if *kind == LandKind::Archipelago { 0.7 * room } else { (1.4 * room).min(0.22) };
-        let margin = room * (0.3 - 2.0 * bend).max(0.0);
+        let margin = room * (0.5 + 1.6 * stray - 0.8 * bend).max(0.0);
         let inside = point.min(domain.size - point) / self.shape.span();
         let near = (1.0 - (inside - margin) / width).max(Vec2::ZERO).length_squared();
         let wall = 0.06 * room / (inside.min_element().max(0.0) + 0.015 * room);

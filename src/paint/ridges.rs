@@ -22,7 +22,9 @@ pub(crate) fn ridges(land: &Land) -> Vec<[End; 2]> {
     for ridge in land.ridges().iter().filter(|ridge| ridge.len() > 1) {
         let crest = crest(ridge);
         let heights = heights(land, &crest);
-        for (i, pair) in crest.windows(2).enumerate().filter(|(i, _)| heights[*i] > 0.0) {
+        let is_ashore = |at: Vec2| land.coast_distance().height(at) > 0.0;
+        let ashore = |&(i, pair): &(usize, &[Vec2])| heights[i] > 0.0 && is_ashore(pair[1]);
+        for (i, pair) in crest.windows(2).enumerate().filter(ashore) {
             strokes.push([(pair[0], CREST * heights[i]), (pair[1], CREST * heights[i + 1])]);
             strokes.extend(down_both_sides(i, pair[0], pair[1] - pair[0], heights[i]));
         }
@@ -111,7 +113,7 @@ mod tests {
                 assert!(near(*from) < 2.0, "{from} is off its ridge");
                 // Thin at the coast, and none beyond.
                 let shore = land.coast_distance().height(*from).min(land.coast_distance().height(*to));
-                assert!(shore > 0.0 || half_from.max(*half_to) < 0.3, "{half_from} wide at {from}, {shore} inland");
+                assert!(shore > 0.0 || half_from.max(*half_to) < 0.25, "{half_from} wide at {from}, {shore} inland");
             }
             let wide = |stroke: &&[End; 2]| stroke[0].1 > 0.8 * CREST;
             assert!(strokes.iter().filter(wide).count() > 20);
