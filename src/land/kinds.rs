@@ -144,7 +144,7 @@ impl<'a> Relief<'a> {
         let at = at + Vec2::from(strays) * (roughness * span * 0.12);
         // Straits between islands are narrow, and much would close them; but their shores are steep, so that it takes more to show.
         let (broad, fine) = match kind {
-            LandKind::Archipelago => (0.3, 0.3),
+            LandKind::Archipelago => (0.3, 0.26),
             LandKind::Continent | LandKind::Valley => (0.45, 0.15),
             LandKind::Basin => (0.58, 0.3),
             _ => (0.58, 0.2),
