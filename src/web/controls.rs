@@ -1,12 +1,11 @@
-//! What a page of controls asks for, and a widget does without: the parameter table, presets, links in all their parts, drawn lines,
-//! copies.
+//! What a page of controls asks for, and a widget does without: the parameter table, presets, links in all their parts, drawn lines.
 
 use glam::Vec2;
 use js_sys::{Array, Float32Array, Object};
 use wasm_bindgen::prelude::*;
 
 use super::objects::{coded, object, set};
-use super::rivers::{River, list, read_options, session_error};
+use super::rivers::{list, read_options};
 use crate::dice;
 use crate::land::Land;
 use crate::recipe::link;
@@ -146,16 +145,6 @@ pub fn outline_lines(text: &str) -> Result<Object, JsValue> {
 /// The points of a line given as x and y in turn; half a point at the end is left out.
 fn points(line: &Float32Array) -> Vec<Vec2> {
     line.to_vec().chunks_exact(2).map(Vec2::from_slice).collect()
-}
-
-#[wasm_bindgen]
-impl River {
-    /// Another river that has come as far, without a picture: what becomes of one does not touch the other. Throws an
-    /// Error if there is not enough memory.
-    pub fn copy(&self) -> Result<Self, JsValue> {
-        let session = self.session.try_clone().map_err(|error| session_error(&error))?;
-        Ok(Self { session, notices: self.notices.clone(), picture: None, dirty: None })
-    }
 }
 
 fn pair(name: &str, text: &str) -> Array {

@@ -1,0 +1,18 @@
+/** The full engine: rivers and pictures, and besides, what a page's controls ask for, the writing of files and the digest. */
+
+import init, * as engine from "../../pkg-full/riverseed_full.js";
+import wasmUrl from "../../pkg-full/riverseed_full_bg.wasm?url";
+import type { Core } from "./wasm.ts";
+import { once, start } from "./wasm-module.ts";
+
+export type { Lines, Parameter, Preset, Reading, River as FullRiver } from "../../pkg-full/riverseed_full.js";
+
+export type FullCore = Core<typeof engine>;
+
+/** From where it lies beside the script, unless its first caller knows better. */
+export const loadFull: (url?: string) => Promise<FullCore> = once((url = wasmUrl) =>
+  start(url, async (compiled) => {
+    const { memory } = await init({ module_or_path: compiled });
+    return { engine, memory };
+  }),
+);
