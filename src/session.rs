@@ -336,7 +336,11 @@ impl Session {
 
     /// Whether the style shows a relief that is not there yet.
     fn wants_relief(&self) -> bool {
-        self.recipe.get::<Style>().has_relief() && self.relief().is_none()
+        self.shows_relief() && self.relief().is_none()
+    }
+
+    fn shows_relief(&self) -> bool {
+        self.recipe.get::<Style>().has_relief()
     }
 
     /// Makes a step of the relief.
@@ -362,10 +366,11 @@ impl Session {
         ReliefSolver::new(self.network().unwrap_or(&EMPTY), &settings)
     }
 
-    /// The relief; `None` as long as rivers are not finished, and in a style that shows none.
+    /// The relief; `None` as long as rivers are not finished, and in a style that shows none. It is kept for a later style that
+    /// does.
     pub fn relief(&self) -> Option<&Arc<Relief>> {
         match &self.relief {
-            Some(Relieving::Done(relief)) => Some(relief),
+            Some(Relieving::Done(relief)) if self.shows_relief() => Some(relief),
             _ => None,
         }
     }
