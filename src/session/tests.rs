@@ -241,7 +241,7 @@ fn a_copy_that_there_is_no_memory_for_is_refused() {
 fn shaped(text: &str) -> Session {
     let mut session = planted(text);
     while session.phase() != Phase::Relief {
-        session.advance(1).unwrap();
+        assert!(session.advance(1).unwrap(), "{text} shows no relief");
     }
     session
 }
