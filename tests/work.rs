@@ -166,6 +166,41 @@ fn no_land_holds_a_step_however_its_rivers_grow_and_meander() {
     }
 }
 
+/// However many rivers there are, however wide, straight or winding: each step of their relief is a small part of it. The worst for
+/// valleys are wide rivers with many vertices; for ridges, many long ones.
+#[test]
+fn no_relief_holds_a_step() {
+    let ridges = coasts("e", 1, 200).replacen('.', "..", 1);
+    let ridges = format!("land=drawn&outline={}{ridges}", coasts("d", 1, 40));
+    let course = format!("land=drawn&outline=..{}", coasts("a", 1, 240));
+    for land in every_land().into_iter().chain([ridges, course]) {
+        for growth in [
+            "drainage&attractors=20000&channel-area=1&mouths=1",
+            "colonize&attractors=1000&step=0.2",
+            "brownian&sensitivity=12",
+        ] {
+            let recipe = format!("{land}&growth={growth}&style=atlas&trim=0&simplify=0&courses=grown&width=40");
+            let mut session = Session::new(link::read(&recipe).unwrap()).unwrap();
+            while session.phase() != Phase::Relief {
+                assert!(session.advance(1).unwrap(), "there is no relief: {recipe}");
+            }
+            let begun = work::steps();
+            assert!(session.advance(1).unwrap() && work::steps() == begun, "the first step only asks for memory");
+            let (mut most, mut all) = (0, 0);
+            while session.phase() == Phase::Relief {
+                let before = work::steps();
+                session.advance(1).unwrap();
+                most = most.max(work::steps() - before);
+                all += work::steps() - before;
+            }
+            let vertices = session.network().unwrap().vertices.len() as u64;
+            let bound = 1_500_000 + 20 * vertices;
+            assert!(most < bound, "{most} elementary steps, over {bound}: {recipe}");
+            assert!(all > 10 * 250_000, "{all} elementary steps, fewer than are made: {recipe}");
+        }
+    }
+}
+
 /// A change of how rivers are shaped made all steps up to the first round of meandering in one call. Now it makes none, and a
 /// change of land or growth only plants.
 #[test]

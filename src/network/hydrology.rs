@@ -27,10 +27,7 @@ pub(super) fn slopes(network: &Network, total_discharge: u32) -> Vec<f32> {
     let mut slopes = vec![0.0; network.vertices.len()];
     for river in &network.rivers {
         let course: Vec<_> = network.course(river).collect();
-        let mut along = vec![0.0; course.len()];
-        for i in 1..course.len() {
-            along[i] = along[i - 1] + distance(course[i - 1].at, course[i].at);
-        }
+        let along = lengths(&course.iter().map(|vertex| vertex.at).collect::<Vec<_>>());
         for (i, at) in river.vertex_range().enumerate() {
             let upper = i.saturating_sub(VERTICES / 2);
             let lower = (i + VERTICES / 2).min(course.len() - 1);

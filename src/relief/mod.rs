@@ -1,8 +1,9 @@
 //! Relief: the height field that belongs to a finished network.
 //!
 //! Height is the cost of walking up from the sea, where hillsides are steep and rivers are stairs that cost little: the eikonal
-//! equation |∇h| = s(x) with the coast and the rivers as sources, solved by fast marching (Sethian 1996). Each cell takes its height from a
-//! lower neighbour, so there is no pit; and the surface creases only where two basins meet, which makes those creases divides.
+//! equation |∇h| = s(x) with the coast and the rivers as sources, solved by fast marching (Sethian 1996). Each cell takes its
+//! height from a lower neighbour, so there is no pit; and the surface creases only where two basins meet, which makes those creases
+//! divides.
 //!
 //! ```text
 //! network ─► heights along rivers ─► rivers on cells ─► march ⇄ lower what stands too high ─► march from the final rivers

@@ -1,7 +1,7 @@
 use proptest::prelude::*;
 
 use super::cells::Cells;
-use super::march::March;
+use super::march::{March, Sources};
 use crate::property::cases;
 
 /// Small maps with land, sea and what lies beyond, hillsides of any steepness, and rivers of any height.
@@ -24,10 +24,16 @@ fn maps() -> impl Strategy<Value = (Cells, Vec<f32>, Vec<(usize, f32)>)> {
 }
 
 fn marched(cells: &Cells, rises: &[f32], rivers: &[(usize, f32)]) -> Vec<f32> {
-    let mut march = March::new(cells, rises, None).unwrap();
-    rivers.iter().for_each(|&(cell, height)| march.reach(cell, height));
-    while march.advance(cells, rises, None, 3) {}
-    march.height
+    let mut heights = vec![f32::INFINITY; cells.inland.len()];
+    rivers.iter().for_each(|&(cell, river)| heights[cell] = heights[cell].min(river));
+    let sources = Sources { cells, rises, rivers: &heights, rivers_are_final: false };
+    let mut march = March::new(cells.inland.len()).unwrap();
+    // One that has been under way starts again as a fresh one does.
+    for _ in 0..2 {
+        march.restart(&sources);
+        while march.advance(&sources, 3) {}
+    }
+    march.heights
 }
 
 /// The height of a cell by those of four others, as Sethian (1996) has it, written down anew.
@@ -68,7 +74,7 @@ fn relaxed(cells: &Cells, rises: &[f32], rivers: &[(usize, f32)]) -> Vec<f32> {
         let before = height.clone();
         for cell in cells.land() {
             let solved = upwind(cells.beside(cell).map(|beside| height[beside]), rises[cell]);
-            // No wave comes from where nothing is yet.
+            // Nothing comes from where nothing is yet.
             if solved.is_finite() && solved < height[cell] {
                 height[cell] = solved;
             }

@@ -133,8 +133,8 @@ impl River {
     }
 
     /// Advances by this number of steps at most: ticks of growth, then a few that make rivers of the tree, then rounds of
-    /// meandering. Returns whether there is more to do. Throws an Error with the code `no-memory` if there is not
-    /// enough: what is there then is no picture of the recipe.
+    /// meandering, then the relief part by part, if the style shows one. Returns whether there is more to do. Throws an Error with
+    /// the code `no-memory` if there is not enough for one of these: what is there then is no picture of the recipe.
     pub fn advance(&mut self, steps: u32) -> Result<bool, JsValue> {
         self.session.advance(steps).map_err(|error| coded("no-memory", &error.to_string()))
     }
