@@ -14,12 +14,12 @@ use glam::Vec2;
 
 use super::attractors::{Attractors, NO_NODE};
 use super::changed::Changed;
-use super::drainage::{can_lay_out, front};
+use super::drainage::can_lay_out;
 use super::driest::Search;
 use super::heading::{curl_toward, heading, is_clockwise, is_duplicate};
 use super::starts::PIECE;
 use super::waiting::Waiting;
-use super::{BYTES_AN_ATTRACTOR, GrowError, GrowthSettings, Mouth, Pull, mouths, shores};
+use super::{BYTES_AN_ATTRACTOR, GrowError, GrowthSettings, Mouth, Pull, front, mouths, shores};
 use crate::geometry::{direction, length};
 use crate::land::Shore;
 use crate::memory::{self, Refused};

@@ -18,6 +18,7 @@ mod scatter;
 mod settings;
 mod starts;
 mod waiting;
+mod watered;
 
 pub use brownian::Brownian;
 #[doc(hidden)]
@@ -75,4 +76,9 @@ impl GrowError {
     fn no_room_for(cells: usize) -> Self {
         Self::NoRoomForRaster { megabytes: cells as u32 / 100_000 + 1 }
     }
+}
+
+/// How many parcels or attractors a front that follows valleys gains in a tick: about as many as lie along one side of the map.
+fn front(count: usize) -> usize {
+    ((count as f32).sqrt() as usize).max(8)
 }

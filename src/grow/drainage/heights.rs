@@ -6,7 +6,7 @@ use glam::Vec2;
 use super::directions::NONE;
 use super::parcels::{DEVIATION, Parcels};
 use crate::grow::GrowthSettings;
-use crate::grow::scatter::Watered;
+use crate::grow::watered::Watered;
 use crate::random::Purpose;
 use crate::sort;
 use crate::work;

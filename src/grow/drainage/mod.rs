@@ -8,6 +8,7 @@
 //! Where it starts decides the large shape: from equal areas a calm network comes, from the areas of an invasion a wild one.
 
 mod directions;
+mod folds;
 mod heights;
 mod invasion;
 mod lattice;
@@ -21,7 +22,7 @@ pub use settings::DrainageSettings;
 
 use std::sync::Arc;
 
-use super::{Ending, GrowError, GrowthSettings};
+use super::{Ending, GrowError, GrowthSettings, front};
 use crate::memory::{Refused, can_allocate};
 use crate::tree::{LEAST_SLOPE, NO_PARENT, Tree};
 use directions::{FlowDirections, NONE};
@@ -242,11 +243,6 @@ impl Drainage {
 /// Whether there is memory for the parcels of some settings.
 pub(super) fn can_lay_out(settings: &GrowthSettings) -> bool {
     can_allocate(Lattice::count(&settings.domain, &settings.drainage).saturating_mul(BYTES_A_CELL))
-}
-
-/// How many parcels the front gains in a tick: about as many as lie along one side of the map.
-pub(super) fn front(parcels: usize) -> usize {
-    ((parcels as f32).sqrt() as usize).max(8)
 }
 
 /// The slope, beside that of the ground, where a river drains one parcel: a river that drains everything falls as gently as one of any

@@ -131,6 +131,20 @@ proptest! {
     }
 
     #[test]
+    fn an_edge_is_broken_if_it_lies_upon_any_triangle_that_is_turned_over(recipe in recipes()) {
+        let settings = settings(&recipe);
+        let lattice = Lattice::new(&settings.domain, &settings.drainage);
+        let turned_over: Vec<_> = lattice.triangles().filter(folds::is_turned_over).collect();
+        for cell in (0..lattice.at.len()).filter(|&cell| lattice.is_inner(cell)) {
+            for way in 0..3 {
+                let edge = (lattice.at[cell], lattice.at[lattice.neighbours(cell)[way]]);
+                let is_upon = turned_over.iter().any(|&triangle| folds::is_upon(edge, triangle));
+                prop_assert_eq!(lattice.is_edge(cell, way), !is_upon, "{}: cell {}, way {}", recipe, cell, way);
+            }
+        }
+    }
+
+    #[test]
     fn each_round_finds_the_cheapest_ways_there_are(recipe in recipes()) {
         let settings = settings(&recipe);
         let parcels = Parcels::new(&settings);
