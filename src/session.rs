@@ -297,10 +297,9 @@ impl Session {
     /// # Errors
     /// As [`Session::advance`].
     pub fn finish(&mut self) -> Result<&Network, SessionError> {
-        static EMPTY: Network = Network { vertices: Vec::new(), rivers: Vec::new(), oxbows: Vec::new() };
         while self.advance(u32::MAX)? {}
         // A finished session has a network, if only an empty one.
-        Ok(self.network().unwrap_or(&EMPTY))
+        Ok(self.network().unwrap_or(Network::EMPTY))
     }
 
     fn step(&mut self) -> Result<bool, SessionError> {
@@ -357,9 +356,8 @@ impl Session {
     }
 
     fn relief_solver(&self) -> Result<ReliefSolver, ReliefError> {
-        static EMPTY: Network = Network { vertices: Vec::new(), rivers: Vec::new(), oxbows: Vec::new() };
         let settings = ReliefSettings::new(&self.recipe, self.land.clone(), self.growth.total_discharge());
-        ReliefSolver::new(self.network().unwrap_or(&EMPTY), &settings)
+        ReliefSolver::new(self.network().unwrap_or(Network::EMPTY), &settings)
     }
 
     /// The relief; `None` as long as rivers are not finished, and in a style that shows none.

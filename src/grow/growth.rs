@@ -151,8 +151,8 @@ impl Growth {
         }
     }
 
-    /// Whether each mouth was asked for: unless they are drawn, a Brownian tree has one wherever its particles met the coast, and drainage wherever water
-    /// leaves the land, most of them a brook's.
+    /// Whether each mouth was asked for: unless they are drawn, a Brownian tree has one wherever its particles met the coast, and
+    /// drainage wherever water leaves the land, most of them a brook's.
     pub fn mouths_are_chosen(&self) -> bool {
         match self.settings.method {
             _ if !self.settings.starts.is_empty() => true,

@@ -49,13 +49,11 @@ impl Cells {
 
     /// All is land; the sea lies beyond some sides.
     fn open(&mut self, settings: &ReliefSettings) {
-        let size = settings.domain.size;
         let is_open = |side| settings.sides.contains(side);
         for row in 0..self.rows {
             for column in 0..self.columns {
                 let at = Vec2::new(coordinate(column), coordinate(row));
-                let sides = [('n', at.y), ('e', size.x - at.x), ('s', size.y - at.y), ('w', at.x)];
-                let open = sides.into_iter().filter(|&(side, _)| is_open(side)).map(|(_, far)| far);
+                let open = settings.domain.sides(at).into_iter().filter(|&(side, _)| is_open(side)).map(|(_, far)| far);
                 let (is_rim_row, is_rim_column) =
                     (row == 0 || row + 1 == self.rows, column == 0 || column + 1 == self.columns);
                 let nearest = open.fold(f32::INFINITY, f32::min);

@@ -5,8 +5,8 @@
 //! triangle is turned over; the bends are a flow along contours, which folds nothing. Still, a triangle may be turned over where it is
 //! thin and the plane is bent most.
 //!
-//! No two edges cross: what lies upon a triangle that is turned over is no edge ([`Lattice::is_edge`]). For a point away from the border is
-//! covered by one triangle more that is the right way up than are turned over, so two edges can only cross on one of the latter.
+//! No two edges cross: what lies upon a triangle that is turned over is no edge ([`Lattice::is_edge`]). Every point away from the border is
+//! covered by one more triangle that is the right way up than by ones that are turned over, so two edges can only cross on one of these.
 
 use fastnoise_lite::FastNoiseLite;
 use glam::Vec2;

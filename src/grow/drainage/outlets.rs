@@ -8,6 +8,7 @@ use glam::Vec2;
 
 use super::directions::NONE;
 use super::lattice::Lattice;
+use crate::geometry::distance;
 use crate::grow::GrowthSettings;
 use crate::grow::mouths::{mouths, on_chosen_sides};
 use crate::land::{Land, Region};
@@ -73,7 +74,7 @@ fn keep_apart(land: &Land, outlets: Vec<Outlet>, apart: f32) -> Vec<Outlet> {
     let bays_first = sort::argsort(outlets.iter().map(|outlet| !sort::key(land.shelter(outlet.at))));
     for outlet in bays_first.into_iter().map(|i| outlets[i]) {
         work::count(kept.len());
-        if kept.iter().all(|other| other.at.distance(outlet.at) > apart) {
+        if kept.iter().all(|other| distance(other.at, outlet.at) > apart) {
             kept.push(outlet);
         }
     }

@@ -148,9 +148,8 @@ const BORDER: f32 = 1.5;
 /// mouths are drawn.
 fn nearness_to_border(settings: &GrowthSettings, at: Vec2) -> f32 {
     const SPACINGS: f32 = 8.0;
-    let far = settings.domain.size - at;
     let is_closed = |side| settings.land.is_some() || !settings.starts.is_empty() || !settings.sides.contains(side);
-    let sides = [('n', at.y), ('e', far.x), ('s', far.y), ('w', at.x)].into_iter();
+    let sides = settings.domain.sides(at).into_iter();
     let nearest = sides.filter(|&(side, _)| is_closed(side)).map(|(_, far)| far).fold(f32::INFINITY, f32::min);
     let share = (1.0 - nearest / (SPACINGS * settings.drainage.spacing)).max(0.0);
     share * share
