@@ -112,6 +112,18 @@ fn no_extreme_of_drainage_holds_a_tick_where_water_can_hardly_leave() {
     }
 }
 
+/// Parcels are laid out over the whole map, and few of them are kept where there is little land.
+#[test]
+fn parcels_of_little_land_are_laid_out_with_little_work() {
+    for growth in ["drainage&bending=4", "drainage&bending=2", "colonize&valleys=0.5"] {
+        let mut most = Most::default();
+        let outline = ".AAAAIAAAIAIAAAIA...EAEA";
+        let session = most.plant(&format!("seed=a&land=drawn&outline={outline}&attractors=1000000&growth={growth}"));
+        assert!((1..20_000).contains(&session.growth().attractors()), "{growth}: {}", session.growth().attractors());
+        most.check(&session);
+    }
+}
+
 /// However many parcels there are, a tick settles some thousand of them; what begins and ends a round looks at each once.
 #[test]
 fn a_tick_of_drainage_is_a_small_part_of_a_round() {

@@ -21,7 +21,7 @@ pub use brownian::{ParticleOrder, Raster};
 pub use colonize::Colonize;
 #[doc(hidden)]
 pub use colonize::{Pull, curl_toward, stem_nodes};
-pub use drainage::{Drainage, DrainageSettings};
+pub use drainage::{Capture, Drainage, DrainageSettings};
 pub use growth::Growth;
 pub use mouths::Mouth;
 #[doc(hidden)]

@@ -3,7 +3,6 @@
 
 use glam::Vec2;
 
-use crate::geometry::distance;
 use crate::land::{Cell, Land};
 
 /// The end of a stroke: where it lies, and half its width, in units.
@@ -38,7 +37,7 @@ fn crest(ridge: &[Vec2]) -> Vec<Vec2> {
     const ROUNDS: u32 = 5;
     let (mut crest, mut ahead) = (Vec::new(), 0.0);
     for pair in ridge.windows(2) {
-        let length = distance(pair[0], pair[1]);
+        let length = pair[0].distance(pair[1]);
         while ahead < length {
             crest.push(pair[0].lerp(pair[1], ahead / length));
             ahead += PIECE;

@@ -68,24 +68,33 @@ impl Lattice {
                 half + bends.bend(corner + jitter(chance, i, j) * side)
             })
             .collect();
-        let mut this = Self { at, columns, rows, middle, broken: Vec::new() };
-        this.broken = this.broken_edges();
-        this
+        Self { at, columns, rows, middle, broken: vec![0; columns * rows] }
     }
 
-    /// The ways from each cell that lie upon a triangle that is turned over.
-    fn broken_edges(&self) -> Vec<u8> {
+    /// Finds out which edges of some inner cells lie upon a triangle that is turned over. Until then, none does.
+    pub fn break_edges(&mut self, cells: &[usize]) {
         let turned_over: Vec<Triangle> = self.triangles().filter(is_turned_over).collect();
+        work::count(self.at.len());
         if turned_over.is_empty() {
-            return vec![0; self.at.len()];
+            return;
         }
         let folds = Folds::new(&turned_over, &self.at);
-        let broken = |cell: usize| {
-            let to = self.neighbours(cell);
-            let is_broken = |way: &usize| folds.lie_under(self.at[cell], self.at[to[*way]]);
-            (0..WAYS).filter(is_broken).fold(0, |broken, way| broken | 1 << way)
-        };
-        (0..self.at.len()).map(|cell| if self.is_inner(cell) { broken(cell) } else { 0 }).collect()
+        let mut is_known = vec![false; self.at.len()];
+        for &cell in cells {
+            // Half of a cell's edges are ways on from its neighbours.
+            for from in self.neighbours(cell).into_iter().chain([cell]) {
+                if self.is_inner(from) && !std::mem::replace(&mut is_known[from], true) {
+                    self.broken[from] = self.broken_ways(from, &folds);
+                }
+            }
+        }
+    }
+
+    /// The ways on from an inner cell that lie upon a fold, bit by bit.
+    fn broken_ways(&self, cell: usize, folds: &Folds) -> u8 {
+        let to = self.neighbours(cell);
+        let is_broken = |way: &usize| folds.lie_under(self.at[cell], self.at[to[*way]]);
+        (0..WAYS).filter(is_broken).fold(0, |broken, way| broken | 1 << way)
     }
 
     /// The two triangles of each inner cell to the south of it: all that there are, but for the border.

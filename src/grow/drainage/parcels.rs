@@ -49,8 +49,8 @@ impl Parcels {
 
     /// The same where no water is to find its way: without costs, and what they are made of.
     pub fn without_costs(settings: &GrowthSettings) -> Self {
-        let lattice = Lattice::new(&settings.domain, &settings.drainage);
-        let cells = land_cells(settings, &lattice);
+        let mut lattice = Lattice::new(&settings.domain, &settings.drainage);
+        let cells = land_cells(settings, &mut lattice);
         let mut number = vec![NONE; lattice.at.len()];
         for (i, &cell) in (0..).zip(&cells) {
             number[cell] = i;
@@ -180,17 +180,19 @@ fn normal(bits: u32) -> f32 {
     (sum as f32 - 510.0) / OF_BYTES
 }
 
-/// The cells of the lattice whose places are parcels: of land, and where mouths are drawn, of land that has one.
-fn land_cells(settings: &GrowthSettings, lattice: &Lattice) -> Vec<usize> {
+/// The cells of the lattice whose places are parcels: those on land and, where mouths are drawn, on land that has one.
+fn land_cells(settings: &GrowthSettings, lattice: &mut Lattice) -> Vec<usize> {
     let with_a_mouth = settings.land.as_deref().filter(|_| !settings.starts.is_empty());
     let watered = with_a_mouth.map(|land| Watered::of(settings, land));
     let is_land = |&cell: &usize| {
         let at = lattice.at[cell];
         lattice.is_inner(cell)
-            && lattice.has_edges(cell)
             && settings.domain.contains(at)
             && settings.land.as_ref().is_none_or(|land| land.at(at) == Cell::Land)
             && watered.as_ref().is_none_or(|watered| watered.holds(at))
     };
-    (0..lattice.at.len()).filter(is_land).collect()
+    let mut cells: Vec<usize> = (0..lattice.at.len()).filter(is_land).collect();
+    lattice.break_edges(&cells);
+    cells.retain(|&cell| lattice.has_edges(cell));
+    cells
 }
