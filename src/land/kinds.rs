@@ -117,8 +117,8 @@ impl<'a> Relief<'a> {
             let most = if shape.kind == LandKind::Valley { 0.35 } else { 0.75 };
             (slant + 0.3f32.copysign(slant)) * most * shape.sea.min(1.0 - shape.sea)
         };
-        let mut fine = shape.noise(7, 12.0, 4);
-        fine.set_fractal_gain(Some(0.7));
+        let mut fine = shape.noise(7, 18.0, 4);
+        fine.set_fractal_gain(Some(0.8));
         let mut islands = shape.noise(3, 3.2, 1);
         islands.set_noise_type(Some(NoiseType::Cellular));
         islands.set_cellular_return_type(Some(CellularReturnType::Distance2Sub));
@@ -144,9 +144,10 @@ impl<'a> Relief<'a> {
         let at = at + Vec2::from(strays) * (roughness * span * 0.12);
         // Straits between islands are narrow, and much would close them; but their shores are steep, so that it takes more to show.
         let (broad, fine) = match kind {
-            LandKind::Archipelago => (0.3, 0.36),
-            LandKind::Continent | LandKind::Valley => (0.45, 0.22),
-            _ => (0.58, 0.3),
+            LandKind::Archipelago => (0.3, 0.3),
+            LandKind::Continent | LandKind::Valley => (0.45, 0.15),
+            LandKind::Basin => (0.58, 0.3),
+            _ => (0.58, 0.2),
         };
         // Some coasts are wild and others gentle.
         let fine = fine * (0.5 + 1.2 * strays[1]).clamp(0.4, 1.0);
