@@ -34,7 +34,7 @@ use lattice::Lattice;
 use parcels::Parcels;
 use round::Round;
 
-/// What drainage takes for each cell of its lattice: by count 100, and room for lists that grow.
+/// What drainage takes for each cell of its lattice: by count 104, and room for lists that grow.
 const BYTES_A_CELL: usize = 140;
 
 /// The number of parcels that a tick deals with at most when it shows nothing: some milliseconds of work.
