@@ -145,7 +145,7 @@ fn side(x: f32, length: f32) -> f32 {
 }
 
 /// The points of a line, and more between them so that none are farther apart than a piece, each found when it is asked for.
-pub(crate) fn divided(line: &[Vec2], piece: f32, is_closed: bool) -> impl Iterator<Item = Vec2> {
+pub(crate) fn divided(line: &[Vec2], piece: f32, is_closed: bool) -> Box<dyn Iterator<Item = Vec2> + '_> {
     let edges = if is_closed { line.len() } else { line.len().saturating_sub(1) };
     let edge = move |i: usize| {
         let (a, b) = (line[i], line[(i + 1) % line.len()]);
@@ -153,7 +153,8 @@ pub(crate) fn divided(line: &[Vec2], piece: f32, is_closed: bool) -> impl Iterat
         (0..pieces).map(move |k| a.lerp(b, k as f32 / pieces as f32))
     };
     let end = line.last().copied().filter(|_| !is_closed);
-    (0..edges).flat_map(edge).chain(end)
+    // One kind of iterator: each copy of it would weigh a kilobyte.
+    Box::new((0..edges).flat_map(edge).chain(end))
 }
 
 /// Where edges of coasts cross the rows of the lattice.

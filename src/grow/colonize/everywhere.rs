@@ -2,11 +2,10 @@
 
 use glam::Vec2;
 
-use super::attractors::NO_NODE;
 use super::changed::Changed;
 use super::heading::is_clockwise;
 use super::pull::Pull;
-use super::rivers::Rivers;
+use super::rivers::{Rivers, Told};
 use crate::grow::Ending;
 use crate::memory::{self, Refused};
 
@@ -56,12 +55,7 @@ impl Everywhere {
         changed.grow(rivers.len());
         pull.resize(rivers.len(), Pull::default());
         for node in rivers.newcomers() {
-            let gained = rivers.capture(node, |_, owner, lost| {
-                if owner != NO_NODE {
-                    pull[owner as usize].subtract(lost);
-                    changed.insert(owner);
-                }
-            });
+            let gained = rivers.capture(node, &mut Told::Owners { pull, changed });
             pull[node as usize].add(gained);
             changed.insert(node);
         }

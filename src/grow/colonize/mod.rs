@@ -98,7 +98,7 @@ impl Pulling {
     fn use_up(&mut self, rivers: &mut Rivers) {
         match self {
             Self::Everywhere(everywhere) => everywhere.use_up(rivers),
-            Self::LowestFirst(_) => rivers.use_up(|_, _| ()),
+            Self::LowestFirst(_) => valleys::use_up(rivers),
         }
     }
 }

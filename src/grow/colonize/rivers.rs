@@ -3,8 +3,10 @@
 use glam::Vec2;
 
 use super::attractors::{Attractors, NO_NODE};
+use super::changed::Changed;
 use super::heading::{heading, is_duplicate};
 use super::pull::Pull;
+use super::waiting::Waiting;
 use crate::geometry::{direction, length};
 use crate::grow::starts::PIECE;
 use crate::grow::{Ending, GrowthSettings, Mouth};
@@ -32,6 +34,12 @@ pub(super) struct Rivers {
     /// How many attractors are not used up.
     pub unreached: u32,
     pub node_limit: usize,
+}
+
+/// Who is told of attractors that change hands: those who had them, or those who wait for their turn.
+pub(super) enum Told<'a> {
+    Owners { pull: &'a mut [Pull], changed: &'a mut Changed },
+    Waiting(&'a mut Waiting),
 }
 
 /// The end of a river that nothing pulls yet: it runs straight inland.
@@ -175,12 +183,18 @@ impl Rivers {
         first as u32..self.captured as u32
     }
 
-    /// Step 2 of the paper, for a new node only: attractors that are now nearer to it change hands. Returns how they pull it, and
-    /// says the place of each, whose it was, if anybody's, and how it pulled that one.
-    #[inline]
-    pub fn capture(&mut self, node: u32, taken: impl FnMut(u32, u32, Pull)) -> Pull {
+    /// Step 2 of the paper, for a new node only: attractors that are now nearer to it change hands. Returns how they pull it.
+    #[inline(never)] // each copy would weigh kilobytes
+    pub fn capture(&mut self, node: u32, told: &mut Told<'_>) -> Pull {
         let at = self.tree.at[node as usize];
-        self.attractors.capture(node, at, self.settings.hidden_from(at), taken)
+        self.attractors.capture(node, at, self.settings.hidden_from(at), |place, owner, lost| match told {
+            Told::Owners { pull, changed } if owner != NO_NODE => {
+                pull[owner as usize].subtract(lost);
+                changed.insert(owner);
+            }
+            Told::Owners { .. } => {}
+            Told::Waiting(waiting) => waiting.join(place),
+        })
     }
 
     /// Step 5 of the paper: attractors that a river has come near to are used up, and drain into it. Says whose each was, and how it

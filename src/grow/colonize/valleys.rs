@@ -5,7 +5,7 @@ use glam::Vec2;
 
 use super::heading::curl_toward;
 use super::pull::Pull;
-use super::rivers::Rivers;
+use super::rivers::{Rivers, Told};
 use super::waiting::Waiting;
 use crate::grow::{Ending, GrowthSettings, front};
 use crate::memory::Refused;
@@ -28,7 +28,7 @@ impl Valleys {
     /// Grows by one tick: the lowest attractor within reach of a node draws a river to itself, then the next lowest. What a tick shows of
     /// that changes no tree.
     pub fn grow(&mut self, rivers: &mut Rivers) -> Result<(), Ending> {
-        rivers.use_up(|_, _| ());
+        use_up(rivers);
         let enough = rivers.len() + self.nodes_a_tick;
         while rivers.len() < enough
             && let Some((rank, place)) = self.waiting.next()
@@ -51,7 +51,7 @@ impl Valleys {
             rivers.make_room(1)?;
             rivers.add(child, node);
             self.capture(rivers);
-            rivers.use_up(|_, _| ());
+            use_up(rivers);
         }
         Ok(())
     }
@@ -59,9 +59,14 @@ impl Valleys {
     /// Attractors within reach of new nodes wait for their turn.
     pub fn capture(&mut self, rivers: &mut Rivers) {
         for node in rivers.newcomers() {
-            rivers.capture(node, |place, _, _| self.waiting.join(place));
+            rivers.capture(node, &mut Told::Waiting(&mut self.waiting));
         }
     }
+}
+
+/// Attractors that rivers have come near to are used up.
+pub(super) fn use_up(rivers: &mut Rivers) {
+    rivers.use_up(|_, _| ());
 }
 
 /// A step from a node that brings it nearer to an attractor, at such a distance squared, after so many.
