@@ -23,9 +23,6 @@ use crate::tree::{Hydrology, Tree};
 pub use error::SessionError;
 pub use summary::{Shortfall, Summary};
 
-/// What a session has whose rivers are not there.
-static NO_RIVERS: Network = Network { vertices: Vec::new(), rivers: Vec::new(), oxbows: Vec::new() };
-
 /// A recipe with what its stages have made of it so far: land, tree, rivers.
 ///
 /// ```
@@ -224,7 +221,7 @@ impl Session {
     pub fn finish(&mut self) -> Result<&Network, SessionError> {
         while self.advance(u32::MAX)? {}
         // A finished session has a network, if only an empty one.
-        Ok(self.network().unwrap_or(&NO_RIVERS))
+        Ok(self.network().unwrap_or(Network::EMPTY))
     }
 
     fn step(&mut self) -> Result<bool, SessionError> {
@@ -270,7 +267,7 @@ impl Session {
     /// Makes a step of the relief.
     fn raise(&mut self) -> Result<(), SessionError> {
         if self.wants_relief() {
-            let rivers = self.shaping.as_ref().and_then(Shaping::network).unwrap_or(&NO_RIVERS);
+            let rivers = self.shaping.as_ref().and_then(Shaping::network).unwrap_or(Network::EMPTY);
             let (recipe, land, growth) = (&self.recipe, &self.land, &self.growth);
             self.relief.step(rivers, || ReliefSettings::new(recipe, land.clone(), growth.total_discharge()))?;
         }

@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 
 use lands::every_land;
 use riverseed::random::{Purpose, Seed};
-use riverseed::recipe::{Key, Stage, link};
+use riverseed::recipe::{Stage, link};
 use riverseed::session::{Phase, Session};
 use riverseed::work;
 
@@ -56,13 +56,9 @@ impl Most {
 }
 
 /// What a step may take at most: a map of land is a million cells and more, whatever grows on it; and rivers meander the longer
-/// the more of them there are, by attractors or by cells of a Brownian tree. Attractors are scattered before it is known on how much land.
+/// the more of them there are, by attractors or by cells of a Brownian tree.
 fn bound(session: &Session) -> u64 {
-    let asked = match session.growth().attractors() {
-        0 => 0,
-        _ => session.recipe().integer(Key::Attractors),
-    };
-    8_000_000 + 250 * u64::from(asked.max(session.growth().total_discharge()))
+    8_000_000 + 250 * u64::from(session.growth().total_discharge())
 }
 
 /// No step of a recipe takes more than the bound.
@@ -113,6 +109,18 @@ const CLOSED_LANDS: [&str; 4] = [
 fn no_extreme_of_drainage_holds_a_tick_where_water_can_hardly_leave() {
     for (land, drainage) in CLOSED_LANDS.iter().flat_map(|land| EXTREMES_OF_DRAINAGE.map(|drainage| (land, drainage))) {
         check(&format!("{land}&attractors=20000&trim=0&{drainage}"));
+    }
+}
+
+/// Parcels are laid out over the whole map, and few of them are kept where there is little land.
+#[test]
+fn parcels_of_little_land_are_laid_out_with_little_work() {
+    for growth in ["drainage&bending=4", "drainage&bending=2", "colonize&valleys=0.5"] {
+        let mut most = Most::default();
+        let outline = ".AAAAIAAAIAIAAAIA...EAEA";
+        let session = most.plant(&format!("seed=a&land=drawn&outline={outline}&attractors=1000000&growth={growth}"));
+        assert!((1..20_000).contains(&session.growth().attractors()), "{growth}: {}", session.growth().attractors());
+        most.check(&session);
     }
 }
 

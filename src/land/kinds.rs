@@ -1,10 +1,11 @@
 //! The shapes that land comes in, each bent by seeded noise.
 
-use fastnoise_lite::{CellularReturnType, FastNoiseLite, FractalType, NoiseType};
+use fastnoise_lite::{CellularReturnType, FastNoiseLite, NoiseType};
 use glam::{Mat2, Vec2, Vec2Swizzles};
 
 use super::CoastDistance;
 use crate::domain::Domain;
+use crate::geometry::length;
 use crate::random::{Purpose, Seed};
 use crate::recipe::{Key, LandKind, Recipe, Sides};
 
@@ -40,8 +41,8 @@ impl Shape {
         if matches!(self.kind, LandKind::Rectangle | LandKind::Drawn) {
             return None;
         }
-        let relief = Relief::of(self);
-        Some(CoastDistance::with_sea(&self.domain, self.sea, |point| relief.height(point)))
+        let form = Form::of(self);
+        Some(CoastDistance::with_sea(&self.domain, self.sea, |point| form.height(point)))
     }
 
     /// The ridges of the shape, as polylines: of a valley two, from the coast inland, bent a little even on smooth land.
@@ -69,19 +70,13 @@ impl Shape {
 
     /// Noise with about this many bumps across the domain.
     pub fn noise(&self, index: u32, bumps: f32, octaves: i32) -> FastNoiseLite {
-        let bits = self.seed.item_hash(Purpose::Land).bits([index, 0, 0]);
-        let mut noise = FastNoiseLite::with_seed(bits as i32);
-        noise.set_noise_type(Some(NoiseType::OpenSimplex2));
-        noise.set_fractal_type(Some(FractalType::FBm));
-        noise.set_fractal_octaves(Some(octaves));
-        noise.set_frequency(Some(bumps / self.span()));
-        noise
+        self.seed.noise(Purpose::Land, index, bumps / self.span(), octaves)
     }
 }
 
 /// What the height of a shape is made of. Noise and islands lie along a grain, as folds and faults do: a tilt of the seed's own, so
 /// that the frame does not show in them.
-struct Relief<'a> {
+struct Form<'a> {
     shape: &'a Shape,
     /// Turns to along and across the grain.
     grain: Mat2,
@@ -99,7 +94,7 @@ struct Relief<'a> {
     islands: FastNoiseLite,
 }
 
-impl<'a> Relief<'a> {
+impl<'a> Form<'a> {
     fn of(shape: &'a Shape) -> Self {
         let chance = |what: u32, number: u32| shape.seed.item_hash(Purpose::Land).unit([6, what, number]);
         let (size, span) = (shape.domain.size, shape.span());
@@ -174,7 +169,7 @@ impl<'a> Relief<'a> {
         /// Across the grain, but not quite.
         const ACROSS: Vec2 = Vec2::new(0.9, 0.436);
         let (span, stretch) = (self.shape.span(), Vec2::new(1.0 / self.length, self.length));
-        let cone = |(peak, height): &(Vec2, f32)| height - ((at - *peak) * stretch).length();
+        let cone = |(peak, height): &(Vec2, f32)| height - length((at - *peak) * stretch);
         let highest = self.peaks.iter().map(cone).fold(f32::NEG_INFINITY, f32::max);
         let off = (at.dot(ACROSS) / span - self.trough.0).abs();
         highest - (1.0 - off / WIDTH).max(0.0) * self.trough.1 * span

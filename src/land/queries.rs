@@ -13,6 +13,7 @@ use super::outline::Drawing;
 use super::regions::{Region, regions_of};
 use super::walk::walk;
 use crate::domain::Domain;
+use crate::geometry::length;
 use crate::recipe::{LandKind, Recipe};
 use crate::work;
 
@@ -155,7 +156,7 @@ impl Land {
             let border = cell as f32 + if way < 0.0 { 1.0 } else { 0.0 };
             if way == 0.0 { 0.0 } else { (border - from) / way }
         };
-        let share = entered(from.x, way.x, column).max(entered(from.y, way.y, row)) - SHORT_OF / way.length();
+        let share = entered(from.x, way.x, column).max(entered(from.y, way.y, row)) - SHORT_OF / length(way);
         let coast = (from + way * share.clamp(0.0, 1.0)) * CELL_SIZE;
         // The last cells reach over the border of the domain.
         coast.cmple(self.grid.size).all().then_some(coast)

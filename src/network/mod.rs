@@ -152,6 +152,9 @@ pub struct Network {
 }
 
 impl Network {
+    /// No river.
+    pub const EMPTY: &'static Self = &Self { vertices: Vec::new(), rivers: Vec::new(), oxbows: Vec::new() };
+
     /// The vertex below each; [`NONE`] below a mouth.
     pub fn downstream(&self) -> Vec<u32> {
         let mut downstream: Vec<u32> = (1..=self.vertices.len() as u32).collect();

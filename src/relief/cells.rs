@@ -62,13 +62,12 @@ impl Cells {
 
     /// All is land; the sea lies beyond some sides.
     fn open(&mut self, settings: &ReliefSettings) {
-        let size = settings.domain.size;
-        let is_open = ['n', 'e', 's', 'w'].map(|side| settings.sides.contains(side));
+        let is_open = |side| settings.sides.contains(side);
         for row in 0..self.rows {
             for column in 0..self.columns {
                 let at = Vec2::new(coordinate(column), coordinate(row));
-                let sides = [at.y, size.x - at.x, size.y - at.y, at.x].into_iter().zip(is_open);
-                let nearest = sides.filter(|(_, is_open)| *is_open).map(|(far, _)| far).fold(f32::INFINITY, f32::min);
+                let open = settings.domain.sides(at).into_iter().filter(|&(side, _)| is_open(side)).map(|(_, far)| far);
+                let nearest = open.fold(f32::INFINITY, f32::min);
                 let is_rim_row = row == 0 || row + 1 == self.rows;
                 let is_rim_column = column == 0 || column + 1 == self.columns;
                 self.inland[row * self.columns + column] = match is_rim_row || is_rim_column {

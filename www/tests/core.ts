@@ -1,0 +1,48 @@
+/** The real core in Node, to say what the page should show. */
+
+import { createHash } from "node:crypto";
+import { full as engine, memory } from "./full.ts";
+
+export { engine, memory };
+
+export interface Picture {
+  /** Of the RGBA bytes. */
+  sha256: string;
+  summary: engine.Summary;
+}
+
+/** The finished river of a link, as the River class draws it at a size. */
+export function pictureOf(link: string, width: number, height: number): Picture {
+  const river = new engine.River(engine.readLink(link).link);
+  river.resize(width, height);
+  while (river.advance(1000));
+  river.paint();
+  const bytes = new Uint8Array(memory.buffer, river.pixelsPointer(), river.pixelsLength());
+  const sha256 = createHash("sha256").update(bytes).digest("hex");
+  const summary = river.summary();
+  river.free();
+  return { sha256, summary };
+}
+
+/** A river's picture as it stands: RGBA. */
+export function pixelsOf(river: engine.River): Uint8Array {
+  river.paint();
+  return new Uint8Array(memory.buffer, river.pixelsPointer(), river.pixelsLength()).slice();
+}
+
+/** How many pixels of two pictures of one size differ, so that one sees it. */
+export function differing(one: Uint8Array, other: Uint8Array): number {
+  let count = 0;
+  for (let i = 0; i < one.length; i += 4) {
+    const by = (channel: number): number => Math.abs((one[i + channel] ?? 0) - (other[i + channel] ?? 0));
+    if (Math.max(by(0), by(1), by(2)) > 24) count++;
+  }
+  return count;
+}
+
+/** The table's row of a key. */
+export function parameter(key: string): engine.Parameter {
+  const row = engine.parameters().find((one) => one.key === key);
+  if (!row) throw new Error(`the table has no ${key}`);
+  return row;
+}
