@@ -117,7 +117,8 @@ impl Meander {
         step_scale
     }
 
-    /// How far each segment looks around for others: until banks could come too near each other, if it can move or is wide.
+    /// How far each segment looks around for others, if it can move or is wide: until banks could come too near each other, and at
+    /// least to its cap.
     pub fn reach(&self, downstream: &[u32], step_scale: &[f32]) -> Vec<f32> {
         let NetworkSettings { spacing, min_clearance, neck, .. } = self.settings;
         let vertices = &self.network.vertices;
@@ -132,10 +133,11 @@ impl Meander {
             .map(|((vertex, &moves), &lower)| {
                 let Some(below) = vertices.get(lower as usize) else { return 0.0 };
                 let width = fast_max(vertex.width(), below.width());
+                let cap = CAP * self.settings.step(width);
                 if moves > 0.0 || step_scale[lower as usize] > 0.0 {
-                    fast_max(near(width), CAP * self.settings.step(width))
+                    fast_max(near(width), cap)
                 } else if width > wide {
-                    width + min_clearance
+                    fast_max(width + min_clearance, cap)
                 } else {
                     0.0
                 }
