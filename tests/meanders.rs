@@ -63,7 +63,7 @@ fn sinuosity(network: &Network, river: &River, spacing: f32) -> f32 {
     own.iter().enumerate().map(stretch).fold(1.0, f32::max)
 }
 
-/// A stretch rests from 2.6 on, and a loop that is nearly closed from 2.9 on; what moves beside it may add to that until all of it
+/// A stretch rests from 2.6 on, and a loop that is nearly closed from 3.3 on; what moves beside it may add to that until all of it
 /// rests. Left to themselves stretches become knots of 10 and more.
 #[test]
 fn no_stretch_becomes_a_knot() {

@@ -11,7 +11,7 @@ use crate::work;
 
 /// The sinuosity beyond which nothing moves where a river meanders fully, but for loops that are nearly closed; and they.
 const MOST: f32 = 2.6;
-const MOST_WITH_LOOPS: f32 = 2.9;
+const MOST_WITH_LOOPS: f32 = 3.3;
 
 /// The same where it hardly does.
 const MOST_OF_BROOKS: f32 = 1.3;
