@@ -64,7 +64,7 @@ fn sinuosity(network: &Network, river: &River, spacing: f32) -> f32 {
 }
 
 /// A stretch rests from 2.6 on, and a loop that is nearly closed from 3.3 on; what moves beside it may add to that until all of it
-/// rests. Left to themselves stretches become knots of 10 and more.
+/// rests.
 #[test]
 fn no_stretch_becomes_a_knot() {
     const MOST: f32 = 4.0;

@@ -139,7 +139,7 @@ mod tests {
 
     #[test]
     fn a_loop_that_is_nearly_closed_moves_on() {
-        assert_eq!([freedom(2.7, 2.0, 1.0), freedom(2.6, 4.0, 1.0), freedom(3.0, 4.0, 1.0)], [0.0, 1.0, 0.0]);
+        assert_eq!([freedom(2.7, 2.0, 1.0), freedom(2.6, 4.0, 1.0), freedom(3.3, 4.0, 1.0)], [0.0, 1.0, 0.0]);
         assert!(freedom(2.6, 4.0, 0.2) < 0.2, "but hardly one of a brook");
     }
 }
