@@ -198,8 +198,8 @@ impl Session {
     }
 
     /// Makes at most this many steps: ticks of growth, then a few that make rivers of the tree, then rounds of meandering, then
-    /// the relief part by part, if the style shows one. Returns whether there is more to do. No recipe is known of which a step takes more than 8 million elementary steps, as
-    /// [`crate::work`] counts them, and 250 for each attractor or cell of a Brownian tree.
+    /// the relief part by part, if the style shows one. Returns whether there is more to do. No recipe is known of which a step takes
+    /// more than 8 million elementary steps, as [`crate::work`] counts them, and 250 for each attractor or cell of a Brownian tree.
     ///
     /// # Errors
     /// If there is not enough memory for the rest of the tree, for its rivers, or for their relief. The session then does not show
