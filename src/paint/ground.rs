@@ -240,7 +240,7 @@ mod tests {
     use super::*;
     use crate::domain::Domain;
     use crate::land::CoastDistance;
-    use crate::paint::palette::palette;
+    use crate::paint::styles::palette;
     use crate::recipe::Style;
 
     #[test]

@@ -17,6 +17,7 @@ pub(crate) mod ridges;
 mod rivers;
 mod skeleton;
 mod strokes;
+mod styles;
 mod view;
 
 #[doc(hidden)]
@@ -29,4 +30,6 @@ pub use strokes::{Pen, Widths};
 pub use view::{LONGEST_SIDE, PaintError, View};
 
 #[cfg(feature = "files")]
-pub(crate) use palette::{Lines, palette as palette_of};
+pub(crate) use palette::Lines;
+#[cfg(feature = "files")]
+pub(crate) use styles::palette as palette_of;

@@ -11,10 +11,11 @@ use tiny_skia::Pixmap;
 use super::coverage::{Coverage, Rect};
 use super::flow::Flow;
 use super::ground::ground;
-use super::palette::{LAND_ONLY, Lines, palette};
-use super::relief::{Surface, lay_casing};
+use super::palette::{LAND_ONLY, Lines};
+use super::relief::{self, Sheet};
 use super::rivers::draw_network;
 use super::strokes::{Pen, Widths};
+use super::styles::palette;
 use super::view::{PaintError, View};
 use super::{ink, skeleton};
 use crate::domain::Domain;
@@ -194,19 +195,19 @@ impl Painter {
     /// Lays relief over a fresh ground, and casings along the rivers.
     fn raise_ground(&mut self, rivers: &Rivers<'_>, relief: &Relief, exaggeration: f32) {
         let palette = palette(rivers.style);
-        let Some(tints) = palette.relief else { return };
+        let Some(look) = palette.relief else { return };
         let count = self.view.width as usize * self.view.height as usize;
         let [r, g, b] = palette.plain;
         let (_, pixels) = self.ground.get_or_insert_with(|| (rivers.style, vec![[r, g, b, 255]; count]));
-        let shares = rivers.land.map_or_else(
+        let land = rivers.land.map_or_else(
             || vec![255; count],
             |land| ground(&self.view, land, &LAND_ONLY).into_iter().map(|[share, ..]| share).collect(),
         );
-        Surface::new(relief, exaggeration).lay(&self.view, tints, palette.plain, &shares, pixels);
-        if let Some(mut coverage) = Coverage::new(self.view.width, self.view.height) {
-            draw_network(&mut coverage, &self.view, rivers.network, rivers.courses, palette.lines, tints.casing.margin);
-            lay_casing(&self.view, coverage, &tints.casing, pixels);
-        }
+        let Some(mut coverage) = Coverage::new(self.view.width, self.view.height) else { return };
+        draw_network(&mut coverage, &self.view, rivers.network, rivers.courses, palette.lines, look.casing.margin);
+        let sheet =
+            Sheet { view: &self.view, plain: palette.plain, land: &land, rivers: coverage.mask().data().to_vec() };
+        relief::lay(look, relief, exaggeration, sheet, pixels);
     }
 
     /// Draws all strokes that are new or have grown wider since this was last called. Strokes near the tips have been

@@ -117,6 +117,8 @@ choices! {
         Atlas = "atlas", "atlas";
         /// The land by night, rivers shining.
         Night = "night", "night";
+        /// A survey sheet: contours in brown, index lines each fifth, depth lines at sea.
+        Survey = "survey", "survey";
         /// Light ink on dark paper, for dark pages.
         Dark = "dark", "dark";
     }
@@ -125,7 +127,7 @@ choices! {
 impl Style {
     /// Whether it shows how high the land is.
     pub fn has_relief(self) -> bool {
-        matches!(self, Self::Atlas | Self::Night)
+        !matches!(self, Self::Ink | Self::Skeleton | Self::Dark)
     }
 }
 

@@ -6,8 +6,8 @@ use super::path::Path;
 use super::text::Text;
 use crate::land::{Land, SmoothedDistance};
 use crate::paint::ground::{COAST_WIDTH, RING_WIDTH, RIVERS_END, way_to};
-use crate::paint::palette::{Colour, Palette, mix};
-use crate::paint::relief::HIGHEST;
+use crate::paint::palette::{Colour, Contours, Palette, mix};
+use crate::paint::relief::{HIGHEST, INDEX, interval};
 use crate::paint::ridges;
 use crate::relief::Relief;
 
@@ -55,7 +55,7 @@ pub(super) fn ground(out: &mut Text, size: Vec2, land: Option<&Land>, relief: Op
 /// Heights in colours, each laid over the one below. Light would need a picture: shapes have none.
 fn tints(out: &mut Text, relief: Option<&Relief>, palette: &Palette) {
     const STEPS: u32 = 16;
-    let Some((relief, tints)) = relief.zip(palette.relief) else { return };
+    let Some((relief, look)) = relief.zip(palette.relief) else { return };
     let highest = relief.quantile(HIGHEST);
     for step in 0..STEPS {
         let share = step as f32 / STEPS as f32;
@@ -64,9 +64,27 @@ fn tints(out: &mut Text, relief: Option<&Relief>, palette: &Palette) {
             // Every second point is enough.
             path.ring(&ring.into_iter().step_by(2).collect::<Vec<_>>());
         }
-        let colour = tints.at(share + 0.5 / STEPS as f32);
+        let colour = look.tints.at(share + 0.5 / STEPS as f32);
         out.text("<path fill=\"").colour(colour).text("\" d=\"").text(path.data()).text("\"/>\n");
     }
+    if let Some(lines) = &look.contours {
+        contours(out, relief, lines);
+    }
+}
+
+/// Lines of one height each.
+fn contours(out: &mut Text, relief: &Relief, look: &Contours) {
+    let interval = interval(relief);
+    let highest = relief.heights().iter().fold(0.0f32, |highest, height| highest.max(*height));
+    out.text("<g id=\"contours\" fill=\"none\">\n");
+    for level in 1..=(highest / interval) as u32 {
+        let kind = usize::from(level.is_multiple_of(INDEX));
+        let mut path = Path::default();
+        relief.rings_above(level as f32 * interval).iter().for_each(|ring| path.ring(ring));
+        out.text("<path stroke-opacity=\"").units(look.strengths[kind]).text("\"");
+        line(out, look.colour, look.widths[kind], path.data());
+    }
+    out.text("</g>\n");
 }
 
 fn sheet(out: &mut Text, size: Vec2, colour: Colour) {

@@ -1,0 +1,92 @@
+//! Contours: thin lines of one height each, every fifth of them stronger.
+//!
+//! They are not traced. A pixel's distance from the nearest level follows from how high and how steep the surface is there.
+
+use glam::Vec2;
+
+use super::field::{Field, piece};
+use super::{HIGHEST, Sheet};
+use crate::paint::palette::{Contours, mix};
+use crate::relief::{CELL_SIZE, METRES, Relief};
+
+/// How often heights are smoothed before: at valley floors lines would be sharper than any surveyor draws them.
+const TIMES: u32 = 4;
+
+/// One line in so many is an index line.
+pub(crate) const INDEX: u32 = 5;
+
+/// How far apart the contours of a relief are, in units of height: a round number of metres.
+pub(crate) fn interval(relief: &Relief) -> f32 {
+    const MOST: f32 = 26.0;
+    const METRES_APART: [f32; 9] = [5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0, 2000.0];
+    let least = relief.quantile(HIGHEST) * METRES / MOST;
+    METRES_APART.into_iter().find(|apart| *apart >= least).unwrap_or(5000.0) / METRES
+}
+
+/// Lays the contours of a relief over the land of a ground, broken where rivers run.
+pub(super) fn lay(look: &Contours, relief: &Relief, sheet: &Sheet<'_>, pixels: &mut [[u8; 4]]) {
+    let interval = interval(relief);
+    let field = Field {
+        columns: relief.columns(),
+        rows: relief.rows(),
+        values: relief.heights().iter().map(|height| height / interval).collect(),
+    }
+    .smoothed(TIMES);
+    let (places, width) = (field.places(sheet.view), sheet.view.width as usize);
+    let cell_px = CELL_SIZE * sheet.view.scale;
+    let lines = [0, 1].map(|i| Line::new(look.widths[i] * sheet.view.scale, look.strengths[i], [1.0, INDEX as f32][i]));
+    let (mut heights, mut rises) = (Vec::new(), Vec::new());
+    for (y, row) in pixels.chunks_mut(width).enumerate() {
+        let at = sheet.view.point(Vec2::splat(y as f32 + 0.5)).y;
+        field.line(at, &mut heights);
+        field.rises(at, &mut rises);
+        let open = sheet.land[y * width..].iter().zip(&sheet.rivers[y * width..]);
+        for ((pixel, (&land, &river)), &(column, t)) in row.iter_mut().zip(open).zip(&places) {
+            if land == 0 || river == 255 {
+                continue;
+            }
+            let along = piece(&heights, column);
+            let height = along.at(t);
+            let level = (height + 0.5) as u32;
+            if level == 0 {
+                continue;
+            }
+            let steepness = Vec2::new(along.rise(t), piece(&rises, column).at(t)).length().max(1e-4);
+            let line = &lines[usize::from(level.is_multiple_of(INDEX))];
+            let spacing = cell_px / steepness;
+            let covered = line.coverage((height - level as f32).abs() * spacing, spacing);
+            if covered > 0.0 {
+                let [r, g, b, open] = *pixel;
+                let share = covered * f32::from(land) * f32::from(255 - river) / (255.0 * 255.0);
+                let [r, g, b] = mix([r, g, b], look.colour, share);
+                *pixel = [r, g, b, open];
+            }
+        }
+    }
+}
+
+/// One kind of line.
+struct Line {
+    /// Half of its width in pixels, and how much of a pixel in its middle it covers.
+    half: f32,
+    strength: f32,
+    /// How many levels apart such lines are.
+    apart: f32,
+}
+
+impl Line {
+    fn new(width: f32, strength: f32, apart: f32) -> Self {
+        /// In pixels: a thinner line would be broken.
+        const LEAST: f32 = 0.7;
+        let width = width.max(LEAST);
+        Self { half: width * 0.5, strength: strength * width.min(1.0), apart }
+    }
+
+    /// How much it covers a pixel at a distance; `spacing` is that of the levels, both in pixels. Where lines of its kind would run
+    /// together, they are left out.
+    #[inline]
+    fn coverage(&self, distance: f32, spacing: f32) -> f32 {
+        let room = (spacing * self.apart * 0.5 - self.half * 2.0).clamp(0.0, 1.0);
+        (self.half + 0.5 - distance).clamp(0.0, 1.0) * self.strength * room
+    }
+}

@@ -1,0 +1,113 @@
+//! Hypsometric tints, lighter where light falls and darker where it does not.
+
+use glam::{Vec2, Vec3};
+
+use super::field::{Field, piece};
+use super::{HIGHEST, Sheet};
+use crate::land::beside;
+use crate::paint::palette::{Colour, Tints};
+use crate::relief::{CELL_SIZE, Relief};
+use crate::sort::quantile;
+
+/// The directions that light comes from, each with its share: north-west, west and north, the lower the stronger (Imhof 1965 lets
+/// light come from the north-west and turn with the ridges).
+const LIGHTS: [(Vec2, f32, f32); 3] = [
+    (Vec2::new(-0.707_106_77, -0.707_106_77), 45.0, 0.55),
+    (Vec2::new(-1.0, 0.0), 50.0, 0.25),
+    (Vec2::new(0.0, -1.0), 55.0, 0.2),
+];
+
+/// A relief as a style shows it: how high and how light each cell is.
+pub(super) struct Surface {
+    /// The height of each cell as a share of the highest, and its light as a share of that on flat land.
+    tint: Field,
+    light: Field,
+}
+
+impl Surface {
+    pub fn new(relief: &Relief, exaggeration: f32) -> Self {
+        let (columns, rows) = (relief.columns(), relief.rows());
+        let heights: Vec<f32> = relief.heights().iter().map(|height| height.max(0.0)).collect();
+        let highest = relief.quantile(HIGHEST).max(f32::MIN_POSITIVE);
+        let lights = LIGHTS.map(|(way, altitude, share)| {
+            let altitude = altitude * (std::f32::consts::PI / 180.0);
+            (way * libm::cosf(altitude)).extend(libm::sinf(altitude)) * share
+        });
+        let mut light = vec![0.0; heights.len()];
+        for row in 0..rows {
+            let [north, _, south] = beside(row, rows).map(|row| row * columns);
+            for column in 0..columns {
+                let [west, _, east] = beside(column, columns);
+                let here = row * columns;
+                let rise = Vec2::new(
+                    heights[here + east] - heights[here + west],
+                    heights[south + column] - heights[north + column],
+                );
+                light[here + column] = lit(rise * (exaggeration / (2.0 * CELL_SIZE)), &lights);
+            }
+        }
+        let land = relief.heights().iter().zip(&light).filter(|(height, _)| **height > 0.0);
+        let some: Vec<f32> = land.map(|(_, light)| *light).step_by(7).collect();
+        let usual = quantile(&some, 0.5).max(0.05);
+        light.iter_mut().for_each(|light| *light /= usual);
+        let tint = heights.iter().map(|height| height / highest).collect();
+        Self { tint: Field { columns, rows, values: tint }, light: Field { columns, rows, values: light } }
+    }
+
+    /// Lays tints over the land of a ground.
+    pub fn lay(&self, sheet: &Sheet<'_>, tints: &Tints, pixels: &mut [[u8; 4]]) {
+        let colours = Colours::new(tints);
+        let (places, width) = (self.tint.places(sheet.view), sheet.view.width as usize);
+        let (mut tint, mut light) = (Vec::new(), Vec::new());
+        for (y, (row, land)) in pixels.chunks_mut(width).zip(sheet.land.chunks(width)).enumerate() {
+            let y = sheet.view.point(Vec2::splat(y as f32 + 0.5)).y;
+            self.tint.line(y, &mut tint);
+            self.light.line(y, &mut light);
+            for ((pixel, &share), &(column, t)) in
+                row.iter_mut().zip(land).zip(&places).filter(|((_, share), _)| **share > 0)
+            {
+                let colour = colours.at(piece(&tint, column).at(t), piece(&light, column).at(t));
+                for i in 0..3 {
+                    let more = (i32::from(colour[i]) - i32::from(sheet.plain[i])) * i32::from(share);
+                    pixel[i] = (i32::from(pixel[i]) + more / 255).clamp(0, 255) as u8;
+                }
+            }
+        }
+    }
+}
+
+/// How light a slope is under some lights.
+fn lit(rise: Vec2, lights: &[Vec3; 3]) -> f32 {
+    let normal = (-rise).extend(1.0);
+    let length = normal.length();
+    lights.iter().map(|light| (normal.dot(*light) / length).max(0.0)).sum()
+}
+
+/// The colours of all heights and lights, looked up.
+struct Colours(Vec<Colour>);
+
+const HEIGHTS: usize = 128;
+const LIGHT_STEPS: usize = 128;
+/// The most light that is told apart, as a share of that on flat land.
+const MOST_LIGHT: f32 = 2.0;
+
+impl Colours {
+    fn new(tints: &Tints) -> Self {
+        let colour = |i: usize| {
+            let height = (i / LIGHT_STEPS) as f32 / (HEIGHTS - 1) as f32;
+            let light = (i % LIGHT_STEPS) as f32 / (LIGHT_STEPS - 1) as f32 * MOST_LIGHT;
+            let [low, high] = tints.light;
+            let factor = low + (high - low) * light;
+            tints.at(height).map(|part| (f32::from(part) * factor + 0.5).clamp(0.0, 255.0) as u8)
+        };
+        Self((0..HEIGHTS * LIGHT_STEPS).map(colour).collect())
+    }
+
+    #[inline]
+    fn at(&self, height: f32, light: f32) -> Colour {
+        // What is less than 0 becomes 0.
+        let height = ((height * (HEIGHTS - 1) as f32 + 0.5) as usize).min(HEIGHTS - 1);
+        let light = ((light / MOST_LIGHT * (LIGHT_STEPS - 1) as f32 + 0.5) as usize).min(LIGHT_STEPS - 1);
+        self.0[height * LIGHT_STEPS + light]
+    }
+}

@@ -1,0 +1,23 @@
+//! The styles, each a file of its own and a line in this list.
+
+mod atlas;
+mod dark;
+mod ink;
+mod night;
+mod skeleton;
+mod survey;
+
+use super::palette::Palette;
+use crate::recipe::Style;
+
+/// What a style paints with.
+pub(crate) fn palette(style: Style) -> &'static Palette {
+    match style {
+        Style::Ink => &ink::PALETTE,
+        Style::Dark => &dark::PALETTE,
+        Style::Atlas => &atlas::PALETTE,
+        Style::Night => &night::PALETTE,
+        Style::Survey => &survey::PALETTE,
+        Style::Skeleton => &skeleton::PALETTE,
+    }
+}
