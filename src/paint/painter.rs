@@ -59,6 +59,8 @@ pub struct Painter {
     flow: Flow,
     /// The picture without rivers, in a style; painted when it is first needed, and not for plain land.
     ground: Option<(Style, Vec<[u8; 4]>)>,
+    /// The number of the colour that rivers have in each pixel; none if they have but one.
+    numbers: Vec<u8>,
     /// The relief on the ground, and how much it is exaggerated.
     raised: Option<(Arc<Relief>, f32)>,
     /// Whether nothing of the picture can be kept.
@@ -92,8 +94,8 @@ impl Painter {
     /// # Errors
     /// If a side is 0 or too long, or there is not enough memory.
     pub fn new(domain: &Domain, width: u32, height: u32) -> Result<Self, PaintError> {
-        /// Of picture, ground, mask, and the copy that is thinned.
-        const BYTES_A_PIXEL: usize = 10;
+        /// Of picture, ground, mask, the copy that is thinned, and what relief is laid with.
+        const BYTES_A_PIXEL: usize = 13;
         let view = View::new(domain, width, height)?;
         let bytes = BYTES_A_PIXEL * width as usize * height as usize;
         if !memory::can_allocate(bytes) {
@@ -110,6 +112,7 @@ impl Painter {
             drawn,
             flow,
             ground: None,
+            numbers: Vec::new(),
             raised: None,
             is_blank: true,
             is_finished: false,
@@ -188,6 +191,7 @@ impl Painter {
     fn lay_ground(&mut self, land: Option<&Land>, style: Style) {
         if self.ground.as_ref().is_none_or(|(painted, _)| *painted != style) {
             self.ground = land.map(|land| (style, ground(&self.view, land, palette(style))));
+            self.numbers = Vec::new();
             self.raised = None;
         }
     }
@@ -207,7 +211,7 @@ impl Painter {
         draw_network(&mut coverage, &self.view, rivers.network, rivers.courses, palette.lines, look.casing.margin);
         let sheet =
             Sheet { view: &self.view, plain: palette.plain, land: &land, rivers: coverage.mask().data().to_vec() };
-        relief::lay(look, relief, exaggeration, sheet, pixels);
+        self.numbers = relief::lay(look, (relief, exaggeration), rivers.network, sheet, pixels);
     }
 
     /// Draws all strokes that are new or have grown wider since this was last called. Strokes near the tips have been
@@ -245,6 +249,7 @@ impl Painter {
         let ground = self.ground.as_ref().map(|(_, ground)| ground.as_slice());
         match palette(style).lines {
             Lines::Wide => {
+                let ground = ground.map(|ground| (ground, self.numbers.as_slice()));
                 ink::compose(&mut self.pixmap, &self.coverage, ground, palette(style), &touched);
             }
             Lines::Skeleton if self.is_finished => {

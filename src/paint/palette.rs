@@ -31,6 +31,7 @@ pub(crate) struct Palette {
 pub(crate) struct ReliefLook {
     pub tints: Tints,
     pub contours: Option<Contours>,
+    pub basins: Option<BasinColours>,
     /// What lies around rivers.
     pub casing: Casing,
 }
@@ -51,6 +52,34 @@ pub(crate) struct Contours {
     /// Of usual lines, and of index lines: widths in units.
     pub widths: [f32; 2],
     pub strengths: [f32; 2],
+}
+
+/// A colour for each basin.
+#[derive(Debug)]
+pub(crate) struct BasinColours {
+    pub colours: &'static [Colour],
+    /// Land whose water runs to the sea in no river.
+    pub rest: Colour,
+    /// What colours are mixed into, and how much of them that takes.
+    pub paper: Colour,
+    pub strength: f32,
+    /// What they are multiplied by for rivers.
+    pub rivers: f32,
+}
+
+impl BasinColours {
+    /// The colour of land in a basin of a numbered colour.
+    pub fn tint(&self, number: usize) -> Colour {
+        match number.checked_sub(1).and_then(|i| self.colours.get(i)) {
+            Some(&colour) => mix(self.paper, colour, self.strength),
+            None => self.rest,
+        }
+    }
+
+    /// That of rivers there.
+    pub fn river(&self, number: usize) -> Colour {
+        mix([0; 3], self.colours[number.max(1) - 1], self.rivers)
+    }
 }
 
 /// What lies around rivers.

@@ -119,6 +119,8 @@ choices! {
         Night = "night", "night";
         /// A survey sheet: contours in brown, index lines each fifth, depth lines at sea.
         Survey = "survey", "survey";
+        /// Each river system in a colour of its own, and its basin in a tint of that; divides are left bare.
+        Basins = "basins", "basins";
         /// Light ink on dark paper, for dark pages.
         Dark = "dark", "dark";
     }

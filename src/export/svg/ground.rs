@@ -6,16 +6,19 @@ use super::path::Path;
 use super::text::Text;
 use crate::land::{Land, SmoothedDistance};
 use crate::paint::ground::{COAST_WIDTH, RING_WIDTH, RIVERS_END, way_to};
-use crate::paint::palette::{Colour, Contours, Palette, mix};
-use crate::paint::relief::{HIGHEST, INDEX, interval};
+use crate::paint::palette::{BasinColours, Colour, Contours, Palette, mix};
+use crate::paint::relief::{Basins, HIGHEST, INDEX, interval};
 use crate::paint::ridges;
 use crate::relief::Relief;
+
+/// A relief, and the basins in it if they have colours.
+pub(super) type Raised<'a> = (&'a Relief, Option<&'a Basins>);
 
 /// In how many steps land and sea change colour.
 const SHADES: u32 = 16;
 
 /// Writes what rivers are drawn on. Each shade is laid over the one before, so there are no gaps between them.
-pub(super) fn ground(out: &mut Text, size: Vec2, land: Option<&Land>, relief: Option<&Relief>, palette: &Palette) {
+pub(super) fn ground(out: &mut Text, size: Vec2, land: Option<&Land>, relief: Option<Raised<'_>>, palette: &Palette) {
     let Some(land) = land else {
         out.text("<rect id=\"land\"");
         sheet(out, size, palette.plain);
@@ -53,11 +56,12 @@ pub(super) fn ground(out: &mut Text, size: Vec2, land: Option<&Land>, relief: Op
 }
 
 /// Heights in colours, each laid over the one below. Light would need a picture: shapes have none.
-fn tints(out: &mut Text, relief: Option<&Relief>, palette: &Palette) {
+fn tints(out: &mut Text, relief: Option<Raised<'_>>, palette: &Palette) {
     const STEPS: u32 = 16;
-    let Some((relief, look)) = relief.zip(palette.relief) else { return };
+    let Some(((relief, basins), look)) = relief.zip(palette.relief) else { return };
     let highest = relief.quantile(HIGHEST);
-    for step in 0..STEPS {
+    let steps = if look.tints.stops.len() > 1 { STEPS } else { 0 };
+    for step in 0..steps {
         let share = step as f32 / STEPS as f32;
         let mut path = Path::default();
         for ring in relief.rings_above(share * highest) {
@@ -70,6 +74,23 @@ fn tints(out: &mut Text, relief: Option<&Relief>, palette: &Palette) {
     if let Some(lines) = &look.contours {
         contours(out, relief, lines);
     }
+    if let Some((basins, look)) = basins.zip(look.basins.as_ref()) {
+        basin_shapes(out, basins, look);
+    }
+}
+
+/// All basins of each colour, with a gap between them.
+fn basin_shapes(out: &mut Text, basins: &Basins, look: &BasinColours) {
+    /// In units.
+    const GAP: f32 = 2.0;
+    out.text("<g id=\"basins\">\n");
+    for number in 0..=look.colours.len() as u8 {
+        let mut path = Path::default();
+        basins.rings(number).iter().for_each(|ring| path.ring(ring));
+        out.text("<path fill=\"").colour(look.tint(number.into())).text("\"");
+        line(out, look.paper, GAP, path.data());
+    }
+    out.text("</g>\n");
 }
 
 /// Lines of one height each.

@@ -4,7 +4,7 @@
 
 use glam::Vec2;
 
-use super::field::{Field, piece};
+use super::field::{Field, piece, places};
 use super::{HIGHEST, Sheet};
 use crate::paint::palette::{Contours, mix};
 use crate::relief::{CELL_SIZE, METRES, Relief};
@@ -32,7 +32,7 @@ pub(super) fn lay(look: &Contours, relief: &Relief, sheet: &Sheet<'_>, pixels: &
         values: relief.heights().iter().map(|height| height / interval).collect(),
     }
     .smoothed(TIMES);
-    let (places, width) = (field.places(sheet.view), sheet.view.width as usize);
+    let (places, width) = (places(sheet.view, field.columns), sheet.view.width as usize);
     let cell_px = CELL_SIZE * sheet.view.scale;
     let lines = [0, 1].map(|i| Line::new(look.widths[i] * sheet.view.scale, look.strengths[i], [1.0, INDEX as f32][i]));
     let (mut heights, mut rises) = (Vec::new(), Vec::new());

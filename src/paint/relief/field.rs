@@ -52,12 +52,12 @@ impl Field {
             beside(middle, self.rows).map(|row| &self.values[row * self.columns..][..self.columns]);
         (north.iter().zip(here).zip(south).map(|((&a, &b), &c)| Parabola::of([a, b, c])), t)
     }
+}
 
-    /// The columns of cells that the pixels of a picture's rows are nearest to, and how far beyond their middles.
-    pub fn places(&self, view: &View) -> Vec<(usize, f32)> {
-        let x = |x: u32| view.point(Vec2::splat(x as f32 + 0.5)).x;
-        (0..view.width).map(|column| nearest(x(column) / CELL_SIZE - 0.5, self.columns)).collect()
-    }
+/// The columns of cells that the pixels of a picture's rows are nearest to, and how far beyond their middles.
+pub(super) fn places(view: &View, columns: usize) -> Vec<(usize, f32)> {
+    let x = |x: u32| view.point(Vec2::splat(x as f32 + 0.5)).x;
+    (0..view.width).map(|column| nearest(x(column) / CELL_SIZE - 0.5, columns)).collect()
 }
 
 /// A piece of a line around a column.

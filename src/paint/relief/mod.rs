@@ -1,13 +1,16 @@
-//! Relief on the ground of a picture, part by part, as a style has them: tints and shade, contours, casings of rivers.
+//! Relief on the ground of a picture, part by part, as a style has them: tints and shade, contours, basins, casings of rivers.
 
+mod basins;
 mod casing;
 mod contours;
 mod field;
 mod shade;
 
-use super::palette::{Colour, ReliefLook};
+use super::palette::{BasinColours, Colour, ReliefLook};
 use super::view::View;
+use crate::network::Network;
 use crate::relief::Relief;
+pub(crate) use basins::Basins;
 #[cfg(feature = "files")]
 pub(crate) use contours::{INDEX, interval};
 
@@ -25,11 +28,31 @@ pub(super) struct Sheet<'a> {
     pub rivers: Vec<u8>,
 }
 
-/// Lays a relief over a ground.
-pub(super) fn lay(look: &ReliefLook, relief: &Relief, exaggeration: f32, sheet: Sheet<'_>, pixels: &mut [[u8; 4]]) {
+impl Sheet<'_> {
+    /// Gives a share of a pixel another colour than that of land without relief.
+    #[inline]
+    fn shift(&self, pixel: &mut [u8; 4], colour: Colour, share: u8) {
+        for i in 0..3 {
+            let more = (i32::from(colour[i]) - i32::from(self.plain[i])) * i32::from(share);
+            pixel[i] = (i32::from(pixel[i]) + more / 255).clamp(0, 255) as u8;
+        }
+    }
+}
+
+/// Lays a relief over a ground. Returns the number of the colour that rivers have in each pixel; none if they have but one.
+pub(super) fn lay(
+    look: &ReliefLook,
+    (relief, exaggeration): (&Relief, f32),
+    network: &Network,
+    sheet: Sheet<'_>,
+    pixels: &mut [[u8; 4]],
+) -> Vec<u8> {
     shade::Surface::new(relief, exaggeration).lay(&sheet, &look.tints, pixels);
     if let Some(lines) = &look.contours {
         contours::lay(lines, relief, &sheet, pixels);
     }
+    let lay_basins = |look: &BasinColours| Basins::new(relief, network, look.colours).lay(look, &sheet, pixels);
+    let numbers = look.basins.as_ref().map(lay_basins).unwrap_or_default();
     casing::lay(sheet.view, sheet.rivers, &look.casing, pixels);
+    numbers
 }

@@ -2,7 +2,7 @@
 
 use glam::{Vec2, Vec3};
 
-use super::field::{Field, piece};
+use super::field::{Field, piece, places};
 use super::{HIGHEST, Sheet};
 use crate::land::beside;
 use crate::paint::palette::{Colour, Tints};
@@ -57,7 +57,7 @@ impl Surface {
     /// Lays tints over the land of a ground.
     pub fn lay(&self, sheet: &Sheet<'_>, tints: &Tints, pixels: &mut [[u8; 4]]) {
         let colours = Colours::new(tints);
-        let (places, width) = (self.tint.places(sheet.view), sheet.view.width as usize);
+        let (places, width) = (places(sheet.view, self.tint.columns), sheet.view.width as usize);
         let (mut tint, mut light) = (Vec::new(), Vec::new());
         for (y, (row, land)) in pixels.chunks_mut(width).zip(sheet.land.chunks(width)).enumerate() {
             let y = sheet.view.point(Vec2::splat(y as f32 + 0.5)).y;
@@ -67,10 +67,7 @@ impl Surface {
                 row.iter_mut().zip(land).zip(&places).filter(|((_, share), _)| **share > 0)
             {
                 let colour = colours.at(piece(&tint, column).at(t), piece(&light, column).at(t));
-                for i in 0..3 {
-                    let more = (i32::from(colour[i]) - i32::from(sheet.plain[i])) * i32::from(share);
-                    pixel[i] = (i32::from(pixel[i]) + more / 255).clamp(0, 255) as u8;
-                }
+                sheet.shift(pixel, colour, share);
             }
         }
     }

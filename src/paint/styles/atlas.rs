@@ -19,6 +19,7 @@ pub(super) static PALETTE: Palette = Palette {
             light: [0.42, 1.0],
         },
         contours: None,
+        basins: None,
         casing: Casing { colour: [0xf7, 0xf1, 0xdd], strength: 0.35, margin: 0.55, blur: 0.0, gain: 1.0 },
     }),
     ..even([0xdc, 0xe3, 0xbe], [0x8f, 0xb6, 0xc6], [0x3c, 0x64, 0x78], [0xa0, 0x86, 0x66], [0x2a, 0x6f, 0x9e])

@@ -1,6 +1,7 @@
 //! The styles, each a file of its own and a line in this list.
 
 mod atlas;
+mod basins;
 mod dark;
 mod ink;
 mod night;
@@ -18,6 +19,7 @@ pub(crate) fn palette(style: Style) -> &'static Palette {
         Style::Atlas => &atlas::PALETTE,
         Style::Night => &night::PALETTE,
         Style::Survey => &survey::PALETTE,
+        Style::Basins => &basins::PALETTE,
         Style::Skeleton => &skeleton::PALETTE,
     }
 }

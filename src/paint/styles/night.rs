@@ -18,6 +18,7 @@ pub(super) static PALETTE: Palette = Palette {
             light: [0.35, 1.0],
         },
         contours: None,
+        basins: None,
         casing: Casing { colour: [0x4f, 0xa8, 0xd8], strength: 0.5, margin: 0.3, blur: 2.0, gain: 2.5 },
     }),
     ..even([0x24, 0x3e, 0x3d], [0x09, 0x13, 0x1a], [0x7f, 0xb3, 0xc6], [0x6e, 0x60, 0x4c], [0xb5, 0xe0, 0xf7])

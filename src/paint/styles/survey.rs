@@ -15,6 +15,7 @@ pub(super) static PALETTE: Palette = Palette {
             light: [0.8, 1.0],
         },
         contours: Some(Contours { colour: [0xab, 0x6a, 0x30], widths: [0.4, 0.85], strengths: [0.75, 0.95] }),
+        basins: None,
         casing: Casing { colour: [0; 3], strength: 0.0, margin: 0.8, blur: 0.0, gain: 0.0 },
     }),
     ..even([0xe2, 0xec, 0xca], [0xcf, 0xe3, 0xec], [0x2f, 0x7c, 0xa8], [0xa0, 0x86, 0x66], [0x2b, 0x7a, 0xb5])
