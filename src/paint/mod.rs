@@ -12,6 +12,7 @@ pub(crate) mod ground;
 mod ink;
 mod painter;
 pub(crate) mod palette;
+mod paper;
 pub(crate) mod relief;
 pub(crate) mod ridges;
 mod rivers;

@@ -11,13 +11,13 @@ use tiny_skia::Pixmap;
 use super::coverage::{Coverage, Rect};
 use super::flow::Flow;
 use super::ground::ground;
-use super::palette::{LAND_ONLY, Lines};
+use super::palette::{Colour, LAND_ONLY, Lines};
 use super::relief::{self, Sheet};
 use super::rivers::draw_network;
 use super::strokes::{Pen, Widths};
 use super::styles::palette;
 use super::view::{PaintError, View};
-use super::{ink, skeleton};
+use super::{ink, paper, skeleton};
 use crate::domain::Domain;
 use crate::land::Land;
 use crate::memory;
@@ -190,7 +190,13 @@ impl Painter {
     /// Paints the ground if it is not there yet.
     fn lay_ground(&mut self, land: Option<&Land>, style: Style) {
         if self.ground.as_ref().is_none_or(|(painted, _)| *painted != style) {
-            self.ground = land.map(|land| (style, ground(&self.view, land, palette(style))));
+            let palette = palette(style);
+            self.ground = land.map(|land| (style, ground(&self.view, land, palette)));
+            if let Some(paper) = palette.paper {
+                let count = self.view.width as usize * self.view.height as usize;
+                let (_, pixels) = self.ground.get_or_insert_with(|| (style, bare(count, palette.plain)));
+                paper::lay(&self.view, paper, pixels);
+            }
             self.numbers = Vec::new();
             self.raised = None;
         }
@@ -201,8 +207,7 @@ impl Painter {
         let palette = palette(rivers.style);
         let Some(look) = palette.relief else { return };
         let count = self.view.width as usize * self.view.height as usize;
-        let [r, g, b] = palette.plain;
-        let (_, pixels) = self.ground.get_or_insert_with(|| (rivers.style, vec![[r, g, b, 255]; count]));
+        let (_, pixels) = self.ground.get_or_insert_with(|| (rivers.style, bare(count, palette.plain)));
         let land = rivers.land.map_or_else(
             || vec![255; count],
             |land| ground(&self.view, land, &LAND_ONLY).into_iter().map(|[share, ..]| share).collect(),
@@ -262,6 +267,11 @@ impl Painter {
         }
         Some(around)
     }
+}
+
+/// Plain land.
+fn bare(count: usize, [r, g, b]: Colour) -> Vec<[u8; 4]> {
+    vec![[r, g, b, 255]; count]
 }
 
 fn same_relief(shown: Option<&(Arc<Relief>, f32)>, next: Option<(&Arc<Relief>, f32)>) -> bool {

@@ -22,8 +22,20 @@ pub(crate) struct Palette {
     /// Land where all of the domain is.
     pub plain: Colour,
     pub lines: Lines,
+    /// What it is printed on; `None` if that is as even as a screen.
+    pub paper: Option<&'static Paper>,
     /// How it shows relief; `None` if it does not.
     pub relief: Option<&'static ReliefLook>,
+}
+
+/// Old paper.
+#[derive(Debug)]
+pub(crate) struct Paper {
+    pub blotch: Colour,
+    pub blotched: f32,
+    /// The colour of its edges.
+    pub edge: Colour,
+    pub edged: f32,
 }
 
 /// How a style shows relief, part by part.
@@ -31,6 +43,7 @@ pub(crate) struct Palette {
 pub(crate) struct ReliefLook {
     pub tints: Tints,
     pub contours: Option<Contours>,
+    pub hachures: Option<Hachures>,
     pub basins: Option<BasinColours>,
     /// What lies around rivers.
     pub casing: Casing,
@@ -52,6 +65,13 @@ pub(crate) struct Contours {
     /// Of usual lines, and of index lines: widths in units.
     pub widths: [f32; 2],
     pub strengths: [f32; 2],
+}
+
+/// Strokes down the slope.
+#[derive(Debug)]
+pub(crate) struct Hachures {
+    pub colour: Colour,
+    pub strength: f32,
 }
 
 /// A colour for each basin.
@@ -138,6 +158,7 @@ pub(super) const fn even(land: Colour, water: Colour, coast: Colour, ridge: Colo
         river,
         plain: land,
         lines: Lines::Wide,
+        paper: None,
         relief: None,
     }
 }

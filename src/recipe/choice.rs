@@ -121,6 +121,8 @@ choices! {
         Survey = "survey", "survey";
         /// Each river system in a colour of its own, and its basin in a tint of that; divides are left bare.
         Basins = "basins", "basins";
+        /// An engraving on old paper: water lines, mountains in strokes on their dark side.
+        Parchment = "parchment", "parchment";
         /// Light ink on dark paper, for dark pages.
         Dark = "dark", "dark";
     }

@@ -6,8 +6,8 @@ use super::path::Path;
 use super::text::Text;
 use crate::land::{Land, SmoothedDistance};
 use crate::paint::ground::{COAST_WIDTH, RING_WIDTH, RIVERS_END, way_to};
-use crate::paint::palette::{BasinColours, Colour, Contours, Palette, mix};
-use crate::paint::relief::{Basins, HIGHEST, INDEX, interval};
+use crate::paint::palette::{BasinColours, Colour, Contours, Hachures, Palette, mix};
+use crate::paint::relief::{Basins, HIGHEST, INDEX, interval, strokes};
 use crate::paint::ridges;
 use crate::relief::Relief;
 
@@ -74,9 +74,25 @@ fn tints(out: &mut Text, relief: Option<Raised<'_>>, palette: &Palette) {
     if let Some(lines) = &look.contours {
         contours(out, relief, lines);
     }
+    if let Some(look) = &look.hachures {
+        hachures(out, relief, look);
+    }
     if let Some((basins, look)) = basins.zip(look.basins.as_ref()) {
         basin_shapes(out, basins, look);
     }
+}
+
+/// Strokes down the slope.
+fn hachures(out: &mut Text, relief: &Relief, look: &Hachures) {
+    let mut path = Path::default();
+    for stroke in strokes(relief) {
+        let [(from, half), .., (to, _)] = stroke;
+        let aside = (to - from).normalize_or_zero().perp() * half;
+        path.line(&[from - aside, stroke[1].0 - aside * 0.75, to, stroke[1].0 + aside * 0.75, from + aside]);
+        path.close();
+    }
+    out.text("<path id=\"hachures\" fill-opacity=\"").units(look.strength).text("\" fill=\"").colour(look.colour);
+    out.text("\" d=\"").text(path.data()).text("\"/>\n");
 }
 
 /// All basins of each colour, with a gap between them.

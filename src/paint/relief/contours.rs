@@ -26,12 +26,7 @@ pub(crate) fn interval(relief: &Relief) -> f32 {
 /// Lays the contours of a relief over the land of a ground, broken where rivers run.
 pub(super) fn lay(look: &Contours, relief: &Relief, sheet: &Sheet<'_>, pixels: &mut [[u8; 4]]) {
     let interval = interval(relief);
-    let field = Field {
-        columns: relief.columns(),
-        rows: relief.rows(),
-        values: relief.heights().iter().map(|height| height / interval).collect(),
-    }
-    .smoothed(TIMES);
+    let field = Field::of(relief, |height| height / interval).smoothed(TIMES);
     let (places, width) = (places(sheet.view, field.columns), sheet.view.width as usize);
     let cell_px = CELL_SIZE * sheet.view.scale;
     let lines = [0, 1].map(|i| Line::new(look.widths[i] * sheet.view.scale, look.strengths[i], [1.0, INDEX as f32][i]));

@@ -4,7 +4,7 @@ use glam::Vec2;
 
 use crate::land::{Parabola, beside, nearest};
 use crate::paint::view::View;
-use crate::relief::CELL_SIZE;
+use crate::relief::{CELL_SIZE, Relief};
 
 pub(super) struct Field {
     pub columns: usize,
@@ -13,6 +13,36 @@ pub(super) struct Field {
 }
 
 impl Field {
+    /// The heights of a relief, each made into a value.
+    pub fn of(relief: &Relief, value: impl Fn(f32) -> f32) -> Self {
+        let values = relief.heights().iter().map(|&height| value(height)).collect();
+        Self { columns: relief.columns(), rows: relief.rows(), values }
+    }
+
+    /// The cell of a point; `None` beyond the map.
+    pub fn cell(&self, at: Vec2) -> Option<usize> {
+        let (x, y) = ((at.x / CELL_SIZE).floor(), (at.y / CELL_SIZE).floor());
+        let is_inside = x >= 0.0 && y >= 0.0 && x < self.columns as f32 && y < self.rows as f32;
+        is_inside.then(|| y as usize * self.columns + x as usize)
+    }
+
+    /// The middle of a cell, in units.
+    pub fn middle(&self, cell: usize) -> Vec2 {
+        (Vec2::new((cell % self.columns) as f32, (cell / self.columns) as f32) + 0.5) * CELL_SIZE
+    }
+
+    /// The value at a point, and by how much it rises by the unit.
+    pub fn at(&self, at: Vec2) -> (f32, Vec2) {
+        let place = at / CELL_SIZE - 0.5;
+        let ((column, along), (row, down)) = (nearest(place.x, self.columns), nearest(place.y, self.rows));
+        let columns = beside(column, self.columns);
+        let across = beside(row, self.rows)
+            .map(|row| Parabola::of(columns.map(|column| self.values[row * self.columns + column])));
+        let heights = Parabola::of(across.map(|parabola| parabola.at(along)));
+        let east = Parabola::of(across.map(|parabola| parabola.rise(along))).at(down);
+        (heights.at(down), Vec2::new(east, heights.rise(down)) / CELL_SIZE)
+    }
+
     /// Smoothed this many times, each time by √2 units.
     pub fn smoothed(mut self, times: u32) -> Self {
         let (along, down) = ((1, self.columns), (self.columns, self.rows));

@@ -1,9 +1,10 @@
-//! Relief on the ground of a picture, part by part, as a style has them: tints and shade, contours, basins, casings of rivers.
+//! Relief on the ground of a picture, part by part, as a style has them: tints and shade, contours, hachures, basins, casings of rivers.
 
 mod basins;
 mod casing;
 mod contours;
 mod field;
+mod hachures;
 mod shade;
 
 use super::palette::{BasinColours, Colour, ReliefLook};
@@ -13,6 +14,8 @@ use crate::relief::Relief;
 pub(crate) use basins::Basins;
 #[cfg(feature = "files")]
 pub(crate) use contours::{INDEX, interval};
+#[cfg(feature = "files")]
+pub(crate) use hachures::strokes;
 
 /// What has the colour of the highest land lies above this share of all.
 pub(crate) const HIGHEST: f32 = 0.99;
@@ -50,6 +53,9 @@ pub(super) fn lay(
     shade::Surface::new(relief, exaggeration).lay(&sheet, &look.tints, pixels);
     if let Some(lines) = &look.contours {
         contours::lay(lines, relief, &sheet, pixels);
+    }
+    if let Some(strokes) = &look.hachures {
+        hachures::lay(strokes, relief, &sheet, pixels);
     }
     let lay_basins = |look: &BasinColours| Basins::new(relief, network, look.colours).lay(look, &sheet, pixels);
     let numbers = look.basins.as_ref().map(lay_basins).unwrap_or_default();

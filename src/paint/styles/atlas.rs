@@ -19,6 +19,7 @@ pub(super) static PALETTE: Palette = Palette {
             light: [0.42, 1.0],
         },
         contours: None,
+        hachures: None,
         basins: None,
         casing: Casing { colour: [0xf7, 0xf1, 0xdd], strength: 0.35, margin: 0.55, blur: 0.0, gain: 1.0 },
     }),

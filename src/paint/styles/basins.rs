@@ -8,6 +8,7 @@ pub(super) static PALETTE: Palette = Palette {
     relief: Some(&ReliefLook {
         tints: Tints { stops: &[(0.0, PAPER)], light: [0.82, 1.0] },
         contours: None,
+        hachures: None,
         basins: Some(BasinColours {
             colours: &[
                 [0xe4, 0x57, 0x2e],

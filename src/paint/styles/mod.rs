@@ -5,6 +5,7 @@ mod basins;
 mod dark;
 mod ink;
 mod night;
+mod parchment;
 mod skeleton;
 mod survey;
 
@@ -20,6 +21,7 @@ pub(crate) fn palette(style: Style) -> &'static Palette {
         Style::Night => &night::PALETTE,
         Style::Survey => &survey::PALETTE,
         Style::Basins => &basins::PALETTE,
+        Style::Parchment => &parchment::PALETTE,
         Style::Skeleton => &skeleton::PALETTE,
     }
 }

@@ -18,6 +18,7 @@ pub(super) static PALETTE: Palette = Palette {
             light: [0.35, 1.0],
         },
         contours: None,
+        hachures: None,
         basins: None,
         casing: Casing { colour: [0x4f, 0xa8, 0xd8], strength: 0.5, margin: 0.3, blur: 2.0, gain: 2.5 },
     }),

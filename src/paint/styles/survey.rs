@@ -15,6 +15,7 @@ pub(super) static PALETTE: Palette = Palette {
             light: [0.8, 1.0],
         },
         contours: Some(Contours { colour: [0xab, 0x6a, 0x30], widths: [0.4, 0.85], strengths: [0.75, 0.95] }),
+        hachures: None,
         basins: None,
         casing: Casing { colour: [0; 3], strength: 0.0, margin: 0.8, blur: 0.0, gain: 0.0 },
     }),
