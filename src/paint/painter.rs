@@ -167,8 +167,9 @@ impl Painter {
 
     /// Paints rivers, in place of the tree that they were. Returns the rectangle that changed; `None` if nothing did.
     pub fn paint_rivers(&mut self, rivers: &Rivers<'_>) -> Option<Rect> {
-        let is_raised = same_relief(self.raised.as_ref(), rivers.relief);
-        if self.round == Some(rivers.rounds) && is_raised {
+        if !same_relief(self.raised.as_ref(), rivers.relief) {
+            self.ground = None;
+        } else if self.round == Some(rivers.rounds) {
             return None;
         }
         self.round = Some(rivers.rounds);
@@ -176,11 +177,8 @@ impl Painter {
         self.coverage.clear();
         draw_network(&mut self.coverage, &self.view, rivers.network, rivers.courses, palette(rivers.style).lines, 0.0);
         self.coverage.touch_all();
-        if !is_raised {
-            self.ground = None;
-        }
         self.lay_ground(rivers.land, rivers.style);
-        if !is_raised && let Some((relief, exaggeration)) = rivers.relief {
+        if let Some((relief, exaggeration)) = rivers.relief.filter(|_| self.raised.is_none()) {
             self.raise_ground(rivers, relief, exaggeration);
         }
         self.raised = rivers.relief.map(|(relief, exaggeration)| (relief.clone(), exaggeration));
