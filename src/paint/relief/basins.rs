@@ -5,7 +5,7 @@ use glam::Vec2;
 use super::Sheet;
 #[cfg(feature = "files")]
 use super::field::Field;
-use super::field::places;
+use super::field::Places;
 #[cfg(feature = "files")]
 use crate::land::trace::rings;
 use crate::land::{beside, nearest};
@@ -38,8 +38,9 @@ impl Basins {
         for (river, &basin) in network.rivers.iter().zip(&of_rivers) {
             mark(relief, network, river, basin, &mut basins);
         }
-        follow_the_water(relief, &mut basins);
+        follow_the_water(relief, true, &mut basins);
         fill_strips(relief, &mut basins);
+        follow_the_water(relief, false, &mut basins);
         let colour_of = coloured(&neighbours(relief, &basins), colours);
         let colours = |basins: &[u32]| basins.iter().map(|&basin| colour_of[basin as usize]).collect();
         let (columns, rows) = (relief.columns(), relief.rows());
@@ -55,25 +56,24 @@ impl Basins {
     /// Lays the colours over the land of a ground, with a gap along divides. Returns the colour of each pixel's basin.
     pub(super) fn lay(&self, look: &BasinColours, sheet: &Sheet<'_>, pixels: &mut [[u8; 4]]) -> Vec<u8> {
         let (view, width) = (sheet.view, sheet.view.width as usize);
-        let (places, full) = (places(view, self.columns), full_share(view.scale));
+        let (places, full) = (Places::new(view, self.columns), full_share(view.scale));
         let tints: Vec<Colour> = (0..=look.colours.len()).map(|number| look.tint(number)).collect();
         let is_mixed = self.mixed();
         let mut numbers = vec![0; pixels.len()];
         for (y, (row, numbers)) in pixels.chunks_mut(width).zip(numbers.chunks_mut(width)).enumerate() {
             let (middle, down) = nearest(view.point(Vec2::splat(y as f32 + 0.5)).y / CELL_SIZE - 0.5, self.rows);
-            for ((pixel, number), (&land, &(column, along))) in
-                row.iter_mut().zip(numbers).zip(sheet.land[y * width..].iter().zip(&places))
-            {
+            for (column, run) in &places.runs {
                 let cell = middle * self.columns + column;
-                *number = self.cells[cell];
-                if land > 0 {
-                    let mut tint = tints[usize::from(*number)];
+                let (number, tint) = (self.cells[cell], tints[usize::from(self.cells[cell])]);
+                numbers[run.clone()].fill(number);
+                for x in run.clone().filter(|x| sheet.land[y * width + x] > 0) {
+                    let mut tint = tint;
                     if is_mixed[cell] {
-                        let (number, share) = self.greatest([middle, column], [down, along]);
+                        let (number, share) = self.greatest([middle, *column], [down, places.along[x]]);
                         let inside = ((share - 0.5) / (full - 0.5)).clamp(0.0, 1.0);
                         tint = mix(sheet.plain, tints[usize::from(number)], inside);
                     }
-                    sheet.shift(pixel, tint, land);
+                    sheet.shift(&mut row[x], tint, sheet.land[y * width + x]);
                 }
             }
         }
@@ -90,16 +90,21 @@ impl Basins {
         rings.into_iter().map(|ring| ring.into_iter().map(|at| at * size).collect()).collect()
     }
 
-    /// Whether cells of several colours count at each.
+    /// Whether cells of several colours may count at each.
     fn mixed(&self) -> Vec<bool> {
-        let cell = |row: usize, column: usize| self.cells[row * self.columns + column];
-        let around = |row: usize, column: usize| {
-            beside(row, self.rows).into_iter().flat_map(move |row| beside(column, self.columns).map(|x| (row, x)))
-        };
-        (0..self.cells.len())
-            .map(|i| (i / self.columns, i % self.columns))
-            .map(|(row, column)| around(row, column).any(|(y, x)| cell(y, x) != cell(row, column)))
-            .collect()
+        let mut is_mixed = vec![false; self.cells.len()];
+        for cell in 0..self.cells.len() {
+            let east = cell + usize::from(!(cell + 1).is_multiple_of(self.columns));
+            let south = cell + self.columns;
+            let differs = |other: usize| self.cells.get(other).is_some_and(|&number| number != self.cells[cell]);
+            if differs(east) || differs(south) {
+                around(self.columns, self.rows, cell).into_iter().for_each(|near| is_mixed[near] = true);
+                around(self.columns, self.rows, south.min(self.cells.len() - 1))
+                    .into_iter()
+                    .for_each(|near| is_mixed[near] = true);
+            }
+        }
+        is_mixed
     }
 
     /// The colour that has the greatest share at a place near a cell, and that share, if each colour is a surface of parabolas: so its
@@ -153,10 +158,11 @@ fn mark(relief: &Relief, network: &Network, river: &River, basin: u32, basins: &
     }
 }
 
-/// Gives every other cell the basin that its water runs into: it goes by the lowest neighbour. Cells at sea go by the highest, to the coast.
-fn follow_the_water(relief: &Relief, basins: &mut [u32]) {
+/// Gives every other cell on one side of the coast the basin that its water runs into: on land it goes by the lowest neighbour, off the
+/// coast by the highest, to land.
+fn follow_the_water(relief: &Relief, is_land: bool, basins: &mut [u32]) {
     let mut way = Vec::new();
-    for cell in 0..basins.len() {
+    for cell in (0..basins.len()).filter(|&cell| (relief.heights()[cell] > 0.0) == is_land) {
         let mut at = Some(cell);
         while let Some(here) = at.filter(|&here| basins[here] == UNKNOWN) {
             way.push(here);
@@ -167,42 +173,47 @@ fn follow_the_water(relief: &Relief, basins: &mut [u32]) {
     }
 }
 
-/// The cell after this; `None` where the coast or the border is reached.
+/// The cell after this; `None` where the coast or the border is reached, and so deep at sea that no land is near.
 fn next(relief: &Relief, cell: usize) -> Option<usize> {
-    let (heights, around) = (relief.heights(), around(relief, cell));
-    if heights[cell] > 0.0 {
-        around.min_by(|&a, &b| heights[a].total_cmp(&heights[b])).filter(|&next| next != cell && heights[next] > 0.0)
+    const DEEP: f32 = -1.0;
+    let (heights, here) = (relief.heights(), relief.heights()[cell]);
+    let around = around(relief.columns(), relief.rows(), cell).into_iter();
+    if here > 0.0 {
+        let lowest = around.fold(cell, |lowest, near| if heights[near] < heights[lowest] { near } else { lowest });
+        (lowest != cell && heights[lowest] > 0.0).then_some(lowest)
     } else {
-        around.max_by(|&a, &b| heights[a].total_cmp(&heights[b])).filter(|&next| heights[next] > heights[cell])
+        let highest = around.fold(cell, |highest, near| if heights[near] > heights[highest] { near } else { highest });
+        (highest != cell && here > DEEP).then_some(highest)
     }
 }
 
 /// Gives strips of land that belong to no basin to the basins beside them: only what is wider than this is worth its own colour.
 fn fill_strips(relief: &Relief, basins: &mut [u32]) {
     const CELLS: u32 = 4;
-    let before = basins.to_vec();
+    let rest: Vec<usize> = (0..basins.len()).filter(|&cell| basins[cell] == 0).collect();
     // By turns with corners and without: so what is taken is nearly round.
-    let touches = |basins: &[u32], cell: usize, turn: u32, wanted: &dyn Fn(u32) -> bool| {
-        let beside = around(relief, cell).enumerate().filter(|(i, _)| turn.is_multiple_of(2) || !i.is_multiple_of(2));
-        beside.map(|(_, beside)| basins[beside]).find(|&basin| wanted(basin))
+    let near = |turn: u32, cell: usize| {
+        let around = around(relief.columns(), relief.rows(), cell).into_iter().enumerate();
+        around.filter(move |(i, _)| turn.is_multiple_of(2) || !i.is_multiple_of(2)).map(|(_, near)| near)
     };
     for turn in 0..CELLS {
-        let rest = (0..basins.len()).filter(|&cell| basins[cell] == 0);
-        let taken = rest.filter_map(|cell| Some((cell, touches(basins, cell, turn, &|basin| basin > 0)?)));
-        taken.collect::<Vec<_>>().into_iter().for_each(|(cell, basin)| basins[cell] = basin);
+        let basin = |cell| near(turn, cell).map(|near| basins[near]).find(|&basin| basin != 0 && basin != UNKNOWN);
+        let open = rest.iter().filter(|&&cell| basins[cell] == 0);
+        let taken: Vec<_> = open.filter_map(|&cell| Some((cell, basin(cell)?))).collect();
+        taken.into_iter().for_each(|(cell, basin)| basins[cell] = basin);
     }
     for turn in 0..CELLS {
-        let taken = (0..basins.len()).filter(|&cell| before[cell] == 0 && basins[cell] > 0);
-        let back = taken.filter(|&cell| touches(basins, cell, turn, &|basin| basin == 0).is_some());
-        back.collect::<Vec<_>>().into_iter().for_each(|cell| basins[cell] = 0);
+        let is_beside_rest = |cell| near(turn, cell).any(|near| basins[near] == 0);
+        let taken = rest.iter().filter(|&&cell| basins[cell] != 0);
+        let back: Vec<usize> = taken.copied().filter(|&cell| is_beside_rest(cell)).collect();
+        back.into_iter().for_each(|cell| basins[cell] = 0);
     }
 }
 
-/// The cells around one, and itself; at the border some come twice.
-fn around(relief: &Relief, cell: usize) -> impl Iterator<Item = usize> {
-    let columns = relief.columns();
-    let (rows, across) = (beside(cell / columns, relief.rows()), beside(cell % columns, columns));
-    rows.into_iter().flat_map(move |row| across.map(|column| row * columns + column))
+/// The cells around one, itself in the middle; at the border some come twice.
+fn around(columns: usize, rows: usize, cell: usize) -> [usize; 9] {
+    let (down, across) = (beside(cell / columns, rows), beside(cell % columns, columns));
+    std::array::from_fn(|i| down[i / 3] * columns + across[i % 3])
 }
 
 /// A basin's size in cells, and the basins that it touches.

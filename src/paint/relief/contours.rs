@@ -4,7 +4,7 @@
 
 use glam::Vec2;
 
-use super::field::{Field, piece, places};
+use super::field::{Field, Places, piece};
 use super::{HIGHEST, Sheet};
 use crate::paint::palette::{Contours, mix};
 use crate::relief::{CELL_SIZE, METRES, Relief};
@@ -27,7 +27,7 @@ pub(crate) fn interval(relief: &Relief) -> f32 {
 pub(super) fn lay(look: &Contours, relief: &Relief, sheet: &Sheet<'_>, pixels: &mut [[u8; 4]]) {
     let interval = interval(relief);
     let field = Field::of(relief, |height| height / interval).smoothed(TIMES);
-    let (places, width) = (places(sheet.view, field.columns), sheet.view.width as usize);
+    let (places, width) = (Places::new(sheet.view, field.columns), sheet.view.width as usize);
     let cell_px = CELL_SIZE * sheet.view.scale;
     let lines = [0, 1].map(|i| Line::new(look.widths[i] * sheet.view.scale, look.strengths[i], [1.0, INDEX as f32][i]));
     let (mut heights, mut rises) = (Vec::new(), Vec::new());
@@ -35,26 +35,24 @@ pub(super) fn lay(look: &Contours, relief: &Relief, sheet: &Sheet<'_>, pixels: &
         let at = sheet.view.point(Vec2::splat(y as f32 + 0.5)).y;
         field.line(at, &mut heights);
         field.rises(at, &mut rises);
-        let open = sheet.land[y * width..].iter().zip(&sheet.rivers[y * width..]);
-        for ((pixel, (&land, &river)), &(column, t)) in row.iter_mut().zip(open).zip(&places) {
-            if land == 0 || river == 255 {
-                continue;
-            }
-            let along = piece(&heights, column);
-            let height = along.at(t);
-            let level = (height + 0.5) as u32;
-            if level == 0 {
-                continue;
-            }
-            let steepness = Vec2::new(along.rise(t), piece(&rises, column).at(t)).length().max(1e-4);
-            let line = &lines[usize::from(level.is_multiple_of(INDEX))];
-            let spacing = cell_px / steepness;
-            let covered = line.coverage((height - level as f32).abs() * spacing, spacing);
-            if covered > 0.0 {
-                let [r, g, b, open] = *pixel;
-                let share = covered * f32::from(land) * f32::from(255 - river) / (255.0 * 255.0);
-                let [r, g, b] = mix([r, g, b], look.colour, share);
-                *pixel = [r, g, b, open];
+        let (land, rivers) = (&sheet.land[y * width..][..width], &sheet.rivers[y * width..][..width]);
+        for (column, run) in places.runs.iter().filter(|(_, run)| land[run.clone()].iter().any(|&share| share > 0)) {
+            let (along, south) = (piece(&heights, *column), piece(&rises, *column));
+            for x in run.clone() {
+                let (t, open) = (places.along[x], f32::from(land[x]) * f32::from(255 - rivers[x]));
+                let height = along.at(t);
+                let level = (height + 0.5) as u32;
+                if level > 0 && open > 0.0 {
+                    let steepness = Vec2::new(along.rise(t), south.at(t)).length().max(1e-4);
+                    let line = &lines[usize::from(level.is_multiple_of(INDEX))];
+                    let spacing = cell_px / steepness;
+                    let covered = line.coverage((height - level as f32).abs() * spacing, spacing);
+                    if covered > 0.0 {
+                        let [r, g, b, rest] = row[x];
+                        let [r, g, b] = mix([r, g, b], look.colour, covered * open / (255.0 * 255.0));
+                        row[x] = [r, g, b, rest];
+                    }
+                }
             }
         }
     }

@@ -1,5 +1,7 @@
 //! A value for each cell of a map as a surface without facets: of parabolas (a biquadratic B-spline).
 
+use std::ops::Range;
+
 use glam::Vec2;
 
 use crate::land::{Parabola, beside, nearest};
@@ -45,17 +47,28 @@ impl Field {
 
     /// Smoothed this many times, each time by √2 units.
     pub fn smoothed(mut self, times: u32) -> Self {
-        let (along, down) = ((1, self.columns), (self.columns, self.rows));
+        let mean = |before: f32, here: f32, after: f32| (before + here + here + after) * 0.25;
         for _ in 0..times {
-            for ((step, length), (aside, lines)) in [(along, down), (down, along)] {
-                for line in 0..lines {
-                    let at = |place: usize| line * aside + place * step;
-                    let mut before = self.values[at(0)];
-                    for place in 0..length {
-                        let (here, after) = (self.values[at(place)], self.values[at((place + 1).min(length - 1))]);
-                        self.values[at(place)] = (before + here + here + after) * 0.25;
-                        before = here;
-                    }
+            let mut before = self.values[..self.columns].to_vec();
+            for row in 0..self.rows {
+                let (upper, lower) = self.values.split_at_mut((row + 1) * self.columns);
+                let upper = &mut upper[row * self.columns..];
+                let last = if lower.is_empty() { upper.to_vec() } else { Vec::new() };
+                let after = if lower.is_empty() { &last } else { &lower[..self.columns] };
+                for ((here, before), &after) in upper.iter_mut().zip(&mut before).zip(after) {
+                    let was = *here;
+                    *here = mean(*before, was, after);
+                    *before = was;
+                }
+            }
+            for row in self.values.chunks_mut(self.columns) {
+                before.copy_from_slice(row);
+                for (here, around) in row[1..].iter_mut().zip(before.windows(3)) {
+                    *here = mean(around[0], around[1], around[2]);
+                }
+                if let [first, second, .., before_last, last] = before[..] {
+                    row[0] = mean(first, first, second);
+                    row[self.columns - 1] = mean(before_last, last, last);
                 }
             }
         }
@@ -84,10 +97,28 @@ impl Field {
     }
 }
 
-/// The columns of cells that the pixels of a picture's rows are nearest to, and how far beyond their middles.
-pub(super) fn places(view: &View, columns: usize) -> Vec<(usize, f32)> {
-    let x = |x: u32| view.point(Vec2::splat(x as f32 + 0.5)).x;
-    (0..view.width).map(|column| nearest(x(column) / CELL_SIZE - 0.5, columns)).collect()
+/// The pixels of a picture's rows, cell by cell.
+pub(super) struct Places {
+    /// Columns of cells with the pixels that they are nearest to.
+    pub runs: Vec<(usize, Range<usize>)>,
+    /// How far each pixel lies beyond the middle of its cell, in cells.
+    pub along: Vec<f32>,
+}
+
+impl Places {
+    pub fn new(view: &View, columns: usize) -> Self {
+        let x = |x: usize| view.point(Vec2::splat(x as f32 + 0.5)).x;
+        let (mut runs, mut along) = (Vec::<(usize, Range<usize>)>::new(), Vec::new());
+        for pixel in 0..view.width as usize {
+            let (column, t) = nearest(x(pixel) / CELL_SIZE - 0.5, columns);
+            along.push(t);
+            match runs.last_mut() {
+                Some((last, pixels)) if *last == column => pixels.end += 1,
+                _ => runs.push((column, pixel..pixel + 1)),
+            }
+        }
+        Self { runs, along }
+    }
 }
 
 /// A piece of a line around a column.

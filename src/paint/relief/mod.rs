@@ -59,6 +59,8 @@ pub(super) fn lay(
     }
     let lay_basins = |look: &BasinColours| Basins::new(relief, network, look.colours).lay(look, &sheet, pixels);
     let numbers = look.basins.as_ref().map(lay_basins).unwrap_or_default();
-    casing::lay(sheet.view, sheet.rivers, &look.casing, pixels);
+    if look.casing.strength > 0.0 {
+        casing::lay(sheet.view, sheet.rivers, &look.casing, pixels);
+    }
     numbers
 }

@@ -2,7 +2,7 @@
 
 use glam::{Vec2, Vec3};
 
-use super::field::{Field, piece, places};
+use super::field::{Field, Places, piece};
 use super::{HIGHEST, Sheet};
 use crate::land::beside;
 use crate::paint::palette::{Colour, Tints};
@@ -57,17 +57,19 @@ impl Surface {
     /// Lays tints over the land of a ground.
     pub fn lay(&self, sheet: &Sheet<'_>, tints: &Tints, pixels: &mut [[u8; 4]]) {
         let colours = Colours::new(tints);
-        let (places, width) = (places(sheet.view, self.tint.columns), sheet.view.width as usize);
+        let (places, width) = (Places::new(sheet.view, self.tint.columns), sheet.view.width as usize);
         let (mut tint, mut light) = (Vec::new(), Vec::new());
         for (y, (row, land)) in pixels.chunks_mut(width).zip(sheet.land.chunks(width)).enumerate() {
             let y = sheet.view.point(Vec2::splat(y as f32 + 0.5)).y;
             self.tint.line(y, &mut tint);
             self.light.line(y, &mut light);
-            for ((pixel, &share), &(column, t)) in
-                row.iter_mut().zip(land).zip(&places).filter(|((_, share), _)| **share > 0)
+            for (column, run) in places.runs.iter().filter(|(_, run)| land[run.clone()].iter().any(|&share| share > 0))
             {
-                let colour = colours.at(piece(&tint, column).at(t), piece(&light, column).at(t));
-                sheet.shift(pixel, colour, share);
+                let (tint, light) = (piece(&tint, *column), piece(&light, *column));
+                for x in run.clone() {
+                    let t = places.along[x];
+                    sheet.shift(&mut row[x], colours.at(tint.at(t), light.at(t)), land[x]);
+                }
             }
         }
     }
