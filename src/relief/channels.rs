@@ -4,6 +4,7 @@ use glam::Vec2;
 
 use super::CELL_SIZE;
 use super::cells::Cells;
+use crate::geometry::distance;
 use crate::network::{NONE, Network, hydrology};
 
 /// A river's path.
@@ -16,9 +17,13 @@ struct Path {
     junction: u32,
 }
 
-/// The paths of all rivers; each stands after the one that it joins.
+/// The paths of all rivers.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Channels(Vec<Path>);
+pub(super) struct Channels {
+    paths: Vec<Path>,
+    /// The numbers of all rivers, each after the one that it joins.
+    parents_first: Vec<u32>,
+}
 
 /// The least fall from one cell to the next, in units.
 const LEAST_FALL: f32 = 1e-4;
@@ -33,28 +38,28 @@ impl Channels {
             let mut path = Path { parent: river.parent, ..Path::default() };
             let mut previous: Option<(Vec2, f32)> = None;
             for i in river.vertex_range() {
-                let (at, height) = (network.vertices[i].at, elevations[i]);
-                path.walk(cells, previous.replace((at, height)), (at, height));
+                let place = (network.vertices[i].at, elevations[i]);
+                path.walk(cells, previous.replace(place), place);
                 step_of[i] = path.steps.len() as u32 - 1;
             }
             match network.vertices.get(river.junction as usize) {
-                Some(junction) => {
-                    path.walk(cells, previous, (junction.at, elevations[river.junction as usize]));
-                    path.junction = step_of[river.junction as usize];
-                }
+                Some(junction) => path.walk(cells, previous, (junction.at, elevations[river.junction as usize])),
                 None => path.walk_to_the_sea(cells),
             }
             paths.push(path);
         }
-        Self(paths)
+        for (path, river) in paths.iter_mut().zip(&network.rivers) {
+            path.junction = step_of.get(river.junction as usize).copied().unwrap_or(NONE);
+        }
+        Self { parents_first: parents_first(network), paths }
     }
 
     /// Lowers rivers to a surface, and what is below them with them: a river is nowhere lower than farther down, and none
     /// lower at its end than the one it joins. Returns by how much, in units, over all cells.
     pub fn lower(&mut self, surface: &[f32]) -> f32 {
         let mut lowered = 0.0;
-        for river in (0..self.0.len()).rev() {
-            let path = &mut self.0[river];
+        for &river in self.parents_first.iter().rev() {
+            let path = &mut self.paths[river as usize];
             let mut above = f32::INFINITY;
             for (cell, height) in &mut path.steps {
                 let least = height.min(surface[*cell as usize]).min(above);
@@ -62,7 +67,7 @@ impl Channels {
                 (*height, above) = (least, least);
             }
             let (parent, junction) = (path.parent, path.junction);
-            if let Some(parent) = self.0.get_mut(parent as usize) {
+            if let Some(parent) = self.paths.get_mut(parent as usize) {
                 let height = &mut parent.steps[junction as usize].1;
                 lowered += (*height - above).max(0.0);
                 *height = height.min(above);
@@ -86,13 +91,14 @@ impl Channels {
 
     /// Makes every river fall from each cell to the next, its end being where it joins another, or the sea.
     pub fn let_fall(&mut self) {
-        for river in 0..self.0.len() {
-            let end = match self.0.get(self.0[river].parent as usize) {
-                Some(parent) => parent.steps[self.0[river].junction as usize].1,
+        for &river in &self.parents_first {
+            let river = river as usize;
+            let end = match self.paths.get(self.paths[river].parent as usize) {
+                Some(parent) => parent.steps[self.paths[river].junction as usize].1,
                 None => LEAST_FALL,
             };
             let mut below = end - LEAST_FALL;
-            for (i, (_, height)) in self.0[river].steps.iter_mut().rev().enumerate() {
+            for (i, (_, height)) in self.paths[river].steps.iter_mut().rev().enumerate() {
                 *height = if i == 0 { end } else { height.max((below + LEAST_FALL).max(below.next_up())) };
                 below = *height;
             }
@@ -101,8 +107,25 @@ impl Channels {
 
     /// Each cell that rivers pass, with a height: a cell may come several times, and the lowest counts.
     pub fn steps(&self) -> impl Iterator<Item = (usize, f32)> + '_ {
-        self.0.iter().flat_map(|path| path.steps.iter().map(|&(cell, height)| (cell as usize, height)))
+        self.paths.iter().flat_map(|path| path.steps.iter().map(|&(cell, height)| (cell as usize, height)))
     }
+}
+
+/// The numbers of all rivers, each after the one that it joins: rivers that take over another's upper course may stand before it.
+fn parents_first(network: &Network) -> Vec<u32> {
+    let mut order = Vec::with_capacity(network.rivers.len());
+    let mut is_listed = vec![false; network.rivers.len()];
+    let mut upward = Vec::new();
+    for start in 0..network.rivers.len() as u32 {
+        let mut river = start;
+        while is_listed.get(river as usize) == Some(&false) {
+            is_listed[river as usize] = true;
+            upward.push(river);
+            river = network.rivers[river as usize].parent;
+        }
+        order.extend(upward.drain(..).rev());
+    }
+    order
 }
 
 impl Path {
@@ -110,7 +133,7 @@ impl Path {
     fn walk(&mut self, cells: &Cells, from: Option<(Vec2, f32)>, to: (Vec2, f32)) {
         let from = from.unwrap_or(to);
         // At most a cell to the side each time.
-        let count = (from.0.distance(to.0) / (0.5 * CELL_SIZE)).ceil().max(1.0);
+        let count = (distance(from.0, to.0) / (0.5 * CELL_SIZE)).ceil().max(1.0);
         for i in 1..=count as usize {
             let share = i as f32 / count;
             self.enter(cells.of(from.0.lerp(to.0, share).max(Vec2::ZERO)), from.1 + (to.1 - from.1) * share);

@@ -6,6 +6,7 @@ use super::Sheet;
 #[cfg(feature = "files")]
 use super::field::Field;
 use super::field::Places;
+use crate::geometry::distance;
 #[cfg(feature = "files")]
 use crate::land::trace::rings;
 use crate::land::{beside, nearest};
@@ -148,7 +149,7 @@ fn basins_of_rivers(network: &Network) -> Vec<u32> {
 fn mark(relief: &Relief, network: &Network, river: &River, basin: u32, basins: &mut [u32]) {
     let course = network.course(river);
     for (from, to) in course.clone().zip(course.skip(1)) {
-        let count = (from.at.distance(to.at) / (0.5 * CELL_SIZE)).ceil().max(1.0);
+        let count = (distance(from.at, to.at) / (0.5 * CELL_SIZE)).ceil().max(1.0);
         let reach = (to.width() * 0.5 / CELL_SIZE).ceil() as i32;
         for at in (0..=count as usize).map(|i| from.at.lerp(to.at, i as f32 / count)) {
             for (x, y) in (-reach..=reach).flat_map(|y| (-reach..=reach).map(move |x| (x, y))) {

@@ -43,7 +43,7 @@ pub(super) fn lay(look: &Contours, relief: &Relief, sheet: &Sheet<'_>, pixels: &
                 let height = along.at(t);
                 let level = (height + 0.5) as u32;
                 if level > 0 && open > 0.0 {
-                    let steepness = Vec2::new(along.rise(t), south.at(t)).length().max(1e-4);
+                    let steepness = Vec2::new(along.rise(t), south.at(t)).length_squared().max(1e-8).sqrt();
                     let line = &lines[usize::from(level.is_multiple_of(INDEX))];
                     let spacing = cell_px / steepness;
                     let covered = line.coverage((height - level as f32).abs() * spacing, spacing);

@@ -107,8 +107,8 @@ fn stroke(field: &Field, at: Vec2, rise: Vec2) -> Option<Stroke> {
     const LONGEST: f32 = 10.0;
     const GENTLE: f32 = 16.0;
     const THICKEST: f32 = 0.62;
-    let down = -rise.normalize_or_zero();
-    let spacing = 1.0 / rise.length();
+    let spacing = 1.0 / rise.length_squared().sqrt();
+    let down = -rise * spacing;
     let dark = (down.dot(Vec2::splat(std::f32::consts::FRAC_1_SQRT_2)) * 0.8 + 0.2).max(0.0);
     let steep = ((GENTLE - spacing) / (GENTLE - SHORTEST)).min(1.0);
     if dark * steep < 0.08 {
@@ -117,6 +117,7 @@ fn stroke(field: &Field, at: Vec2, rise: Vec2) -> Option<Stroke> {
     let half = THICKEST * (0.25 + 0.75 * dark * steep);
     let length = (spacing * 0.9).clamp(SHORTEST, LONGEST);
     let middle = at + down * (length * 0.5);
-    let end = middle - field.at(middle).1.normalize_or_zero() * (length * 0.5);
+    let below = field.at(middle).1;
+    let end = middle - below * (length * 0.5 / below.length_squared().max(1e-8).sqrt());
     Some([(at, half), (middle, half * 0.75), (end, half * 0.2)])
 }
