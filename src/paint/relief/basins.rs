@@ -258,3 +258,53 @@ fn coloured(basins: &[Neighbours], colours: &[Colour]) -> Vec<u8> {
     }
     colour_of
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::network::NONE;
+    use crate::recipe::link;
+    use crate::session::Session;
+
+    const COLOURS: &[Colour] = &[[250, 0, 0], [0, 250, 0], [0, 0, 250], [250, 250, 0], [0, 250, 250], [250, 0, 250]];
+
+    #[test]
+    fn basins_of_a_colour_never_touch_and_rivers_have_that_of_the_land_around_them() {
+        for land in ["island", "archipelago", "rectangle"] {
+            let text = format!("seed=kea&land={land}&growth=drainage&attractors=2500&mouths=0&style=basins");
+            let mut session = Session::new(link::read(&text).unwrap()).unwrap();
+            session.finish().unwrap();
+            let (relief, network) = (session.relief().unwrap(), session.network().unwrap());
+            let basins = Basins::new(relief, network, COLOURS);
+            let of_rivers = basins_of_rivers(network);
+            let mouths = network.rivers.iter().filter(|river| river.parent == NONE).count();
+            assert_eq!(of_rivers.iter().max(), Some(&(mouths as u32)), "{land}");
+            let mut basin_of = vec![UNKNOWN; relief.heights().len()];
+            let (mut own, mut all) = (0, 0);
+            for (river, &basin) in network.rivers.iter().zip(&of_rivers) {
+                mark(relief, network, river, basin, &mut basin_of);
+                for vertex in &network.vertices[river.vertex_range()] {
+                    all += 1;
+                    own += usize::from(basins.cells[relief.cell(vertex.at)] == basins.rivers_colour(&of_rivers, basin));
+                }
+            }
+            // Where two rivers pass one cell, it can have one colour only.
+            assert!(own * 50 > all * 49, "{land}: {own} of {all}");
+            follow_the_water(relief, true, &mut basin_of);
+            fill_strips(relief, &mut basin_of);
+            follow_the_water(relief, false, &mut basin_of);
+            for (basin, (_, others)) in neighbours(relief, &basin_of).iter().enumerate().skip(1) {
+                let colour = |basin: usize| basins.rivers_colour(&of_rivers, basin as u32);
+                let others = others.iter().filter(|&&other| other > 0);
+                others.for_each(|&other| assert_ne!(colour(basin), colour(other as usize), "{land}: {basin}, {other}"));
+            }
+        }
+    }
+
+    impl Basins {
+        /// The colour of a basin, by that of its cells.
+        fn rivers_colour(&self, of_rivers: &[u32], basin: u32) -> u8 {
+            self.rivers[of_rivers.iter().position(|&other| other == basin).unwrap()]
+        }
+    }
+}

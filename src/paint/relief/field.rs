@@ -126,3 +126,28 @@ impl Places {
 pub(super) fn piece(line: &[f32], column: usize) -> Parabola {
     Parabola::of(beside(column, line.len()).map(|column| line[column]))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::Vec2;
+
+    #[test]
+    fn a_slope_stays_what_it_is_inside_and_a_spike_keeps_its_volume() {
+        let (columns, rows) = (12, 9);
+        let slope = |i: usize| (i % columns) as f32 * 3.0 - (i / columns) as f32;
+        let field = Field { columns, rows, values: (0..columns * rows).map(slope).collect() }.smoothed(2);
+        let (height, rise) = field.at(Vec2::new(11.3, 9.7));
+        let expected = (11.3 / CELL_SIZE - 0.5) * 3.0 - (9.7 / CELL_SIZE - 0.5);
+        assert!((height - expected).abs() < 1e-4, "{height}, not {expected}");
+        assert!((rise - Vec2::new(3.0, -1.0) / CELL_SIZE).abs().max_element() < 1e-4, "{rise}");
+        let mut values = vec![0.0; columns * rows];
+        values[4 * columns + 5] = 16.0;
+        let field = Field { columns, rows, values }.smoothed(1);
+        assert_eq!(
+            (field.values[4 * columns + 5], field.values[3 * columns + 5], field.values[3 * columns + 4]),
+            (4.0, 2.0, 1.0)
+        );
+        assert!((field.values.iter().sum::<f32>() - 16.0).abs() < 1e-4);
+    }
+}

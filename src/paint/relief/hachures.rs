@@ -116,8 +116,37 @@ fn stroke(field: &Field, at: Vec2, rise: Vec2) -> Option<Stroke> {
     }
     let half = THICKEST * (0.25 + 0.75 * dark * steep);
     let length = (spacing * 0.9).clamp(SHORTEST, LONGEST);
+    let below = field.at(at + down * (length * 0.5)).1;
+    // A valley floor ends it.
+    let (length, bent) = if below.dot(rise) > 0.0 { (length, -below) } else { (length * 0.5, down) };
     let middle = at + down * (length * 0.5);
-    let below = field.at(middle).1;
-    let end = middle - below * (length * 0.5 / below.length_squared().max(1e-8).sqrt());
+    let end = middle + bent * (length * 0.5 / bent.length_squared().max(1e-8).sqrt());
     Some([(at, half), (middle, half * 0.75), (end, half * 0.2)])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::recipe::link;
+    use crate::session::Session;
+
+    #[test]
+    fn strokes_run_down_on_the_side_away_from_the_light() {
+        let text = "seed=kea&land=island&growth=drainage&attractors=2500&mouths=0&style=parchment";
+        let mut session = Session::new(link::read(text).unwrap()).unwrap();
+        session.finish().unwrap();
+        let relief = session.relief().unwrap();
+        let field = Field::of(relief, |height| height).smoothed(TIMES);
+        let strokes = strokes(relief);
+        assert!(strokes.len() > 1000, "{}", strokes.len());
+        for &[(from, half), (middle, _), (to, end)] in &strokes {
+            let length = from.distance(to);
+            assert!((2.0..=10.1).contains(&length) && half > end, "{from} to {to}");
+            assert!((middle - from).dot(Vec2::ONE) > -0.4 * length, "{from} to {middle}");
+        }
+        // Where valleys are narrower than a stroke is long, some end on the other side.
+        let falls = |stroke: &&Stroke| field.at(stroke[0].0).0 > field.at(stroke[2].0).0;
+        let falling = strokes.iter().filter(falls).count();
+        assert!(falling * 50 > strokes.len() * 49, "{falling} of {}", strokes.len());
+    }
 }
