@@ -37,7 +37,7 @@ widget: wasm ## build <river-seed> into www/dist-widget, and weigh it
 	@$(npm) build:widget
 
 .PHONY: wasm
-wasm: ## build the wasm packages into www/pkg, www/pkg-full and www/pkg-trace, and weigh them
+wasm: ## build the wasm packages into www/pkg, www/pkg-page, www/pkg-files and www/pkg-trace, and weigh them
 	@$(setup) rust wasm node
 	@$(run) scripts/lib/lock.sh target/wasm.lock "another build of the wasm packages" node scripts/wasm.mjs
 
@@ -70,7 +70,7 @@ test-wasm: ## the core as wasm, in headless Chromium: the same pictures to the b
 	@$(setup) rust wasm browser
 	@mkdir -p target
 	@$(run) bash -c 'sed "s|\$$CHROME|$$CHROME|" scripts/webdriver.json' > target/webdriver.json
-	$(wasm) cargo test $(wasm32) --features files $(WASM_TESTS:%=--test %)
+	$(wasm) cargo test $(wasm32) --features files,controls $(WASM_TESTS:%=--test %)
 
 .PHONY: test-page
 test-page: wasm ## the TypeScript, without a browser
@@ -111,10 +111,10 @@ check: widget ## format, lints, types, documentation, weights and licences: not 
 	$(run) cargo clippy --quiet --all-targets --all-features -- -D warnings
 	CUSTOM_LIBFUZZER_PATH=target/unlinked $(run) cargo clippy --quiet --locked --manifest-path fuzz/Cargo.toml --target-dir target -- -D warnings
 	$(wasm) cargo clippy --quiet --lib --examples $(wasm32) -- -D warnings
-	$(wasm) cargo clippy --quiet --lib $(WASM_TESTS:%=--test %) $(wasm32) --features rivers,tracing,files -- -D warnings
+	$(wasm) cargo clippy --quiet --lib $(WASM_TESTS:%=--test %) $(wasm32) --features rivers,tracing,files,controls -- -D warnings
 	RUSTDOCFLAGS="-D warnings" $(run) cargo doc --quiet --no-deps --all-features
 	RUSTDOCFLAGS="-D warnings" $(wasm) cargo doc --quiet --no-deps --lib $(wasm32)
-	RUSTDOCFLAGS="-D warnings" $(wasm) cargo doc --quiet --no-deps --lib $(wasm32) --features rivers,tracing,files
+	RUSTDOCFLAGS="-D warnings" $(wasm) cargo doc --quiet --no-deps --lib $(wasm32) --features rivers,tracing,files,controls
 	scripts/crate.sh pack
 	$(npm) types
 	$(npm) lint
@@ -168,4 +168,4 @@ docs: wasm ## write what is generated in docs/ again: the parameters, the JSON f
 
 .PHONY: clean
 clean: ## remove what was built here; tools in ~/.cache/riverseed and www/node_modules stay
-	rm -rf target www/pkg www/pkg-full www/pkg-trace www/dist www/dist-widget www/tests/consumers/node_modules www/test-results www/playwright-report
+	rm -rf target www/pkg www/pkg-files www/pkg-trace www/dist www/dist-widget www/tests/consumers/node_modules www/test-results www/playwright-report

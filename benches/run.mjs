@@ -252,12 +252,14 @@ function widget() {
 
 function size() {
   const files = {
-    "the page's": "www/pkg-full/riverseed_full_bg.wasm",
+    "the page's": "www/pkg-page/riverseed_page_bg.wasm",
+    "the files'": "www/pkg-files/riverseed_files_bg.wasm",
     "the widget's": "www/pkg/riverseed_bg.wasm",
     "the tracing of pictures,": "www/pkg-trace/riverseed_trace_bg.wasm",
   };
   const bars = {
     "the page's": atMost(150, 135),
+    "the files'": atMost(160, 150),
     "the widget's": atMost(130, 115),
     "the tracing of pictures,": atMost(25, 20),
   };

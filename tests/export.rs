@@ -142,8 +142,8 @@ proptest! {
 #[test]
 fn lakes_are_valid_polygons_and_none_is_lost() {
     for link in [
-        "seed=s6&edition=1&land=island&sensitivity=24&attractors=800&trim=400&simplify=95&width=40&bank-variation=0&meander-rounds=400&meander-strength=1&meander-elsewhere=0&great-rivers=16&flat-share=1",
-        "seed=p2&edition=1&attractors=658&trim=153&simplify=42&width=21&bank-variation=0.20&meander-rounds=279&meander-strength=1&meander-elsewhere=0&great-rivers=12&flat-share=1&neck=1&clearance=0&taper=3",
+        "seed=s6&edition=1&growth=colonize&valleys=0&land=island&sea=0.3&roughness=0.5&sensitivity=24&attractors=800&trim=400&simplify=95&width=40&bank-variation=0&meander-rounds=400&meander-strength=1&meander-elsewhere=0&great-rivers=16&flat-share=1",
+        "seed=p2&edition=1&growth=colonize&valleys=0&sea=0.3&attractors=658&trim=153&simplify=42&width=21&bank-variation=0.20&meander-rounds=279&meander-strength=1&meander-elsewhere=0&great-rivers=12&flat-share=1&neck=1&clearance=0&taper=3",
     ] {
         let session = finished(link);
         assert!(session.network().unwrap().oxbows.len() > 200, "{link}");
@@ -226,11 +226,12 @@ fn rivers_of_an_svg_end_at_the_coast() {
     }
 }
 
+/// Shapes have no light, so there is none in the picture either.
 #[test]
 fn svg_looks_like_the_picture() {
     for link in [
         "seed=kauri&aspect=1&attractors=2000",
-        "seed=rimu&aspect=1&attractors=2000&land=island&style=atlas&mouths=9&meander-rounds=200&width=30",
+        "seed=rimu&aspect=1&attractors=2000&land=island&style=atlas&shade=0&mouths=9&meander-rounds=200&width=30",
         "seed=totara&aspect=1&land=valley&growth=brownian&sensitivity=24",
     ] {
         let session = finished(link);

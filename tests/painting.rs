@@ -148,7 +148,7 @@ fn rivers_end_at_the_coast_and_the_sea_is_the_same_whatever_runs_into_it() {
     }
 }
 
-/// Each style after another that shows the same relief, on land with a coast and without.
+/// Each style after another that shows the same relief, on land with a coast and without; and growing again from the start.
 #[test]
 fn changing_the_style_of_a_finished_map_gives_the_picture_of_a_fresh_one() {
     for land in ["island", "rectangle"] {
@@ -161,5 +161,14 @@ fn changing_the_style_of_a_finished_map_gives_the_picture_of_a_fresh_one() {
             picture.paint(&session);
             assert!(picture.pixmap().data() == painted(&recipe, u32::MAX), "{land}: {style}");
         }
+        let recipe = link::read(&link("night")).unwrap();
+        session.change(recipe.clone()).unwrap();
+        session.finish().unwrap();
+        picture.paint(&session);
+        session.restart().unwrap();
+        picture.paint(&session);
+        let mut fresh = self::picture();
+        fresh.paint(&Session::new(recipe).unwrap());
+        assert!(picture.pixmap().data() == fresh.pixmap().data(), "{land}, from the start");
     }
 }

@@ -3,7 +3,8 @@
 
 mod common;
 
-use common::{property, random_link};
+use common::property::large;
+use common::random_link;
 use glam::Vec2;
 use proptest::prelude::*;
 use riverseed::network::NONE;
@@ -92,7 +93,7 @@ fn climbs(session: &Session) -> usize {
 }
 
 proptest! {
-    #![proptest_config(property::large(160))]
+    #![proptest_config(large(160))]
 
     #[test]
     fn no_land_is_a_pit_and_no_river_climbs(text in random_link(2500)) {

@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 
 use lands::every_land;
 use riverseed::random::{Purpose, Seed};
-use riverseed::recipe::{Stage, link};
+use riverseed::recipe::{Key, Stage, link};
 use riverseed::session::{Phase, Session};
 use riverseed::work;
 
@@ -56,9 +56,13 @@ impl Most {
 }
 
 /// What a step may take at most: a map of land is a million cells and more, whatever grows on it; and rivers meander the longer
-/// the more of them there are, by attractors or by cells of a Brownian tree.
+/// the more of them there are, by attractors or by cells of a Brownian tree. Attractors are scattered before it is known on how much land.
 fn bound(session: &Session) -> u64 {
-    8_000_000 + 250 * u64::from(session.growth().total_discharge())
+    let asked = match session.growth().attractors() {
+        0 => 0,
+        _ => session.recipe().integer(Key::Attractors),
+    };
+    8_000_000 + 250 * u64::from(asked.max(session.growth().total_discharge()))
 }
 
 /// No step of a recipe takes more than the bound.

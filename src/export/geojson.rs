@@ -14,6 +14,7 @@ use super::{ExportError, rivers};
 use crate::domain::Domain;
 use crate::network::{NONE, Network, hydrology};
 use crate::recipe::link;
+use crate::relief::METRES;
 use crate::session::Session;
 
 /// A session's rivers as they are: a feature collection, ready to be written.
@@ -103,9 +104,8 @@ impl<'a> Features<'a> {
     }
 
     fn position(&self, vertex: usize) -> [f64; 3] {
-        const METRES_A_UNIT: f32 = 1113.2;
         let [east, north] = self.degrees(self.network.vertices[vertex].at);
-        [east, north, rounded(self.elevations[vertex] * METRES_A_UNIT, 1.0, 1.0)]
+        [east, north, rounded(self.elevations[vertex] * METRES, 1.0, 1.0)]
     }
 
     fn degrees(&self, at: Vec2) -> [f64; 2] {

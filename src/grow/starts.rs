@@ -26,7 +26,7 @@ pub struct Start {
 pub(in crate::grow) const PIECE: f32 = 2.0;
 
 /// How far courses are followed, all together, in units: ten times across the map. What is drawn beyond that would be a scribble.
-const LONGEST: f32 = 10_000.0;
+const LONGEST: f32 = 8_000.0;
 
 /// How many points of a course lie ashore, but beside the coast.
 const ASHORE: usize = 6;

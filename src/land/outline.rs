@@ -49,6 +49,7 @@ impl Drawing {
     }
 
     /// Lines in fractions of a domain's width and height.
+    #[cfg(feature = "files")]
     pub fn on(domain: &Domain, coasts: Vec<Vec<Vec2>>, ridges: Vec<Vec<Vec2>>) -> Self {
         let size = domain.size;
         let on_domain = |line: Vec<Vec2>| line.into_iter().map(|at| at * size).collect::<Vec<_>>();

@@ -66,7 +66,7 @@ impl ClearanceGrid {
     }
 
     /// Measures the distance of each segment, known by its upper vertex, from the nearest other one with no end in common,
-    /// if that is below its cap, else the cap itself. `reach` is how far each segment looks around, at least to its cap; one
+    /// if that is below its cap, else the cap itself. `reach` is how far each segment looks around: what lies beyond may be missed; one
     /// that can neither move nor matter to others beyond their caps looks nowhere, 0. `tell` is called for each pair nearer
     /// than the larger of its two search radii, unless they are near each other along one river.
     pub fn measure(

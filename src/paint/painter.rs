@@ -134,6 +134,9 @@ impl Painter {
 
     /// Forgets the picture: another tree, trim, width or style comes next.
     pub fn reset(&mut self) {
+        if self.raised.take().is_some() {
+            self.ground = None;
+        }
         self.coverage.clear();
         self.drawn.clear();
         self.flow = Flow::default();
@@ -177,11 +180,14 @@ impl Painter {
         self.coverage.clear();
         draw_network(&mut self.coverage, &self.view, rivers.network, rivers.courses, palette(rivers.style).lines, 0.0);
         self.coverage.touch_all();
+        // Ground that is laid again, in another style, say, is flat.
         self.lay_ground(rivers.land, rivers.style);
-        if let Some((relief, exaggeration)) = rivers.relief.filter(|_| self.raised.is_none()) {
+        if self.raised.is_none()
+            && let Some((relief, exaggeration)) = rivers.relief
+        {
             self.raise_ground(rivers, relief, exaggeration);
+            self.raised = Some((relief.clone(), exaggeration));
         }
-        self.raised = rivers.relief.map(|(relief, exaggeration)| (relief.clone(), exaggeration));
         self.compose(rivers.style)
     }
 

@@ -30,8 +30,8 @@ pub use solver::{ReliefError, ReliefSolver};
 /// The side of a cell, in units.
 pub const CELL_SIZE: f32 = 2.0;
 
-/// How many metres of height a unit stands for, in files.
-pub const METRES: f32 = 50.0;
+/// How many metres of height a unit of height stands for, in files: so that the highest land of usual maps has 1,500 to 3,000.
+pub const METRES: f32 = 25.0;
 
 /// The heights of a map's cells, row by row, from north to south.
 #[derive(Clone, Debug, PartialEq)]

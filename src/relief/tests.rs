@@ -8,7 +8,9 @@ use crate::property::cases;
 fn maps() -> impl Strategy<Value = (Cells, Vec<f32>, Vec<(usize, f32)>)> {
     (4usize..14, 4usize..14).prop_flat_map(|(columns, rows)| {
         let count = columns * rows;
-        let is_rim = move |i: usize| i % columns == 0 || (i + 1) % columns == 0 || i < columns || i + columns >= count;
+        let is_rim = move |i: usize| {
+            i.is_multiple_of(columns) || (i + 1).is_multiple_of(columns) || i < columns || i + columns >= count
+        };
         let inland = prop::collection::vec(prop_oneof![5 => 0.1f32..50.0, 1 => -9.0f32..=0.0], count);
         let rises = prop::collection::vec(0.01f32..6.0, count);
         let rivers = prop::collection::vec((0..count, 0.0f32..9.0), 0..8);

@@ -1,4 +1,4 @@
-//! What only the page's wasm package has, and a widget does without: files and the digest.
+//! What is fetched when somebody asks for it: files and the digest.
 
 use serde::Serialize;
 use serde_wasm_bindgen::Serializer;
@@ -23,13 +23,6 @@ pub fn digest_of(link: &str) -> Result<String, JsValue> {
 
 #[wasm_bindgen]
 impl River {
-    /// Another river that has come as far, without a picture: what becomes of one does not touch the other. Throws an
-    /// Error if there is not enough memory.
-    pub fn copy(&self) -> Result<Self, JsValue> {
-        let session = self.session.try_clone().map_err(|error| session_error(&error))?;
-        Ok(Self { session, notices: self.notices.clone(), picture: None, dirty: None })
-    }
-
     /// The map as it is, as the text of an SVG file. Throws an Error, as long as the tree grows.
     pub fn svg(&self) -> Result<String, JsValue> {
         svg::svg(&self.session).map_err(|error| export_error(&error))

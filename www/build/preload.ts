@@ -5,7 +5,7 @@
 
 import type { Plugin } from "vite";
 
-const ENGINE = "riverseed_full_bg.wasm";
+const ENGINE = "riverseed_page_bg.wasm";
 
 export function preloadEngine(...pages: readonly string[]): Plugin {
   return {

@@ -1,10 +1,10 @@
-/** The real core in Node, to say what the page should show. */
+/** The page's engine in Node, to say what the page should show. */
 
 import { createHash } from "node:crypto";
 import { readFileSync } from "node:fs";
-import * as engine from "../pkg/riverseed.js";
+import * as engine from "../pkg-page/riverseed_page.js";
 
-const wasm = new URL("../pkg/riverseed_bg.wasm", import.meta.url);
+const wasm = new URL("../pkg-page/riverseed_page_bg.wasm", import.meta.url);
 const { memory } = engine.initSync({ module: readFileSync(wasm) });
 
 export { engine, memory };

@@ -6,11 +6,11 @@
 import expected from "../../../tests/digest.txt?raw";
 import { find } from "../browser/dom.ts";
 import { named } from "../engine/errors.ts";
-import { loadFull } from "../engine/full.ts";
+import { loadFiles } from "../engine/files.ts";
 import { type Line, linesOf } from "./lines.ts";
 
 async function compare(): Promise<void> {
-  const { engine } = await loadFull();
+  const { engine } = await loadFiles();
   const lines = linesOf(expected);
   const grown: Line[] = [];
   for (const { link } of lines) {

@@ -10,14 +10,15 @@ import { Disclosures } from "../controls/disclosure.ts";
 import { type Presets, presets, unaskedChanges } from "../controls/presets.ts";
 import { SeedBox } from "../controls/seed.ts";
 import { isRecoverable, named } from "../engine/errors.ts";
-import { type FullCore, loadFull } from "../engine/full.ts";
+import { fetchFiles } from "../engine/files-on-demand.ts";
+import { loadPage, type PageCore, type Parameter, type Preset } from "../engine/page.ts";
 import { Recipe } from "../engine/recipe.ts";
 import { loadTracing } from "../engine/tracing.ts";
-import type { Parameter, Phase, Preset, Summary } from "../engine/types.ts";
+import type { Phase, Summary } from "../engine/types.ts";
 import { Drawing } from "../land/drawing.ts";
 import { listenForImages } from "../land/image-drop.ts";
 import { pixelsOf } from "../land/image-file.ts";
-import { fileOf } from "../player/files.ts";
+import { type Format, LONG_SIDE_PX, pngOf, written } from "../player/files.ts";
 import type { State } from "../player/frame-loop.ts";
 import type { ShowMode } from "../player/river-player.ts";
 import { alternative, caption, sentence } from "../player/summary-text.ts";
@@ -46,7 +47,7 @@ class Page {
   /** What the last presets changed unasked, and the recipe from before them, to which Undo leads back. */
   #presetUndo: { message: string; link: string; values: ReadonlyMap<string, string> } | undefined;
 
-  constructor(private readonly core: FullCore) {
+  constructor(private readonly core: PageCore) {
     const { engine } = core;
     this.#table = engine.parameters();
     this.#recipe = new Recipe(
@@ -97,7 +98,7 @@ class Page {
     elements.dice.addEventListener("click", () => this.#throwDice());
     elements.reset.addEventListener("click", () => this.#open(`seed=${encodeURIComponent(this.#recipe.seed)}`));
     const downloads = new Downloads(elements, this.#recipe, {
-      make: (link, format) => fileOf(this.#viewport.copy(link), this.core, format),
+      make: (link, format) => this.#fileOf(link, format),
       failed: (error) => this.#fail(error),
     });
     new ShareDialog(elements.sharing, this.#recipe, (say) => void downloads.save("png", say));
@@ -264,6 +265,13 @@ class Page {
     showNotices(elements.notices, [message], () => this.#showNotices());
   }
 
+  /** A picture is painted of what has been grown already; what writes the other files grows the rivers again. */
+  async #fileOf(link: string, format: Format): Promise<Blob> {
+    if (format === "png") return pngOf(this.#viewport.copy(link), this.core.memory, LONG_SIDE_PX);
+    const { engine } = await fetchFiles();
+    return written(new engine.River(link), format);
+  }
+
   async #copyLink(): Promise<void> {
     this.#address.flush();
     const address = addressOf(this.#recipe.link, location.href);
@@ -295,6 +303,6 @@ function fail(thrown: unknown): void {
   showFailure(elements.failure, error);
 }
 
-loadFull()
+loadPage()
   .then((core) => new Page(core).start())
   .catch(fail);

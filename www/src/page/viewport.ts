@@ -1,7 +1,7 @@
 /** The viewport: the picture's place on the page, which has the river's shape and follows the window. */
 
 import { backingSize, observeSize, RESIZE_PAUSE_MS, type Size } from "../browser/canvas.ts";
-import type { FullCore, FullRiver } from "../engine/full.ts";
+import type { PageCore, PageRiver } from "../engine/page.ts";
 import type { Phase, Summary } from "../engine/types.ts";
 import type { State } from "../player/frame-loop.ts";
 import { RiverPlayer, type ShowMode } from "../player/river-player.ts";
@@ -24,11 +24,11 @@ export interface ViewportEvents {
 export class RiverViewport {
   #resizing: ReturnType<typeof setTimeout> | undefined;
   readonly #observer = new ResizeObserver(() => this.#resizeSoon());
-  readonly #player: RiverPlayer<FullRiver>;
+  readonly #player: RiverPlayer<PageRiver>;
 
   /** Puts a river on the canvas at tick 0. Throws what the core throws. */
   constructor(
-    private readonly core: FullCore,
+    private readonly core: PageCore,
     private readonly elements: ViewportElements,
     link: string,
     events: ViewportEvents,
@@ -47,7 +47,7 @@ export class RiverViewport {
   }
 
   /** A river of a link, for a file: as far as the one on the viewport has come, and with a future of its own. */
-  copy(link: string): FullRiver {
+  copy(link: string): PageRiver {
     const river = this.#player.river?.copy();
     if (!river) return new this.core.engine.River(link);
     try {

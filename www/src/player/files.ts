@@ -1,33 +1,35 @@
 /** Finished rivers as files. */
 
 import type { Size } from "../browser/canvas.ts";
-import type { FullCore, FullRiver } from "../engine/full.ts";
+import type { FilesRiver } from "../engine/files.ts";
 import type { River } from "../engine/types.ts";
 import { Blitter } from "./blit.ts";
 import { type Canvas, contextOf } from "./river-player.ts";
 
-/** Pixels on the long side of a PNG: a full page in print, and on any screen more than there is. */
-const LONG_SIDE_PX = 3000;
+/** Pixels on the long side of a page's PNG: a full page in print, and on any screen more than there is. */
+export const LONG_SIDE_PX = 3000;
 /** What growing for a file may take at a time, so that the page goes on answering. */
 const SLICE_MS = 12;
 
-const FORMATS = {
-  png: (river: FullRiver, { memory }: FullCore) => pngOf(river, memory, LONG_SIDE_PX),
+const WRITTEN = {
   svg: svgOf,
-  geojson: (river: FullRiver) => finished(river, () => text(river.geojson(), "application/geo+json")),
-  json: (river: FullRiver) => finished(river, () => text(river.network(), "application/json")),
+  geojson: (river: FilesRiver) => finished(river, () => text(river.geojson(), "application/geo+json")),
+  json: (river: FilesRiver) => finished(river, () => text(river.network(), "application/json")),
 };
 
-/** The formats, each named as its files end. */
-export type Format = keyof typeof FORMATS;
+/** The formats that are written rather than painted. */
+export type WrittenFormat = keyof typeof WRITTEN;
+
+/** All formats, each named as its files end. */
+export type Format = "png" | WrittenFormat;
 
 export function isFormat(name: string | undefined): name is Format {
-  return name !== undefined && Object.hasOwn(FORMATS, name);
+  return name === "png" || (name !== undefined && Object.hasOwn(WRITTEN, name));
 }
 
-/** Takes a river, which nobody else has, to its end and makes a file of it. It is gone afterwards. */
-export function fileOf(river: FullRiver, core: FullCore, format: Format): Promise<Blob> {
-  return FORMATS[format](river, core);
+/** Takes a river, which nobody else has, to its end and writes a file of it. It is gone afterwards. */
+export function written(river: FilesRiver, format: WrittenFormat): Promise<Blob> {
+  return WRITTEN[format](river);
 }
 
 /** Its picture, `size` pixels on the long side. Reports when it begins to paint, which is one step. */
@@ -45,7 +47,7 @@ export async function pngOf(
 }
 
 /** Its shapes. */
-export function svgOf(river: FullRiver): Promise<Blob> {
+export function svgOf(river: FilesRiver): Promise<Blob> {
   return finished(river, () => new Blob([river.svg()], { type: "image/svg+xml" }));
 }
 

@@ -1,8 +1,7 @@
 /** Where the rivers of all widgets are grown and drawn, each on its canvas: in a worker, or on the page itself. */
 
-import { named, PageError } from "../engine/errors.ts";
-import type { FullCore } from "../engine/full.ts";
-import { limited, SCRIPT_MS } from "../engine/time-limits.ts";
+import { named } from "../engine/errors.ts";
+import { fetchFiles } from "../engine/files-on-demand.ts";
 import type { Core } from "../engine/wasm.ts";
 import { pngOf, svgOf } from "../player/files.ts";
 import type { LinkToRead } from "../player/river-player.ts";
@@ -10,8 +9,8 @@ import { displayFrames, SharedScheduler } from "../player/scheduler.ts";
 import type { Command, FileRequest, Report, RiverRequest } from "./protocol.ts";
 import { linkToRead, Scene } from "./scene.ts";
 
-/** The full engine's wasm module, as the package has it. */
-const FULL = "riverseed_full_bg.wasm";
+/** The wasm module that writes files, as the package has it. */
+const FILES = "riverseed_files_bg.wasm";
 
 export class Renderer {
   readonly #scenes = new Map<number, Scene>();
@@ -60,20 +59,6 @@ export class Renderer {
 
 /** The lean engine writes no files. */
 async function svgOfLink({ text, options }: LinkToRead, wasmUrl: string | undefined): Promise<Blob> {
-  const { engine } = await loadFull(wasmUrl && new URL(FULL, wasmUrl).href);
+  const { engine } = await fetchFiles(wasmUrl && new URL(FILES, wasmUrl).href);
   return svgOf(new engine.River(text, options));
-}
-
-/** Most readers never ask for a file. */
-async function loadFull(url: string | undefined): Promise<FullCore> {
-  try {
-    const full = await limited(SCRIPT_MS, "its script", () => import("../engine/full.ts"));
-    return await full.loadFull(url);
-  } catch (thrown) {
-    const { code, message } = named(thrown);
-    throw new PageError(
-      "no-files",
-      `the part of Riverseed that does this did not arrive (${code}: ${message}). Check the connection and try again.`,
-    );
-  }
 }

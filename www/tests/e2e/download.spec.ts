@@ -1,6 +1,6 @@
 import { expect, type Page, test } from "@playwright/test";
 import { pictureOf } from "../core.ts";
-import { full } from "../full.ts";
+import { files } from "../files.ts";
 import { complaints, countCalls, openFinished, openStopped, ownClock, stopClock } from "./riverpage.ts";
 
 const LINK = "seed=puriri&attractors=300";
@@ -69,7 +69,7 @@ for (const style of ["ink", "dark", "atlas", "night", "skeleton"]) {
 
 /** What the core writes of a link's finished rivers. */
 function written(link: string): { network: object; geojson: object } {
-  const river = new full.River(link);
+  const river = new files.River(link);
   while (river.advance(1000));
   const [network, geojson] = [river.network(), river.geojson()];
   river.free();

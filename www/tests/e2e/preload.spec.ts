@@ -13,7 +13,7 @@ test("the engine is fetched once, and before its script has come", async ({ page
     await held;
     await route.continue();
   });
-  const early = page.waitForResponse("**/riverseed_full_bg*.wasm");
+  const early = page.waitForResponse("**/riverseed_page_bg*.wasm");
   await page.goto("./?attractors=300", { waitUntil: "commit" });
   await early;
   release();

@@ -1,7 +1,7 @@
 import { readFileSync } from "node:fs";
 import { Ajv2020 } from "ajv/dist/2020.js";
 import { expect, test } from "vitest";
-import { full } from "../full.ts";
+import { files } from "../files.ts";
 
 const schema = JSON.parse(readFileSync(new URL("../../../src/export/network.schema.json", import.meta.url), "utf8"));
 const validate = new Ajv2020({ strict: true, allErrors: true, allowUnionTypes: true }).compile(schema);
@@ -11,7 +11,7 @@ type Network = any;
 
 /** The JSON form of a link's finished rivers, as it comes back from a file. */
 function written(link: string): Network {
-  const river = new full.River(link);
+  const river = new files.River(link);
   while (river.advance(1000));
   const network = river.network();
   river.free();

@@ -42,17 +42,17 @@ for (const place of ["a worker", "the page"]) {
     expect(width).toBe(shown);
   });
 
-  test(`an SVG is of the finished river, by the full engine, which is fetched for it: ${place}`, async ({
+  test(`an SVG is of the finished river, by the engine that writes files, which is fetched for it: ${place}`, async ({
     page,
     blog,
   }) => {
     await open(page, blog, place);
-    expect(blog.asked).not.toContain("/widget/riverseed_full_bg.wasm");
+    expect(blog.asked).not.toContain("/widget/riverseed_files_bg.wasm");
     const svg = await page.locator("river-seed").evaluate((river: RiverSeed) => river.toSVG());
     expect(svg).toMatch(/^<svg|^<\?xml/);
     expect(svg).toContain('id="river-');
     expect(svg).toContain(link.replaceAll("&", "&amp;"));
-    expect(blog.asked).toContain("/widget/riverseed_full_bg.wasm");
+    expect(blog.asked).toContain("/widget/riverseed_files_bg.wasm");
   });
 }
 
@@ -60,7 +60,7 @@ test("an engine with files that does not arrive is an error with a name, and the
   page,
   blog,
 }) => {
-  blog.answer("/widget/riverseed_full_bg.wasm", { status: 404 });
+  blog.answer("/widget/riverseed_files_bg.wasm", { status: 404 });
   await open(page, blog, "a worker");
   const code = await page
     .locator("river-seed")
