@@ -9,6 +9,7 @@
 mod coverage;
 mod flow;
 pub(crate) mod ground;
+mod ground_cache;
 mod ink;
 mod painter;
 pub(crate) mod palette;

@@ -49,6 +49,13 @@ pub(crate) struct ReliefLook {
     pub casing: Casing,
 }
 
+impl ReliefLook {
+    /// Whether it depends on where rivers are.
+    pub fn minds_rivers(&self) -> bool {
+        self.contours.is_some() || self.hachures.is_some() || self.casing.strength > 0.0
+    }
+}
+
 /// Colours by height and light.
 #[derive(Debug)]
 pub(crate) struct Tints {

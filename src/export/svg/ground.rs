@@ -7,7 +7,7 @@ use super::text::Text;
 use crate::land::{Land, SmoothedDistance};
 use crate::paint::ground::{COAST_WIDTH, RING_WIDTH, RIVERS_END, way_to};
 use crate::paint::palette::{BasinColours, Colour, Contours, Hachures, Palette, mix};
-use crate::paint::relief::{Basins, HIGHEST, INDEX, interval, strokes};
+use crate::paint::relief::{Basins, INDEX, Stroke, highest, interval, strokes};
 use crate::paint::ridges;
 use crate::relief::Relief;
 
@@ -59,7 +59,7 @@ pub(super) fn ground(out: &mut Text, size: Vec2, land: Option<&Land>, relief: Op
 fn tints(out: &mut Text, relief: Option<Raised<'_>>, palette: &Palette) {
     const STEPS: u32 = 16;
     let Some(((relief, basins), look)) = relief.zip(palette.relief) else { return };
-    let highest = relief.quantile(HIGHEST);
+    let highest = highest(relief);
     let steps = if look.tints.stops.len() > 1 { STEPS } else { 0 };
     for step in 0..steps {
         let share = step as f32 / STEPS as f32;
@@ -72,10 +72,10 @@ fn tints(out: &mut Text, relief: Option<Raised<'_>>, palette: &Palette) {
         out.text("<path fill=\"").colour(colour).text("\" d=\"").text(path.data()).text("\"/>\n");
     }
     if let Some(lines) = &look.contours {
-        contours(out, relief, lines);
+        contours(out, relief, interval(highest), lines);
     }
     if let Some(look) = &look.hachures {
-        hachures(out, relief, look);
+        hachures(out, &strokes(relief, highest), look);
     }
     if let Some((basins, look)) = basins.zip(look.basins.as_ref()) {
         basin_shapes(out, basins, look);
@@ -83,9 +83,9 @@ fn tints(out: &mut Text, relief: Option<Raised<'_>>, palette: &Palette) {
 }
 
 /// Strokes down the slope.
-fn hachures(out: &mut Text, relief: &Relief, look: &Hachures) {
+fn hachures(out: &mut Text, strokes: &[Stroke], look: &Hachures) {
     let mut path = Path::default();
-    for stroke in strokes(relief) {
+    for &stroke in strokes {
         let [(from, half), .., (to, _)] = stroke;
         let aside = (to - from).normalize_or_zero().perp() * half;
         path.line(&[from - aside, stroke[1].0 - aside * 0.75, to, stroke[1].0 + aside * 0.75, from + aside]);
@@ -110,8 +110,7 @@ fn basin_shapes(out: &mut Text, basins: &Basins, look: &BasinColours) {
 }
 
 /// Lines of one height each.
-fn contours(out: &mut Text, relief: &Relief, look: &Contours) {
-    let interval = interval(relief);
+fn contours(out: &mut Text, relief: &Relief, interval: f32, look: &Contours) {
     let highest = relief.heights().iter().fold(0.0f32, |highest, height| highest.max(*height));
     out.text("<g id=\"contours\" fill=\"none\">\n");
     for level in 1..=(highest / interval) as u32 {

@@ -16,6 +16,7 @@ use crate::relief::{CELL_SIZE, Relief};
 use crate::sort::argsort;
 
 /// The basins of a map in numbered colours: 1 is the first, 0 is where water runs to the sea in no river.
+#[derive(Clone, Debug)]
 pub(crate) struct Basins {
     columns: usize,
     rows: usize,

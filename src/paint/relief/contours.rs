@@ -5,7 +5,7 @@
 use glam::Vec2;
 
 use super::field::{Field, Places, piece};
-use super::{HIGHEST, Sheet};
+use super::Sheet;
 use crate::paint::palette::{Contours, mix};
 use crate::relief::{CELL_SIZE, METRES, Relief};
 
@@ -15,18 +15,22 @@ const TIMES: u32 = 4;
 /// One line in so many is an index line.
 pub(crate) const INDEX: u32 = 5;
 
-/// How far apart the contours of a relief are, in units of height: a round number of metres.
-pub(crate) fn interval(relief: &Relief) -> f32 {
+/// How far apart contours are, in units of height: a round number of metres. `highest` is what has the colour of the highest land.
+pub(crate) fn interval(highest: f32) -> f32 {
     const MOST: f32 = 26.0;
     const METRES_APART: [f32; 9] = [5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0, 2000.0];
-    let least = relief.quantile(HIGHEST) * METRES / MOST;
+    let least = highest * METRES / MOST;
     METRES_APART.into_iter().find(|apart| *apart >= least).unwrap_or(5000.0) / METRES
 }
 
+/// The heights of a relief, counted in contours.
+pub(super) fn levels(relief: &Relief, highest: f32) -> Field {
+    let interval = interval(highest);
+    Field::of(relief, |height| height / interval).smoothed(TIMES)
+}
+
 /// Lays the contours of a relief over the land of a ground, broken where rivers run.
-pub(super) fn lay(look: &Contours, relief: &Relief, sheet: &Sheet<'_>, pixels: &mut [[u8; 4]]) {
-    let interval = interval(relief);
-    let field = Field::of(relief, |height| height / interval).smoothed(TIMES);
+pub(super) fn lay(look: &Contours, field: &Field, sheet: &Sheet<'_>, pixels: &mut [[u8; 4]]) {
     let (places, width) = (Places::new(sheet.view, field.columns), sheet.view.width as usize);
     let cell_px = CELL_SIZE * sheet.view.scale;
     let lines = [0, 1].map(|i| Line::new(look.widths[i] * sheet.view.scale, look.strengths[i], [1.0, INDEX as f32][i]));

@@ -8,6 +8,7 @@ use crate::land::{Parabola, beside, nearest};
 use crate::paint::view::View;
 use crate::relief::{CELL_SIZE, Relief};
 
+#[derive(Clone, Debug)]
 pub(super) struct Field {
     pub columns: usize,
     pub rows: usize,

@@ -4,7 +4,7 @@
 use glam::Vec2;
 
 use super::field::Field;
-use super::{HIGHEST, Sheet};
+use super::Sheet;
 use crate::paint::coverage::Coverage;
 use crate::paint::palette::{Hachures, mix};
 use crate::relief::Relief;
@@ -21,9 +21,9 @@ const TIMES: u32 = 5;
 /// How far apart strokes of a row are, in units.
 const APART: u32 = 3;
 
-/// The strokes of a relief.
-pub(crate) fn strokes(relief: &Relief) -> Vec<Stroke> {
-    let per_row = ROWS / relief.quantile(HIGHEST).max(f32::MIN_POSITIVE);
+/// The strokes of a relief. `highest` is what has the colour of the highest land, in units of height.
+pub(crate) fn strokes(relief: &Relief, highest: f32) -> Vec<Stroke> {
+    let per_row = ROWS / highest;
     let field = Field::of(relief, |height| height * per_row).smoothed(TIMES);
     let mut rows = Rows { marks: vec![0; field.values.len()], field: &field, strokes: Vec::new() };
     for (cell, pair) in field.values.windows(2).enumerate() {
@@ -35,14 +35,14 @@ pub(crate) fn strokes(relief: &Relief) -> Vec<Stroke> {
 }
 
 /// Lays the strokes of a relief over the land of a ground.
-pub(super) fn lay(look: &Hachures, relief: &Relief, sheet: &Sheet<'_>, pixels: &mut [[u8; 4]]) {
+pub(super) fn lay(look: &Hachures, strokes: &[Stroke], sheet: &Sheet<'_>, pixels: &mut [[u8; 4]]) {
     let view = sheet.view;
     let Some(mut coverage) = Coverage::new(view.width, view.height) else { return };
-    for pair in strokes(relief).iter().flat_map(|stroke| stroke.windows(2)) {
+    for pair in strokes.iter().flat_map(|stroke| stroke.windows(2)) {
         let [(from, thick), (to, thin)] = [pair[0], pair[1]].map(|(at, half)| (view.pixel(at), half * view.scale));
         coverage.capsule(from, thick, to, thin);
     }
-    let open = sheet.land.iter().zip(&sheet.rivers).map(|(&land, &river)| f32::from(land) * f32::from(255 - river));
+    let open = sheet.land.iter().zip(sheet.rivers).map(|(&land, &river)| f32::from(land) * f32::from(255 - river));
     for ((pixel, &covered), open) in pixels.iter_mut().zip(coverage.mask().data()).zip(open) {
         if covered > 0 {
             let [r, g, b, rest] = *pixel;
@@ -137,7 +137,7 @@ mod tests {
         session.finish().unwrap();
         let relief = session.relief().unwrap();
         let field = Field::of(relief, |height| height).smoothed(TIMES);
-        let strokes = strokes(relief);
+        let strokes = strokes(relief, crate::paint::relief::highest(relief));
         assert!(strokes.len() > 1000, "{}", strokes.len());
         for &[(from, half), (middle, _), (to, end)] in &strokes {
             let length = from.distance(to);

@@ -3,7 +3,7 @@
 use glam::{Vec2, Vec3};
 
 use super::field::{Field, Places, piece};
-use super::{HIGHEST, Sheet};
+use super::Sheet;
 use crate::land::beside;
 use crate::paint::palette::{Colour, Tints};
 use crate::relief::{CELL_SIZE, Relief};
@@ -15,37 +15,46 @@ use crate::sort::quantile;
 const LIGHTS: [Vec3; 3] =
     [Vec3::new(-0.275, -0.275, 0.388_909), Vec3::new(-0.160_697, 0.0, 0.191_511), Vec3::new(0.0, -0.114_715, 0.163_83)];
 
-/// A relief as a style shows it: how high and how light each cell is.
+/// A relief as a picture shows it: how high and how light each cell is.
+#[derive(Clone, Debug)]
 pub(super) struct Surface {
     /// The height of each cell as a share of the highest, and its light as a share of that on flat land.
     tint: Field,
     light: Field,
+    /// The exaggeration of slopes that it is lit with.
+    lit_with: Option<f32>,
 }
 
 impl Surface {
-    pub fn new(relief: &Relief, exaggeration: f32) -> Self {
+    /// A relief without light.
+    pub fn new(relief: &Relief, highest: f32) -> Self {
+        let tint = Field::of(relief, |height| height.max(0.0) / highest);
+        Self { tint, light: Field::of(relief, |_| 1.0), lit_with: None }
+    }
+
+    /// Lets light fall on it.
+    pub fn light(&mut self, relief: &Relief, exaggeration: f32) {
+        if self.lit_with.replace(exaggeration) == Some(exaggeration) {
+            return;
+        }
         let (columns, rows) = (relief.columns(), relief.rows());
-        let heights: Vec<f32> = relief.heights().iter().map(|height| height.max(0.0)).collect();
-        let highest = relief.quantile(HIGHEST).max(f32::MIN_POSITIVE);
-        let mut light = vec![0.0; heights.len()];
+        let (height, light) = (|cell: usize| relief.heights()[cell].max(0.0), &mut self.light.values);
         for row in 0..rows {
             let [north, _, south] = beside(row, rows).map(|row| row * columns);
             for column in 0..columns {
                 let [west, _, east] = beside(column, columns);
                 let here = row * columns;
                 let rise = Vec2::new(
-                    heights[here + east] - heights[here + west],
-                    heights[south + column] - heights[north + column],
+                    height(here + east) - height(here + west),
+                    height(south + column) - height(north + column),
                 );
                 light[here + column] = lit(rise * (exaggeration / (2.0 * CELL_SIZE)));
             }
         }
-        let land = relief.heights().iter().zip(&light).filter(|(height, _)| **height > 0.0);
+        let land = relief.heights().iter().zip(&*light).filter(|(height, _)| **height > 0.0);
         let some: Vec<f32> = land.map(|(_, light)| *light).step_by(7).collect();
         let usual = quantile(&some, 0.5).max(0.05);
         light.iter_mut().for_each(|light| *light /= usual);
-        let tint = heights.iter().map(|height| height / highest).collect();
-        Self { tint: Field { columns, rows, values: tint }, light: Field { columns, rows, values: light } }
     }
 
     /// Lays tints over the land of a ground.
@@ -60,9 +69,9 @@ impl Surface {
             for (column, run) in places.runs.iter().filter(|(_, run)| land[run.clone()].iter().any(|&share| share > 0))
             {
                 let (tint, light) = (piece(&tint, *column), piece(&light, *column));
-                for x in run.clone() {
-                    let t = places.along[x];
-                    sheet.shift(&mut row[x], colours.at(tint.at(t), light.at(t)), land[x]);
+                let pixels = row[run.clone()].iter_mut().zip(&land[run.clone()]).zip(&places.along[run.clone()]);
+                for ((pixel, &share), &t) in pixels {
+                    sheet.shift(pixel, colours.at(tint.at(t), light.at(t)), share);
                 }
             }
         }
@@ -99,8 +108,8 @@ impl Colours {
     #[inline]
     fn at(&self, height: f32, light: f32) -> Colour {
         // What is less than 0 becomes 0.
-        let height = ((height * (HEIGHTS - 1) as f32 + 0.5) as usize).min(HEIGHTS - 1);
-        let light = ((light / MOST_LIGHT * (LIGHT_STEPS - 1) as f32 + 0.5) as usize).min(LIGHT_STEPS - 1);
-        self.0[height * LIGHT_STEPS + light]
+        let height = ((height * (HEIGHTS - 1) as f32 + 0.5) as u32).min(HEIGHTS as u32 - 1);
+        let light = ((light * ((LIGHT_STEPS - 1) as f32 / MOST_LIGHT) + 0.5) as u32).min(LIGHT_STEPS as u32 - 1);
+        self.0[height as usize * LIGHT_STEPS + light as usize]
     }
 }
