@@ -88,7 +88,7 @@ impl CoastDistance {
         let far = STRIDE as f32 * spacing;
         let ((columns, rows), (across, down)) = (Self::corners(domain, spacing), Self::corners(domain, far));
         let mut coarse: Vec<f32> = (0..across * down).map(|i| height(corner(i, across, far))).collect();
-        let level = quantile(&of_squares(domain, far, &coarse, across), share);
+        let level = sort::quantile(&of_squares(domain, far, &coarse, across), share);
         coarse.iter_mut().for_each(|height| *height -= level);
         let between = |i: usize| [i / STRIDE, i.div_ceil(STRIDE)];
         let sample = |i: usize| {
@@ -231,12 +231,6 @@ fn of_squares(domain: &Domain, spacing: f32, heights: &[f32], columns: usize) ->
     let is_inside = |&i: &usize| domain.contains(corner(i, columns, spacing) + spacing / 2.0);
     let squares = (0..heights.len()).filter(is_inside);
     squares.flat_map(|i| [i, i + 1, i + columns, i + columns + 1]).map(|i| heights[i]).collect()
-}
-
-/// The value below which the given share of some values lies.
-fn quantile(values: &[f32], share: f32) -> f32 {
-    let index = (share * values.len().saturating_sub(1) as f32) as usize;
-    sort::sorted(values).get(index).copied().unwrap_or(0.0)
 }
 
 /// Of every corner, the nearest piece of coast: known beside the coast and handed on from corner to corner, as in a

@@ -49,6 +49,13 @@ pub(crate) struct ReliefLook {
     pub casing: Casing,
 }
 
+/// Relief in tints and light alone.
+pub(super) const fn tinted(stops: &'static [(f32, Colour)], darkest: f32) -> ReliefLook {
+    let casing = Casing { colour: [0; 3], strength: 0.0, margin: 0.0, blur: 0.0, gain: 1.0 };
+    let tints = Tints { stops, light: [darkest, 1.0] };
+    ReliefLook { tints, contours: None, hachures: None, basins: None, casing }
+}
+
 impl ReliefLook {
     /// Whether it depends on where rivers are.
     pub fn minds_rivers(&self) -> bool {

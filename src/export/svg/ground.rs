@@ -63,13 +63,8 @@ fn tints(out: &mut Text, relief: Option<Raised<'_>>, palette: &Palette) {
     let steps = if look.tints.stops.len() > 1 { STEPS } else { 0 };
     for step in 0..steps {
         let share = step as f32 / STEPS as f32;
-        let mut path = Path::default();
-        for ring in relief.rings_above(share * highest) {
-            // Every second point is enough.
-            path.ring(&ring.into_iter().step_by(2).collect::<Vec<_>>());
-        }
         let colour = look.tints.at(share + 0.5 / STEPS as f32);
-        out.text("<path fill=\"").colour(colour).text("\" d=\"").text(path.data()).text("\"/>\n");
+        fill(out, colour, &path_of(relief.rings_above(share * highest), 2));
     }
     if let Some(lines) = &look.contours {
         contours(out, relief, interval(highest), lines);
@@ -101,10 +96,8 @@ fn basin_shapes(out: &mut Text, basins: &Basins, look: &BasinColours) {
     const GAP: f32 = 2.0;
     out.text("<g id=\"basins\">\n");
     for number in 0..=look.colours.len() as u8 {
-        let mut path = Path::default();
-        basins.rings(number).iter().for_each(|ring| path.ring(ring));
         out.text("<path fill=\"").colour(look.tint(number.into())).text("\"");
-        line(out, look.paper, GAP, path.data());
+        line(out, look.paper, GAP, &path_of(basins.rings(number), 1));
     }
     out.text("</g>\n");
 }
@@ -115,10 +108,8 @@ fn contours(out: &mut Text, relief: &Relief, interval: f32, look: &Contours) {
     out.text("<g id=\"contours\" fill=\"none\">\n");
     for level in 1..=(highest / interval) as u32 {
         let kind = usize::from(level.is_multiple_of(INDEX));
-        let mut path = Path::default();
-        relief.rings_above(level as f32 * interval).iter().for_each(|ring| path.ring(ring));
         out.text("<path stroke-opacity=\"").units(look.strengths[kind]).text("\"");
-        line(out, look.colour, look.widths[kind], path.data());
+        line(out, look.colour, look.widths[kind], &path_of(relief.rings_above(level as f32 * interval), 1));
     }
     out.text("</g>\n");
 }
@@ -130,7 +121,11 @@ fn sheet(out: &mut Text, size: Vec2, colour: Colour) {
 
 /// All that lies higher than a level, in one colour. Every second point is enough for that.
 fn area(out: &mut Text, land: &SmoothedDistance, height: f32, colour: Colour) {
-    out.text("<path fill=\"").colour(colour).text("\" d=\"").text(&level(land, height, 2)).text("\"/>\n");
+    fill(out, colour, &level(land, height, 2));
+}
+
+fn fill(out: &mut Text, colour: Colour, data: &str) {
+    out.text("<path fill=\"").colour(colour).text("\" d=\"").text(data).text("\"/>\n");
 }
 
 /// The end of a path that is a line.
@@ -153,10 +148,15 @@ fn ridges(out: &mut Text, land: &Land, palette: &Palette) {
 }
 
 /// The rings around all that lies higher than a level.
-#[inline(never)]
 fn level(land: &SmoothedDistance, level: f32, every: usize) -> String {
+    path_of(land.rings_above(level), every)
+}
+
+/// Rings as a path, of one point in so many.
+#[inline(never)]
+fn path_of(rings: Vec<Vec<Vec2>>, every: usize) -> String {
     let mut path = Path::default();
-    for ring in land.rings_above(level) {
+    for ring in rings {
         let points: Vec<Vec2> = ring.into_iter().step_by(every).collect();
         path.ring(&points);
     }

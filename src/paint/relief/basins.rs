@@ -22,6 +22,8 @@ pub(crate) struct Basins {
     rows: usize,
     /// Of each cell. Off the coast cells have that of the nearest land.
     pub cells: Vec<u8>,
+    /// Whether others beside it have another.
+    is_mixed: Vec<bool>,
     /// Of each river; pictures look at cells alone.
     #[cfg(feature = "files")]
     pub rivers: Vec<u8>,
@@ -45,11 +47,13 @@ impl Basins {
         follow_the_water(relief, false, &mut basins);
         let colour_of = coloured(&neighbours(relief, &basins), colours);
         let colours = |basins: &[u32]| basins.iter().map(|&basin| colour_of[basin as usize]).collect();
-        let (columns, rows) = (relief.columns(), relief.rows());
+        let (columns, rows, cells): (_, _, Vec<u8>) = (relief.columns(), relief.rows(), colours(&basins));
+        let is_mixed = |cell: usize| around(columns, rows, cell).iter().any(|&near| cells[near] != cells[cell]);
         Self {
             columns,
             rows,
-            cells: colours(&basins),
+            is_mixed: (0..cells.len()).map(is_mixed).collect(),
+            cells,
             #[cfg(feature = "files")]
             rivers: colours(&of_rivers),
         }
@@ -60,7 +64,6 @@ impl Basins {
         let (view, width) = (sheet.view, sheet.view.width as usize);
         let (places, full) = (Places::new(view, self.columns), full_share(view.scale));
         let tints: Vec<Colour> = (0..=look.colours.len()).map(|number| look.tint(number)).collect();
-        let is_mixed = self.mixed();
         let mut numbers = vec![0; pixels.len()];
         for (y, (row, numbers)) in pixels.chunks_mut(width).zip(numbers.chunks_mut(width)).enumerate() {
             let (middle, down) = nearest(view.point(Vec2::splat(y as f32 + 0.5)).y / CELL_SIZE - 0.5, self.rows);
@@ -70,7 +73,7 @@ impl Basins {
                 numbers[run.clone()].fill(number);
                 for x in run.clone().filter(|x| sheet.land[y * width + x] > 0) {
                     let mut tint = tint;
-                    if is_mixed[cell] {
+                    if self.is_mixed[cell] {
                         let (number, share) = self.greatest([middle, *column], [down, places.along[x]]);
                         let inside = ((share - 0.5) / (full - 0.5)).clamp(0.0, 1.0);
                         tint = mix(sheet.plain, tints[usize::from(number)], inside);
@@ -90,23 +93,6 @@ impl Basins {
         let size = Vec2::new(self.columns as f32, self.rows as f32) * CELL_SIZE;
         let rings = rings(self.columns, field.values, 0.0);
         rings.into_iter().map(|ring| ring.into_iter().map(|at| at * size).collect()).collect()
-    }
-
-    /// Whether cells of several colours may count at each.
-    fn mixed(&self) -> Vec<bool> {
-        let mut is_mixed = vec![false; self.cells.len()];
-        for cell in 0..self.cells.len() {
-            let east = cell + usize::from(!(cell + 1).is_multiple_of(self.columns));
-            let south = cell + self.columns;
-            let differs = |other: usize| self.cells.get(other).is_some_and(|&number| number != self.cells[cell]);
-            if differs(east) || differs(south) {
-                around(self.columns, self.rows, cell).into_iter().for_each(|near| is_mixed[near] = true);
-                around(self.columns, self.rows, south.min(self.cells.len() - 1))
-                    .into_iter()
-                    .for_each(|near| is_mixed[near] = true);
-            }
-        }
-        is_mixed
     }
 
     /// The colour that has the greatest share at a place near a cell, and that share, if each colour is a surface of parabolas: so its
@@ -153,8 +139,10 @@ fn mark(relief: &Relief, network: &Network, river: &River, basin: u32, basins: &
         let count = (distance(from.at, to.at) / (0.5 * CELL_SIZE)).ceil().max(1.0);
         let reach = (to.width() * 0.5 / CELL_SIZE).ceil() as i32;
         for at in (0..=count as usize).map(|i| from.at.lerp(to.at, i as f32 / count)) {
-            for (x, y) in (-reach..=reach).flat_map(|y| (-reach..=reach).map(move |x| (x, y))) {
-                basins[relief.cell(at + Vec2::new(x as f32, y as f32) * CELL_SIZE)] = basin;
+            for y in -reach..=reach {
+                for x in -reach..=reach {
+                    basins[relief.cell(at + Vec2::new(x as f32, y as f32) * CELL_SIZE)] = basin;
+                }
             }
         }
     }
@@ -198,17 +186,14 @@ fn fill_strips(relief: &Relief, basins: &mut [u32]) {
         let around = around(relief.columns(), relief.rows(), cell).into_iter().enumerate();
         around.filter(move |(i, _)| turn.is_multiple_of(2) || !i.is_multiple_of(2)).map(|(_, near)| near)
     };
-    for turn in 0..CELLS {
-        let basin = |cell| near(turn, cell).map(|near| basins[near]).find(|&basin| basin != 0 && basin != UNKNOWN);
-        let open = rest.iter().filter(|&&cell| basins[cell] == 0);
-        let taken: Vec<_> = open.filter_map(|&cell| Some((cell, basin(cell)?))).collect();
+    for turn in 0..2 * CELLS {
+        // First land is taken, then given back from what is left.
+        let is_back = turn >= CELLS;
+        let is_wanted = |basin: u32| if is_back { basin == 0 } else { basin != 0 && basin != UNKNOWN };
+        let wanted = |cell| near(turn, cell).map(|near| basins[near]).find(|&basin| is_wanted(basin));
+        let open = rest.iter().filter(|&&cell| (basins[cell] != 0) == is_back);
+        let taken: Vec<_> = open.filter_map(|&cell| Some((cell, wanted(cell)?))).collect();
         taken.into_iter().for_each(|(cell, basin)| basins[cell] = basin);
-    }
-    for turn in 0..CELLS {
-        let is_beside_rest = |cell| near(turn, cell).any(|near| basins[near] == 0);
-        let taken = rest.iter().filter(|&&cell| basins[cell] != 0);
-        let back: Vec<usize> = taken.copied().filter(|&cell| is_beside_rest(cell)).collect();
-        back.into_iter().for_each(|cell| basins[cell] = 0);
     }
 }
 

@@ -13,7 +13,8 @@ pub(super) fn lay(casing: &Casing, sheet: &Sheet<'_>, pixels: &mut [[u8; 4]]) {
     let (columns, stride) = (rect.left as usize..rect.right as usize, sheet.view.width as usize);
     let (width, height) = (columns.len(), (rect.bottom - rect.top) as usize);
     let rows = |row: u32| row as usize * stride + columns.start..row as usize * stride + columns.end;
-    let mut mask: Vec<u8> = (rect.top..rect.bottom).flat_map(|row| &sheet.rivers[rows(row)]).copied().collect();
+    let mut mask = Vec::with_capacity(width * height);
+    (rect.top..rect.bottom).for_each(|row| mask.extend_from_slice(&sheet.rivers[rows(row)]));
     for _ in 0..boxes {
         mask = blurred_and_turned(&mask, width, height, radius as usize);
         mask = blurred_and_turned(&mask, height, width, radius as usize);
