@@ -44,10 +44,15 @@ impl Picture {
 
     /// Brings the picture up to date with its session, however that has changed. Where their aspects differ, the map's edges
     /// are cut, evenly. Returns the rectangle that changed; `None` if nothing did. While the rivers of a tree are made again,
-    /// the picture keeps those that it shows.
+    /// the picture keeps those that it shows, and while their relief is, the relief.
     pub fn paint(&mut self, session: &Session) -> Option<Rect> {
         let tree = Some(session.tree_generation());
-        if session.phase() == Phase::Shaping && self.rivers_of == tree {
+        let is_kept = match session.phase() {
+            Phase::Shaping => true,
+            Phase::Relief => self.painter.is_raised(),
+            Phase::Growing | Phase::Meandering | Phase::Finished => false,
+        };
+        if is_kept && self.rivers_of == tree {
             return None;
         }
         self.forget_what_is_over(session);
@@ -123,7 +128,7 @@ mod tests {
     #[test]
     fn picture_that_there_is_no_memory_for_is_refused() {
         let refused = with_lists_up_to(2_000_000, || Picture::new(500, 500)).map(drop).unwrap_err();
-        assert_eq!(refused, PaintError::OutOfMemory { width: 500, height: 500, megabytes: 3 });
+        assert_eq!(refused, PaintError::OutOfMemory { width: 500, height: 500, megabytes: 11 });
         assert_eq!(Picture::new(0, 70).map(drop).unwrap_err(), PaintError::Size { width: 0, height: 70 });
     }
 
@@ -151,6 +156,44 @@ mod tests {
         }
         assert!(steps > 1 && picture.paint(&session).is_some());
         assert!(picture.pixmap().data() == painted(&session), "{steps} steps");
+    }
+
+    #[test]
+    fn relief_stays_in_the_picture_until_there_is_another_of_its_rivers() {
+        let mut session = finished(&format!("{SMALL}&style=atlas"));
+        let mut picture = Picture::new(100, 80).unwrap();
+        picture.paint(&session);
+        let before = painted(&session);
+        for change in ["mountains=3", "mountains=3&plains=20"] {
+            let steps = steps_of_relief(&mut session, change, |session| {
+                assert_eq!(picture.paint(session), None, "{change}");
+                assert!(picture.pixmap().data() == before, "{change}");
+            });
+            assert!(steps > 1, "{change}");
+        }
+        assert!(picture.paint(&session).is_some());
+        assert!(picture.pixmap().data() == painted(&session) && picture.pixmap().data() != before);
+        // A picture that shows no relief shows the rivers as they are.
+        let mut flat = Picture::new(100, 80).unwrap();
+        steps_of_relief(&mut session, "mountains=2&width=20", |session| {
+            flat.paint(session);
+            assert!(flat.pixmap().data() == painted(session));
+        });
+    }
+
+    /// Changes a session, and looks at it before each step of its relief. Returns how many there are.
+    fn steps_of_relief(session: &mut Session, change: &str, mut look: impl FnMut(&Session)) -> u32 {
+        session.change(link::read(&format!("{SMALL}&style=atlas&{change}")).unwrap()).unwrap();
+        while session.phase() != Phase::Relief {
+            session.advance(1).unwrap();
+        }
+        let mut steps = 0;
+        while session.phase() == Phase::Relief {
+            look(session);
+            session.advance(1).unwrap();
+            steps += 1;
+        }
+        steps
     }
 
     #[test]

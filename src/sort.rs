@@ -33,14 +33,10 @@ pub(crate) fn sorted(values: &[f32]) -> Vec<f32> {
     argsort(values.iter().map(|&value| key(value))).into_iter().map(|i| values[i]).collect()
 }
 
-/// The value that this many others lie below; 0 if there are no more than that.
-pub(crate) fn nth(values: &[f32], below: usize) -> f32 {
-    sorted(values).get(below).copied().unwrap_or(0.0)
-}
-
-/// The value that a share of all values lies below; 0 of none.
+/// The value below which a share of all values lies, from the least at 0 to the greatest at 1; 0 of none.
 pub(crate) fn quantile(values: &[f32], share: f32) -> f32 {
-    nth(values, (values.len() as f32 * share) as usize)
+    let index = (share * values.len().saturating_sub(1) as f32) as usize;
+    sorted(values).get(index).copied().unwrap_or(0.0)
 }
 
 /// A number's key: as `f32::total_cmp` orders numbers.

@@ -235,12 +235,11 @@ fn rivers_of_an_svg_end_at_the_coast() {
     }
 }
 
-/// Shapes have no light, so there is none in the picture either.
 #[test]
 fn svg_looks_like_the_picture() {
     for link in [
         "seed=kauri&aspect=1&attractors=2000",
-        "seed=rimu&aspect=1&attractors=2000&land=island&style=atlas&shade=0&mouths=9&meander-rounds=200&width=30",
+        "seed=rimu&aspect=1&attractors=2000&land=island&style=atlas&mouths=9&meander-rounds=200&width=30",
         "seed=totara&aspect=1&land=valley&growth=brownian&sensitivity=24",
     ] {
         let session = finished(link);

@@ -34,6 +34,18 @@ const PICTURES: &[(&str, &str)] = &[
     ("valleys-island", "valleys=0.2&curl=0.7&land=island&attractors=4000&trim=24&mouths=0&style=atlas"),
     ("valleys-wild", "valleys=1&land=continent&attractors=4000&trim=24&mouths=0&style=atlas"),
     ("night", "growth=drainage&land=archipelago&attractors=6000&trim=24&channel-area=4&mouths=0&style=night"),
+    ("survey", "growth=drainage&land=island&seed=kea&attractors=5000&trim=24&channel-area=4&mouths=0&style=survey"),
+    ("survey-plain", "growth=brownian&sensitivity=24&trim=50&mouths=3&style=survey"),
+    (
+        "basins",
+        "growth=drainage&land=archipelago&seed=kea&attractors=5000&trim=24&channel-area=4&mouths=0&style=basins",
+    ),
+    ("basins-valley", "land=valley&attractors=2000&trim=24&mouths=4&style=basins"),
+    (
+        "parchment",
+        "growth=drainage&land=island&seed=moa&attractors=5000&trim=24&channel-area=4&mouths=0&style=parchment",
+    ),
+    ("parchment-plain", "growth=colonize&attractors=1500&trim=39&mouths=4&style=parchment"),
     ("atlas-plain", "growth=drainage&attractors=3000&trim=30&mouths=0&style=atlas&mountains=3&plains=60&shade=0.8"),
     ("original", "preset=original&attractors=1500"),
     ("momentum", "preset=momentum&attractors=1500"),

@@ -88,8 +88,7 @@ impl CoastDistance {
         let far = STRIDE as f32 * spacing;
         let ((columns, rows), (across, down)) = (Self::corners(domain, spacing), Self::corners(domain, far));
         let mut coarse: Vec<f32> = (0..across * down).map(|i| height(corner(i, across, far))).collect();
-        let squares = of_squares(domain, far, &coarse, across);
-        let level = sort::nth(&squares, (share * squares.len().saturating_sub(1) as f32) as usize);
+        let level = sort::quantile(&of_squares(domain, far, &coarse, across), share);
         coarse.iter_mut().for_each(|height| *height -= level);
         let between = |i: usize| [i / STRIDE, i.div_ceil(STRIDE)];
         let sample = |i: usize| {

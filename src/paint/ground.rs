@@ -17,18 +17,15 @@ pub(crate) const COAST_WIDTH: f32 = 1.8;
 pub(crate) const RIVERS_END: f32 = COAST_WIDTH * 0.5;
 
 /// Paints the ground of a picture, row by row. In place of opacity there is how far rivers show on it.
-pub(super) fn ground(view: &View, land: &Land, palette: &Palette) -> Vec<[u8; 4]> {
-    let (shown, shades) = (
-        SmoothedDistance::of(land.coast_distance()),
-        Shades::new(view.scale, palette, land.coast_distance().spacing()),
-    );
-    let (stretches, mut spans, mut spanned) = (stretches(view, &shown), Vec::new(), None);
-    let mut pixels = Vec::with_capacity(view.width as usize * view.height as usize);
+pub(super) fn ground(view: &View, land: &Land, shown: &SmoothedDistance, palette: &Palette) -> Vec<[u8; 4]> {
+    let shades = Shades::new(view.scale, palette, shown.spacing());
+    let (stretches, mut spans, mut spanned) = (stretches(view, shown), Vec::new(), None);
+    let mut pixels = Vec::with_capacity(view.pixels());
     for y in 0..view.height {
         let across = shown.across(view.point(Vec2::splat(y as f32 + 0.5)).y);
         // Some rows lie between the same corners.
         if spanned.replace(across.row) != Some(across.row) {
-            spans = shades.spans(&stretches, &shown, across.row);
+            spans = shades.spans(&stretches, shown, across.row);
         }
         for span in &spans {
             match span {
@@ -240,7 +237,7 @@ mod tests {
     use super::*;
     use crate::domain::Domain;
     use crate::land::CoastDistance;
-    use crate::paint::palette::palette;
+    use crate::paint::styles::palette;
     use crate::recipe::Style;
 
     #[test]
@@ -252,7 +249,9 @@ mod tests {
         let across = (to - from).perp().normalize();
         for width in [6.5, 9.0, 60.0] {
             let coast_distance = CoastDistance::of_strait(&domain, from, to, width);
-            let pixels = ground(&view, &Land::new(&domain, coast_distance, Vec::new()), palette(Style::Skeleton));
+            let shown = SmoothedDistance::of(&coast_distance);
+            let land = Land::new(&domain, coast_distance, Vec::new());
+            let pixels = ground(&view, &land, &shown, palette(Style::Skeleton));
             let strait = (0..1000).flat_map(|y| (300..700).map(move |x| (x, y)));
             let coast = strait
                 .map(|(x, y)| f32::from(pixels[y * 1000 + x][0]) / f32::from(palette(Style::Skeleton).coast[0]))

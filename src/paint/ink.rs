@@ -6,24 +6,30 @@
 use tiny_skia::Pixmap;
 
 use super::coverage::{Coverage, Rect};
-use super::palette::{Palette, opaque, over};
+use super::palette::{BasinColours, Colour, Palette, opaque, over};
 
-/// Colours rectangles of the picture: rivers on a ground, or on plain land.
+/// Colours rectangles of the picture: rivers on a ground, of which each pixel may have the number of a colour, or on plain land.
 pub(super) fn compose(
     pixmap: &mut Pixmap,
     coverage: &Coverage,
-    ground: Option<&[[u8; 4]]>,
+    ground: Option<(&[[u8; 4]], &[u8])>,
     palette: &Palette,
     rects: &[Rect],
 ) {
     let (width, ramp) = (pixmap.width() as usize, palette.ramp());
+    let basins = palette.relief.and_then(|look| look.basins.as_ref());
     for (rect, row) in rects.iter().flat_map(|rect| (rect.top..rect.bottom).map(move |row| (rect, row as usize))) {
         let (start, end) = (row * width + rect.left as usize, row * width + rect.right as usize);
         let pixels = &mut pixmap.data_mut()[start * 4..end * 4];
         let coverage = &coverage.mask().data()[start..end];
         match ground {
             None => on_plain_land(pixels, coverage, &ramp),
-            Some(ground) => on_ground(pixels, coverage, palette, &ground[start..end]),
+            Some((ground, numbers)) => {
+                on_ground(pixels, coverage, palette, &ground[start..end]);
+                if let Some((look, numbers)) = basins.zip(numbers.get(start..end)) {
+                    in_basins(pixels, coverage, look, &ground[start..end], numbers);
+                }
+            }
         }
     }
 }
@@ -44,7 +50,7 @@ fn on_ground(pixels: &mut [u8], coverage: &[u8], palette: &Palette, ground: &[[u
     let mut lay = |first: usize, coverage: &[u8]| {
         let pixels = pixels[first * 4..].chunks_exact_mut(4);
         for ((pixel, &coverage), ground) in pixels.zip(coverage).zip(&ground[first..]) {
-            pixel.copy_from_slice(&river_over(*ground, palette, coverage));
+            pixel.copy_from_slice(&river_over(*ground, palette.river, coverage));
         }
     };
     for (i, coverage) in many.iter().enumerate().filter(|(_, coverage)| **coverage != [0; MANY]) {
@@ -53,9 +59,17 @@ fn on_ground(pixels: &mut [u8], coverage: &[u8], palette: &Palette, ground: &[[u
     lay(many.len() * MANY, rest);
 }
 
+/// Rivers in the colours of their basins, over all that is there.
+fn in_basins(pixels: &mut [u8], coverage: &[u8], look: &BasinColours, ground: &[[u8; 4]], numbers: &[u8]) {
+    let pixels = pixels.as_chunks_mut::<4>().0.iter_mut().zip(ground).zip(numbers.iter().zip(coverage));
+    for ((pixel, &ground), (&number, &coverage)) in pixels.filter(|(_, (_, coverage))| **coverage > 0) {
+        *pixel = river_over(ground, look.river(number.into()), coverage);
+    }
+}
+
 /// River of some coverage over a ground, as far as it shows there.
 #[inline]
-fn river_over(ground: [u8; 4], palette: &Palette, coverage: u8) -> [u8; 4] {
+fn river_over(ground: [u8; 4], river: Colour, coverage: u8) -> [u8; 4] {
     let [red, green, blue, open] = ground;
-    over([red, green, blue], palette.river, (u32::from(coverage) * u32::from(open) + 127) / 255)
+    over([red, green, blue], river, (u32::from(coverage) * u32::from(open) + 127) / 255)
 }

@@ -9,14 +9,17 @@
 mod coverage;
 mod flow;
 pub(crate) mod ground;
+mod ground_cache;
 mod ink;
 mod painter;
 pub(crate) mod palette;
+mod paper;
 pub(crate) mod relief;
 pub(crate) mod ridges;
 mod rivers;
 mod skeleton;
 mod strokes;
+mod styles;
 mod view;
 
 #[doc(hidden)]
@@ -29,4 +32,6 @@ pub use strokes::{Pen, Widths};
 pub use view::{LONGEST_SIDE, PaintError, View};
 
 #[cfg(feature = "files")]
-pub(crate) use palette::{Lines, palette as palette_of};
+pub(crate) use palette::Lines;
+#[cfg(feature = "files")]
+pub(crate) use styles::palette as palette_of;

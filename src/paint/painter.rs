@@ -4,17 +4,15 @@
 //! will certainly stay (its depth can only grow), so those are drawn at once, the growing tips a little later; when
 //! growth is over, all that stays is drawn. The finished picture is the one painted at once, to the byte.
 
-use std::sync::Arc;
-
 use tiny_skia::Pixmap;
 
 use super::coverage::{Coverage, Rect};
 use super::flow::Flow;
-use super::ground::ground;
-use super::palette::{LAND_ONLY, Lines, palette};
-use super::relief::{Surface, lay_casing};
+use super::ground_cache::{Exaggerated, GroundCache};
+use super::palette::Lines;
 use super::rivers::draw_network;
 use super::strokes::{Pen, Widths};
+use super::styles::palette;
 use super::view::{PaintError, View};
 use super::{ink, skeleton};
 use crate::domain::Domain;
@@ -23,7 +21,6 @@ use crate::memory;
 use crate::network::Network;
 use crate::prune::{self, Trim};
 use crate::recipe::{CourseShape, Style};
-use crate::relief::Relief;
 use crate::tree::Tree;
 
 /// A tree to be painted, as far as it has grown.
@@ -56,10 +53,8 @@ pub struct Painter {
     /// The radius that each node was last drawn with; 0 before it is drawn.
     drawn: Vec<u16>,
     flow: Flow,
-    /// The picture without rivers, in a style; painted when it is first needed, and not for plain land.
-    ground: Option<(Style, Vec<[u8; 4]>)>,
-    /// The relief on the ground, and how much it is exaggerated.
-    raised: Option<(Arc<Relief>, f32)>,
+    /// The picture without rivers.
+    ground: GroundCache,
     /// Whether nothing of the picture can be kept.
     is_blank: bool,
     /// Whether the picture shows a finished tree.
@@ -80,7 +75,7 @@ pub struct Rivers<'a> {
     /// The land; `None` if all of the domain is.
     pub land: Option<&'a Land>,
     /// The relief, and by how much its slopes are exaggerated; `None` while there is none.
-    pub relief: Option<(&'a Arc<Relief>, f32)>,
+    pub relief: Option<Exaggerated<'a>>,
     /// The style.
     pub style: Style,
 }
@@ -91,10 +86,10 @@ impl Painter {
     /// # Errors
     /// If a side is 0 or too long, or there is not enough memory.
     pub fn new(domain: &Domain, width: u32, height: u32) -> Result<Self, PaintError> {
-        /// Of picture, ground, mask, and the copy that is thinned.
-        const BYTES_A_PIXEL: usize = 10;
+        /// Of picture, mask and ground. The copy of the mask that a skeleton thins is less than what a relief takes.
+        const BYTES_A_PIXEL: usize = 4 + 1 + GroundCache::BYTES_A_PIXEL;
         let view = View::new(domain, width, height)?;
-        let bytes = BYTES_A_PIXEL * width as usize * height as usize;
+        let bytes = BYTES_A_PIXEL * view.pixels() + GroundCache::BYTES;
         if !memory::can_allocate(bytes) {
             return Err(PaintError::OutOfMemory { width, height, megabytes: (bytes / 1_000_000) as u32 + 1 });
         }
@@ -108,8 +103,7 @@ impl Painter {
             coverage,
             drawn,
             flow,
-            ground: None,
-            raised: None,
+            ground: GroundCache::default(),
             is_blank: true,
             is_finished: false,
             round: None,
@@ -124,21 +118,23 @@ impl Painter {
     /// Forgets the ground: other land comes next, of a domain that may have another shape.
     pub fn invalidate_ground(&mut self, next: &Domain) {
         self.view = self.view.of(next);
-        self.ground = None;
-        self.raised = None;
+        self.ground = GroundCache::default();
     }
 
     /// Forgets the picture: another tree, trim, width or style comes next.
     pub fn reset(&mut self) {
-        if self.raised.take().is_some() {
-            self.ground = None;
-        }
+        self.ground.lower();
         self.coverage.clear();
         self.drawn.clear();
         self.flow = Flow::default();
         self.is_blank = true;
         self.is_finished = false;
         self.round = None;
+    }
+
+    /// Whether the picture shows a relief.
+    pub fn is_raised(&self) -> bool {
+        self.ground.is_raised()
     }
 
     /// Brings the picture up to date. Returns the rectangle that changed; `None` if nothing did.
@@ -160,14 +156,14 @@ impl Painter {
         {
             self.coverage.touch_all();
         }
-        self.lay_ground(progress.land, progress.style);
+        self.ground.forget_relief();
+        self.ground.lay(&self.view, progress.land, progress.style);
         self.compose(progress.style)
     }
 
     /// Paints rivers, in place of the tree that they were. Returns the rectangle that changed; `None` if nothing did.
     pub fn paint_rivers(&mut self, rivers: &Rivers<'_>) -> Option<Rect> {
-        let is_raised = same_relief(self.raised.as_ref(), rivers.relief);
-        if self.round == Some(rivers.rounds) && is_raised {
+        if self.round == Some(rivers.rounds) && self.ground.shows(rivers.relief) {
             return None;
         }
         self.round = Some(rivers.rounds);
@@ -175,44 +171,13 @@ impl Painter {
         self.coverage.clear();
         draw_network(&mut self.coverage, &self.view, rivers.network, rivers.courses, palette(rivers.style).lines, 0.0);
         self.coverage.touch_all();
-        if !is_raised {
-            self.ground = None;
-        }
-        // Ground that is laid again, in another style, say, is flat.
-        self.lay_ground(rivers.land, rivers.style);
-        if self.raised.is_none()
-            && let Some((relief, exaggeration)) = rivers.relief
-        {
-            self.raise_ground(rivers, relief, exaggeration);
-            self.raised = Some((relief.clone(), exaggeration));
+        self.ground.lay(&self.view, rivers.land, rivers.style);
+        match rivers.relief {
+            Some(relief) if !self.ground.shows(rivers.relief) => self.ground.raise(&self.view, rivers, relief),
+            Some(_) => {}
+            None => self.ground.lower(),
         }
         self.compose(rivers.style)
-    }
-
-    /// Paints the ground if it is not there yet.
-    fn lay_ground(&mut self, land: Option<&Land>, style: Style) {
-        if self.ground.as_ref().is_none_or(|(painted, _)| *painted != style) {
-            self.ground = land.map(|land| (style, ground(&self.view, land, palette(style))));
-            self.raised = None;
-        }
-    }
-
-    /// Lays relief over a fresh ground, and casings along the rivers.
-    fn raise_ground(&mut self, rivers: &Rivers<'_>, relief: &Relief, exaggeration: f32) {
-        let palette = palette(rivers.style);
-        let Some(tints) = palette.relief else { return };
-        let count = self.view.width as usize * self.view.height as usize;
-        let [r, g, b] = palette.plain;
-        let (_, pixels) = self.ground.get_or_insert_with(|| (rivers.style, vec![[r, g, b, 255]; count]));
-        let shares = rivers.land.map_or_else(
-            || vec![255; count],
-            |land| ground(&self.view, land, &LAND_ONLY).into_iter().map(|[share, ..]| share).collect(),
-        );
-        Surface::new(relief, exaggeration).lay(&self.view, tints, palette.plain, &shares, pixels);
-        if let Some(mut coverage) = Coverage::new(self.view.width, self.view.height) {
-            draw_network(&mut coverage, &self.view, rivers.network, rivers.courses, palette.lines, tints.casing.margin);
-            lay_casing(&self.view, coverage, &tints.casing, pixels);
-        }
     }
 
     /// Draws all strokes that are new or have grown wider since this was last called. Strokes near the tips have been
@@ -247,28 +212,21 @@ impl Painter {
     fn compose(&mut self, style: Style) -> Option<Rect> {
         let touched = self.coverage.take_touched();
         let around = touched.iter().copied().reduce(Rect::union)?;
-        let ground = self.ground.as_ref().map(|(_, ground)| ground.as_slice());
+        let ground = self.ground.pixels();
         match palette(style).lines {
             Lines::Wide => {
                 ink::compose(&mut self.pixmap, &self.coverage, ground, palette(style), &touched);
             }
             Lines::Skeleton if self.is_finished => {
-                skeleton::compose_thinned(&mut self.pixmap, &self.coverage, ground);
+                skeleton::compose_thinned(&mut self.pixmap, &self.coverage, ground.map(|ground| ground.0));
                 return Some(self.coverage.bounds());
             }
             Lines::Skeleton => {
+                let ground = ground.map(|ground| ground.0);
                 touched.iter().for_each(|&rect| skeleton::compose(&mut self.pixmap, &self.coverage, ground, rect));
             }
         }
         Some(around)
-    }
-}
-
-fn same_relief(shown: Option<&(Arc<Relief>, f32)>, next: Option<(&Arc<Relief>, f32)>) -> bool {
-    match (shown, next) {
-        (None, None) => true,
-        (Some((shown, by)), Some((next, by_next))) => Arc::ptr_eq(shown, next) && *by == by_next,
-        (None, Some(_)) | (Some(_), None) => false,
     }
 }
 

@@ -1,6 +1,4 @@
-//! The styles: their colours, and how they draw rivers. A style has a line in `palette` and a constant here.
-
-use crate::recipe::Style;
+//! What a style is made of: its colours, how it draws rivers, and how it shows relief.
 
 /// A colour: red, green, blue.
 pub(crate) type Colour = [u8; 3];
@@ -24,19 +22,98 @@ pub(crate) struct Palette {
     /// Land where all of the domain is.
     pub plain: Colour,
     pub lines: Lines,
+    /// What it is printed on; `None` if that is as even as a screen.
+    pub paper: Option<&'static Paper>,
     /// How it shows relief; `None` if it does not.
-    pub relief: Option<&'static Tints>,
+    pub relief: Option<&'static ReliefLook>,
 }
 
-/// How a style shows relief.
+/// Old paper.
+#[derive(Debug)]
+pub(crate) struct Paper {
+    pub blotch: Colour,
+    pub blotched: f32,
+    /// The colour of its edges.
+    pub edge: Colour,
+    pub edged: f32,
+}
+
+/// How a style shows relief, part by part.
+#[derive(Debug)]
+pub(crate) struct ReliefLook {
+    pub tints: Tints,
+    pub contours: Option<Contours>,
+    pub hachures: Option<Hachures>,
+    pub basins: Option<BasinColours>,
+    /// What lies around rivers.
+    pub casing: Casing,
+}
+
+/// Relief in tints and light alone.
+pub(super) const fn tinted(stops: &'static [(f32, Colour)], darkest: f32) -> ReliefLook {
+    let casing = Casing { colour: [0; 3], strength: 0.0, margin: 0.0, blur: 0.0, gain: 1.0 };
+    let tints = Tints { stops, light: [darkest, 1.0] };
+    ReliefLook { tints, contours: None, hachures: None, basins: None, casing }
+}
+
+impl ReliefLook {
+    /// Whether it depends on where rivers are.
+    pub fn minds_rivers(&self) -> bool {
+        self.contours.is_some() || self.hachures.is_some() || self.casing.strength > 0.0
+    }
+}
+
+/// Colours by height and light.
 #[derive(Debug)]
 pub(crate) struct Tints {
     /// Colours by height, as shares of the highest; the first is 0.
     pub stops: &'static [(f32, Colour)],
     /// What colours are multiplied by where there is no light, and where there is as much as on flat land.
     pub light: [f32; 2],
-    /// What lies around rivers.
-    pub casing: Casing,
+}
+
+/// Lines of one height each.
+#[derive(Debug)]
+pub(crate) struct Contours {
+    pub colour: Colour,
+    /// Of usual lines, and of index lines: widths in units.
+    pub widths: [f32; 2],
+    pub strengths: [f32; 2],
+}
+
+/// Strokes down the slope.
+#[derive(Debug)]
+pub(crate) struct Hachures {
+    pub colour: Colour,
+    pub strength: f32,
+}
+
+/// A colour for each basin.
+#[derive(Debug)]
+pub(crate) struct BasinColours {
+    pub colours: &'static [Colour],
+    /// Land whose water runs to the sea in no river.
+    pub rest: Colour,
+    /// What colours are mixed into, and how much of them that takes.
+    pub paper: Colour,
+    pub strength: f32,
+    /// What they are multiplied by for rivers.
+    pub rivers: f32,
+}
+
+impl BasinColours {
+    /// The colour of land in a basin of a numbered colour.
+    pub fn tint(&self, number: usize) -> Colour {
+        match number.checked_sub(1).and_then(|i| self.colours.get(i)) {
+            Some(&colour) => mix(self.paper, colour, self.strength),
+            None => self.rest,
+        }
+    }
+
+    /// That of rivers there.
+    pub fn river(&self, number: usize) -> Colour {
+        mix([0; 3], self.colours[number.max(1) - 1], self.rivers)
+    }
 }
 
 /// What lies around rivers.
@@ -70,73 +147,8 @@ pub(crate) enum Lines {
     Skeleton,
 }
 
-/// What a style paints with.
-pub(crate) fn palette(style: Style) -> &'static Palette {
-    match style {
-        Style::Ink => &INK,
-        Style::Dark => &DARK,
-        Style::Atlas => &ATLAS,
-        Style::Night => &NIGHT,
-        Style::Skeleton => &SKELETON,
-    }
-}
-
-/// Ink on paper.
-static INK: Palette = Palette {
-    rings: &[(7.0, 0.34), (16.0, 0.2), (28.0, 0.1)],
-    ..even([0xf6, 0xf0, 0xe2], [0xdd, 0xe6, 0xe4], [0x4a, 0x62, 0x78], [0xa8, 0x93, 0x78], [0x1f, 0x3f, 0x66])
-};
-
-/// Ink's drawing on dark paper, for pages with a dark scheme.
-static DARK: Palette = Palette {
-    rings: INK.rings,
-    ..even([0x16, 0x1f, 0x2b], [0x0f, 0x15, 0x1e], [0x6d, 0x8c, 0xa6], [0x6e, 0x60, 0x4c], [0x9c, 0xc6, 0xe8])
-};
-
-/// An atlas page.
-static ATLAS: Palette = Palette {
-    shallows: [0xcf, 0xe3, 0xe6],
-    deep: [0x8f, 0xb6, 0xc6],
-    fade: 150.0,
-    rings: &[(3.5, 0.34), (8.1, 0.27), (14.1, 0.22), (21.8, 0.17), (31.5, 0.14), (43.7, 0.11)],
-    relief: Some(&Tints {
-        stops: &[
-            (0.0, [0xcf, 0xdc, 0xb4]),
-            (0.18, [0xe2, 0xe4, 0xbf]),
-            (0.42, [0xf0, 0xe6, 0xc8]),
-            (0.7, [0xe6, 0xcf, 0xa8]),
-            (1.0, [0xd3, 0xb5, 0x8f]),
-        ],
-        light: [0.42, 1.0],
-        casing: Casing { colour: [0xf7, 0xf1, 0xdd], strength: 0.35, margin: 0.55, blur: 0.0, gain: 1.0 },
-    }),
-    ..even([0xdc, 0xe3, 0xbe], [0x8f, 0xb6, 0xc6], [0x3c, 0x64, 0x78], [0xa0, 0x86, 0x66], [0x2a, 0x6f, 0x9e])
-};
-
-/// The land by night.
-static NIGHT: Palette = Palette {
-    shallows: [0x16, 0x30, 0x3d],
-    deep: [0x09, 0x13, 0x1a],
-    fade: 150.0,
-    rings: &[(3.5, 0.34), (8.1, 0.27), (14.1, 0.22), (21.8, 0.17)],
-    relief: Some(&Tints {
-        stops: &[
-            (0.0, [0x1f, 0x3a, 0x3a]),
-            (0.3, [0x2b, 0x44, 0x42]),
-            (0.6, [0x4a, 0x52, 0x48]),
-            (1.0, [0x75, 0x69, 0x5a]),
-        ],
-        light: [0.35, 1.0],
-        casing: Casing { colour: [0x4f, 0xa8, 0xd8], strength: 0.5, margin: 0.3, blur: 2.0, gain: 2.5 },
-    }),
-    ..even([0x24, 0x3e, 0x3d], [0x09, 0x13, 0x1a], [0x7f, 0xb3, 0xc6], [0x6e, 0x60, 0x4c], [0xb5, 0xe0, 0xf7])
-};
-
 /// What of a picture is land: white, and all else black.
 pub(crate) static LAND_ONLY: Palette = even([0xff; 3], [0; 3], [0; 3], [0xff; 3], [0; 3]);
-
-/// White on black, the coast dim.
-static SKELETON: Palette = Palette { lines: Lines::Skeleton, ..even([0; 3], [0; 3], [0x58; 3], [0x38; 3], [0xff; 3]) };
 
 impl Palette {
     /// The colour of each coverage by river, from bare plain land to river. Made for a picture: as a table for each style it
@@ -147,7 +159,7 @@ impl Palette {
 }
 
 /// Land and water of one colour each, no rings.
-const fn even(land: Colour, water: Colour, coast: Colour, ridge: Colour, river: Colour) -> Palette {
+pub(super) const fn even(land: Colour, water: Colour, coast: Colour, ridge: Colour, river: Colour) -> Palette {
     Palette {
         lowland: land,
         inland: land,
@@ -160,6 +172,7 @@ const fn even(land: Colour, water: Colour, coast: Colour, ridge: Colour, river: 
         river,
         plain: land,
         lines: Lines::Wide,
+        paper: None,
         relief: None,
     }
 }
@@ -181,17 +194,4 @@ pub(super) fn over([red, green, blue]: Colour, by: Colour, coverage: u32) -> [u8
 /// A colour a share of the way to another.
 pub(crate) fn mix(from: Colour, to: Colour, share: f32) -> Colour {
     std::array::from_fn(|i| (f32::from(from[i]) + (f32::from(to[i]) - f32::from(from[i])) * share + 0.5) as u8)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::recipe::Choice;
-
-    #[test]
-    fn styles_that_show_relief_have_tints_for_it_and_no_others() {
-        for &style in Style::ALL {
-            assert_eq!(style.has_relief(), palette(style).relief.is_some(), "{style:?}");
-        }
-    }
 }

@@ -75,6 +75,11 @@ impl View {
         ((height as f32 * domain.size.x / domain.size.y).round() as u32).max(1)
     }
 
+    /// How many pixels it has.
+    pub(super) fn pixels(&self) -> usize {
+        self.width as usize * self.height as usize
+    }
+
     /// A pixel's place in the domain.
     #[inline]
     pub fn point(&self, pixel: Vec2) -> Vec2 {

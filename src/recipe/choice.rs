@@ -124,6 +124,12 @@ choices! {
         Atlas = "atlas", "atlas";
         /// The land by night, rivers shining.
         Night = "night", "night";
+        /// A survey sheet: contours in brown, index lines each fifth, depth lines at sea.
+        Survey = "survey", "survey";
+        /// Each river system in a colour of its own, and its basin in a tint of that; divides are left bare.
+        Basins = "basins", "basins";
+        /// An engraving on old paper: water lines, mountains in strokes on their dark side.
+        Parchment = "parchment", "parchment";
         /// Light ink on dark paper, for dark pages.
         Dark = "dark", "dark";
     }
@@ -132,7 +138,7 @@ choices! {
 impl Style {
     /// Whether it shows how high the land is.
     pub fn has_relief(self) -> bool {
-        matches!(self, Self::Atlas | Self::Night)
+        !matches!(self, Self::Ink | Self::Skeleton | Self::Dark)
     }
 }
 

@@ -225,7 +225,10 @@ mod tests {
         assert_eq!(error("depth=3"), "there is no parameter 'depth'");
         assert_eq!(error("curl=1&curl=1"), "'curl' is given more than once");
         assert_eq!(error("curl=3"), "curl: 3 is not between 0 and 2");
-        assert_eq!(error("style=neon"), "style: 'neon' is none of ink, skeleton, atlas, night, dark");
+        assert_eq!(
+            error("style=neon"),
+            "style: 'neon' is none of ink, skeleton, atlas, night, survey, basins, parchment, dark"
+        );
         assert_eq!(error("edition=7"), "edition: 7 is unknown here, this program draws edition 1");
         assert_eq!(error("seed=%FF"), "seed: the text holds a character that cannot be shown");
         assert!(error("preset=best").starts_with("there is no preset 'best': choose from original, "));

@@ -537,7 +537,7 @@ pub static TABLE: [Parameter; COUNT] = {
             key: Key::Style,
             name: "style",
             label: "Style",
-            help: "How the map is drawn: ink on paper or light ink on dark paper, an atlas page or the land by night, both with relief, or the bare skeleton one pixel wide.",
+            help: "How the map is drawn. All but ink, skeleton and dark show how high the land is, once its rivers are finished.",
             unit: "",
             group: "Finish",
             stage: Paint,

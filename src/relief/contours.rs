@@ -9,13 +9,18 @@ impl Relief {
     /// The rings around all that is higher than a level, in units. Along the border they run a little outside of the map.
     /// Specks are left out.
     pub fn rings_above(&self, level: f32) -> Vec<Vec<Vec2>> {
-        /// As a share of the map: some ten cells.
-        const SPECK: f32 = 4e-5;
         // Heights this far above the level and below count as far off.
         const FAR: f32 = 4.0;
-        let share = |height: &f32| (0.5 + (height - level) / (2.0 * FAR)).clamp(0.0, 1.0);
+        self.rings_around(self.heights.iter().map(|height| (height - level) / FAR))
+    }
+
+    /// The rings around all cells with a value above 0, which is -1 or 1 far from them.
+    pub(crate) fn rings_around(&self, values: impl Iterator<Item = f32>) -> Vec<Vec<Vec2>> {
+        /// As a share of the map: some ten cells.
+        const SPECK: f32 = 4e-5;
+        let share = |value: f32| (0.5 + value / 2.0).clamp(0.0, 1.0);
         let size = Vec2::new(self.columns as f32, self.rows as f32) * CELL_SIZE;
-        let rings = rings(self.columns, self.heights.iter().map(share).collect(), SPECK);
+        let rings = rings(self.columns, values.map(share).collect(), SPECK);
         rings.into_iter().map(|ring| ring.into_iter().map(|at| at * size).collect()).collect()
     }
 }

@@ -67,7 +67,12 @@ impl Relief {
 
     /// The height of the cell of a point of the map.
     pub fn at(&self, point: Vec2) -> f32 {
-        let cell = |x: f32, count: usize| ((x / CELL_SIZE) as usize).min(count - 1);
-        self.heights[cell(point.y, self.rows) * self.columns + cell(point.x, self.columns)]
+        self.heights[self.cell(point)]
+    }
+
+    /// The cell of a point; of one beyond the map, the nearest.
+    pub(crate) fn cell(&self, point: Vec2) -> usize {
+        let index = |x: f32, count: usize| ((x / CELL_SIZE) as usize).min(count - 1);
+        index(point.y, self.rows) * self.columns + index(point.x, self.columns)
     }
 }

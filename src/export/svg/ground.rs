@@ -2,20 +2,30 @@
 
 use glam::Vec2;
 
+use super::light::light;
 use super::path::Path;
 use super::text::Text;
 use crate::land::{Land, SmoothedDistance};
 use crate::paint::ground::{COAST_WIDTH, RING_WIDTH, RIVERS_END, way_to};
-use crate::paint::palette::{Colour, Palette, mix};
-use crate::paint::relief::HIGHEST;
+use crate::paint::palette::{BasinColours, Colour, Contours, Hachures, Palette, mix};
+use crate::paint::relief::{Basins, INDEX, Stroke, highest, interval, strokes};
 use crate::paint::ridges;
 use crate::relief::Relief;
+
+/// A relief as it is shown.
+pub(super) struct Raised<'a> {
+    pub relief: &'a Relief,
+    /// By how much its slopes are exaggerated for the light.
+    pub exaggeration: f32,
+    /// The basins in it, if they have colours.
+    pub basins: Option<&'a Basins>,
+}
 
 /// In how many steps land and sea change colour.
 const SHADES: u32 = 16;
 
 /// Writes what rivers are drawn on. Each shade is laid over the one before, so there are no gaps between them.
-pub(super) fn ground(out: &mut Text, size: Vec2, land: Option<&Land>, relief: Option<&Relief>, palette: &Palette) {
+pub(super) fn ground(out: &mut Text, size: Vec2, land: Option<&Land>, relief: Option<Raised<'_>>, palette: &Palette) {
     let Some(land) = land else {
         out.text("<rect id=\"land\"");
         sheet(out, size, palette.plain);
@@ -52,21 +62,64 @@ pub(super) fn ground(out: &mut Text, size: Vec2, land: Option<&Land>, relief: Op
     out.text("</g>\n");
 }
 
-/// Heights in colours, each laid over the one below. Light would need a picture: shapes have none.
-fn tints(out: &mut Text, relief: Option<&Relief>, palette: &Palette) {
+/// Heights in colours, each laid over the one below, and what a style shows of them besides.
+fn tints(out: &mut Text, relief: Option<Raised<'_>>, palette: &Palette) {
     const STEPS: u32 = 16;
-    let Some((relief, tints)) = relief.zip(palette.relief) else { return };
-    let highest = relief.quantile(HIGHEST);
-    for step in 0..STEPS {
+    let Some((Raised { relief, exaggeration, basins }, look)) = relief.zip(palette.relief) else { return };
+    let highest = highest(relief);
+    let steps = if look.tints.stops.len() > 1 { STEPS } else { 0 };
+    for step in 0..steps {
         let share = step as f32 / STEPS as f32;
-        let mut path = Path::default();
-        for ring in relief.rings_above(share * highest) {
-            // Every second point is enough.
-            path.ring(&ring.into_iter().step_by(2).collect::<Vec<_>>());
-        }
-        let colour = tints.at(share + 0.5 / STEPS as f32);
-        out.text("<path fill=\"").colour(colour).text("\" d=\"").text(path.data()).text("\"/>\n");
+        let colour = look.tints.at(share + 0.5 / STEPS as f32);
+        fill(out, colour, &path_of(relief.rings_above(share * highest), 2));
     }
+    light(out, relief, exaggeration, &look.tints);
+    if let Some(lines) = &look.contours {
+        contours(out, relief, interval(highest), lines);
+    }
+    if let Some(look) = &look.hachures {
+        hachures(out, &strokes(relief, highest), look);
+    }
+    if let Some((basins, look)) = basins.zip(look.basins.as_ref()) {
+        basin_shapes(out, basins, look);
+    }
+}
+
+/// Strokes down the slope.
+fn hachures(out: &mut Text, strokes: &[Stroke], look: &Hachures) {
+    let mut path = Path::default();
+    for &stroke in strokes {
+        let [(from, half), .., (to, _)] = stroke;
+        let aside = (to - from).normalize_or_zero().perp() * half;
+        path.line(&[from - aside, stroke[1].0 - aside * 0.75, to, stroke[1].0 + aside * 0.75, from + aside]);
+        path.close();
+    }
+    out.text("<path id=\"hachures\" fill-opacity=\"").units(look.strength).text("\" fill=\"").colour(look.colour);
+    out.text("\" d=\"").text(path.data()).text("\"/>\n");
+}
+
+/// All basins of each colour, with a gap between them.
+fn basin_shapes(out: &mut Text, basins: &Basins, look: &BasinColours) {
+    /// In units.
+    const GAP: f32 = 2.0;
+    out.text("<g id=\"basins\">\n");
+    for number in 0..=look.colours.len() as u8 {
+        out.text("<path fill=\"").colour(look.tint(number.into())).text("\"");
+        line(out, look.paper, GAP, &path_of(basins.rings(number), 1));
+    }
+    out.text("</g>\n");
+}
+
+/// Lines of one height each.
+fn contours(out: &mut Text, relief: &Relief, interval: f32, look: &Contours) {
+    let highest = relief.heights().iter().fold(0.0f32, |highest, height| highest.max(*height));
+    out.text("<g id=\"contours\" fill=\"none\">\n");
+    for level in 1..=(highest / interval) as u32 {
+        let kind = usize::from(level.is_multiple_of(INDEX));
+        out.text("<path stroke-opacity=\"").units(look.strengths[kind]).text("\"");
+        line(out, look.colour, look.widths[kind], &path_of(relief.rings_above(level as f32 * interval), 1));
+    }
+    out.text("</g>\n");
 }
 
 fn sheet(out: &mut Text, size: Vec2, colour: Colour) {
@@ -76,7 +129,11 @@ fn sheet(out: &mut Text, size: Vec2, colour: Colour) {
 
 /// All that lies higher than a level, in one colour. Every second point is enough for that.
 fn area(out: &mut Text, land: &SmoothedDistance, height: f32, colour: Colour) {
-    out.text("<path fill=\"").colour(colour).text("\" d=\"").text(&level(land, height, 2)).text("\"/>\n");
+    fill(out, colour, &level(land, height, 2));
+}
+
+fn fill(out: &mut Text, colour: Colour, data: &str) {
+    out.text("<path fill=\"").colour(colour).text("\" d=\"").text(data).text("\"/>\n");
 }
 
 /// The end of a path that is a line.
@@ -99,10 +156,15 @@ fn ridges(out: &mut Text, land: &Land, palette: &Palette) {
 }
 
 /// The rings around all that lies higher than a level.
-#[inline(never)]
 fn level(land: &SmoothedDistance, level: f32, every: usize) -> String {
+    path_of(land.rings_above(level), every)
+}
+
+/// Rings as a path, of one point in so many.
+#[inline(never)]
+fn path_of(rings: Vec<Vec<Vec2>>, every: usize) -> String {
     let mut path = Path::default();
-    for ring in land.rings_above(level) {
+    for ring in rings {
         let points: Vec<Vec2> = ring.into_iter().step_by(every).collect();
         path.ring(&points);
     }

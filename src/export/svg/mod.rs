@@ -5,18 +5,22 @@
 //! are `oxbow-3`. The link of the recipe is in the file's metadata.
 
 mod ground;
+mod light;
 mod path;
 mod text;
 
 use std::sync::Arc;
 
+use self::ground::Raised;
 use self::path::Path;
 use self::text::Text;
 use super::banks::{Banks, Width};
 use super::{ExportError, rivers};
 use crate::network::{NONE, Network, River};
+use crate::paint::palette::{BasinColours, Palette};
+use crate::paint::relief::Basins;
 use crate::paint::{Lines, palette_of};
-use crate::recipe::{CourseShape, link};
+use crate::recipe::{CourseShape, Key, link};
 use crate::session::Session;
 
 /// The map of a session's rivers as they are: the text of an SVG file.
@@ -37,14 +41,20 @@ pub fn svg(session: &Session) -> Result<String, ExportError> {
     out.text("</title>\n<metadata id=\"riverseed\">").escaped(&link::write(recipe));
     out.text("</metadata>\n<clipPath id=\"map\"><path d=\"M0 0H").units(size.x).text("V").units(size.y);
     out.text("H0z\"/></clipPath>\n<g clip-path=\"url(#map)\">\n");
-    ground::ground(&mut out, size, land.map(Arc::as_ref), session.relief().map(Arc::as_ref), palette);
+    let basins = basins(session, network, palette);
+    let relief = session.relief().map(|relief| Raised {
+        relief,
+        exaggeration: recipe.number(Key::Shade),
+        basins: basins.as_ref().map(|(basins, _)| basins),
+    });
+    ground::ground(&mut out, size, land.map(Arc::as_ref), relief, palette);
     // The shore is where rivers end; in a land without a sea nothing is clipped.
     let clip = if land.is_some() { "\" clip-path=\"url(#shore)" } else { "" };
     out.text("<g id=\"rivers").text(clip).text("\" fill=\"").colour(palette.river).text("\">\n");
-    draw_rivers(&mut out, network, width(palette.lines), recipe.get());
+    draw_rivers(&mut out, network, basins.as_ref(), width(palette.lines), recipe.get());
     if palette.lines == Lines::Wide {
         out.text("</g>\n<g id=\"oxbows\" fill=\"").colour(palette.river).text("\">\n");
-        draw_lakes(&mut out, network);
+        draw_lakes(&mut out, network, basins.as_ref());
     }
     out.text("</g>\n</g>\n</svg>");
     Ok(out.0)
@@ -60,13 +70,30 @@ fn width(lines: Lines) -> Width {
     }
 }
 
+/// Basins with their colours.
+type InBasins = (Basins, &'static BasinColours);
+
+/// The basins, if the style has colours for them.
+fn basins(session: &Session, network: &Network, palette: &Palette) -> Option<InBasins> {
+    let look = palette.relief.and_then(|look| look.basins.as_ref())?;
+    Some((Basins::new(session.relief()?, network, look.colours), look))
+}
+
+/// The colour of a river, if it has its own.
+fn fill(out: &mut Text, basins: Option<&InBasins>, river: u32) {
+    if let Some((basins, look)) = basins {
+        out.text("\" fill=\"").colour(look.river(basins.rivers[river as usize].into()));
+    }
+}
+
 /// A group an order, the highest last.
-fn draw_rivers(out: &mut Text, network: &Network, width: Width, courses: CourseShape) {
+fn draw_rivers(out: &mut Text, network: &Network, basins: Option<&InBasins>, width: Width, courses: CourseShape) {
     let highest = network.rivers.iter().map(|river| river.order).max().unwrap_or(0);
     for order in 1..=highest {
         out.text("<g id=\"order-").whole(order.into()).text("\">\n");
         for (id, river) in (0..).zip(&network.rivers).filter(|(_, river)| river.order == order) {
             out.text("<path id=\"river-").whole(id);
+            fill(out, basins, id);
             describe(out, network, river);
             outline(out, &Banks::of_river(network, river, width, courses), courses);
         }
@@ -83,7 +110,7 @@ fn describe(out: &mut Text, network: &Network, river: &River) {
     out.text("\" data-discharge=\"").whole(network.discharge(river));
 }
 
-fn draw_lakes(out: &mut Text, network: &Network) {
+fn draw_lakes(out: &mut Text, network: &Network, basins: Option<&InBasins>) {
     for (id, oxbow) in (0..).zip(&network.oxbows) {
         let banks = Banks::of_lake(oxbow, VISIBLE);
         if !banks.left.is_empty() {
@@ -91,6 +118,7 @@ fn draw_lakes(out: &mut Text, network: &Network) {
             if oxbow.silt > 0.0 {
                 out.text("\" fill-opacity=\"").units(1.0 - oxbow.silt);
             }
+            fill(out, basins, oxbow.river);
             outline(out, &banks, CourseShape::Smooth);
         }
     }

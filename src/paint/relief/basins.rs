@@ -1,0 +1,296 @@
+//! Basins: the land whose water reaches the sea by the same mouth, in colours of which neighbours never share one.
+
+use glam::Vec2;
+
+use super::Sheet;
+#[cfg(feature = "files")]
+use super::field::Field;
+use super::field::Places;
+use crate::geometry::distance;
+#[cfg(feature = "files")]
+use crate::land::trace::rings;
+use crate::land::{beside, nearest};
+use crate::network::{Network, River};
+use crate::paint::palette::{BasinColours, Colour, mix};
+use crate::relief::{CELL_SIZE, Relief};
+use crate::sort::argsort;
+
+/// The basins of a map in numbered colours: 1 is the first, 0 is where water runs to the sea in no river.
+#[derive(Clone, Debug)]
+pub(crate) struct Basins {
+    columns: usize,
+    rows: usize,
+    /// Of each cell. Off the coast cells have that of the nearest land.
+    pub cells: Vec<u8>,
+    /// Whether others beside it have another.
+    is_mixed: Vec<bool>,
+    /// Of each river; pictures look at cells alone.
+    #[cfg(feature = "files")]
+    pub rivers: Vec<u8>,
+}
+
+/// How alike two colours are that should not lie side by side: squared distance of their parts.
+const ALIKE: i32 = 10_000;
+
+const UNKNOWN: u32 = u32::MAX;
+
+impl Basins {
+    /// The basins of a relief, and of the network that it belongs to.
+    pub fn new(relief: &Relief, network: &Network, colours: &[Colour]) -> Self {
+        let of_rivers = basins_of_rivers(network);
+        let mut basins = vec![UNKNOWN; relief.heights().len()];
+        for (river, &basin) in network.rivers.iter().zip(&of_rivers) {
+            mark(relief, network, river, basin, &mut basins);
+        }
+        follow_the_water(relief, true, &mut basins);
+        fill_strips(relief, &mut basins);
+        follow_the_water(relief, false, &mut basins);
+        let colour_of = coloured(&neighbours(relief, &basins), colours);
+        let colours = |basins: &[u32]| basins.iter().map(|&basin| colour_of[basin as usize]).collect();
+        let (columns, rows, cells): (_, _, Vec<u8>) = (relief.columns(), relief.rows(), colours(&basins));
+        let is_mixed = |cell: usize| around(columns, rows, cell).iter().any(|&near| cells[near] != cells[cell]);
+        Self {
+            columns,
+            rows,
+            is_mixed: (0..cells.len()).map(is_mixed).collect(),
+            cells,
+            #[cfg(feature = "files")]
+            rivers: colours(&of_rivers),
+        }
+    }
+
+    /// Lays the colours over the land of a ground, with a gap along divides. Returns the colour of each pixel's basin.
+    pub(super) fn lay(&self, look: &BasinColours, sheet: &Sheet<'_>, pixels: &mut [[u8; 4]]) -> Vec<u8> {
+        let (view, width) = (sheet.view, sheet.view.width as usize);
+        let (places, full) = (Places::new(view, self.columns), full_share(view.scale));
+        let tints: Vec<Colour> = (0..=look.colours.len()).map(|number| look.tint(number)).collect();
+        let mut numbers = vec![0; pixels.len()];
+        for (y, (row, numbers)) in pixels.chunks_mut(width).zip(numbers.chunks_mut(width)).enumerate() {
+            let (middle, down) = nearest(view.point(Vec2::splat(y as f32 + 0.5)).y / CELL_SIZE - 0.5, self.rows);
+            for (column, run) in &places.runs {
+                let cell = middle * self.columns + column;
+                let (number, tint) = (self.cells[cell], tints[usize::from(self.cells[cell])]);
+                numbers[run.clone()].fill(number);
+                for x in run.clone().filter(|x| sheet.land[y * width + x] > 0) {
+                    let mut tint = tint;
+                    if self.is_mixed[cell] {
+                        let (number, share) = self.greatest([middle, *column], [down, places.along[x]]);
+                        let inside = ((share - 0.5) / (full - 0.5)).clamp(0.0, 1.0);
+                        tint = mix(sheet.plain, tints[usize::from(number)], inside);
+                    }
+                    sheet.shift(&mut row[x], tint, sheet.land[y * width + x]);
+                }
+            }
+        }
+        numbers
+    }
+
+    /// The rings around all that has a numbered colour, in units. At sea they go on.
+    #[cfg(feature = "files")]
+    pub fn rings(&self, number: u8) -> Vec<Vec<Vec2>> {
+        let values = self.cells.iter().map(|&cell| f32::from(u8::from(cell == number))).collect();
+        let field = Field { columns: self.columns, rows: self.rows, values }.smoothed(1);
+        let size = Vec2::new(self.columns as f32, self.rows as f32) * CELL_SIZE;
+        let rings = rings(self.columns, field.values, 0.0);
+        rings.into_iter().map(|ring| ring.into_iter().map(|at| at * size).collect()).collect()
+    }
+
+    /// The colour that has the greatest share at a place near a cell, and that share, if each colour is a surface of parabolas: so its
+    /// borders are smooth.
+    fn greatest(&self, [row, column]: [usize; 2], [down, along]: [f32; 2]) -> (u8, f32) {
+        let weights = |t: f32| [0.5 * (0.5 - t) * (0.5 - t), 0.75 - t * t, 0.5 * (0.5 + t) * (0.5 + t)];
+        let (across, along) = (weights(down), weights(along));
+        let (rows, columns) = (beside(row, self.rows), beside(column, self.columns));
+        let places: [(u8, f32); 9] = std::array::from_fn(|i| {
+            (self.cells[rows[i / 3] * self.columns + columns[i % 3]], across[i / 3] * along[i % 3])
+        });
+        let share = |number: u8| places.iter().filter(|place| place.0 == number).map(|place| place.1).sum::<f32>();
+        places
+            .iter()
+            .fold((0, 0.0), |most, &(number, _)| if share(number) > most.1 { (number, share(number)) } else { most })
+    }
+}
+
+/// The share of a colour where the gap along its border ends.
+fn full_share(scale: f32) -> f32 {
+    /// Half of the gap: in units, and at least in pixels.
+    const HALF: f32 = 1.0;
+    const HALF_PX: f32 = 0.7;
+    let cells = (HALF.max(HALF_PX / scale) / CELL_SIZE).min(0.5);
+    0.5 + 0.75 * cells - cells * cells * cells / 3.0
+}
+
+/// Of each river the number of its basin, counted from 1.
+fn basins_of_rivers(network: &Network) -> Vec<u32> {
+    let (mut basins, mut count) = (Vec::with_capacity(network.rivers.len()), 0);
+    for river in &network.rivers {
+        // A river stands after the one that it joins.
+        let parent = basins.get(river.parent as usize).copied();
+        count += u32::from(parent.is_none());
+        basins.push(parent.unwrap_or(count));
+    }
+    basins
+}
+
+/// Marks the cells that a river covers.
+fn mark(relief: &Relief, network: &Network, river: &River, basin: u32, basins: &mut [u32]) {
+    let course = network.course(river);
+    for (from, to) in course.clone().zip(course.skip(1)) {
+        let count = (distance(from.at, to.at) / (0.5 * CELL_SIZE)).ceil().max(1.0);
+        let reach = (to.width() * 0.5 / CELL_SIZE).ceil() as i32;
+        for at in (0..=count as usize).map(|i| from.at.lerp(to.at, i as f32 / count)) {
+            for y in -reach..=reach {
+                for x in -reach..=reach {
+                    basins[relief.cell(at + Vec2::new(x as f32, y as f32) * CELL_SIZE)] = basin;
+                }
+            }
+        }
+    }
+}
+
+/// Gives every other cell on one side of the coast the basin that its water runs into: on land it goes by the lowest neighbour, off the
+/// coast by the highest, to land.
+fn follow_the_water(relief: &Relief, is_land: bool, basins: &mut [u32]) {
+    let mut way = Vec::new();
+    for cell in (0..basins.len()).filter(|&cell| (relief.heights()[cell] > 0.0) == is_land) {
+        let mut at = Some(cell);
+        while let Some(here) = at.filter(|&here| basins[here] == UNKNOWN) {
+            way.push(here);
+            at = next(relief, here);
+        }
+        let basin = at.map_or(0, |end| basins[end]);
+        way.drain(..).for_each(|cell| basins[cell] = basin);
+    }
+}
+
+/// The cell after this; `None` where the coast or the border is reached, and so deep at sea that no land is near.
+fn next(relief: &Relief, cell: usize) -> Option<usize> {
+    const DEEP: f32 = -1.0;
+    let (heights, here) = (relief.heights(), relief.heights()[cell]);
+    let around = around(relief.columns(), relief.rows(), cell).into_iter();
+    if here > 0.0 {
+        let lowest = around.fold(cell, |lowest, near| if heights[near] < heights[lowest] { near } else { lowest });
+        (lowest != cell && heights[lowest] > 0.0).then_some(lowest)
+    } else {
+        let highest = around.fold(cell, |highest, near| if heights[near] > heights[highest] { near } else { highest });
+        (highest != cell && here > DEEP).then_some(highest)
+    }
+}
+
+/// Gives strips of land that belong to no basin to the basins beside them: only what is wider than this is worth its own colour.
+fn fill_strips(relief: &Relief, basins: &mut [u32]) {
+    const CELLS: u32 = 4;
+    let rest: Vec<usize> = (0..basins.len()).filter(|&cell| basins[cell] == 0).collect();
+    // By turns with corners and without: so what is taken is nearly round.
+    let near = |turn: u32, cell: usize| {
+        let around = around(relief.columns(), relief.rows(), cell).into_iter().enumerate();
+        around.filter(move |(i, _)| turn.is_multiple_of(2) || !i.is_multiple_of(2)).map(|(_, near)| near)
+    };
+    for turn in 0..2 * CELLS {
+        // First land is taken, then given back from what is left.
+        let is_back = turn >= CELLS;
+        let is_wanted = |basin: u32| if is_back { basin == 0 } else { basin != 0 && basin != UNKNOWN };
+        let wanted = |cell| near(turn, cell).map(|near| basins[near]).find(|&basin| is_wanted(basin));
+        let open = rest.iter().filter(|&&cell| (basins[cell] != 0) == is_back);
+        let taken: Vec<_> = open.filter_map(|&cell| Some((cell, wanted(cell)?))).collect();
+        taken.into_iter().for_each(|(cell, basin)| basins[cell] = basin);
+    }
+}
+
+/// The cells around one, itself in the middle; at the border some come twice.
+fn around(columns: usize, rows: usize, cell: usize) -> [usize; 9] {
+    let (down, across) = (beside(cell / columns, rows), beside(cell % columns, columns));
+    std::array::from_fn(|i| down[i / 3] * columns + across[i % 3])
+}
+
+/// A basin's size in cells, and the basins that it touches.
+type Neighbours = (u32, Vec<u32>);
+
+fn neighbours(relief: &Relief, basins: &[u32]) -> Vec<Neighbours> {
+    let count = basins.iter().max().map_or(0, |most| *most as usize + 1);
+    let mut found = vec![(0, Vec::new()); count];
+    for (cell, &basin) in basins.iter().enumerate() {
+        found[basin as usize].0 += 1;
+        let is_last = (cell + 1).is_multiple_of(relief.columns());
+        let beside = [(!is_last).then_some(cell + 1), Some(cell + relief.columns())];
+        for other in beside.into_iter().flatten().filter_map(|beside| basins.get(beside).copied()) {
+            if other != basin && !found[basin as usize].1.contains(&other) {
+                found[basin as usize].1.push(other);
+                found[other as usize].1.push(basin);
+            }
+        }
+    }
+    found
+}
+
+/// The squared distance of two numbered colours; that of land in no basin is far from all.
+fn apart(colours: &[Colour], one: u8, other: u8) -> i32 {
+    let parts = |number: u8| number.checked_sub(1).map(|i| colours[usize::from(i)]);
+    let squared = |(a, b): (Colour, Colour)| a.iter().zip(b).map(|(&a, b)| (i32::from(a) - i32::from(b)).pow(2)).sum();
+    parts(one).zip(parts(other)).map_or(i32::MAX, squared)
+}
+
+/// A colour for each basin, the greatest first: one unlike all that neighbours have, of those the one used least.
+fn coloured(basins: &[Neighbours], colours: &[Colour]) -> Vec<u8> {
+    let (mut colour_of, mut used) = (vec![0u8; basins.len()], vec![0; colours.len() + 1]);
+    for basin in argsort(basins.iter().map(|(size, _)| !size)).into_iter().filter(|&basin| basin > 0) {
+        let nearest =
+            |colour: u8| basins[basin].1.iter().map(|&other| apart(colours, colour, colour_of[other as usize])).min();
+        let likeness = |colour: u8| nearest(colour).map_or(0, |apart| i32::from(apart < ALIKE) + i32::from(apart == 0));
+        let numbers = 1..=colours.len() as u8;
+        let colour = numbers.min_by_key(|&colour| (likeness(colour), used[usize::from(colour)])).unwrap_or(0);
+        colour_of[basin] = colour;
+        used[usize::from(colour)] += 1;
+    }
+    colour_of
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::network::NONE;
+    use crate::recipe::link;
+    use crate::session::Session;
+
+    const COLOURS: &[Colour] = &[[250, 0, 0], [0, 250, 0], [0, 0, 250], [250, 250, 0], [0, 250, 250], [250, 0, 250]];
+
+    #[test]
+    fn basins_of_a_colour_never_touch_and_rivers_have_that_of_the_land_around_them() {
+        for land in ["island", "archipelago", "rectangle"] {
+            let text = format!("seed=kea&land={land}&growth=drainage&attractors=2500&mouths=0&style=basins");
+            let mut session = Session::new(link::read(&text).unwrap()).unwrap();
+            session.finish().unwrap();
+            let (relief, network) = (session.relief().unwrap(), session.network().unwrap());
+            let basins = Basins::new(relief, network, COLOURS);
+            let of_rivers = basins_of_rivers(network);
+            let mouths = network.rivers.iter().filter(|river| river.parent == NONE).count();
+            assert_eq!(of_rivers.iter().max(), Some(&(mouths as u32)), "{land}");
+            let mut basin_of = vec![UNKNOWN; relief.heights().len()];
+            let (mut own, mut all) = (0, 0);
+            for (river, &basin) in network.rivers.iter().zip(&of_rivers) {
+                mark(relief, network, river, basin, &mut basin_of);
+                for vertex in &network.vertices[river.vertex_range()] {
+                    all += 1;
+                    own += usize::from(basins.cells[relief.cell(vertex.at)] == basins.rivers_colour(&of_rivers, basin));
+                }
+            }
+            // Where two rivers pass one cell, it can have one colour only.
+            assert!(own * 50 > all * 49, "{land}: {own} of {all}");
+            follow_the_water(relief, true, &mut basin_of);
+            fill_strips(relief, &mut basin_of);
+            follow_the_water(relief, false, &mut basin_of);
+            for (basin, (_, others)) in neighbours(relief, &basin_of).iter().enumerate().skip(1) {
+                let colour = |basin: usize| basins.rivers_colour(&of_rivers, basin as u32);
+                let others = others.iter().filter(|&&other| other > 0);
+                others.for_each(|&other| assert_ne!(colour(basin), colour(other as usize), "{land}: {basin}, {other}"));
+            }
+        }
+    }
+
+    impl Basins {
+        /// The colour of a basin, by that of its cells.
+        fn rivers_colour(&self, of_rivers: &[u32], basin: u32) -> u8 {
+            self.rivers[of_rivers.iter().position(|&other| other == basin).unwrap()]
+        }
+    }
+}

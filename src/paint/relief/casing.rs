@@ -1,0 +1,59 @@
+//! What lies around rivers: a light edge, or a glow.
+
+use super::Sheet;
+use crate::paint::coverage::Rect;
+use crate::paint::palette::{Casing, mix};
+
+/// Lays a casing or a glow around rivers, which were drawn as wide as it begins.
+pub(super) fn lay(casing: &Casing, sheet: &Sheet<'_>, pixels: &mut [[u8; 4]]) {
+    let radius = (casing.blur * sheet.view.scale).round() as u32;
+    // Three boxes are nearly a bell.
+    let boxes = if radius > 0 { 3 } else { 0 };
+    let Some(rect) = sheet.touched.map(|rect| grown(rect, boxes * radius, sheet)) else { return };
+    let (columns, stride) = (rect.left as usize..rect.right as usize, sheet.view.width as usize);
+    let (width, height) = (columns.len(), (rect.bottom - rect.top) as usize);
+    let rows = |row: u32| row as usize * stride + columns.start..row as usize * stride + columns.end;
+    let mut mask = Vec::with_capacity(width * height);
+    (rect.top..rect.bottom).for_each(|row| mask.extend_from_slice(&sheet.rivers[rows(row)]));
+    for _ in 0..boxes {
+        mask = blurred_and_turned(&mask, width, height, radius as usize);
+        mask = blurred_and_turned(&mask, height, width, radius as usize);
+    }
+    // A blur spreads what it takes, which is made up for.
+    let gain = if radius > 0 { casing.gain } else { 1.0 };
+    for (row, mask) in (rect.top..rect.bottom).zip(mask.chunks(width)) {
+        for (pixel, &covered) in pixels[rows(row)].iter_mut().zip(mask).filter(|(_, covered)| **covered > 0) {
+            let [r, g, b, open] = *pixel;
+            let share = (f32::from(covered) / 255.0 * gain).min(1.0) * casing.strength * f32::from(open) / 255.0;
+            let [r, g, b] = mix([r, g, b], casing.colour, share);
+            *pixel = [r, g, b, open];
+        }
+    }
+}
+
+/// The pixels that a blur of what is touched reaches.
+fn grown(rect: Rect, reach: u32, sheet: &Sheet<'_>) -> Rect {
+    Rect {
+        left: rect.left.saturating_sub(reach),
+        top: rect.top.saturating_sub(reach),
+        right: (rect.right + reach).min(sheet.view.width),
+        bottom: (rect.bottom + reach).min(sheet.view.height),
+    }
+}
+
+/// The mean of the pixels of each row that are no farther than a radius, rows become columns.
+fn blurred_and_turned(mask: &[u8], width: usize, height: usize, radius: usize) -> Vec<u8> {
+    let mut turned = vec![0; mask.len()];
+    let whole = (2 * radius + 1) as u32;
+    // A multiplication for a division, for its sums of at most 255 times that.
+    let per_whole = (1 << 24) / whole + 1;
+    for (y, row) in mask.chunks(width).enumerate().filter(|(_, row)| row.iter().any(|&covered| covered > 0)) {
+        let mut sum: u32 = row.iter().take(radius).map(|&value| u32::from(value)).sum();
+        for x in 0..width {
+            sum += row.get(x + radius).map_or(0, |&value| u32::from(value));
+            turned[x * height + y] = (((sum + whole / 2) * per_whole) >> 24) as u8;
+            sum -= if x >= radius { u32::from(row[x - radius]) } else { 0 };
+        }
+    }
+    turned
+}

@@ -1,0 +1,154 @@
+//! A value for each cell of a map as a surface without facets: of parabolas (a biquadratic B-spline).
+
+use std::ops::Range;
+
+use glam::Vec2;
+
+use crate::land::{Parabola, beside, nearest};
+use crate::paint::view::View;
+use crate::relief::{CELL_SIZE, Relief};
+
+#[derive(Clone, Debug)]
+pub(super) struct Field {
+    pub columns: usize,
+    pub rows: usize,
+    pub values: Vec<f32>,
+}
+
+impl Field {
+    /// The heights of a relief, each made into a value.
+    pub fn of(relief: &Relief, value: impl Fn(f32) -> f32) -> Self {
+        let values = relief.heights().iter().map(|&height| value(height)).collect();
+        Self { columns: relief.columns(), rows: relief.rows(), values }
+    }
+
+    /// The cell of a point; `None` beyond the map.
+    pub fn cell(&self, at: Vec2) -> Option<usize> {
+        let (x, y) = ((at.x / CELL_SIZE).floor(), (at.y / CELL_SIZE).floor());
+        let is_inside = x >= 0.0 && y >= 0.0 && x < self.columns as f32 && y < self.rows as f32;
+        is_inside.then(|| y as usize * self.columns + x as usize)
+    }
+
+    /// The middle of a cell, in units.
+    pub fn middle(&self, cell: usize) -> Vec2 {
+        (Vec2::new((cell % self.columns) as f32, (cell / self.columns) as f32) + 0.5) * CELL_SIZE
+    }
+
+    /// The value at a point, and by how much it rises by the unit.
+    pub fn at(&self, at: Vec2) -> (f32, Vec2) {
+        let place = at / CELL_SIZE - 0.5;
+        let ((column, along), (row, down)) = (nearest(place.x, self.columns), nearest(place.y, self.rows));
+        let columns = beside(column, self.columns);
+        let across = beside(row, self.rows)
+            .map(|row| Parabola::of(columns.map(|column| self.values[row * self.columns + column])));
+        let heights = Parabola::of(across.map(|parabola| parabola.at(along)));
+        let east = Parabola::of(across.map(|parabola| parabola.rise(along))).at(down);
+        (heights.at(down), Vec2::new(east, heights.rise(down)) / CELL_SIZE)
+    }
+
+    /// Smoothed this many times, each time by √2 units.
+    pub fn smoothed(mut self, times: u32) -> Self {
+        let mean = |before: f32, here: f32, after: f32| (before + here + here + after) * 0.25;
+        for _ in 0..times {
+            let mut before = self.values[..self.columns].to_vec();
+            for row in 0..self.rows {
+                let (upper, lower) = self.values.split_at_mut((row + 1) * self.columns);
+                let upper = &mut upper[row * self.columns..];
+                let last = if lower.is_empty() { upper.to_vec() } else { Vec::new() };
+                let after = if lower.is_empty() { &last } else { &lower[..self.columns] };
+                for ((here, before), &after) in upper.iter_mut().zip(&mut before).zip(after) {
+                    let was = *here;
+                    *here = mean(*before, was, after);
+                    *before = was;
+                }
+            }
+            for row in self.values.chunks_mut(self.columns) {
+                before.copy_from_slice(row);
+                for (here, around) in row[1..].iter_mut().zip(before.windows(3)) {
+                    *here = mean(around[0], around[1], around[2]);
+                }
+                if let [first, second, .., before_last, last] = before[..] {
+                    row[0] = mean(first, first, second);
+                    row[self.columns - 1] = mean(before_last, last, last);
+                }
+            }
+        }
+        self
+    }
+
+    /// The control points along one y of a map, in units.
+    pub fn line(&self, y: f32, heights: &mut Vec<f32>) {
+        let (controls, t) = self.controls(y);
+        heights.clear();
+        heights.extend(controls.map(|parabola| parabola.at(t)));
+    }
+
+    /// Those of how much higher the surface is a cell to the south.
+    pub fn rises(&self, y: f32, rises: &mut Vec<f32>) {
+        let (controls, t) = self.controls(y);
+        rises.clear();
+        rises.extend(controls.map(|parabola| parabola.rise(t)));
+    }
+
+    fn controls(&self, y: f32) -> (impl Iterator<Item = Parabola>, f32) {
+        let (middle, t) = nearest(y / CELL_SIZE - 0.5, self.rows);
+        let [north, here, south] =
+            beside(middle, self.rows).map(|row| &self.values[row * self.columns..][..self.columns]);
+        (north.iter().zip(here).zip(south).map(|((&a, &b), &c)| Parabola::of([a, b, c])), t)
+    }
+}
+
+/// The pixels of a picture's rows, cell by cell.
+pub(super) struct Places {
+    /// Columns of cells with the pixels that they are nearest to.
+    pub runs: Vec<(usize, Range<usize>)>,
+    /// How far each pixel lies beyond the middle of its cell, in cells.
+    pub along: Vec<f32>,
+}
+
+impl Places {
+    pub fn new(view: &View, columns: usize) -> Self {
+        let x = |x: usize| view.point(Vec2::splat(x as f32 + 0.5)).x;
+        let (mut runs, mut along) = (Vec::<(usize, Range<usize>)>::new(), Vec::new());
+        for pixel in 0..view.width as usize {
+            let (column, t) = nearest(x(pixel) / CELL_SIZE - 0.5, columns);
+            along.push(t);
+            match runs.last_mut() {
+                Some((last, pixels)) if *last == column => pixels.end += 1,
+                _ => runs.push((column, pixel..pixel + 1)),
+            }
+        }
+        Self { runs, along }
+    }
+}
+
+/// A piece of a line around a column.
+#[inline]
+pub(super) fn piece(line: &[f32], column: usize) -> Parabola {
+    Parabola::of(beside(column, line.len()).map(|column| line[column]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::Vec2;
+
+    #[test]
+    fn a_slope_stays_what_it_is_inside_and_a_spike_keeps_its_volume() {
+        let (columns, rows) = (12, 9);
+        let slope = |i: usize| (i % columns) as f32 * 3.0 - (i / columns) as f32;
+        let field = Field { columns, rows, values: (0..columns * rows).map(slope).collect() }.smoothed(2);
+        let (height, rise) = field.at(Vec2::new(11.3, 9.7));
+        let expected = (11.3 / CELL_SIZE - 0.5) * 3.0 - (9.7 / CELL_SIZE - 0.5);
+        assert!((height - expected).abs() < 1e-4, "{height}, not {expected}");
+        assert!((rise - Vec2::new(3.0, -1.0) / CELL_SIZE).abs().max_element() < 1e-4, "{rise}");
+        let mut values = vec![0.0; columns * rows];
+        values[4 * columns + 5] = 16.0;
+        let field = Field { columns, rows, values }.smoothed(1);
+        assert_eq!(
+            (field.values[4 * columns + 5], field.values[3 * columns + 5], field.values[3 * columns + 4]),
+            (4.0, 2.0, 1.0)
+        );
+        assert!((field.values.iter().sum::<f32>() - 16.0).abs() < 1e-4);
+    }
+}

@@ -1,0 +1,29 @@
+//! An atlas page.
+
+use crate::paint::palette::{Casing, Palette, ReliefLook, even, tinted};
+
+/// Rings in the sea, the nearest first.
+pub(super) const RINGS: &[(f32, f32)] =
+    &[(3.5, 0.34), (8.1, 0.27), (14.1, 0.22), (21.8, 0.17), (31.5, 0.14), (43.7, 0.11)];
+
+static RELIEF: ReliefLook = ReliefLook {
+    casing: Casing { colour: [0xf7, 0xf1, 0xdd], strength: 0.35, margin: 0.55, blur: 0.0, gain: 1.0 },
+    ..tinted(
+        &[
+            (0.0, [0xcf, 0xdc, 0xb4]),
+            (0.18, [0xe2, 0xe4, 0xbf]),
+            (0.42, [0xf0, 0xe6, 0xc8]),
+            (0.7, [0xe6, 0xcf, 0xa8]),
+            (1.0, [0xd3, 0xb5, 0x8f]),
+        ],
+        0.42,
+    )
+};
+
+pub(super) static PALETTE: Palette = Palette {
+    shallows: [0xcf, 0xe3, 0xe6],
+    fade: 150.0,
+    rings: RINGS,
+    relief: Some(&RELIEF),
+    ..even([0xdc, 0xe3, 0xbe], [0x8f, 0xb6, 0xc6], [0x3c, 0x64, 0x78], [0xa0, 0x86, 0x66], [0x2a, 0x6f, 0x9e])
+};

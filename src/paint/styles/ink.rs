@@ -1,0 +1,8 @@
+//! Ink on paper.
+
+use crate::paint::palette::{Palette, even};
+
+pub(super) static PALETTE: Palette = Palette {
+    rings: &[(7.0, 0.34), (16.0, 0.2), (28.0, 0.1)],
+    ..even([0xf6, 0xf0, 0xe2], [0xdd, 0xe6, 0xe4], [0x4a, 0x62, 0x78], [0xa8, 0x93, 0x78], [0x1f, 0x3f, 0x66])
+};

@@ -1,0 +1,40 @@
+//! The styles, each a file of its own and a line in this list.
+
+mod atlas;
+mod basins;
+mod dark;
+mod ink;
+mod night;
+mod parchment;
+mod skeleton;
+mod survey;
+
+use super::palette::Palette;
+use crate::recipe::Style;
+
+/// What a style paints with.
+pub(crate) fn palette(style: Style) -> &'static Palette {
+    match style {
+        Style::Ink => &ink::PALETTE,
+        Style::Dark => &dark::PALETTE,
+        Style::Atlas => &atlas::PALETTE,
+        Style::Night => &night::PALETTE,
+        Style::Survey => &survey::PALETTE,
+        Style::Basins => &basins::PALETTE,
+        Style::Parchment => &parchment::PALETTE,
+        Style::Skeleton => &skeleton::PALETTE,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::recipe::Choice;
+
+    #[test]
+    fn styles_that_show_relief_have_tints_for_it_and_no_others() {
+        for &style in Style::ALL {
+            assert_eq!(style.has_relief(), palette(style).relief.is_some(), "{style:?}");
+        }
+    }
+}

@@ -1,0 +1,20 @@
+//! The land by night.
+
+use super::atlas::RINGS;
+use crate::paint::palette::{Casing, Palette, ReliefLook, even, tinted};
+
+static RELIEF: ReliefLook = ReliefLook {
+    casing: Casing { colour: [0x4f, 0xa8, 0xd8], strength: 0.5, margin: 0.3, blur: 2.0, gain: 2.5 },
+    ..tinted(
+        &[(0.0, [0x1f, 0x3a, 0x3a]), (0.3, [0x2b, 0x44, 0x42]), (0.6, [0x4a, 0x52, 0x48]), (1.0, [0x75, 0x69, 0x5a])],
+        0.35,
+    )
+};
+
+pub(super) static PALETTE: Palette = Palette {
+    shallows: [0x16, 0x30, 0x3d],
+    fade: 150.0,
+    rings: RINGS.split_at(4).0,
+    relief: Some(&RELIEF),
+    ..even([0x24, 0x3e, 0x3d], [0x09, 0x13, 0x1a], [0x7f, 0xb3, 0xc6], [0x6e, 0x60, 0x4c], [0xb5, 0xe0, 0xf7])
+};

@@ -1,0 +1,31 @@
+//! An engraving on old paper.
+
+use crate::paint::palette::{Casing, Hachures, Palette, Paper, ReliefLook, even, tinted};
+
+const LAND: [u8; 3] = [0xf1, 0xe4, 0xc3];
+
+const TINTED: ReliefLook = tinted(&[(0.0, LAND)], 0.86);
+
+static RELIEF: ReliefLook = ReliefLook {
+    hachures: Some(Hachures { colour: [0x4a, 0x38, 0x28], strength: 0.6 }),
+    casing: Casing { margin: 1.0, ..TINTED.casing },
+    ..TINTED
+};
+
+pub(super) static PALETTE: Palette = Palette {
+    lowland: [0xe0, 0xc9, 0x9c],
+    fade: 14.0,
+    rings: &[
+        (2.4, 0.60),
+        (5.8, 0.50),
+        (10.2, 0.41),
+        (15.7, 0.34),
+        (22.7, 0.28),
+        (31.3, 0.24),
+        (41.9, 0.20),
+        (54.9, 0.16),
+    ],
+    paper: Some(&Paper { blotch: [0xbf, 0xa0, 0x6a], blotched: 0.3, edge: [0x7d, 0x5f, 0x33], edged: 0.4 }),
+    relief: Some(&RELIEF),
+    ..even(LAND, [0xdf, 0xcb, 0x9d], [0x4a, 0x38, 0x28], [0x6e, 0x5a, 0x40], [0x4a, 0x5a, 0x5c])
+};

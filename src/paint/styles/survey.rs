@@ -1,0 +1,20 @@
+//! A sheet of a topographic survey: contours over the faintest of tints and shades.
+
+use crate::paint::palette::{Casing, Contours, Palette, ReliefLook, even, tinted};
+
+const TINTED: ReliefLook = tinted(
+    &[(0.0, [0xd9, 0xe8, 0xc4]), (0.3, [0xee, 0xf0, 0xd0]), (0.6, [0xf6, 0xe7, 0xc4]), (1.0, [0xec, 0xd2, 0xab])],
+    0.8,
+);
+
+static RELIEF: ReliefLook = ReliefLook {
+    contours: Some(Contours { colour: [0xab, 0x6a, 0x30], widths: [0.4, 1.1], strengths: [0.75, 0.95] }),
+    casing: Casing { margin: 0.8, ..TINTED.casing },
+    ..TINTED
+};
+
+pub(super) static PALETTE: Palette = Palette {
+    rings: &[(14.0, 0.42), (34.0, 0.34), (70.0, 0.26)],
+    relief: Some(&RELIEF),
+    ..even([0xe2, 0xec, 0xca], [0xcf, 0xe3, 0xec], [0x2f, 0x7c, 0xa8], [0xa0, 0x86, 0x66], [0x2b, 0x7a, 0xb5])
+};
