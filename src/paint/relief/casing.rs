@@ -57,3 +57,42 @@ fn blurred_and_turned(mask: &[u8], width: usize, height: usize, radius: usize) -
     }
     turned
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::domain::Domain;
+    use crate::paint::coverage::Coverage;
+    use crate::paint::view::View;
+    use glam::Vec2;
+
+    /// What a white glow on black looks like around two strokes, one at the edge, if it is laid within some pixels; and their mask.
+    fn glow(side: u32, within: impl Fn(&mut Coverage) -> Rect) -> (Vec<u8>, Vec<u8>) {
+        let view = View::new(&Domain::with_aspect(1.0), side, side).unwrap();
+        let mut mask = Coverage::new(side, side).unwrap();
+        for (from, to) in [((420.0, 500.0), (520.0, 560.0)), ((300.0, -1.0), (340.0, 3.0))] {
+            mask.capsule(view.pixel(Vec2::from(from)), 1.2, view.pixel(Vec2::from(to)), 0.9);
+        }
+        let touched = Some(within(&mut mask));
+        let sheet = Sheet { view: &view, plain: [0; 3], land: &[], rivers: mask.mask().data(), touched };
+        let casing = Casing { colour: [255; 3], strength: 1.0, margin: 0.0, blur: 2.0, gain: 2.5 };
+        let mut pixels = vec![[0, 0, 0, 255]; view.pixels()];
+        lay(&casing, &sheet, &mut pixels);
+        (pixels.iter().map(|pixel| pixel[0]).collect(), mask.mask().data().to_vec())
+    }
+
+    #[test]
+    fn a_glow_is_blurred_where_it_is_as_in_the_whole_picture() {
+        let touched = |mask: &mut Coverage| mask.take_touched().into_iter().reduce(Rect::union).unwrap();
+        let ((part, mask), (whole, _)) = (glow(900, touched), glow(900, |mask| mask.bounds()));
+        assert!(part == whole);
+        let count = |pixels: &[u8]| pixels.iter().filter(|&&light| light > 0).count();
+        assert!(count(&part) > 2 * count(&mask), "{} pixels of {}", count(&part), count(&mask));
+    }
+
+    #[test]
+    fn a_glow_too_small_to_be_blurred_is_no_stronger_than_its_mask() {
+        let (light, mask) = glow(200, |mask| mask.bounds());
+        assert!(light == mask);
+    }
+}
