@@ -4,18 +4,19 @@ use super::Sheet;
 use crate::paint::coverage::Rect;
 use crate::paint::palette::{Casing, mix};
 
+/// So many boxes are nearly a bell.
+const BOXES: u32 = 3;
+
 /// Lays a casing or a glow around rivers, which were drawn as wide as it begins.
 pub(super) fn lay(casing: &Casing, sheet: &Sheet<'_>, pixels: &mut [[u8; 4]]) {
     let radius = (casing.blur * sheet.view.scale).round() as u32;
-    // Three boxes are nearly a bell.
-    let boxes = if radius > 0 { 3 } else { 0 };
-    let Some(rect) = sheet.touched.map(|rect| grown(rect, boxes * radius, sheet)) else { return };
+    let Some(rect) = sheet.touched.map(|rect| grown(rect, BOXES * radius, sheet)) else { return };
     let (columns, stride) = (rect.left as usize..rect.right as usize, sheet.view.width as usize);
     let (width, height) = (columns.len(), (rect.bottom - rect.top) as usize);
     let rows = |row: u32| row as usize * stride + columns.start..row as usize * stride + columns.end;
     let mut mask = Vec::with_capacity(width * height);
     (rect.top..rect.bottom).for_each(|row| mask.extend_from_slice(&sheet.rivers[rows(row)]));
-    for _ in 0..boxes {
+    if radius > 0 {
         mask = blurred_and_turned(&mask, width, height, radius as usize);
         mask = blurred_and_turned(&mask, height, width, radius as usize);
     }
@@ -41,21 +42,35 @@ fn grown(rect: Rect, reach: u32, sheet: &Sheet<'_>) -> Rect {
     }
 }
 
-/// The mean of the pixels of each row that are no farther than a radius, rows become columns.
+/// Each row blurred, rows become columns.
 fn blurred_and_turned(mask: &[u8], width: usize, height: usize, radius: usize) -> Vec<u8> {
     let mut turned = vec![0; mask.len()];
-    let whole = (2 * radius + 1) as u32;
-    // A multiplication for a division, for its sums of at most 255 times that.
-    let per_whole = (1 << 24) / whole + 1;
+    let (mut line, mut blurred) = (vec![0; width], vec![0; width]);
     for (y, row) in mask.chunks(width).enumerate().filter(|(_, row)| row.iter().any(|&covered| covered > 0)) {
-        let mut sum: u32 = row.iter().take(radius).map(|&value| u32::from(value)).sum();
-        for x in 0..width {
-            sum += row.get(x + radius).map_or(0, |&value| u32::from(value));
-            turned[x * height + y] = (((sum + whole / 2) * per_whole) >> 24) as u8;
-            sum -= if x >= radius { u32::from(row[x - radius]) } else { 0 };
+        line.copy_from_slice(row);
+        for _ in 0..BOXES {
+            blur(&line, radius, &mut blurred);
+            std::mem::swap(&mut line, &mut blurred);
+        }
+        // Most of a row is empty.
+        for (x, &covered) in line.iter().enumerate().filter(|(_, covered)| **covered > 0) {
+            turned[x * height + y] = covered;
         }
     }
     turned
+}
+
+/// The mean of the pixels that are no farther than a radius, of each in a row.
+fn blur(row: &[u8], radius: usize, blurred: &mut [u8]) {
+    let whole = (2 * radius + 1) as u32;
+    // A multiplication for a division, of at most 255 times that.
+    let per_whole = (1 << 24) / whole + 1;
+    let mut sum: u32 = row.iter().take(radius).map(|&value| u32::from(value)).sum();
+    for (x, blurred) in blurred.iter_mut().enumerate() {
+        sum += row.get(x + radius).map_or(0, |&value| u32::from(value));
+        *blurred = (((sum + whole / 2) * per_whole) >> 24) as u8;
+        sum -= if x >= radius { u32::from(row[x - radius]) } else { 0 };
+    }
 }
 
 #[cfg(test)]

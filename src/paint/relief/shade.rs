@@ -2,8 +2,8 @@
 
 use glam::{Vec2, Vec3};
 
-use super::field::{Field, Places, piece};
 use super::Sheet;
+use super::field::{Field, Places, piece};
 use crate::land::beside;
 use crate::paint::palette::{Colour, Tints};
 use crate::relief::{CELL_SIZE, Relief};
