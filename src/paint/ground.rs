@@ -4,7 +4,7 @@
 use glam::Vec2;
 
 use super::coverage::{Coverage, Rect};
-use super::palette::{Palette, mix};
+use super::palette::{Colour, Palette, mix};
 use super::ridges::ridges;
 use super::view::View;
 use crate::land::{Across, Land, Parabola, SmoothedDistance};
@@ -211,22 +211,34 @@ fn line(scale: f32, distance: f32, width: f32) -> f32 {
 /// Paints the ridges over the ground.
 fn lay_ridges(view: &View, land: &Land, palette: &Palette, pixels: &mut [[u8; 4]]) {
     let strokes = ridges(land);
-    if strokes.is_empty() {
-        return;
+    if !strokes.is_empty() {
+        lay_strokes(view, &strokes, palette.ridge, &|_| 1.0, pixels);
     }
+}
+
+/// Lays strokes of a colour over a ground: lines between two places with half of their width there, in units. `open` is how much of the
+/// colour shows in a pixel.
+pub(super) fn lay_strokes(
+    view: &View,
+    strokes: &[[(Vec2, f32); 2]],
+    colour: Colour,
+    open: &dyn Fn(usize) -> f32,
+    pixels: &mut [[u8; 4]],
+) {
     let Some(mut coverage) = Coverage::new(view.width, view.height) else { return };
-    for [(a, half_a), (b, half_b)] in strokes {
+    for &[(a, half_a), (b, half_b)] in strokes {
         coverage.capsule(view.pixel(a), half_a * view.scale, view.pixel(b), half_b * view.scale);
     }
     for Rect { left, top, right, bottom } in coverage.take_touched() {
         for row in top..bottom {
             let first = row as usize * view.width as usize;
-            let columns = first + left as usize..first + right as usize;
-            let covered = &coverage.mask().data()[columns.clone()];
-            for (pixel, &covered) in pixels[columns].iter_mut().zip(covered).filter(|(_, covered)| **covered > 0) {
-                let [r, g, b, open] = *pixel;
-                let [r, g, b] = mix([r, g, b], palette.ridge, f32::from(covered) / 255.0);
-                *pixel = [r, g, b, open];
+            for i in first + left as usize..first + right as usize {
+                let covered = coverage.mask().data()[i];
+                if covered > 0 {
+                    let [r, g, b, rest] = pixels[i];
+                    let [r, g, b] = mix([r, g, b], colour, f32::from(covered) / 255.0 * open(i));
+                    pixels[i] = [r, g, b, rest];
+                }
             }
         }
     }

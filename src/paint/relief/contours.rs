@@ -47,9 +47,14 @@ pub(super) fn lay(look: &Contours, field: &Field, sheet: &Sheet<'_>, pixels: &mu
                 let height = along.at(t);
                 let level = (height + 0.5) as u32;
                 if level > 0 && open > 0.0 {
-                    let steepness = Vec2::new(along.rise(t), south.at(t)).length_squared().max(1e-8).sqrt();
+                    let squared = Vec2::new(along.rise(t), south.at(t)).length_squared().max(1e-8);
                     let line = &lines[usize::from(level.is_multiple_of(INDEX))];
-                    let spacing = cell_px / steepness;
+                    let (off, rim) = ((height - level as f32) * cell_px, line.half + 0.5);
+                    // Most pixels are on no line.
+                    if off * off > rim * rim * squared {
+                        continue;
+                    }
+                    let spacing = cell_px / squared.sqrt();
                     let covered = line.coverage((height - level as f32).abs() * spacing, spacing);
                     if covered > 0.0 {
                         let [r, g, b, rest] = row[x];

@@ -5,8 +5,8 @@ use glam::Vec2;
 
 use super::Sheet;
 use super::field::Field;
-use crate::paint::coverage::Coverage;
-use crate::paint::palette::{Hachures, mix};
+use crate::paint::ground::lay_strokes;
+use crate::paint::palette::Hachures;
 use crate::relief::Relief;
 
 /// A stroke: its places with half of its width there, in units.
@@ -36,21 +36,10 @@ pub(crate) fn strokes(relief: &Relief, highest: f32) -> Vec<Stroke> {
 
 /// Lays the strokes of a relief over the land of a ground.
 pub(super) fn lay(look: &Hachures, strokes: &[Stroke], sheet: &Sheet<'_>, pixels: &mut [[u8; 4]]) {
-    let view = sheet.view;
-    let Some(mut coverage) = Coverage::new(view.width, view.height) else { return };
-    for pair in strokes.iter().flat_map(|stroke| stroke.windows(2)) {
-        let [(from, thick), (to, thin)] = [pair[0], pair[1]].map(|(at, half)| (view.pixel(at), half * view.scale));
-        coverage.capsule(from, thick, to, thin);
-    }
-    let open = sheet.land.iter().zip(sheet.rivers).map(|(&land, &river)| f32::from(land) * f32::from(255 - river));
-    for ((pixel, &covered), open) in pixels.iter_mut().zip(coverage.mask().data()).zip(open) {
-        if covered > 0 {
-            let [r, g, b, rest] = *pixel;
-            let share = f32::from(covered) * open * (look.strength / (255.0 * 255.0 * 255.0));
-            let [r, g, b] = mix([r, g, b], look.colour, share);
-            *pixel = [r, g, b, rest];
-        }
-    }
+    let lines: Vec<_> = strokes.iter().flat_map(|stroke| [[stroke[0], stroke[1]], [stroke[1], stroke[2]]]).collect();
+    let open =
+        |i: usize| f32::from(sheet.land[i]) * f32::from(255 - sheet.rivers[i]) * (look.strength / (255.0 * 255.0));
+    lay_strokes(sheet.view, &lines, look.colour, &open, pixels);
 }
 
 /// The rows of a field whose unit is a row.
