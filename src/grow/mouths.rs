@@ -30,23 +30,26 @@ pub fn mouths(settings: &GrowthSettings) -> Vec<Mouth> {
     }
     let Some(land) = &settings.land else { return on_sides(settings) };
     let mut chance = settings.seed.stream(Purpose::Mouths);
-    let regions = land.regions().iter().zip(&settings.basins);
-    let on_region = |(region, &count): (&Region, &u32)| {
+    let mut mouths = Vec::new();
+    for (region, &count) in land.regions().iter().zip(&settings.basins) {
         let coast = chosen_shores(region, settings.shores);
-        if settings.has_valleys() {
+        mouths.extend(if settings.has_valleys() {
             steadily_on_coast(settings, land, &coast, count)
         } else {
             on_coast(land, &coast, count, settings.mouth_spacing, &mut chance)
-        }
-    };
-    regions.flat_map(on_region).collect()
+        });
+    }
+    mouths
 }
 
 /// The places where more rivers may reach the sea: none where mouths are drawn, or on a plain rectangle, which has a border and no
 /// coast.
-pub fn shores(settings: &GrowthSettings) -> impl Iterator<Item = Shore> {
-    let is_free = settings.starts.is_empty();
-    settings.watered().filter(move |_| is_free).flat_map(|region| chosen_shores(region, settings.shores))
+pub fn shores(settings: &GrowthSettings) -> Vec<Shore> {
+    let mut shores = Vec::new();
+    if settings.starts.is_empty() {
+        settings.watered().for_each(|region| shores.extend(chosen_shores(region, settings.shores)));
+    }
+    shores
 }
 
 /// The shores of a region that lie on some sides as seen from the middle of its coast: so the north shore of an island looks north,
@@ -56,26 +59,24 @@ fn chosen_shores(region: &Region, sides: Sides) -> Vec<Shore> {
 }
 
 /// The same of any places on the coast of a region.
-pub(super) fn on_chosen_sides<T: Clone>(
-    region: &Region,
-    sides: Sides,
-    places: Vec<T>,
-    at: impl Fn(&T) -> Vec2,
-) -> Vec<T> {
+pub(super) fn on_chosen_sides<T>(region: &Region, sides: Sides, mut places: Vec<T>, at: impl Fn(&T) -> Vec2) -> Vec<T> {
     let middle = region.shores.iter().map(|shore| shore.at).sum::<Vec2>() / region.shores.len() as f32;
-    let is_chosen = |place: &&T| {
-        let Vec2 { x, y } = at(place) - middle;
-        let side = if x.abs() > y.abs() {
-            if x > 0.0 { 'e' } else { 'w' }
-        } else if y > 0.0 {
-            's'
-        } else {
-            'n'
-        };
-        sides.contains(side)
-    };
-    let chosen: Vec<T> = places.iter().filter(is_chosen).cloned().collect();
-    if chosen.is_empty() { places } else { chosen }
+    let is_chosen = |place: &T| sides.contains(side_toward(at(place) - middle));
+    if places.iter().any(is_chosen) {
+        places.retain(is_chosen);
+    }
+    places
+}
+
+/// The side that a way leads to.
+#[inline(never)] // each copy weighs a hundred bytes
+fn side_toward(Vec2 { x, y }: Vec2) -> char {
+    match (x.abs() > y.abs(), x > 0.0, y > 0.0) {
+        (true, true, _) => 'e',
+        (true, false, _) => 'w',
+        (false, _, true) => 's',
+        (false, _, false) => 'n',
+    }
 }
 
 /// Places mouths on a coast, each at the best of some random places: remote from those before it, so that they keep apart

@@ -205,8 +205,8 @@ fn starts_in(land: &Land, starts: &[Start]) -> Vec<u32> {
 }
 
 fn watered<'a>(land: Option<&'a Land>, basins: &'a [u32]) -> impl Iterator<Item = &'a Region> {
-    let regions = land.into_iter().flat_map(Land::regions);
-    regions.zip(basins).filter(|(_, mouths)| **mouths > 0).map(|(region, _)| region)
+    let regions = land.map_or(&[][..], Land::regions);
+    regions.iter().zip(basins).filter(|(_, mouths)| **mouths > 0).map(|(region, _)| region)
 }
 
 /// Shares mouths out among regions by their size, as parliaments share out seats (Webster and Sainte-Laguë): a second

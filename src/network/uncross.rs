@@ -5,6 +5,8 @@
 //! and one that meets an older step ends in it: the nodes beyond belong to the older river. The branch that led to the
 //! crossing stays, as a river of its own. No discharge is lost.
 
+use std::ops::Range;
+
 use glam::Vec2;
 
 use super::NONE;
@@ -155,34 +157,37 @@ impl Planar {
     }
 
     fn enter(&mut self, step: u32) {
-        let cells: Vec<usize> = self.cells(self.segment(step)).collect();
-        for cell in cells {
-            self.entries.push((step, self.first[cell]));
-            self.first[cell] = self.entries.len() as u32 - 1;
+        let (columns, rows) = self.cells(self.segment(step));
+        for row in rows {
+            for column in columns.clone() {
+                let first = &mut self.first[row * self.columns + column];
+                self.entries.push((step, std::mem::replace(first, self.entries.len() as u32)));
+            }
         }
     }
 
     fn visit(&self, segment: Segment, mut visit: impl FnMut(u32)) {
-        for cell in self.cells(segment) {
-            let mut entry = self.first[cell];
-            let mut visited = 1;
-            while let Some(&(step, next)) = self.entries.get(entry as usize) {
-                visit(step);
-                entry = next;
-                visited += 1;
+        let (columns, rows) = self.cells(segment);
+        for row in rows {
+            for column in columns.clone() {
+                let mut entry = self.first[row * self.columns + column];
+                let mut visited = 1;
+                while let Some(&(step, next)) = self.entries.get(entry as usize) {
+                    visit(step);
+                    entry = next;
+                    visited += 1;
+                }
+                work::count(visited);
             }
-            work::count(visited);
         }
     }
 
-    /// The cells of the box around a segment.
-    fn cells(&self, (a, b): Segment) -> impl Iterator<Item = usize> + use<> {
-        let columns = self.columns;
+    /// The columns and rows of the cells of the box around a segment.
+    fn cells(&self, (a, b): Segment) -> (Range<usize>, Range<usize>) {
         let place = |x: f32, end: usize| ((x / self.side) as usize).min(end - 1);
         let (least, most) = (a.min(b) - self.corner, a.max(b) - self.corner);
-        let (left, right) = (place(least.x, columns), place(most.x, columns));
-        (place(least.y, self.rows)..=place(most.y, self.rows))
-            .flat_map(move |row| (left..=right).map(move |column| row * columns + column))
+        let range = |least: f32, most: f32, end: usize| place(least, end)..place(most, end) + 1;
+        (range(least.x, most.x, self.columns), range(least.y, most.y, self.rows))
     }
 
     /// The nodes in an order in which parents stand first.

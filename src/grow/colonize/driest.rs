@@ -37,8 +37,7 @@ struct Candidate {
 
 impl Search {
     /// A search among places on coasts, of which nothing is known yet.
-    pub fn among(shores: impl Iterator<Item = Shore>) -> Self {
-        let shores: Vec<Shore> = shores.collect();
+    pub fn among(shores: Vec<Shore>) -> Self {
         let unknown = |shore| Candidate { most: u32::MAX, shore: Reverse(shore), counted_in: 0 };
         let candidates = (0..shores.len() as u32).map(unknown).collect();
         Self { shores, candidates, number: 0, is_under_way: false }
@@ -105,7 +104,7 @@ mod tests {
             losses in proptest::collection::vec((0usize..40, 0u32..9), 0..60),
         ) {
             let seen = RefCell::new(first);
-            let mut places = Search::among((0..seen.borrow().len()).map(shore));
+            let mut places = Search::among((0..seen.borrow().len()).map(shore).collect());
             for (place, loss) in losses {
                 let now = seen.borrow().clone();
                 let most = now.iter().copied().max().filter(|&most| most > 0);
@@ -125,7 +124,7 @@ mod tests {
     #[test]
     fn a_place_that_sees_too_little_is_not_counted_again() {
         let seen = [5, 9, 3, 1, 0];
-        let mut places = Search::among((0..seen.len()).map(shore));
+        let mut places = Search::among((0..seen.len()).map(shore).collect());
         assert_eq!(search(&mut places, |i| seen[i]), Some(1));
         let counted = RefCell::new(vec![]);
         let later = [5, 4, 3, 1, 0];
