@@ -89,15 +89,16 @@ fn on_coast(land: &Land, coast: &[Shore], count: u32, apart: f32, chance: &mut S
     let mut mouths: Vec<Mouth> = Vec::new();
     for _ in 0..count {
         work::count(CANDIDATES * (mouths.len() + 1));
-        let remoteness =
-            |shore: &Shore| mouths.iter().map(|mouth| distance(mouth.at, shore.at)).fold(f32::INFINITY, f32::min);
-        let candidates = (0..CANDIDATES).filter_map(|_| coast.get((chance.unit() * coast.len() as f32) as usize));
-        let apart = candidates.map(|shore| (remoteness(shore), shore)).filter(|(remoteness, _)| *remoteness > apart);
-        let score = |remoteness: f32, shore: &Shore| remoteness.min(REMOTE) * (1.0 + land.shelter(shore.at)).max(0.1);
-        let scored = apart.map(|(remoteness, shore)| (score(remoteness, shore), shore));
-        if let Some((_, shore)) = scored.reduce(|a, b| if b.0 > a.0 { b } else { a }) {
-            mouths.push(Mouth { at: shore.at, inland: shore.inland });
+        let mut best: Option<(f32, &Shore)> = None;
+        for _ in 0..CANDIDATES {
+            let Some(shore) = coast.get((chance.unit() * coast.len() as f32) as usize) else { continue };
+            let remoteness = mouths.iter().map(|mouth| distance(mouth.at, shore.at)).fold(f32::INFINITY, f32::min);
+            let score = remoteness.min(REMOTE) * (1.0 + land.shelter(shore.at)).max(0.1);
+            if remoteness > apart && best.is_none_or(|(greatest, _)| score > greatest) {
+                best = Some((score, shore));
+            }
         }
+        mouths.extend(best.map(|(_, shore)| Mouth { at: shore.at, inland: shore.inland }));
     }
     mouths
 }

@@ -72,14 +72,11 @@ fn course(mouth: Vec2, inland: &mut dyn Iterator<Item = Vec2>, land: Option<&Lan
     let tied = ashore.iter().rposition(|&at| allows(land, mouth, at)).unwrap_or(0);
     let mut way: Vec<Vec2> = divided(&[mouth, ashore[tied]], PIECE, false).collect();
     way.extend(&ashore[tied + 1..]);
-    let mut course: Vec<Vec2> = Vec::new();
-    for at in way.into_iter().chain(inland).take(most) {
-        if course.last().is_some_and(|&last| !allows(land, last, at)) {
-            break;
-        }
-        course.push(at);
-    }
-    course
+    way.extend(inland.take(most));
+    way.truncate(most);
+    let end = (1..way.len()).find(|&i| !allows(land, way[i - 1], way[i]));
+    way.truncate(end.unwrap_or(most));
+    way
 }
 
 #[inline(never)] // each copy weighs half a kilobyte

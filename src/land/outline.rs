@@ -66,7 +66,9 @@ impl Drawing {
         let bend = bend(shape);
         for (lines, is_closed) in [(&mut self.coasts, true), (&mut self.ridges, false), (&mut self.rivers, false)] {
             for line in lines {
-                *line = divided(line, piece, is_closed).map(&bend).collect();
+                let mut points: Vec<Vec2> = divided(line, piece, is_closed).collect();
+                points.iter_mut().for_each(|at| *at = bend(*at));
+                *line = points;
             }
         }
     }
