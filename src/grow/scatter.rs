@@ -37,12 +37,15 @@ pub fn scatter(settings: &GrowthSettings) -> Vec<Vec2> {
 /// Anywhere in cells of land, each as likely as any other.
 fn on_land(settings: &GrowthSettings, land: &Land, chance: &mut Stream) -> Vec<Vec2> {
     let cells = Cells::of(settings.watered());
-    let anywhere = |_| {
+    let mut places = Vec::with_capacity(settings.attractors as usize);
+    for _ in 0..settings.attractors {
         let cell = (chance.unit() * cells.count() as f32) as u32;
         let within = Vec2::new(chance.unit(), chance.unit());
-        cells.cell(cell).map(|(column, row)| land.point(column, row, within))
-    };
-    (0..settings.attractors).filter_map(anywhere).collect()
+        if let Some((column, row)) = cells.cell(cell) {
+            places.push(land.point(column, row, within));
+        }
+    }
+    places
 }
 
 /// One at random in each cell of a grid over the domain, those left out that lie on no land with a river mouth.

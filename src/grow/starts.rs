@@ -54,21 +54,27 @@ pub(in crate::grow) fn starts(recipe: &Recipe, domain: &Domain, land: Option<&La
 /// The start that a line gives, with a course of so many points at most; `None` if there is no coast at all.
 fn start(line: &[Vec2], domain: &Domain, land: Option<&Land>, most: usize) -> Option<Start> {
     let is_land = |at: &Vec2| land.is_none_or(|land| land.at(*at) == Cell::Land);
-    let pieces = divided(line, PIECE, false).inspect(|_| work::count(1));
-    let mut inland = pieces.skip_while(|at| !is_land(at)).peekable();
-    let ashore = inland.peek().filter(|_| line.len() > 1).copied();
+    let mut pieces = divided(line, PIECE, false).inspect(|_| work::count(1));
+    let ashore = if line.len() > 1 { pieces.find(is_land) } else { None };
     let entry = ashore.or_else(|| line.first().copied())?;
     let mouth = match land {
         Some(land) => on_coast(land, entry)?,
         None => on_border(domain, entry),
     };
-    let course = ashore.map(|_| course(mouth.at, &mut inland, land, most));
+    let course = ashore.map(|ashore| course(mouth.at, ashore, &mut pieces, land, most));
     Some(Start { mouth, course: course.unwrap_or_default() })
 }
 
-/// The course from a mouth along points inland, at most so many, until water or a ridge lies in its way.
-fn course(mouth: Vec2, inland: &mut dyn Iterator<Item = Vec2>, land: Option<&Land>, most: usize) -> Vec<Vec2> {
-    let ashore: Vec<Vec2> = inland.take(ASHORE).collect();
+/// The course from a mouth to a point ashore and along those after it, at most so many, until water or a ridge lies in its way.
+fn course(
+    mouth: Vec2,
+    ashore: Vec2,
+    inland: &mut dyn Iterator<Item = Vec2>,
+    land: Option<&Land>,
+    most: usize,
+) -> Vec<Vec2> {
+    let mut ashore = vec![ashore];
+    ashore.extend(inland.take(ASHORE - 1));
     let tied = ashore.iter().rposition(|&at| allows(land, mouth, at)).unwrap_or(0);
     let mut way: Vec<Vec2> = divided(&[mouth, ashore[tied]], PIECE, false).collect();
     way.extend(&ashore[tied + 1..]);

@@ -198,8 +198,7 @@ impl Network {
 
     /// The length of a river, in units.
     pub fn length(&self, river: &River) -> f32 {
-        let course = self.course(river);
-        course.clone().zip(course.skip(1)).map(|(a, b)| distance(a.at, b.at)).sum()
+        lengths(&self.places(river)).last().copied().unwrap_or(0.0)
     }
 
     /// The length of a river over the straight line from its source to its end; 1 if it ends where it begins.

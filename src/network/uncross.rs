@@ -113,7 +113,7 @@ impl Planar {
     fn folds_back(&self, at: Vec2, from: u32) -> bool {
         let new = (at, self.at[from as usize]);
         let mut folds_back = false;
-        self.visit(new, |step| {
+        self.visit(new, &mut |step| {
             let far_end = match (step == from, self.parent[step as usize] == from) {
                 (true, _) => self.parent[step as usize],
                 (_, true) => step,
@@ -129,7 +129,7 @@ impl Planar {
     /// left then.
     fn last_met(&self, new: Segment, from: u32) -> Option<(u32, f32)> {
         let mut met: Option<(u32, f32)> = None;
-        self.visit(new, |step| {
+        self.visit(new, &mut |step| {
             let other = self.segment(step);
             if step == from || self.parent[step as usize] == from || !meet(new, other) {
                 return;
@@ -145,7 +145,7 @@ impl Planar {
     /// Whether a segment meets no step but those that have one of these nodes for an end, or are the step between them.
     fn is_free(&self, new: Segment, ends: &[u32]) -> bool {
         let mut is_free = true;
-        self.visit(new, |step| {
+        self.visit(new, &mut |step| {
             let is_end = ends.contains(&step) || ends.contains(&self.parent[step as usize]);
             is_free &= is_end || !meet(new, self.segment(step));
         });
@@ -166,7 +166,7 @@ impl Planar {
         }
     }
 
-    fn visit(&self, segment: Segment, mut visit: impl FnMut(u32)) {
+    fn visit(&self, segment: Segment, visit: &mut dyn FnMut(u32)) {
         let (columns, rows) = self.cells(segment);
         for row in rows {
             for column in columns.clone() {
