@@ -86,6 +86,16 @@ pub(crate) fn fast_max(a: f32, b: f32) -> f32 {
     if a > b { a } else { b }
 }
 
+/// How far each point of a line lies from its first, along it.
+#[inline(never)] // each copy weighs two hundred bytes
+pub(crate) fn lengths(line: &[Vec2]) -> Vec<f32> {
+    let mut along = vec![0.0; line.len()];
+    for i in 1..line.len() {
+        along[i] = along[i - 1] + distance(line[i - 1], line[i]);
+    }
+    along
+}
+
 /// Whether a point lies in a triangle, its border included.
 pub(crate) fn is_in_triangle(point: Vec2, a: Vec2, b: Vec2, c: Vec2) -> bool {
     // In a triangle without an area all points of its line are on the same side of everything.

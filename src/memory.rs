@@ -17,6 +17,7 @@ pub(crate) fn ask(bytes: usize) -> Result<(), Refused> {
 }
 
 /// Makes room for at least this many more items, and for more at once, so that many small requests cost little.
+#[inline(never)] // one copy for each kind of list
 pub(crate) fn reserve<T>(list: &mut Vec<T>, more: usize) -> Result<(), Refused> {
     if !is_allowed((list.len() + more).saturating_mul(size_of::<T>())) {
         return Err(Refused);
@@ -25,6 +26,7 @@ pub(crate) fn reserve<T>(list: &mut Vec<T>, more: usize) -> Result<(), Refused> 
 }
 
 /// Makes a list as long as this, of one item, with no room for more.
+#[inline(never)] // one copy for each kind of list
 pub(crate) fn lengthen<T: Clone>(list: &mut Vec<T>, length: usize, item: T) -> Result<(), Refused> {
     if !is_allowed(length.saturating_mul(size_of::<T>())) {
         return Err(Refused);

@@ -39,6 +39,7 @@ pub enum Purpose {
 
 impl Seed {
     /// Hashes a text. Every text has a seed, the empty one too.
+    #[inline(never)] // each copy weighs a hundred bytes
     pub fn from_text(text: &str) -> Self {
         const OFFSET_BASIS: u64 = 0xcbf2_9ce4_8422_2325;
         const PRIME: u64 = 0x0000_0100_0000_01b3;
@@ -103,6 +104,7 @@ impl ItemHash {
     }
 
     /// The 32 random bits of an item.
+    #[inline(never)] // each copy weighs two hundred bytes
     pub fn bits(self, item: [u32; 3]) -> u32 {
         let [a, b, c] = item;
         let hash = mix(self.0 ^ (u64::from(a) << 32 | u64::from(b)));

@@ -3,10 +3,14 @@
 
 /// The positions of keys in ascending order of the keys; of equal ones, the earlier first.
 pub(crate) fn argsort(keys: impl IntoIterator<Item = u32>) -> Vec<usize> {
-    let keys: Vec<u32> = keys.into_iter().collect();
+    order_of(&keys.into_iter().collect::<Vec<u32>>())
+}
+
+#[inline(never)] // one copy, whatever the keys come from
+fn order_of(keys: &[u32]) -> Vec<usize> {
     let in_place = (0..keys.len()).collect();
     // From the least digit to the greatest: each leaves those equal in it as the lesser ones have put them.
-    [0, 8, 16, 24].into_iter().fold(in_place, |order, shift| by_digit(&order, &keys, shift))
+    [0, 8, 16, 24].into_iter().fold(in_place, |order, shift| by_digit(&order, keys, shift))
 }
 
 /// Positions in ascending order of one byte of their keys; of equal ones, the earlier first (counting sort).

@@ -30,23 +30,26 @@ pub fn mouths(settings: &GrowthSettings) -> Vec<Mouth> {
     }
     let Some(land) = &settings.land else { return on_sides(settings) };
     let mut chance = settings.seed.stream(Purpose::Mouths);
-    let regions = land.regions().iter().zip(&settings.basins);
-    let on_region = |(region, &count): (&Region, &u32)| {
+    let mut mouths = Vec::new();
+    for (region, &count) in land.regions().iter().zip(&settings.basins) {
         let coast = chosen_shores(region, settings.shores);
-        if settings.has_valleys() {
+        mouths.extend(if settings.has_valleys() {
             steadily_on_coast(settings, land, &coast, count)
         } else {
             on_coast(land, &coast, count, settings.mouth_spacing, &mut chance)
-        }
-    };
-    regions.flat_map(on_region).collect()
+        });
+    }
+    mouths
 }
 
 /// The places where more rivers may reach the sea: none where mouths are drawn, or on a plain rectangle, which has a border and no
 /// coast.
-pub fn shores(settings: &GrowthSettings) -> impl Iterator<Item = Shore> {
-    let is_free = settings.starts.is_empty();
-    settings.watered().filter(move |_| is_free).flat_map(|region| chosen_shores(region, settings.shores))
+pub fn shores(settings: &GrowthSettings) -> Vec<Shore> {
+    let mut shores = Vec::new();
+    if settings.starts.is_empty() {
+        settings.watered().for_each(|region| shores.extend(chosen_shores(region, settings.shores)));
+    }
+    shores
 }
 
 /// The shores of a region that lie on some sides as seen from the middle of its coast: so the north shore of an island looks north,
@@ -56,26 +59,24 @@ fn chosen_shores(region: &Region, sides: Sides) -> Vec<Shore> {
 }
 
 /// The same of any places on the coast of a region.
-pub(super) fn on_chosen_sides<T: Clone>(
-    region: &Region,
-    sides: Sides,
-    places: Vec<T>,
-    at: impl Fn(&T) -> Vec2,
-) -> Vec<T> {
+pub(super) fn on_chosen_sides<T>(region: &Region, sides: Sides, mut places: Vec<T>, at: impl Fn(&T) -> Vec2) -> Vec<T> {
     let middle = region.shores.iter().map(|shore| shore.at).sum::<Vec2>() / region.shores.len() as f32;
-    let is_chosen = |place: &&T| {
-        let Vec2 { x, y } = at(place) - middle;
-        let side = if x.abs() > y.abs() {
-            if x > 0.0 { 'e' } else { 'w' }
-        } else if y > 0.0 {
-            's'
-        } else {
-            'n'
-        };
-        sides.contains(side)
-    };
-    let chosen: Vec<T> = places.iter().filter(is_chosen).cloned().collect();
-    if chosen.is_empty() { places } else { chosen }
+    let is_chosen = |place: &T| sides.contains(side_toward(at(place) - middle));
+    if places.iter().any(is_chosen) {
+        places.retain(is_chosen);
+    }
+    places
+}
+
+/// The side that a way leads to.
+#[inline(never)] // each copy weighs a hundred bytes
+fn side_toward(Vec2 { x, y }: Vec2) -> char {
+    match (x.abs() > y.abs(), x > 0.0, y > 0.0) {
+        (true, true, _) => 'e',
+        (true, false, _) => 'w',
+        (false, _, true) => 's',
+        (false, _, false) => 'n',
+    }
 }
 
 /// Places mouths on a coast, each at the best of some random places: remote from those before it, so that they keep apart
@@ -88,15 +89,16 @@ fn on_coast(land: &Land, coast: &[Shore], count: u32, apart: f32, chance: &mut S
     let mut mouths: Vec<Mouth> = Vec::new();
     for _ in 0..count {
         work::count(CANDIDATES * (mouths.len() + 1));
-        let remoteness =
-            |shore: &Shore| mouths.iter().map(|mouth| distance(mouth.at, shore.at)).fold(f32::INFINITY, f32::min);
-        let candidates = (0..CANDIDATES).filter_map(|_| coast.get((chance.unit() * coast.len() as f32) as usize));
-        let apart = candidates.map(|shore| (remoteness(shore), shore)).filter(|(remoteness, _)| *remoteness > apart);
-        let score = |remoteness: f32, shore: &Shore| remoteness.min(REMOTE) * (1.0 + land.shelter(shore.at)).max(0.1);
-        let scored = apart.map(|(remoteness, shore)| (score(remoteness, shore), shore));
-        if let Some((_, shore)) = scored.reduce(|a, b| if b.0 > a.0 { b } else { a }) {
-            mouths.push(Mouth { at: shore.at, inland: shore.inland });
+        let mut best: Option<(f32, &Shore)> = None;
+        for _ in 0..CANDIDATES {
+            let Some(shore) = coast.get((chance.unit() * coast.len() as f32) as usize) else { continue };
+            let remoteness = mouths.iter().map(|mouth| distance(mouth.at, shore.at)).fold(f32::INFINITY, f32::min);
+            let score = remoteness.min(REMOTE) * (1.0 + land.shelter(shore.at)).max(0.1);
+            if remoteness > apart && best.is_none_or(|(greatest, _)| score > greatest) {
+                best = Some((score, shore));
+            }
         }
+        mouths.extend(best.map(|(_, shore)| Mouth { at: shore.at, inland: shore.inland }));
     }
     mouths
 }

@@ -23,14 +23,13 @@ pub fn scatter(settings: &GrowthSettings) -> Vec<Vec2> {
             let anywhere = |_| Vec2::new(chance.unit(), chance.unit()) * settings.domain.size;
             (0..settings.attractors).map(anywhere).collect()
         }
-        (None, Scatter::Grid) => on_grid(settings, settings.attractors, |_| true, &mut chance),
+        (None, Scatter::Grid) => on_grid(settings, settings.attractors, None, &mut chance),
         (Some(land), Scatter::Random) => on_land(settings, land, &mut chance),
         (Some(land), Scatter::Grid) => {
             // A grid so fine that about as many cells lie on the land as attractors are asked for.
             let size = settings.domain.size;
             let cells = (size.x * size.y / (settings.spacing * settings.spacing)) as u32;
-            let watered = Watered::of(settings, land);
-            on_grid(settings, cells.max(1), |place| watered.holds(place), &mut chance)
+            on_grid(settings, cells.max(1), Some(&Watered::of(settings, land)), &mut chance)
         }
     }
 }
@@ -38,16 +37,19 @@ pub fn scatter(settings: &GrowthSettings) -> Vec<Vec2> {
 /// Anywhere in cells of land, each as likely as any other.
 fn on_land(settings: &GrowthSettings, land: &Land, chance: &mut Stream) -> Vec<Vec2> {
     let cells = Cells::of(settings.watered());
-    let anywhere = |_| {
+    let mut places = Vec::with_capacity(settings.attractors as usize);
+    for _ in 0..settings.attractors {
         let cell = (chance.unit() * cells.count() as f32) as u32;
         let within = Vec2::new(chance.unit(), chance.unit());
-        cells.cell(cell).map(|(column, row)| land.point(column, row, within))
-    };
-    (0..settings.attractors).filter_map(anywhere).collect()
+        if let Some((column, row)) = cells.cell(cell) {
+            places.push(land.point(column, row, within));
+        }
+    }
+    places
 }
 
-/// One at random in each cell of a grid over the domain, those left out that are not wanted.
-fn on_grid(settings: &GrowthSettings, cells: u32, is_wanted: impl Fn(Vec2) -> bool, chance: &mut Stream) -> Vec<Vec2> {
+/// One at random in each cell of a grid over the domain, those left out that lie on no land with a river mouth.
+fn on_grid(settings: &GrowthSettings, cells: u32, watered: Option<&Watered>, chance: &mut Stream) -> Vec<Vec2> {
     let size = settings.domain.size;
     let rows = ((size.y / settings.spacing).round() as u32).clamp(1, cells);
     let first_of = |row: u32| (u64::from(row) * u64::from(cells) / u64::from(rows)) as u32;
@@ -56,9 +58,13 @@ fn on_grid(settings: &GrowthSettings, cells: u32, is_wanted: impl Fn(Vec2) -> bo
     for row in 0..rows {
         let columns = first_of(row + 1) - first_of(row);
         let cell = size / Vec2::new(columns as f32, rows as f32);
-        let anywhere = (0..columns)
-            .map(|column| (Vec2::new(column as f32, row as f32) + Vec2::new(chance.unit(), chance.unit())) * cell);
-        places.extend(anywhere.filter(|&place| is_wanted(place)));
+        for column in 0..columns {
+            let within = Vec2::new(chance.unit(), chance.unit());
+            let place = (Vec2::new(column as f32, row as f32) + within) * cell;
+            if watered.is_none_or(|watered| watered.holds(place)) {
+                places.push(place);
+            }
+        }
     }
     places
 }

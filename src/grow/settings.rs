@@ -166,9 +166,14 @@ impl GrowthSettings {
             ('s', (size.y - from.y) / way.y, to.y > size.y),
             ('w', -from.x / way.x, to.x < 0.0),
         ];
-        let crossed = crossed.into_iter().filter(|(.., is_beyond)| *is_beyond);
-        let (side, share, _) = crossed.reduce(|a, b| if b.1 < a.1 { b } else { a })?;
-        self.sides.contains(side).then(|| (from + way * share).clamp(Vec2::ZERO, size))
+        let mut first: Option<(char, f32)> = None;
+        for (side, share, is_beyond) in crossed {
+            if is_beyond && first.is_none_or(|(_, least)| share < least) {
+                first = Some((side, share));
+            }
+        }
+        let (_, share) = first.filter(|&(side, _)| self.sides.contains(side))?;
+        Some((from + way * share).clamp(Vec2::ZERO, size))
     }
 
     /// Whether two points of land are connected.
@@ -205,8 +210,8 @@ fn starts_in(land: &Land, starts: &[Start]) -> Vec<u32> {
 }
 
 fn watered<'a>(land: Option<&'a Land>, basins: &'a [u32]) -> impl Iterator<Item = &'a Region> {
-    let regions = land.into_iter().flat_map(Land::regions);
-    regions.zip(basins).filter(|(_, mouths)| **mouths > 0).map(|(region, _)| region)
+    let regions = land.map_or(&[][..], Land::regions);
+    regions.iter().zip(basins).filter(|(_, mouths)| **mouths > 0).map(|(region, _)| region)
 }
 
 /// Shares mouths out among regions by their size, as parliaments share out seats (Webster and Sainte-Laguë): a second

@@ -54,32 +54,35 @@ pub(in crate::grow) fn starts(recipe: &Recipe, domain: &Domain, land: Option<&La
 /// The start that a line gives, with a course of so many points at most; `None` if there is no coast at all.
 fn start(line: &[Vec2], domain: &Domain, land: Option<&Land>, most: usize) -> Option<Start> {
     let is_land = |at: &Vec2| land.is_none_or(|land| land.at(*at) == Cell::Land);
-    let pieces = divided(line, PIECE, false).inspect(|_| work::count(1));
-    let mut inland = pieces.skip_while(|at| !is_land(at)).peekable();
-    let ashore = inland.peek().filter(|_| line.len() > 1).copied();
+    let mut pieces = divided(line, PIECE, false).inspect(|_| work::count(1));
+    let ashore = if line.len() > 1 { pieces.find(is_land) } else { None };
     let entry = ashore.or_else(|| line.first().copied())?;
     let mouth = match land {
         Some(land) => on_coast(land, entry)?,
         None => on_border(domain, entry),
     };
-    let course = ashore.map(|_| course(mouth.at, inland, land, most));
+    let course = ashore.map(|ashore| course(mouth.at, ashore, &mut pieces, land, most));
     Some(Start { mouth, course: course.unwrap_or_default() })
 }
 
-/// The course from a mouth along points inland, at most so many, until water or a ridge lies in its way.
-fn course(mouth: Vec2, mut inland: impl Iterator<Item = Vec2>, land: Option<&Land>, most: usize) -> Vec<Vec2> {
-    let ashore: Vec<Vec2> = inland.by_ref().take(ASHORE).collect();
+/// The course from a mouth to a point ashore and along those after it, at most so many, until water or a ridge lies in its way.
+fn course(
+    mouth: Vec2,
+    ashore: Vec2,
+    inland: &mut dyn Iterator<Item = Vec2>,
+    land: Option<&Land>,
+    most: usize,
+) -> Vec<Vec2> {
+    let mut ashore = vec![ashore];
+    ashore.extend(inland.take(ASHORE - 1));
     let tied = ashore.iter().rposition(|&at| allows(land, mouth, at)).unwrap_or(0);
-    let from_mouth = [mouth, ashore[tied]];
-    let way = divided(&from_mouth, PIECE, false).chain(ashore[tied + 1..].iter().copied()).chain(inland);
-    let mut course: Vec<Vec2> = Vec::new();
-    for at in way.take(most) {
-        if course.last().is_some_and(|&last| !allows(land, last, at)) {
-            break;
-        }
-        course.push(at);
-    }
-    course
+    let mut way: Vec<Vec2> = divided(&[mouth, ashore[tied]], PIECE, false).collect();
+    way.extend(&ashore[tied + 1..]);
+    way.extend(inland.take(most));
+    way.truncate(most);
+    let end = (1..way.len()).find(|&i| !allows(land, way[i - 1], way[i]));
+    way.truncate(end.unwrap_or(most));
+    way
 }
 
 #[inline(never)] // each copy weighs half a kilobyte
@@ -89,9 +92,16 @@ fn allows(land: Option<&Land>, from: Vec2, to: Vec2) -> bool {
 
 /// The mouth on a coast that is nearest to a point.
 fn on_coast(land: &Land, point: Vec2) -> Option<Mouth> {
-    let shores = land.regions().iter().flat_map(|region| &region.shores);
-    let nearest = shores.map(|shore| (distance(shore.at, point), shore)).reduce(|a, b| if b.0 < a.0 { b } else { a });
-    nearest.map(|(_, shore)| Mouth { at: shore.at, inland: shore.inland })
+    let (mut nearest, mut least) = (None, f32::INFINITY);
+    for region in land.regions() {
+        for shore in &region.shores {
+            let away = distance(shore.at, point);
+            if away < least {
+                (nearest, least) = (Some(Mouth { at: shore.at, inland: shore.inland }), away);
+            }
+        }
+    }
+    nearest
 }
 
 /// The mouth on the border of a rectangle that is nearest to a point in it.

@@ -229,8 +229,11 @@ fn lattice(x: f32, corners: usize) -> (usize, f32) {
 /// the area around it.
 fn of_squares(domain: &Domain, spacing: f32, heights: &[f32], columns: usize) -> Vec<f32> {
     let is_inside = |&i: &usize| domain.contains(corner(i, columns, spacing) + spacing / 2.0);
-    let squares = (0..heights.len()).filter(is_inside);
-    squares.flat_map(|i| [i, i + 1, i + columns, i + columns + 1]).map(|i| heights[i]).collect()
+    let mut of_squares = Vec::with_capacity(4 * heights.len());
+    for i in (0..heights.len()).filter(is_inside) {
+        of_squares.extend([i, i + 1, i + columns, i + columns + 1].map(|i| heights[i]));
+    }
+    of_squares
 }
 
 /// Of every corner, the nearest piece of coast: known beside the coast and handed on from corner to corner, as in a

@@ -66,25 +66,36 @@ impl Drawing {
         let bend = bend(shape);
         for (lines, is_closed) in [(&mut self.coasts, true), (&mut self.ridges, false), (&mut self.rivers, false)] {
             for line in lines {
-                *line = divided(line, piece, is_closed).map(&bend).collect();
+                let mut points: Vec<Vec2> = divided(line, piece, is_closed).collect();
+                points.iter_mut().for_each(|at| *at = bend(*at));
+                *line = points;
             }
         }
     }
 
     fn length(&self) -> f32 {
-        self.edges().map(|(a, b)| distance(a, b)).sum()
+        self.edges().into_iter().map(|[a, b]| distance(a, b)).sum()
     }
 
     /// The edges of all coasts.
-    fn edges(&self) -> impl Iterator<Item = (Vec2, Vec2)> {
-        self.coasts.iter().flat_map(|ring| ring.iter().copied().zip(ring.iter().copied().cycle().skip(1)))
+    fn edges(&self) -> Vec<Piece> {
+        let mut edges = Vec::new();
+        for ring in &self.coasts {
+            edges.extend(ring.windows(2).map(|pair| [pair[0], pair[1]]));
+            edges.extend(ring.last().map(|&last| [last, ring[0]]));
+        }
+        edges
     }
 
     /// The distances from the coasts, on a lattice with this distance between its corners: land is what lies within an odd number of
     /// them.
     pub fn coast_distance(&self, domain: &Domain, spacing: f32) -> CoastDistance {
-        let coast: Vec<Piece> = self.edges().map(|(a, b)| [a, b]).collect();
-        CoastDistance::of_coast(domain, spacing, &coast, &self.crossings(domain, spacing, Vec2::ZERO).into_land())
+        CoastDistance::of_coast(
+            domain,
+            spacing,
+            &self.edges(),
+            &self.crossings(domain, spacing, Vec2::ZERO).into_land(),
+        )
     }
 
     /// The cells whose middles lie within an odd number of coasts: nothing is lost between the corners of a lattice.
@@ -98,7 +109,7 @@ impl Drawing {
     /// What the coasts cross of a lattice that begins at a corner.
     fn crossings(&self, domain: &Domain, spacing: f32, corner: Vec2) -> Crossings {
         let mut crossings = Crossings::over(domain, spacing);
-        self.edges().for_each(|(a, b)| crossings.add(a - corner, b - corner));
+        self.edges().into_iter().for_each(|[a, b]| crossings.add(a - corner, b - corner));
         crossings
     }
 }
@@ -311,13 +322,13 @@ mod tests {
             let drawing = Drawing { coasts: vec![ring], ridges: vec![], rivers: vec![] };
             // At a corner of the lattice the distance is exact.
             let at = (Vec2::from(at) / CoastDistance::SPACING).floor() * CoastDistance::SPACING;
-            let nearest = |(a, b): (Vec2, Vec2)| {
+            let nearest = |[a, b]: Piece| {
                 let along = b - a;
                 let share = ((at - a).dot(along) / along.length_squared().max(1e-12)).clamp(0.0, 1.0);
                 at.distance(a + along * share)
             };
-            let distance = drawing.edges().map(nearest).fold(f32::INFINITY, f32::min);
-            let crossings = drawing.edges().filter(|(a, b)| {
+            let distance = drawing.edges().into_iter().map(nearest).fold(f32::INFINITY, f32::min);
+            let crossings = drawing.edges().into_iter().filter(|[a, b]| {
                 (a.y > at.y) != (b.y > at.y) && at.x > a.x + (b.x - a.x) * (at.y - a.y) / (b.y - a.y)
             });
             let is_land = crossings.count() % 2 == 1;

@@ -4,10 +4,8 @@
 //! a power of discharge. So 'flat' has a meaning by discharge alone, and slopes summed from the mouth up are elevations that always
 //! fall toward the sea.
 
-use glam::Vec2;
-
 use super::{NONE, Network};
-use crate::geometry::{distance, fast_max, fast_min};
+use crate::geometry::{distance, fast_max, fast_min, lengths};
 use crate::tree::LEAST_SLOPE;
 
 /// The slope of a river that drains a share of everything: S ∝ Q^−0.5, as Flint (1974) found it for mountain streams, so that it is
@@ -27,7 +25,7 @@ pub(super) fn slopes(network: &Network, total_discharge: u32) -> Vec<f32> {
     let mut slopes = vec![0.0; network.vertices.len()];
     for river in &network.rivers {
         let course: Vec<_> = network.course(river).collect();
-        let along = lengths(&course.iter().map(|vertex| vertex.at).collect::<Vec<_>>());
+        let along = lengths(&network.places(river));
         for (i, at) in river.vertex_range().enumerate() {
             let upper = i.saturating_sub(VERTICES / 2);
             let lower = (i + VERTICES / 2).min(course.len() - 1);
@@ -81,7 +79,7 @@ fn straightness(network: &Network) -> Vec<f32> {
     const VERTICES: usize = 12;
     let mut straightness = vec![1.0; network.vertices.len()];
     for river in &network.rivers {
-        let course: Vec<_> = network.course(river).map(|vertex| vertex.at).collect();
+        let course = network.places(river);
         let along = lengths(&course);
         for (i, at) in river.vertex_range().enumerate() {
             let (upper, lower) = (i.saturating_sub(VERTICES), (i + VERTICES).min(course.len() - 1));
@@ -91,15 +89,6 @@ fn straightness(network: &Network) -> Vec<f32> {
         }
     }
     straightness
-}
-
-/// How far each point of a line lies from its first, along it.
-fn lengths(line: &[Vec2]) -> Vec<f32> {
-    let mut along = vec![0.0; line.len()];
-    for i in 1..line.len() {
-        along[i] = along[i - 1] + distance(line[i - 1], line[i]);
-    }
-    along
 }
 
 #[cfg(test)]

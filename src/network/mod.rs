@@ -47,7 +47,7 @@ use std::ops::Range;
 
 use glam::Vec2;
 
-use crate::geometry::distance;
+use crate::geometry::{distance, lengths};
 
 /// No vertex, no river.
 pub const NONE: u32 = u32::MAX;
@@ -131,15 +131,8 @@ impl Oxbow {
         }
         let runs = self.vertices.split(|vertex| vertex.width() <= 0.0);
         let Some(lake) = runs.max_by_key(|run| run.len()) else { return Vec::new() };
-        let mut length = 0.0;
-        let mut previous = None;
-        let along: Vec<f32> = lake
-            .iter()
-            .map(|vertex| {
-                length += previous.replace(vertex.at).map_or(0.0, |at: Vec2| distance(at, vertex.at));
-                length
-            })
-            .collect();
+        let along = lengths(&lake.iter().map(|vertex| vertex.at).collect::<Vec<_>>());
+        let length = along.last().copied().unwrap_or(0.0);
         let width = lake.iter().map(Vertex::width).fold(0.0, f32::max);
         let (silt, open) = (self.silt * FROM_EITHER_END * length, 1.0 - self.silt * FROM_THE_BANKS);
         if length - 2.0 * silt < LEAST_WIDTHS * width {
@@ -183,6 +176,12 @@ impl Network {
         self.vertices[river.vertex_range()].iter().chain(junction)
     }
 
+    /// Where the vertices of a river's course lie.
+    #[inline(never)] // each copy weighs two hundred bytes
+    pub(crate) fn places(&self, river: &River) -> Vec<Vec2> {
+        self.course(river).map(|vertex| vertex.at).collect()
+    }
+
     /// For each vertex, whether a river joins another there.
     pub fn junctions(&self) -> Vec<bool> {
         let mut is_junction = vec![false; self.vertices.len()];
@@ -199,8 +198,7 @@ impl Network {
 
     /// The length of a river, in units.
     pub fn length(&self, river: &River) -> f32 {
-        let course = self.course(river);
-        course.clone().zip(course.skip(1)).map(|(a, b)| distance(a.at, b.at)).sum()
+        lengths(&self.places(river)).last().copied().unwrap_or(0.0)
     }
 
     /// The length of a river over the straight line from its source to its end; 1 if it ends where it begins.

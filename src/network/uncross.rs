@@ -5,6 +5,8 @@
 //! and one that meets an older step ends in it: the nodes beyond belong to the older river. The branch that led to the
 //! crossing stays, as a river of its own. No discharge is lost.
 
+use std::ops::Range;
+
 use glam::Vec2;
 
 use super::NONE;
@@ -111,7 +113,7 @@ impl Planar {
     fn folds_back(&self, at: Vec2, from: u32) -> bool {
         let new = (at, self.at[from as usize]);
         let mut folds_back = false;
-        self.visit(new, |step| {
+        self.visit(new, &mut |step| {
             let far_end = match (step == from, self.parent[step as usize] == from) {
                 (true, _) => self.parent[step as usize],
                 (_, true) => step,
@@ -127,7 +129,7 @@ impl Planar {
     /// left then.
     fn last_met(&self, new: Segment, from: u32) -> Option<(u32, f32)> {
         let mut met: Option<(u32, f32)> = None;
-        self.visit(new, |step| {
+        self.visit(new, &mut |step| {
             let other = self.segment(step);
             if step == from || self.parent[step as usize] == from || !meet(new, other) {
                 return;
@@ -143,7 +145,7 @@ impl Planar {
     /// Whether a segment meets no step but those that have one of these nodes for an end, or are the step between them.
     fn is_free(&self, new: Segment, ends: &[u32]) -> bool {
         let mut is_free = true;
-        self.visit(new, |step| {
+        self.visit(new, &mut |step| {
             let is_end = ends.contains(&step) || ends.contains(&self.parent[step as usize]);
             is_free &= is_end || !meet(new, self.segment(step));
         });
@@ -155,34 +157,37 @@ impl Planar {
     }
 
     fn enter(&mut self, step: u32) {
-        let cells: Vec<usize> = self.cells(self.segment(step)).collect();
-        for cell in cells {
-            self.entries.push((step, self.first[cell]));
-            self.first[cell] = self.entries.len() as u32 - 1;
-        }
-    }
-
-    fn visit(&self, segment: Segment, mut visit: impl FnMut(u32)) {
-        for cell in self.cells(segment) {
-            let mut entry = self.first[cell];
-            let mut visited = 1;
-            while let Some(&(step, next)) = self.entries.get(entry as usize) {
-                visit(step);
-                entry = next;
-                visited += 1;
+        let (columns, rows) = self.cells(self.segment(step));
+        for row in rows {
+            for column in columns.clone() {
+                let first = &mut self.first[row * self.columns + column];
+                self.entries.push((step, std::mem::replace(first, self.entries.len() as u32)));
             }
-            work::count(visited);
         }
     }
 
-    /// The cells of the box around a segment.
-    fn cells(&self, (a, b): Segment) -> impl Iterator<Item = usize> + use<> {
-        let columns = self.columns;
+    fn visit(&self, segment: Segment, visit: &mut dyn FnMut(u32)) {
+        let (columns, rows) = self.cells(segment);
+        for row in rows {
+            for column in columns.clone() {
+                let mut entry = self.first[row * self.columns + column];
+                let mut visited = 1;
+                while let Some(&(step, next)) = self.entries.get(entry as usize) {
+                    visit(step);
+                    entry = next;
+                    visited += 1;
+                }
+                work::count(visited);
+            }
+        }
+    }
+
+    /// The columns and rows of the cells of the box around a segment.
+    fn cells(&self, (a, b): Segment) -> (Range<usize>, Range<usize>) {
         let place = |x: f32, end: usize| ((x / self.side) as usize).min(end - 1);
         let (least, most) = (a.min(b) - self.corner, a.max(b) - self.corner);
-        let (left, right) = (place(least.x, columns), place(most.x, columns));
-        (place(least.y, self.rows)..=place(most.y, self.rows))
-            .flat_map(move |row| (left..=right).map(move |column| row * columns + column))
+        let range = |least: f32, most: f32, end: usize| place(least, end)..place(most, end) + 1;
+        (range(least.x, most.x, self.columns), range(least.y, most.y, self.rows))
     }
 
     /// The nodes in an order in which parents stand first.

@@ -118,10 +118,13 @@ pub enum RecipeError {
 /// A value as an error message shows it: a hostile text must not fill the screen.
 pub(super) fn shown(value: &str) -> String {
     const MOST: usize = 40;
-    let clean = |c: char| if c.is_control() { '\u{fffd}' } else { c };
-    let mut shown: String = value.chars().take(MOST).map(clean).collect();
-    if value.chars().nth(MOST).is_some() {
-        shown.push('…');
+    let mut shown = String::new();
+    for (i, c) in value.chars().enumerate() {
+        if i == MOST {
+            shown.push('…');
+            break;
+        }
+        shown.push(if c.is_control() { char::REPLACEMENT_CHARACTER } else { c });
     }
     shown
 }

@@ -60,6 +60,7 @@ impl Recipe {
     }
 
     /// A number, in the parameter's unit; 0 for a parameter that is not a number.
+    #[inline(never)] // each copy weighs a hundred bytes
     pub fn number(&self, key: Key) -> f32 {
         match self.value(key) {
             Value::Number(number) => number.to_f64() as f32,
@@ -85,9 +86,14 @@ impl Recipe {
     /// # Ok::<(), riverseed::recipe::RecipeError>(())
     /// ```
     pub fn get<C: Choice>(&self) -> C {
-        let is_chosen = |word: &Word| matches!(self.value(C::KEY), Value::Choice(name) if *name == word.name);
-        let mut choices = C::ALL.iter().zip(C::WORDS);
-        choices.find(|(_, word)| is_chosen(word)).map_or(C::ALL[0], |(choice, _)| *choice)
+        C::ALL[self.chosen(C::KEY, C::WORDS)]
+    }
+
+    /// Which of some words a parameter is; the first for one that is none of them.
+    #[inline(never)] // one copy for all choices
+    fn chosen(&self, key: Key, words: &[Word]) -> usize {
+        let is_chosen = |word: &Word| matches!(self.value(key), Value::Choice(name) if *name == word.name);
+        words.iter().position(is_chosen).unwrap_or(0)
     }
 
     /// A set of sides of the domain; south for a parameter that is not one.

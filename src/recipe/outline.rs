@@ -38,14 +38,20 @@ impl GridPoint {
     }
 
     fn parse(digits: &[u8]) -> Option<Self> {
-        let digit = |i: usize| DIGITS.iter().position(|d| Some(d) == digits.get(i)).map(|value| value as u16);
-        Some(Self { x: digit(0)? << 6 | digit(1)?, y: digit(2)? << 6 | digit(3)? })
+        let &[a, b, c, d] = digits else { return None };
+        Some(Self { x: value_of(a)? << 6 | value_of(b)?, y: value_of(c)? << 6 | value_of(d)? })
     }
 
     fn write(self, text: &mut String) {
         let digit = |value: u16| char::from(DIGITS[usize::from(value & 63)]);
         text.extend([self.x >> 6, self.x, self.y >> 6, self.y].map(digit));
     }
+}
+
+/// The value of a digit.
+#[inline(never)] // four copies would weigh a kilobyte
+fn value_of(digit: u8) -> Option<u16> {
+    DIGITS.iter().position(|&d| d == digit).map(|value| value as u16)
 }
 
 /// The kind of a line of an outline.

@@ -58,8 +58,9 @@ impl Decimal {
             return None;
         }
         let append = |number: i64, digit: u8| (number * 10 + i64::from(digit - b'0')).min(Self::HUGE);
-        let places = fraction.iter().copied().chain(std::iter::repeat(b'0')).take(Self::PLACES);
-        let kept = whole.iter().copied().chain(places).fold(0, append);
+        let whole = whole.iter().fold(0, |number, &digit| append(number, digit));
+        let place = |i: usize| fraction.get(i).copied().unwrap_or(b'0');
+        let kept = (0..Self::PLACES).fold(whole, |number, i| append(number, place(i)));
         let rounded = kept + i64::from(fraction.get(Self::PLACES).is_some_and(|&digit| digit >= b'5'));
         Some(Self { ten_thousandths: if is_negative { -rounded } else { rounded } })
     }

@@ -28,17 +28,12 @@ impl Raster {
     /// A raster of columns and rows (each at least 1) of cells, whose sides have the given length in units.
     pub fn new(columns: i32, rows: i32, side: f32, cell: impl Fn(i32, i32) -> Cell) -> Self {
         let (columns, rows) = (columns.max(1), rows.max(1));
-        let cells = (0..rows).flat_map(|row| (0..columns).map(move |column| (column, row)));
-        let cells = cells.map(|(column, row)| cell(column, row)).collect();
-        Self {
-            columns,
-            rows,
-            side,
-            size: Vec2::new(columns as f32, rows as f32) * side,
-            cells,
-            starts: Arc::default(),
-            mouths: Vec::new(),
+        let mut cells = Vec::with_capacity(columns as usize * rows as usize);
+        for row in 0..rows {
+            cells.extend((0..columns).map(|column| cell(column, row)));
         }
+        let size = Vec2::new(columns as f32, rows as f32) * side;
+        Self { columns, rows, side, size, cells, starts: Arc::default(), mouths: Vec::new() }
     }
 
     /// The raster of a recipe. A plain rectangle gets the sea it lacks: a line of water cells along the chosen sides, or the cells of the

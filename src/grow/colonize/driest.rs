@@ -5,12 +5,10 @@
 //! 1978): the place found is that of counting everywhere. One search may take many ticks, since a coast may be long and a view
 //! may cross the map.
 
-use std::cmp::Reverse;
-use std::collections::BinaryHeap;
-
 use glam::Vec2;
 
 use crate::land::Shore;
+use crate::queue::Queue;
 use crate::work;
 
 /// A tick's share of a search ends with the first place after this many elementary steps: some milliseconds.
@@ -20,28 +18,29 @@ const STEPS_A_TICK: u64 = 2_000_000;
 #[derive(Clone, Debug)]
 pub(super) struct Search {
     shores: Vec<Shore>,
-    candidates: BinaryHeap<Candidate>,
+    /// What is known of each shore.
+    counts: Vec<Count>,
+    /// Shores that may be the driest. The one that may see the most comes first, of equals the first on the coast.
+    candidates: Queue,
     number: u32,
     is_under_way: bool,
 }
 
-/// A shore that may be the driest. The one that may see the most comes first, of equals the first on the coast.
-#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
-struct Candidate {
-    /// The most that it can see.
-    most: u32,
-    shore: Reverse<u32>,
-    /// The search in which that was counted.
-    counted_in: u32,
+/// How much a shore was last counted to see.
+#[derive(Clone, Copy, Debug, Default)]
+struct Count {
+    seen: u32,
+    /// The search in which that was counted; none is number 0.
+    search: u32,
 }
 
 impl Search {
     /// A search among places on coasts, of which nothing is known yet.
-    pub fn among(shores: impl Iterator<Item = Shore>) -> Self {
-        let shores: Vec<Shore> = shores.collect();
-        let unknown = |shore| Candidate { most: u32::MAX, shore: Reverse(shore), counted_in: 0 };
-        let candidates = (0..shores.len() as u32).map(unknown).collect();
-        Self { shores, candidates, number: 0, is_under_way: false }
+    pub fn among(shores: Vec<Shore>) -> Self {
+        let mut candidates = Queue::default();
+        (0..shores.len() as u32).for_each(|shore| candidates.push(f32::NEG_INFINITY, shore));
+        let counts = vec![Count::default(); shores.len()];
+        Self { shores, counts, candidates, number: 0, is_under_way: false }
     }
 
     /// Whether a search has begun that has not ended.
@@ -55,16 +54,19 @@ impl Search {
         let begun = work::steps();
         self.number += u32::from(!self.is_under_way);
         self.is_under_way = false;
-        while let Some(first) = self.candidates.pop() {
+        while let Some(shore) = self.candidates.pop() {
             work::count(1);
-            let shore = self.shores[first.shore.0 as usize];
-            if first.counted_in == self.number {
-                self.candidates.push(first);
-                return Some(shore);
+            let (place, count) = (self.shores[shore as usize], &mut self.counts[shore as usize]);
+            let is_counted = count.search == self.number;
+            if !is_counted {
+                *count = Count { seen: seen_from(place.at), search: self.number };
             }
-            let most = seen_from(shore.at);
-            if most > 0 {
-                self.candidates.push(Candidate { most, counted_in: self.number, ..first });
+            if count.seen > 0 {
+                // Exact: there are fewer than 2²⁴ attractors.
+                self.candidates.push(-(count.seen as f32), shore);
+            }
+            if is_counted {
+                return Some(place);
             }
             if work::steps() - begun >= STEPS_A_TICK {
                 self.is_under_way = true;
@@ -105,7 +107,7 @@ mod tests {
             losses in proptest::collection::vec((0usize..40, 0u32..9), 0..60),
         ) {
             let seen = RefCell::new(first);
-            let mut places = Search::among((0..seen.borrow().len()).map(shore));
+            let mut places = Search::among((0..seen.borrow().len()).map(shore).collect());
             for (place, loss) in losses {
                 let now = seen.borrow().clone();
                 let most = now.iter().copied().max().filter(|&most| most > 0);
@@ -125,7 +127,7 @@ mod tests {
     #[test]
     fn a_place_that_sees_too_little_is_not_counted_again() {
         let seen = [5, 9, 3, 1, 0];
-        let mut places = Search::among((0..seen.len()).map(shore));
+        let mut places = Search::among((0..seen.len()).map(shore).collect());
         assert_eq!(search(&mut places, |i| seen[i]), Some(1));
         let counted = RefCell::new(vec![]);
         let later = [5, 4, 3, 1, 0];

@@ -2,6 +2,8 @@
 //!
 //! There are few, so they are sorted by squares of the plane, and an edge is compared with those near it alone.
 
+use std::ops::Range;
+
 use glam::Vec2;
 
 use crate::geometry::{doubled_area, is_in_triangle, meet};
@@ -47,36 +49,45 @@ impl Folds {
 
     fn insert(&mut self, triangle: Triangle) {
         let [a, b, c] = triangle;
-        for square in self.squares(a.min(b).min(c), a.max(b).max(c)) {
-            let before = std::mem::replace(&mut self.last[square], self.entries.len() as u32);
-            self.entries.push((triangle, before));
+        let (columns, rows) = self.squares(a.min(b).min(c), a.max(b).max(c));
+        for row in rows {
+            for column in columns.clone() {
+                let last = &mut self.last[row * self.columns + column];
+                self.entries.push((triangle, std::mem::replace(last, self.entries.len() as u32)));
+            }
         }
     }
 
-    /// The squares that the box between two corners touches.
-    fn squares(&self, least: Vec2, most: Vec2) -> impl Iterator<Item = usize> + use<> {
+    /// The columns and rows of the squares that the box between two corners touches.
+    fn squares(&self, least: Vec2, most: Vec2) -> (Range<usize>, Range<usize>) {
         let square = |at: Vec2| ((at - self.origin) / self.side).to_array().map(|along| along as usize);
-        let ([west, north], [east, south], columns) = (square(least), square(most), self.columns);
+        let ([west, north], [east, south]) = (square(least), square(most));
         work::count((east - west + 1) * (south - north + 1));
-        (north..=south).flat_map(move |row| (west..=east).map(move |column| row * columns + column))
+        (west..east + 1, north..south + 1)
     }
 
     /// Whether an edge lies upon one of the triangles.
     pub fn lie_under(&self, a: Vec2, b: Vec2) -> bool {
         let (least, most) = (a.min(b), a.max(b));
-        let is_upon = |&triangle: &Triangle| {
+        let is_upon = |triangle: Triangle| {
             work::count(1);
             let [c, d, e] = triangle;
             let is_beside = most.cmplt(c.min(d).min(e)).any() || least.cmpgt(c.max(d).max(e)).any();
             !is_beside && is_upon((a, b), triangle)
         };
-        self.squares(least, most).any(|square| self.triangles(square).any(is_upon))
-    }
-
-    /// The triangles of a square.
-    fn triangles(&self, square: usize) -> impl Iterator<Item = &Triangle> {
-        let entry = |i: u32| self.entries.get(i as usize);
-        std::iter::successors(entry(self.last[square]), move |(_, before)| entry(*before)).map(|(triangle, _)| triangle)
+        let (columns, rows) = self.squares(least, most);
+        for row in rows {
+            for column in columns.clone() {
+                let mut entry = self.last[row * self.columns + column];
+                while let Some(&(triangle, before)) = self.entries.get(entry as usize) {
+                    if is_upon(triangle) {
+                        return true;
+                    }
+                    entry = before;
+                }
+            }
+        }
+        false
     }
 }
 

@@ -59,21 +59,20 @@ impl Lattice {
         let half = domain.size / 2.0;
         let middle = (across as i32, down as i32);
         work::count(columns * rows);
-        let cells = (0..rows as i32).flat_map(|row| (0..columns as i32).map(move |column| (column, row)));
-        let at = cells
-            .map(|(column, row)| {
-                let (i, j) = (column - middle.0, row - middle.1);
-                let aside = if (j & 1) == 0 { 0.0 } else { 0.5 };
+        let mut at = Vec::with_capacity(columns * rows);
+        for j in -middle.1..=middle.1 {
+            let aside = if (j & 1) == 0 { 0.0 } else { 0.5 };
+            for i in -middle.0..=middle.0 {
                 let corner = Vec2::new(i as f32 + aside, j as f32 * HEIGHT) * side;
-                half + bends.bend(corner + jitter(chance, i, j) * side)
-            })
-            .collect();
+                at.push(half + bends.bend(corner + jitter(chance, i, j) * side));
+            }
+        }
         Self { at, columns, rows, middle, broken: vec![0; columns * rows] }
     }
 
     /// Finds out which edges of some inner cells lie upon a triangle that is turned over. Until then, none does.
     pub fn break_edges(&mut self, cells: &[usize]) {
-        let turned_over: Vec<Triangle> = self.triangles().filter(is_turned_over).collect();
+        let turned_over = self.turned_over();
         work::count(self.at.len());
         if turned_over.is_empty() {
             return;
@@ -82,7 +81,8 @@ impl Lattice {
         let mut is_known = vec![false; self.at.len()];
         for &cell in cells {
             // Half of a cell's edges are ways on from its neighbours.
-            for from in self.neighbours(cell).into_iter().chain([cell]) {
+            let [a, b, c, d, e, f] = self.neighbours(cell);
+            for from in [a, b, c, d, e, f, cell] {
                 if self.is_inner(from) && !std::mem::replace(&mut is_known[from], true) {
                     self.broken[from] = self.broken_ways(from, &folds);
                 }
@@ -97,14 +97,19 @@ impl Lattice {
         (0..WAYS).filter(is_broken).fold(0, |broken, way| broken | 1 << way)
     }
 
-    /// The two triangles of each inner cell to the south of it: all that there are, but for the border.
-    pub fn triangles(&self) -> impl Iterator<Item = Triangle> {
-        let inner = (0..self.at.len()).filter(|&cell| self.is_inner(cell));
-        inner.flat_map(|cell| {
+    /// The triangles that are turned over. Each inner cell has two to the south of it: all that there are, but for the border.
+    pub fn turned_over(&self) -> Vec<Triangle> {
+        let mut turned_over = Vec::new();
+        for cell in (0..self.at.len()).filter(|&cell| self.is_inner(cell)) {
             let around = self.neighbours(cell);
-            [[cell, around[0], around[1]], [cell, around[1], around[2]]]
-                .map(|corners| corners.map(|cell| self.at[cell]))
-        })
+            for corners in [[cell, around[0], around[1]], [cell, around[1], around[2]]] {
+                let triangle = corners.map(|cell| self.at[cell]);
+                if is_turned_over(&triangle) {
+                    turned_over.push(triangle);
+                }
+            }
+        }
+        turned_over
     }
 
     /// The numbers of a cell that tell it from all others, whatever the domain.

@@ -11,7 +11,7 @@ use super::lattice::Lattice;
 use crate::geometry::distance;
 use crate::grow::mouths::{mouths, on_chosen_sides};
 use crate::grow::{GrowthSettings, Mouth};
-use crate::land::{Land, Region};
+use crate::land::Land;
 use crate::recipe::Sides;
 use crate::sort;
 use crate::work;
@@ -30,15 +30,22 @@ pub(super) fn find(
     cells: &[usize],
     neighbours: &[[u32; 6]],
 ) -> Vec<Outlet> {
-    let nearest = |(parcel, &cell): (usize, &usize)| {
+    let mut all = Vec::new();
+    for (parcel, &cell) in cells.iter().enumerate() {
         let from = lattice.at[cell];
         let around = lattice.neighbours(cell);
-        let ways = (0..6).filter(|&way| neighbours[parcel][way] == NONE && lattice.is_edge(cell, way));
-        let coasts = ways.filter_map(|way| settings.coast_toward(from, lattice.at[around[way]]));
-        let nearest = coasts.reduce(|a, b| if b.distance_squared(from) < a.distance_squared(from) { b } else { a });
-        nearest.map(|at| Outlet { at, parcel: parcel as u32 })
-    };
-    let all: Vec<Outlet> = cells.iter().enumerate().filter_map(nearest).collect();
+        let mut nearest: Option<Vec2> = None;
+        for way in 0..6 {
+            if neighbours[parcel][way] == NONE
+                && lattice.is_edge(cell, way)
+                && let Some(coast) = settings.coast_toward(from, lattice.at[around[way]])
+                && nearest.is_none_or(|nearest| coast.distance_squared(from) < nearest.distance_squared(from))
+            {
+                nearest = Some(coast);
+            }
+        }
+        all.extend(nearest.map(|at| Outlet { at, parcel: parcel as u32 }));
+    }
     if settings.mouths > 0 { nearest_to_mouths(settings, &all) } else { thin_out(settings, all) }
 }
 
@@ -62,12 +69,13 @@ fn thin_out(settings: &GrowthSettings, all: Vec<Outlet>) -> Vec<Outlet> {
     else {
         return all;
     };
-    let of_region = |region: &Region| {
+    let mut kept = Vec::new();
+    for region in land.regions() {
         let outlets: Vec<Outlet> = all.iter().filter(|outlet| land.is_in(region, outlet.at)).copied().collect();
         let chosen = on_chosen_sides(region, settings.shores, outlets, |outlet| outlet.at);
-        keep_apart(land, chosen, settings.mouth_spacing)
-    };
-    land.regions().iter().flat_map(of_region).collect()
+        kept.extend(keep_apart(land, chosen, settings.mouth_spacing));
+    }
+    kept
 }
 
 fn keep_apart(land: &Land, outlets: Vec<Outlet>, apart: f32) -> Vec<Outlet> {

@@ -156,7 +156,7 @@ proptest! {
     fn an_edge_is_broken_if_it_lies_upon_any_triangle_that_is_turned_over(recipe in recipes()) {
         let settings = settings(&recipe);
         let lattice = whole_lattice(&settings);
-        let turned_over: Vec<_> = lattice.triangles().filter(folds::is_turned_over).collect();
+        let turned_over = lattice.turned_over();
         for cell in (0..lattice.at.len()).filter(|&cell| lattice.is_inner(cell)) {
             for way in 0..3 {
                 let edge = (lattice.at[cell], lattice.at[lattice.neighbours(cell)[way]]);

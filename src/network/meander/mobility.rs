@@ -7,7 +7,7 @@
 use super::super::hydrology::slopes;
 use super::super::settings::NetworkSettings;
 use super::super::{NONE, Network, Vertex};
-use crate::geometry::{distance, fast_max, fast_min, smooth_step};
+use crate::geometry::{distance, fast_max, fast_min, lengths, smooth_step};
 use crate::recipe::MeanderModel;
 use crate::sort;
 
@@ -31,7 +31,7 @@ pub(super) fn assign(network: &mut Network, settings: &NetworkSettings) {
     let holds = holds(network);
     let noise = settings.gentle_noise();
     for (number, river) in network.rivers.clone().iter().enumerate() {
-        let along = distances(network, number);
+        let along = lengths(&network.places(river));
         let Some(&length) = along.last() else { continue };
         let own = &mut network.vertices[river.vertex_range()];
         let width: Vec<f32> = own.iter().map(|vertex| fast_max(vertex.width(), settings.spacing)).collect();
@@ -125,19 +125,6 @@ fn holds(network: &Network) -> Vec<f32> {
         *hold = fast_max(*hold, smooth_step((share - BROOK) / (EQUAL - BROOK)));
     }
     holds
-}
-
-/// The distance of each vertex of a course from the source, its end included.
-fn distances(network: &Network, river: usize) -> Vec<f32> {
-    let mut along = 0.0;
-    let mut previous = None;
-    network
-        .course(&network.rivers[river])
-        .map(|vertex| {
-            along += previous.replace(vertex.at).map_or(0.0, |at: glam::Vec2| distance(at, vertex.at));
-            along
-        })
-        .collect()
 }
 
 #[cfg(test)]
