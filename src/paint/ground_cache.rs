@@ -6,19 +6,15 @@ use std::sync::Arc;
 
 use super::coverage::{Coverage, Rect};
 use super::ground::ground;
-use super::painter::Rivers;
 use super::palette::{Colour, LAND_ONLY, Palette};
 use super::paper;
 use super::relief::{Prepared, Sheet};
-use super::rivers::draw_network;
+use super::rivers::{Exaggerated, Rivers, draw_network};
 use super::styles::palette;
 use super::view::View;
 use crate::land::{Land, SmoothedDistance};
 use crate::recipe::Style;
 use crate::relief::Relief;
-
-/// A relief, and by how much its slopes are exaggerated.
-pub(super) type Exaggerated<'a> = (&'a Arc<Relief>, f32);
 
 /// What a picture has besides its rivers.
 #[derive(Clone, Debug, Default)]

@@ -26,7 +26,9 @@ mod view;
 pub use coverage::Coverage;
 pub use coverage::Rect;
 #[doc(hidden)]
-pub use painter::{Painter, Progress, Rivers};
+pub use painter::{Painter, Progress};
+#[doc(hidden)]
+pub use rivers::Rivers;
 #[doc(hidden)]
 pub use strokes::{Pen, Widths};
 pub use view::{LONGEST_SIDE, PaintError, View};

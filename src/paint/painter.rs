@@ -8,9 +8,9 @@ use tiny_skia::Pixmap;
 
 use super::coverage::{Coverage, Rect};
 use super::flow::Flow;
-use super::ground_cache::{Exaggerated, GroundCache};
+use super::ground_cache::GroundCache;
 use super::palette::Lines;
-use super::rivers::draw_network;
+use super::rivers::{Rivers, draw_network};
 use super::strokes::{Pen, Widths};
 use super::styles::palette;
 use super::view::{PaintError, View};
@@ -18,7 +18,6 @@ use super::{ink, skeleton};
 use crate::domain::Domain;
 use crate::land::Land;
 use crate::memory;
-use crate::network::Network;
 use crate::prune::{self, Trim};
 use crate::recipe::{CourseShape, Style};
 use crate::tree::Tree;
@@ -61,23 +60,6 @@ pub struct Painter {
     is_finished: bool,
     /// The round that the rivers shown have meandered to; `None` as long as a tree is shown.
     round: Option<u32>,
-}
-
-/// Rivers to be painted.
-#[derive(Clone, Copy, Debug)]
-pub struct Rivers<'a> {
-    /// The network. Between two calls only rounds of meandering may have changed it.
-    pub network: &'a Network,
-    /// How many rounds that were.
-    pub rounds: u32,
-    /// The lines that rivers follow.
-    pub courses: CourseShape,
-    /// The land; `None` if all of the domain is.
-    pub land: Option<&'a Land>,
-    /// The relief, and by how much its slopes are exaggerated; `None` while there is none.
-    pub relief: Option<Exaggerated<'a>>,
-    /// The style.
-    pub style: Style,
 }
 
 impl Painter {

@@ -3,13 +3,37 @@
 //! A river is the shape that a disc sweeps out that runs down the middle between its banks, as wide as they are apart. Discs and what
 //! they sweep overlap without a seam, at bends as at junctions.
 
+use std::sync::Arc;
+
 use super::coverage::Coverage;
 use super::palette::Lines;
 use super::skeleton;
 use super::strokes::{Vertex, middle, parabola, step};
 use super::view::View;
+use crate::land::Land;
 use crate::network::{self, Network, Place};
-use crate::recipe::CourseShape;
+use crate::recipe::{CourseShape, Style};
+use crate::relief::Relief;
+
+/// A relief, and by how much its slopes are exaggerated.
+pub(super) type Exaggerated<'a> = (&'a Arc<Relief>, f32);
+
+/// Rivers to be painted.
+#[derive(Clone, Copy, Debug)]
+pub struct Rivers<'a> {
+    /// The network. Between two calls only rounds of meandering may have changed it.
+    pub network: &'a Network,
+    /// How many rounds that were.
+    pub rounds: u32,
+    /// The lines that rivers follow.
+    pub courses: CourseShape,
+    /// The land; `None` if all of the domain is.
+    pub land: Option<&'a Land>,
+    /// The relief, and by how much its slopes are exaggerated; `None` while there is none.
+    pub relief: Option<Exaggerated<'a>>,
+    /// The style.
+    pub style: Style,
+}
 
 /// The margin that is added to each bank, in pixels, so that a brook can be seen.
 const VISIBLE_PX: f32 = 0.2;
