@@ -358,8 +358,28 @@ impl Session {
 
     fn relief_solver(&self) -> Result<ReliefSolver, ReliefError> {
         static EMPTY: Network = Network { vertices: Vec::new(), rivers: Vec::new(), oxbows: Vec::new() };
-        let settings = ReliefSettings::new(&self.recipe, self.land.clone(), self.growth.total_discharge());
-        ReliefSolver::new(self.network().unwrap_or(&EMPTY), &settings)
+        ReliefSolver::new(self.network().unwrap_or(&EMPTY), &self.relief_settings())
+    }
+
+    /// How the relief of this recipe is made of its rivers.
+    pub fn relief_settings(&self) -> ReliefSettings {
+        ReliefSettings::new(&self.recipe, self.land.clone(), self.growth.total_discharge())
+    }
+
+    /// The relief of the rivers as they are, in any style: the session's own, or one that is made at once.
+    ///
+    /// # Errors
+    /// If there is not enough memory.
+    pub fn make_relief(&self) -> Result<Arc<Relief>, ReliefError> {
+        if let Some(relief) = self.relief() {
+            return Ok(relief.clone());
+        }
+        let mut solver = self.relief_solver()?;
+        loop {
+            if let Some(relief) = solver.step()? {
+                return Ok(relief.into());
+            }
+        }
     }
 
     /// The relief; `None` as long as rivers are not finished, and in a style that shows none.

@@ -6,8 +6,10 @@ mod banks;
 mod data;
 pub mod geojson;
 pub mod json;
+pub mod pack;
 #[cfg(feature = "png")]
 pub mod png;
+pub mod rasters;
 mod rings;
 pub mod svg;
 

@@ -16,9 +16,13 @@ struct Path {
     junction: u32,
 }
 
-/// The paths of all rivers; each stands after the one that it joins.
+/// The paths of all rivers.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Channels(Vec<Path>);
+pub(super) struct Channels {
+    paths: Vec<Path>,
+    /// All rivers, each after the one that it joins.
+    downstream_first: Vec<u32>,
+}
 
 /// The least fall from one cell to the next, in units.
 const LEAST_FALL: f32 = 1e-4;
@@ -28,8 +32,10 @@ impl Channels {
         let elevations = hydrology::elevations(network, total_discharge);
         // Of each vertex, the step of its river's path.
         let mut step_of = vec![0; network.vertices.len()];
-        let mut paths: Vec<Path> = Vec::with_capacity(network.rivers.len());
-        for river in &network.rivers {
+        let mut paths = vec![Path::default(); network.rivers.len()];
+        let downstream_first = downstream_first(network);
+        for &id in &downstream_first {
+            let river = &network.rivers[id as usize];
             let mut path = Path { parent: river.parent, ..Path::default() };
             let mut previous: Option<(Vec2, f32)> = None;
             for i in river.vertex_range() {
@@ -44,17 +50,17 @@ impl Channels {
                 }
                 None => path.walk_to_the_sea(cells),
             }
-            paths.push(path);
+            paths[id as usize] = path;
         }
-        Self(paths)
+        Self { paths, downstream_first }
     }
 
     /// Lowers rivers to a surface, and what is below them with them: a river is nowhere lower than farther down, and none
     /// lower at its end than the one it joins. Returns by how much, in units, over all cells.
     pub fn lower(&mut self, surface: &[f32]) -> f32 {
         let mut lowered = 0.0;
-        for river in (0..self.0.len()).rev() {
-            let path = &mut self.0[river];
+        for &river in self.downstream_first.iter().rev() {
+            let path = &mut self.paths[river as usize];
             let mut above = f32::INFINITY;
             for (cell, height) in &mut path.steps {
                 let least = height.min(surface[*cell as usize]).min(above);
@@ -62,7 +68,7 @@ impl Channels {
                 (*height, above) = (least, least);
             }
             let (parent, junction) = (path.parent, path.junction);
-            if let Some(parent) = self.0.get_mut(parent as usize) {
+            if let Some(parent) = self.paths.get_mut(parent as usize) {
                 let height = &mut parent.steps[junction as usize].1;
                 lowered += (*height - above).max(0.0);
                 *height = height.min(above);
@@ -86,23 +92,45 @@ impl Channels {
 
     /// Makes every river fall from each cell to the next, its end being where it joins another, or the sea.
     pub fn let_fall(&mut self) {
-        for river in 0..self.0.len() {
-            let end = match self.0.get(self.0[river].parent as usize) {
-                Some(parent) => parent.steps[self.0[river].junction as usize].1,
+        for &river in &self.downstream_first {
+            let own = &self.paths[river as usize];
+            let end = match self.paths.get(own.parent as usize) {
+                Some(parent) => parent.steps[own.junction as usize].1,
                 None => LEAST_FALL,
             };
             let mut below = end - LEAST_FALL;
-            for (i, (_, height)) in self.0[river].steps.iter_mut().rev().enumerate() {
+            for (i, (_, height)) in self.paths[river as usize].steps.iter_mut().rev().enumerate() {
                 *height = if i == 0 { end } else { height.max((below + LEAST_FALL).max(below.next_up())) };
                 below = *height;
             }
         }
     }
 
+    /// The cells of each river's path, from its source down.
+    #[cfg(feature = "files")]
+    pub fn paths(&self) -> impl Iterator<Item = impl Iterator<Item = usize> + '_> + '_ {
+        self.paths.iter().map(|path| path.steps.iter().map(|&(cell, _)| cell as usize))
+    }
+
     /// Each cell that rivers pass, with a height: a cell may come several times, and the lowest counts.
     pub fn steps(&self) -> impl Iterator<Item = (usize, f32)> + '_ {
-        self.0.iter().flat_map(|path| path.steps.iter().map(|&(cell, height)| (cell as usize, height)))
+        self.paths.iter().flat_map(|path| path.steps.iter().map(|&(cell, height)| (cell as usize, height)))
     }
+}
+
+/// All rivers, each after the one that it joins: they mostly stand like that, but a cutoff may give one to another that comes later.
+fn downstream_first(network: &Network) -> Vec<u32> {
+    let mut order = Vec::with_capacity(network.rivers.len());
+    let mut is_placed = vec![false; network.rivers.len()];
+    for mut id in 0..network.rivers.len() as u32 {
+        let first = order.len();
+        while network.rivers.get(id as usize).is_some() && !std::mem::replace(&mut is_placed[id as usize], true) {
+            order.push(id);
+            id = network.rivers[id as usize].parent;
+        }
+        order[first..].reverse();
+    }
+    order
 }
 
 impl Path {

@@ -13,6 +13,8 @@ mod cells;
 mod channels;
 #[cfg(feature = "files")]
 mod contours;
+#[cfg(feature = "files")]
+mod flow;
 mod march;
 mod settings;
 mod solver;
@@ -24,14 +26,16 @@ use glam::Vec2;
 
 use crate::sort::quantile;
 
+#[cfg(feature = "files")]
+pub use flow::Flow;
 pub use settings::ReliefSettings;
 pub use solver::{ReliefError, ReliefSolver};
 
 /// The side of a cell, in units.
 pub const CELL_SIZE: f32 = 2.0;
 
-/// How many metres of height a unit stands for, in files.
-pub const METRES: f32 = 50.0;
+/// How many metres of height a unit stands for, in files: the highest land of default maps then has some 2,000.
+pub const METRES: f32 = 25.0;
 
 /// The heights of a map's cells, row by row, from north to south.
 #[derive(Clone, Debug, PartialEq)]
