@@ -9,6 +9,7 @@ pub mod json;
 pub mod pack;
 #[cfg(feature = "png")]
 pub mod png;
+mod polygons;
 pub mod rasters;
 mod rings;
 pub mod svg;

@@ -22,6 +22,8 @@ pub struct Rasters {
     pub columns: usize,
     /// How many rows of cells there are.
     pub rows: usize,
+    /// Width and height of the map, in units: the last cells may reach beyond.
+    pub size: Vec2,
     /// How heights are written.
     pub scale: Scale,
     relief: Arc<Relief>,
@@ -116,6 +118,7 @@ impl Rasters {
             link: link::write(session.recipe()),
             columns: relief.columns(),
             rows: relief.rows(),
+            size: session.domain().size,
             scale: Scale::of(relief.heights()),
             widths: widths(&relief, &flow, network),
             relief,
@@ -166,6 +169,7 @@ impl Rasters {
             (LINK_KEYWORD, self.link.clone()),
             ("Description", self.meaning(layer)),
             ("units-a-pixel", CELL_SIZE.to_string()),
+            ("map-units", format!("{:.4} x {:.4}", self.size.x, self.size.y)),
         ];
         if layer == Layer::Heights {
             texts.push(("metres-a-step", format!("{:.6}", self.scale.metres_a_step)));

@@ -1,8 +1,11 @@
 //! Where water runs on a relief: from cell to cell, along rivers where there are any, elsewhere by the steepest way down.
 
+use glam::Vec2;
+
 use super::cells::Cells;
 use super::channels::Channels;
-use super::{Relief, ReliefSettings};
+use super::{CELL_SIZE, Relief, ReliefSettings};
+use crate::land::trace::rings;
 use crate::network::{NONE, Network};
 
 /// Flow directions, and the basins that they make, on the cells of a relief, row by row, from north to south.
@@ -47,6 +50,33 @@ impl Flow {
             mouths,
         }
     }
+}
+
+impl Flow {
+    /// The rings around all cells of each basin, in units: that of basin 1 comes first. Land lies to the left of a ring as a map shows it, and
+    /// cells that only touch at a corner are apart.
+    pub fn basin_rings(&self, columns: usize) -> Vec<Vec<Vec<Vec2>>> {
+        let mut cells: Vec<Vec<usize>> = vec![Vec::new(); self.mouths.len()];
+        for (cell, &basin) in self.basins.iter().enumerate().filter(|(_, basin)| **basin > 0) {
+            cells[basin as usize - 1].push(cell);
+        }
+        cells.iter().map(|cells| rings_around(cells, columns)).collect()
+    }
+}
+
+/// The rings around some cells, given row by row.
+fn rings_around(cells: &[usize], columns: usize) -> Vec<Vec<Vec2>> {
+    let (Some(&first), Some(&last)) = (cells.first(), cells.last()) else { return Vec::new() };
+    let across = || cells.iter().map(|cell| cell % columns);
+    let (left, right) = across().fold((columns, 0), |(left, right), x| (left.min(x), right.max(x)));
+    let (top, bottom) = (first / columns, last / columns);
+    // With a rim around it.
+    let (width, height) = (right - left + 3, bottom - top + 3);
+    let mut mask = vec![0.0; width * height];
+    cells.iter().for_each(|cell| mask[(cell / columns - top + 1) * width + cell % columns - left + 1] = 1.0);
+    let (size, corner) = (Vec2::new(width as f32, height as f32), Vec2::new(left as f32 - 1.0, top as f32 - 1.0));
+    let place = |at: Vec2| ((at * size * 2.0).round() * 0.5 + corner) * CELL_SIZE;
+    rings(width, mask, 0.0).into_iter().map(|ring| ring.into_iter().map(place).collect()).collect()
 }
 
 /// Of each river, the number of its basin.
