@@ -4,6 +4,7 @@ import type { Size } from "../browser/canvas.ts";
 import type { FullCore, FullRiver } from "../engine/full.ts";
 import type { River } from "../engine/types.ts";
 import { Blitter } from "./blit.ts";
+import { contentsOf, packed } from "./game-pack.ts";
 import { type Canvas, contextOf } from "./river-player.ts";
 
 /** Pixels on the long side of a PNG: a full page in print, and on any screen more than there is. */
@@ -16,6 +17,7 @@ const FORMATS = {
   svg: svgOf,
   geojson: (river: FullRiver) => finished(river, () => text(river.geojson(), "application/geo+json")),
   json: (river: FullRiver) => finished(river, () => text(river.network(), "application/json")),
+  zip: packOf,
 };
 
 /** The formats, each named as its files end. */
@@ -47,6 +49,12 @@ export async function pngOf(
 /** Its shapes. */
 export function svgOf(river: FullRiver): Promise<Blob> {
   return finished(river, () => new Blob([river.svg()], { type: "image/svg+xml" }));
+}
+
+/** All that games need, and the picture. */
+async function packOf(river: FullRiver, { memory }: FullCore): Promise<Blob> {
+  const [contents, canvas] = await finished(river, () => [contentsOf(river), drawn(river, memory, LONG_SIDE_PX)] as const);
+  return packed(contents, await encoded(canvas));
 }
 
 /** Makes something of a river when it has come to its end. */

@@ -1,0 +1,49 @@
+import { decode } from "fast-png";
+import { strFromU8, unzipSync } from "fflate";
+import { expect, test } from "vitest";
+import { contentsOf, packed } from "../../src/player/game-pack.ts";
+import { full } from "../full.ts";
+
+const LINK = "seed=kauri&attractors=300&land=valley";
+
+function finished(): full.River {
+  const river = new full.River(LINK);
+  while (river.advance(1000));
+  return river;
+}
+
+async function unpacked(): Promise<Record<string, Uint8Array>> {
+  const archive = await packed(contentsOf(finished()), new Blob(["a picture"]));
+  return unzipSync(new Uint8Array(await archive.arrayBuffer()));
+}
+
+test("the archive holds every file, and the picture as it came", async () => {
+  const files = await unpacked();
+  const rasters = ["heights.png", "land.png", "rivers.png", "flow.png", "basins.png"];
+  expect(Object.keys(files)).toEqual(["README.txt", ...rasters, "map.geojson", "map.png"]);
+  expect(strFromU8(files["map.png"] ?? new Uint8Array())).toBe("a picture");
+  expect(JSON.parse(strFromU8(files["map.geojson"] ?? new Uint8Array()))).toEqual(finished().geojson());
+  expect(strFromU8(files["README.txt"] ?? new Uint8Array())).toBe(finished().cells().readme());
+});
+
+test("rasters are read back as the engine has them, in 8 or 16 bits, with what they mean", async () => {
+  const [files, { columns, rows, rasters }] = [await unpacked(), contentsOf(finished())];
+  const depths = rasters.map(({ name, values, texts }) => {
+    const picture = decode(files[`${name}.png`] ?? new Uint8Array());
+    expect([picture.width, picture.height, picture.channels]).toEqual([columns, rows, 1]);
+    expect(picture.data).toEqual(values);
+    expect(picture.text).toEqual(texts);
+    return picture.depth;
+  });
+  expect(depths).toEqual([16, 8, 16, 8, 16]);
+  expect(rasters[0]?.texts["metres-a-step"]).toMatch(/^0\.0\d+$/);
+});
+
+test("a growing river has no rasters", () => {
+  expect(() => contentsOf(new full.River(LINK))).toThrow("still growing");
+});
+
+test("a river always gives the same archive", async () => {
+  const bytes = async () => new Uint8Array(await (await packed(contentsOf(finished()), new Blob(["x"]))).arrayBuffer());
+  expect(await bytes()).toEqual(await bytes());
+});
