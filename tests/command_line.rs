@@ -124,7 +124,10 @@ fn name_says_which_raster_is_written_and_zip_holds_them_all() {
     for name in ["heights.png", "land.png", "rivers.png", "flow.png", "basins.png"] {
         assert!(files[name] == written(&format!("map.{name}"), &[]), "{name}");
     }
-    assert!(files["map.png"] == written("map.of.the.land.png", &["--size", "100"]), "a picture, whatever dots are in its name");
+    assert!(
+        files["map.png"] == written("map.of.the.land.png", &["--size", "100"]),
+        "a picture, whatever dots are in its name"
+    );
     assert!(String::from_utf8(files["README.txt"].clone()).unwrap().contains("seed=rata&edition=1&attractors=200"));
     assert_eq!(
         refusal(&["render", "--size", "100", "-o", "x.Heights.png"]),

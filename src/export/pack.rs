@@ -10,7 +10,7 @@ use rawzip::{CompressionMethod, ZipArchiveWriter};
 #[cfg(feature = "cli")]
 use tiny_skia::Pixmap;
 
-use super::rasters::{Layer, Rasters};
+use super::rasters::{Layer, Rasters, decimal};
 #[cfg(feature = "cli")]
 use super::{geojson, png};
 use crate::relief::{CELL_SIZE, METRES};
@@ -30,18 +30,20 @@ pub fn readme(rasters: &Rasters) -> String {
     let mut text = format!(
         "A map by Riverseed. This draws it again:\n  {link}\n\n\
          SCALE\n\
-         A raster has {columns} x {rows} pixels, north at the top. A pixel is {CELL_SIZE} x {CELL_SIZE} units.\n\
-         A unit of height is {METRES} m. On the ground a unit is what you like; GeoJSON takes a hundredth of a degree, 1113 m.\n\
-         Heights: 0 is {deepest:.1} m, {sea} is the sea's surface, 65535 is {highest:.1} m.\n\
-         One step is {step:.6} m: metres = (value - {sea}) * {step:.6}\n\n\
+         A raster has {columns} x {rows} pixels, north at the top. A pixel is {pixel} x {pixel} units.\n\
+         A unit of height is {unit} m. On the ground a unit is what you like; GeoJSON takes a hundredth of a degree, 1113 m.\n\
+         Heights: 0 is {deepest} m, {sea} is the sea's surface, 65535 is {highest} m.\n\
+         One step is {step} m: metres = (value - {sea}) * {step}\n\n\
          FILES\n",
         link = rasters.link,
         columns = rasters.columns,
         rows = rasters.rows,
-        deepest = scale.metres(0),
-        highest = scale.metres(u16::MAX),
+        pixel = decimal(CELL_SIZE.into(), 0),
+        unit = decimal(METRES.into(), 0),
+        deepest = decimal(scale.metres(0), 1),
+        highest = decimal(scale.metres(u16::MAX), 1),
         sea = scale.sea_level,
-        step = scale.metres_a_step,
+        step = decimal(scale.metres_a_step, 6),
     );
     for layer in Layer::ALL {
         text += &format!("{}.png\n  {}\n", layer.name(), rasters.meaning(layer));

@@ -1,48 +1,59 @@
 //! Polygons of rings that run around areas of a raster: which ring is a hole of which, on the grid of the numbers that are written.
 
 use super::rings::{GridPoint, doubled_area};
+use crate::sort::{argsort, key};
 
 /// Rings, closed, whose last point is their first: the outer one, counterclockwise, then its holes, clockwise.
 pub(super) type Polygon = Vec<Vec<GridPoint>>;
 
 /// The polygons of the rings around some areas, the largest first. All outer rings run one way, all holes the other, and none cross.
 pub(super) fn polygons(rings: impl IntoIterator<Item = Vec<GridPoint>>) -> Vec<Polygon> {
-    let mut outer: Vec<(i64, Polygon)> = Vec::new();
-    let mut holes = Vec::new();
+    let (mut outer, mut holes) = (Vec::new(), Vec::new());
     for ring in rings.into_iter().flat_map(apart) {
         match doubled_area(&ring) {
             0 => {}
-            area @ 1.. => outer.push((area, vec![ring])),
+            1.. => outer.push(vec![ring]),
             _ => holes.push(ring),
         }
     }
-    // The least that holds one is the one that it is in.
-    outer.sort_by_key(|(area, _)| *area);
+    let mut polygons: Vec<Polygon> = largest_first(&outer).into_iter().map(|i| outer[i].clone()).collect();
     for hole in holes {
-        let around = outer.iter_mut().find(|(_, polygon)| hole.iter().all(|at| is_in(&polygon[0], *at)));
-        around.into_iter().for_each(|(_, polygon)| polygon.push(hole.clone()));
+        // The least that holds one is the one that it is in.
+        let is_around = |polygon: &&mut Polygon| hole.iter().all(|at| is_in(&polygon[0], *at));
+        if let Some(polygon) = polygons.iter_mut().rev().find(is_around) {
+            polygon.push(hole);
+        }
     }
-    outer.into_iter().rev().map(|(_, polygon)| polygon.into_iter().map(closed).collect()).collect()
+    polygons.iter_mut().flatten().for_each(|ring| ring.extend(ring.first().copied()));
+    polygons
+}
+
+fn largest_first(polygons: &[Polygon]) -> Vec<usize> {
+    argsort(polygons.iter().map(|polygon| key(-(doubled_area(&polygon[0]) as f32))))
 }
 
 /// A ring without points that tell nothing; one that comes to a place twice is two.
 fn apart(ring: Vec<GridPoint>) -> Vec<Vec<GridPoint>> {
-    let mut rings = Vec::new();
-    let mut way: Vec<GridPoint> = Vec::with_capacity(ring.len());
-    let mut places = std::collections::BTreeMap::new();
-    for at in ring {
-        if let Some(&first) = places.get(&at) {
-            let round = way.split_off(first);
-            round.iter().for_each(|at| {
-                places.remove(at);
-            });
-            rings.push(round);
+    let (mut waiting, mut rings) = (vec![ring], Vec::new());
+    while let Some(mut ring) = waiting.pop() {
+        match met_twice(&ring) {
+            Some((first, second)) => {
+                waiting.push(ring.drain(first..second).collect());
+                waiting.push(ring);
+            }
+            None => rings.push(without_straight(ring)),
         }
-        places.insert(at, way.len());
-        way.push(at);
     }
-    rings.push(way);
-    rings.into_iter().map(without_straight).filter(|ring| ring.len() > 2).collect()
+    rings.into_iter().filter(|ring| ring.len() > 2).collect()
+}
+
+/// Two positions of one place in a ring, the earlier first.
+fn met_twice(ring: &[GridPoint]) -> Option<(usize, usize)> {
+    // Equal ones keep their order: in order of one coordinate, and then of the other.
+    let by_north = argsort(ring.iter().map(|at| at[1] as u32));
+    let order = argsort(by_north.iter().map(|&i| ring[i][0] as u32));
+    let pairs = order.windows(2).map(|pair| (by_north[pair[0]], by_north[pair[1]]));
+    pairs.into_iter().find(|&(first, second)| ring[first] == ring[second])
 }
 
 /// Leaves out points on straight sides.
@@ -53,11 +64,6 @@ fn without_straight(ring: Vec<GridPoint>) -> Vec<GridPoint> {
         doubled_area(&[a, b, c]) != 0
     };
     (0..count).filter(is_corner).map(|i| ring[i]).collect()
-}
-
-fn closed(mut ring: Vec<GridPoint>) -> Vec<GridPoint> {
-    ring.extend(ring.first().copied());
-    ring
 }
 
 /// Whether a place lies within a ring or on it: a line to the east crosses the ring an odd number of times.

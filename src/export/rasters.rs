@@ -143,8 +143,9 @@ impl Rasters {
         let Scale { sea_level, metres_a_step } = self.scale;
         match layer {
             Layer::Heights => format!(
-                "16-bit heights: metres above the sea = (value - {sea_level}) * {metres_a_step:.6}. \
-                 0 is the deepest place, {sea_level} the sea's surface."
+                "16-bit heights: metres above the sea = (value - {sea_level}) * {}. \
+                 0 is the deepest place, {sea_level} the sea's surface.",
+                decimal(metres_a_step, 6)
             ),
             Layer::Land => "255 is land, 0 is sea.".into(),
             Layer::Rivers => {
@@ -168,11 +169,11 @@ impl Rasters {
         let mut texts = vec![
             (LINK_KEYWORD, self.link.clone()),
             ("Description", self.meaning(layer)),
-            ("units-a-pixel", CELL_SIZE.to_string()),
-            ("map-units", format!("{:.4} x {:.4}", self.size.x, self.size.y)),
+            ("units-a-pixel", decimal(CELL_SIZE.into(), 0)),
+            ("map-units", format!("{} x {}", decimal(self.size.x.into(), 4), decimal(self.size.y.into(), 4))),
         ];
         if layer == Layer::Heights {
-            texts.push(("metres-a-step", format!("{:.6}", self.scale.metres_a_step)));
+            texts.push(("metres-a-step", decimal(self.scale.metres_a_step, 6)));
             texts.push(("sea-level", self.scale.sea_level.to_string()));
         }
         texts
@@ -186,6 +187,18 @@ impl Rasters {
     /// The relief that this is made of.
     pub fn relief(&self) -> &Relief {
         &self.relief
+    }
+}
+
+/// A number with so many decimal places. The tables that print any float would be a fifth of what a page downloads.
+pub(super) fn decimal(number: f64, places: u32) -> String {
+    let parts = 10u64.pow(places);
+    let rounded = (number.abs() * parts as f64).round() as u64;
+    let sign = if number < 0.0 && rounded > 0 { "-" } else { "" };
+    let whole = rounded / parts;
+    match places {
+        0 => format!("{sign}{whole}"),
+        _ => format!("{sign}{whole}.{:0width$}", rounded % parts, width = places as usize),
     }
 }
 
@@ -239,5 +252,17 @@ impl From<ReliefError> for ExportError {
         match error {
             ReliefError::OutOfMemory { megabytes } => Self::OutOfMemory { megabytes },
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn decimals_are_rounded_and_keep_their_zeros() {
+        let written = [(0.077_964_4, 6), (-559.25, 1), (2.0, 0), (-0.04, 1), (1264.911_06, 4), (0.999_96, 4)];
+        let expected = ["0.077964", "-559.3", "2", "0.0", "1264.9111", "1.0000"];
+        assert_eq!(written.map(|(number, places)| decimal(number, places)), expected);
     }
 }

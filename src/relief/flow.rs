@@ -7,6 +7,7 @@ use super::channels::Channels;
 use super::{CELL_SIZE, Relief, ReliefSettings};
 use crate::land::trace::rings;
 use crate::network::{NONE, Network};
+use crate::sort::{argsort, key};
 
 /// Flow directions, and the basins that they make, on the cells of a relief, row by row, from north to south.
 #[derive(Clone, Debug, PartialEq)]
@@ -161,9 +162,8 @@ impl Field {
     /// Of each cell, the last one of land on its water's way.
     fn outlets(&self, downstream: &[usize]) -> Vec<usize> {
         let mut outlets: Vec<usize> = (0..downstream.len()).collect();
-        let mut order: Vec<usize> = self.cells.land().collect();
-        order.sort_unstable_by(|&a, &b| self.heights[a].total_cmp(&self.heights[b]).then(a.cmp(&b)));
-        for cell in order {
+        let land: Vec<usize> = self.cells.land().collect();
+        for cell in argsort(land.iter().map(|&cell| key(self.heights[cell]))).into_iter().map(|i| land[i]) {
             if self.cells.is_land(downstream[cell]) {
                 outlets[cell] = outlets[downstream[cell]];
             }

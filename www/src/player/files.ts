@@ -53,7 +53,10 @@ export function svgOf(river: FullRiver): Promise<Blob> {
 
 /** All that games need, and the picture. */
 async function packOf(river: FullRiver, { memory }: FullCore): Promise<Blob> {
-  const [contents, canvas] = await finished(river, () => [contentsOf(river), drawn(river, memory, LONG_SIDE_PX)] as const);
+  const [contents, canvas] = await finished(
+    river,
+    () => [contentsOf(river), drawn(river, memory, LONG_SIDE_PX)] as const,
+  );
   return packed(contents, await encoded(canvas));
 }
 

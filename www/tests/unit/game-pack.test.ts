@@ -17,6 +17,10 @@ async function unpacked(): Promise<Record<string, Uint8Array>> {
   return unzipSync(new Uint8Array(await archive.arrayBuffer()));
 }
 
+function bytesOf({ buffer, byteOffset, byteLength }: ArrayBufferView): Buffer {
+  return Buffer.from(buffer as ArrayBuffer, byteOffset, byteLength);
+}
+
 test("the archive holds every file, and the picture as it came", async () => {
   const files = await unpacked();
   const rasters = ["heights.png", "land.png", "rivers.png", "flow.png", "basins.png"];
@@ -31,12 +35,13 @@ test("rasters are read back as the engine has them, in 8 or 16 bits, with what t
   const depths = rasters.map(({ name, values, texts }) => {
     const picture = decode(files[`${name}.png`] ?? new Uint8Array());
     expect([picture.width, picture.height, picture.channels]).toEqual([columns, rows, 1]);
-    expect(picture.data).toEqual(values);
+    // Compared one by one, a quarter of a million numbers would take seconds.
+    expect(Buffer.compare(bytesOf(picture.data), bytesOf(values))).toBe(0);
     expect(picture.text).toEqual(texts);
     return picture.depth;
   });
   expect(depths).toEqual([16, 8, 16, 8, 16]);
-  expect(rasters[0]?.texts["metres-a-step"]).toMatch(/^0\.0\d+$/);
+  expect(rasters[0]?.texts["metres-a-step"]).toMatch(/^0\.\d{6}$/);
 });
 
 test("a growing river has no rasters", () => {
@@ -44,6 +49,6 @@ test("a growing river has no rasters", () => {
 });
 
 test("a river always gives the same archive", async () => {
-  const bytes = async () => new Uint8Array(await (await packed(contentsOf(finished()), new Blob(["x"]))).arrayBuffer());
-  expect(await bytes()).toEqual(await bytes());
+  const made = async () => Buffer.from(await (await packed(contentsOf(finished()), new Blob(["x"]))).arrayBuffer());
+  expect((await made()).equals(await made())).toBe(true);
 });
