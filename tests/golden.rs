@@ -31,6 +31,8 @@ const PICTURES: &[(&str, &str)] = &[
         "drainage-wild",
         "growth=drainage&land=continent&attractors=4000&trim=30&channel-area=4&mouths=0&valleys=0.6&style=atlas",
     ),
+    ("valleys-island", "valleys=0.2&curl=0.7&land=island&attractors=4000&trim=24&mouths=0&style=atlas"),
+    ("valleys-wild", "valleys=1&land=continent&attractors=4000&trim=24&mouths=0&style=atlas"),
     ("night", "growth=drainage&land=archipelago&attractors=6000&trim=24&channel-area=4&mouths=0&style=night"),
     ("atlas-plain", "growth=drainage&attractors=3000&trim=30&mouths=0&style=atlas&mountains=3&plains=60&shade=0.8"),
     ("original", "preset=original&attractors=1500"),

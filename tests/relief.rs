@@ -4,6 +4,7 @@
 mod common;
 
 use common::{property, random_link};
+use glam::Vec2;
 use proptest::prelude::*;
 use riverseed::network::NONE;
 use riverseed::recipe::{Key, link};
@@ -37,7 +38,8 @@ fn leaves_the_map(session: &Session, relief: &Relief, cell: usize) -> bool {
     let (column, row) = (cell % relief.columns(), cell / relief.columns());
     let is_at =
         [('w', column == 0), ('e', column + 1 == relief.columns()), ('n', row == 0), ('s', row + 1 == relief.rows())];
-    session.land().is_none() && is_at.into_iter().any(|(side, is_at)| is_at && sides.contains(side))
+    let has_starts = !session.recipe().rivers().is_empty();
+    session.land().is_none() && is_at.into_iter().any(|(side, is_at)| is_at && (has_starts || sides.contains(side)))
 }
 
 /// The cells of land that have no lower neighbour and no sea beside them.
@@ -52,19 +54,39 @@ fn pits(session: &Session) -> Vec<usize> {
     (0..heights.len()).filter(is_pit).collect()
 }
 
-/// Where rivers climb from one vertex's cell to the next, counted. Where two rivers pass one cell, the lower counts, and the other may
-/// be this much higher below it.
+fn cell_of(relief: &Relief, at: Vec2) -> usize {
+    let place = (at / CELL_SIZE).max(Vec2::ZERO);
+    (place.y as usize).min(relief.rows() - 1) * relief.columns() + (place.x as usize).min(relief.columns() - 1)
+}
+
+/// The cells of a course, in its order.
+fn cells_of(relief: &Relief, course: &[Vec2]) -> Vec<usize> {
+    let between = |pair: &[Vec2]| {
+        let (from, to) = (pair[0], pair[1]);
+        // As rivers are walked there: another rule could cut another corner.
+        let count = (from.distance(to) / (0.5 * CELL_SIZE)).ceil().max(1.0) as u32;
+        (0..=count).map(move |i| from.lerp(to, i as f32 / count as f32))
+    };
+    let mut cells: Vec<usize> = course.windows(2).flat_map(between).map(|at| cell_of(relief, at)).collect();
+    cells.dedup();
+    cells
+}
+
+/// Where rivers do not fall from one vertex's cell to a later one's, counted. Cells that are passed more than once are left out: there the
+/// lower river counts.
 fn climbs(session: &Session) -> usize {
-    const AS_GOOD_AS_LEVEL: f32 = 0.01;
     let (network, relief) = (session.network().unwrap(), relief(session));
+    let course = |river| network.course(river).map(|vertex| vertex.at).collect::<Vec<_>>();
+    let courses: Vec<Vec<usize>> = network.rivers.iter().map(|river| cells_of(relief, &course(river))).collect();
+    let mut passed = vec![0; relief.heights().len()];
+    courses.iter().flatten().for_each(|&cell| passed[cell] += 1);
     let mut climbs = 0;
     for river in &network.rivers {
-        let mut last = f32::INFINITY;
-        for vertex in network.course(river) {
-            let height = relief.at(vertex.at);
-            climbs += usize::from(height > last + AS_GOOD_AS_LEVEL && last > 0.0);
-            last = height;
-        }
+        let mut cells: Vec<usize> = course(river).into_iter().map(|at| cell_of(relief, at)).collect();
+        cells.dedup();
+        // At the sea's height rivers may be led on from their mouths.
+        cells.retain(|&cell| passed[cell] == 1 && relief.heights()[cell] > 0.01);
+        climbs += cells.windows(2).filter(|pair| relief.heights()[pair[1]] >= relief.heights()[pair[0]]).count();
     }
     climbs
 }

@@ -9,13 +9,11 @@ use crate::land::{Parabola, beside, nearest};
 use crate::relief::{CELL_SIZE, Relief};
 use crate::sort::quantile;
 
-/// The directions that light comes from, each with its share: north-west, west and north, the lower the stronger (Imhof 1965 lets
-/// light come from the north-west and turn with the ridges).
-const LIGHTS: [(Vec2, f32, f32); 3] = [
-    (Vec2::new(-0.707_106_77, -0.707_106_77), 45.0, 0.55),
-    (Vec2::new(-1.0, 0.0), 50.0, 0.25),
-    (Vec2::new(0.0, -1.0), 55.0, 0.2),
-];
+/// Light from the north-west at 45° over the horizon, with a share of 0.55, from the west at 50° with 0.25 and from the north at 55° with
+/// 0.2: the strongest light is the lowest, and ridges of all directions have a dark side (after Imhof 1965). Each points to its light and
+/// is as long as its share.
+const LIGHTS: [Vec3; 3] =
+    [Vec3::new(-0.275, -0.275, 0.388_909), Vec3::new(-0.160_697, 0.0, 0.191_511), Vec3::new(0.0, -0.114_715, 0.163_83)];
 
 /// What has the colour of the highest land lies above this share of all.
 pub(crate) const HIGHEST: f32 = 0.99;
@@ -34,10 +32,6 @@ impl Surface {
         let (columns, rows) = (relief.columns(), relief.rows());
         let heights: Vec<f32> = relief.heights().iter().map(|height| height.max(0.0)).collect();
         let highest = relief.quantile(HIGHEST).max(f32::MIN_POSITIVE);
-        let lights = LIGHTS.map(|(way, altitude, share)| {
-            let altitude = altitude * (std::f32::consts::PI / 180.0);
-            (way * libm::cosf(altitude)).extend(libm::sinf(altitude)) * share
-        });
         let mut light = vec![0.0; heights.len()];
         for row in 0..rows {
             let [north, _, south] = beside(row, rows).map(|row| row * columns);
@@ -48,7 +42,7 @@ impl Surface {
                     heights[here + east] - heights[here + west],
                     heights[south + column] - heights[north + column],
                 );
-                light[here + column] = lit(rise * (exaggeration / (2.0 * CELL_SIZE)), &lights);
+                light[here + column] = lit(rise * (exaggeration / (2.0 * CELL_SIZE)));
             }
         }
         let land = relief.heights().iter().zip(&light).filter(|(height, _)| **height > 0.0);
@@ -93,11 +87,11 @@ impl Surface {
     }
 }
 
-/// How light a slope is under some lights.
-fn lit(rise: Vec2, lights: &[Vec3; 3]) -> f32 {
+/// How light a slope is.
+fn lit(rise: Vec2) -> f32 {
     let normal = (-rise).extend(1.0);
-    let length = normal.length();
-    lights.iter().map(|light| (normal.dot(*light) / length).max(0.0)).sum()
+    let length = (rise.length_squared() + 1.0).sqrt();
+    LIGHTS.iter().map(|light| (normal.dot(*light) / length).max(0.0)).sum()
 }
 
 /// The colours of all heights and lights, looked up.

@@ -4,6 +4,7 @@ use glam::Vec2;
 
 use super::CELL_SIZE;
 use super::cells::Cells;
+use crate::geometry::distance;
 use crate::network::{NONE, Network, hydrology};
 
 /// A river's path.
@@ -20,8 +21,8 @@ struct Path {
 #[derive(Clone, Debug, Default)]
 pub(super) struct Channels {
     paths: Vec<Path>,
-    /// All rivers, each after the one that it joins.
-    downstream_first: Vec<u32>,
+    /// The numbers of all rivers, each after the one that it joins.
+    parents_first: Vec<u32>,
 }
 
 /// The least fall from one cell to the next, in units.
@@ -32,34 +33,32 @@ impl Channels {
         let elevations = hydrology::elevations(network, total_discharge);
         // Of each vertex, the step of its river's path.
         let mut step_of = vec![0; network.vertices.len()];
-        let mut paths = vec![Path::default(); network.rivers.len()];
-        let downstream_first = downstream_first(network);
-        for &id in &downstream_first {
-            let river = &network.rivers[id as usize];
+        let mut paths: Vec<Path> = Vec::with_capacity(network.rivers.len());
+        for river in &network.rivers {
             let mut path = Path { parent: river.parent, ..Path::default() };
             let mut previous: Option<(Vec2, f32)> = None;
             for i in river.vertex_range() {
-                let (at, height) = (network.vertices[i].at, elevations[i]);
-                path.walk(cells, previous.replace((at, height)), (at, height));
+                let place = (network.vertices[i].at, elevations[i]);
+                path.walk(cells, previous.replace(place), place);
                 step_of[i] = path.steps.len() as u32 - 1;
             }
             match network.vertices.get(river.junction as usize) {
-                Some(junction) => {
-                    path.walk(cells, previous, (junction.at, elevations[river.junction as usize]));
-                    path.junction = step_of[river.junction as usize];
-                }
+                Some(junction) => path.walk(cells, previous, (junction.at, elevations[river.junction as usize])),
                 None => path.walk_to_the_sea(cells),
             }
-            paths[id as usize] = path;
+            paths.push(path);
         }
-        Self { paths, downstream_first }
+        for (path, river) in paths.iter_mut().zip(&network.rivers) {
+            path.junction = step_of.get(river.junction as usize).copied().unwrap_or(NONE);
+        }
+        Self { parents_first: parents_first(network), paths }
     }
 
     /// Lowers rivers to a surface, and what is below them with them: a river is nowhere lower than farther down, and none
     /// lower at its end than the one it joins. Returns by how much, in units, over all cells.
     pub fn lower(&mut self, surface: &[f32]) -> f32 {
         let mut lowered = 0.0;
-        for &river in self.downstream_first.iter().rev() {
+        for &river in self.parents_first.iter().rev() {
             let path = &mut self.paths[river as usize];
             let mut above = f32::INFINITY;
             for (cell, height) in &mut path.steps {
@@ -92,14 +91,14 @@ impl Channels {
 
     /// Makes every river fall from each cell to the next, its end being where it joins another, or the sea.
     pub fn let_fall(&mut self) {
-        for &river in &self.downstream_first {
-            let own = &self.paths[river as usize];
-            let end = match self.paths.get(own.parent as usize) {
-                Some(parent) => parent.steps[own.junction as usize].1,
+        for &river in &self.parents_first {
+            let river = river as usize;
+            let end = match self.paths.get(self.paths[river].parent as usize) {
+                Some(parent) => parent.steps[self.paths[river].junction as usize].1,
                 None => LEAST_FALL,
             };
             let mut below = end - LEAST_FALL;
-            for (i, (_, height)) in self.paths[river as usize].steps.iter_mut().rev().enumerate() {
+            for (i, (_, height)) in self.paths[river].steps.iter_mut().rev().enumerate() {
                 *height = if i == 0 { end } else { height.max((below + LEAST_FALL).max(below.next_up())) };
                 below = *height;
             }
@@ -118,17 +117,19 @@ impl Channels {
     }
 }
 
-/// All rivers, each after the one that it joins: they mostly stand like that, but a cutoff may give one to another that comes later.
-fn downstream_first(network: &Network) -> Vec<u32> {
+/// The numbers of all rivers, each after the one that it joins: rivers that take over another's upper course may stand before it.
+fn parents_first(network: &Network) -> Vec<u32> {
     let mut order = Vec::with_capacity(network.rivers.len());
-    let mut is_placed = vec![false; network.rivers.len()];
-    for mut id in 0..network.rivers.len() as u32 {
-        let first = order.len();
-        while network.rivers.get(id as usize).is_some() && !std::mem::replace(&mut is_placed[id as usize], true) {
-            order.push(id);
-            id = network.rivers[id as usize].parent;
+    let mut is_listed = vec![false; network.rivers.len()];
+    let mut upward = Vec::new();
+    for start in 0..network.rivers.len() as u32 {
+        let mut river = start;
+        while is_listed.get(river as usize) == Some(&false) {
+            is_listed[river as usize] = true;
+            upward.push(river);
+            river = network.rivers[river as usize].parent;
         }
-        order[first..].reverse();
+        order.extend(upward.drain(..).rev());
     }
     order
 }
@@ -138,7 +139,7 @@ impl Path {
     fn walk(&mut self, cells: &Cells, from: Option<(Vec2, f32)>, to: (Vec2, f32)) {
         let from = from.unwrap_or(to);
         // At most a cell to the side each time.
-        let count = (from.0.distance(to.0) / (0.5 * CELL_SIZE)).ceil().max(1.0);
+        let count = (distance(from.0, to.0) / (0.5 * CELL_SIZE)).ceil().max(1.0);
         for i in 1..=count as usize {
             let share = i as f32 / count;
             self.enter(cells.of(from.0.lerp(to.0, share).max(Vec2::ZERO)), from.1 + (to.1 - from.1) * share);

@@ -31,11 +31,13 @@ pub struct ReliefSettings {
 impl ReliefSettings {
     /// The settings of a recipe on some land; `total_discharge` is the discharge of a river that drained everything.
     pub fn new(recipe: &Recipe, land: Option<Arc<Land>>, total_discharge: u32) -> Self {
+        // Rivers that are drawn leave a rectangle wherever they begin.
+        let has_starts = !recipe.rivers().is_empty();
         Self {
             seed: Seed::from_text(recipe.seed()),
             domain: Domain::of(recipe),
             land,
-            sides: recipe.sides(Key::Sides),
+            sides: if has_starts { Sides::ALL } else { recipe.sides(Key::Sides) },
             total_discharge: total_discharge.max(1),
             mountains: recipe.number(Key::Mountains),
             plains: recipe.number(Key::Plains),

@@ -3,6 +3,7 @@
 use super::CELL_SIZE;
 use super::cells::Cells;
 use super::settings::ReliefSettings;
+use crate::geometry::distance;
 use crate::land::Land;
 use crate::network::Network;
 use glam::Vec2;
@@ -87,7 +88,7 @@ fn raise_ridges(cells: &Cells, land: &Land, rises: &mut [f32]) {
     let mut factor = vec![1.0f32; rises.len()];
     for line in land.ridges() {
         for pair in line.windows(2) {
-            let count = (pair[0].distance(pair[1]) / CELL_SIZE).ceil().max(1.0);
+            let count = (distance(pair[0], pair[1]) / CELL_SIZE).ceil().max(1.0);
             for i in 0..=count as usize {
                 stamp(cells, pair[0].lerp(pair[1], i as f32 / count), RADIUS, |cell, share| {
                     factor[cell] = factor[cell].max(MOST + (1.0 - MOST) * share);
@@ -105,7 +106,7 @@ fn stamp(cells: &Cells, at: Vec2, radius: f32, mut visit: impl FnMut(usize, f32)
     for row in first / cells.columns..=last / cells.columns {
         for column in left..=right {
             let cell = row * cells.columns + column;
-            let share = cells.point(cell).distance(at) / radius;
+            let share = distance(cells.point(cell), at) / radius;
             if share < 1.0 {
                 visit(cell, share);
             }
