@@ -125,7 +125,7 @@ fn name_says_which_raster_is_written_and_zip_holds_them_all() {
         assert!(files[name] == written(&format!("map.{name}"), &[]), "{name}");
     }
     assert!(
-        files["map.png"] == written("map.of.the.land.png", &["--size", "100"]),
+        files["map.png"] == written("map.at.night.png", &["--size", "100"]),
         "a picture, whatever dots are in its name"
     );
     assert!(String::from_utf8(files["README.txt"].clone()).unwrap().contains("seed=rata&edition=1&attractors=200"));
