@@ -1,8 +1,11 @@
 import { decode } from "fast-png";
 import { strFromU8, unzipSync } from "fflate";
-import { expect, test } from "vitest";
+import { expect, test, vi } from "vitest";
 import { contentsOf, packed } from "../../src/player/game-pack.ts";
 import { full } from "../full.ts";
+
+// An archive takes seconds, on a busy machine more.
+vi.setConfig({ testTimeout: 60_000 });
 
 const LINK = "seed=kauri&attractors=300&land=valley";
 
