@@ -77,7 +77,7 @@ test-wasm: ## the core as wasm, in headless Chromium: the same pictures to the b
 	@$(setup) rust wasm browser
 	@mkdir -p target
 	@$(run) bash -c 'sed "s|\$$CHROME|$$CHROME|" scripts/webdriver.json' > target/webdriver.json
-	$(wasm) cargo test $(wasm32) --features files $(WASM_TESTS:%=--test %)
+	$(wasm) cargo test $(wasm32) --features files,controls $(WASM_TESTS:%=--test %)
 
 .PHONY: test-page
 test-page: wasm ## the TypeScript, without a browser
@@ -118,10 +118,10 @@ check: widget ## format, lints, types, documentation, weights and licences: not 
 	$(run) cargo clippy --quiet --all-targets --all-features -- -D warnings
 	CUSTOM_LIBFUZZER_PATH=target/unlinked $(run) cargo clippy --quiet --locked --manifest-path fuzz/Cargo.toml --target-dir target -- -D warnings
 	$(wasm) cargo clippy --quiet --lib --examples $(wasm32) -- -D warnings
-	$(wasm) cargo clippy --quiet --lib $(WASM_TESTS:%=--test %) $(wasm32) --features rivers,tracing,files -- -D warnings
+	$(wasm) cargo clippy --quiet --lib $(WASM_TESTS:%=--test %) $(wasm32) --features rivers,tracing,files,controls -- -D warnings
 	RUSTDOCFLAGS="-D warnings" $(run) cargo doc --quiet --no-deps --all-features
 	RUSTDOCFLAGS="-D warnings" $(wasm) cargo doc --quiet --no-deps --lib $(wasm32)
-	RUSTDOCFLAGS="-D warnings" $(wasm) cargo doc --quiet --no-deps --lib $(wasm32) --features rivers,tracing,files
+	RUSTDOCFLAGS="-D warnings" $(wasm) cargo doc --quiet --no-deps --lib $(wasm32) --features rivers,tracing,files,controls
 	scripts/crate.sh pack
 	$(npm) types
 	$(npm) lint

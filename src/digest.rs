@@ -28,8 +28,8 @@ pub enum DigestError {
     Export(#[from] ExportError),
 }
 
-/// Grows, paints and exports a recipe and returns the FNV-1a hash (64 bits) of its tree, its hydrology, its rivers, its relief, its pixels, the
-/// text of its SVG and all that its GeoJSON and its JSON hold, as 16 hexadecimal digits.
+/// Grows, paints and exports a recipe and returns the FNV-1a hash (64 bits) of its tree, its hydrology, its rivers, its relief, its
+/// pixels, the text of its SVG and all that its GeoJSON and its JSON hold, as 16 hexadecimal digits.
 ///
 /// # Errors
 /// If there is not enough memory.

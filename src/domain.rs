@@ -29,6 +29,12 @@ impl Domain {
         Self { size: Vec2::new(AREA / height, height) }
     }
 
+    /// How far a point lies from each side, by the side's initial, clockwise from the north; less than 0 beyond it.
+    pub fn sides(&self, point: Vec2) -> [(char, f32); 4] {
+        let far = self.size - point;
+        [('n', point.y), ('e', far.x), ('s', far.y), ('w', point.x)]
+    }
+
     /// Whether a point lies in it, its border included.
     pub fn contains(&self, point: Vec2) -> bool {
         point.x >= 0.0 && point.y >= 0.0 && point.x <= self.size.x && point.y <= self.size.y

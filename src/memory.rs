@@ -11,6 +11,11 @@ pub(crate) fn can_allocate(bytes: usize) -> bool {
     is_allowed(bytes) && Vec::<u8>::new().try_reserve_exact(bytes).is_ok()
 }
 
+/// Asks for bytes that lists of the standard library take soon after.
+pub(crate) fn ask(bytes: usize) -> Result<(), Refused> {
+    if can_allocate(bytes) { Ok(()) } else { Err(Refused) }
+}
+
 /// Makes room for at least this many more items, and for more at once, so that many small requests cost little.
 pub(crate) fn reserve<T>(list: &mut Vec<T>, more: usize) -> Result<(), Refused> {
     if !is_allowed((list.len() + more).saturating_mul(size_of::<T>())) {

@@ -7,6 +7,7 @@
 //! Sources: FNV-1a (Fowler, Noll, Vo; 64 bit) for text, the SplitMix64 finaliser (Steele, Lea, Flood 2014) for
 //! mixing, PCG32 (O'Neill 2014) from `rand_pcg`, which promises stable values.
 
+use fastnoise_lite::{FastNoiseLite, FractalType, NoiseType};
 use rand::Rng;
 use rand_pcg::Pcg32;
 
@@ -53,6 +54,17 @@ impl Seed {
     /// Random numbers for one purpose, each for an item.
     pub fn item_hash(self, purpose: Purpose) -> ItemHash {
         ItemHash(mix(self.0 ^ (purpose as u64).wrapping_mul(GOLDEN_GAMMA)))
+    }
+
+    /// Fractal noise over the plane for one purpose, from −1 to 1. The index tells one use from another; the frequency is that of the
+    /// broadest octave, each of the others has twice that of the one before.
+    pub(crate) fn noise(self, purpose: Purpose, index: u32, frequency: f32, octaves: i32) -> FastNoiseLite {
+        let mut noise = FastNoiseLite::with_seed(self.item_hash(purpose).bits([index, 0, 0]) as i32);
+        noise.set_noise_type(Some(NoiseType::OpenSimplex2));
+        noise.set_fractal_type(Some(FractalType::FBm));
+        noise.set_fractal_octaves(Some(octaves));
+        noise.set_frequency(Some(frequency));
+        noise
     }
 }
 

@@ -1,54 +1,27 @@
 //! A session: one recipe at a time, each stage's result kept, and after a change only what it touches run again.
 
+mod error;
+mod relief;
+mod summary;
+#[cfg(test)]
+mod tests;
+
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use thiserror::Error;
-
+use self::relief::ReliefStage;
 use crate::domain::Domain;
-use crate::grow::{Ending, GrowError, Growth, GrowthSettings};
+use crate::grow::{GrowError, Growth, GrowthSettings};
 use crate::land::Land;
 use crate::memory;
-use crate::network::{Meander, NONE, Network, NetworkSettings, ShapeError, Shaping, ask_for_memory};
+use crate::network::{Meander, Network, NetworkSettings, ShapeError, Shaping, ask_for_memory};
 use crate::prune::{self, Pruned, Trim};
-use crate::recipe::{GrowthMethod, Key, Recipe, Stage, Style};
-use crate::relief::{Relief, ReliefError, ReliefSettings, ReliefSolver};
+use crate::recipe::{Key, Recipe, Stage, Style};
+use crate::relief::{Relief, ReliefError, ReliefSettings};
 use crate::tree::{Hydrology, Tree};
 
-/// Why a recipe cannot be made into rivers.
-#[derive(Clone, Debug, PartialEq, Eq, Error)]
-#[non_exhaustive]
-pub enum SessionError {
-    /// It cannot be grown.
-    #[error(transparent)]
-    Grow(#[from] GrowError),
-    /// Its tree cannot be made into rivers.
-    #[error(transparent)]
-    Shape(#[from] ShapeError),
-    /// There can be no relief.
-    #[error(transparent)]
-    Relief(#[from] ReliefError),
-    /// It cannot be copied.
-    #[error("a copy of the rivers needs about {megabytes} MB, and the allocation failed")]
-    Copy {
-        /// About how much is needed.
-        megabytes: u32,
-    },
-    /// The land that was given lies on another map than the recipe's.
-    #[error(
-        "the land given is for a map of {width} x {height} units, and the recipe's aspect makes one of {wanted_width} x {wanted_height}"
-    )]
-    OtherMap {
-        /// Width of the land's domain, in units, rounded.
-        width: u32,
-        /// Its height.
-        height: u32,
-        /// Width of the recipe's domain.
-        wanted_width: u32,
-        /// Its height.
-        wanted_height: u32,
-    },
-}
+pub use error::SessionError;
+pub use summary::{Shortfall, Summary};
 
 /// A recipe with what its stages have made of it so far: land, tree, rivers.
 ///
@@ -72,18 +45,13 @@ pub struct Session {
     growth: Growth,
     /// Once growth has ended.
     shaping: Option<Shaping>,
-    /// Once rivers are finished, if the style shows it.
-    relief: Option<Relieving>,
+    /// Of finished rivers, once it was wanted.
+    relief: ReliefStage,
+    /// Whether it is wanted in a style that shows none.
+    is_relief_asked_for: bool,
     generation: Generation,
     /// Another one whenever the trimmed tree is discarded.
     tree_generation: Generation,
-}
-
-/// A relief, or one in the making.
-#[derive(Clone, Debug)]
-enum Relieving {
-    Going(Box<ReliefSolver>),
-    Done(Arc<Relief>),
 }
 
 /// The kind of step that a session makes next.
@@ -99,59 +67,6 @@ pub enum Phase {
     Relief,
     /// Nothing: there is nothing more to do.
     Finished,
-}
-
-/// A picture in numbers.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Summary {
-    /// How its rivers grow.
-    pub growth: GrowthMethod,
-    /// Ticks grown.
-    pub ticks: u32,
-    /// Nodes: of the trimmed tree once it is grown.
-    pub nodes: u32,
-    /// River mouths: those that trimming has left, once there are rivers.
-    pub mouths: u32,
-    /// Sources of the rivers; 0 until there are any.
-    pub sources: u32,
-    /// The highest stream order (Strahler) of the rivers; 0 until there are any.
-    pub order: u8,
-    /// Attractors scattered, or parcels of drainage: 0 for a Brownian tree.
-    pub attractors: u32,
-    /// Attractors that no river came near enough to, or parcels from which no way leads to the sea.
-    pub unreached: u32,
-    /// How growth ended; `None` while it goes on.
-    pub ending: Option<Ending>,
-    /// Rounds that rivers have meandered.
-    pub rounds: u32,
-    /// Oxbow lakes that they have left.
-    pub oxbows: u32,
-}
-
-impl Summary {
-    /// Why rivers leave much of the land dry, once growth has ended; `None` if they do not.
-    pub fn shortfall(&self) -> Option<Shortfall> {
-        match self.ending {
-            Some(Ending::Complete) if self.nodes == 0 => Some(Shortfall::NoRiver),
-            Some(Ending::Complete) if self.unreached > self.attractors / 10 => match self.growth {
-                GrowthMethod::Drainage => Some(Shortfall::CutOff),
-                GrowthMethod::Colonize | GrowthMethod::Brownian => Some(Shortfall::Unreached),
-            },
-            _ => None,
-        }
-    }
-}
-
-/// Why rivers leave much of the land dry.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Shortfall {
-    /// No river grew, by whatever method: no land lies open to the sea.
-    NoRiver,
-    /// Space colonization left over a tenth of the attractors: the step is too long for the kill distance, the reach too
-    /// short, or mouths lie too far apart.
-    Unreached,
-    /// In drainage over a tenth of the parcels have no way to a mouth: ridges cut them off, or their land has none.
-    CutOff,
 }
 
 impl Session {
@@ -178,7 +93,17 @@ impl Session {
     fn plant(recipe: Recipe, land: Option<Arc<Land>>, is_land_given: bool) -> Result<Self, SessionError> {
         let growth = plant(&recipe, &land)?;
         let (generation, tree_generation) = (Generation::next(), Generation::next());
-        Ok(Self { recipe, land, is_land_given, growth, shaping: None, relief: None, generation, tree_generation })
+        Ok(Self {
+            recipe,
+            land,
+            is_land_given,
+            growth,
+            shaping: None,
+            relief: ReliefStage::Waiting,
+            is_relief_asked_for: false,
+            generation,
+            tree_generation,
+        })
     }
 
     /// Another session that has come as far: what becomes of one does not touch the other. `clone` does the same, but ends the
@@ -191,7 +116,7 @@ impl Session {
         const BYTES: usize = 96;
         const BYTES_OF_CELLS: usize = 6_000_000;
         let items = self.tree().len() + self.growth.attractors() as usize;
-        let bytes = items * BYTES + BYTES_OF_CELLS;
+        let bytes = items * BYTES + BYTES_OF_CELLS + self.relief.bytes();
         if !memory::can_allocate(bytes) {
             return Err(SessionError::Copy { megabytes: (bytes / 1_000_000) as u32 + 1 });
         }
@@ -232,7 +157,7 @@ impl Session {
         }
         self.recipe = recipe;
         if stage.is_some_and(|stage| stage != Stage::Paint) {
-            self.relief = None;
+            self.relief = ReliefStage::Waiting;
         }
         if matches!(stage, Some(Stage::Land | Stage::Grow | Stage::Prune)) {
             self.discard_rivers();
@@ -260,12 +185,12 @@ impl Session {
 
     fn discard_rivers(&mut self) {
         self.shaping = None;
-        self.relief = None;
+        self.relief = ReliefStage::Waiting;
         self.tree_generation = Generation::next();
     }
 
-    /// Another one whenever results are discarded, by [`Session::change`], [`Session::restart`] or a round of drainage: while it stays the same the
-    /// session only advances.
+    /// Another one whenever results are discarded, by [`Session::change`], [`Session::restart`] or a round of drainage: while it
+    /// stays the same the session only advances.
     pub(crate) fn generation(&self) -> Generation {
         self.generation
     }
@@ -275,14 +200,15 @@ impl Session {
         self.tree_generation
     }
 
-    /// Makes at most this many steps: ticks of growth, then a few that make rivers of the tree, then rounds of meandering.
-    /// Returns whether there is more to do. No recipe is known of which a step takes more than 8 million elementary steps, as
-    /// [`crate::work`] counts them, and 250 for each attractor or cell of a Brownian tree.
+    /// Makes at most this many steps: ticks of growth, then a few that make rivers of the tree, then rounds of meandering, then
+    /// the relief part by part, if the style shows one or it was [asked for](Session::ask_for_relief). Returns whether there is more to
+    /// do. No recipe is known of which a step takes more than 8 million elementary steps, as [`crate::work`] counts them, and 250 for
+    /// each attractor or cell of a Brownian tree.
     ///
     /// # Errors
-    /// If there is not enough memory for the rest of the tree, or for its rivers. The session then does not show the whole
-    /// recipe, and there are no rivers to export. A further call meets the same error, or goes on if there is memory by
-    /// then; a tree that is not whole only grows again from the start, after [`Session::restart`] or [`Session::change`].
+    /// If there is not enough memory for the rest of the tree, for its rivers, or for their relief. The session then does not show
+    /// the whole recipe, and there are no rivers to export, or no relief. A further call meets the same error, or goes on if there is
+    /// memory by then; a tree that is not whole only grows again from the start, after [`Session::restart`] or [`Session::change`].
     pub fn advance(&mut self, steps: u32) -> Result<bool, SessionError> {
         for _ in 0..steps {
             if !self.step()? {
@@ -297,10 +223,9 @@ impl Session {
     /// # Errors
     /// As [`Session::advance`].
     pub fn finish(&mut self) -> Result<&Network, SessionError> {
-        static EMPTY: Network = Network { vertices: Vec::new(), rivers: Vec::new(), oxbows: Vec::new() };
         while self.advance(u32::MAX)? {}
         // A finished session has a network, if only an empty one.
-        Ok(self.network().unwrap_or(&EMPTY))
+        Ok(self.network().unwrap_or(Network::EMPTY))
     }
 
     fn step(&mut self) -> Result<bool, SessionError> {
@@ -334,31 +259,28 @@ impl Session {
         Shaping::new(&tree, self.growth.may_cross(), self.network_settings())
     }
 
-    /// Whether the style shows a relief that is not there yet.
+    /// Lets [`Session::advance`] make the relief in every style, as files want it: [`Session::make_relief`] then has nothing left to do.
+    pub fn ask_for_relief(&mut self) {
+        self.is_relief_asked_for = true;
+    }
+
+    /// Whether a relief is wanted that is not there yet.
     fn wants_relief(&self) -> bool {
-        self.recipe.get::<Style>().has_relief() && self.relief().is_none()
+        (self.shows_relief() || self.is_relief_asked_for) && self.relief.relief().is_none()
+    }
+
+    fn shows_relief(&self) -> bool {
+        self.recipe.get::<Style>().has_relief()
     }
 
     /// Makes a step of the relief.
     fn raise(&mut self) -> Result<(), SessionError> {
-        if !self.wants_relief() {
-            return Ok(());
-        }
-        match &mut self.relief {
-            None => self.relief = Some(Relieving::Going(self.relief_solver()?.into())),
-            Some(Relieving::Going(solver)) => {
-                if let Some(relief) = solver.step()? {
-                    self.relief = Some(Relieving::Done(relief.into()));
-                }
-            }
-            Some(Relieving::Done(_)) => {}
+        if self.wants_relief() {
+            let rivers = self.shaping.as_ref().and_then(Shaping::network).unwrap_or(Network::EMPTY);
+            let (recipe, land, growth) = (&self.recipe, &self.land, &self.growth);
+            self.relief.step(rivers, || ReliefSettings::new(recipe, land.clone(), growth.total_discharge()))?;
         }
         Ok(())
-    }
-
-    fn relief_solver(&self) -> Result<ReliefSolver, ReliefError> {
-        static EMPTY: Network = Network { vertices: Vec::new(), rivers: Vec::new(), oxbows: Vec::new() };
-        ReliefSolver::new(self.network().unwrap_or(&EMPTY), &self.relief_settings())
     }
 
     /// How the relief of this recipe is made of its rivers.
@@ -366,28 +288,22 @@ impl Session {
         ReliefSettings::new(&self.recipe, self.land.clone(), self.growth.total_discharge())
     }
 
-    /// The relief of the rivers as they are, in any style: the session's own, or one that is made at once.
+    /// The relief of the rivers as they are, in any style: the session's own, or one that is made at once. [`Session::ask_for_relief`]
+    /// has it made in steps.
     ///
     /// # Errors
     /// If there is not enough memory.
     pub fn make_relief(&self) -> Result<Arc<Relief>, ReliefError> {
-        if let Some(relief) = self.relief() {
-            return Ok(relief.clone());
-        }
-        let mut solver = self.relief_solver()?;
-        loop {
-            if let Some(relief) = solver.step()? {
-                return Ok(relief.into());
-            }
+        match self.relief.relief() {
+            Some(relief) => Ok(relief.clone()),
+            None => relief::at_once(self.network().unwrap_or(Network::EMPTY), self.relief_settings()),
         }
     }
 
-    /// The relief; `None` as long as rivers are not finished, and in a style that shows none.
+    /// The relief; `None` as long as rivers are not finished, and in a style that shows none. It is kept for a later style that
+    /// does.
     pub fn relief(&self) -> Option<&Arc<Relief>> {
-        match &self.relief {
-            Some(Relieving::Done(relief)) => Some(relief),
-            _ => None,
-        }
+        self.relief.relief().filter(|_| self.shows_relief())
     }
 
     /// Whether there is nothing more to do.
@@ -407,14 +323,15 @@ impl Session {
         }
     }
 
-    /// How far the current phase has come, from 0 to 1: growth by the share that is drained, meandering by its rounds. 0
-    /// while rivers are made of the tree; 1 once everything is finished.
+    /// How far the current phase has come, from 0 to 1, and never back: growth by the share that is drained, meandering by its
+    /// rounds, relief by the land that is raised. 0 while rivers are made of the tree; 1 once everything is finished.
     pub fn progress(&self) -> f32 {
         match (self.phase(), self.meander()) {
             (Phase::Growing, _) => self.growth.progress(),
             (Phase::Meandering, Some(meander)) => meander.rounds() as f32 / meander.settings().rounds.max(1) as f32,
+            (Phase::Relief, _) => self.relief.progress(),
             (Phase::Finished, _) => 1.0,
-            (Phase::Shaping | Phase::Meandering | Phase::Relief, _) => 0.0,
+            (Phase::Shaping | Phase::Meandering, _) => 0.0,
         }
     }
 
@@ -470,30 +387,10 @@ impl Session {
 
     /// The picture in numbers. While growth goes on this costs nothing, and does not know order and sources yet.
     pub fn summary(&self) -> Summary {
-        let tree = self.growth.tree();
-        let so_far = Summary {
-            growth: self.growth.settings().method,
-            ticks: tree.tick_starts.len() as u32 - 1,
-            nodes: tree.len() as u32,
-            mouths: self.growth.mouths(),
-            sources: 0,
-            order: 0,
-            attractors: self.growth.attractors(),
-            unreached: self.growth.unreached(),
-            ending: self.growth.ending(),
-            rounds: 0,
-            oxbows: 0,
-        };
-        let Some((shaping, meander)) = self.shaping.as_ref().zip(self.meander()) else { return so_far };
-        let Network { rivers, oxbows, .. } = meander.network();
-        Summary {
-            nodes: shaping.nodes(),
-            mouths: rivers.iter().filter(|river| river.junction == NONE).count() as u32,
-            sources: rivers.len() as u32,
-            order: rivers.iter().map(|river| river.order).max().unwrap_or(0),
-            rounds: meander.rounds(),
-            oxbows: oxbows.len() as u32,
-            ..so_far
+        let so_far = Summary::of_growth(&self.growth);
+        match self.shaping.as_ref().zip(self.meander()) {
+            Some((shaping, meander)) => so_far.with_rivers(shaping.nodes(), meander),
+            None => so_far,
         }
     }
 }
@@ -522,6 +419,3 @@ fn check_map(recipe: &Recipe, land: &Land) -> Result<(), SessionError> {
 fn plant(recipe: &Recipe, land: &Option<Arc<Land>>) -> Result<Growth, GrowError> {
     Growth::new(GrowthSettings::new(recipe, land.clone()))
 }
-
-#[cfg(test)]
-mod tests;

@@ -33,10 +33,14 @@ pub(crate) fn sorted(values: &[f32]) -> Vec<f32> {
     argsort(values.iter().map(|&value| key(value))).into_iter().map(|i| values[i]).collect()
 }
 
+/// The value that this many others lie below; 0 if there are no more than that.
+pub(crate) fn nth(values: &[f32], below: usize) -> f32 {
+    sorted(values).get(below).copied().unwrap_or(0.0)
+}
+
 /// The value that a share of all values lies below; 0 of none.
 pub(crate) fn quantile(values: &[f32], share: f32) -> f32 {
-    let sorted = sorted(values);
-    sorted.get((sorted.len() as f32 * share) as usize).copied().unwrap_or(0.0)
+    nth(values, (values.len() as f32 * share) as usize)
 }
 
 /// A number's key: as `f32::total_cmp` orders numbers.

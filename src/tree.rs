@@ -8,7 +8,7 @@ use glam::Vec2;
 /// The parent of a mouth.
 pub const NO_PARENT: u32 = u32::MAX;
 
-/// The slope at the mouth of a river that drains everything: that of lower rivers, a few units in ten thousand.
+/// The slope at the mouth of a river that drains everything: a few units in a thousand.
 pub const LEAST_SLOPE: f32 = 0.055 / 14.0;
 
 /// Nodes that grew from river mouths. A forest, to be exact: one tree a mouth.

@@ -169,7 +169,7 @@ fn mouths_lie_on_the_chosen_shores() {
 
 /// Where a tree of drainage meets the coast.
 fn mouths_of_drainage(link: &str) -> (Vec<Vec2>, GrowthSettings) {
-    let mut growth = Growth::new(settings(&format!("growth=drainage&attractors=2000&{link}"))).unwrap();
+    let mut growth = Growth::new(settings(&format!("growth=drainage&attractors=4000&{link}"))).unwrap();
     while growth.tick() {}
     let tree = growth.tree();
     let mouths = (0..tree.len()).filter(|&node| tree.parent_of(node).is_none()).map(|node| tree.at[node]).collect();

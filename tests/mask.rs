@@ -148,14 +148,14 @@ fn picture_and_files_are_made_of_the_land_given() {
     let mask = Mask::rough(900, 600, 6);
     let land = Land::from_picture(&mask.domain, 900, 600, &mask.rgba()).unwrap();
     assert!(mask.overlap(&land) >= 0.99, "{}", mask.overlap(&land));
-    for style in ["map", "ink", "dark", "skeleton"] {
+    for style in ["atlas", "night", "ink", "dark", "skeleton"] {
         let mut session = Session::on_land(recipe(&format!("style={style}")), land.clone()).unwrap();
         session.finish().unwrap();
         let mut picture = Picture::new(900, 600).unwrap();
         picture.paint(&session);
         let svg = export::svg::svg(&session).unwrap();
         assert!(svg.contains("id=\"coast\"") && svg.contains("id=\"river-0\""), "{style}");
-        if style == "map" {
+        if style == "atlas" {
             let of = |is_land: bool| {
                 let pixels = picture.pixmap().pixels().iter().zip(&mask.is_land);
                 let red = |pixel: &tiny_skia::PremultipliedColorU8| u32::from(pixel.red());

@@ -8,7 +8,7 @@ use common::property::cases;
 use common::random_link;
 use proptest::prelude::*;
 use riverseed::picture::Picture;
-use riverseed::recipe::{Key, Recipe, link};
+use riverseed::recipe::{Choice, Key, Recipe, Style, link};
 use riverseed::session::{Phase, Session};
 
 /// The picture after painting every `ticks` ticks.
@@ -145,5 +145,30 @@ fn rivers_end_at_the_coast_and_the_sea_is_the_same_whatever_runs_into_it() {
             inland += u32::from(narrow != wide);
         }
         assert!(inland > 2000 || style == "skeleton", "{style}: {inland} pixels differ");
+    }
+}
+
+/// Each style after another that shows the same relief, on land with a coast and without; and growing again from the start.
+#[test]
+fn changing_the_style_of_a_finished_map_gives_the_picture_of_a_fresh_one() {
+    for land in ["island", "rectangle"] {
+        let link = |style: &str| format!("seed=kea&attractors=900&mouths=3&land={land}&style={style}");
+        let (mut session, mut picture) = (Session::new(link::read(&link("atlas")).unwrap()).unwrap(), picture());
+        for style in Style::WORDS.iter().chain(Style::WORDS.iter().rev()).map(|word| word.name) {
+            let recipe = link::read(&link(style)).unwrap();
+            session.change(recipe.clone()).unwrap();
+            session.finish().unwrap();
+            picture.paint(&session);
+            assert!(picture.pixmap().data() == painted(&recipe, u32::MAX), "{land}: {style}");
+        }
+        let recipe = link::read(&link("night")).unwrap();
+        session.change(recipe.clone()).unwrap();
+        session.finish().unwrap();
+        picture.paint(&session);
+        session.restart().unwrap();
+        picture.paint(&session);
+        let mut fresh = self::picture();
+        fresh.paint(&Session::new(recipe).unwrap());
+        assert!(picture.pixmap().data() == fresh.pixmap().data(), "{land}, from the start");
     }
 }

@@ -112,6 +112,18 @@ fn no_extreme_of_drainage_holds_a_tick_where_water_can_hardly_leave() {
     }
 }
 
+/// Parcels are laid out over the whole map, and few of them are kept where there is little land.
+#[test]
+fn parcels_of_little_land_are_laid_out_with_little_work() {
+    for growth in ["drainage&bending=4", "drainage&bending=2", "colonize&valleys=0.5"] {
+        let mut most = Most::default();
+        let outline = ".AAAAIAAAIAIAAAIA...EAEA";
+        let session = most.plant(&format!("seed=a&land=drawn&outline={outline}&attractors=1000000&growth={growth}"));
+        assert!((1..20_000).contains(&session.growth().attractors()), "{growth}: {}", session.growth().attractors());
+        most.check(&session);
+    }
+}
+
 /// However many parcels there are, a tick settles some thousand of them; what begins and ends a round looks at each once.
 #[test]
 fn a_tick_of_drainage_is_a_small_part_of_a_round() {
@@ -159,6 +171,41 @@ fn no_land_holds_a_step_however_its_rivers_grow_and_meander() {
     }
     for growth in ["colonize&step=0.5", "drainage&channel-area=1"] {
         check(&format!("attractors=20000&growth={growth}{WILD}"));
+    }
+}
+
+/// However many rivers there are, however wide, straight or winding: each step of their relief is a small part of it. The worst for
+/// valleys are wide rivers with many vertices; for ridges, many long ones.
+#[test]
+fn no_relief_holds_a_step() {
+    let ridges = coasts("e", 1, 200).replacen('.', "..", 1);
+    let ridges = format!("land=drawn&outline={}{ridges}", coasts("d", 1, 40));
+    let course = format!("land=drawn&outline=..{}", coasts("a", 1, 240));
+    for land in every_land().into_iter().chain([ridges, course]) {
+        for growth in [
+            "drainage&attractors=20000&channel-area=1&mouths=1",
+            "colonize&attractors=1000&step=0.2",
+            "brownian&sensitivity=12",
+        ] {
+            let recipe = format!("{land}&growth={growth}&style=atlas&trim=0&simplify=0&courses=grown&width=40");
+            let mut session = Session::new(link::read(&recipe).unwrap()).unwrap();
+            while session.phase() != Phase::Relief {
+                assert!(session.advance(1).unwrap(), "there is no relief: {recipe}");
+            }
+            let begun = work::steps();
+            assert!(session.advance(1).unwrap() && work::steps() == begun, "the first step only asks for memory");
+            let (mut most, mut all) = (0, 0);
+            while session.phase() == Phase::Relief {
+                let before = work::steps();
+                session.advance(1).unwrap();
+                most = most.max(work::steps() - before);
+                all += work::steps() - before;
+            }
+            let vertices = session.network().unwrap().vertices.len() as u64;
+            let bound = 1_500_000 + 20 * vertices;
+            assert!(most < bound, "{most} elementary steps, over {bound}: {recipe}");
+            assert!(all > 10 * 250_000, "{all} elementary steps, fewer than are made: {recipe}");
+        }
     }
 }
 

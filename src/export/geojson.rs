@@ -37,7 +37,7 @@ pub fn collection(session: &Session) -> Result<Json<'_>, ExportError> {
         }
     }
     let count = network.rivers.len();
-    let ground = Ground::new(session, &features, &relief);
+    let ground = Ground::new(session, &features, &relief)?;
     let (land, ridges) =
         (count + lakes.len() + ground.basins.len(), session.land().map_or(0, |land| land.ridges().len()));
     let all = land + ground.land.len() + ridges;
@@ -147,7 +147,7 @@ struct Ground {
 }
 
 impl Ground {
-    fn new(session: &Session, features: &Features, relief: &Relief) -> Self {
+    fn new(session: &Session, features: &Features, relief: &Relief) -> Result<Self, ExportError> {
         // North is up: what ran to the left of a line still does, seen from above.
         let on_grid = |rings: Vec<Vec<Vec2>>| {
             polygons(rings.into_iter().map(|ring| ring.into_iter().map(|at| features.grid(at)).collect()))
@@ -157,12 +157,12 @@ impl Ground {
             Some(land) => SmoothedDistance::of(land.coast_distance()).rings_above(0.0),
             None => vec![vec![Vec2::ZERO, Vec2::new(0.0, size.y), size, Vec2::new(size.x, 0.0)]],
         };
-        let flow = Flow::new(relief, features.network, &session.relief_settings());
+        let flow = Flow::new(relief, features.network, &session.relief_settings())?;
         let mut areas = vec![0.0; flow.mouths.len() + 1];
         flow.basins.iter().for_each(|&basin| areas[basin as usize] += CELL_SIZE * CELL_SIZE);
         let basins = (1..).zip(&flow.mouths).zip(flow.basin_rings(relief.columns()));
         let basins = basins.map(|((number, &mouth), rings)| (number, mouth, areas[number as usize], on_grid(rings)));
-        Self { land: on_grid(land), basins: basins.filter(|basin| !basin.3.is_empty()).collect() }
+        Ok(Self { land: on_grid(land), basins: basins.filter(|basin| !basin.3.is_empty()).collect() })
     }
 
     fn land<'a>(&self, i: usize) -> Json<'a> {

@@ -113,7 +113,7 @@ impl Rasters {
         const BYTES_A_VERTEX: usize = 40;
         let network = rivers(session, BYTES_A_VERTEX)?;
         let relief = session.make_relief()?;
-        let flow = Flow::new(&relief, network, &session.relief_settings());
+        let flow = Flow::new(&relief, network, &session.relief_settings())?;
         Ok(Self {
             link: link::write(session.recipe()),
             columns: relief.columns(),
@@ -261,7 +261,7 @@ mod tests {
 
     #[test]
     fn decimals_are_rounded_and_keep_their_zeros() {
-        let written = [(0.077_964_4, 6), (-559.25, 1), (2.0, 0), (-0.04, 1), (1264.911_06, 4), (0.999_96, 4)];
+        let written = [(0.077_964_4, 6), (-559.25, 1), (2.0, 0), (-0.04, 1), (1_264.911_06, 4), (0.999_96, 4)];
         let expected = ["0.077964", "-559.3", "2", "0.0", "1264.9111", "1.0000"];
         assert_eq!(written.map(|(number, places)| decimal(number, places)), expected);
     }

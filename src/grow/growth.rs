@@ -2,7 +2,7 @@
 
 use glam::Vec2;
 
-use super::{Brownian, Colonize, Drainage, Ending, GrowError, GrowthSettings, Raster, scatter};
+use super::{Brownian, Capture, Colonize, Drainage, Ending, GrowError, GrowthSettings, Raster, scatter};
 use crate::recipe::GrowthMethod;
 use crate::tree::Tree;
 
@@ -63,6 +63,15 @@ impl Growth {
         match &self.grower {
             Grower::Colonize(_) | Grower::Brownian(_) => 0,
             Grower::Drainage(growth) => growth.trees(),
+        }
+    }
+
+    /// How streams have captured one another so far: of drainage, the parcels that drained another way after a round than before it. Undone
+    /// from the last to the first, they lead back from the finished tree to those before it ([`Growth::trees`]).
+    pub fn captures(&self) -> &[Capture] {
+        match &self.grower {
+            Grower::Colonize(_) | Grower::Brownian(_) => &[],
+            Grower::Drainage(growth) => growth.captures(),
         }
     }
 
@@ -151,8 +160,8 @@ impl Growth {
         }
     }
 
-    /// Whether each mouth was asked for: unless they are drawn, a Brownian tree has one wherever its particles met the coast, and drainage wherever water
-    /// leaves the land, most of them a brook's.
+    /// Whether each mouth was asked for: unless they are drawn, a Brownian tree has one wherever its particles met the coast, and
+    /// drainage wherever water leaves the land, most of them a brook's.
     pub fn mouths_are_chosen(&self) -> bool {
         match self.settings.method {
             _ if !self.settings.starts.is_empty() => true,

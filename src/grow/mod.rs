@@ -1,45 +1,48 @@
 //! Growing a tree of rivers, from the mouths upstream.
 //!
-//! Two procedures: [`Colonize`] is drawn on by attractors, [`Brownian`] is met by wandering particles. Both are steppers, and
-//! so is [`Growth`], which is whichever a recipe asks for: [`tick`](Growth::tick) until it says that growth is over.
+//! Three procedures: [`Drainage`] finds the cheapest ways for water, [`Colonize`] is drawn on by attractors, [`Brownian`] is met by
+//! wandering particles. All are steppers, and so is [`Growth`], which is whichever a recipe asks for: [`tick`](Growth::tick) until it
+//! says that growth is over.
 //! Slicing the work differently gives the same tree to the bit.
 
-mod attractors;
 mod brownian;
-mod changed;
 mod colonize;
 mod drainage;
-mod driest;
 mod growth;
-mod heading;
 mod mouths;
-mod pull;
 mod scatter;
 mod settings;
 mod starts;
-mod waiting;
+mod watered;
 
 pub use brownian::Brownian;
 #[doc(hidden)]
 pub use brownian::{ParticleOrder, Raster};
+pub use colonize::Colonize;
 #[doc(hidden)]
-pub use colonize::stem_nodes;
-pub use colonize::{Colonize, Ending};
-pub use drainage::{Drainage, DrainageSettings};
+pub use colonize::{Pull, curl_toward, stem_nodes};
+pub use drainage::{Capture, Drainage, DrainageSettings};
 pub use growth::Growth;
-#[doc(hidden)]
-pub use heading::curl_toward;
 pub use mouths::Mouth;
 #[doc(hidden)]
 pub use mouths::{mouths, shores};
-#[doc(hidden)]
-pub use pull::Pull;
 #[doc(hidden)]
 pub use scatter::scatter;
 pub use settings::GrowthSettings;
 pub use starts::Start;
 
 use thiserror::Error;
+
+/// How growth came to its end.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Ending {
+    /// No node could grow any more, as the paper intends.
+    Complete,
+    /// The tree reached its limit of nodes.
+    NodeLimit,
+    /// There was not enough memory for more nodes.
+    OutOfMemory,
+}
 
 /// Why a recipe cannot be grown here.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
@@ -75,4 +78,9 @@ impl GrowError {
     fn no_room_for(cells: usize) -> Self {
         Self::NoRoomForRaster { megabytes: cells as u32 / 100_000 + 1 }
     }
+}
+
+/// How many parcels or attractors a front that follows valleys gains in a tick: about as many as lie along one side of the map.
+fn front(count: usize) -> usize {
+    ((count as f32).sqrt() as usize).max(8)
 }

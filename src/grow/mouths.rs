@@ -3,6 +3,7 @@
 use glam::Vec2;
 
 use super::GrowthSettings;
+use crate::geometry::distance;
 use crate::land::{Land, Region, Shore};
 use crate::random::{Purpose, Stream};
 use crate::recipe::Sides;
@@ -21,7 +22,8 @@ pub struct Mouth {
 /// How far a mouth may stray from the middle of its share of the coast, as a part of that share.
 const STRAY: f32 = 0.7;
 
-/// Places the mouths of a recipe: where they are drawn, or along the sides of a plain rectangle, else on the coasts of the regions that have any.
+/// Places the mouths of a recipe: where they are drawn, or along the sides of a plain rectangle, else on the coasts of the regions that
+/// have any.
 pub fn mouths(settings: &GrowthSettings) -> Vec<Mouth> {
     if !settings.starts.is_empty() {
         return settings.starts.iter().map(|start| start.mouth).collect();
@@ -87,7 +89,7 @@ fn on_coast(land: &Land, coast: &[Shore], count: u32, apart: f32, chance: &mut S
     for _ in 0..count {
         work::count(CANDIDATES * (mouths.len() + 1));
         let remoteness =
-            |shore: &Shore| mouths.iter().map(|mouth| mouth.at.distance(shore.at)).fold(f32::INFINITY, f32::min);
+            |shore: &Shore| mouths.iter().map(|mouth| distance(mouth.at, shore.at)).fold(f32::INFINITY, f32::min);
         let candidates = (0..CANDIDATES).filter_map(|_| coast.get((chance.unit() * coast.len() as f32) as usize));
         let apart = candidates.map(|shore| (remoteness(shore), shore)).filter(|(remoteness, _)| *remoteness > apart);
         let score = |remoteness: f32, shore: &Shore| remoteness.min(REMOTE) * (1.0 + land.shelter(shore.at)).max(0.1);
@@ -114,7 +116,7 @@ fn steadily_on_coast(settings: &GrowthSettings, land: &Land, coast: &[Shore], co
     work::count(weighed.len() * weighed.len());
     let remoteness = |&(weight, shore): &(f32, Shore)| {
         let greater = weighed.iter().filter(|(other, _)| *other > weight);
-        greater.map(|(_, other)| other.at.distance(shore.at)).fold(f32::INFINITY, f32::min)
+        greater.map(|(_, other)| distance(other.at, shore.at)).fold(f32::INFINITY, f32::min)
     };
     let remoteness: Vec<f32> = weighed.iter().map(remoteness).collect();
     let remotest_first = sort::argsort(remoteness.iter().map(|&far| !sort::key(far)));
@@ -135,7 +137,7 @@ fn places_by_cell(settings: &GrowthSettings, land: &Land, coast: &[Shore], side:
         let cell = [shore.at.x, shore.at.y].map(|along| (along / side) as u32);
         let point = Vec2::new(chance.unit([cell[0], cell[1], 0]), chance.unit([cell[0], cell[1], 1]));
         let corner = Vec2::new(cell[0] as f32, cell[1] as f32);
-        let fitness = 1.0 + land.shelter(shore.at) - shore.at.distance((corner + point) * side) / side;
+        let fitness = 1.0 + land.shelter(shore.at) - distance(shore.at, (corner + point) * side) / side;
         let fittest = &mut fittest[cell[1] as usize * columns + cell[0] as usize];
         if fittest.is_none_or(|(other, ..)| fitness > other) {
             *fittest = Some((fitness, cell, shore));
@@ -182,17 +184,14 @@ fn coast(settings: &GrowthSettings) -> Vec<Side> {
 }
 
 /// The mouth at a distance along the coast.
-fn along(coast: &[Side], mut distance: f32) -> Mouth {
+fn along(coast: &[Side], mut way: f32) -> Mouth {
     let mut sides = coast.iter().peekable();
     while let Some(side) = sides.next() {
-        if distance <= side.length || sides.peek().is_none() {
+        if way <= side.length || sides.peek().is_none() {
             // Clockwise, with y down, the land lies to the right.
-            return Mouth {
-                at: side.start + side.direction * distance.min(side.length),
-                inland: side.direction.perp(),
-            };
+            return Mouth { at: side.start + side.direction * way.min(side.length), inland: side.direction.perp() };
         }
-        distance -= side.length;
+        way -= side.length;
     }
     Mouth { at: Vec2::ZERO, inland: Vec2::Y }
 }

@@ -105,7 +105,7 @@ impl GrowthSettings {
             basins,
             mouths,
             mouth_spacing: recipe.number(Key::MouthSpacing),
-            sides: if is_drawn { Sides::ALL } else { recipe.sides(Key::Sides) },
+            sides: recipe.open_sides(),
             shores: recipe.sides(Key::Shores),
             method: recipe.get(),
             sensitivity: recipe.number(Key::Sensitivity),

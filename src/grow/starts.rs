@@ -26,9 +26,9 @@ pub struct Start {
 pub(in crate::grow) const PIECE: f32 = 2.0;
 
 /// How far courses are followed, all together, in units: ten times across the map. What is drawn beyond that would be a scribble.
-const LONGEST: f32 = 10_000.0;
+const LONGEST: f32 = 8_000.0;
 
-/// How many points of a course lie ashore, but beside the coast.
+/// A course that has just come ashore may touch water once more within this many points: it is tied to its mouth behind that.
 const ASHORE: usize = 6;
 
 /// Mouths that are nearer to each other than this, in units, are one.
@@ -42,7 +42,7 @@ pub(in crate::grow) fn starts(recipe: &Recipe, domain: &Domain, land: Option<&La
     for mut line in land.map_or_else(of_rectangle, |land| land.rivers().to_vec()) {
         line.iter_mut().for_each(|at| *at = at.clamp(Vec2::ZERO, domain.size));
         if let Some(start) = start(&line, domain, land, left)
-            && starts.iter().all(|other| other.mouth.at.distance(start.mouth.at) > APART)
+            && starts.iter().all(|other| distance(other.mouth.at, start.mouth.at) > APART)
         {
             left -= start.course.len();
             starts.push(start);
@@ -53,25 +53,33 @@ pub(in crate::grow) fn starts(recipe: &Recipe, domain: &Domain, land: Option<&La
 
 /// The start that a line gives, with a course of so many points at most; `None` if there is no coast at all.
 fn start(line: &[Vec2], domain: &Domain, land: Option<&Land>, most: usize) -> Option<Start> {
-    let pieces = divided(line, PIECE, false);
-    work::count(pieces.len());
     let is_land = |at: &Vec2| land.is_none_or(|land| land.at(*at) == Cell::Land);
-    let (entry, inland) = match pieces.iter().position(is_land) {
-        Some(first) if line.len() > 1 => (pieces[first], &pieces[first..]),
-        _ => (pieces[0], &[][..]),
-    };
+    let pieces = divided(line, PIECE, false).inspect(|_| work::count(1));
+    let mut inland = pieces.skip_while(|at| !is_land(at)).peekable();
+    let ashore = inland.peek().filter(|_| line.len() > 1).copied();
+    let entry = ashore.or_else(|| line.first().copied())?;
     let mouth = match land {
         Some(land) => on_coast(land, entry)?,
-        None => on_border(domain.size, entry),
+        None => on_border(domain, entry),
     };
-    // Cells of the coast that stand in the way of a line which has just come ashore do not end it.
-    let ashore = inland.len().min(ASHORE);
-    let tied = (0..ashore).rev().find(|&i| allows(land, mouth.at, inland[i])).unwrap_or(0);
-    let mut way = inland.get(tied).map(|&to| divided(&[mouth.at, to], PIECE, false)).unwrap_or_default();
-    way.extend(inland.iter().skip(tied + 1));
-    let closed = way.windows(2).position(|pair| !allows(land, pair[0], pair[1]));
-    way.truncate(closed.map_or(way.len(), |last| last + 1).min(most));
-    Some(Start { mouth, course: way })
+    let course = ashore.map(|_| course(mouth.at, inland, land, most));
+    Some(Start { mouth, course: course.unwrap_or_default() })
+}
+
+/// The course from a mouth along points inland, at most so many, until water or a ridge lies in its way.
+fn course(mouth: Vec2, mut inland: impl Iterator<Item = Vec2>, land: Option<&Land>, most: usize) -> Vec<Vec2> {
+    let ashore: Vec<Vec2> = inland.by_ref().take(ASHORE).collect();
+    let tied = ashore.iter().rposition(|&at| allows(land, mouth, at)).unwrap_or(0);
+    let from_mouth = [mouth, ashore[tied]];
+    let way = divided(&from_mouth, PIECE, false).chain(ashore[tied + 1..].iter().copied()).chain(inland);
+    let mut course: Vec<Vec2> = Vec::new();
+    for at in way.take(most) {
+        if course.last().is_some_and(|&last| !allows(land, last, at)) {
+            break;
+        }
+        course.push(at);
+    }
+    course
 }
 
 #[inline(never)] // each copy weighs half a kilobyte
@@ -87,11 +95,11 @@ fn on_coast(land: &Land, point: Vec2) -> Option<Mouth> {
 }
 
 /// The mouth on the border of a rectangle that is nearest to a point in it.
-fn on_border(size: Vec2, point: Vec2) -> Mouth {
-    let far = size - point;
-    let sides = [(point.y, Vec2::Y), (far.x, Vec2::NEG_X), (far.y, Vec2::NEG_Y), (point.x, Vec2::X)];
-    let (away, inland) = sides.into_iter().fold((f32::INFINITY, Vec2::Y), |a, b| if b.0 < a.0 { b } else { a });
-    Mouth { at: (point - inland * away).clamp(Vec2::ZERO, size), inland }
+fn on_border(domain: &Domain, point: Vec2) -> Mouth {
+    let sides = domain.sides(point).into_iter().zip([Vec2::Y, Vec2::NEG_X, Vec2::NEG_Y, Vec2::X]);
+    let nearest = sides.map(|((_, away), inland)| (away, inland));
+    let (away, inland) = nearest.fold((f32::INFINITY, Vec2::Y), |a, b| if b.0 < a.0 { b } else { a });
+    Mouth { at: (point - inland * away).clamp(Vec2::ZERO, domain.size), inland }
 }
 
 #[cfg(test)]
@@ -184,6 +192,17 @@ mod tests {
         let scribble: Vec<(f32, f32)> = (0..240).map(|i| (i as f32 / 240.0, (i % 2) as f32)).collect();
         let (starts, _) = on(&[], &[], &[&scribble]);
         assert_eq!(starts[0].course.len(), (LONGEST / PIECE) as usize);
+    }
+
+    #[test]
+    fn a_scribble_is_looked_at_no_farther_than_it_is_followed() {
+        let scribble: Vec<(f32, f32)> = (0..240).map(|i| (i as f32 / 240.0, (i % 2) as f32)).collect();
+        let length: f32 = scribble.windows(2).map(|pair| 1000.0 * Vec2::from(pair[0]).distance(pair[1].into())).sum();
+        assert!(length > 20.0 * LONGEST);
+        let begun = work::steps();
+        on(&[], &[], &[&scribble]);
+        let looked_at = work::steps() - begun;
+        assert!((LONGEST / PIECE..2.0 * LONGEST / PIECE).contains(&(looked_at as f32)), "{looked_at} points");
     }
 
     #[test]

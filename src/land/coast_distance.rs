@@ -30,18 +30,18 @@ pub struct CoastDistance {
 }
 
 impl CoastDistance {
-    /// The distance between lattice corners, in units, of all lands that a recipe describes: finer than any visible bend of
+    /// The distance between lattice corners, in units, of all shapes that a recipe names: half of the shortest wave of
     /// their coasts.
-    pub const SPACING: f32 = 8.0;
+    pub const SPACING: f32 = 4.0;
+    /// The same of a drawn land, whose coasts have few points, and of lines.
+    pub const COARSE_SPACING: f32 = 8.0;
     /// The same of a land that is given as a mask, whose coasts may be of any shape: half of this is less than a coast's line is wide. A
-    /// divisor of the other, and a multiple of a cell.
+    /// divisor of the others, and a multiple of a cell.
     pub const FINE_SPACING: f32 = 2.0;
 
     /// The land where a function is high: the sea is as much of the domain as asked for, where it is lowest.
     pub(super) fn with_sea(domain: &Domain, share: f32, height: impl Fn(Vec2) -> f32) -> Self {
-        let mut this = Self::sampled(domain, height);
-        let level = quantile(&this.heights, share);
-        this.heights.iter_mut().for_each(|height| *height -= level);
+        let mut this = Self::sampled(domain, share, height);
         this.remove_islets_and_ponds();
         let coast = this.contour();
         this.measured(&coast)
@@ -56,8 +56,8 @@ impl CoastDistance {
 
     /// The distances from some lines, as if land lay on both sides of them.
     pub(crate) fn from_lines(domain: &Domain, lines: &[Piece]) -> Self {
-        let (columns, rows) = Self::corners(domain, Self::SPACING);
-        Self::of_coast(domain, Self::SPACING, lines, &vec![true; columns * rows])
+        let (columns, rows) = Self::corners(domain, Self::COARSE_SPACING);
+        Self::of_coast(domain, Self::COARSE_SPACING, lines, &vec![true; columns * rows])
     }
 
     /// All land but for a strait of a width, between two points.
@@ -77,17 +77,35 @@ impl CoastDistance {
         (corners(domain.size.x), corners(domain.size.y))
     }
 
-    fn sampled(domain: &Domain, height: impl Fn(Vec2) -> f32) -> Self {
+    /// Heights above the sea, whose level the corners of a coarse lattice tell. Between these, height is asked for only where the
+    /// coast may pass; elsewhere nothing counts but on which side of it a corner lies.
+    fn sampled(domain: &Domain, share: f32, height: impl Fn(Vec2) -> f32) -> Self {
+        /// Corners along an interval of the coarse lattice.
+        const STRIDE: usize = 4;
+        /// Where height is this near to the level, in units, the coast may pass.
+        const NEAR: f32 = 24.0;
         let spacing = Self::SPACING;
-        let (columns, rows) = Self::corners(domain, spacing);
-        let heights = (0..columns * rows).map(|i| height(corner(i, columns, spacing))).collect();
-        Self { heights, columns, rows, spacing }
+        let far = STRIDE as f32 * spacing;
+        let ((columns, rows), (across, down)) = (Self::corners(domain, spacing), Self::corners(domain, far));
+        let mut coarse: Vec<f32> = (0..across * down).map(|i| height(corner(i, across, far))).collect();
+        let squares = of_squares(domain, far, &coarse, across);
+        let level = sort::nth(&squares, (share * squares.len().saturating_sub(1) as f32) as usize);
+        coarse.iter_mut().for_each(|height| *height -= level);
+        let between = |i: usize| [i / STRIDE, i.div_ceil(STRIDE)];
+        let sample = |i: usize| {
+            let ([west, east], rows) = (between(i % columns), between(i / columns).map(|row| row * across));
+            let first = coarse[rows[0] + west];
+            let is_alike = |height: f32| height.abs() > NEAR && (height > 0.0) == (first > 0.0);
+            let is_alike = rows.iter().all(|row| is_alike(coarse[row + west]) && is_alike(coarse[row + east]));
+            if is_alike { first } else { height(corner(i, columns, spacing)) - level }
+        };
+        Self { heights: (0..columns * rows).map(sample).collect(), columns, rows, spacing }
     }
 
     /// Sinks islets, and makes land of ponds: a map has no room for the rivers of the one, and those of the land around
     /// run through the other. Ponds are waters of under a hundredth of the domain, unless there is no other water.
     fn remove_islets_and_ponds(&mut self) {
-        const ISLET: u32 = 4;
+        const ISLET: u32 = 25;
         const LEVELLED: f32 = 1.0;
         let pond = self.heights.len() as u32 / 100;
         for run in self.regions(Cell::Land).iter().skip(1).filter(|land| land.cells < ISLET).flat_map(|land| &land.runs)
@@ -120,6 +138,10 @@ impl CoastDistance {
                 let northwest = row * self.columns + column;
                 // Round the square, so that crossings pair up in the order they come in.
                 let round = [northwest, northwest + 1, northwest + self.columns + 1, northwest + self.columns];
+                let land = round.iter().filter(|&&corner| self.heights[corner] > 0.0).count();
+                if land % 4 == 0 {
+                    continue;
+                }
                 let crossings: Vec<Vec2> =
                     (0..4).filter_map(|side| self.crossing(round[side], round[(side + 1) % 4])).collect();
                 pieces.extend(crossings.chunks_exact(2).map(|pair| [pair[0], pair[1]]));
@@ -204,10 +226,12 @@ fn lattice(x: f32, corners: usize) -> (usize, f32) {
     (index, x - index as f32)
 }
 
-/// The value below which the given share of some values lies.
-fn quantile(values: &[f32], share: f32) -> f32 {
-    let index = (share * values.len().saturating_sub(1) as f32) as usize;
-    sort::sorted(values).get(index).copied().unwrap_or(0.0)
+/// The heights of a lattice's corners, each as often as it is the corner of a square whose middle lies in the domain: so each counts for
+/// the area around it.
+fn of_squares(domain: &Domain, spacing: f32, heights: &[f32], columns: usize) -> Vec<f32> {
+    let is_inside = |&i: &usize| domain.contains(corner(i, columns, spacing) + spacing / 2.0);
+    let squares = (0..heights.len()).filter(is_inside);
+    squares.flat_map(|i| [i, i + 1, i + columns, i + columns + 1]).map(|i| heights[i]).collect()
 }
 
 /// Of every corner, the nearest piece of coast: known beside the coast and handed on from corner to corner, as in a

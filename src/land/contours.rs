@@ -11,7 +11,7 @@ impl SmoothedDistance {
     pub fn rings_above(&self, level: f32) -> Vec<Vec<Vec2>> {
         // Heights this far above the level and below count as far off; neighbours differ by less.
         let far = 4.0 * self.spacing();
-        let finer = self.spacing() / CoastDistance::SPACING;
+        let finer = self.spacing() / CoastDistance::COARSE_SPACING;
         let (columns, rows) = self.size();
         let share = |height: f32| (0.5 + (height - level) / (2.0 * far)).clamp(0.0, 1.0);
         let land = (0..rows).flat_map(|row| (0..columns).map(move |column| share(self.control(column, row)))).collect();

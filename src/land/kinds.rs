@@ -1,10 +1,11 @@
 //! The shapes that land comes in, each bent by seeded noise.
 
-use fastnoise_lite::{CellularReturnType, FastNoiseLite, FractalType, NoiseType};
-use glam::{Vec2, Vec2Swizzles};
+use fastnoise_lite::{CellularReturnType, FastNoiseLite, NoiseType};
+use glam::{Mat2, Vec2, Vec2Swizzles};
 
 use super::CoastDistance;
 use crate::domain::Domain;
+use crate::geometry::length;
 use crate::random::{Purpose, Seed};
 use crate::recipe::{Key, LandKind, Recipe, Sides};
 
@@ -40,34 +41,8 @@ impl Shape {
         if matches!(self.kind, LandKind::Rectangle | LandKind::Drawn) {
             return None;
         }
-        let (coarse, fine, islands) = (self.noise(0, 1.6, 3), self.noise(1, 5.0, 5), self.cellular());
-        // Straits between islands are narrow: much would close them.
-        let strength = if self.kind == LandKind::Archipelago { 0.28 } else { 0.45 };
-        let height = |point: Vec2| {
-            let Vec2 { x, y } = point;
-            let bend = (coarse.get_noise_2d(x, y) + 0.35 * fine.get_noise_2d(x, y)) * self.roughness;
-            self.plain(point, bend, &coarse, &islands) + bend * self.span() * strength
-        };
-        Some(CoastDistance::with_sea(&self.domain, self.sea, height))
-    }
-
-    /// The height of the shape without its bends, in units; where it comes near the border, it bends all the same.
-    fn plain(&self, point: Vec2, bend: f32, noise: &FastNoiseLite, islands: &FastNoiseLite) -> f32 {
-        let from_centre = ((point - self.domain.size / 2.0) / (self.domain.size / self.span())).length();
-        match self.kind {
-            LandKind::Rectangle | LandKind::Drawn => self.span(),
-            LandKind::Island => -from_centre - self.moat(point, -bend),
-            LandKind::Basin => from_centre + self.moat(point, bend),
-            LandKind::Continent | LandKind::Valley => self.side_distance(point),
-            LandKind::Archipelago => {
-                // The gap between the distances to the nearest and the next of some scattered centres: 0 midway, so that
-                // straits lie there however low the sea is.
-                let aside = noise.get_noise_2d(point.y + 3000.0, point.x) * self.span() * 0.35 * self.roughness;
-                let island = islands.get_noise_2d(point.x + aside, point.y - aside);
-                let size = noise.get_noise_2d(point.x * 1.7 + 5000.0, point.y * 1.7);
-                (island * 1.9 + size * 0.45) * self.span() - self.moat(point, 0.0)
-            }
-        }
+        let form = Form::of(self);
+        Some(CoastDistance::with_sea(&self.domain, self.sea, |point| form.height(point)))
     }
 
     /// The ridges of the shape, as polylines: of a valley two, from the coast inland, bent a little even on smooth land.
@@ -88,54 +63,142 @@ impl Shape {
         [(0, 0.17), (1, 0.63)].map(ridge).into()
     }
 
-    /// The distance to the nearest side that has the sea.
-    fn side_distance(&self, point: Vec2) -> f32 {
-        let far = self.domain.size - point;
-        [('n', point.y), ('e', far.x), ('s', far.y), ('w', point.x)]
-            .into_iter()
-            .filter(|&(side, _)| self.sides.contains(side))
-            .fold(f32::INFINITY, |least, (_, distance)| least.min(distance))
-    }
-
-    /// A drop toward the border of the domain, so that land surrounded by sea is not cut by it, nor a lake by land. Its contours are
-    /// rectangles with round corners, the rounder the farther inside, and stray with the coast (`bend`, up to about 1 either way)
-    /// as far as there is room: so no coast is straight for it.
-    fn moat(&self, point: Vec2, bend: f32) -> f32 {
-        /// The coast strays over this share of its distance to the border, and over at most a fifth of the way out.
-        const STRAY: f32 = 0.4;
-        const ROOM: f32 = 0.2;
-        let within = if self.kind == LandKind::Basin { self.sea } else { 1.0 - self.sea };
-        let room = (1.0 - within.sqrt()).min(ROOM);
-        // Straits alone make islands rough.
-        let (inside, steep, stray) =
-            if self.kind == LandKind::Archipelago { (0.3, 6.6, 0.0) } else { (0.45, 8.0, STRAY * room) };
-        let out = (point / self.domain.size * 2.0 - 1.0) * (1.0 + bend * stray);
-        let out = out * out;
-        let fourth_power = out.x * out.x + out.y * out.y;
-        let outside = (fourth_power - inside).max(0.0);
-        outside * outside * self.span() * steep
-    }
-
     /// The shorter side of the domain, which sets the scale of all shapes.
     fn span(&self) -> f32 {
         self.domain.size.min_element()
     }
 
-    fn cellular(&self) -> FastNoiseLite {
-        let mut noise = self.noise(3, 3.2, 1);
-        noise.set_noise_type(Some(NoiseType::Cellular));
-        noise.set_cellular_return_type(Some(CellularReturnType::Distance2Sub));
-        noise
-    }
-
     /// Noise with about this many bumps across the domain.
     pub fn noise(&self, index: u32, bumps: f32, octaves: i32) -> FastNoiseLite {
-        let bits = self.seed.item_hash(Purpose::Land).bits([index, 0, 0]);
-        let mut noise = FastNoiseLite::with_seed(bits as i32);
-        noise.set_noise_type(Some(NoiseType::OpenSimplex2));
-        noise.set_fractal_type(Some(FractalType::FBm));
-        noise.set_fractal_octaves(Some(octaves));
-        noise.set_frequency(Some(bumps / self.span()));
-        noise
+        self.seed.noise(Purpose::Land, index, bumps / self.span(), octaves)
+    }
+}
+
+/// What the height of a shape is made of. Noise and islands lie along a grain, as folds and faults do: a tilt of the seed's own, so
+/// that the frame does not show in them.
+struct Form<'a> {
+    shape: &'a Shape,
+    /// Turns to along and across the grain.
+    grain: Mat2,
+    /// The tops of the cones that an island is made of, along the grain, and how high they are, in units.
+    peaks: [(Vec2, f32); 2],
+    /// How much longer a cone is than a round one, and how much narrower.
+    length: f32,
+    /// Where a trough crosses the cones, and how deep it is, in spans: a strait, two inlets, or nothing.
+    trough: (f32, f32),
+    /// How far the coast of each side, north, east, south and west, runs aslant: by this share of the domain from end to end.
+    slants: [f32; 4],
+    warp: [FastNoiseLite; 2],
+    broad: FastNoiseLite,
+    fine: FastNoiseLite,
+    islands: FastNoiseLite,
+}
+
+impl<'a> Form<'a> {
+    fn of(shape: &'a Shape) -> Self {
+        let chance = |what: u32, number: u32| shape.seed.item_hash(Purpose::Land).unit([6, what, number]);
+        let (size, span) = (shape.domain.size, shape.span());
+        // There is the most room near a diagonal.
+        let tilt = libm::atan2f(size.y, size.x) * (0.5 + 0.6 * chance(0, 0));
+        let (sin, cos) = libm::sincosf(if chance(0, 1) < 0.5 { -tilt } else { tilt });
+        let grain = Mat2::from_cols(Vec2::new(cos, -sin), Vec2::new(sin, cos));
+        let peak = |number: u32, far: f32, height: f32| {
+            let off = Vec2::new(chance(1, number), chance(2, number)) - 0.5;
+            (grain * (off * (size - 0.5 * span) * far), height * span)
+        };
+        let slant = |side: u32| {
+            let slant = 2.0 * chance(4, side) - 1.0;
+            // All parts of a valley between and beside its ridges need a coast.
+            let most = if shape.kind == LandKind::Valley { 0.35 } else { 0.75 };
+            (slant + 0.3f32.copysign(slant)) * most * shape.sea.min(1.0 - shape.sea)
+        };
+        let mut fine = shape.noise(7, 18.0, 4);
+        fine.set_fractal_gain(Some(0.8));
+        let mut islands = shape.noise(3, 3.2, 1);
+        islands.set_noise_type(Some(NoiseType::Cellular));
+        islands.set_cellular_return_type(Some(CellularReturnType::Distance2Sub));
+        Self {
+            shape,
+            grain,
+            peaks: [peak(0, 0.25, 0.2), peak(1, 1.0, 0.15 * chance(3, 1))],
+            length: 1.15 + 0.35 * chance(0, 2),
+            trough: (0.5 * (chance(3, 2) - 0.5), 0.5 * (chance(3, 3) - 0.3).max(0.0)),
+            slants: [0, 1, 2, 3].map(slant),
+            warp: [0, 1].map(|index| shape.noise(index, 1.3, 2)),
+            broad: shape.noise(6, 1.25, 4),
+            fine,
+            islands,
+        }
+    }
+
+    /// The height of a point, in units.
+    fn height(&self, point: Vec2) -> f32 {
+        let (kind, roughness, span) = (self.shape.kind, self.shape.roughness, self.shape.span());
+        let at = self.grain * (point - self.shape.domain.size / 2.0);
+        let strays = [0, 1].map(|i| self.warp[i].get_noise_2d(at.x, at.y));
+        let at = at + Vec2::from(strays) * (roughness * span * 0.12);
+        // Straits between islands are narrow, and much would close them; but their shores are steep, so that it takes more to show.
+        let (broad, fine) = match kind {
+            LandKind::Archipelago => (0.3, 0.26),
+            LandKind::Continent | LandKind::Valley => (0.45, 0.15),
+            LandKind::Basin => (0.58, 0.3),
+            _ => (0.58, 0.2),
+        };
+        // Some coasts are wild and others gentle.
+        let fine = fine * (0.5 + 1.2 * strays[1]).clamp(0.4, 1.0);
+        let bend =
+            roughness * (broad * self.broad.get_noise_2d(at.x, at.y) + fine * self.fine.get_noise_2d(at.x, at.y));
+        let plain = match kind {
+            LandKind::Rectangle | LandKind::Drawn => span,
+            LandKind::Island => self.cones(at) - self.moat(point, bend, strays[0]),
+            LandKind::Basin => self.moat(point, -bend, strays[0]) - self.cones(at),
+            LandKind::Continent | LandKind::Valley => self.side_distance(point),
+            LandKind::Archipelago => {
+                // The gap between the distances to the nearest and the next of some scattered centres: 0 midway, so that
+                // straits lie there.
+                let island = self.islands.get_noise_2d(at.x, at.y);
+                (island * 1.5 + strays[0] * 0.9) * span + 0.3 * self.cones(at) - self.moat(point, bend, strays[0])
+            }
+        };
+        plain + bend * span
+    }
+
+    /// The height of the higher cone, less the trough.
+    fn cones(&self, at: Vec2) -> f32 {
+        const WIDTH: f32 = 0.12;
+        /// Across the grain, but not quite.
+        const ACROSS: Vec2 = Vec2::new(0.9, 0.436);
+        let (span, stretch) = (self.shape.span(), Vec2::new(1.0 / self.length, self.length));
+        let cone = |(peak, height): &(Vec2, f32)| height - length((at - *peak) * stretch);
+        let highest = self.peaks.iter().map(cone).fold(f32::NEG_INFINITY, f32::max);
+        let off = (at.dot(ACROSS) / span - self.trough.0).abs();
+        highest - (1.0 - off / WIDTH).max(0.0) * self.trough.1 * span
+    }
+
+    /// The distance to the nearest side that has the sea, a side that runs aslant.
+    fn side_distance(&self, point: Vec2) -> f32 {
+        let size = self.shape.domain.size;
+        let (far, off) = (size - point, (point / size - 0.5) * size.yx());
+        [('n', point.y, off.x), ('e', far.x, off.y), ('s', far.y, off.x), ('w', point.x, off.y)]
+            .into_iter()
+            .zip(self.slants)
+            .filter(|((side, ..), _)| self.shape.sides.contains(*side))
+            .fold(f32::INFINITY, |least, ((_, distance, off), slant)| least.min(distance + slant * off))
+    }
+
+    /// A drop toward the border of the domain, so that land surrounded by sea is not cut by it, nor a lake by land. It begins at a
+    /// margin that strays by itself and with the coast (`bend`), so that no coast is straight for it, and ends in a wall. The less room
+    /// there is around land of more than half of the map, the nearer to the border both are.
+    fn moat(&self, point: Vec2, bend: f32, stray: f32) -> f32 {
+        let Shape { kind, domain, sea, .. } = self.shape;
+        let within = if *kind == LandKind::Basin { *sea } else { 1.0 - sea }.max(0.5);
+        let room = 0.5 * (1.0 - within.sqrt());
+        // Islands of an archipelago may lie anywhere.
+        let width = if *kind == LandKind::Archipelago { 0.7 * room } else { (1.4 * room).min(0.22) };
+        let margin = room * (0.5 + 1.6 * stray - 0.8 * bend).max(0.0);
+        let inside = point.min(domain.size - point) / self.shape.span();
+        let near = (1.0 - (inside - margin) / width).max(Vec2::ZERO).length_squared();
+        let wall = 0.06 * room / (inside.min_element().max(0.0) + 0.015 * room);
+        (near * near * 4.0 + wall) * self.shape.span()
     }
 }

@@ -9,6 +9,7 @@ use super::coast_distance::{CoastDistance, Piece};
 use super::grid::Grid;
 use super::kinds::Shape;
 use crate::domain::Domain;
+use crate::geometry::distance;
 use crate::recipe::{GridPoint, Outline};
 
 /// How far beyond the domain a coast is taken that runs along its border, in units: such land goes on out there, and
@@ -49,6 +50,7 @@ impl Drawing {
     }
 
     /// Lines in fractions of a domain's width and height.
+    #[cfg(feature = "files")]
     pub fn on(domain: &Domain, coasts: Vec<Vec<Vec2>>, ridges: Vec<Vec<Vec2>>) -> Self {
         let size = domain.size;
         let on_domain = |line: Vec<Vec2>| line.into_iter().map(|at| at * size).collect::<Vec<_>>();
@@ -64,13 +66,13 @@ impl Drawing {
         let bend = bend(shape);
         for (lines, is_closed) in [(&mut self.coasts, true), (&mut self.ridges, false), (&mut self.rivers, false)] {
             for line in lines {
-                *line = divided(line, piece, is_closed).into_iter().map(&bend).collect();
+                *line = divided(line, piece, is_closed).map(&bend).collect();
             }
         }
     }
 
     fn length(&self) -> f32 {
-        self.edges().map(|(a, b)| a.distance(b)).sum()
+        self.edges().map(|(a, b)| distance(a, b)).sum()
     }
 
     /// The edges of all coasts.
@@ -142,19 +144,17 @@ fn side(x: f32, length: f32) -> f32 {
     }
 }
 
-/// A line with points added so that none are farther apart than a piece.
-pub(crate) fn divided(line: &[Vec2], piece: f32, is_closed: bool) -> Vec<Vec2> {
-    let mut points = Vec::new();
+/// The points of a line, and more between them so that none are farther apart than a piece, each found when it is asked for.
+pub(crate) fn divided(line: &[Vec2], piece: f32, is_closed: bool) -> Box<dyn Iterator<Item = Vec2> + '_> {
     let edges = if is_closed { line.len() } else { line.len().saturating_sub(1) };
-    for (i, &a) in line.iter().enumerate().take(edges) {
-        let b = line[(i + 1) % line.len()];
-        let pieces = (a.distance(b) / piece).ceil().max(1.0) as u32;
-        points.extend((0..pieces).map(|k| a.lerp(b, k as f32 / pieces as f32)));
-    }
-    if !is_closed {
-        points.extend(line.last());
-    }
-    points
+    let edge = move |i: usize| {
+        let (a, b) = (line[i], line[(i + 1) % line.len()]);
+        let pieces = (distance(a, b) / piece).ceil().max(1.0) as u32;
+        (0..pieces).map(move |k| a.lerp(b, k as f32 / pieces as f32))
+    };
+    let end = line.last().copied().filter(|_| !is_closed);
+    // One kind of iterator: each copy of it would weigh a kilobyte.
+    Box::new((0..edges).flat_map(edge).chain(end))
 }
 
 /// Where edges of coasts cross the rows of the lattice.

@@ -13,6 +13,7 @@ use super::outline::Drawing;
 use super::regions::{Region, regions_of};
 use super::walk::walk;
 use crate::domain::Domain;
+use crate::geometry::length;
 use crate::recipe::{LandKind, Recipe};
 use crate::work;
 
@@ -155,8 +156,10 @@ impl Land {
             let border = cell as f32 + if way < 0.0 { 1.0 } else { 0.0 };
             if way == 0.0 { 0.0 } else { (border - from) / way }
         };
-        let share = entered(from.x, way.x, column).max(entered(from.y, way.y, row)) - SHORT_OF / way.length();
-        Some((from + way * share.clamp(0.0, 1.0)) * CELL_SIZE)
+        let share = entered(from.x, way.x, column).max(entered(from.y, way.y, row)) - SHORT_OF / length(way);
+        let coast = (from + way * share.clamp(0.0, 1.0)) * CELL_SIZE;
+        // The last cells reach over the border of the domain.
+        coast.cmple(self.grid.size).all().then_some(coast)
     }
 
     /// Whether all that lies within a distance of a point of the domain, north, south, east and west, is land.
@@ -213,7 +216,7 @@ impl Land {
 /// no land: the drawing then counts as the plain rectangle. This is the only place that decides it.
 fn drawn(shape: &Shape, recipe: &Recipe) -> Option<(Grid, CoastDistance, Drawing)> {
     let drawing = Drawing::of(recipe.outline()?, shape);
-    let coast_distance = drawing.coast_distance(&shape.domain, CoastDistance::SPACING);
+    let coast_distance = drawing.coast_distance(&shape.domain, CoastDistance::COARSE_SPACING);
     let grid = Grid::above_water(&shape.domain, &coast_distance);
     (LEAST_DRAWN..1.0).contains(&grid.share_of_land()).then_some((grid, coast_distance, drawing))
 }
@@ -255,21 +258,57 @@ mod tests {
         }
     }
 
+    /// The middle of all water, or of all land, and which way it is longest: the angle from the east, in radians.
+    fn lie(land: &Land, kind: Cell) -> (Vec2, f32) {
+        let cells = (0..land.columns()).flat_map(|c| (0..land.rows()).map(move |r| (c, r)));
+        let at: Vec<Vec2> =
+            cells.filter(|&(c, r)| land.cell(c, r) == kind).map(|(c, r)| Vec2::new(c as f32, r as f32)).collect();
+        let middle = at.iter().sum::<Vec2>() / at.len() as f32;
+        let off = at.iter().map(|at| *at - middle);
+        let (across, along) =
+            off.fold((0.0, 0.0), |(a, b), off| (a + off.x * off.y, b + off.x * off.x - off.y * off.y));
+        (middle, 0.5 * libm::atan2f(2.0 * across, along))
+    }
+
     #[test]
-    fn smooth_islands_and_lakes_are_round() {
-        // An ellipse that takes half of the domain.
-        let across = (2.0 / std::f32::consts::PI).sqrt();
-        for kind in ["island", "basin"] {
-            let land = land(&format!("land={kind}&roughness=0&sea=0.5"));
-            let size = Domain::with_aspect(1.5).size;
-            for angle in (0..60).map(|i| i as f32 / 60.0 * std::f32::consts::TAU) {
-                let at = (Vec2::new(libm::cosf(angle), libm::sinf(angle)) * across + 1.0) * size / 2.0;
-                assert!(
-                    land.coast_distance().height(at).abs() < 8.0,
-                    "{kind}: {} at {at}",
-                    land.coast_distance().height(at)
-                );
-            }
+    fn islands_and_lakes_lie_aslant_and_off_the_centre() {
+        for (kind, cell) in [("island", Cell::Land), ("basin", Cell::Water)] {
+            let sea = if cell == Cell::Land { 0.7 } else { 0.3 };
+            let lies = (0..8).map(|seed| lie(&land(&format!("land={kind}&roughness=0&sea={sea}&seed={seed}")), cell));
+            let lies: Vec<(Vec2, f32)> = lies.collect();
+            let centre = Domain::with_aspect(1.5).size / 2.0;
+            let count = |is_so: &dyn Fn(&(Vec2, f32)) -> bool| lies.iter().filter(|lie| is_so(lie)).count();
+            assert!(count(&|(middle, _)| middle.distance(centre) > 30.0) >= 6, "{kind}: {lies:?}");
+            assert!(count(&|(_, tilt)| tilt.abs() > 0.1) >= 6, "{kind}: {lies:?}");
+            assert!((2..=6).contains(&count(&|(_, tilt)| *tilt > 0.0)), "{kind}: {lies:?}");
+        }
+    }
+
+    #[test]
+    fn a_coast_is_as_rough_in_detail_as_asked_for() {
+        // How many squares of some size the coast runs through.
+        let squares = |land: &Land, side: f32| {
+            let is_land =
+                |column: i32, row: i32| land.coast_distance().height(Vec2::new(column as f32, row as f32) * side) > 0.0;
+            let (columns, rows) = (land.columns() / side as i32, land.rows() / side as i32);
+            let is_mixed = |&(c, r): &(i32, i32)| {
+                let corners = [is_land(c, r), is_land(c + 1, r), is_land(c, r + 1), is_land(c + 1, r + 1)];
+                corners.contains(&true) && corners.contains(&false)
+            };
+            (0..columns).flat_map(|c| (0..rows).map(move |r| (c, r))).filter(is_mixed).count() as f32
+        };
+        for kind in lands_with_a_share_of_sea() {
+            // How much longer the coast is measured by 3 units than by 12, in the middle of nine seeds.
+            let longer = |roughness: f32| {
+                let mut longer: Vec<f32> = (0..9)
+                    .map(|seed| land(&format!("{kind}&sea=0.6&roughness={roughness}&seed={seed}")))
+                    .map(|land| squares(&land, 3.0) * 3.0 / (squares(&land, 12.0) * 12.0))
+                    .collect();
+                longer.sort_by(f32::total_cmp);
+                longer[4]
+            };
+            let (smooth, rough) = (longer(0.0), longer(1.0));
+            assert!(smooth < 1.03 && rough > 1.08, "{kind}: {smooth}, {rough}");
         }
     }
 

@@ -179,7 +179,7 @@ mod tests {
     fn at(shown: &SmoothedDistance, point: Vec2) -> (f32, Vec2) {
         let ((column, x), across) = (shown.column(point.x), shown.across(point.y));
         let heights = Parabola::of(across.around(column));
-        (heights.at(x), Vec2::new(heights.rise(x), across.rise(column).at(x)) / CoastDistance::SPACING)
+        (heights.at(x), Vec2::new(heights.rise(x), across.rise(column).at(x)) / shown.spacing())
     }
 
     #[test]
@@ -207,7 +207,7 @@ mod tests {
             let shown = SmoothedDistance::of(land.coast_distance());
             for i in 0..4000 {
                 // Across a border between two pieces, where they meet at a slant.
-                let border = Vec2::new((i % 97) as f32 + 0.5, (i % 61) as f32 + 0.5) * CoastDistance::SPACING;
+                let border = Vec2::new((i % 97) as f32 + 0.5, (i % 61) as f32 + 0.5) * shown.spacing();
                 let ((one, rise), (other, rise_there)) = (at(&shown, border - 0.01), at(&shown, border + 0.01));
                 assert!((one - other).abs() < 0.1, "{border}: {one}, {other}");
                 assert!(rise.distance(rise_there) < 0.02, "{border}: {rise}, {rise_there}");

@@ -9,7 +9,7 @@
 
 use glam::Vec2;
 
-use super::Network;
+use super::{Network, Vertex};
 use crate::domain::Domain;
 use crate::geometry::{distance, fast_max, fast_min, gap, meet};
 use crate::work;
@@ -130,24 +130,24 @@ impl ClearanceGrid {
         })
     }
 
-    /// Takes away of oxbow lakes what rivers of the last survey run over, or so near that no land is left between.
-    pub fn erode(&self, network: &mut Network, downstream: &[u32], min_clearance: f32) {
-        let widest = network.vertices.iter().map(|vertex| vertex.width()).fold(0.0, fast_max);
+    /// Whether a segment of the last survey comes nearer to a place than its own margin, known by its upper vertex; no margin is over
+    /// the largest.
+    pub fn is_near(
+        &self,
+        network: &Network,
+        downstream: &[u32],
+        at: Vec2,
+        largest: f32,
+        margin: impl Fn(&Vertex) -> f32,
+    ) -> bool {
         let vertices = &network.vertices;
-        for lake in network.oxbows.iter_mut().flat_map(|oxbow| &mut oxbow.vertices).filter(|lake| lake.width() > 0.0) {
-            let radius = (lake.width() + widest) * 0.5 + min_clearance + self.longest_half;
-            let is_run_over = self.runs(lake.at, radius).any(|row| {
-                self.entries[row].iter().any(|entry| {
-                    let upper = &vertices[entry.segment as usize];
-                    let lower = &vertices[downstream[entry.segment as usize] as usize];
-                    let apart = gap((lake.at, lake.at), (upper.at, lower.at));
-                    apart < (lake.width() + upper.width()) * 0.5 + min_clearance
-                })
-            });
-            if is_run_over {
-                (lake.left, lake.right) = (0.0, 0.0);
-            }
-        }
+        self.runs(at, largest + self.longest_half).any(|row| {
+            self.entries[row].iter().any(|entry| {
+                let upper = &vertices[entry.segment as usize];
+                let lower = &vertices[downstream[entry.segment as usize] as usize];
+                gap((at, at), (upper.at, lower.at)) < margin(upper)
+            })
+        })
     }
 
     /// Sorts the segments into their cells.

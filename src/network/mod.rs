@@ -109,17 +109,26 @@ pub struct Oxbow {
     pub river: u32,
     /// The round in which it was cut off.
     pub born: u32,
+    /// The share of it that silt has filled, from 0, when it is young, to 1, when it is gone: as a picture shows it, the more silt the
+    /// fainter.
+    pub silt: f32,
     /// Its middle line with the widths that the river had.
     pub vertices: Vec<Vertex>,
 }
 
 impl Oxbow {
-    /// The lake that there is to see: the longest run of vertices that no river has run over, each with the share of its
-    /// width that is left, all of it in the middle, nothing at the ends, where silt has closed the loop. Empty if that is
-    /// too short to be a lake.
+    /// The lake that there is to see: of the longest run of vertices that no river has run over what silt has left, each with the
+    /// share of its width that is left, most of it in the middle, nothing at the ends, where silt has closed the loop. Empty if
+    /// that is too short to be a lake.
     pub fn lake(&self) -> Vec<(Vertex, f32)> {
         const LEAST_WIDTHS: f32 = 3.0;
         const TAPER: f32 = 1.5;
+        // Silt comes in at the ends, and makes shallow what it does not fill.
+        const FROM_EITHER_END: f32 = 0.35;
+        const FROM_THE_BANKS: f32 = 0.5;
+        if self.silt >= 1.0 {
+            return Vec::new();
+        }
         let runs = self.vertices.split(|vertex| vertex.width() <= 0.0);
         let Some(lake) = runs.max_by_key(|run| run.len()) else { return Vec::new() };
         let mut length = 0.0;
@@ -132,11 +141,15 @@ impl Oxbow {
             })
             .collect();
         let width = lake.iter().map(Vertex::width).fold(0.0, f32::max);
-        if length < LEAST_WIDTHS * width {
+        let (silt, open) = (self.silt * FROM_EITHER_END * length, 1.0 - self.silt * FROM_THE_BANKS);
+        if length - 2.0 * silt < LEAST_WIDTHS * width {
             return Vec::new();
         }
-        let share = |along: f32| (along.min(length - along) / (TAPER * width)).clamp(0.0, 1.0).sqrt();
-        lake.iter().zip(along).map(|(vertex, along)| (*vertex, share(along))).collect()
+        let share = |along: f32| {
+            let from_end = along.min(length - along) - silt;
+            (from_end >= 0.0).then(|| open * (from_end / (TAPER * width)).min(1.0).sqrt())
+        };
+        lake.iter().zip(along).filter_map(|(vertex, along)| Some((*vertex, share(along)?))).collect()
     }
 }
 
@@ -152,6 +165,9 @@ pub struct Network {
 }
 
 impl Network {
+    /// No river.
+    pub const EMPTY: &'static Self = &Self { vertices: Vec::new(), rivers: Vec::new(), oxbows: Vec::new() };
+
     /// The vertex below each; [`NONE`] below a mouth.
     pub fn downstream(&self) -> Vec<u32> {
         let mut downstream: Vec<u32> = (1..=self.vertices.len() as u32).collect();

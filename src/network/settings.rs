@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use fastnoise_lite::{FastNoiseLite, FractalType, NoiseType};
+use fastnoise_lite::FastNoiseLite;
 
 use crate::domain::Domain;
 use crate::geometry::{fast_max, fast_min};
@@ -111,12 +111,7 @@ impl NetworkSettings {
     }
 
     fn noise(&self, index: u32, frequency: f32, octaves: i32) -> FastNoiseLite {
-        let mut noise = FastNoiseLite::with_seed(self.seed.item_hash(Purpose::Courses).bits([index, 0, 0]) as i32);
-        noise.set_noise_type(Some(NoiseType::OpenSimplex2));
-        noise.set_fractal_type(Some(FractalType::FBm));
-        noise.set_fractal_octaves(Some(octaves));
-        noise.set_frequency(Some(frequency));
-        noise
+        self.seed.noise(Purpose::Courses, index, frequency, octaves)
     }
 }
 

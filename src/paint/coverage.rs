@@ -38,6 +38,8 @@ impl Rect {
 pub struct Coverage {
     mask: Mask,
     touched: Touched,
+    /// The most coverage of what is drawn, from 0 to 1.
+    strength: f32,
 }
 
 /// Which tiles of a picture have been touched.
@@ -57,7 +59,7 @@ impl Coverage {
         let mask = Mask::new(width, height)?;
         let columns = width.div_ceil(TILE);
         let tiles = vec![false; (columns * height.div_ceil(TILE)) as usize];
-        Some(Self { mask, touched: Touched { columns, tiles } })
+        Some(Self { mask, touched: Touched { columns, tiles }, strength: 1.0 })
     }
 
     /// The mask.
@@ -98,6 +100,11 @@ impl Coverage {
         self.mask.clear();
     }
 
+    /// How much what is drawn from now on covers at most, from 0 to 1: less for what has faded.
+    pub fn set_strength(&mut self, strength: f32) {
+        self.strength = strength;
+    }
+
     /// Draws a line from `a` to `b` with round ends, its radius running from `radius_a` to `radius_b`, in pixels.
     ///
     /// Thinner than a pixel, a line keeps its width and pales instead.
@@ -105,7 +112,7 @@ impl Coverage {
         let margin = rim(larger(radius_a, radius_b));
         let Some(rect) = self.pixels_between(a.min(b) - margin, a.max(b) + margin) else { return };
         self.touch(rect);
-        let stroke = Stroke::new(a, radius_a, b, radius_b);
+        let stroke = Stroke::new(a, radius_a, b, radius_b, self.strength);
         let width = self.mask.width() as usize;
         for y in rect.top..rect.bottom {
             let start = y as usize * width;
@@ -165,10 +172,10 @@ struct Stroke {
 }
 
 impl Stroke {
-    fn new(a: Vec2, radius_a: f32, b: Vec2, radius_b: f32) -> Self {
+    fn new(a: Vec2, radius_a: f32, b: Vec2, radius_b: f32, strength: f32) -> Self {
         let along = b - a;
         let squared = along.x * along.x + along.y * along.y;
-        let most = |radius: f32| f32x4::splat(if radius > HALF { 255.0 } else { radius * 510.0 });
+        let most = |radius: f32| f32x4::splat(strength * if radius > HALF { 255.0 } else { radius * 510.0 });
         let (rim_a, rim_b) = (rim(radius_a), rim(radius_b));
         let rim = larger(rim_a, rim_b);
         Self {
@@ -257,6 +264,20 @@ mod tests {
         };
         assert!((sum(0.5) / sum(0.125) - 4.0).abs() < 0.1);
         assert!(sum(0.0) == 0.0);
+    }
+
+    #[test]
+    fn what_has_faded_covers_less_and_hides_nothing() {
+        let (a, b) = (Vec2::new(10.0, 15.0), Vec2::new(30.0, 15.0));
+        let drawn = |strengths: &[f32]| {
+            let mut coverage = Coverage::new(40, 30).unwrap();
+            for &strength in strengths {
+                coverage.set_strength(strength);
+                coverage.capsule(a, 4.0, b, 4.0);
+            }
+            coverage.mask().data()[15 * 40 + 20]
+        };
+        assert_eq!([drawn(&[0.4]), drawn(&[1.0, 0.4]), drawn(&[0.4, 1.0])], [102, 255, 255]);
     }
 
     proptest! {

@@ -130,6 +130,9 @@ impl Painter {
 
     /// Forgets the picture: another tree, trim, width or style comes next.
     pub fn reset(&mut self) {
+        if self.raised.take().is_some() {
+            self.ground = None;
+        }
         self.coverage.clear();
         self.drawn.clear();
         self.flow = Flow::default();
@@ -175,11 +178,14 @@ impl Painter {
         if !is_raised {
             self.ground = None;
         }
+        // Ground that is laid again, in another style, say, is flat.
         self.lay_ground(rivers.land, rivers.style);
-        if !is_raised && let Some((relief, exaggeration)) = rivers.relief {
+        if self.raised.is_none()
+            && let Some((relief, exaggeration)) = rivers.relief
+        {
             self.raise_ground(rivers, relief, exaggeration);
+            self.raised = Some((relief.clone(), exaggeration));
         }
-        self.raised = rivers.relief.map(|(relief, exaggeration)| (relief.clone(), exaggeration));
         self.compose(rivers.style)
     }
 

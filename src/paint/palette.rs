@@ -182,3 +182,16 @@ pub(super) fn over([red, green, blue]: Colour, by: Colour, coverage: u32) -> [u8
 pub(crate) fn mix(from: Colour, to: Colour, share: f32) -> Colour {
     std::array::from_fn(|i| (f32::from(from[i]) + (f32::from(to[i]) - f32::from(from[i])) * share + 0.5) as u8)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::recipe::Choice;
+
+    #[test]
+    fn styles_that_show_relief_have_tints_for_it_and_no_others() {
+        for &style in Style::ALL {
+            assert_eq!(style.has_relief(), palette(style).relief.is_some(), "{style:?}");
+        }
+    }
+}

@@ -22,7 +22,9 @@ pub(crate) fn ridges(land: &Land) -> Vec<[End; 2]> {
     for ridge in land.ridges().iter().filter(|ridge| ridge.len() > 1) {
         let crest = crest(ridge);
         let heights = heights(land, &crest);
-        for (i, pair) in crest.windows(2).enumerate().filter(|(i, _)| heights[*i] > 0.0) {
+        let is_ashore = |at: Vec2| land.coast_distance().height(at) > 0.0;
+        let ashore = |&(i, pair): &(usize, &[Vec2])| heights[i] > 0.0 && is_ashore(pair[1]);
+        for (i, pair) in crest.windows(2).enumerate().filter(ashore) {
             strokes.push([(pair[0], CREST * heights[i]), (pair[1], CREST * heights[i + 1])]);
             strokes.extend(down_both_sides(i, pair[0], pair[1] - pair[0], heights[i]));
         }

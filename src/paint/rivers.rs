@@ -23,19 +23,23 @@ pub(super) fn draw_network(
     lines: Lines,
     margin: f32,
 ) {
-    let mut draw_line = |line: Vec<Vertex>| match courses {
+    let draw_line = |coverage: &mut Coverage, line: Vec<Vertex>| match courses {
         CourseShape::Smooth => draw_smooth(coverage, &line),
         CourseShape::Grown => line.windows(2).for_each(|pair| step(coverage, pair[0], pair[1])),
     };
     if lines == Lines::Skeleton {
         // The courses as they are: widths, and banks that vary, change nothing in a skeleton.
         let in_pixels = |vertex: &network::Vertex| (view.pixel(vertex.at), skeleton::WIDTH_PX * 0.5);
-        network.rivers.iter().for_each(|river| draw_line(network.course(river).map(in_pixels).collect()));
+        network.rivers.iter().for_each(|river| draw_line(coverage, network.course(river).map(in_pixels).collect()));
     } else {
         let in_pixels = |place: &Place| (view.pixel(place.at), (place.half + margin) * view.scale + VISIBLE_PX);
-        let mut draw_middle = |line: Vec<Place>| draw_line(line.iter().map(in_pixels).collect());
-        network.rivers.iter().for_each(|river| draw_middle(network.middle(river)));
-        network.oxbows.iter().for_each(|oxbow| draw_middle(oxbow.middle()));
+        let in_pixels = |line: Vec<Place>| line.iter().map(in_pixels).collect();
+        network.rivers.iter().for_each(|river| draw_line(coverage, in_pixels(network.middle(river))));
+        for oxbow in &network.oxbows {
+            coverage.set_strength(1.0 - oxbow.silt);
+            draw_line(coverage, in_pixels(oxbow.middle()));
+        }
+        coverage.set_strength(1.0);
     }
 }
 

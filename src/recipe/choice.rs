@@ -23,6 +23,13 @@ pub struct Word {
     pub help: &'static str,
 }
 
+impl Word {
+    /// Without what only a page of controls shows, where there is none.
+    const fn explained(self) -> Self {
+        if cfg!(feature = "controls") { self } else { Self { label: "", help: "", ..self } }
+    }
+}
+
 macro_rules! choices {
     ($(
         $(#[$attribute:meta])*
@@ -38,7 +45,7 @@ macro_rules! choices {
         impl Choice for $Choice {
             const KEY: Key = Key::$key;
             const ALL: &'static [Self] = &[$(Self::$Value),+];
-            const WORDS: &'static [Word] = &[$(Self::$Value.word()),+];
+            const WORDS: &'static [Word] = &[$(Self::$Value.word().explained()),+];
         }
 
         impl $Choice {

@@ -112,6 +112,12 @@ impl Recipe {
         outline.map_or(&[], Outline::rivers)
     }
 
+    /// The sides of a plain rectangle beyond which the sea lies: those that are chosen or, where rivers are drawn, all, since these leave it
+    /// wherever they begin.
+    pub fn open_sides(&self) -> Sides {
+        if self.rivers().is_empty() { self.sides(Key::Sides) } else { Sides::ALL }
+    }
+
     /// Sets a parameter from its text, as a link, an option or a JSON string spells it.
     ///
     /// # Errors

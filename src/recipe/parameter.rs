@@ -88,7 +88,7 @@ pub struct Parameter {
     pub key: Key,
     /// The key that links, attributes, options and JSON use.
     pub name: &'static str,
-    /// Its name on the page.
+    /// Its name on the page; empty without the feature `controls`, as are the next line and the group.
     pub label: &'static str,
     /// One line that says what it does.
     pub help: &'static str,

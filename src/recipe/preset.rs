@@ -40,7 +40,7 @@ const fn pattern(momentum: Text, curl: Text, stretch: Text, trim: Text) -> [(Key
 type Text = &'static str;
 
 /// The six variants of the paper (section 4.4): the plain procedure, momentum and curl, each as grown and trimmed.
-pub static PRESETS: &[Preset] = &[
+pub static PRESETS: &[Preset] = &explained([
     Preset {
         name: "original",
         label: "Original",
@@ -77,7 +77,17 @@ pub static PRESETS: &[Preset] = &[
         help: "Winding rivers without short side branches: what people took for real ones. Suits natural maps.",
         values: &pattern("0", "0.9", "7", "29"),
     },
-];
+]);
+
+/// The presets, without the words that only a page of controls shows where there is none.
+const fn explained<const COUNT: usize>(mut presets: [Preset; COUNT]) -> [Preset; COUNT] {
+    let mut i = 0;
+    while i < COUNT && !cfg!(feature = "controls") {
+        (presets[i].label, presets[i].help) = ("", "");
+        i += 1;
+    }
+    presets
+}
 
 /// Finds a preset by its name in links.
 pub fn find(name: &str) -> Option<&'static Preset> {

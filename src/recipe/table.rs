@@ -15,7 +15,7 @@ pub static TABLE: [Parameter; COUNT] = {
         let (min, max) = (Decimal::new(min), Decimal::new(max));
         Kind::Number { min, max, step: Decimal::new(step), default: Decimal::new(default) }
     }
-    [
+    explained([
         Parameter {
             key: Key::Seed,
             name: "seed",
@@ -80,7 +80,7 @@ pub static TABLE: [Parameter; COUNT] = {
             group: "Land",
             stage: Land,
             logarithmic: false,
-            kind: number(0.1, 0.8, 0.01, 0.5),
+            kind: number(0.1, 0.8, 0.01, 0.55),
         },
         Parameter {
             key: Key::Roughness,
@@ -544,8 +544,18 @@ pub static TABLE: [Parameter; COUNT] = {
             logarithmic: false,
             kind: Kind::Choice { choices: Style::WORDS },
         },
-    ]
+    ])
 };
+
+/// The rows, without the words that only a page of controls shows where there is none.
+const fn explained(mut rows: [Parameter; COUNT]) -> [Parameter; COUNT] {
+    let mut row = 0;
+    while row < COUNT && !cfg!(feature = "controls") {
+        (rows[row].label, rows[row].help, rows[row].group) = ("", "", "");
+        row += 1;
+    }
+    rows
+}
 
 impl Key {
     /// The row of this key.

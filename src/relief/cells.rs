@@ -4,7 +4,10 @@ use glam::Vec2;
 
 use super::CELL_SIZE;
 use super::settings::ReliefSettings;
+use crate::domain::Domain;
 use crate::land::{Parabola, SmoothedDistance};
+use crate::memory::{Refused, ask, lengthen};
+use crate::work;
 
 /// Which cells are land, and how far each is from the sea.
 #[derive(Clone, Debug, Default)]
@@ -21,10 +24,20 @@ pub(super) struct Cells {
 const BEYOND: f32 = f32::NEG_INFINITY;
 
 impl Cells {
-    pub fn new(settings: &ReliefSettings) -> Self {
-        let size = (settings.domain.size / CELL_SIZE).ceil();
-        let (columns, rows) = (size.x as usize + 2, size.y as usize + 2);
-        let mut this = Self { columns, rows, inland: vec![BEYOND; columns * rows] };
+    /// How many columns and rows there are on a map, the rim included.
+    pub fn size(domain: &Domain) -> (usize, usize) {
+        let size = (domain.size / CELL_SIZE).ceil();
+        (size.x as usize + 2, size.y as usize + 2)
+    }
+
+    pub fn new(settings: &ReliefSettings) -> Result<Self, Refused> {
+        /// What the smoothed distance takes on the way, of the finest land, whose corners are as many as cells.
+        const BYTES_A_CELL: usize = 8;
+        let (columns, rows) = Self::size(&settings.domain);
+        let mut this = Self { columns, rows, inland: Vec::new() };
+        lengthen(&mut this.inland, columns * rows, BEYOND)?;
+        ask(columns * rows * BYTES_A_CELL)?;
+        work::count(columns * rows);
         match &settings.land {
             Some(land) => this.measure(&SmoothedDistance::of(land.coast_distance())),
             None => this.open(settings),
@@ -33,7 +46,7 @@ impl Cells {
             // Water has to leave somewhere.
             this.inland.iter_mut().filter(|inland| **inland == BEYOND).for_each(|inland| *inland = 0.0);
         }
-        this
+        Ok(this)
     }
 
     /// Takes over the distances that pictures show.
@@ -49,19 +62,16 @@ impl Cells {
 
     /// All is land; the sea lies beyond some sides.
     fn open(&mut self, settings: &ReliefSettings) {
-        let size = settings.domain.size;
         let is_open = |side| settings.sides.contains(side);
         for row in 0..self.rows {
             for column in 0..self.columns {
                 let at = Vec2::new(coordinate(column), coordinate(row));
-                let sides = [('n', at.y), ('e', size.x - at.x), ('s', size.y - at.y), ('w', at.x)];
-                let open = sides.into_iter().filter(|&(side, _)| is_open(side)).map(|(_, far)| far);
-                let (is_rim_row, is_rim_column) =
-                    (row == 0 || row + 1 == self.rows, column == 0 || column + 1 == self.columns);
+                let open = settings.domain.sides(at).into_iter().filter(|&(side, _)| is_open(side)).map(|(_, far)| far);
                 let nearest = open.fold(f32::INFINITY, f32::min);
-                let is_corner = is_rim_row && is_rim_column;
+                let is_rim_row = row == 0 || row + 1 == self.rows;
+                let is_rim_column = column == 0 || column + 1 == self.columns;
                 self.inland[row * self.columns + column] = match is_rim_row || is_rim_column {
-                    true if is_corner || nearest > CELL_SIZE => BEYOND,
+                    true if (is_rim_row && is_rim_column) || nearest > CELL_SIZE => BEYOND,
                     true => nearest.min(0.0),
                     // Where the last cells reach over the border.
                     false => nearest.max(CELL_SIZE * 0.1),

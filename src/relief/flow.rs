@@ -4,8 +4,9 @@ use glam::Vec2;
 
 use super::cells::Cells;
 use super::channels::Channels;
-use super::{CELL_SIZE, Relief, ReliefSettings};
+use super::{CELL_SIZE, Relief, ReliefError, ReliefSettings};
 use crate::land::trace::rings;
+use crate::memory::{Refused, ask};
 use crate::network::{NONE, Network};
 use crate::sort::{argsort, key};
 
@@ -29,12 +30,24 @@ const CODES: [u8; 8] = [16, 1, 32, 64, 128, 8, 4, 2];
 
 impl Flow {
     /// The flow of a relief, which is that of these rivers and settings.
-    pub fn new(relief: &Relief, network: &Network, settings: &ReliefSettings) -> Self {
-        let cells = Cells::new(settings);
-        let field = Field { heights: heights_with_rim(&cells, relief), cells };
-        let channels = Channels::new(&field.cells, network, settings.total_discharge);
-        let rivers = field.rivers(&channels, network);
-        let downstream = field.downstream(&channels, network);
+    ///
+    /// # Errors
+    /// If there is not enough memory.
+    pub fn new(relief: &Relief, network: &Network, settings: &ReliefSettings) -> Result<Self, ReliefError> {
+        /// Of all lists of cells together, and of paths where rivers have few vertices.
+        const BYTES_A_CELL: usize = 80;
+        const BYTES_A_VERTEX: usize = 40;
+        let bytes = relief.heights.len() * BYTES_A_CELL + network.vertices.len() * BYTES_A_VERTEX;
+        let refused = |_| ReliefError::OutOfMemory { megabytes: (bytes / 1_000_000) as u32 + 1 };
+        ask(bytes).map_err(refused)?;
+        let cells = Cells::new(settings).map_err(refused)?;
+        let channels = walked(&cells, network, settings.total_discharge).map_err(refused)?;
+        Ok(Self::on(&Field { heights: heights_with_rim(&cells, relief), cells }, &channels, network))
+    }
+
+    fn on(field: &Field, channels: &Channels, network: &Network) -> Self {
+        let rivers = field.rivers(channels, network);
+        let downstream = field.downstream(channels, network);
         let mouths: Vec<u32> =
             (0..).zip(&network.rivers).filter(|(_, river)| river.parent == NONE).map(|(id, _)| id).collect();
         let outlets = field.outlets(&downstream);
@@ -51,9 +64,7 @@ impl Flow {
             mouths,
         }
     }
-}
 
-impl Flow {
     /// The rings around all cells of each basin, in units: that of basin 1 comes first. Land lies to the left of a ring as a map shows it, and
     /// cells that only touch at a corner are apart.
     pub fn basin_rings(&self, columns: usize) -> Vec<Vec<Vec<Vec2>>> {
@@ -78,6 +89,13 @@ fn rings_around(cells: &[usize], columns: usize) -> Vec<Vec<Vec2>> {
     let (size, corner) = (Vec2::new(width as f32, height as f32), Vec2::new(left as f32 - 1.0, top as f32 - 1.0));
     let place = |at: Vec2| ((at * size * 2.0).round() * 0.5 + corner) * CELL_SIZE;
     rings(width, mask, 0.0).into_iter().map(|ring| ring.into_iter().map(place).collect()).collect()
+}
+
+/// Rivers on their way from cell to cell.
+fn walked(cells: &Cells, network: &Network, total_discharge: u32) -> Result<Channels, Refused> {
+    let mut channels = Channels::new(network, total_discharge)?;
+    while channels.walk(cells, network)? {}
+    Ok(channels)
 }
 
 /// Of each river, the number of its basin.

@@ -1,70 +1,106 @@
 //! Fast marching (Sethian 1996): from sources of given heights over cells of given steepness, the lowest first.
 
+use super::CELL_SIZE;
 use super::cells::Cells;
-use crate::memory::Refused;
+use crate::memory::{Refused, lengthen};
 use crate::queue::Queue;
+use crate::work;
 
-/// A wave that runs uphill.
+/// A front that moves uphill, cell by cell.
 #[derive(Clone, Debug, Default)]
 pub(super) struct March {
-    /// The heights of the cells that the wave has passed; infinite elsewhere.
-    pub height: Vec<f32>,
-    /// The least heights found so far.
-    reached: Vec<f32>,
+    /// The heights of the cells behind the front; infinite elsewhere.
+    pub heights: Vec<f32>,
+    /// The least heights found so far, of the cells behind the front and of those at it.
+    tentative: Vec<f32>,
     queue: Queue,
+    /// How many cells lie behind the front.
+    pub passed: usize,
+}
+
+/// What the front starts from.
+#[derive(Clone, Copy)]
+pub(super) struct Sources<'a> {
+    pub cells: &'a Cells,
+    /// By how much each cell of land rises over a neighbour, in units.
+    pub rises: &'a [f32],
+    /// The height of the water in each cell; infinite where no river is.
+    pub rivers: &'a [f32],
+    /// Whether rivers stay as high as that wherever the front comes lower.
+    pub rivers_are_final: bool,
+}
+
+impl Sources<'_> {
+    /// Whether the front may say how high a cell is.
+    #[inline]
+    fn is_open(&self, cell: usize) -> bool {
+        !(self.rivers_are_final && self.rivers[cell] < f32::INFINITY)
+    }
 }
 
 impl March {
-    /// Sets out from the coast. `rise` is by how much a cell of land rises over a neighbour; `held` are heights that no wave
-    /// lowers.
-    pub fn new(cells: &Cells, rise: &[f32], held: Option<&[f32]>) -> Result<Self, Refused> {
-        let none = vec![f32::INFINITY; cells.inland.len()];
-        let mut this = Self { height: none.clone(), reached: none, queue: Queue::default() };
-        this.queue.reserve(cells.inland.len() * 2)?;
-        for cell in cells.land() {
-            if let Some(&height) = held.map(|held| &held[cell]).filter(|height| **height < f32::INFINITY) {
-                this.reach(cell, height);
-            } else if cells.beside(cell).into_iter().any(|beside| cells.is_sea(beside)) {
-                // The coast runs somewhere between their middles.
-                let way = cells.inland[cell].clamp(0.05 * super::CELL_SIZE, super::CELL_SIZE);
-                this.reach(cell, rise[cell] * way / super::CELL_SIZE);
-            }
-        }
+    /// Room for the front on a number of cells.
+    pub fn new(cells: usize) -> Result<Self, Refused> {
+        let mut this = Self::default();
+        lengthen(&mut this.heights, cells, f32::INFINITY)?;
+        lengthen(&mut this.tentative, cells, f32::INFINITY)?;
+        // A cell may be queued again at a lower height; half of that is as much as has been seen.
+        this.queue.reserve(cells * 2)?;
         Ok(this)
     }
 
-    /// Reaches a cell at a height, if it was not reached at a lower one.
+    /// Goes back to the coast and the rivers. A front that is under way has to come to its end first.
+    pub fn restart(&mut self, sources: &Sources<'_>) {
+        let &Sources { cells, rises, rivers, .. } = sources;
+        self.heights.fill(f32::INFINITY);
+        self.tentative.fill(f32::INFINITY);
+        self.passed = 0;
+        work::count(cells.inland.len());
+        for cell in cells.land() {
+            self.propose(cell, rivers[cell]);
+            if sources.is_open(cell) && cells.beside(cell).into_iter().any(|beside| cells.is_sea(beside)) {
+                // The coast runs somewhere between their middles.
+                let way = cells.inland[cell].clamp(0.05 * CELL_SIZE, CELL_SIZE);
+                self.propose(cell, rises[cell] * way / CELL_SIZE);
+            }
+        }
+    }
+
+    /// Takes a height for a cell, if none so low was found before.
     #[inline]
-    pub fn reach(&mut self, cell: usize, height: f32) {
-        if height < self.reached[cell] {
-            self.reached[cell] = height;
+    fn propose(&mut self, cell: usize, height: f32) {
+        if height < self.tentative[cell] {
+            self.tentative[cell] = height;
             self.queue.push(height, cell as u32);
         }
     }
 
-    /// Passes this many cells at most. Returns whether there are more.
-    pub fn advance(&mut self, cells: &Cells, rise: &[f32], held: Option<&[f32]>, steps: usize) -> bool {
-        for _ in 0..steps {
+    /// Moves on by this many entries of the queue at most. Returns whether there are more.
+    pub fn advance(&mut self, sources: &Sources<'_>, entries: usize) -> bool {
+        let cells = sources.cells;
+        work::count(5 * entries);
+        for _ in 0..entries {
             let Some(cell) = self.queue.pop() else { return false };
             let cell = cell as usize;
-            if self.height[cell] < f32::INFINITY {
+            if self.heights[cell] < f32::INFINITY {
                 continue;
             }
-            self.height[cell] = self.reached[cell];
+            self.heights[cell] = self.tentative[cell];
+            self.passed += 1;
             for beside in cells.beside(cell) {
-                let is_open = self.height[beside] == f32::INFINITY && cells.is_land(beside);
-                if is_open && held.is_none_or(|held| held[beside] == f32::INFINITY) {
-                    self.reach(beside, self.solved(cells.columns, beside, rise[beside]));
+                let is_ahead = self.heights[beside] == f32::INFINITY && cells.is_land(beside);
+                if is_ahead && sources.is_open(beside) {
+                    self.propose(beside, self.solved(cells.columns, beside, sources.rises[beside]));
                 }
             }
         }
         true
     }
 
-    /// The height of a cell by those of its neighbours that the wave has passed: first-order and upwind.
+    /// The height of a cell by those of its neighbours behind the front: first-order and upwind.
     #[inline]
     fn solved(&self, columns: usize, cell: usize, rise: f32) -> f32 {
-        let lower = |one: usize, other: usize| self.height[one].min(self.height[other]);
+        let lower = |one: usize, other: usize| self.heights[one].min(self.heights[other]);
         let (a, b) = (lower(cell - 1, cell + 1), lower(cell - columns, cell + columns));
         let (low, high) = if a < b { (a, b) } else { (b, a) };
         let apart = high - low;

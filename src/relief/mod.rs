@@ -1,8 +1,9 @@
 //! Relief: the height field that belongs to a finished network.
 //!
 //! Height is the cost of walking up from the sea, where hillsides are steep and rivers are stairs that cost little: the eikonal
-//! equation |∇h| = s(x) with the coast and the rivers as sources, solved by fast marching (Sethian 1996). Each cell takes its height from a
-//! lower neighbour, so there is no pit; and the surface creases only where two basins meet, which makes those creases divides.
+//! equation |∇h| = s(x) with the coast and the rivers as sources, solved by fast marching (Sethian 1996). Each cell takes its
+//! height from a lower neighbour, so there is no pit; and the surface creases only where two basins meet, which makes those creases
+//! divides.
 //!
 //! ```text
 //! network ─► heights along rivers ─► rivers on cells ─► march ⇄ lower what stands too high ─► march from the final rivers
@@ -34,7 +35,7 @@ pub use solver::{ReliefError, ReliefSolver};
 /// The side of a cell, in units.
 pub const CELL_SIZE: f32 = 2.0;
 
-/// How many metres of height a unit stands for, in files: the highest land of default maps then has some 2,000.
+/// How many metres of height a unit of height stands for, in files: so that the highest land of usual maps has 1,500 to 3,000.
 pub const METRES: f32 = 25.0;
 
 /// The heights of a map's cells, row by row, from north to south.

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use fastnoise_lite::{FastNoiseLite, FractalType, NoiseType};
+use fastnoise_lite::FastNoiseLite;
 
 use crate::domain::Domain;
 use crate::land::Land;
@@ -31,13 +31,11 @@ pub struct ReliefSettings {
 impl ReliefSettings {
     /// The settings of a recipe on some land; `total_discharge` is the discharge of a river that drained everything.
     pub fn new(recipe: &Recipe, land: Option<Arc<Land>>, total_discharge: u32) -> Self {
-        // Rivers that are drawn leave a rectangle wherever they begin.
-        let has_starts = !recipe.rivers().is_empty();
         Self {
             seed: Seed::from_text(recipe.seed()),
             domain: Domain::of(recipe),
             land,
-            sides: if has_starts { Sides::ALL } else { recipe.sides(Key::Sides) },
+            sides: recipe.open_sides(),
             total_discharge: total_discharge.max(1),
             mountains: recipe.number(Key::Mountains),
             plains: recipe.number(Key::Plains),
@@ -46,11 +44,6 @@ impl ReliefSettings {
 
     /// Noise over the map, from −1 to 1.
     pub(super) fn noise(&self, index: u32, wavelength: f32, octaves: i32) -> FastNoiseLite {
-        let mut noise = FastNoiseLite::with_seed(self.seed.item_hash(Purpose::Relief).bits([index, 0, 0]) as i32);
-        noise.set_noise_type(Some(NoiseType::OpenSimplex2));
-        noise.set_fractal_type(Some(FractalType::FBm));
-        noise.set_fractal_octaves(Some(octaves));
-        noise.set_frequency(Some(1.0 / wavelength));
-        noise
+        self.seed.noise(Purpose::Relief, index, 1.0 / wavelength, octaves)
     }
 }

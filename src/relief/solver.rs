@@ -5,11 +5,12 @@ use thiserror::Error;
 use super::Relief;
 use super::cells::Cells;
 use super::channels::Channels;
-use super::march::March;
+use super::march::{March, Sources};
 use super::settings::ReliefSettings;
-use super::steepness::rises;
-use crate::memory::{Refused, can_allocate};
+use super::steepness::Steepness;
+use crate::memory::{Refused, ask, lengthen, reserve};
 use crate::network::Network;
+use crate::work;
 
 /// Why there can be no relief.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
@@ -26,93 +27,211 @@ pub enum ReliefError {
 /// A relief in the making.
 #[derive(Clone, Debug)]
 pub struct ReliefSolver {
+    settings: ReliefSettings,
+    /// About how much memory it takes.
+    bytes: usize,
+    next: Part,
     cells: Cells,
-    /// By how much each cell rises over a neighbour, in units.
-    rises: Vec<f32>,
+    steepness: Steepness,
     channels: Channels,
-    /// The heights of the final rivers; infinite elsewhere.
-    held: Option<Vec<f32>>,
+    /// The height of the water in each cell; infinite where no river is.
+    river_heights: Vec<f32>,
     march: March,
-    passes: u32,
 }
 
-/// How many cells a step passes.
-const CELLS_A_STEP: usize = 20_000;
+/// What the next step does, or goes on with.
+#[derive(Clone, Copy, Debug)]
+enum Part {
+    /// Finds the cells that are land.
+    Cells,
+    Hillsides,
+    /// Flattens valleys, from this vertex on.
+    Valleys(usize),
+    /// Raises ridges, from this piece on.
+    Ridges(usize),
+    /// Finds how high rivers are, and makes room for the rest.
+    Rivers,
+    /// Walks rivers from cell to cell.
+    Channels,
+    /// Solves with rivers as they are, then lowers those that stand higher than the land; how often it has been done.
+    Lower(u32),
+    /// Lets rivers that pass one cell be equally high there, the higher as high as the lower; how often it has been done.
+    Meet(u32),
+    /// Lets rivers fall from each cell to the next.
+    Fall,
+    /// Solves with the final rivers.
+    March,
+    Finish,
+}
+
+/// How many entries of its queue the front moves on by in a step.
+const ENTRIES_A_STEP: usize = 20_000;
 
 /// How often rivers are lowered at most.
-const MOST_PASSES: u32 = 5;
+const MOST_LOWERINGS: u32 = 5;
+
+/// How often rivers meet at most. By trials, two or three times are enough.
+const MOST_MEETINGS: u32 = 20;
 
 impl ReliefSolver {
-    /// Begins the relief of a finished network.
+    /// Begins the relief of a finished network. It only asks for memory.
     ///
     /// # Errors
     /// If there is not enough memory.
-    pub fn new(network: &Network, settings: &ReliefSettings) -> Result<Self, ReliefError> {
+    pub fn new(network: &Network, settings: ReliefSettings) -> Result<Self, ReliefError> {
+        /// Six numbers, two entries of a queue, the finished height; and paths where rivers have few vertices.
         const BYTES_A_CELL: usize = 64;
-        let cells = Cells::new(settings);
-        let bytes = cells.inland.len() * BYTES_A_CELL + network.vertices.len() * 40;
-        let refused = ReliefError::OutOfMemory { megabytes: (bytes / 1_000_000) as u32 + 1 };
-        if !can_allocate(bytes) {
-            return Err(refused);
-        }
-        let rises = rises(settings, &cells, network);
-        let channels = Channels::new(&cells, network, settings.total_discharge);
-        let march = March::default();
-        let mut this = Self { cells, rises, channels, held: None, march, passes: 0 };
-        this.set_out().map_err(|_| refused)?;
+        const BYTES_A_VERTEX: usize = 40;
+        let (columns, rows) = Cells::size(&settings.domain);
+        let this = Self {
+            settings,
+            bytes: columns * rows * BYTES_A_CELL + network.vertices.len() * BYTES_A_VERTEX,
+            next: Part::Cells,
+            cells: Cells::default(),
+            steepness: Steepness::default(),
+            channels: Channels::default(),
+            river_heights: Vec::new(),
+            march: March::default(),
+        };
+        ask(this.bytes).map_err(|_| this.refused())?;
         Ok(this)
     }
 
-    /// Makes a step. Returns the relief, once it is finished.
+    /// About how many bytes of memory it takes.
+    pub(crate) fn bytes(&self) -> usize {
+        self.bytes
+    }
+
+    /// Makes a step; `network` is the one that it was begun for. Returns the relief, once it is finished.
     ///
     /// # Errors
-    /// If there is not enough memory.
-    pub fn step(&mut self) -> Result<Option<Relief>, ReliefError> {
-        if self.march.advance(&self.cells, &self.rises, self.held.as_deref(), CELLS_A_STEP) {
-            return Ok(None);
+    /// If there is not enough memory. A further call tries the same step again.
+    pub fn step(&mut self, network: &Network) -> Result<Option<Relief>, ReliefError> {
+        if matches!(self.next, Part::Finish) {
+            return self.finished().map(Some).map_err(|_| self.refused());
         }
-        if self.held.is_some() {
-            return Ok(Some(self.finished()));
-        }
-        let megabytes = (self.cells.inland.len() * 16 / 1_000_000) as u32 + 1;
-        self.lower_rivers().map_err(|_| ReliefError::OutOfMemory { megabytes })?;
+        // Only a step that is whole is followed by the next.
+        self.next = self.advance(network).map_err(|_| self.refused())?;
         Ok(None)
     }
 
-    /// A wave has passed everything: rivers that stand higher than the land are lowered, and it sets out once more.
-    fn lower_rivers(&mut self) -> Result<(), Refused> {
+    /// How far it has come, from 0 to 1.
+    pub fn progress(&self) -> f32 {
+        let share = self.march.passed as f32 / self.cells.inland.len().max(1) as f32;
+        match self.next {
+            Part::Cells => 0.0,
+            Part::Hillsides => 0.05,
+            Part::Valleys(_) | Part::Ridges(_) | Part::Rivers | Part::Channels => 0.1,
+            Part::Lower(times) => 0.1 + 0.6 * (times as f32 + share) / MOST_LOWERINGS as f32,
+            Part::Meet(_) | Part::Fall => 0.7,
+            Part::March => 0.7 + 0.3 * share,
+            Part::Finish => 1.0,
+        }
+    }
+
+    fn refused(&self) -> ReliefError {
+        ReliefError::OutOfMemory { megabytes: (self.bytes / 1_000_000) as u32 + 1 }
+    }
+
+    /// Does the next part, or some of it. Returns what comes after that.
+    fn advance(&mut self, network: &Network) -> Result<Part, Refused> {
+        Ok(match self.next {
+            Part::Cells => {
+                self.cells = Cells::new(&self.settings)?;
+                Part::Hillsides
+            }
+            Part::Hillsides => {
+                self.steepness = Steepness::of_hillsides(&self.settings, &self.cells)?;
+                Part::Valleys(0)
+            }
+            Part::Valleys(from) => {
+                self.steepness.flatten_valleys(&self.cells, network, from).map_or(Part::Ridges(0), Part::Valleys)
+            }
+            Part::Ridges(from) => {
+                let land = self.settings.land.as_deref();
+                let next = land.and_then(|land| self.steepness.raise_ridges(&self.cells, land, from));
+                next.map_or(Part::Rivers, Part::Ridges)
+            }
+            Part::Rivers => {
+                let cells = self.cells.inland.len();
+                lengthen(&mut self.river_heights, cells, f32::INFINITY)?;
+                self.march = March::new(cells)?;
+                self.channels = Channels::new(network, self.settings.total_discharge)?;
+                Part::Channels
+            }
+            Part::Channels => match self.channels.walk(&self.cells, network)? {
+                true => self.next,
+                false => self.restart(false, Part::Lower(0)),
+            },
+            Part::Lower(times) => match self.march(false) {
+                true => self.next,
+                false => self.lower_rivers(times + 1),
+            },
+            Part::Meet(times) => self.meet(times + 1),
+            Part::Fall => {
+                self.channels.let_fall();
+                self.restart(true, Part::March)
+            }
+            Part::March => match self.march(true) {
+                true => self.next,
+                false => Part::Finish,
+            },
+            Part::Finish => self.next,
+        })
+    }
+
+    /// Rivers that stand higher than the land are lowered. Where that is more than next to nothing, land is solved once more.
+    fn lower_rivers(&mut self, times: u32) -> Part {
         /// So little a cell of river, in units, is as good as nothing.
         const ENOUGH: f32 = 0.01;
-        let lowered = self.channels.lower(&self.march.height);
-        self.passes += 1;
-        if lowered < ENOUGH * self.channels.steps().count() as f32 || self.passes == MOST_PASSES {
-            self.channels.meet(self.cells.inland.len());
-            self.channels.let_fall();
-            let mut held = vec![f32::INFINITY; self.cells.inland.len()];
-            for (cell, height) in self.channels.steps().filter(|&(cell, _)| self.cells.is_land(cell)) {
-                held[cell] = held[cell].min(height);
-            }
-            self.held = Some(held);
+        let lowered = self.channels.lower(&self.march.heights);
+        if lowered < ENOUGH * self.channels.count() as f32 || times == MOST_LOWERINGS {
+            return Part::Meet(0);
         }
-        self.set_out()
+        self.restart(false, Part::Lower(times))
     }
 
-    fn set_out(&mut self) -> Result<(), Refused> {
-        self.march = March::new(&self.cells, &self.rises, self.held.as_deref())?;
-        if self.held.is_none() {
-            let steps = self.channels.steps().filter(|&(cell, _)| self.cells.is_land(cell));
-            steps.for_each(|(cell, height)| self.march.reach(cell, height));
+    /// Until no river is lowered any more.
+    fn meet(&mut self, times: u32) -> Part {
+        self.channels.note_heights(&mut self.river_heights);
+        if self.channels.lower(&self.river_heights) > 0.0 && times < MOST_MEETINGS {
+            return Part::Meet(times);
         }
-        Ok(())
+        Part::Fall
     }
 
-    fn finished(&self) -> Relief {
+    /// Sends the front out from the coast and from rivers as high as they are now, for the part that comes next.
+    fn restart(&mut self, rivers_are_final: bool, next: Part) -> Part {
+        self.channels.note_heights(&mut self.river_heights);
+        let (march, sources) = self.march_from(rivers_are_final);
+        march.restart(&sources);
+        next
+    }
+
+    /// Moves the front on. Returns whether it has not come to its end.
+    fn march(&mut self, rivers_are_final: bool) -> bool {
+        let (march, sources) = self.march_from(rivers_are_final);
+        march.advance(&sources, ENTRIES_A_STEP)
+    }
+
+    fn march_from(&mut self, rivers_are_final: bool) -> (&mut March, Sources<'_>) {
+        let Self { march, cells, steepness, river_heights, .. } = self;
+        (march, Sources { cells, rises: &steepness.rises, rivers: river_heights, rivers_are_final })
+    }
+
+    fn finished(&self) -> Result<Relief, Refused> {
         let Cells { columns, rows, .. } = self.cells;
-        let height = |cell: usize| {
-            if self.cells.is_land(cell) { self.march.height[cell] } else { depth(self.cells.inland[cell]) }
-        };
-        let inside = (1..rows - 1).flat_map(|row| (1..columns - 1).map(move |column| row * columns + column));
-        Relief { columns: columns - 2, rows: rows - 2, heights: inside.map(height).collect() }
+        let mut heights = Vec::new();
+        reserve(&mut heights, (columns - 2) * (rows - 2))?;
+        for row in 1..rows - 1 {
+            let inside = row * columns + 1..(row + 1) * columns - 1;
+            heights.extend(inside.map(|cell| match self.cells.is_land(cell) {
+                true => self.march.heights[cell],
+                false => depth(self.cells.inland[cell]),
+            }));
+        }
+        work::count(heights.len());
+        Ok(Relief { columns: columns - 2, rows: rows - 2, heights })
     }
 }
 

@@ -1,25 +1,102 @@
 //! How steep hillsides are: little at the coast and beside great rivers, more inland, more here than there.
 
+use glam::Vec2;
+
 use super::CELL_SIZE;
 use super::cells::Cells;
 use super::settings::ReliefSettings;
-use crate::geometry::distance;
+use crate::geometry::{distance, fast_min};
 use crate::land::Land;
+use crate::memory::{Refused, lengthen};
 use crate::network::Network;
-use glam::Vec2;
+use crate::work;
 
-/// By how much each cell rises over a neighbour, in units; anything off land.
-pub(super) fn rises(settings: &ReliefSettings, cells: &Cells, network: &Network) -> Vec<f32> {
-    let ground = Ground::new(settings);
-    let mut rises = vec![CELL_SIZE; cells.inland.len()];
-    for cell in cells.land() {
-        rises[cell] = CELL_SIZE * slope(settings, cells.inland[cell]) * ground.at(cells.point(cell));
+/// Steepness, in the making.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Steepness {
+    /// By how much each cell rises over a neighbour, in units; anything off land.
+    pub rises: Vec<f32>,
+    /// The least distance of each cell from any of some points, as a share of that point's radius; 1 where all are farther.
+    nearness: Vec<f32>,
+}
+
+/// After so much work, in elementary steps, whatever takes long goes on another time.
+const WORK_A_STEP: u64 = 1_000_000;
+
+impl Steepness {
+    /// That of hillsides without rivers and ridges.
+    pub fn of_hillsides(settings: &ReliefSettings, cells: &Cells) -> Result<Self, Refused> {
+        let ground = Ground::new(settings);
+        let mut this = Self::default();
+        lengthen(&mut this.nearness, cells.inland.len(), 1.0)?;
+        lengthen(&mut this.rises, cells.inland.len(), CELL_SIZE)?;
+        work::count(cells.inland.len());
+        for cell in cells.land() {
+            this.rises[cell] = CELL_SIZE * slope(settings, cells.inland[cell]) * ground.at(cells.point(cell));
+        }
+        Ok(this)
     }
-    flatten_valleys(cells, network, &mut rises);
-    if let Some(land) = &settings.land {
-        raise_ridges(cells, land, &mut rises);
+
+    /// Flood plains: beside a river, hills begin some widths away. Goes on from a vertex; returns the next, as long as there
+    /// are more.
+    pub fn flatten_valleys(&mut self, cells: &Cells, network: &Network, from: usize) -> Option<usize> {
+        /// Of the river's width, and how much of the slope there is at the river.
+        const WIDTHS: f32 = 3.0;
+        const LEAST: f32 = 0.12;
+        let begun = work::steps();
+        for (i, vertex) in network.vertices.iter().enumerate().skip(from) {
+            if work::steps() - begun >= WORK_A_STEP {
+                return Some(i);
+            }
+            let radius = vertex.width() * WIDTHS;
+            if radius > 1.5 * CELL_SIZE {
+                self.come_near(cells, vertex.at, radius);
+            }
+        }
+        self.multiply(|share| LEAST + (1.0 - LEAST) * share * share);
+        None
     }
-    rises
+
+    /// Ridges of the recipe stand in steep ground, which makes them divides. Goes on from a piece of them; returns the next, as
+    /// long as there are more.
+    pub fn raise_ridges(&mut self, cells: &Cells, land: &Land, from: usize) -> Option<usize> {
+        const RADIUS: f32 = 14.0;
+        const MOST: f32 = 3.0;
+        let begun = work::steps();
+        for (piece, pair) in land.ridges().iter().flat_map(|line| line.windows(2)).enumerate().skip(from) {
+            if work::steps() - begun >= WORK_A_STEP {
+                return Some(piece);
+            }
+            let count = (distance(pair[0], pair[1]) / CELL_SIZE).ceil().max(1.0);
+            for i in 0..=count as usize {
+                self.come_near(cells, pair[0].lerp(pair[1], i as f32 / count), RADIUS);
+            }
+        }
+        self.multiply(|share| MOST + (1.0 - MOST) * share);
+        None
+    }
+
+    /// Takes over how near a point is to the cells around it.
+    fn come_near(&mut self, cells: &Cells, at: Vec2, radius: f32) {
+        let (first, last) = (cells.of((at - radius).max(Vec2::ZERO)), cells.of((at + radius).max(Vec2::ZERO)));
+        let (left, right) = (first % cells.columns, last % cells.columns);
+        for row in first / cells.columns..=last / cells.columns {
+            work::count(right - left + 1);
+            for column in left..=right {
+                let cell = row * cells.columns + column;
+                let share = distance(cells.point(cell), at) / radius;
+                self.nearness[cell] = fast_min(share, self.nearness[cell]);
+            }
+        }
+    }
+
+    /// Multiplies steepness by a function of nearness, which is 1 of 1. All is far again.
+    fn multiply(&mut self, factor: impl Fn(f32) -> f32) {
+        work::count(self.rises.len());
+        for (rise, share) in self.rises.iter_mut().zip(&mut self.nearness) {
+            *rise *= factor(std::mem::replace(share, 1.0));
+        }
+    }
 }
 
 /// The slope at a distance from the sea, before ground and valleys: it grows from next to nothing to that of mountains.
@@ -43,6 +120,7 @@ impl Ground {
         let (wide, fine) = (settings.noise(0, 200.0, 3), settings.noise(1, 45.0, 2));
         let size = (settings.domain.size / APART).ceil() + 2.0;
         let (columns, rows) = (size.x as usize, size.y as usize);
+        work::count(5 * columns * rows);
         let sample = |i: usize| {
             let at = Vec2::new((i % columns) as f32, (i / columns) as f32) * APART;
             // Fractal noise has a deviation of about a third.
@@ -61,55 +139,5 @@ impl Ground {
         };
         let (north, south) = (mix(row), mix(row + 1));
         north + (south - north) * t.y
-    }
-}
-
-/// Flood plains: beside a river, hills begin some widths away.
-fn flatten_valleys(cells: &Cells, network: &Network, rises: &mut [f32]) {
-    /// Of the river's width, and how much of the slope there is at the river.
-    const WIDTHS: f32 = 3.0;
-    const LEAST: f32 = 0.12;
-    let mut floor = vec![1.0f32; rises.len()];
-    for vertex in &network.vertices {
-        let radius = vertex.width() * WIDTHS;
-        if radius > 1.5 * CELL_SIZE {
-            stamp(cells, vertex.at, radius, |cell, share| {
-                floor[cell] = floor[cell].min(LEAST + (1.0 - LEAST) * share * share);
-            });
-        }
-    }
-    rises.iter_mut().zip(&floor).for_each(|(rise, floor)| *rise *= floor);
-}
-
-/// Ridges of the recipe stand in steep ground, which makes them divides.
-fn raise_ridges(cells: &Cells, land: &Land, rises: &mut [f32]) {
-    const RADIUS: f32 = 14.0;
-    const MOST: f32 = 3.0;
-    let mut factor = vec![1.0f32; rises.len()];
-    for line in land.ridges() {
-        for pair in line.windows(2) {
-            let count = (distance(pair[0], pair[1]) / CELL_SIZE).ceil().max(1.0);
-            for i in 0..=count as usize {
-                stamp(cells, pair[0].lerp(pair[1], i as f32 / count), RADIUS, |cell, share| {
-                    factor[cell] = factor[cell].max(MOST + (1.0 - MOST) * share);
-                });
-            }
-        }
-    }
-    rises.iter_mut().zip(&factor).for_each(|(rise, factor)| *rise *= factor);
-}
-
-/// Visits the cells around a point, each with its distance as a share of the radius.
-fn stamp(cells: &Cells, at: Vec2, radius: f32, mut visit: impl FnMut(usize, f32)) {
-    let (first, last) = (cells.of((at - radius).max(Vec2::ZERO)), cells.of((at + radius).max(Vec2::ZERO)));
-    let (left, right) = (first % cells.columns, last % cells.columns);
-    for row in first / cells.columns..=last / cells.columns {
-        for column in left..=right {
-            let cell = row * cells.columns + column;
-            let share = distance(cells.point(cell), at) / radius;
-            if share < 1.0 {
-                visit(cell, share);
-            }
-        }
     }
 }

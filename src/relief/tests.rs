@@ -1,14 +1,16 @@
 use proptest::prelude::*;
 
 use super::cells::Cells;
-use super::march::March;
+use super::march::{March, Sources};
 use crate::property::cases;
 
 /// Small maps with land, sea and what lies beyond, hillsides of any steepness, and rivers of any height.
 fn maps() -> impl Strategy<Value = (Cells, Vec<f32>, Vec<(usize, f32)>)> {
     (4usize..14, 4usize..14).prop_flat_map(|(columns, rows)| {
         let count = columns * rows;
-        let is_rim = move |i: usize| i % columns == 0 || (i + 1) % columns == 0 || i < columns || i + columns >= count;
+        let is_rim = move |i: usize| {
+            i.is_multiple_of(columns) || (i + 1).is_multiple_of(columns) || i < columns || i + columns >= count
+        };
         let inland = prop::collection::vec(prop_oneof![5 => 0.1f32..50.0, 1 => -9.0f32..=0.0], count);
         let rises = prop::collection::vec(0.01f32..6.0, count);
         let rivers = prop::collection::vec((0..count, 0.0f32..9.0), 0..8);
@@ -22,10 +24,16 @@ fn maps() -> impl Strategy<Value = (Cells, Vec<f32>, Vec<(usize, f32)>)> {
 }
 
 fn marched(cells: &Cells, rises: &[f32], rivers: &[(usize, f32)]) -> Vec<f32> {
-    let mut march = March::new(cells, rises, None).unwrap();
-    rivers.iter().for_each(|&(cell, height)| march.reach(cell, height));
-    while march.advance(cells, rises, None, 3) {}
-    march.height
+    let mut heights = vec![f32::INFINITY; cells.inland.len()];
+    rivers.iter().for_each(|&(cell, river)| heights[cell] = heights[cell].min(river));
+    let sources = Sources { cells, rises, rivers: &heights, rivers_are_final: false };
+    let mut march = March::new(cells.inland.len()).unwrap();
+    // One that has been under way starts again as a fresh one does.
+    for _ in 0..2 {
+        march.restart(&sources);
+        while march.advance(&sources, 3) {}
+    }
+    march.heights
 }
 
 /// The height of a cell by those of four others, as Sethian (1996) has it, written down anew.
@@ -66,7 +74,7 @@ fn relaxed(cells: &Cells, rises: &[f32], rivers: &[(usize, f32)]) -> Vec<f32> {
         let before = height.clone();
         for cell in cells.land() {
             let solved = upwind(cells.beside(cell).map(|beside| height[beside]), rises[cell]);
-            // No wave comes from where nothing is yet.
+            // Nothing comes from where nothing is yet.
             if solved.is_finite() && solved < height[cell] {
                 height[cell] = solved;
             }

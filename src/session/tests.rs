@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use super::*;
+use crate::grow::Ending;
 use crate::memory::testing::with_lists_up_to;
 use crate::picture::Picture;
 use crate::recipe::link;
@@ -234,6 +235,85 @@ fn a_copy_that_there_is_no_memory_for_is_refused() {
     let refused = with_lists_up_to(6_000_000, || session.try_clone()).map(drop).unwrap_err();
     assert_eq!(refused, SessionError::Copy { megabytes: 7 });
     assert_eq!(refused.to_string(), "a copy of the rivers needs about 7 MB, and the allocation failed");
+}
+
+/// Rivers that are finished, in a style that shows their relief.
+fn shaped(text: &str) -> Session {
+    let mut session = planted(text);
+    while session.phase() != Phase::Relief {
+        assert!(session.advance(1).unwrap(), "{text} shows no relief");
+    }
+    session
+}
+
+#[test]
+fn relief_that_there_is_no_memory_for_is_an_error_and_comes_when_there_is() {
+    for land in ["land=rectangle", "land=island"] {
+        let text = format!("{BENDS}&{land}&style=atlas");
+        let expected = finished(&text);
+        // Enough for nothing; for the lists of cells and not for what all takes; for all but the queue.
+        for bytes in [NOTHING, 2_000_000, 3_000_000] {
+            let (mut session, mut refused) = (shaped(&text), 0);
+            while !session.is_finished() {
+                if let Err(failure) = with_lists_up_to(bytes, || session.advance(1)) {
+                    assert!(matches!(failure, SessionError::Relief(_)), "{failure:?}");
+                    assert!(failure.to_string().contains("needs about 17 MB"), "{failure}");
+                    assert_eq!((session.phase(), session.relief()), (Phase::Relief, None));
+                    refused += 1;
+                    session.advance(1).unwrap();
+                }
+            }
+            assert!(refused > 1, "{refused} of {bytes}");
+            assert!(session.relief() == expected.relief(), "{land}, {bytes} bytes");
+        }
+    }
+}
+
+#[test]
+fn each_step_of_a_relief_that_asks_for_memory_can_be_refused_and_made_again() {
+    let text = format!("{BENDS}&land=island&style=atlas");
+    let (expected, mut session) = (finished(&text), shaped(&text));
+    let mut refused = Vec::new();
+    for step in 0.. {
+        let failure = with_lists_up_to(NOTHING, || session.advance(1));
+        refused.extend(failure.is_err().then_some(step));
+        if failure.is_err() && !session.advance(1).unwrap() || session.is_finished() {
+            break;
+        }
+    }
+    // The whole, cells, hillsides, rivers and the front, their paths; the heights that are handed on.
+    assert_eq!(refused.len(), 6, "{refused:?}");
+    assert!(session.relief() == expected.relief());
+}
+
+#[test]
+fn a_copy_of_a_relief_in_the_making_takes_more_memory_and_ends_the_same() {
+    let text = format!("{BENDS}&style=atlas");
+    let mut session = shaped(&text);
+    let copied = |session: &Session| with_lists_up_to(10_000_000, || session.try_clone()).map(drop);
+    assert_eq!(copied(&session), Ok(()));
+    session.advance(9).unwrap();
+    assert_eq!(copied(&session), Err(SessionError::Copy { megabytes: 23 }));
+    let mut copy = session.try_clone().unwrap();
+    finish(&mut copy);
+    finish(&mut session);
+    assert!(session.relief().is_some() && session.relief() == copy.relief());
+    assert_eq!(copied(&session), Ok(()), "what is solved is shared");
+}
+
+#[test]
+fn progress_of_a_relief_never_goes_back() {
+    for land in ["land=rectangle", "land=archipelago"] {
+        let mut session = shaped(&format!("{BENDS}&{land}&style=night"));
+        let mut seen = vec![session.progress()];
+        while session.advance(1).unwrap() {
+            seen.push(session.progress());
+        }
+        assert!(seen.is_sorted() && seen[0] == 0.0 && seen.iter().all(|share| *share <= 1.0), "{seen:?}");
+        // Neither in one leap.
+        assert!(seen.windows(2).all(|pair| pair[1] - pair[0] < 0.5), "{seen:?}");
+        assert_eq!(session.progress(), 1.0);
+    }
 }
 
 #[test]

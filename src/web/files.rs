@@ -1,4 +1,4 @@
-//! What only the page's wasm package has, and a widget does without: files and the digest.
+//! What only the full engine has, and a widget fetches when it is asked for a file: files and the digest.
 
 use js_sys::{Uint8Array, Uint16Array};
 use serde::Serialize;
@@ -30,6 +30,12 @@ impl River {
     pub fn copy(&self) -> Result<Self, JsValue> {
         let session = self.session.try_clone().map_err(|error| session_error(&error))?;
         Ok(Self { session, notices: self.notices.clone(), picture: None, dirty: None })
+    }
+
+    /// Lets `advance` make the relief in every style: files that hold it are then made without a long wait.
+    #[wasm_bindgen(js_name = askForRelief)]
+    pub fn ask_for_relief(&mut self) {
+        self.session.ask_for_relief();
     }
 
     /// The map as it is, as the text of an SVG file. Throws an Error, as long as the tree grows.

@@ -1,5 +1,7 @@
 //! The only place that knows JavaScript. What of it a wasm package has is said by its features.
 
+#[cfg(all(feature = "rivers", feature = "controls"))]
+mod controls;
 #[cfg(all(feature = "rivers", feature = "files"))]
 mod files;
 #[cfg(any(feature = "rivers", feature = "tracing"))]

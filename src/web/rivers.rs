@@ -1,20 +1,15 @@
-//! Recipes, the parameter table and a river.
+//! A river.
 
-use glam::Vec2;
-use js_sys::{Array, Float32Array, Object, Reflect};
+use js_sys::{Array, Object, Reflect};
 use wasm_bindgen::prelude::*;
 
-use super::objects::{coded, object, set};
-use crate::dice;
+use super::objects::{coded, object};
 use crate::grow::Ending;
-use crate::land::Land;
 use crate::paint::{PaintError, Rect};
 use crate::picture::Picture;
 use crate::recipe::link::{self, Notice};
-use crate::recipe::preset::{PRESETS, Preset};
 use crate::recipe::reading::{self, ReadOptions, Reading};
-use crate::recipe::table::TABLE;
-use crate::recipe::{Decimal, GridPoint, Key, Kind, LONGEST_OUTLINE, Outline, Parameter, Stage, Value};
+use crate::recipe::{Key, Stage, Value};
 use crate::session::{Phase, Session, SessionError, Shortfall};
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -23,33 +18,6 @@ const TYPES: &str = r#"
 export type Stage = "land" | "grow" | "prune" | "shape" | "relief" | "paint";
 /** What a river's next step does: a tick of growth; rivers made of the tree, in a few; a round of meandering; a part of the relief; nothing. */
 export type Phase = "growing" | "shaping" | "meandering" | "relief" | "finished";
-/** A row of the parameter table. */
-export interface Parameter {
-  readonly key: string;
-  readonly label: string;
-  readonly help: string;
-  /** The heading it stands under. */
-  readonly group: string;
-  /** The earliest stage that runs again when it changes. */
-  readonly stage: Stage;
-  readonly kind: "text" | "integer" | "number" | "choice" | "sides" | "outline";
-  readonly min?: number;
-  readonly max?: number;
-  readonly step?: number;
-  readonly unit?: string;
-  readonly scale?: "linear" | "log";
-  readonly maxLength?: number;
-  readonly choices?: readonly { readonly value: string; readonly label: string }[];
-  /** As link text. */
-  readonly default: string;
-}
-/** A named set of values; what it leaves out keeps its default. */
-export interface Preset {
-  readonly name: string;
-  readonly label: string;
-  readonly help: string;
-  readonly values: readonly (readonly [key: string, value: string])[];
-}
 /** Something in a link that had to be corrected. */
 export interface Notice {
   readonly key: string;
@@ -61,28 +29,6 @@ export interface ReadOptions {
   readonly widget?: boolean;
   /** On a dark page: if the link names no style, it is the one for dark pages. */
   readonly dark?: boolean;
-}
-/** A link as it was understood. */
-export interface Reading {
-  /** The canonical link of what is drawn: defaults left out. */
-  readonly link: string;
-  /** The canonical link to share: it names a style only where the text that was read did. */
-  readonly sharedLink: string;
-  /** Whether the text names a style. */
-  readonly namesStyle: boolean;
-  /** Every parameter's value as link text. */
-  readonly values: readonly (readonly [key: string, value: string])[];
-  /** The keys that do nothing in this recipe, and why. */
-  readonly idle: readonly (readonly [key: string, reason: string])[];
-  readonly notices: readonly Notice[];
-}
-/** Lines of a drawn land, each as x and y in turn, in fractions of the map's width and height. */
-export interface Lines {
-  /** Closed: the last point is joined to the first. */
-  readonly coasts: readonly Float32Array[];
-  readonly ridges: readonly Float32Array[];
-  /** Each from its mouth; of one point if nothing more of it is drawn. */
-  readonly rivers: readonly Float32Array[];
 }
 /** What a picture shows, in numbers. */
 export interface Summary {
@@ -108,97 +54,17 @@ export interface Summary {
 }
 "#;
 
-/// The parameter table.
-#[wasm_bindgen(unchecked_return_type = "Parameter[]")]
-pub fn parameters() -> Array {
-    TABLE.iter().map(row).collect()
-}
-
-/// All presets.
-#[wasm_bindgen(unchecked_return_type = "Preset[]")]
-pub fn presets() -> Array {
-    let values = |preset: &Preset| -> Array {
-        let canonical = |(key, text): &(Key, &str)| pair(key.parameter().name, &canonical(key.parameter(), text));
-        preset.values.iter().map(canonical).collect()
-    };
-    let view = |preset: &Preset| {
-        object(&[
-            ("name", preset.name.into()),
-            ("label", preset.label.into()),
-            ("help", preset.help.into()),
-            ("values", values(preset).into()),
-        ])
-    };
-    PRESETS.iter().map(view).collect()
-}
-
-/// Reads a link leniently. Total: never throws, whatever the text.
-#[wasm_bindgen(js_name = readLink, unchecked_return_type = "Reading")]
-pub fn read_link(
-    text: &str,
-    #[wasm_bindgen(unchecked_optional_param_type = "ReadOptions")] options: &JsValue,
-) -> Object {
-    let reading = reading::read(text, read_options(options));
-    let Reading { recipe, .. } = &reading;
-    let value = |parameter: &Parameter| pair(parameter.name, &parameter.text_of(recipe.value(parameter.key)));
-    let land = Land::kind_of(recipe);
-    let idle = |row: &Parameter| recipe.inactive_reason(row.key, land).map(|reason| pair(row.name, reason));
-    object(&[
-        ("link", link::write(recipe).into()),
-        ("sharedLink", reading.shared_link().into()),
-        ("namesStyle", reading.names_style.into()),
-        ("values", TABLE.iter().map(value).collect::<Array>().into()),
-        ("idle", TABLE.iter().filter_map(idle).collect::<Array>().into()),
-        ("notices", list(&reading.notices).into()),
-    ])
-}
-
 /// What a page says of where rivers are to be seen; what it leaves out is not so.
-fn read_options(given: &JsValue) -> ReadOptions {
+pub(super) fn read_options(given: &JsValue) -> ReadOptions {
     let is = |name: &str| Reflect::get(given, &JsValue::from_str(name)).is_ok_and(|value| value.is_truthy());
     ReadOptions { widget: is("widget"), dark: is("dark") }
 }
 
-fn list(notices: &[Notice]) -> Array {
+pub(super) fn list(notices: &[Notice]) -> Array {
     let notice = |Notice { key, message }: &Notice| {
         object(&[("key", key.as_str().into()), ("message", message.as_str().into())])
     };
     notices.iter().map(notice).collect()
-}
-
-/// A new seed, a word that can be said aloud.
-#[wasm_bindgen(js_name = freshSeed)]
-pub fn fresh_seed() -> Result<String, JsValue> {
-    getrandom::u64().map(dice::word).map_err(|error| coded("no-randomness", &error.to_string()))
-}
-
-/// The outline of lines with any number of points, simplified until it fits a link. Throws an Error if that is no land.
-#[wasm_bindgen(js_name = outlineOf)]
-pub fn outline_of(
-    coasts: Vec<Float32Array>,
-    ridges: Vec<Float32Array>,
-    rivers: Vec<Float32Array>,
-) -> Result<String, JsValue> {
-    let [coasts, ridges, rivers] = [coasts, ridges, rivers].map(|lines| lines.iter().map(points).collect());
-    let outline = Outline::from_polylines(coasts, ridges, rivers);
-    outline.map(|outline| outline.to_string()).map_err(|error| coded("no-land", &error.to_string()))
-}
-
-/// The lines of an outline. Throws an Error if the text is none.
-#[wasm_bindgen(js_name = outlineLines, unchecked_return_type = "Lines")]
-pub fn outline_lines(text: &str) -> Result<Object, JsValue> {
-    let outline = Outline::parse(text).map_err(|error| coded("bad-params", &error.to_string()))?;
-    let flat = |line: &Vec<GridPoint>| -> Vec<f32> { line.iter().flat_map(|at| at.fraction().to_array()).collect() };
-    let lines =
-        |lines: &[Vec<GridPoint>]| lines.iter().map(|line| Float32Array::from(&flat(line)[..])).collect::<Array>();
-    let lines = [("coasts", outline.coasts()), ("ridges", outline.ridges()), ("rivers", outline.rivers())]
-        .map(|(kind, of_kind)| (kind, lines(of_kind).into()));
-    Ok(object(&lines))
-}
-
-/// The points of a line given as x and y in turn; half a point at the end is left out.
-fn points(line: &Float32Array) -> Vec<Vec2> {
-    line.to_vec().chunks_exact(2).map(Vec2::from_slice).collect()
 }
 
 /// A river: a recipe, its tree as far as it has grown, and its picture, if it has been given a size.
@@ -267,8 +133,8 @@ impl River {
     }
 
     /// Advances by this number of steps at most: ticks of growth, then a few that make rivers of the tree, then rounds of
-    /// meandering. Returns whether there is more to do. Throws an Error with the code `no-memory` if there is not
-    /// enough: what is there then is no picture of the recipe.
+    /// meandering, then the relief part by part, if the style shows one. Returns whether there is more to do. Throws an Error with
+    /// the code `no-memory` if there is not enough for one of these: what is there then is no picture of the recipe.
     pub fn advance(&mut self, steps: u32) -> Result<bool, JsValue> {
         self.session.advance(steps).map_err(|error| coded("no-memory", &error.to_string()))
     }
@@ -391,64 +257,4 @@ pub(super) fn paint_error(error: &PaintError) -> JsValue {
         PaintError::Size { .. } | PaintError::OutOfMemory { .. } => "too-large",
     };
     coded(code, &error.to_string())
-}
-
-fn pair(name: &str, text: &str) -> Array {
-    [name, text].into_iter().map(JsValue::from_str).collect()
-}
-
-/// A value in the one spelling that links are written in.
-fn canonical(parameter: &Parameter, text: &str) -> String {
-    parameter.parse(text).map_or_else(|_| text.into(), |value| parameter.text_of(&value))
-}
-
-/// A row of the parameter table.
-fn row(parameter: &Parameter) -> Object {
-    let row = object(&[
-        ("key", parameter.name.into()),
-        ("label", parameter.label.into()),
-        ("help", parameter.help.into()),
-        ("kind", kind_name(parameter.kind).into()),
-        ("group", parameter.group.into()),
-        ("stage", parameter.stage.name().into()),
-        ("unit", parameter.unit.into()),
-        ("scale", if parameter.logarithmic { "log" } else { "linear" }.into()),
-        ("default", parameter.text_of(&parameter.default_value()).into()),
-    ]);
-    describe(parameter.kind, &row);
-    row
-}
-
-fn kind_name(kind: Kind) -> &'static str {
-    match kind {
-        Kind::Text { .. } => "text",
-        Kind::Integer { .. } => "integer",
-        Kind::Number { .. } => "number",
-        Kind::Outline => "outline",
-        Kind::Choice { .. } => "choice",
-        Kind::Sides { .. } => "sides",
-    }
-}
-
-/// Says in a row what values its parameter takes.
-fn describe(kind: Kind, row: &Object) {
-    let range =
-        |[min, max, step]: [f64; 3]| set(row, &[("min", min.into()), ("max", max.into()), ("step", step.into())]);
-    match kind {
-        Kind::Text { longest, .. } => set(row, &[("maxLength", longest.into())]),
-        Kind::Integer { min, max, .. } => range([min.into(), max.into(), 1.0]),
-        Kind::Number { min, max, step, .. } => range([min, max, step].map(Decimal::to_f64)),
-        Kind::Outline => set(row, &[("maxLength", LONGEST_OUTLINE.into())]),
-        Kind::Choice { choices } => {
-            set(row, &[("choices", choices_of(choices.iter().map(|word| (word.name, word.label))).into())])
-        }
-        Kind::Sides { .. } => {
-            let sides = [("n", "North"), ("e", "East"), ("s", "South"), ("w", "West")];
-            set(row, &[("choices", choices_of(sides.into_iter()).into())]);
-        }
-    }
-}
-
-fn choices_of(choices: impl Iterator<Item = (&'static str, &'static str)>) -> Array {
-    choices.map(|(value, label)| object(&[("value", value.into()), ("label", label.into())])).collect()
 }

@@ -73,5 +73,5 @@ eventually() {
   wait $second
   called 3 "wasm-pack"
   grep -q "with 'rivers'" "$checkout/www/pkg/riverseed_bg.wasm"
-  grep -q "with 'rivers,files'" "$checkout/www/pkg-full/riverseed_full_bg.wasm"
+  grep -q "with 'rivers,files,controls'" "$checkout/www/pkg-full/riverseed_full_bg.wasm"
 }

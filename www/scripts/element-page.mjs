@@ -5,12 +5,12 @@
 
 import { readFileSync, writeFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
-import * as engine from "../pkg/riverseed.js";
+import * as engine from "../pkg-full/riverseed_full.js";
 import { elementOf } from "./manifest.mjs";
 
 const PAGE = new URL("../../docs/element.md", import.meta.url);
 const OWN = new URL("../package/element.json", import.meta.url);
-const WASM = new URL("../pkg/riverseed_bg.wasm", import.meta.url);
+const WASM = new URL("../pkg-full/riverseed_full_bg.wasm", import.meta.url);
 
 /** The page with its tables, each of which stands between `<!-- table: attributes -->`, or another name, and `<!-- end -->`. */
 export function withTables(text, parameters) {

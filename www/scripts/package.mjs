@@ -13,7 +13,7 @@ import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { gzipSync } from "node:zlib";
 import { parse } from "smol-toml";
-import * as engine from "../pkg/riverseed.js";
+import * as engine from "../pkg-full/riverseed_full.js";
 import { manifest, markupTypes } from "./manifest.mjs";
 import { reachable } from "./reachable.mjs";
 
@@ -21,7 +21,7 @@ process.chdir(join(dirname(fileURLToPath(import.meta.url)), ".."));
 const TARBALLS = "../target/package";
 const STAGE = "../target/npm";
 
-engine.initSync({ module: readFileSync("pkg/riverseed_bg.wasm") });
+engine.initSync({ module: readFileSync("pkg-full/riverseed_full_bg.wasm") });
 const table = engine.parameters();
 const own = readJson("package/element.json");
 

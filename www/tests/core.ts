@@ -1,11 +1,7 @@
 /** The real core in Node, to say what the page should show. */
 
 import { createHash } from "node:crypto";
-import { readFileSync } from "node:fs";
-import * as engine from "../pkg/riverseed.js";
-
-const wasm = new URL("../pkg/riverseed_bg.wasm", import.meta.url);
-const { memory } = engine.initSync({ module: readFileSync(wasm) });
+import { full as engine, memory } from "./full.ts";
 
 export { engine, memory };
 

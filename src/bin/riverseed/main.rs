@@ -283,7 +283,12 @@ fn write_picture(output: Output, order: Order, form: Form, size: u32) -> Result<
     let height = View::height_for(&domain, size);
     let (width, height) = if height <= size { (size, height) } else { (View::width_for(&domain, size), size) };
     let mut picture = Picture::new(width, height)?;
-    let session = grow(order, &progress)?;
+    let mut session = grow(order, &progress)?;
+    if form == Form::Pack {
+        // Once, for all files of the pack.
+        session.ask_for_relief();
+        session.finish()?;
+    }
     progress.set_message("painting");
     picture.paint(&session);
     progress.set_message("writing");

@@ -38,7 +38,7 @@ map's edge, the land continues beyond that edge.
 A river is drawn from its mouth, which may be all that is drawn of it. The mouth comes to lie on the nearest coast, or where the line comes
 ashore; without any coast, on the nearest edge of the map. Where rivers are drawn, there are no other mouths: `mouths`, `mouth-spacing`,
 `shores` and `sides` have no effect, and land without a mouth stays dry. A course is followed as far as neither water nor a ridge is in its
-way, and all courses together over 10,000 units. It is there before anything grows, and the rest of the tree grows from it. For example,
+way, and all courses together over 8,000 units. It is there before anything grows, and the rest of the tree grows from it. For example,
 `land=drawn&outline=...AAgAMzczTMmZgAgAmZTM...zM-t` draws no coast, a river that flows west, and a mouth in the south.
 
 `riverseed outline` makes an outline from a PNG. White is land; black and transparent are water; a third colour, or a mid grey, is a

@@ -88,6 +88,9 @@ fn draw_lakes(out: &mut Text, network: &Network) {
         let banks = Banks::of_lake(oxbow, VISIBLE);
         if !banks.left.is_empty() {
             out.text("<path id=\"oxbow-").whole(id).text("\" data-river=\"").whole(oxbow.river);
+            if oxbow.silt > 0.0 {
+                out.text("\" fill-opacity=\"").units(1.0 - oxbow.silt);
+            }
             outline(out, &banks, CourseShape::Smooth);
         }
     }

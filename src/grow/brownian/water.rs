@@ -45,8 +45,8 @@ impl Step {
     }
 }
 
-/// A particle's walk ends after this many moves, whether it has met water or not. Where water lies k steps away it takes about 150 k² of them to
-/// get there; passes leave no land that is two steps from all water, unless no particle can get there at all.
+/// A particle's walk ends after this many moves, whether it has met water or not. Where water lies k steps away it takes about 150 k² of
+/// them to get there; passes leave no land that is two steps from all water, unless no particle can get there at all.
 const MOST_MOVES: usize = 4096;
 
 /// The raster as it stands, with the search for water and for ridges.

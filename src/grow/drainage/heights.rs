@@ -6,7 +6,7 @@ use glam::Vec2;
 use super::directions::NONE;
 use super::parcels::{DEVIATION, Parcels};
 use crate::grow::GrowthSettings;
-use crate::grow::scatter::Watered;
+use crate::grow::watered::Watered;
 use crate::random::Purpose;
 use crate::sort;
 use crate::work;
@@ -43,7 +43,8 @@ pub(in crate::grow) fn attractors_by_height(settings: &GrowthSettings) -> Vec<Ve
     by_height.filter(|&at| watered.as_ref().is_none_or(|watered| watered.holds(at))).collect()
 }
 
-/// Ground so uneven, that rises with the distance from outlets, and toward borders: from 0, not near, to 1, at one.
+/// The heights of all parcels. Noise and chance make the ground as uneven as asked for, from 0 to 1; it rises with the distance from the
+/// outlets, counted in parcels, and toward borders, of which `border` says how near each is, from 0, far away, to 1.
 fn ground(settings: &GrowthSettings, parcels: &Parcels, unevenness: f32, distance: &[u32], border: &[f32]) -> Vec<f32> {
     let settings = &settings.drainage;
     let noise = settings.noise(3, settings.valley_spacing, OCTAVES, GAIN);
@@ -63,8 +64,8 @@ fn from_outlets(parcels: &Parcels) -> Vec<u32> {
     distances(parcels, parcels.outlets.iter().map(|outlet| outlet.parcel).collect())
 }
 
-/// How near each parcel lies to where land ends, at a coast, a ridge or the border of the domain, so that rivers do not run along it. Around
-/// outlets nothing is near, since rivers are to come in from there.
+/// How near each parcel lies to the rim of the land, which is a coast, a ridge or the border of the domain: from 0, far away, to 1. Ground
+/// that rises toward the rim keeps rivers from running along it. Around outlets it does not rise, since rivers have to reach the sea there.
 fn nearness_to_rim(parcels: &Parcels, from_outlets: &[u32]) -> Vec<f32> {
     const PARCELS: f32 = 6.0;
     let is_rim = |&parcel: &u32| parcels.neighbours[parcel as usize].contains(&NONE);
@@ -76,7 +77,7 @@ fn nearness_to_rim(parcels: &Parcels, from_outlets: &[u32]) -> Vec<f32> {
     from_rim.into_iter().zip(from_outlets).map(nearness).collect()
 }
 
-/// How many parcels away the nearest of some is; 0 where none of them can be reached: such land is as high as any.
+/// How many steps from parcel to parcel lie between each parcel and the nearest of those that are given; 0 where no way leads to any.
 fn distances(parcels: &Parcels, mut reached: Vec<u32>) -> Vec<u32> {
     let mut distance = vec![u32::MAX; parcels.len()];
     reached.iter().for_each(|&parcel| distance[parcel as usize] = 0);

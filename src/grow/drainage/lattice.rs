@@ -5,15 +5,15 @@
 //! triangle is turned over; the bends are a flow along contours, which folds nothing. Still, a triangle may be turned over where it is
 //! thin and the plane is bent most.
 //!
-//! No two edges cross: what lies upon a triangle that is turned over is no edge ([`Lattice::is_edge`]). For a point away from the border is
-//! covered by one triangle more that is the right way up than are turned over, so two edges can only cross on one of the latter.
+//! No two edges cross: what lies upon a triangle that is turned over is no edge ([`Lattice::is_edge`]). Every point away from the border is
+//! covered by one more triangle that is the right way up than by ones that are turned over, so two edges can only cross on one of these.
 
 use fastnoise_lite::FastNoiseLite;
 use glam::Vec2;
 
+use super::folds::{Folds, Triangle, is_turned_over};
 use super::settings::DrainageSettings;
 use crate::domain::Domain;
-use crate::geometry::{doubled_area, is_in_triangle, meet};
 use crate::random::{ItemHash, Purpose};
 use crate::work;
 
@@ -60,56 +60,51 @@ impl Lattice {
         let middle = (across as i32, down as i32);
         work::count(columns * rows);
         let cells = (0..rows as i32).flat_map(|row| (0..columns as i32).map(move |column| (column, row)));
-        let mut farthest = 0.0f32;
         let at = cells
             .map(|(column, row)| {
                 let (i, j) = (column - middle.0, row - middle.1);
                 let aside = if (j & 1) == 0 { 0.0 } else { 0.5 };
                 let corner = Vec2::new(i as f32 + aside, j as f32 * HEIGHT) * side;
-                let at = bends.bend(corner + jitter(chance, i, j) * side);
-                farthest = farthest.max(at.distance_squared(corner));
-                half + at
+                half + bends.bend(corner + jitter(chance, i, j) * side)
             })
             .collect();
-        let mut this = Self { at, columns, rows, middle, broken: vec![0; columns * rows] };
-        this.break_edges((2.0 * farthest.sqrt() / (side * HEIGHT)) as usize + 2);
-        this
+        Self { at, columns, rows, middle, broken: vec![0; columns * rows] }
     }
 
-    /// Finds the triangles that are turned over, and breaks all edges upon them: none is more cells away than this.
-    fn break_edges(&mut self, reach: usize) {
-        for cell in 0..self.at.len() {
-            if !self.is_inner(cell) {
-                continue;
+    /// Finds out which edges of some inner cells lie upon a triangle that is turned over. Until then, none does.
+    pub fn break_edges(&mut self, cells: &[usize]) {
+        let turned_over: Vec<Triangle> = self.triangles().filter(is_turned_over).collect();
+        work::count(self.at.len());
+        if turned_over.is_empty() {
+            return;
+        }
+        let folds = Folds::new(&turned_over, &self.at);
+        let mut is_known = vec![false; self.at.len()];
+        for &cell in cells {
+            // Half of a cell's edges are ways on from its neighbours.
+            for from in self.neighbours(cell).into_iter().chain([cell]) {
+                if self.is_inner(from) && !std::mem::replace(&mut is_known[from], true) {
+                    self.broken[from] = self.broken_ways(from, &folds);
+                }
             }
+        }
+    }
+
+    /// The ways on from an inner cell that lie upon a fold, bit by bit.
+    fn broken_ways(&self, cell: usize, folds: &Folds) -> u8 {
+        let to = self.neighbours(cell);
+        let is_broken = |way: &usize| folds.lie_under(self.at[cell], self.at[to[*way]]);
+        (0..WAYS).filter(is_broken).fold(0, |broken, way| broken | 1 << way)
+    }
+
+    /// The two triangles of each inner cell to the south of it: all that there are, but for the border.
+    pub fn triangles(&self) -> impl Iterator<Item = Triangle> {
+        let inner = (0..self.at.len()).filter(|&cell| self.is_inner(cell));
+        inner.flat_map(|cell| {
             let around = self.neighbours(cell);
-            for corners in [[cell, around[0], around[1]], [cell, around[1], around[2]]] {
-                let [a, b, c] = corners.map(|cell| self.at[cell]);
-                if !is_clockwise(a, b, c) {
-                    self.break_upon([a, b, c], cell, reach);
-                }
-            }
-        }
-    }
-
-    fn break_upon(&mut self, triangle: [Vec2; 3], cell: usize, reach: usize) {
-        let (column, row) = (cell % self.columns, cell / self.columns);
-        let (least, most) =
-            (triangle[0].min(triangle[1]).min(triangle[2]), triangle[0].max(triangle[1]).max(triangle[2]));
-        for row in row.saturating_sub(reach).max(1)..(row + reach + 1).min(self.rows - 1) {
-            for column in column.saturating_sub(reach).max(1)..(column + reach + 1).min(self.columns - 1) {
-                let from = row * self.columns + column;
-                let around = self.neighbours(from);
-                for (way, &to) in around[..WAYS].iter().enumerate() {
-                    let (a, b) = (self.at[from], self.at[to]);
-                    let is_beside = a.max(b).cmplt(least).any() || a.min(b).cmpgt(most).any();
-                    if !is_beside && is_upon((a, b), triangle) {
-                        self.broken[from] |= 1 << way;
-                    }
-                }
-            }
-        }
-        work::count(WAYS * (2 * reach + 1) * (2 * reach + 1));
+            [[cell, around[0], around[1]], [cell, around[1], around[2]]]
+                .map(|corners| corners.map(|cell| self.at[cell]))
+        })
     }
 
     /// The numbers of a cell that tell it from all others, whatever the domain.
@@ -146,21 +141,6 @@ impl Lattice {
         let (from, way) = if way < WAYS { (cell, way) } else { (self.neighbours(cell)[way], way - WAYS) };
         self.broken[from] >> way & 1 == 0
     }
-}
-
-/// Whether an edge lies upon a triangle; one that only ends at a corner of it does not.
-#[inline(never)] // inlined it would weigh a kilobyte
-fn is_upon((a, b): (Vec2, Vec2), [c, d, e]: [Vec2; 3]) -> bool {
-    let is_corner = |end: Vec2| end == c || end == d || end == e;
-    let reaches_in = |end: Vec2| !is_corner(end) && is_in_triangle(end, c, d, e);
-    let is_side = is_corner(a) && is_corner(b);
-    let mut others = [(c, d), (d, e), (e, c)].into_iter().filter(|&(c, d)| a != c && a != d && b != c && b != d);
-    is_side || reaches_in(a) || reaches_in(b) || others.any(|side| meet((a, b), side))
-}
-
-/// Whether three points run clockwise, with y down.
-fn is_clockwise(a: Vec2, b: Vec2, c: Vec2) -> bool {
-    doubled_area(a, b, c) > 0.0
 }
 
 /// How many columns and rows lie on each side of the middle.

@@ -7,7 +7,9 @@
 //!
 //! Where it starts decides the large shape: from equal areas a calm network comes, from the areas of an invasion a wild one.
 
+mod captures;
 mod directions;
+mod folds;
 mod heights;
 mod invasion;
 mod lattice;
@@ -16,21 +18,23 @@ mod parcels;
 mod round;
 mod settings;
 
+pub use captures::Capture;
 pub(super) use heights::attractors_by_height;
 pub use settings::DrainageSettings;
 
 use std::sync::Arc;
 
-use super::{Ending, GrowError, GrowthSettings};
+use super::{Ending, GrowError, GrowthSettings, front};
 use crate::memory::{Refused, can_allocate};
 use crate::tree::{LEAST_SLOPE, NO_PARENT, Tree};
+use captures::Captures;
 use directions::{FlowDirections, NONE};
 use invasion::Invasion;
 use lattice::Lattice;
 use parcels::Parcels;
 use round::Round;
 
-/// What drainage takes for each cell of its lattice: by count 100, and room for lists that grow.
+/// What drainage takes for each cell of its lattice: by count 104, and room for lists that grow.
 const BYTES_A_CELL: usize = 140;
 
 /// The number of parcels that a tick deals with at most when it shows nothing: some milliseconds of work.
@@ -49,6 +53,7 @@ pub struct Drainage {
     node: Vec<u32>,
     /// How many rounds are over.
     rounds: u32,
+    captures: Captures,
     mouths: u32,
     /// How many parcels the largest river drains, once growth has ended.
     largest_basin: Option<u32>,
@@ -81,7 +86,19 @@ impl Drainage {
         };
         let node = vec![NONE; parcels.len()];
         let tree = Tree { tick_starts: vec![0], ..Tree::default() };
-        Ok(Self { settings, parcels, area, stage, tree, node, rounds: 0, mouths: 0, largest_basin: None, ending: None })
+        Ok(Self {
+            settings,
+            parcels,
+            area,
+            stage,
+            tree,
+            node,
+            rounds: 0,
+            captures: Captures::default(),
+            mouths: 0,
+            largest_basin: None,
+            ending: None,
+        })
     }
 
     /// Grows by one tick. Returns whether there is more to grow.
@@ -133,22 +150,24 @@ impl Drainage {
     /// All parcels have found their way: the next round knows how much water there is.
     fn end_round(&mut self) -> Result<(), Refused> {
         let Stage::Round(round) = std::mem::replace(&mut self.stage, Stage::Over) else { return Ok(()) };
-        let areas = round.directions().areas();
+        let directions = round.into_directions();
+        let areas = directions.areas();
         if self.rounds > 0 {
-            self.regrow(round.directions());
+            self.regrow(&directions);
         }
         self.rounds += 1;
         for (area, new) in self.area.iter_mut().zip(&areas) {
             // Without the mean the network would swing to and fro.
             *area = (*area * (*new).max(1) as f32).sqrt();
         }
-        if self.rounds <= self.settings.drainage.captures {
-            return self.begin_round();
+        let is_last = self.rounds > self.settings.drainage.captures;
+        if is_last {
+            self.raise(&directions, &areas);
+            self.largest_basin = areas.iter().copied().max();
+            self.ending = Some(Ending::Complete);
         }
-        self.raise(round.directions(), &areas);
-        self.largest_basin = areas.iter().copied().max();
-        self.ending = Some(Ending::Complete);
-        Ok(())
+        self.captures.note(self.rounds - 1, directions)?;
+        if is_last { Ok(()) } else { self.begin_round() }
     }
 
     /// Adds a node for each parcel that was settled since the last tick.
@@ -208,6 +227,11 @@ impl Drainage {
         self.rounds.saturating_sub(1)
     }
 
+    /// The parcels that drained another way after a round than before it, round by round.
+    pub fn captures(&self) -> &[Capture] {
+        &self.captures.list
+    }
+
     /// How many parcels there are.
     pub fn parcels(&self) -> u32 {
         self.parcels.len() as u32
@@ -242,11 +266,6 @@ impl Drainage {
 /// Whether there is memory for the parcels of some settings.
 pub(super) fn can_lay_out(settings: &GrowthSettings) -> bool {
     can_allocate(Lattice::count(&settings.domain, &settings.drainage).saturating_mul(BYTES_A_CELL))
-}
-
-/// How many parcels the front gains in a tick: about as many as lie along one side of the map.
-pub(super) fn front(parcels: usize) -> usize {
-    ((parcels as f32).sqrt() as usize).max(8)
 }
 
 /// The slope, beside that of the ground, where a river drains one parcel: a river that drains everything falls as gently as one of any

@@ -8,8 +8,9 @@ use glam::Vec2;
 
 use super::directions::NONE;
 use super::lattice::Lattice;
-use crate::grow::GrowthSettings;
+use crate::geometry::distance;
 use crate::grow::mouths::{mouths, on_chosen_sides};
+use crate::grow::{GrowthSettings, Mouth};
 use crate::land::{Land, Region};
 use crate::recipe::Sides;
 use crate::sort;
@@ -41,17 +42,18 @@ pub(super) fn find(
     if settings.mouths > 0 { nearest_to_mouths(settings, &all) } else { thin_out(settings, all) }
 }
 
-/// For each mouth that is asked for, the outlet nearest to it on the same land.
+/// For each mouth that is asked for, the outlet nearest to it on the same land, of those that are left.
 fn nearest_to_mouths(settings: &GrowthSettings, all: &[Outlet]) -> Vec<Outlet> {
-    let mut chosen: Vec<Outlet> = Vec::new();
-    for mouth in mouths(settings) {
-        let is_free = |outlet: &&Outlet| chosen.iter().all(|other| other.parcel != outlet.parcel);
-        let is_near = |outlet: &&Outlet| settings.is_same_region(mouth.at, outlet.at);
-        let free = all.iter().filter(is_near).filter(is_free);
-        let far = |outlet: &Outlet| outlet.at.distance_squared(mouth.at);
-        chosen.extend(free.copied().reduce(|a, b| if far(&b) < far(&a) { b } else { a }));
-    }
-    chosen
+    let mut is_left = vec![true; all.len()];
+    let nearest = |mouth: Mouth| {
+        work::count(all.len());
+        let is_near = |&i: &usize| is_left[i] && settings.is_same_region(mouth.at, all[i].at);
+        let far = |i: usize| all[i].at.distance_squared(mouth.at);
+        let nearest = (0..all.len()).filter(is_near).reduce(|a, b| if far(b) < far(a) { b } else { a })?;
+        is_left[nearest] = false;
+        Some(all[nearest])
+    };
+    mouths(settings).into_iter().filter_map(nearest).collect()
 }
 
 /// Outlets on the chosen shores, each at least so far from all others, those in bays first.
@@ -73,7 +75,7 @@ fn keep_apart(land: &Land, outlets: Vec<Outlet>, apart: f32) -> Vec<Outlet> {
     let bays_first = sort::argsort(outlets.iter().map(|outlet| !sort::key(land.shelter(outlet.at))));
     for outlet in bays_first.into_iter().map(|i| outlets[i]) {
         work::count(kept.len());
-        if kept.iter().all(|other| other.at.distance(outlet.at) > apart) {
+        if kept.iter().all(|other| distance(other.at, outlet.at) > apart) {
             kept.push(outlet);
         }
     }

@@ -6,8 +6,10 @@ use super::directions::NONE;
 use super::lattice::{Lattice, WAYS};
 use super::outlets::{self, Outlet};
 use super::settings::DrainageSettings;
+use crate::geometry::distance;
 use crate::grow::GrowthSettings;
-use crate::land::{Cell, CoastDistance, Land};
+use crate::grow::watered::Watered;
+use crate::land::{Cell, CoastDistance};
 use crate::random::Purpose;
 use crate::work;
 
@@ -18,14 +20,16 @@ pub(super) struct Parcels {
     pub at: Vec<Vec2>,
     /// The neighbours that water may come from or go to, by the six ways of the lattice; [`NONE`] where it may not.
     pub neighbours: Vec<[u32; 6]>,
-    /// What it costs to cross from each to its neighbour by the first three ways: length times how hard the ground is.
+    /// What it costs to cross from each to its neighbour by the first three ways: length times how hard the ground is. Empty where no water
+    /// is to find its way.
     costs: Vec<[f32; WAYS]>,
     /// The numbers of each one's cell, which belong to the plane and not to this land.
     pub identity: Vec<[u32; 2]>,
     /// How near each lies to a border of the domain where land runs on, from 0, not near, to 1, at it. The ground rises toward such
-    /// borders, so that divides lie along them, and not rivers.
+    /// borders, so that divides lie along them, and not rivers. Empty like the costs.
     pub border: Vec<f32>,
-    /// The share of a step's cost that is left there: 1, but little along the rivers that are drawn, so that water keeps to them.
+    /// The share of a step's cost that is left there: 1, but little along the rivers that are drawn, so that water keeps to them. Empty
+    /// like the costs.
     pub toll: Vec<f32>,
     /// Where water leaves the land.
     pub outlets: Vec<Outlet>,
@@ -37,14 +41,16 @@ impl Parcels {
     /// Lays out the parcels of a land.
     pub fn new(settings: &GrowthSettings) -> Self {
         let mut this = Self::without_costs(settings);
+        this.border = this.at.iter().map(|&at| nearness_to_border(settings, at)).collect();
+        this.toll = tolls(settings, &this.at);
         this.weigh(&settings.drainage);
         this
     }
 
-    /// The same where no water is to find its way: what it costs to cross from one to another is left at 0.
+    /// The same where no water is to find its way: without costs, and what they are made of.
     pub fn without_costs(settings: &GrowthSettings) -> Self {
-        let lattice = Lattice::new(&settings.domain, &settings.drainage);
-        let cells: Vec<usize> = (0..lattice.at.len()).filter(|&cell| is_land(settings, &lattice, cell)).collect();
+        let mut lattice = Lattice::new(&settings.domain, &settings.drainage);
+        let cells = land_cells(settings, &mut lattice);
         let mut number = vec![NONE; lattice.at.len()];
         for (i, &cell) in (0..).zip(&cells) {
             number[cell] = i;
@@ -52,10 +58,7 @@ impl Parcels {
         let mut this = Self {
             at: cells.iter().map(|&cell| lattice.at[cell]).collect(),
             identity: cells.iter().map(|&cell| lattice.identity(cell)).collect(),
-            border: cells.iter().map(|&cell| nearness_to_border(settings, lattice.at[cell])).collect(),
-            toll: cells.iter().map(tolls(settings, &lattice)).collect(),
             neighbours: vec![[NONE; 6]; cells.len()],
-            costs: vec![[0.0; WAYS]; cells.len()],
             ..Self::default()
         };
         this.join_neighbours(settings, &lattice, &cells, &number);
@@ -84,7 +87,7 @@ impl Parcels {
     /// What it costs to leave the land from the parcel of an outlet.
     pub fn cost_out(&self, parcel: usize) -> f32 {
         let outlet = self.outlets.get(self.outlet_of[parcel] as usize);
-        outlet.map_or(f32::INFINITY, |outlet| self.at[parcel].distance(outlet.at))
+        outlet.map_or(f32::INFINITY, |outlet| distance(self.at[parcel], outlet.at))
     }
 
     /// What it costs to cross from a parcel to a neighbour.
@@ -119,6 +122,7 @@ impl Parcels {
         };
         let hardness: Vec<f32> = self.at.iter().zip(&self.border).map(ground).collect();
         let chance = settings.seed.item_hash(Purpose::Ground);
+        self.costs = vec![[0.0; WAYS]; self.len()];
         for parcel in 0..self.len() {
             for way in 0..WAYS {
                 let there = self.neighbours[parcel][way] as usize;
@@ -127,7 +131,7 @@ impl Parcels {
                     let own = CHANCE * normal(chance.bits([i, j, 2 + way as u32]));
                     let ground = 0.5 * (hardness[parcel] + hardness[there]);
                     let toll = self.toll[parcel].max(self.toll[there]);
-                    self.costs[parcel][way] = self.at[parcel].distance(*to) * libm::expf(own + ground) * toll;
+                    self.costs[parcel][way] = distance(self.at[parcel], *to) * libm::expf(own + ground) * toll;
                 }
             }
         }
@@ -144,26 +148,29 @@ const BORDER: f32 = 1.5;
 /// mouths are drawn.
 fn nearness_to_border(settings: &GrowthSettings, at: Vec2) -> f32 {
     const SPACINGS: f32 = 8.0;
-    let far = settings.domain.size - at;
     let is_closed = |side| settings.land.is_some() || !settings.starts.is_empty() || !settings.sides.contains(side);
-    let sides = [('n', at.y), ('e', far.x), ('s', far.y), ('w', at.x)].into_iter();
+    let sides = settings.domain.sides(at).into_iter();
     let nearest = sides.filter(|&(side, _)| is_closed(side)).map(|(_, far)| far).fold(f32::INFINITY, f32::min);
     let share = (1.0 - nearest / (SPACINGS * settings.drainage.spacing)).max(0.0);
     share * share
 }
 
-/// The tolls of cells. They rise so steeply beside a drawn river that the cheapest way follows its bends.
-fn tolls(settings: &GrowthSettings, lattice: &Lattice) -> impl Fn(&usize) -> f32 {
+/// The tolls of places. They rise so steeply beside a drawn river that the cheapest way follows its bends.
+fn tolls(settings: &GrowthSettings, places: &[Vec2]) -> Vec<f32> {
     const LEAST: f32 = 0.01;
     const BESIDE: f32 = 0.1;
     let courses = settings.starts.iter().map(|start| &start.course);
     let pieces: Vec<[Vec2; 2]> = courses.flat_map(|course| course.windows(2)).map(|pair| [pair[0], pair[1]]).collect();
-    let distance = (!pieces.is_empty()).then(|| CoastDistance::from_lines(&settings.domain, &pieces));
-    move |&cell| {
-        let away = |distance: &CoastDistance| distance.height(lattice.at[cell]) / settings.drainage.spacing;
-        let squared = distance.as_ref().map_or(f32::INFINITY, |distance| away(distance) * away(distance));
-        (LEAST + BESIDE * squared * squared).min(1.0)
+    if pieces.is_empty() {
+        return vec![1.0; places.len()];
     }
+    let from_courses = CoastDistance::from_lines(&settings.domain, &pieces);
+    let toll = |&at: &Vec2| {
+        let away = from_courses.height(at) / settings.drainage.spacing;
+        let squared = away * away;
+        (LEAST + BESIDE * squared * squared).min(1.0)
+    };
+    places.iter().map(toll).collect()
 }
 
 /// About a normal deviate: the sum of four random numbers (Irwin and Hall).
@@ -173,15 +180,19 @@ fn normal(bits: u32) -> f32 {
     (sum as f32 - 510.0) / OF_BYTES
 }
 
-fn is_land(settings: &GrowthSettings, lattice: &Lattice, cell: usize) -> bool {
-    let at = lattice.at[cell];
-    lattice.is_inner(cell)
-        && lattice.has_edges(cell)
-        && settings.domain.contains(at)
-        && settings.land.as_ref().is_none_or(|land| land.at(at) == Cell::Land && !is_dry(settings, land, at))
-}
-
-/// Whether a place lies on land without a mouth, where mouths are drawn: it stays dry.
-fn is_dry(settings: &GrowthSettings, land: &Land, at: Vec2) -> bool {
-    !settings.starts.is_empty() && !settings.watered().any(|region| land.is_in(region, at))
+/// The cells of the lattice whose places are parcels: those on land and, where mouths are drawn, on land that has one.
+fn land_cells(settings: &GrowthSettings, lattice: &mut Lattice) -> Vec<usize> {
+    let with_a_mouth = settings.land.as_deref().filter(|_| !settings.starts.is_empty());
+    let watered = with_a_mouth.map(|land| Watered::of(settings, land));
+    let is_land = |&cell: &usize| {
+        let at = lattice.at[cell];
+        lattice.is_inner(cell)
+            && settings.domain.contains(at)
+            && settings.land.as_ref().is_none_or(|land| land.at(at) == Cell::Land)
+            && watered.as_ref().is_none_or(|watered| watered.holds(at))
+    };
+    let mut cells: Vec<usize> = (0..lattice.at.len()).filter(is_land).collect();
+    lattice.break_edges(&cells);
+    cells.retain(|&cell| lattice.has_edges(cell));
+    cells
 }

@@ -72,6 +72,11 @@ impl Round {
         }
     }
 
+    /// How each parcel drains, once the round is over.
+    pub fn into_directions(self) -> FlowDirections {
+        self.directions
+    }
+
     /// How each parcel drains, as far as is known.
     pub fn directions(&self) -> &FlowDirections {
         &self.directions

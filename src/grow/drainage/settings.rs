@@ -1,6 +1,6 @@
 //! What drainage needs to know, in domain units.
 
-use fastnoise_lite::{FastNoiseLite, FractalType, NoiseType};
+use fastnoise_lite::FastNoiseLite;
 
 use crate::domain::AREA;
 use crate::random::{Purpose, Seed};
@@ -51,12 +51,8 @@ impl DrainageSettings {
 
     /// Fractal noise over the plane from −1 to 1. The index tells one use from another.
     pub(super) fn noise(&self, index: u32, wavelength: f32, octaves: i32, gain: f32) -> FastNoiseLite {
-        let mut noise = FastNoiseLite::with_seed(self.seed.item_hash(Purpose::Ground).bits([index, 0, 0]) as i32);
-        noise.set_noise_type(Some(NoiseType::OpenSimplex2));
-        noise.set_fractal_type(Some(FractalType::FBm));
-        noise.set_fractal_octaves(Some(octaves));
+        let mut noise = self.seed.noise(Purpose::Ground, index, 1.0 / wavelength, octaves);
         noise.set_fractal_gain(Some(gain));
-        noise.set_frequency(Some(1.0 / wavelength));
         noise
     }
 }

@@ -17,6 +17,14 @@ fn grown(text: &str) -> Drainage {
     growth
 }
 
+/// A lattice all of whose edges are known.
+fn whole_lattice(settings: &GrowthSettings) -> Lattice {
+    let mut lattice = Lattice::new(&settings.domain, &settings.drainage);
+    let inner: Vec<usize> = (0..lattice.at.len()).filter(|&cell| lattice.is_inner(cell)).collect();
+    lattice.break_edges(&inner);
+    lattice
+}
+
 /// Recipes of all kinds of land, with everything that drainage knows.
 fn recipes() -> impl Strategy<Value = String> {
     let lands = prop::sample::select(vec![
@@ -107,6 +115,20 @@ fn energy(parcels: &Parcels, directions: &FlowDirections, concavity: f32) -> f64
     directions.order.iter().map(step).sum()
 }
 
+/// Where each parcel drains to, by the tree; nowhere if it has no node.
+fn ways_of(growth: &Drainage) -> Vec<Option<u32>> {
+    let tree = growth.tree();
+    let mut parcels = vec![NO_PARENT; tree.len()];
+    let nodes = || (0..).zip(&growth.node).filter(|(_, node)| **node != NONE);
+    nodes().for_each(|(parcel, &node)| parcels[node as usize] = parcel);
+    let mut ways = vec![None; growth.node.len()];
+    // A mouth is no parcel.
+    nodes().for_each(|(parcel, &node): (u32, _)| {
+        ways[parcel as usize] = Some(parcels[tree.parent[node as usize] as usize])
+    });
+    ways
+}
+
 fn whole_round(parcels: &Parcels, area: &[f32], concavity: f32) -> Round {
     let mut round = Round::new(parcels, area, concavity).unwrap();
     while round.advance(parcels, 7).unwrap() {}
@@ -126,6 +148,20 @@ proptest! {
             for &(c, d) in &edges[..i] {
                 let is_joined = [c, d].contains(&a) || [c, d].contains(&b);
                 prop_assert!(is_joined || !meet((a, b), (c, d)), "{recipe}: {a} to {b} meets {c} to {d}");
+            }
+        }
+    }
+
+    #[test]
+    fn an_edge_is_broken_if_it_lies_upon_any_triangle_that_is_turned_over(recipe in recipes()) {
+        let settings = settings(&recipe);
+        let lattice = whole_lattice(&settings);
+        let turned_over: Vec<_> = lattice.triangles().filter(folds::is_turned_over).collect();
+        for cell in (0..lattice.at.len()).filter(|&cell| lattice.is_inner(cell)) {
+            for way in 0..3 {
+                let edge = (lattice.at[cell], lattice.at[lattice.neighbours(cell)[way]]);
+                let is_upon = turned_over.iter().any(|&triangle| folds::is_upon(edge, triangle));
+                prop_assert_eq!(lattice.is_edge(cell, way), !is_upon, "{}: cell {}, way {}", recipe, cell, way);
             }
         }
     }
@@ -200,6 +236,30 @@ proptest! {
         }
         prop_assert_eq!(tree.drained.iter().sum::<u32>(), reached);
         prop_assert_eq!(tree.ticks().count(), tree.len());
+    }
+
+    #[test]
+    fn captures_lead_from_each_tree_to_the_next(recipe in recipes()) {
+        let mut growth = Drainage::new(settings(&recipe)).unwrap();
+        let mut rounds = 0;
+        let mut ways = Vec::new();
+        while growth.ending().is_none() {
+            growth.tick();
+            if growth.rounds == rounds {
+                continue;
+            }
+            if rounds == 0 {
+                ways = ways_of(&growth);
+            }
+            for capture in growth.captures().iter().filter(|capture| capture.round == rounds) {
+                prop_assert_eq!(ways[capture.parcel as usize], Some(capture.from), "{}: {:?}", recipe, capture);
+                prop_assert!(capture.from != capture.to, "{}: {:?}", recipe, capture);
+                ways[capture.parcel as usize] = Some(capture.to);
+            }
+            prop_assert_eq!(&ways, &ways_of(&growth), "{}: round {}", recipe, rounds);
+            rounds = growth.rounds;
+        }
+        prop_assert!(growth.captures().iter().all(|capture| (1..rounds).contains(&capture.round)));
     }
 
     #[test]
@@ -283,7 +343,7 @@ fn the_floor_of_a_valley_carries_its_trunk() {
 fn bends_turn_few_triangles_over() {
     for (bending, most) in [("0", 0.0), ("1", 0.003), ("2", 0.03), ("4", 0.35)] {
         let settings = settings(&format!("land=rectangle&attractors=4000&bending={bending}"));
-        let lattice = Lattice::new(&settings.domain, &settings.drainage);
+        let lattice = whole_lattice(&settings);
         let inner = (0..lattice.at.len()).filter(|&cell| lattice.is_inner(cell));
         let edges: Vec<bool> =
             inner.flat_map(|cell| (0..3).map(move |way| (cell, way))).map(|(c, w)| lattice.is_edge(c, w)).collect();

@@ -152,7 +152,7 @@ impl Loop {
     /// The part that is left without a river.
     fn oxbow(&self, network: &Network, round: u32) -> Oxbow {
         let vertices = network.vertices[self.cut.above as usize..=self.taken_from as usize].to_vec();
-        Oxbow { river: self.cut.river, born: round, vertices }
+        Oxbow { river: self.cut.river, born: round, silt: 0.0, vertices }
     }
 }
 

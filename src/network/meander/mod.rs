@@ -7,8 +7,10 @@
 mod bend;
 mod cutoff;
 mod flow;
+mod lakes;
 mod mobility;
 mod respace;
+mod rest;
 
 use glam::Vec2;
 
@@ -20,6 +22,7 @@ use super::settings::NetworkSettings;
 use super::smooth::{has_room, limits, smooth};
 use super::width::widen;
 use super::{NONE, Network, Vertex};
+use crate::domain::Domain;
 use crate::geometry::{fast_max, length};
 use crate::recipe::MeanderModel;
 
@@ -32,6 +35,9 @@ const WIDE: f32 = 0.6;
 /// Where necks are concerned, no river is narrower than this share of a spacing.
 const NARROWEST: f32 = 0.5;
 
+/// How far banks that move stay away from the frame of the map, in units.
+const OFF_FRAME: f32 = 8.0;
+
 /// A network on its way from courses to meandering rivers: a stepper of rounds.
 #[derive(Clone, Debug)]
 pub struct Meander {
@@ -39,6 +45,8 @@ pub struct Meander {
     network: Network,
     guard: ClearanceGrid,
     round: u32,
+    /// Whether anything was stopped by the frame of the map in the last round.
+    has_stopped: bool,
 }
 
 impl Meander {
@@ -52,7 +60,7 @@ impl Meander {
     /// Goes on with a network that has its widths and mobility already, wherever it comes from.
     pub fn of(network: Network, settings: NetworkSettings) -> Self {
         let guard = ClearanceGrid::new(&settings.domain, settings.spacing);
-        Self { settings, network, guard, round: 0 }
+        Self { settings, network, guard, round: 0, has_stopped: false }
     }
 
     /// The network as it is.
@@ -82,12 +90,12 @@ impl Meander {
             (downstream, step_scale) = (self.network.downstream(), self.step_scale());
             (clearance, near) = self.measure(&downstream, &step_scale);
         }
-        if self.freeze(&near) {
+        if self.freeze(&near) || std::mem::take(&mut self.has_stopped) {
             mobility::ease_off(&mut self.network, self.settings.spacing);
         }
-        self.guard.erode(&mut self.network, &downstream, self.settings.min_clearance);
         self.move_bends(&downstream, &clearance, &step_scale);
         respace::respace(&mut self.network, &clearance, &step_scale, &self.settings);
+        lakes::age(&mut self.network.oxbows, self.round);
         !self.is_finished()
     }
 
@@ -114,10 +122,12 @@ impl Meander {
                 .zip(own)
                 .for_each(|(step_scale, vertex)| *step_scale = vertex.mobility * times);
         }
+        rest::rest(&self.network, &mut step_scale, &self.settings);
         step_scale
     }
 
-    /// How far each segment looks around for others: until banks could come too near each other, if it can move or is wide.
+    /// How far each segment looks around for others, if it can move or is wide: until banks could come too near each other, and at
+    /// least to its cap.
     pub fn reach(&self, downstream: &[u32], step_scale: &[f32]) -> Vec<f32> {
         let NetworkSettings { spacing, min_clearance, neck, .. } = self.settings;
         let vertices = &self.network.vertices;
@@ -132,10 +142,11 @@ impl Meander {
             .map(|((vertex, &moves), &lower)| {
                 let Some(below) = vertices.get(lower as usize) else { return 0.0 };
                 let width = fast_max(vertex.width(), below.width());
+                let cap = CAP * self.settings.step(width);
                 if moves > 0.0 || step_scale[lower as usize] > 0.0 {
-                    fast_max(near(width), CAP * self.settings.step(width))
+                    fast_max(near(width), cap)
                 } else if width > wide {
-                    width + min_clearance
+                    fast_max(width + min_clearance, cap)
                 } else {
                     0.0
                 }
@@ -148,11 +159,12 @@ impl Meander {
         self.network.vertices.iter().map(|vertex| CAP * self.settings.step(vertex.width())).collect()
     }
 
-    /// The clearance of each segment, and the pairs that are near each other.
+    /// The clearance of each segment, and the pairs that are near each other. What rivers run over of lakes is gone.
     fn measure(&mut self, downstream: &[u32], step_scale: &[f32]) -> (Vec<f32>, Vec<NearbyPair>) {
         let reach = self.reach(downstream, step_scale);
         let mut near = Vec::new();
         let clearance = self.guard.measure(&self.network, downstream, &reach, self.caps(), &mut |pair| near.push(pair));
+        lakes::erode(&mut self.network, downstream, &self.guard, &self.settings);
         (clearance, near)
     }
 
@@ -232,7 +244,10 @@ impl Meander {
             let to = vertex.at + way * (limit / fast_max(far, limit));
             // A segment may be one and a half spacings long, and both of its ends may move.
             let step = self.settings.step(vertex.width());
-            if domain.contains(to) && has_room(land.as_deref(), vertex.at, 2.0 * step) {
+            if !keeps_off_frame(domain, vertex, to) {
+                vertex.mobility = 0.0;
+                self.has_stopped = true;
+            } else if has_room(land.as_deref(), vertex.at, 2.0 * step) {
                 vertex.at = to;
             } else {
                 vertex.mobility = 0.0;
@@ -267,6 +282,13 @@ pub(super) fn thin_out(network: &mut Network, settings: &NetworkSettings) -> boo
     let everywhere = vec![1.0; downstream.len()];
     respace::respace(network, &clearance, &everywhere, settings);
     true
+}
+
+/// Whether a vertex that moves somewhere stays clear of the frame of the map: beside it, a river would run along it like a gutter.
+/// What has grown there may leave it.
+fn keeps_off_frame(domain: &Domain, vertex: &Vertex, to: Vec2) -> bool {
+    let off = |at: Vec2| at.min(domain.size - at).min_element();
+    off(to) >= OFF_FRAME + vertex.width() * 0.5 || off(to) > off(vertex.at) && domain.contains(to)
 }
 
 /// The river of each vertex.

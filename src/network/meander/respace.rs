@@ -10,7 +10,7 @@ use super::super::{NONE, Network, Vertex};
 use crate::geometry::{distance, height};
 
 /// With [`super::super::smooth::SHARE_OF_CLEARANCE`] it makes less than a half.
-const SHARE_OF_CLEARANCE: f32 = 0.15;
+pub(super) const SHARE_OF_CLEARANCE: f32 = 0.15;
 
 /// Spaces vertices between half a step and one and a half, where that is possible.
 pub(super) fn respace(network: &mut Network, clearance: &[f32], step_scale: &[f32], settings: &NetworkSettings) {

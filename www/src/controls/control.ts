@@ -1,7 +1,7 @@
 /** One control for one row of the parameter table: its label, the value, what it does, and the way back to the default. */
 
 import { el, setText, setValue } from "../browser/dom.ts";
-import type { Parameter } from "../engine/types.ts";
+import type { Parameter } from "../engine/full.ts";
 import { type Change, type Field, fieldId, helpId } from "./field.ts";
 import { numberControl } from "./number.ts";
 import { rangeOf, sidesOf, sidesText } from "./values.ts";

@@ -1,7 +1,7 @@
 /** All controls of the recipe but the seed, generated from the parameter table, under the table's own headings. */
 
 import { el } from "../browser/dom.ts";
-import type { Parameter } from "../engine/types.ts";
+import type { Parameter } from "../engine/full.ts";
 import { type Control, control } from "./control.ts";
 import type { Disclosures } from "./disclosure.ts";
 import type { Change } from "./field.ts";

@@ -1,6 +1,6 @@
 /** What every control is, and how its parts find each other. */
 
-import type { Parameter } from "../engine/types.ts";
+import type { Parameter } from "../engine/full.ts";
 
 /** Told the key and the new value as link text. */
 export type Change = (key: string, text: string) => void;

@@ -1,7 +1,7 @@
 /** Controls under one heading, which fold away; folded, the heading still says how many of them are not as at first. */
 
 import { el, setText } from "../browser/dom.ts";
-import type { Parameter } from "../engine/types.ts";
+import type { Parameter } from "../engine/full.ts";
 import type { Control } from "./control.ts";
 import type { Disclosures } from "./disclosure.ts";
 

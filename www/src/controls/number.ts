@@ -1,7 +1,7 @@
 /** The control of a number: a slider to feel one's way, and a field for those who know the value they want. */
 
 import { el, setValue } from "../browser/dom.ts";
-import type { Parameter } from "../engine/types.ts";
+import type { Parameter } from "../engine/full.ts";
 import { type Change, type Field, fieldId, helpId } from "./field.ts";
 import { LOG_STEPS, logStep, position, type Range, share, spoken, textAt } from "./values.ts";
 

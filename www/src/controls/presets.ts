@@ -1,7 +1,7 @@
 /** The presets: named sets of values, from the core. Pressing one sets what it names and nothing else; all name the same keys. */
 
 import { el } from "../browser/dom.ts";
-import type { Parameter, Preset } from "../engine/types.ts";
+import type { Parameter, Preset } from "../engine/full.ts";
 import { inWords } from "./values.ts";
 
 /** Whether the values on show are this preset's. */

@@ -1,7 +1,7 @@
 /** Between a value's text (as a link has it) and what a control needs. Ranges and defaults come from the table alone. */
 
 import { count } from "../browser/count.ts";
-import type { Parameter } from "../engine/types.ts";
+import type { Parameter } from "../engine/full.ts";
 
 /** A numeric parameter with its range: what a slider is made from. */
 export interface Range {

@@ -1,11 +1,11 @@
-/** The full engine: rivers and pictures, and besides, the writing of files and the digest. */
+/** The full engine: rivers and pictures, and besides, what a page's controls ask for, the writing of files and the digest. */
 
 import init, * as engine from "../../pkg-full/riverseed_full.js";
 import wasmUrl from "../../pkg-full/riverseed_full_bg.wasm?url";
 import type { Core } from "./wasm.ts";
 import { once, start } from "./wasm-module.ts";
 
-export type { River as FullRiver } from "../../pkg-full/riverseed_full.js";
+export type { Lines, Parameter, Preset, Reading, River as FullRiver } from "../../pkg-full/riverseed_full.js";
 
 export type FullCore = Core<typeof engine>;
 

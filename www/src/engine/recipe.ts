@@ -1,7 +1,8 @@
 /** The recipe on show, always in the core's own spelling: what the page changes, the core reads and answers. */
 
+import type { Reading } from "./full.ts";
 import { linkText } from "./link-text.ts";
-import type { Reading, ReadOptions } from "./types.ts";
+import type { ReadOptions } from "./types.ts";
 
 export class Recipe {
   #reading: Reading;

@@ -2,8 +2,8 @@
 
 import { setText } from "../browser/dom.ts";
 import { named } from "../engine/errors.ts";
+import type { Lines } from "../engine/full.ts";
 import type { Traced } from "../engine/tracing.ts";
-import type { Lines } from "../engine/types.ts";
 import { showLines } from "./overlay.ts";
 import { LINE_KINDS, type LineKind, pointsOf, Sketch, tally } from "./sketch.ts";
 

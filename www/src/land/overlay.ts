@@ -1,6 +1,6 @@
 /** Lines over the picture, in fractions of its width and height. */
 
-import type { Lines } from "../engine/types.ts";
+import type { Lines } from "../engine/full.ts";
 import { LINE_KINDS, type Line, pointsOf } from "./sketch.ts";
 
 const SVG = "http://www.w3.org/2000/svg";

@@ -1,6 +1,6 @@
 /** The lines that a person draws, as many points as the pen gave: what undo goes back over. */
 
-import type { Lines } from "../engine/types.ts";
+import type { Lines } from "../engine/full.ts";
 
 /** In the order of their tools. */
 export const LINE_KINDS = ["coast", "ridge", "river"] as const;

@@ -15,7 +15,7 @@ const SLICE_MS = 12;
 const FORMATS = {
   png: (river: FullRiver, { memory }: FullCore) => pngOf(river, memory, LONG_SIDE_PX),
   svg: svgOf,
-  geojson: (river: FullRiver) => finished(river, () => text(river.geojson(), "application/geo+json")),
+  geojson: (river: FullRiver) => raised(river, () => text(river.geojson(), "application/geo+json")),
   json: (river: FullRiver) => finished(river, () => text(river.network(), "application/json")),
   zip: packOf,
 };
@@ -53,11 +53,17 @@ export function svgOf(river: FullRiver): Promise<Blob> {
 
 /** All that games need, and the picture. */
 async function packOf(river: FullRiver, { memory }: FullCore): Promise<Blob> {
-  const [contents, canvas] = await finished(
+  const [contents, canvas] = await raised(
     river,
     () => [contentsOf(river), drawn(river, memory, LONG_SIDE_PX)] as const,
   );
   return packed(contents, await encoded(canvas));
+}
+
+/** Makes something of a river and its relief, in a style that shows none too. */
+function raised<Made>(river: FullRiver, make: () => Made): Promise<Made> {
+  river.askForRelief();
+  return finished(river, make);
 }
 
 /** Makes something of a river when it has come to its end. */

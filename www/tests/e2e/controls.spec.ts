@@ -39,6 +39,7 @@ const CONTEXTS = [
   DRAINED,
   "seed=kauri&growth=brownian&edition=1",
   `${SMALL}&meander=none`,
+  `${SMALL}&valleys=0&style=atlas`,
 ];
 
 /** Many rivers that meander for long: here they come near each other. */
@@ -47,7 +48,7 @@ const CLOSE = `${SMALL}&land=rectangle&mouths=3&curl=0&trim=88&great-rivers=16&m
 function contextOf(key: string): string {
   if (key === "neck" || key === "clearance") return CLOSE;
   if (key === "mouth-spacing") return MANY;
-  if (key === "growth") return DRAINED;
+  if (key === "growth" || key === "great-rivers") return DRAINED;
   const link = CONTEXTS.find((one) => reasonIn(one, key) === undefined);
   if (link === undefined) throw new Error(`${key} does nothing in any recipe here`);
   return link;

@@ -54,7 +54,8 @@ const keys = engine
 /** The ends of a key's range, or all its choices; the number of attractors within reason. */
 function textsOf(key: string): string[] {
   const { kind, min, max, choices } = parameter(key);
-  if (kind === "sides") return ["n", "ew"];
+  // Of a coast that looks one way, all lies on these or on those sides of its middle; but not all to the west.
+  if (kind === "sides") return ["n", "ew", "w"];
   if (choices) return choices.map(({ value }) => value);
   return [String(min), String(Math.min(max ?? 0, 1200))];
 }

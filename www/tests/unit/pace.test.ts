@@ -1,7 +1,7 @@
 /** How long rivers grow, with the real engine, in frames of a clock that nothing but frames moves. */
 
 import { expect, test } from "vitest";
-import type { River } from "../../pkg/riverseed.js";
+import type { River } from "../../pkg-full/riverseed_full.js";
 import { FrameLoop } from "../../src/player/frame-loop.ts";
 import { differing, engine, pixelsOf } from "../core.ts";
 import { Display } from "../display.ts";
@@ -81,7 +81,7 @@ test("growth is spread over its time, not made in a leap", () => {
 test("after 1.2 seconds more than half of what is drawn in the end is there", () => {
   const banner = "land=rectangle&aspect=3&sides=e&mouths=1&attractors=2500";
   const links = ["drainage", "colonize"].flatMap((growth) =>
-    ["", "&seed=skye", "&aspect=0.7&style=atlas", `&${banner}`].map((rest) => `growth=${growth}${rest}`),
+    ["", "&seed=skye", "&aspect=0.7&style=dark", `&${banner}`].map((rest) => `growth=${growth}${rest}`),
   );
   for (const link of links) {
     const seen: Uint8Array[] = [];

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import type { Parameter } from "../../pkg/riverseed.js";
+import type { Parameter } from "../../pkg-full/riverseed_full.js";
 import { count } from "../../src/browser/count.ts";
 import {
   LOG_STEPS,

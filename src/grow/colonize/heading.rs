@@ -2,7 +2,7 @@
 
 use glam::Vec2;
 
-use super::GrowthSettings;
+use crate::grow::GrowthSettings;
 use crate::random::{ItemHash, Purpose};
 
 /// Where the child of a node comes to lie.
@@ -31,14 +31,14 @@ pub fn heading(
     node + direction * settings.step
 }
 
-/// The sense of the curl at a node so many steps from its mouth: clockwise in the first stretch, then in turn, so that every branch bends in
-/// regular stretches, whatever grew elsewhere.
+/// The sense of the curl at a node so many steps from its mouth: clockwise in the first stretch, then in turn, so that every branch bends
+/// in regular stretches, whatever grew elsewhere.
 pub fn is_clockwise(settings: &GrowthSettings, nodes_from_mouth: u32) -> bool {
     (nodes_from_mouth / settings.stretch).is_multiple_of(2)
 }
 
-/// The identity of an attractor, and the sense of the curl toward it, by chance the same in squares of the plane as wide as a stretch is long:
-/// both stay the same when what lies downstream changes.
+/// The identity of an attractor, and the sense of the curl toward it, by chance the same in squares of the plane as wide as a stretch is
+/// long: both stay the same when what lies downstream changes.
 pub fn curl_toward(settings: &GrowthSettings, attractor: Vec2) -> ([u32; 2], bool) {
     const FINE: f32 = 0.25;
     let cell =

@@ -8,7 +8,7 @@ use glam::Vec2;
 use wide::f32x4;
 
 use super::pull::{Pull, Pulls};
-use super::{GrowError, GrowthSettings, scatter};
+use crate::grow::{GrowError, GrowthSettings, scatter};
 use crate::land::Land;
 use crate::memory::{self, Refused};
 use crate::work;
@@ -164,7 +164,8 @@ impl Attractors {
     }
 
     /// Gives a new node all attractors that it is nearest to, and returns how they pull it. Says the place of each, whose it was, if
-    /// anybody's, and how it pulled that one. Where two nodes are equally near, the earlier keeps the attractor. Land that is `hiding` some is asked which.
+    /// anybody's, and how it pulled that one. Where two nodes are equally near, the earlier keeps the attractor. Land that is `hiding`
+    /// some is asked which.
     pub fn capture(&mut self, node: u32, at: Vec2, hiding: Option<&Land>, taken: impl FnMut(u32, u32, Pull)) -> Pull {
         let hits = self.find_nearer(at, hiding.is_none());
         self.hand_over(hits, node, at, hiding, taken)

@@ -1,0 +1,117 @@
+//! Growth along valleys: attractors have heights, and pull one at a time. The lowest within reach of any node draws a river to itself,
+//! step by step, then the lowest of those within reach by then (as water invades the ground: Wilkinson and Willemsen 1983).
+
+use glam::Vec2;
+
+use super::heading::curl_toward;
+use super::pull::Pull;
+use super::rivers::{Rivers, Told};
+use super::waiting::Waiting;
+use crate::grow::{Ending, GrowthSettings, front};
+use crate::memory::Refused;
+use crate::work;
+
+/// The attractors that rivers may come to next.
+#[derive(Clone, Debug)]
+pub(super) struct Valleys {
+    waiting: Waiting,
+    /// How many nodes a tick has, but for the rest of a river's way to an attractor.
+    nodes_a_tick: usize,
+}
+
+impl Valleys {
+    /// None is within reach yet. `places` are those of the attractors in their index, the lowest attractor's first.
+    pub fn new(settings: &GrowthSettings, places: Vec<u32>) -> Result<Self, Refused> {
+        Ok(Self { waiting: Waiting::new(places)?, nodes_a_tick: front(settings.attractors as usize) })
+    }
+
+    /// Grows by one tick: the lowest attractor within reach of a node draws a river to itself, then the next lowest. What a tick shows of
+    /// that changes no tree.
+    pub fn grow(&mut self, rivers: &mut Rivers) -> Result<(), Ending> {
+        use_up(rivers);
+        let enough = rivers.len() + self.nodes_a_tick;
+        while rivers.len() < enough
+            && let Some((rank, place)) = self.waiting.next()
+        {
+            work::count(1);
+            self.grow_toward(rivers, rank, place)?;
+        }
+        Ok(())
+    }
+
+    /// A river grows from its nearest node to an attractor, until that is used up or no step brings it nearer.
+    fn grow_toward(&mut self, rivers: &mut Rivers, rank: u32, place: u32) -> Result<(), Ending> {
+        let first = rivers.len();
+        while let Some((node, squared, attractor)) = rivers.attractors.remaining_at(place) {
+            let steps = (rivers.len() - first) as u32;
+            let Some(child) = step_toward(rivers, node as usize, squared, attractor, steps) else {
+                self.waiting.put_back(rank);
+                return Ok(());
+            };
+            rivers.make_room(1)?;
+            rivers.add(child, node);
+            self.capture(rivers);
+            use_up(rivers);
+        }
+        Ok(())
+    }
+
+    /// Attractors within reach of new nodes wait for their turn.
+    pub fn capture(&mut self, rivers: &mut Rivers) {
+        for node in rivers.newcomers() {
+            rivers.capture(node, &mut Told::Waiting(&mut self.waiting));
+        }
+    }
+}
+
+/// Attractors that rivers have come near to are used up.
+pub(super) fn use_up(rivers: &mut Rivers) {
+    rivers.use_up(|_, _| ());
+}
+
+/// A step from a node that brings it nearer to an attractor, at such a distance squared, after so many.
+fn step_toward(rivers: &Rivers, node: usize, squared: f32, attractor: Vec2, steps: u32) -> Option<Vec2> {
+    let at = rivers.tree.at[node];
+    let pull = Pull::toward(at, attractor).direction()?;
+    let ([column, row], clockwise) = curl_toward(&rivers.settings, attractor);
+    rivers.steps(node, pull, clockwise, [column, row, steps]).into_iter().find(|&child| {
+        child.distance_squared(attractor) < squared
+            && rivers.settings.allows(at, child)
+            && !rivers.has_twin(node, child)
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::grow::Colonize;
+    use crate::grow::colonize::Pulling;
+    use crate::recipe::link;
+    use crate::tree::Tree;
+
+    fn grown(link: &str, nodes_a_tick: usize) -> Tree {
+        let mut growth = Colonize::new(GrowthSettings::of(&link::read(link).unwrap())).unwrap();
+        let Pulling::LowestFirst(valleys) = &mut growth.pulling else { panic!("{link} has no valleys") };
+        valleys.nodes_a_tick = nodes_a_tick;
+        while growth.tick() {}
+        growth.rivers.tree
+    }
+
+    #[test]
+    fn how_much_a_tick_shows_changes_no_tree() {
+        for link in
+            ["land=island", "land=archipelago&mouths=20", "land=valley&reach=8&curl=1.5", "land=basin&momentum=0.5"]
+        {
+            let link = format!("{link}&growth=colonize&valleys=0.4&attractors=2000&seed=kauri");
+            let at_once = grown(&link, usize::MAX / 2);
+            for nodes_a_tick in [1, 7, 100] {
+                let tree = grown(&link, nodes_a_tick);
+                assert!(tree.tick_starts.len() > at_once.tick_starts.len(), "{link}");
+                assert_eq!(
+                    (tree.at, tree.parent, tree.drained),
+                    (at_once.at.clone(), at_once.parent.clone(), at_once.drained.clone())
+                );
+            }
+        }
+    }
+}

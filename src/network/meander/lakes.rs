@@ -1,0 +1,84 @@
+//! Oxbow lakes grow old: rivers run over them, silt fills them from their ends, and then they are gone. So there are never many, and no
+//! lake overlaps another or a river.
+
+use super::super::clearance::ClearanceGrid;
+use super::super::settings::NetworkSettings;
+use super::super::smooth::SHARE_OF_CLEARANCE;
+use super::super::{Network, Oxbow, Vertex};
+use super::{CAP, respace};
+use crate::geometry::fast_max;
+
+/// The age, in rounds, at which silt begins to fill a lake, and at which it has filled it.
+const YOUNG: u32 = 24;
+const OLD: u32 = 160;
+
+/// Lets silt fill lakes as their age asks, and forgets those that are full.
+pub(super) fn age(oxbows: &mut Vec<Oxbow>, round: u32) {
+    for oxbow in &mut *oxbows {
+        let age = (round - oxbow.born).saturating_sub(YOUNG);
+        oxbow.silt = (age as f32 / (OLD - YOUNG) as f32).min(1.0);
+    }
+    oxbows.retain(|oxbow| !oxbow.lake().is_empty());
+}
+
+/// Takes away of lakes what rivers of the last survey run over, or so near that no land is left between when they have moved.
+pub(super) fn erode(network: &mut Network, downstream: &[u32], guard: &ClearanceGrid, settings: &NetworkSettings) {
+    /// How far a line moves in a round at most, in steps.
+    const MOST_MOVE: f32 = CAP * (SHARE_OF_CLEARANCE + respace::SHARE_OF_CLEARANCE);
+    let margin = |lake: f32, river: &Vertex| {
+        let apart = fast_max(settings.min_clearance, MOST_MOVE * settings.step(river.width()));
+        lake + bank(river) + apart
+    };
+    let widest = network.vertices.iter().copied().max_by(|a, b| bank(a).total_cmp(&bank(b))).unwrap_or_default();
+    let mut oxbows = std::mem::take(&mut network.oxbows);
+    for lake in oxbows.iter_mut().flat_map(|oxbow| &mut oxbow.vertices).filter(|lake| lake.width() > 0.0) {
+        let own = bank(lake);
+        let largest = margin(own, &widest);
+        if guard.is_near(network, downstream, lake.at, largest, |river| margin(own, river)) {
+            (lake.left, lake.right) = (0.0, 0.0);
+        }
+    }
+    network.oxbows = oxbows;
+}
+
+/// How far the farther bank is.
+fn bank(vertex: &Vertex) -> f32 {
+    fast_max(vertex.left, vertex.right)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::samples::{river, straight};
+    use super::*;
+
+    /// A lake 60 units long and two wide, left in round 10.
+    fn lake() -> Oxbow {
+        let vertices = river(&straight((0.0, 0.0), (60.0, 0.0), 60), 2.0).vertices;
+        Oxbow { river: 0, born: 10, silt: 0.0, vertices }
+    }
+
+    #[test]
+    fn silt_narrows_and_shortens_a_lake_until_it_is_gone() {
+        let mut oxbows = vec![lake()];
+        let mut sizes = Vec::new();
+        for round in 10..10 + OLD {
+            age(&mut oxbows, round);
+            let lake = oxbows[0].lake();
+            sizes.push((lake.len(), lake.iter().map(|(vertex, share)| vertex.width() * share).fold(0.0, f32::max)));
+        }
+        assert!(sizes[..=YOUNG as usize].iter().all(|&size| size == (61, 2.0)), "{sizes:?}");
+        assert!(sizes.windows(2).all(|pair| pair[1].0 <= pair[0].0 && pair[1].1 <= pair[0].1), "{sizes:?}");
+        let last = sizes[sizes.len() - 1];
+        assert!(last.0 < 25 && last.1 < 1.1, "{last:?}");
+        age(&mut oxbows, 10 + OLD);
+        assert!(oxbows.is_empty());
+    }
+
+    #[test]
+    fn a_lake_that_is_run_over_is_forgotten() {
+        let mut oxbows = vec![lake()];
+        oxbows[0].vertices.iter_mut().step_by(5).for_each(|vertex| (vertex.left, vertex.right) = (0.0, 0.0));
+        age(&mut oxbows, 11);
+        assert!(oxbows.is_empty());
+    }
+}

@@ -1,0 +1,67 @@
+//! The relief of a session's rivers: made once a style shows it or a file is to hold it, and kept for as long as the rivers stay as they are.
+
+use std::sync::Arc;
+
+use crate::network::Network;
+use crate::relief::{Relief, ReliefError, ReliefSettings, ReliefSolver};
+
+/// How far the relief has come.
+#[derive(Clone, Debug, Default)]
+pub(super) enum ReliefStage {
+    /// Nobody has wanted it yet.
+    #[default]
+    Waiting,
+    Solving(Box<ReliefSolver>),
+    Solved(Arc<Relief>),
+}
+
+impl ReliefStage {
+    /// Makes a step. Where there is not enough memory, the next call tries it again.
+    pub fn step(&mut self, network: &Network, settings: impl FnOnce() -> ReliefSettings) -> Result<(), ReliefError> {
+        match self {
+            Self::Waiting => *self = Self::Solving(ReliefSolver::new(network, settings())?.into()),
+            Self::Solving(solver) => {
+                if let Some(relief) = solver.step(network)? {
+                    *self = Self::Solved(relief.into());
+                }
+            }
+            Self::Solved(_) => {}
+        }
+        Ok(())
+    }
+
+    /// The relief, once it is solved.
+    pub fn relief(&self) -> Option<&Arc<Relief>> {
+        match self {
+            Self::Solved(relief) => Some(relief),
+            Self::Waiting | Self::Solving(_) => None,
+        }
+    }
+
+    /// How far it has come, from 0 to 1.
+    pub fn progress(&self) -> f32 {
+        match self {
+            Self::Waiting => 0.0,
+            Self::Solving(solver) => solver.progress(),
+            Self::Solved(_) => 1.0,
+        }
+    }
+
+    /// About how many bytes a copy takes: what is solved is shared.
+    pub fn bytes(&self) -> usize {
+        match self {
+            Self::Solving(solver) => solver.bytes(),
+            Self::Waiting | Self::Solved(_) => 0,
+        }
+    }
+}
+
+/// A relief made in one go.
+pub(super) fn at_once(network: &Network, settings: ReliefSettings) -> Result<Arc<Relief>, ReliefError> {
+    let mut solver = ReliefSolver::new(network, settings)?;
+    loop {
+        if let Some(relief) = solver.step(network)? {
+            return Ok(relief.into());
+        }
+    }
+}

@@ -1,0 +1,173 @@
+//! Rivers stay rivers however long they meander: no stretch becomes a knot, lakes keep apart and grow old, nothing runs along the
+//! frame of the map, and the work of a round does not grow without end.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
+
+use glam::Vec2;
+use riverseed::network::{Meander, NONE, Network, NetworkSettings, Place, Shaping, gap};
+use riverseed::recipe::link;
+use riverseed::work;
+use riverseed::{Oxbow, River, Session};
+
+/// Both models and all ways of growing, wide rivers and narrow ones, on lands with a frame and without; as old as can be.
+const OLD: [&str; 6] = [
+    "seed=skye&attractors=4000",
+    "seed=loire&land=rectangle&aspect=2&sides=e&mouths=1&growth=colonize&attractors=1200&curl=0.5&trim=14&width=22&great-rivers=2&flat-share=0.6",
+    "seed=needle&land=rectangle&aspect=1.5&sides=s&mouths=2&growth=colonize&attractors=800&trim=30&width=34&flat-share=0.6&meander=flow",
+    "seed=fisk&land=rectangle&aspect=2&sides=s&mouths=1&growth=colonize&attractors=700&trim=30&width=26&flat-share=0.7&meander-mix=0.8",
+    "seed=danube&land=continent&growth=brownian&sensitivity=30&trim=20&width=10&great-rivers=6&meander=flow&meander-strength=1",
+    "seed=anduin&land=continent&growth=drainage&attractors=3000&width=24&great-rivers=16&flat-share=1&meander-strength=1&meander-elsewhere=1&clearance=0",
+];
+
+/// The rivers of a recipe before they meander.
+fn young(recipe: &str) -> Meander {
+    let mut session = Session::new(link::read(&format!("{recipe}&meander-rounds=0")).unwrap()).unwrap();
+    session.finish().unwrap();
+    let growth = session.growth();
+    let settings = NetworkSettings::new(
+        &link::read(&format!("{recipe}&meander-rounds=400")).unwrap(),
+        session.land().cloned(),
+        growth.stream_spacing(),
+        growth.total_discharge(),
+    );
+    let mut shaping = Shaping::new(&session.pruned().tree, session.growth().may_cross(), settings).unwrap();
+    while shaping.meander().is_none() {
+        shaping.step();
+    }
+    shaping.meander().unwrap().clone()
+}
+
+/// Lets rivers of a recipe grow old, and looks at them before, in every twenty-fifth round and in the last.
+fn grow_old(recipe: &str, mut look: impl FnMut(&Meander)) {
+    let mut meander = young(recipe);
+    look(&meander);
+    while meander.round() {
+        if meander.rounds().is_multiple_of(25) {
+            look(&meander);
+        }
+    }
+    assert_eq!(meander.rounds(), 400, "{recipe}");
+    look(&meander);
+}
+
+/// The sinuosity of the stretch of 48 widths of a river that winds most; 1 of a river that is no longer than that.
+fn sinuosity(network: &Network, river: &River, spacing: f32) -> f32 {
+    let own = &network.vertices[river.vertex_range()];
+    let stretch = |(start, first): (usize, &riverseed::Vertex)| {
+        let (mut way, length) = (0.0, 48.0 * first.width().max(spacing));
+        let last = own[start..].windows(2).find_map(|pair| {
+            way += pair[0].at.distance(pair[1].at);
+            (way >= length).then_some(pair[1].at)
+        });
+        last.map_or(1.0, |last| way / first.at.distance(last))
+    };
+    own.iter().enumerate().map(stretch).fold(1.0, f32::max)
+}
+
+/// A stretch rests from 2.6 on, and a loop that is nearly closed from 3.3 on; what moves beside it may add to that until all of it
+/// rests.
+#[test]
+fn no_stretch_becomes_a_knot() {
+    const MOST: f32 = 4.0;
+    for recipe in OLD {
+        grow_old(recipe, |meander| {
+            let (network, spacing) = (meander.network(), meander.settings().spacing);
+            for (id, river) in network.rivers.iter().enumerate() {
+                let most = sinuosity(network, river, spacing);
+                assert!(most < MOST, "{recipe}, round {}: river {id} winds {most}", meander.rounds());
+            }
+        });
+    }
+}
+
+/// Whether two lines of discs overlap.
+fn overlap(a: &[Place], b: &[Place]) -> bool {
+    let widest = |line: &[Place]| line.iter().map(|place| place.half).fold(0.0, f32::max);
+    let most = widest(a) + widest(b);
+    a.windows(2).any(|a| {
+        let near =
+            |b: &[Place]| a[0].at.distance(b[0].at) < most + a[0].at.distance(a[1].at) + b[0].at.distance(b[1].at);
+        b.windows(2).filter(|b| near(b)).any(|b| {
+            let halves = a[0].half.max(a[1].half) + b[0].half.max(b[1].half);
+            gap((a[0].at, a[1].at), (b[0].at, b[1].at)) < halves
+        })
+    })
+}
+
+#[test]
+fn lakes_overlap_neither_rivers_nor_each_other() {
+    let mut seen = 0;
+    for recipe in OLD {
+        grow_old(recipe, |meander| {
+            let network = meander.network();
+            let rivers: Vec<Vec<Place>> = network.rivers.iter().map(|river| network.middle(river)).collect();
+            let lakes: Vec<Vec<Place>> = network.oxbows.iter().map(Oxbow::middle).collect();
+            seen += lakes.len();
+            for (number, lake) in lakes.iter().enumerate() {
+                let others = lakes[..number].iter().chain(&rivers);
+                let meets = others.into_iter().any(|other| overlap(lake, other));
+                assert!(!meets, "{recipe}, round {}: lake {number}", meander.rounds());
+            }
+        });
+    }
+    assert!(seen > 100, "{seen} lakes");
+}
+
+/// However many necks are cut, there are never many lakes, and none is older than it takes silt to fill it.
+#[test]
+fn lakes_grow_old_and_are_gone() {
+    const OLDEST: u32 = 160;
+    for recipe in OLD {
+        grow_old(recipe, |meander| {
+            let oxbows = &meander.network().oxbows;
+            assert!(oxbows.len() <= 40, "{recipe}, round {}: {} lakes", meander.rounds(), oxbows.len());
+            for oxbow in oxbows {
+                let age = meander.rounds() - oxbow.born;
+                assert!(age < OLDEST && oxbow.silt < 1.0 && !oxbow.lake().is_empty(), "{age}: {oxbow:?}");
+                assert_eq!(oxbow.silt > 0.0, age > 24, "{age}: {}", oxbow.silt);
+            }
+        });
+    }
+}
+
+/// The length of rivers within eight units of the frame of the map.
+fn beside_frame(meander: &Meander) -> f32 {
+    let (network, size) = (meander.network(), meander.settings().domain.size);
+    let is_beside = |at: Vec2| at.min(size - at).min_element() < 8.0;
+    let segments = network.vertices.iter().zip(network.downstream()).filter(|(_, below)| *below != NONE);
+    let segments = segments.map(|(vertex, below)| (vertex.at, network.vertices[below as usize].at));
+    segments.filter(|(a, b)| is_beside(*a) && is_beside(*b)).map(|(a, b)| a.distance(b)).sum()
+}
+
+/// Rivers grow near it, and reach the sea there, but no bend comes to it.
+#[test]
+fn no_river_comes_to_run_along_the_frame() {
+    for recipe in OLD {
+        let mut begun = None;
+        grow_old(recipe, |meander| {
+            let (length, size) = (beside_frame(meander), meander.settings().domain.size);
+            let young = *begun.get_or_insert(length);
+            assert!(length <= young + 1.0, "{recipe}, round {}: {length}, first {young}", meander.rounds());
+            let leaves = |at: Vec2| at.min(size - at).min_element() < 0.0;
+            assert!(!meander.network().vertices.iter().any(|vertex| leaves(vertex.at)), "{recipe}");
+        });
+    }
+}
+
+/// Old rivers are hardly longer than grown ones, so a round of them takes hardly more.
+#[test]
+fn no_round_of_old_rivers_takes_long() {
+    for recipe in OLD {
+        let mut meander = young(recipe);
+        let vertices = meander.network().vertices.len();
+        loop {
+            let begun = work::steps();
+            let goes_on = meander.round();
+            let (steps, now) = (work::steps() - begun, meander.network().vertices.len());
+            assert!(now <= 2 * vertices, "{recipe}, round {}: {now} vertices of {vertices}", meander.rounds());
+            assert!(steps <= 150 * vertices as u64, "{recipe}, round {}: {steps} of {vertices}", meander.rounds());
+            if !goes_on {
+                break;
+            }
+        }
+    }
+}
