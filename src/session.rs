@@ -47,8 +47,6 @@ pub struct Session {
     shaping: Option<Shaping>,
     /// Of finished rivers, once it was wanted.
     relief: ReliefStage,
-    /// Whether it is wanted in a style that shows none.
-    is_relief_asked_for: bool,
     generation: Generation,
     /// Another one whenever the trimmed tree is discarded.
     tree_generation: Generation,
@@ -100,7 +98,6 @@ impl Session {
             growth,
             shaping: None,
             relief: ReliefStage::Waiting,
-            is_relief_asked_for: false,
             generation,
             tree_generation,
         })
@@ -201,9 +198,8 @@ impl Session {
     }
 
     /// Makes at most this many steps: ticks of growth, then a few that make rivers of the tree, then rounds of meandering, then
-    /// the relief part by part, if the style shows one or it was [asked for](Session::ask_for_relief). Returns whether there is more to
-    /// do. No recipe is known of which a step takes more than 8 million elementary steps, as [`crate::work`] counts them, and 250 for
-    /// each attractor or cell of a Brownian tree.
+    /// the relief part by part, if the style shows one. Returns whether there is more to do. No recipe is known of which a step takes
+    /// more than 8 million elementary steps, as [`crate::work`] counts them, and 250 for each attractor or cell of a Brownian tree.
     ///
     /// # Errors
     /// If there is not enough memory for the rest of the tree, for its rivers, or for their relief. The session then does not show
@@ -242,7 +238,11 @@ impl Session {
         }
         match &mut self.shaping {
             None => self.shaping = Some(self.shape()?),
-            Some(shaping) if shaping.is_finished() => self.raise()?,
+            Some(shaping) if shaping.is_finished() => {
+                if self.shows_relief() {
+                    self.raise_relief()?;
+                }
+            }
             Some(shaping) => {
                 shaping.step();
             }
@@ -259,28 +259,27 @@ impl Session {
         Shaping::new(&tree, self.growth.may_cross(), self.network_settings())
     }
 
-    /// Lets [`Session::advance`] make the relief in every style, as files want it: [`Session::make_relief`] then has nothing left to do.
-    pub fn ask_for_relief(&mut self) {
-        self.is_relief_asked_for = true;
-    }
-
-    /// Whether a relief is wanted that is not there yet.
+    /// Whether the style shows a relief that is not there yet.
     fn wants_relief(&self) -> bool {
-        (self.shows_relief() || self.is_relief_asked_for) && self.relief.relief().is_none()
+        self.shows_relief() && self.relief().is_none()
     }
 
     fn shows_relief(&self) -> bool {
         self.recipe.get::<Style>().has_relief()
     }
 
-    /// Makes a step of the relief.
-    fn raise(&mut self) -> Result<(), SessionError> {
-        if self.wants_relief() {
-            let rivers = self.shaping.as_ref().and_then(Shaping::network).unwrap_or(Network::EMPTY);
-            let (recipe, land, growth) = (&self.recipe, &self.land, &self.growth);
-            self.relief.step(rivers, || ReliefSettings::new(recipe, land.clone(), growth.total_discharge()))?;
-        }
-        Ok(())
+    /// Makes a step of the relief of finished rivers, in a style that shows none too: for files, which then take it as it is. Returns
+    /// whether one was left to make.
+    ///
+    /// # Errors
+    /// If there is not enough memory. A further call tries the same step again.
+    pub fn raise_relief(&mut self) -> Result<bool, SessionError> {
+        let shaping = self.shaping.as_ref().filter(|shaping| shaping.is_finished() && self.relief.relief().is_none());
+        let Some(shaping) = shaping else { return Ok(false) };
+        let (recipe, land, growth) = (&self.recipe, &self.land, &self.growth);
+        let settings = || ReliefSettings::new(recipe, land.clone(), growth.total_discharge());
+        self.relief.step(shaping.network().unwrap_or(Network::EMPTY), settings)?;
+        Ok(true)
     }
 
     /// How the relief of this recipe is made of its rivers.
@@ -288,8 +287,8 @@ impl Session {
         ReliefSettings::new(&self.recipe, self.land.clone(), self.growth.total_discharge())
     }
 
-    /// The relief of the rivers as they are, in any style: the session's own, or one that is made at once. [`Session::ask_for_relief`]
-    /// has it made in steps.
+    /// The relief of the rivers as they are, in any style: the session's own, or one that is made at once. [`Session::raise_relief`]
+    /// makes it in steps.
     ///
     /// # Errors
     /// If there is not enough memory.

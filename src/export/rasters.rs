@@ -39,7 +39,7 @@ pub enum Layer {
     Heights,
     /// 255 on land, 0 at sea.
     Land,
-    /// The width of rivers in tenths of a unit, 0 elsewhere.
+    /// The width of rivers in thousandths of a unit, 0 elsewhere: fine enough, and not all black where it is looked at.
     Rivers,
     /// Flow directions (D8).
     Flow,
@@ -132,7 +132,7 @@ impl Rasters {
         match layer {
             Layer::Heights => Values::Words(heights.map(|&height| self.scale.step(height)).collect()),
             Layer::Land => Values::Bytes(heights.map(|&height| if height > 0.0 { 255 } else { 0 }).collect()),
-            Layer::Rivers => Values::Words(self.widths.iter().map(|&width| tenths(width)).collect()),
+            Layer::Rivers => Values::Words(self.widths.iter().map(|&width| thousandths(width)).collect()),
             Layer::Flow => Values::Bytes(self.flow.directions.clone()),
             Layer::Basins => Values::Words(self.flow.basins.iter().map(|&basin| basin.min(65_535) as u16).collect()),
         }
@@ -149,7 +149,8 @@ impl Rasters {
             ),
             Layer::Land => "255 is land, 0 is sea.".into(),
             Layer::Rivers => {
-                "16-bit width of the river in tenths of a unit (a pixel is 20 wide), 0 where there is none.".into()
+                "16-bit width of the river in thousandths of a unit (a pixel is 2000 wide), 0 where there is none."
+                    .into()
             }
             Layer::Flow => {
                 "Where water runs (D8, as ESRI writes it): 1 east, 2 south-east, 4 south, 8 south-west, 16 west, \
@@ -203,8 +204,8 @@ pub(super) fn decimal(number: f64, places: u32) -> String {
 }
 
 /// Rounded up, so that what has a width keeps one.
-fn tenths(width: f32) -> u16 {
-    (width * 10.0).ceil().clamp(0.0, f32::from(u16::MAX)) as u16
+fn thousandths(width: f32) -> u16 {
+    (width * 1000.0).ceil().clamp(0.0, f32::from(u16::MAX)) as u16
 }
 
 /// The width of the widest river in each cell: in those that it passes, and those whose middles lie between its banks.
@@ -256,8 +257,20 @@ impl From<ReliefError> for ExportError {
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 mod tests {
     use super::*;
+    use crate::memory::testing::with_lists_up_to;
+
+    #[test]
+    fn rasters_are_refused_where_there_is_no_memory_for_them() {
+        let mut session = Session::new(link::read("attractors=300&style=atlas").unwrap()).unwrap();
+        session.finish().unwrap();
+        // Enough for what the rivers need; the relief is there already.
+        let refused = with_lists_up_to(1_000_000, || Rasters::new(&session)).unwrap_err();
+        assert!(matches!(refused, ExportError::OutOfMemory { megabytes } if megabytes > 10), "{refused}");
+        assert!(Rasters::new(&session).is_ok());
+    }
 
     #[test]
     fn decimals_are_rounded_and_keep_their_zeros() {

@@ -32,10 +32,11 @@ impl River {
         Ok(Self { session, notices: self.notices.clone(), picture: None, dirty: None })
     }
 
-    /// Lets `advance` make the relief in every style: files that hold it are then made without a long wait.
-    #[wasm_bindgen(js_name = askForRelief)]
-    pub fn ask_for_relief(&mut self) {
-        self.session.ask_for_relief();
+    /// Makes a step of the relief of finished rivers, in a style that shows none too, so that files find it made. Returns whether one
+    /// was left to make. Throws an Error if there is not enough memory.
+    #[wasm_bindgen(js_name = raiseRelief)]
+    pub fn raise_relief(&mut self) -> Result<bool, JsValue> {
+        self.session.raise_relief().map_err(|error| session_error(&error))
     }
 
     /// The map as it is, as the text of an SVG file. Throws an Error, as long as the tree grows.

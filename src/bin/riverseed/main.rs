@@ -286,8 +286,7 @@ fn write_picture(output: Output, order: Order, form: Form, size: u32) -> Result<
     let mut session = grow(order, &progress)?;
     if form == Form::Pack {
         // Once, for all files of the pack.
-        session.ask_for_relief();
-        session.finish()?;
+        while session.raise_relief()? {}
     }
     progress.set_message("painting");
     picture.paint(&session);

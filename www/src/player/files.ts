@@ -57,30 +57,37 @@ async function packOf(river: FullRiver, { memory }: FullCore): Promise<Blob> {
     river,
     () => [contentsOf(river), drawn(river, memory, LONG_SIDE_PX)] as const,
   );
-  return packed(contents, await encoded(canvas));
+  return packed(contents, await (await encoded(canvas)).arrayBuffer());
 }
 
 /** Makes something of a river and its relief, in a style that shows none too. */
-function raised<Made>(river: FullRiver, make: () => Made): Promise<Made> {
-  river.askForRelief();
-  return finished(river, make);
+function raised<Made>(river: FullRiver, make: () => Made | Promise<Made>): Promise<Made> {
+  return finished(river, async () => {
+    await inSlices(() => river.raiseRelief());
+    return make();
+  });
 }
 
 /** Makes something of a river when it has come to its end. */
-async function finished<Made>(river: River, make: () => Made): Promise<Made> {
+async function finished<Made>(river: River, make: () => Made | Promise<Made>): Promise<Made> {
   try {
-    while (advanceFor(river, SLICE_MS)) await new Promise((resume) => setTimeout(resume));
-    return make();
+    await inSlices(() => river.advance(1));
+    return await make();
   } finally {
     river.free();
   }
 }
 
+/** Takes steps, each of which says whether there are more, and lets the page answer in between. */
+async function inSlices(step: () => boolean): Promise<void> {
+  while (stepsFor(SLICE_MS, step)) await new Promise((resume) => setTimeout(resume));
+}
+
 /** Returns whether there is more to do. */
-function advanceFor(river: River, milliseconds: number): boolean {
+function stepsFor(milliseconds: number, step: () => boolean): boolean {
   const end = performance.now() + milliseconds;
   do {
-    if (!river.advance(1)) return false;
+    if (!step()) return false;
   } while (performance.now() < end);
   return true;
 }

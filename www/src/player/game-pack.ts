@@ -1,5 +1,7 @@
 /** A map's files for a game, as one archive: rasters, rivers, the picture, and a text that says by which scale. */
 
+import { encode } from "fast-png";
+import { strToU8, zipSync } from "fflate";
 import type { FullRiver } from "../engine/full.ts";
 
 /** What the archive is made of, out of the engine's memory. */
@@ -31,20 +33,15 @@ export function contentsOf(river: FullRiver): Contents {
   }
 }
 
-/** The archive. What writes it is fetched only now. */
-export async function packed({ readme, geojson, columns, rows, rasters }: Contents, picture: Blob): Promise<Blob> {
-  const [{ encode }, { strToU8, zipSync }, png] = await Promise.all([
-    import("fast-png"),
-    import("fflate"),
-    picture.arrayBuffer(),
-  ]);
+/** The archive. */
+export function packed({ readme, geojson, columns, rows, rasters }: Contents, picture: ArrayBuffer): Blob {
   const files: Record<string, Uint8Array> = { "README.txt": strToU8(readme) };
   for (const { name, values, texts } of rasters) {
     const depth = values instanceof Uint16Array ? 16 : 8;
     files[`${name}.png`] = encode({ width: columns, height: rows, data: values, depth, channels: 1, text: texts });
   }
   files["map.geojson"] = strToU8(geojson);
-  files["map.png"] = new Uint8Array(png);
+  files["map.png"] = new Uint8Array(picture);
   return new Blob([zipSync(files, { mtime: EARLIEST })], { type: "application/zip" });
 }
 

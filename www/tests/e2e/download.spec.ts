@@ -164,7 +164,7 @@ test("for files of finished rivers nothing is fetched, and nothing grown again",
   const fetched: string[] = [];
   page.on("request", (request) => fetched.push(request.url()));
   const before = await advanced();
-  const formats = ["PNG", "SVG", "GeoJSON", "JSON"];
+  const formats = ["PNG", "SVG", "GeoJSON", "JSON", "Game pack"];
   for (const format of formats) await download(page, format);
   expect(await planted()).toBe(1);
   // Each is asked once whether there is more to do.
@@ -202,17 +202,17 @@ test("the menu is used by keys, and gives the focus back", async ({ page }) => {
   await expect(button).toHaveAttribute("aria-expanded", "true");
   await expect(item("PNG")).toBeFocused();
   await page.keyboard.press("ArrowUp");
-  await expect(item("JSON")).toBeFocused();
+  await expect(item("Game pack")).toBeFocused();
   await page.keyboard.press("ArrowDown");
   await page.keyboard.press("ArrowDown");
   await expect(item("SVG")).toBeFocused();
   await page.keyboard.press("End");
-  await expect(item("JSON")).toBeFocused();
+  await expect(item("Game pack")).toBeFocused();
   await page.keyboard.press("Escape");
   await expect(button).toBeFocused();
   await expect(page.getByRole("menu")).toBeHidden();
   await page.keyboard.press("ArrowUp");
-  await expect(item("JSON")).toBeFocused();
+  await expect(item("Game pack")).toBeFocused();
   await page.keyboard.press("Tab");
   await expect(page.getByRole("menu")).toBeHidden();
   await button.click();
