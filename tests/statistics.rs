@@ -109,12 +109,9 @@ fn what_eyes_dislike_is_at_most_a_third_of_colonization_s() {
         for count in ["umbrellas", "parallels", "along-coast"] {
             let most = colonized(count) / 3.0;
             assert!(most > 0.0, "{land} has {count} to be rid of");
-            for (drainage, which) in [(&calm, "calm"), (&wild, "wild")] {
-                assert!(drainage(count) <= most, "{land}, {which}: {count} {}, not {most}", drainage(count));
+            for (like_nature, which) in [(&calm, "calm"), (&wild, "wild"), (&valleys, "valleys")] {
+                assert!(like_nature(count) <= most, "{land}, {which}: {count} {}, not {most}", like_nature(count));
             }
-            // Of few mouths rivers must pass the coast between them, and its bays and capes: they keep 0.65 of it on a continent.
-            let most = if count == "along-coast" { colonized(count) * 0.7 } else { most };
-            assert!(valleys(count) <= most, "{land}, valleys: {count} {}, not {most}", valleys(count));
         }
     }
 }

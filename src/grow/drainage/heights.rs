@@ -31,6 +31,10 @@ pub(super) fn heights(settings: &GrowthSettings, parcels: &Parcels) -> Vec<f32> 
     heights.into_iter().zip(&parcels.toll).map(stem).collect()
 }
 
+/// How far from the coast attractors that follow valleys lie, in spacings: what is nearer drains to the sea by itself, and rivers that came
+/// for it would run along the coast.
+const COASTAL_STRIP: f32 = 0.6;
+
 /// The attractors of space colonization that follows valleys, one in each cell of the plane, the lowest first.
 pub(in crate::grow) fn attractors_by_height(settings: &GrowthSettings) -> Vec<Vec2> {
     let parcels = Parcels::without_costs(settings);
@@ -40,7 +44,10 @@ pub(in crate::grow) fn attractors_by_height(settings: &GrowthSettings) -> Vec<Ve
     let heights = ground(settings, &parcels, settings.drainage.valleys.sqrt(), &distance, &rim);
     let watered = settings.land.as_deref().map(|land| Watered::of(settings, land));
     let by_height = sort::argsort(heights.into_iter().map(sort::key)).into_iter().map(|i| parcels.at[i]);
-    by_height.filter(|&at| watered.as_ref().is_none_or(|watered| watered.holds(at))).collect()
+    let is_inland = |at| {
+        settings.land.as_ref().is_none_or(|land| land.coast_distance().height(at) > COASTAL_STRIP * settings.spacing)
+    };
+    by_height.filter(|&at| watered.as_ref().is_none_or(|watered| watered.holds(at)) && is_inland(at)).collect()
 }
 
 /// The heights of all parcels. Noise and chance make the ground as uneven as asked for, from 0 to 1; it rises with the distance from the
