@@ -1,36 +1,15 @@
-/** Finished rivers as files. */
+/** Finished rivers as the files that widgets make, too: pictures and shapes. */
 
 import type { Size } from "../browser/canvas.ts";
-import type { FullCore, FullRiver } from "../engine/full.ts";
+import type { FullRiver } from "../engine/full.ts";
 import type { River } from "../engine/types.ts";
 import { Blitter } from "./blit.ts";
-import { contentsOf, packed } from "./game-pack.ts";
 import { type Canvas, contextOf } from "./river-player.ts";
 
 /** Pixels on the long side of a PNG: a full page in print, and on any screen more than there is. */
-const LONG_SIDE_PX = 3000;
+export const LONG_SIDE_PX = 3000;
 /** What growing for a file may take at a time, so that the page goes on answering. */
 const SLICE_MS = 12;
-
-const FORMATS = {
-  png: (river: FullRiver, { memory }: FullCore) => pngOf(river, memory, LONG_SIDE_PX),
-  svg: svgOf,
-  geojson: (river: FullRiver) => raised(river, () => text(river.geojson(), "application/geo+json")),
-  json: (river: FullRiver) => finished(river, () => text(river.network(), "application/json")),
-  zip: packOf,
-};
-
-/** The formats, each named as its files end. */
-export type Format = keyof typeof FORMATS;
-
-export function isFormat(name: string | undefined): name is Format {
-  return name !== undefined && Object.hasOwn(FORMATS, name);
-}
-
-/** Takes a river, which nobody else has, to its end and makes a file of it. It is gone afterwards. */
-export function fileOf(river: FullRiver, core: FullCore, format: Format): Promise<Blob> {
-  return FORMATS[format](river, core);
-}
 
 /** Its picture, `size` pixels on the long side. Reports when it begins to paint, which is one step. */
 export async function pngOf(
@@ -51,25 +30,8 @@ export function svgOf(river: FullRiver): Promise<Blob> {
   return finished(river, () => new Blob([river.svg()], { type: "image/svg+xml" }));
 }
 
-/** All that games need, and the picture. */
-async function packOf(river: FullRiver, { memory }: FullCore): Promise<Blob> {
-  const [contents, canvas] = await raised(
-    river,
-    () => [contentsOf(river), drawn(river, memory, LONG_SIDE_PX)] as const,
-  );
-  return packed(contents, await (await encoded(canvas)).arrayBuffer());
-}
-
-/** Makes something of a river and its relief, in a style that shows none too. */
-function raised<Made>(river: FullRiver, make: () => Made | Promise<Made>): Promise<Made> {
-  return finished(river, async () => {
-    await inSlices(() => river.raiseRelief());
-    return make();
-  });
-}
-
 /** Makes something of a river when it has come to its end. */
-async function finished<Made>(river: River, make: () => Made | Promise<Made>): Promise<Made> {
+export async function finished<Made>(river: River, make: () => Made | Promise<Made>): Promise<Made> {
   try {
     await inSlices(() => river.advance(1));
     return await make();
@@ -79,7 +41,7 @@ async function finished<Made>(river: River, make: () => Made | Promise<Made>): P
 }
 
 /** Takes steps, each of which says whether there are more, and lets the page answer in between. */
-async function inSlices(step: () => boolean): Promise<void> {
+export async function inSlices(step: () => boolean): Promise<void> {
   while (stepsFor(SLICE_MS, step)) await new Promise((resume) => setTimeout(resume));
 }
 
@@ -92,12 +54,8 @@ function stepsFor(milliseconds: number, step: () => boolean): boolean {
   return true;
 }
 
-function text(value: object, type: string): Blob {
-  return new Blob([JSON.stringify(value)], { type });
-}
-
 /** Painted for the file rather than enlarged from the screen. */
-function drawn(river: River, memory: WebAssembly.Memory, longSide: number): Canvas {
+export function drawn(river: River, memory: WebAssembly.Memory, longSide: number): Canvas {
   const { width, height } = sizeFor(river.aspect, longSide);
   river.resize(width, height);
   river.paint();
@@ -113,7 +71,7 @@ function bareCanvas(width: number, height: number): Canvas {
   return Object.assign(document.createElement("canvas"), { width, height });
 }
 
-function encoded(canvas: Canvas): Promise<Blob> {
+export function encoded(canvas: Canvas): Promise<Blob> {
   if ("convertToBlob" in canvas) return canvas.convertToBlob({ type: "image/png" });
   return new Promise((done, failed) => {
     canvas.toBlob((blob) => (blob ? done(blob) : failed(new Error("the browser made no picture"))), "image/png");
