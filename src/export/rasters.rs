@@ -267,7 +267,7 @@ mod tests {
         let mut session = Session::new(link::read("attractors=300&style=atlas").unwrap()).unwrap();
         session.finish().unwrap();
         // Enough for what the rivers need; the relief is there already.
-        let refused = with_lists_up_to(1_000_000, || Rasters::new(&session)).unwrap_err();
+        let refused = with_lists_up_to(10_000_000, || Rasters::new(&session)).unwrap_err();
         assert!(matches!(refused, ExportError::OutOfMemory { megabytes } if megabytes > 10), "{refused}");
         assert!(Rasters::new(&session).is_ok());
     }
