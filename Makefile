@@ -52,7 +52,7 @@ tarball: widget
 # ---- prove it
 
 .PHONY: test
-test: test-scripts test-rust test-wasm test-page test-browser test-firefox test-package ## every test there is
+test: test-scripts test-rust test-hydrology test-wasm test-page test-browser test-firefox test-package ## every test there is
 
 .PHONY: test-scripts
 test-scripts: ## what set-up, builds and checks decide, with stand-ins for apt, rustup, npm and the like
@@ -64,6 +64,13 @@ test-rust: ## the core, natively
 	@$(setup) rust
 	$(run) cargo test --all-features
 	scripts/crate.sh verify
+
+# Skipped, with a word, where Python or its packages cannot be had.
+.PHONY: test-hydrology
+test-hydrology: ## another's hydrology library finds nothing to fill on the relief, and our rivers where we drew them
+	@$(setup) rust
+	@$(run) cargo build --quiet --features cli
+	@scripts/hydrology.sh target/debug/riverseed
 
 .PHONY: test-wasm
 test-wasm: ## the core as wasm, in headless Chromium: the same pictures to the bit

@@ -17,7 +17,7 @@ use crate::memory;
 use crate::network::{Meander, Network, NetworkSettings, ShapeError, Shaping, ask_for_memory};
 use crate::prune::{self, Pruned, Trim};
 use crate::recipe::{Key, Recipe, Stage, Style};
-use crate::relief::{Relief, ReliefSettings};
+use crate::relief::{Relief, ReliefError, ReliefSettings};
 use crate::tree::{Hydrology, Tree};
 
 pub use error::SessionError;
@@ -45,7 +45,7 @@ pub struct Session {
     growth: Growth,
     /// Once growth has ended.
     shaping: Option<Shaping>,
-    /// Of finished rivers, once a style has shown it.
+    /// Of finished rivers, once it was wanted.
     relief: ReliefStage,
     generation: Generation,
     /// Another one whenever the trimmed tree is discarded.
@@ -238,7 +238,11 @@ impl Session {
         }
         match &mut self.shaping {
             None => self.shaping = Some(self.shape()?),
-            Some(shaping) if shaping.is_finished() => self.raise()?,
+            Some(shaping) if shaping.is_finished() => {
+                if self.shows_relief() {
+                    self.raise_relief()?;
+                }
+            }
             Some(shaping) => {
                 shaping.step();
             }
@@ -264,14 +268,35 @@ impl Session {
         self.recipe.get::<Style>().has_relief()
     }
 
-    /// Makes a step of the relief.
-    fn raise(&mut self) -> Result<(), SessionError> {
-        if self.wants_relief() {
-            let rivers = self.shaping.as_ref().and_then(Shaping::network).unwrap_or(Network::EMPTY);
-            let (recipe, land, growth) = (&self.recipe, &self.land, &self.growth);
-            self.relief.step(rivers, || ReliefSettings::new(recipe, land.clone(), growth.total_discharge()))?;
+    /// Makes a step of the relief of finished rivers, in a style that shows none too: for files, which then take it as it is. Returns
+    /// whether one was left to make.
+    ///
+    /// # Errors
+    /// If there is not enough memory. A further call tries the same step again.
+    pub fn raise_relief(&mut self) -> Result<bool, SessionError> {
+        let shaping = self.shaping.as_ref().filter(|shaping| shaping.is_finished() && self.relief.relief().is_none());
+        let Some(shaping) = shaping else { return Ok(false) };
+        let (recipe, land, growth) = (&self.recipe, &self.land, &self.growth);
+        let settings = || ReliefSettings::new(recipe, land.clone(), growth.total_discharge());
+        self.relief.step(shaping.network().unwrap_or(Network::EMPTY), settings)?;
+        Ok(true)
+    }
+
+    /// How the relief of this recipe is made of its rivers.
+    pub fn relief_settings(&self) -> ReliefSettings {
+        ReliefSettings::new(&self.recipe, self.land.clone(), self.growth.total_discharge())
+    }
+
+    /// The relief of the rivers as they are, in any style: the session's own, or one that is made at once. [`Session::raise_relief`]
+    /// makes it in steps.
+    ///
+    /// # Errors
+    /// If there is not enough memory.
+    pub fn make_relief(&self) -> Result<Arc<Relief>, ReliefError> {
+        match self.relief.relief() {
+            Some(relief) => Ok(relief.clone()),
+            None => relief::at_once(self.network().unwrap_or(Network::EMPTY), self.relief_settings()),
         }
-        Ok(())
     }
 
     /// The relief; `None` as long as rivers are not finished, and in a style that shows none. It is kept for a later style that

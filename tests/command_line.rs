@@ -3,6 +3,7 @@
 #![cfg(feature = "cli")]
 
 use std::fs;
+use std::io::Read;
 use std::path::PathBuf;
 use std::process::{Command, Output};
 
@@ -102,6 +103,39 @@ fn ending_says_what_is_written() {
 }
 
 #[test]
+fn name_says_which_raster_is_written_and_zip_holds_them_all() {
+    let written = |name: &str, more: &[&str]| {
+        let out = scratch(name);
+        let output = riverseed(&[&["render", "seed=rata&attractors=200", "-o", out.to_str().unwrap()], more].concat());
+        assert!(output.status.success() && output.stderr.is_empty(), "{output:?}");
+        fs::read(out).unwrap()
+    };
+    let pack = written("map.zip", &["--size", "100"]);
+    let archive = rawzip::ZipArchive::from_slice(&pack).unwrap();
+    let mut files = std::collections::BTreeMap::new();
+    let mut entries = archive.entries();
+    while let Some(entry) = entries.next_entry().unwrap() {
+        let name = entry.file_path().try_normalize().unwrap().as_ref().to_owned();
+        let content = archive.get_entry(entry.wayfinder()).unwrap();
+        let mut bytes = Vec::new();
+        flate2::read::DeflateDecoder::new(content.data()).read_to_end(&mut bytes).unwrap();
+        files.insert(name, bytes);
+    }
+    for name in ["heights.png", "land.png", "rivers.png", "flow.png", "basins.png"] {
+        assert!(files[name] == written(&format!("map.{name}"), &[]), "{name}");
+    }
+    assert!(
+        files["map.png"] == written("map.at.night.png", &["--size", "100"]),
+        "a picture, whatever dots are in its name"
+    );
+    assert!(String::from_utf8(files["README.txt"].clone()).unwrap().contains("seed=rata&edition=1&attractors=200"));
+    assert_eq!(
+        refusal(&["render", "--size", "100", "-o", "x.Heights.png"]),
+        (2, "riverseed: --size does not go with .heights.png\n".into())
+    );
+}
+
+#[test]
 fn rivers_are_in_the_network_with_what_they_were_made_by() {
     let network =
         network("rivers.json", &["growth=colonize&valleys=0&attractors=400&meander=flow&meander-rounds=3&simplify=50"]);
@@ -191,7 +225,7 @@ fn what_is_wrong_is_named_and_nothing_is_written() {
     );
     assert_eq!(
         refusal(&["render", "-o", "x.gif"]),
-        (2, "riverseed: x.gif: the ending of the output is none of .png, .svg, .geojson, .json\n".into())
+        (2, "riverseed: x.gif: the ending of the output is none of .png, .svg, .geojson, .json, .zip\n".into())
     );
     assert_eq!(refusal(&["render", "--size", "9000", "-o", out]).0, 2);
     assert_eq!(refusal(&["render", "--recipe", "no-such-file.json", "-o", out]).0, 1);

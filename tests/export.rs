@@ -9,12 +9,13 @@ use std::collections::BTreeSet;
 use common::plain::plain;
 use common::property::cases;
 use common::random_link;
-use geo::{LineString, Polygon, Validation};
+use geo::{Area, LineString, Polygon, Validation};
 use geojson::feature::Id;
 use geojson::{FeatureCollection, GeometryValue};
 use proptest::prelude::*;
 use resvg::{tiny_skia, usvg};
 use riverseed::export::{ExportError, geojson as to_geojson, json as to_json, svg};
+use riverseed::network::NONE;
 use riverseed::picture::Picture;
 use riverseed::recipe::link;
 use riverseed::session::Session;
@@ -55,15 +56,22 @@ fn check_svg(session: &Session) {
     assert!((tree.size().width() - size.x).abs() < 0.01 && (tree.size().height() - size.y).abs() < 0.01);
 }
 
-/// Checks a GeoJSON: rivers are connected, lakes are closed.
+/// Checks a GeoJSON: water, and what it flows through.
 fn check_geojson(session: &Session) {
-    let features = collection(session).features;
+    let ground = check_water(session, collection(session).features);
+    check_ground(session, &ground);
+}
+
+/// Checks that rivers are connected and lakes are closed. Returns what comes after them.
+fn check_water(session: &Session, features: Vec<geojson::Feature>) -> Vec<geojson::Feature> {
     let id = |feature: &geojson::Feature, key: &str| feature.property(key).and_then(serde_json::Value::as_u64);
     let line = |feature: &geojson::Feature| match &feature.geometry.as_ref().unwrap().value {
         GeometryValue::LineString { coordinates } => coordinates.clone(),
         other => panic!("{other:?}"),
     };
-    let (features, lakes) = features.split_at(session.network().unwrap().rivers.len());
+    let (features, others) = features.split_at(session.network().unwrap().rivers.len());
+    let is_lake = |feature: &&geojson::Feature| feature.property("kind").is_some_and(|kind| kind == "oxbow");
+    let (lakes, ground) = others.split_at(others.iter().take_while(is_lake).count());
     check_lakes(session, lakes);
     let lines: Vec<_> = features.iter().map(line).collect();
     for (number, feature) in features.iter().enumerate() {
@@ -80,6 +88,7 @@ fn check_geojson(session: &Session) {
             None => assert!(id(feature, "mouth") == Some(number as u64) && line.last().unwrap()[2] == 0.0),
         }
     }
+    ground.to_vec()
 }
 
 /// Checks the lakes of a GeoJSON: each that there is to see is there, and each is a valid polygon, its ring counterclockwise
@@ -95,6 +104,45 @@ fn check_lakes(session: &Session, lakes: &[geojson::Feature]) {
         let polygon = polygon(lake);
         assert!(polygon.is_valid(), "{:?}: {:?}", lake.id, polygon.validation_errors());
     }
+}
+
+/// Checks basins, land and ridges: valid polygons, each basin with a mouth of its own, and all of them within the land's area.
+fn check_ground(session: &Session, ground: &[geojson::Feature]) {
+    let kind = |feature: &geojson::Feature| feature.property("kind").unwrap().as_str().unwrap().to_owned();
+    let kinds: Vec<String> = ground.iter().map(kind).collect();
+    assert!(kinds.is_sorted_by_key(|kind| ["basin", "land", "ridge"].iter().position(|own| own == kind).unwrap()));
+    let rings = |feature: &geojson::Feature| match feature.geometry.clone().unwrap().value {
+        GeometryValue::Polygon { coordinates } => vec![coordinates],
+        GeometryValue::MultiPolygon { coordinates } => coordinates,
+        _ => vec![],
+    };
+    let line =
+        |ring: &Vec<geojson::Position>| ring.iter().map(|at| (at[0] * 100.0, at[1] * 100.0)).collect::<LineString>();
+    let (mut areas, mut mouths) = ([0.0, 0.0], BTreeSet::new());
+    for (feature, kind) in ground.iter().zip(&kinds) {
+        let number = |name: &str| feature.property(name).and_then(serde_json::Value::as_u64).unwrap();
+        assert_eq!(feature.id, Some(Id::String(format!("{kind}-{}", number("number")))));
+        let mut area = 0.0;
+        for polygon in rings(feature) {
+            let polygon = Polygon::new(line(&polygon[0]), polygon[1..].iter().map(line).collect());
+            assert!(polygon.is_valid(), "{:?}: {:?}", feature.id, polygon.validation_errors());
+            assert!(polygon.signed_area() > 0.0, "clockwise");
+            area += polygon.unsigned_area();
+        }
+        if kind == "basin" {
+            assert!(mouths.insert(number("mouth")));
+            assert!(session.network().unwrap().rivers[number("mouth") as usize].junction == NONE);
+            // Corners of cells are cut.
+            let cells = number("area") as f64;
+            assert!((area - cells).abs() <= 0.5 * cells, "{area} of {cells}");
+        }
+        areas[usize::from(kind == "land")] += if kind == "ridge" { 0.0 } else { area };
+    }
+    assert!(areas[0] <= areas[1] * 1.02 + 500.0, "basins of {} on land of {}", areas[0], areas[1]);
+    assert_eq!(
+        kinds.iter().filter(|kind| *kind == "ridge").count(),
+        session.land().map_or(0, |land| land.ridges().len())
+    );
 }
 
 /// The polygon of a lake, with the positions as they are written.
@@ -154,7 +202,7 @@ fn lakes_are_valid_polygons_and_none_is_lost() {
             let change = link::pairs(&format!("meander-rounds={rounds}")).unwrap();
             session.change(link::apply(session.recipe().clone(), &change).unwrap()).unwrap();
             lakes += session.finish().unwrap().oxbows.len();
-            check_geojson(&session);
+            check_water(&session, collection(&session).features);
         }
     }
     assert!(lakes > 400, "{lakes} lakes");
@@ -199,8 +247,10 @@ fn map_without_rivers_is_a_file_too() {
     let session = finished(shut_off);
     assert_eq!(session.network().unwrap().rivers.len(), 0);
     check_svg(&session);
+    check_geojson(&session);
     check_json(&session);
-    assert!(collection(&session).features.is_empty());
+    let is_land = |feature: &geojson::Feature| feature.property("kind").is_some_and(|kind| kind == "land");
+    assert!(collection(&session).features.iter().any(is_land));
 }
 
 #[test]

@@ -9,23 +9,26 @@ use glam::Vec2;
 
 use super::banks::Banks;
 use super::data::{Json, Members};
+use super::polygons::{Polygon, polygons};
 use super::rings::GridPoint;
 use super::{ExportError, rivers};
 use crate::domain::Domain;
+use crate::land::SmoothedDistance;
 use crate::network::{NONE, Network, hydrology};
 use crate::recipe::link;
-use crate::relief::METRES;
+use crate::relief::{CELL_SIZE, Flow, METRES, Relief};
 use crate::session::Session;
 
-/// A session's rivers as they are: a feature collection, ready to be written.
+/// A session's rivers as they are, and the land that they made: a feature collection, ready to be written.
 ///
 /// # Errors
 /// If there are no rivers yet, or there is not enough memory.
 pub fn collection(session: &Session) -> Result<Json<'_>, ExportError> {
     const BYTES_A_VERTEX: usize = 16;
     let network = rivers(session, BYTES_A_VERTEX)?;
-    let parameters = session.network_settings();
-    let elevations = hydrology::elevations(network, parameters.total_discharge);
+    let relief = session.make_relief()?;
+    // Where a river passes another's bend, its cell may be lower than the ones below it.
+    let elevations = hydrology::upward(network, |i, below| relief.at(network.vertices[i].at).max(below));
     let features = Features { network, domain: session.domain(), elevations };
     let mut lakes = Vec::new();
     for (id, oxbow) in (0..).zip(&network.oxbows) {
@@ -34,10 +37,17 @@ pub fn collection(session: &Session) -> Result<Json<'_>, ExportError> {
         }
     }
     let count = network.rivers.len();
-    let all = count + lakes.len();
-    let feature = move |i: usize| match lakes.get(i.wrapping_sub(count)) {
-        Some((id, ring)) => features.lake(*id, ring),
-        None => features.river(i as u32),
+    let ground = Ground::new(session, &features, &relief)?;
+    let (land, ridges) =
+        (count + lakes.len() + ground.basins.len(), session.land().map_or(0, |land| land.ridges().len()));
+    let all = land + ground.land.len() + ridges;
+    let feature = move |i: usize| match (i.checked_sub(count), i.checked_sub(count + lakes.len()), i.checked_sub(land))
+    {
+        (_, _, Some(i)) if i < ground.land.len() => ground.land(i),
+        (_, _, Some(i)) => features.ridge(session, i - ground.land.len()),
+        (_, Some(i), _) => ground.basin(i),
+        (Some(i), ..) => features.lake(lakes[i].0, &lakes[i].1),
+        _ => features.river(i as u32),
     };
     let mut collection = Members::default();
     collection
@@ -86,6 +96,14 @@ impl<'a> Features<'a> {
         feature(format!("river-{id}"), "LineString", positions(line), properties)
     }
 
+    fn ridge(&self, session: &Session, i: usize) -> Json<'a> {
+        let line = session.land().and_then(|land| land.ridges().get(i)).map_or(&[][..], Vec::as_slice);
+        let mut properties = Members::default();
+        properties.text("kind", "ridge").whole("number", i as u32);
+        let line = line.iter().map(|at| self.degrees(*at)).collect();
+        feature(format!("ridge-{i}"), "LineString", positions(line), properties)
+    }
+
     fn lake(&self, id: u32, ring: &[GridPoint]) -> Json<'a> {
         let oxbow = &self.network.oxbows[id as usize];
         let ring: Vec<[f64; 2]> = ring.iter().map(|at| at.map(degrees)).collect();
@@ -118,6 +136,55 @@ impl<'a> Features<'a> {
         // A thousandth of a unit is a hundred-thousandth of a degree.
         [from_middle.x, -from_middle.y].map(|x| (f64::from(x) * 1000.0).round() as i32)
     }
+}
+
+/// What rivers flow through, as polygons.
+struct Ground {
+    /// Connected pieces.
+    land: Vec<Polygon>,
+    /// Of each basin that has a cell: its number, the river in whose mouth it ends, how many square units it has, and its parts.
+    basins: Vec<(u32, u32, f32, Vec<Polygon>)>,
+}
+
+impl Ground {
+    fn new(session: &Session, features: &Features, relief: &Relief) -> Result<Self, ExportError> {
+        // North is up: what ran to the left of a line still does, seen from above.
+        let on_grid = |rings: Vec<Vec<Vec2>>| {
+            polygons(rings.into_iter().map(|ring| ring.into_iter().map(|at| features.grid(at)).collect()))
+        };
+        let size = session.domain().size;
+        let land = match session.land() {
+            Some(land) => SmoothedDistance::of(land.coast_distance()).rings_above(0.0),
+            None => vec![vec![Vec2::ZERO, Vec2::new(0.0, size.y), size, Vec2::new(size.x, 0.0)]],
+        };
+        let flow = Flow::new(relief, features.network, &session.relief_settings())?;
+        let mut areas = vec![0.0; flow.mouths.len() + 1];
+        flow.basins.iter().for_each(|&basin| areas[basin as usize] += CELL_SIZE * CELL_SIZE);
+        let basins = (1..).zip(&flow.mouths).zip(flow.basin_rings(relief.columns()));
+        let basins = basins.map(|((number, &mouth), rings)| (number, mouth, areas[number as usize], on_grid(rings)));
+        Ok(Self { land: on_grid(land), basins: basins.filter(|basin| !basin.3.is_empty()).collect() })
+    }
+
+    fn land<'a>(&self, i: usize) -> Json<'a> {
+        let mut properties = Members::default();
+        properties.text("kind", "land").whole("number", i as u32);
+        feature(format!("land-{i}"), "Polygon", parts(self.land[i].clone()), properties)
+    }
+
+    fn basin<'a>(&self, i: usize) -> Json<'a> {
+        let (number, mouth, area, polygons) = self.basins[i].clone();
+        let mut properties = Members::default();
+        properties.text("kind", "basin").whole("number", number).whole("mouth", mouth).whole("area", area as u32);
+        let polygons = Json::list(polygons.len(), move |i| parts(polygons[i].clone()));
+        feature(format!("basin-{number}"), "MultiPolygon", polygons, properties)
+    }
+}
+
+/// The rings of a polygon.
+fn parts<'a>(polygon: Polygon) -> Json<'a> {
+    let count = polygon.len();
+    let ring = move |i: usize| positions(polygon[i].iter().map(|at: &GridPoint| at.map(degrees)).collect());
+    Json::list(count, ring)
 }
 
 fn degrees(parts: i32) -> f64 {

@@ -6,8 +6,11 @@ mod banks;
 mod data;
 pub mod geojson;
 pub mod json;
+pub mod pack;
 #[cfg(feature = "png")]
 pub mod png;
+mod polygons;
+pub mod rasters;
 mod rings;
 pub mod svg;
 

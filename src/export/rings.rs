@@ -38,7 +38,7 @@ fn cut_small_loops(ring: &mut Vec<GridPoint>) {
 }
 
 /// Twice the area that a ring runs round counterclockwise, in cells of the grid.
-fn doubled_area(ring: &[GridPoint]) -> i64 {
+pub(super) fn doubled_area(ring: &[GridPoint]) -> i64 {
     (2..ring.len()).map(|i| turn(ring[0], ring[i - 1], ring[i])).sum()
 }
 

@@ -45,33 +45,36 @@ pub fn elevations(network: &Network, total_discharge: u32) -> Vec<f32> {
     let downstream = network.downstream();
     let is_given = has_elevations(network);
     let straightness = if is_given { Vec::new() } else { straightness(network) };
-    let mut elevations = vec![f32::NAN; network.vertices.len()];
+    upward(network, |i, below| {
+        let (vertex, next) = (&network.vertices[i], &network.vertices[downstream[i] as usize]);
+        let law = || {
+            let share = vertex.discharge as f32 / total_discharge as f32;
+            slope(share) * distance(vertex.at, next.at) * straightness[i]
+        };
+        // However short the way, a river falls.
+        let own = if is_given { vertex.elevation } else { below + law() };
+        own.max(below.next_up())
+    })
+}
+
+/// What each vertex has by its number and what the next one downstream has; 0 at mouths.
+pub fn upward(network: &Network, of: impl Fn(usize, f32) -> f32) -> Vec<f32> {
+    let downstream = network.downstream();
+    let mut values = vec![f32::NAN; network.vertices.len()];
     let mut upward = Vec::new();
     for start in 0..network.vertices.len() as u32 {
         // Down to what is known, then up again.
         let mut i = start;
-        while i != NONE && elevations[i as usize].is_nan() {
+        while i != NONE && values[i as usize].is_nan() {
             upward.push(i);
             i = downstream[i as usize];
         }
         while let Some(i) = upward.pop() {
-            let vertex = &network.vertices[i as usize];
-            elevations[i as usize] = match network.vertices.get(downstream[i as usize] as usize) {
-                None => 0.0,
-                Some(next) => {
-                    let below = elevations[downstream[i as usize] as usize];
-                    let law = || {
-                        let share = vertex.discharge as f32 / total_discharge as f32;
-                        slope(share) * distance(vertex.at, next.at) * straightness[i as usize]
-                    };
-                    // However short the way, a river falls.
-                    let own = if is_given { vertex.elevation } else { below + law() };
-                    own.max(below.next_up())
-                }
-            };
+            let below = values.get(downstream[i as usize] as usize);
+            values[i as usize] = below.map_or(0.0, |&below| of(i as usize, below));
         }
     }
-    elevations
+    values
 }
 
 /// The straight way over the way along the river, around each vertex: a river that winds through a plain does not climb.

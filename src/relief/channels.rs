@@ -136,6 +136,12 @@ impl Channels {
         }
     }
 
+    /// The cells of each river's path, from its source down.
+    #[cfg(feature = "files")]
+    pub fn paths(&self) -> impl Iterator<Item = impl Iterator<Item = usize> + '_> + '_ {
+        self.paths.iter().map(|path| self.steps[path.range()].iter().map(|&(cell, _)| cell as usize))
+    }
+
     /// How many cells rivers pass, each as often as they do.
     pub fn count(&self) -> usize {
         self.steps.len()

@@ -14,6 +14,8 @@ mod cells;
 mod channels;
 #[cfg(feature = "files")]
 mod contours;
+#[cfg(feature = "files")]
+mod flow;
 mod march;
 mod settings;
 mod solver;
@@ -25,6 +27,8 @@ use glam::Vec2;
 
 use crate::sort::quantile;
 
+#[cfg(feature = "files")]
+pub use flow::Flow;
 pub use settings::ReliefSettings;
 pub use solver::{ReliefError, ReliefSolver};
 

@@ -1,4 +1,4 @@
-//! The relief of a session's rivers: made once a style shows it, and kept for as long as the rivers stay as they are.
+//! The relief of a session's rivers: made once a style shows it or a file is to hold it, and kept for as long as the rivers stay as they are.
 
 use std::sync::Arc;
 
@@ -8,7 +8,7 @@ use crate::relief::{Relief, ReliefError, ReliefSettings, ReliefSolver};
 /// How far the relief has come.
 #[derive(Clone, Debug, Default)]
 pub(super) enum ReliefStage {
-    /// No style has shown it yet.
+    /// Nobody has wanted it yet.
     #[default]
     Waiting,
     Solving(Box<ReliefSolver>),
@@ -52,6 +52,16 @@ impl ReliefStage {
         match self {
             Self::Solving(solver) => solver.bytes(),
             Self::Waiting | Self::Solved(_) => 0,
+        }
+    }
+}
+
+/// A relief made in one go.
+pub(super) fn at_once(network: &Network, settings: ReliefSettings) -> Result<Arc<Relief>, ReliefError> {
+    let mut solver = ReliefSolver::new(network, settings)?;
+    loop {
+        if let Some(relief) = solver.step(network)? {
+            return Ok(relief.into());
         }
     }
 }

@@ -326,3 +326,29 @@ fn change_of_a_late_stage_makes_no_step() {
         finish(&mut session);
     }
 }
+
+#[test]
+fn relief_is_made_in_steps_in_any_style_and_is_that_of_all_styles() {
+    let expected = finished(&format!("{BENDS}&style=atlas"));
+    let mut session = finished(&format!("{BENDS}&style=ink"));
+    let steps = std::iter::from_fn(|| session.raise_relief().unwrap().then_some(())).count();
+    assert!(steps > 10, "{steps}");
+    assert_eq!((session.phase(), session.relief()), (Phase::Finished, None), "the style shows none");
+    let before = work::steps();
+    assert!(session.make_relief().as_ref() == Ok(expected.relief().unwrap()));
+    assert_eq!(work::steps(), before, "nothing is left to do");
+    let mut growing = planted(BENDS);
+    assert_eq!(growing.raise_relief(), Ok(false), "there are no rivers yet");
+    // Other rivers, another relief.
+    session.change(recipe(&format!("{BENDS}&style=ink&width=30"))).unwrap();
+    finish(&mut session);
+    assert!(session.make_relief().as_ref() != Ok(expected.relief().unwrap()));
+    assert!(session.make_relief() == finished(&format!("{BENDS}&style=dark&width=30")).make_relief());
+}
+
+#[test]
+fn relief_of_a_file_is_refused_where_there_is_no_memory_for_it() {
+    let session = finished(BENDS);
+    let refused = with_lists_up_to(NOTHING, || session.make_relief()).unwrap_err();
+    assert!(refused.to_string().contains("needs about 17 MB"), "{refused}");
+}

@@ -1,5 +1,6 @@
 //! What only the full engine has, and a widget fetches when it is asked for a file: files and the digest.
 
+use js_sys::{Uint8Array, Uint16Array};
 use serde::Serialize;
 use serde_wasm_bindgen::Serializer;
 use wasm_bindgen::prelude::*;
@@ -7,7 +8,8 @@ use wasm_bindgen::prelude::*;
 use super::objects::coded;
 use super::rivers::{River, paint_error, session_error};
 use crate::digest::{self, DigestError};
-use crate::export::{ExportError, Json, geojson, json, svg};
+use crate::export::rasters::{Layer, Rasters, Values};
+use crate::export::{ExportError, Json, geojson, json, pack, svg};
 use crate::recipe::link;
 
 /// The digest of a recipe: what proves that two browsers draw and write the same. The link is read strictly.
@@ -30,6 +32,13 @@ impl River {
         Ok(Self { session, notices: self.notices.clone(), picture: None, dirty: None })
     }
 
+    /// Makes a step of the relief of finished rivers, in a style that shows none too, so that files find it made. Returns whether one
+    /// was left to make. Throws an Error if there is not enough memory.
+    #[wasm_bindgen(js_name = raiseRelief)]
+    pub fn raise_relief(&mut self) -> Result<bool, JsValue> {
+        self.session.raise_relief().map_err(|error| session_error(&error))
+    }
+
     /// The map as it is, as the text of an SVG file. Throws an Error, as long as the tree grows.
     pub fn svg(&self) -> Result<String, JsValue> {
         svg::svg(&self.session).map_err(|error| export_error(&error))
@@ -46,6 +55,59 @@ impl River {
     #[wasm_bindgen(unchecked_return_type = "object")]
     pub fn network(&self) -> Result<JsValue, JsValue> {
         json::network(&self.session, false).map_err(|error| export_error(&error)).and_then(|file| to_js(&file))
+    }
+}
+
+/// What is known of each cell of the relief, for the files of a game: numbers and texts, which JavaScript makes files of.
+#[wasm_bindgen]
+pub struct Cells(Rasters);
+
+#[wasm_bindgen]
+impl River {
+    /// The rasters of the rivers as they are. Throws an Error, as long as the tree grows.
+    pub fn cells(&self) -> Result<Cells, JsValue> {
+        Rasters::new(&self.session).map(Cells).map_err(|error| export_error(&error))
+    }
+}
+
+#[wasm_bindgen]
+impl Cells {
+    /// How many cells lie side by side.
+    #[wasm_bindgen(getter)]
+    pub fn columns(&self) -> usize {
+        self.0.columns
+    }
+
+    /// How many rows of cells there are.
+    #[wasm_bindgen(getter)]
+    pub fn rows(&self) -> usize {
+        self.0.rows
+    }
+
+    /// What the files hold, and by which scale.
+    pub fn readme(&self) -> String {
+        pack::readme(&self.0)
+    }
+
+    /// The names of the rasters, in the order of their numbers.
+    pub fn names(&self) -> Vec<String> {
+        Layer::ALL.iter().map(|layer| layer.name().into()).collect()
+    }
+
+    /// The values of a raster, row by row; `undefined` if there is none of that number.
+    #[wasm_bindgen(unchecked_return_type = "Uint8Array | Uint16Array | undefined")]
+    pub fn values(&self, number: usize) -> JsValue {
+        match Layer::ALL.get(number).map(|&layer| self.0.values(layer)) {
+            Some(Values::Bytes(bytes)) => Uint8Array::from(&bytes[..]).into(),
+            Some(Values::Words(words)) => Uint16Array::from(&words[..]).into(),
+            None => JsValue::UNDEFINED,
+        }
+    }
+
+    /// Keywords and texts that a raster's file carries, in turn.
+    pub fn texts(&self, number: usize) -> Vec<String> {
+        let texts = Layer::ALL.get(number).map(|&layer| self.0.texts(layer)).unwrap_or_default();
+        texts.into_iter().flat_map(|(keyword, text)| [keyword.into(), text]).collect()
     }
 }
 

@@ -54,34 +54,22 @@ pub fn length(line: &[DVec2]) -> f64 {
     line.windows(2).map(|pair| pair[0].distance(pair[1])).sum()
 }
 
-/// How high each vertex lies over the sea, in metres: a fall of 55 in 14,000 at the mouth of all water, steeper as discharge^-0.5, on the
-/// straight way from twelve vertices above to twelve below.
+/// How high each vertex lies over the sea, in metres: as the relief's cell there, or the vertex below it where that is higher.
 pub fn heights(session: &Session) -> Vec<f64> {
     const METRES_A_UNIT: f64 = 25.0;
-    let (network, all) = (session.network().unwrap(), f64::from(session.network_settings().total_discharge));
+    let (network, relief) = (session.network().unwrap(), session.make_relief().unwrap());
     let mut heights = vec![f64::NAN; network.vertices.len()];
     // A river stands before those that join it, but for what a cutoff has given to another.
     while heights.iter().any(|height| height.is_nan()) {
         for river in &network.rivers {
             let course = course(river);
-            for (i, pair) in course.windows(2).enumerate().rev() {
-                let around: Vec<DVec2> = course[i.saturating_sub(12)..=(i + 12).min(course.len() - 1)]
-                    .iter()
-                    .map(|&vertex| network.vertices[vertex].at.as_dvec2())
-                    .collect();
-                let straight = around[0].distance(around[around.len() - 1]) / length(&around);
-                let [upper, lower] = [pair[0], pair[1]];
-                let way = network.vertices[upper].at.as_dvec2().distance(network.vertices[lower].at.as_dvec2());
-                // Even a river that drains nothing drains a millionth.
-                let share = (f64::from(network.vertices[upper].discharge) / all).max(1e-6);
-                let slope = 0.055 / 14.0 / share.sqrt() * straight;
-                if lower + 1 == river.end as usize && river.junction == NONE {
-                    heights[lower] = 0.0;
-                }
-                heights[upper] = heights[lower] + slope * way * METRES_A_UNIT;
+            if river.junction == NONE {
+                heights[course[course.len() - 1]] = 0.0;
             }
-            if course.len() == 1 {
-                heights[course[0]] = 0.0;
+            for pair in course.windows(2).rev() {
+                let own = f64::from(relief.at(network.vertices[pair[0]].at)) * METRES_A_UNIT;
+                let below = heights[pair[1]];
+                heights[pair[0]] = if below.is_nan() { below } else { below.max(own) };
             }
         }
     }

@@ -4,6 +4,8 @@ import { readFileSync } from "node:fs";
 import type { Plugin } from "vite";
 
 const LICENCES = ["LICENSE-APACHE", "LICENSE-MIT", "THIRD-PARTY.txt"];
+/** The npm packages whose code is in the site: what the archives of game packs are written by. */
+const PACKAGES = ["fast-png", "fflate", "iobuffer"];
 
 export function licences(): Plugin {
   return {
@@ -12,6 +14,10 @@ export function licences(): Plugin {
       for (const fileName of LICENCES) {
         const source = readFileSync(new URL(`../../${fileName}`, import.meta.url));
         this.emitFile({ type: "asset", fileName, source });
+      }
+      for (const name of PACKAGES) {
+        const source = readFileSync(new URL(`../node_modules/${name}/LICENSE`, import.meta.url));
+        this.emitFile({ type: "asset", fileName: `LICENSE-${name}.txt`, source });
       }
     },
   };

@@ -21,6 +21,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use riverseed::digest::DigestError;
 use riverseed::domain::Domain;
 use riverseed::export;
+use riverseed::export::rasters::{Layer, Rasters};
 use riverseed::import::png::{Image, ImportError};
 use riverseed::land::Land;
 use riverseed::land::trace::{Traced, trace};
@@ -62,7 +63,7 @@ enum Failure {
     Paint(#[from] PaintError),
     #[error(transparent)]
     Digest(#[from] DigestError),
-    #[error("{}: the ending of the output is none of .png, .svg, .geojson, .json", path.display())]
+    #[error("{}: the ending of the output is none of .png, .svg, .geojson, .json, .zip", path.display())]
     Ending { path: PathBuf },
     #[error("{option} does not go with {ending}")]
     Mismatch { option: &'static str, ending: &'static str },
@@ -112,7 +113,7 @@ fn command() -> Command {
 
 fn render_command() -> Command {
     Command::new("render")
-        .about("Draws a recipe as PNG or SVG, or writes its rivers as GeoJSON or JSON")
+        .about("Draws a recipe as PNG or SVG, or writes its rivers and its relief")
         .after_help(MIXED)
         .args(recipe_arguments())
         .arg(
@@ -121,7 +122,7 @@ fn render_command() -> Command {
                 .long("output")
                 .value_name("OUT")
                 .required(true)
-                .help("The file to write; its ending, .png, .svg, .geojson or .json, says what")
+                .help("The file to write; its ending says what: .png, .svg, .geojson, .json, .zip for all that games need, or one raster of that: .heights.png, .land.png, .rivers.png, .flow.png, .basins.png")
                 .value_parser(value_parser!(PathBuf)),
         )
         .arg(
@@ -129,7 +130,7 @@ fn render_command() -> Command {
                 .long("size")
                 .value_name("PIXELS")
                 .default_value("1200")
-                .help("The longer side of a PNG")
+                .help("The longer side of the picture")
                 .value_parser(value_parser!(u32).range(1..=i64::from(LONGEST_SIDE))),
         )
         .args(TABLE.iter().map(render_option))
@@ -227,15 +228,28 @@ enum Form {
     Svg,
     GeoJson,
     Json,
+    Pack,
+    Raster(Layer),
 }
 
 impl Form {
-    const ALL: [(Self, &'static str); 4] =
-        [(Self::Png, ".png"), (Self::Svg, ".svg"), (Self::GeoJson, ".geojson"), (Self::Json, ".json")];
+    const ALL: [(Self, &'static str); 10] = [
+        (Self::Raster(Layer::Heights), ".heights.png"),
+        (Self::Raster(Layer::Land), ".land.png"),
+        (Self::Raster(Layer::Rivers), ".rivers.png"),
+        (Self::Raster(Layer::Flow), ".flow.png"),
+        (Self::Raster(Layer::Basins), ".basins.png"),
+        (Self::Png, ".png"),
+        (Self::Svg, ".svg"),
+        (Self::GeoJson, ".geojson"),
+        (Self::Json, ".json"),
+        (Self::Pack, ".zip"),
+    ];
 
     fn of(path: &Path) -> Option<(Self, &'static str)> {
-        let ending = path.extension()?.to_str()?;
-        Self::ALL.into_iter().find(|(_, own)| own[1..].eq_ignore_ascii_case(ending))
+        let name = path.file_name()?.to_str()?.to_ascii_lowercase();
+        // Whose name is nothing but an ending is a hidden file.
+        Self::ALL.into_iter().find(|(_, ending)| name.len() > ending.len() && name.ends_with(ending))
     }
 }
 
@@ -249,27 +263,38 @@ fn render(matches: &ArgMatches) -> Result<(), Failure> {
         .is_some_and(|mut occurrences| occurrences.any(|values| values.len() == 0));
     let wants_size = matches.value_source("size") == Some(ValueSource::CommandLine);
     let (form, ending) = Form::of(output).ok_or_else(|| Failure::Ending { path: output.clone() })?;
+    if wants_attractors && form != Form::Json {
+        return Err(Failure::Mismatch { option: "--attractors without a number", ending });
+    }
+    if wants_size && !matches!(form, Form::Png | Form::Pack) {
+        return Err(Failure::Mismatch { option: "--size", ending });
+    }
+    let output = Output::open(output)?;
     match form {
-        Form::Png | Form::Svg | Form::GeoJson if wants_attractors => {
-            Err(Failure::Mismatch { option: "--attractors without a number", ending })
-        }
-        Form::Svg | Form::GeoJson | Form::Json if wants_size => Err(Failure::Mismatch { option: "--size", ending }),
-        Form::Png => write_png(Output::open(output)?, order, size),
-        form => write_network(Output::open(output)?, order, form, wants_attractors),
+        Form::Png | Form::Pack => write_picture(output, order, form, size),
+        _ => write_network(output, order, form, wants_attractors),
     }
 }
 
-fn write_png(output: Output, order: Order, size: u32) -> Result<(), Failure> {
+/// Writes the picture, alone or with all that games need.
+fn write_picture(output: Output, order: Order, form: Form, size: u32) -> Result<(), Failure> {
     let progress = progress(&order.recipe, size);
     let domain = Domain::of(&order.recipe);
     let height = View::height_for(&domain, size);
     let (width, height) = if height <= size { (size, height) } else { (View::width_for(&domain, size), size) };
     let mut picture = Picture::new(width, height)?;
-    let session = grow(order, &progress)?;
+    let mut session = grow(order, &progress)?;
+    if form == Form::Pack {
+        // Once, for all files of the pack.
+        while session.raise_relief()? {}
+    }
     progress.set_message("painting");
     picture.paint(&session);
     progress.set_message("writing");
     output.write(|out| {
+        if form == Form::Pack {
+            return Ok(export::pack::write(out, &session, picture.pixmap())?);
+        }
         let link = link::write(session.recipe());
         Ok(export::png::write(out, picture.pixmap(), &link).map_err(io::Error::from)?)
     })?;
@@ -285,12 +310,18 @@ fn write_network(output: Output, order: Order, form: Form, with_attractors: bool
         match form {
             Form::Svg => out.write_all(export::svg::svg(&session).map_err(io::Error::other)?.as_bytes())?,
             Form::GeoJson => export::geojson::write(&mut *out, &session)?,
-            Form::Png | Form::Json => export::json::write(&mut *out, &session, with_attractors)?,
+            Form::Raster(layer) => return write_raster(out, &session, layer),
+            Form::Png | Form::Pack | Form::Json => export::json::write(&mut *out, &session, with_attractors)?,
         }
         Ok(writeln!(out)?)
     })?;
     progress.finish_and_clear();
     Ok(())
+}
+
+fn write_raster(out: &mut dyn Write, session: &Session, layer: Layer) -> Result<(), Failure> {
+    let rasters = Rasters::new(session).map_err(io::Error::other)?;
+    Ok(export::png::write_raster(out, &rasters, layer).map_err(io::Error::from)?)
 }
 
 /// What a call asks for: a recipe, and the land itself if that is given as a picture.

@@ -17,7 +17,7 @@ import type { Phase, Summary } from "../engine/types.ts";
 import { Drawing } from "../land/drawing.ts";
 import { listenForImages } from "../land/image-drop.ts";
 import { pixelsOf } from "../land/image-file.ts";
-import { fileOf } from "../player/files.ts";
+import { fileOf } from "../player/formats.ts";
 import type { State } from "../player/frame-loop.ts";
 import type { ShowMode } from "../player/river-player.ts";
 import { alternative, caption, sentence } from "../player/summary-text.ts";

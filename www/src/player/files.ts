@@ -1,34 +1,15 @@
-/** Finished rivers as files. */
+/** Finished rivers as the files that widgets make, too: pictures and shapes. */
 
 import type { Size } from "../browser/canvas.ts";
-import type { FullCore, FullRiver } from "../engine/full.ts";
+import type { FullRiver } from "../engine/full.ts";
 import type { River } from "../engine/types.ts";
 import { Blitter } from "./blit.ts";
 import { type Canvas, contextOf } from "./river-player.ts";
 
 /** Pixels on the long side of a PNG: a full page in print, and on any screen more than there is. */
-const LONG_SIDE_PX = 3000;
+export const LONG_SIDE_PX = 3000;
 /** What growing for a file may take at a time, so that the page goes on answering. */
 const SLICE_MS = 12;
-
-const FORMATS = {
-  png: (river: FullRiver, { memory }: FullCore) => pngOf(river, memory, LONG_SIDE_PX),
-  svg: svgOf,
-  geojson: (river: FullRiver) => finished(river, () => text(river.geojson(), "application/geo+json")),
-  json: (river: FullRiver) => finished(river, () => text(river.network(), "application/json")),
-};
-
-/** The formats, each named as its files end. */
-export type Format = keyof typeof FORMATS;
-
-export function isFormat(name: string | undefined): name is Format {
-  return name !== undefined && Object.hasOwn(FORMATS, name);
-}
-
-/** Takes a river, which nobody else has, to its end and makes a file of it. It is gone afterwards. */
-export function fileOf(river: FullRiver, core: FullCore, format: Format): Promise<Blob> {
-  return FORMATS[format](river, core);
-}
 
 /** Its picture, `size` pixels on the long side. Reports when it begins to paint, which is one step. */
 export async function pngOf(
@@ -50,30 +31,31 @@ export function svgOf(river: FullRiver): Promise<Blob> {
 }
 
 /** Makes something of a river when it has come to its end. */
-async function finished<Made>(river: River, make: () => Made): Promise<Made> {
+export async function finished<Made>(river: River, make: () => Made | Promise<Made>): Promise<Made> {
   try {
-    while (advanceFor(river, SLICE_MS)) await new Promise((resume) => setTimeout(resume));
-    return make();
+    await inSlices(() => river.advance(1));
+    return await make();
   } finally {
     river.free();
   }
 }
 
+/** Takes steps, each of which says whether there are more, and lets the page answer in between. */
+export async function inSlices(step: () => boolean): Promise<void> {
+  while (stepsFor(SLICE_MS, step)) await new Promise((resume) => setTimeout(resume));
+}
+
 /** Returns whether there is more to do. */
-function advanceFor(river: River, milliseconds: number): boolean {
+function stepsFor(milliseconds: number, step: () => boolean): boolean {
   const end = performance.now() + milliseconds;
   do {
-    if (!river.advance(1)) return false;
+    if (!step()) return false;
   } while (performance.now() < end);
   return true;
 }
 
-function text(value: object, type: string): Blob {
-  return new Blob([JSON.stringify(value)], { type });
-}
-
 /** Painted for the file rather than enlarged from the screen. */
-function drawn(river: River, memory: WebAssembly.Memory, longSide: number): Canvas {
+export function drawn(river: River, memory: WebAssembly.Memory, longSide: number): Canvas {
   const { width, height } = sizeFor(river.aspect, longSide);
   river.resize(width, height);
   river.paint();
@@ -89,7 +71,7 @@ function bareCanvas(width: number, height: number): Canvas {
   return Object.assign(document.createElement("canvas"), { width, height });
 }
 
-function encoded(canvas: Canvas): Promise<Blob> {
+export function encoded(canvas: Canvas): Promise<Blob> {
   if ("convertToBlob" in canvas) return canvas.convertToBlob({ type: "image/png" });
   return new Promise((done, failed) => {
     canvas.toBlob((blob) => (blob ? done(blob) : failed(new Error("the browser made no picture"))), "image/png");

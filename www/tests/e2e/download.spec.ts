@@ -1,4 +1,6 @@
 import { expect, type Page, test } from "@playwright/test";
+import { decode } from "fast-png";
+import { strFromU8, unzipSync } from "fflate";
 import { pictureOf } from "../core.ts";
 import { full } from "../full.ts";
 import { complaints, countCalls, openFinished, openStopped, ownClock, stopClock } from "./riverpage.ts";
@@ -9,7 +11,7 @@ const PLAIN = `${LINK}&land=rectangle&aspect=1.5&sides=s&great-rivers=9&meander-
 
 interface Feature {
   geometry: { type: string; coordinates: [number, number, number][] };
-  properties: { parent?: number | null };
+  properties: { kind: string; parent?: number | null };
 }
 
 /** Chooses a format from the menu; the file with its name. */
@@ -88,7 +90,7 @@ test("GeoJSON holds every river and lake, with the north up", async ({ page }) =
   const file = JSON.parse(bytes.toString("utf8"));
   expect(file).toEqual(written(PLAIN).geojson);
   const { sources, mouths } = pictureOf(PLAIN, 16, 16).summary;
-  const rivers = file.features.filter(({ geometry }: Feature) => geometry.type === "LineString");
+  const rivers = file.features.filter(({ properties }: Feature) => properties.kind === "river");
   const toSea = rivers.filter(({ properties }: Feature) => properties.parent === null);
   expect([rivers.length, toSea.length]).toEqual([sources, mouths]);
   for (const { geometry } of toSea) {
@@ -123,6 +125,20 @@ test("JSON holds the whole network", async ({ page }) => {
   expect(file.recipe).toMatchObject({ seed: "puriri", attractors: 300, land: "rectangle" });
 });
 
+test("the game pack holds rasters, rivers, the picture and a text", async ({ page }) => {
+  const said = complaints(page);
+  await openFinished(page, LINK);
+  const { name, bytes } = await download(page, "Game pack");
+  expect(name).toBe("riverseed-puriri.zip");
+  const files = unzipSync(new Uint8Array(bytes));
+  const heights = decode(files["heights.png"] ?? new Uint8Array());
+  expect([heights.depth, heights.channels]).toEqual([16, 1]);
+  expect(JSON.parse(strFromU8(files["map.geojson"] ?? new Uint8Array()))).toEqual(written(LINK).geojson);
+  expect(decode(files["map.png"] ?? new Uint8Array()).width).toBe(3000);
+  expect(strFromU8(files["README.txt"] ?? new Uint8Array())).toContain("seed=puriri");
+  expect(said).toEqual([]);
+});
+
 test("a file can be had before the picture is finished, and is of the finished rivers", async ({ page }) => {
   await ownClock(page);
   await openFinished(page, LINK);
@@ -148,7 +164,7 @@ test("for files of finished rivers nothing is fetched, and nothing grown again",
   const fetched: string[] = [];
   page.on("request", (request) => fetched.push(request.url()));
   const before = await advanced();
-  const formats = ["PNG", "SVG", "GeoJSON", "JSON"];
+  const formats = ["PNG", "SVG", "GeoJSON", "JSON", "Game pack"];
   for (const format of formats) await download(page, format);
   expect(await planted()).toBe(1);
   // Each is asked once whether there is more to do.
@@ -186,17 +202,17 @@ test("the menu is used by keys, and gives the focus back", async ({ page }) => {
   await expect(button).toHaveAttribute("aria-expanded", "true");
   await expect(item("PNG")).toBeFocused();
   await page.keyboard.press("ArrowUp");
-  await expect(item("JSON")).toBeFocused();
+  await expect(item("Game pack")).toBeFocused();
   await page.keyboard.press("ArrowDown");
   await page.keyboard.press("ArrowDown");
   await expect(item("SVG")).toBeFocused();
   await page.keyboard.press("End");
-  await expect(item("JSON")).toBeFocused();
+  await expect(item("Game pack")).toBeFocused();
   await page.keyboard.press("Escape");
   await expect(button).toBeFocused();
   await expect(page.getByRole("menu")).toBeHidden();
   await page.keyboard.press("ArrowUp");
-  await expect(item("JSON")).toBeFocused();
+  await expect(item("Game pack")).toBeFocused();
   await page.keyboard.press("Tab");
   await expect(page.getByRole("menu")).toBeHidden();
   await button.click();

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { fileOf } from "../../src/player/files.ts";
+import { fileOf } from "../../src/player/formats.ts";
 import { full, memory } from "../full.ts";
 
 const LINK = "seed=kauri&attractors=300&meander-rounds=5";

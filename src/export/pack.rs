@@ -1,0 +1,90 @@
+//! A map's files for a game, in one archive: rasters, rivers, the picture, and a text that says by which scale.
+
+#[cfg(feature = "cli")]
+use std::io::{Error, Result, Write};
+
+#[cfg(feature = "cli")]
+use flate2::{Compression, write::DeflateEncoder};
+#[cfg(feature = "cli")]
+use rawzip::{CompressionMethod, ZipArchiveWriter};
+#[cfg(feature = "cli")]
+use tiny_skia::Pixmap;
+
+use super::rasters::{Layer, Rasters, decimal};
+#[cfg(feature = "cli")]
+use super::{geojson, png};
+use crate::relief::{CELL_SIZE, METRES};
+#[cfg(feature = "cli")]
+use crate::session::Session;
+
+/// The names of the files besides the rasters: the text, the picture, the rivers.
+pub const README: &str = "README.txt";
+/// The picture.
+pub const PICTURE: &str = "map.png";
+/// The rivers and what they flow through.
+pub const FEATURES: &str = "map.geojson";
+
+/// The text of the README: what each file holds, and by which scale.
+pub fn readme(rasters: &Rasters) -> String {
+    let scale = rasters.scale;
+    let mut text = format!(
+        "A map by Riverseed. This draws it again:\n  {link}\n\n\
+         SCALE\n\
+         A raster has {columns} x {rows} pixels, north at the top. A pixel is {pixel} x {pixel} units.\n\
+         A unit of height is {unit} m. On the ground a unit is what you like; GeoJSON takes a hundredth of a degree, 1113 m.\n\
+         Heights: 0 is {deepest} m, {sea} is the sea's surface, 65535 is {highest} m.\n\
+         One step is {step} m: metres = (value - {sea}) * {step}\n\n\
+         FILES\n",
+        link = rasters.link,
+        columns = rasters.columns,
+        rows = rasters.rows,
+        pixel = decimal(CELL_SIZE.into(), 0),
+        unit = decimal(METRES.into(), 0),
+        deepest = decimal(scale.metres(0), 1),
+        highest = decimal(scale.metres(u16::MAX), 1),
+        sea = scale.sea_level,
+        step = decimal(scale.metres_a_step, 6),
+    );
+    for layer in Layer::ALL {
+        text += &format!("{}.png\n  {}\n", layer.name(), rasters.meaning(layer));
+    }
+    text += &format!("{FEATURES}\n  Land, basins, rivers, lakes and ridges (RFC 7946); heights of rivers in metres.\n");
+    text += &format!("{PICTURE}\n  The picture in the style of the recipe.\n");
+    text +=
+        "\nEvery river falls all along its way, no land is a pit, and flow directions lead from all land to the sea.\n";
+    text
+}
+
+/// Writes the archive, in the ZIP format. `picture` is that of the session. A recipe always gives the same bytes: files have no time.
+///
+/// # Errors
+/// If there are no rivers yet, or there is not enough memory; and those of the writer.
+#[cfg(feature = "cli")]
+pub fn write(out: impl Write, session: &Session, picture: &Pixmap) -> Result<()> {
+    let rasters = Rasters::new(session).map_err(Error::other)?;
+    let mut archive = ZipArchiveWriter::new(out);
+    add(&mut archive, README, |file| file.write_all(readme(&rasters).as_bytes()))?;
+    for layer in Layer::ALL {
+        let name = format!("{}.png", layer.name());
+        add(&mut archive, &name, |file| Ok(png::write_raster(file, &rasters, layer)?))?;
+    }
+    add(&mut archive, FEATURES, |file| geojson::write(file, session))?;
+    add(&mut archive, PICTURE, |file| Ok(png::write(file, picture, &rasters.link)?))?;
+    archive.finish().map(drop).map_err(Error::other)
+}
+
+/// Adds a file to an archive.
+#[cfg(feature = "cli")]
+fn add<W: Write>(
+    archive: &mut ZipArchiveWriter<W>,
+    name: &str,
+    write: impl FnOnce(&mut dyn Write) -> Result<()>,
+) -> Result<()> {
+    let file = archive.new_file(name).compression_method(CompressionMethod::DEFLATE);
+    let (mut entry, config) = file.start().map_err(Error::other)?;
+    let mut content = config.wrap(DeflateEncoder::new(&mut entry, Compression::default()));
+    write(&mut content)?;
+    let (encoder, descriptor) = content.finish().map_err(Error::other)?;
+    encoder.finish()?;
+    entry.finish(descriptor).map(drop).map_err(Error::other)
+}

@@ -1,0 +1,116 @@
+//! Polygons of rings that run around areas of a raster: which ring is a hole of which, on the grid of the numbers that are written.
+
+use super::rings::{GridPoint, doubled_area};
+use crate::sort::{argsort, key};
+
+/// Rings, closed, whose last point is their first: the outer one, counterclockwise, then its holes, clockwise.
+pub(super) type Polygon = Vec<Vec<GridPoint>>;
+
+/// The polygons of the rings around some areas, the largest first. All outer rings run one way, all holes the other, and none cross.
+pub(super) fn polygons(rings: impl IntoIterator<Item = Vec<GridPoint>>) -> Vec<Polygon> {
+    let (mut outer, mut holes) = (Vec::new(), Vec::new());
+    for ring in rings.into_iter().flat_map(apart) {
+        match doubled_area(&ring) {
+            0 => {}
+            1.. => outer.push(vec![ring]),
+            _ => holes.push(ring),
+        }
+    }
+    let mut polygons: Vec<Polygon> = largest_first(&outer).into_iter().map(|i| outer[i].clone()).collect();
+    for hole in holes {
+        // The least that holds one is the one that it is in.
+        let is_around = |polygon: &&mut Polygon| hole.iter().all(|at| is_in(&polygon[0], *at));
+        if let Some(polygon) = polygons.iter_mut().rev().find(is_around) {
+            polygon.push(hole);
+        }
+    }
+    polygons.iter_mut().flatten().for_each(|ring| ring.extend(ring.first().copied()));
+    polygons
+}
+
+fn largest_first(polygons: &[Polygon]) -> Vec<usize> {
+    argsort(polygons.iter().map(|polygon| key(-(doubled_area(&polygon[0]) as f32))))
+}
+
+/// A ring without points that tell nothing; one that comes to a place twice is two.
+fn apart(ring: Vec<GridPoint>) -> Vec<Vec<GridPoint>> {
+    let (mut waiting, mut rings) = (vec![ring], Vec::new());
+    while let Some(mut ring) = waiting.pop() {
+        match met_twice(&ring) {
+            Some((first, second)) => {
+                waiting.push(ring.drain(first..second).collect());
+                waiting.push(ring);
+            }
+            None => rings.push(without_straight(ring)),
+        }
+    }
+    rings.into_iter().filter(|ring| ring.len() > 2).collect()
+}
+
+/// Two positions of one place in a ring, the earlier first.
+fn met_twice(ring: &[GridPoint]) -> Option<(usize, usize)> {
+    // Equal ones keep their order: in order of one coordinate, and then of the other.
+    let by_north = argsort(ring.iter().map(|at| at[1] as u32));
+    let order = argsort(by_north.iter().map(|&i| ring[i][0] as u32));
+    let pairs = order.windows(2).map(|pair| (by_north[pair[0]], by_north[pair[1]]));
+    pairs.into_iter().find(|&(first, second)| ring[first] == ring[second])
+}
+
+/// Leaves out points on straight sides.
+fn without_straight(ring: Vec<GridPoint>) -> Vec<GridPoint> {
+    let count = ring.len();
+    let is_corner = |i: &usize| {
+        let (a, b, c) = (ring[(i + count - 1) % count], ring[*i], ring[(i + 1) % count]);
+        doubled_area(&[a, b, c]) != 0
+    };
+    (0..count).filter(is_corner).map(|i| ring[i]).collect()
+}
+
+/// Whether a place lies within a ring or on it: a line to the east crosses the ring an odd number of times.
+fn is_in(ring: &[GridPoint], [x, y]: GridPoint) -> bool {
+    let before = ring.iter().cycle().skip(ring.len() - 1);
+    let mut is_in = false;
+    for (&a, &b) in before.zip(ring) {
+        if [x, y] == b {
+            return true;
+        }
+        let (lower, upper) = if a[1] <= b[1] { (a, b) } else { (b, a) };
+        if (lower[1]..upper[1]).contains(&y) {
+            is_in ^= doubled_area(&[lower, upper, [x, y]]) > 0;
+        }
+    }
+    is_in
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A square with this half side, around a place.
+    fn square(x: i32, half: i32) -> Vec<GridPoint> {
+        [[-half, -half], [half, -half], [half, half], [-half, half]].map(|[dx, y]| [x + dx, y]).to_vec()
+    }
+
+    fn reversed(mut ring: Vec<GridPoint>) -> Vec<GridPoint> {
+        ring.reverse();
+        ring
+    }
+
+    #[test]
+    fn hole_belongs_to_the_least_ring_around_it() {
+        let rings = [square(0, 50), reversed(square(0, 40)), square(0, 30), reversed(square(0, 5)), square(200, 9)];
+        let shapes: Vec<(usize, i32)> =
+            polygons(rings).iter().map(|polygon| (polygon.len(), polygon[0][0][0])).collect();
+        assert_eq!(shapes, [(2, -50), (2, -30), (1, 191)]);
+    }
+
+    #[test]
+    fn ring_that_touches_itself_is_two_and_straight_points_go() {
+        // Corner on side: the ring is cut there, and its parts keep their sides.
+        let eight = vec![[0, 0], [10, 0], [10, 10], [0, 10], [-5, 10], [-10, 10], [-10, 20], [0, 20], [0, 10]];
+        let all = polygons([eight]);
+        assert_eq!(all.iter().map(Vec::len).collect::<Vec<_>>(), [1], "{all:?}");
+        assert_eq!(polygons([vec![[0, 0], [5, 0], [9, 0], [9, 9]]]), [[[[0, 0], [9, 0], [9, 9], [0, 0]]]]);
+        assert!(polygons([vec![[0, 0], [9, 0], [0, 0]], vec![]]).is_empty());
+    }
+}

@@ -1,0 +1,281 @@
+//! Rasters: what is known of each cell of the relief, for programs that make landscapes of it.
+
+use std::sync::Arc;
+
+use glam::Vec2;
+
+use super::{ExportError, rivers};
+use crate::network::Network;
+use crate::recipe::link;
+use crate::relief::{CELL_SIZE, Flow, METRES, Relief, ReliefError};
+use crate::session::Session;
+
+/// The keyword of the text that holds the link, in every PNG.
+pub const LINK_KEYWORD: &str = "riverseed";
+
+/// Everything known of the cells of a map, and by which scale.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Rasters {
+    /// The link of the recipe.
+    pub link: String,
+    /// How many cells lie side by side. The last may reach over the map's border.
+    pub columns: usize,
+    /// How many rows of cells there are.
+    pub rows: usize,
+    /// Width and height of the map, in units: the last cells may reach beyond.
+    pub size: Vec2,
+    /// How heights are written.
+    pub scale: Scale,
+    relief: Arc<Relief>,
+    flow: Flow,
+    /// Of each cell the width of its river, in units; 0 where there is none.
+    widths: Vec<f32>,
+}
+
+/// One of the rasters.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Layer {
+    /// Heights, by the scale.
+    Heights,
+    /// 255 on land, 0 at sea.
+    Land,
+    /// The width of rivers in thousandths of a unit, 0 elsewhere: fine enough, and not all black where it is looked at.
+    Rivers,
+    /// Flow directions (D8).
+    Flow,
+    /// The numbers of basins.
+    Basins,
+}
+
+/// The values of a raster, row by row, from north to south.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Values {
+    /// Of one byte a cell.
+    Bytes(Vec<u8>),
+    /// Of two bytes a cell.
+    Words(Vec<u16>),
+}
+
+/// How heights are written as whole numbers, or steps: 0 is the map's deepest place, the greatest its highest.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Scale {
+    /// The step of the sea's surface: this or less at sea, more on land.
+    pub sea_level: u16,
+    /// How much higher each step is than the one below, in metres.
+    pub metres_a_step: f64,
+}
+
+impl Layer {
+    /// All of them.
+    pub const ALL: [Self; 5] = [Self::Heights, Self::Land, Self::Rivers, Self::Flow, Self::Basins];
+
+    /// The name, as in `kauri.heights.png`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Heights => "heights",
+            Self::Land => "land",
+            Self::Rivers => "rivers",
+            Self::Flow => "flow",
+            Self::Basins => "basins",
+        }
+    }
+}
+
+impl Scale {
+    /// The finest scale for heights in units.
+    fn of(heights: &[f32]) -> Self {
+        let (deepest, highest) = heights.iter().fold((0.0f32, 0.0f32), |(a, b), &x| (a.min(x), b.max(x)));
+        let (down, up) = (f64::from(-deepest), f64::from(highest).max(f64::from(CELL_SIZE)));
+        // The sea's surface is a whole step, and what lies below it has room.
+        let sea_level = (f64::from(u16::MAX) * down / (down + up)).ceil();
+        Self { sea_level: sea_level as u16, metres_a_step: up * f64::from(METRES) / (f64::from(u16::MAX) - sea_level) }
+    }
+
+    /// The nearest step to a height in units. Land is above the sea, by a step at least.
+    pub fn step(&self, height: f32) -> u16 {
+        let steps = (f64::from(height) * f64::from(METRES) / self.metres_a_step).round();
+        let least = if height > 0.0 { f64::from(self.sea_level) + 1.0 } else { 0.0 };
+        (steps + f64::from(self.sea_level)).max(least).min(f64::from(u16::MAX)) as u16
+    }
+
+    /// The height that a step stands for, in metres over the sea.
+    pub fn metres(&self, step: u16) -> f64 {
+        (f64::from(step) - f64::from(self.sea_level)) * self.metres_a_step
+    }
+}
+
+impl Rasters {
+    /// The rasters of a session's rivers as they are.
+    ///
+    /// # Errors
+    /// If there are no rivers yet, or there is not enough memory.
+    pub fn new(session: &Session) -> Result<Self, ExportError> {
+        const BYTES_A_VERTEX: usize = 40;
+        let network = rivers(session, BYTES_A_VERTEX)?;
+        let relief = session.make_relief()?;
+        let flow = Flow::new(&relief, network, &session.relief_settings())?;
+        Ok(Self {
+            link: link::write(session.recipe()),
+            columns: relief.columns(),
+            rows: relief.rows(),
+            size: session.domain().size,
+            scale: Scale::of(relief.heights()),
+            widths: widths(&relief, &flow, network),
+            relief,
+            flow,
+        })
+    }
+
+    /// The values of a raster.
+    pub fn values(&self, layer: Layer) -> Values {
+        let heights = self.relief.heights().iter();
+        match layer {
+            Layer::Heights => Values::Words(heights.map(|&height| self.scale.step(height)).collect()),
+            Layer::Land => Values::Bytes(heights.map(|&height| if height > 0.0 { 255 } else { 0 }).collect()),
+            Layer::Rivers => Values::Words(self.widths.iter().map(|&width| thousandths(width)).collect()),
+            Layer::Flow => Values::Bytes(self.flow.directions.clone()),
+            Layer::Basins => Values::Words(self.flow.basins.iter().map(|&basin| basin.min(65_535) as u16).collect()),
+        }
+    }
+
+    /// What the values of a raster mean, in English.
+    pub fn meaning(&self, layer: Layer) -> String {
+        let Scale { sea_level, metres_a_step } = self.scale;
+        match layer {
+            Layer::Heights => format!(
+                "16-bit heights: metres above the sea = (value - {sea_level}) * {}. \
+                 0 is the deepest place, {sea_level} the sea's surface.",
+                decimal(metres_a_step, 6)
+            ),
+            Layer::Land => "255 is land, 0 is sea.".into(),
+            Layer::Rivers => {
+                "16-bit width of the river in thousandths of a unit (a pixel is 2000 wide), 0 where there is none."
+                    .into()
+            }
+            Layer::Flow => {
+                "Where water runs (D8, as ESRI writes it): 1 east, 2 south-east, 4 south, 8 south-west, 16 west, \
+                            32 north-west, 64 north, 128 north-east, 0 at sea."
+                    .into()
+            }
+            Layer::Basins => {
+                "16-bit number of the river basin, counted from 1; 0 at sea, and where water runs to the sea \
+                              in no river."
+                    .into()
+            }
+        }
+    }
+
+    /// What a raster's file says besides its values: keywords and texts, in ASCII.
+    pub fn texts(&self, layer: Layer) -> Vec<(&'static str, String)> {
+        let mut texts = vec![
+            (LINK_KEYWORD, self.link.clone()),
+            ("Description", self.meaning(layer)),
+            ("units-a-pixel", decimal(CELL_SIZE.into(), 0)),
+            ("map-units", format!("{} x {}", decimal(self.size.x.into(), 4), decimal(self.size.y.into(), 4))),
+        ];
+        if layer == Layer::Heights {
+            texts.push(("metres-a-step", decimal(self.scale.metres_a_step, 6)));
+            texts.push(("sea-level", self.scale.sea_level.to_string()));
+        }
+        texts
+    }
+
+    /// Flow directions and basins.
+    pub fn flow(&self) -> &Flow {
+        &self.flow
+    }
+
+    /// The relief that this is made of.
+    pub fn relief(&self) -> &Relief {
+        &self.relief
+    }
+}
+
+/// A number with so many decimal places. The tables that print any float would be a fifth of what a page downloads.
+pub(super) fn decimal(number: f64, places: u32) -> String {
+    let parts = 10u64.pow(places);
+    let rounded = (number.abs() * parts as f64).round() as u64;
+    let sign = if number < 0.0 && rounded > 0 { "-" } else { "" };
+    let whole = rounded / parts;
+    match places {
+        0 => format!("{sign}{whole}"),
+        _ => format!("{sign}{whole}.{:0width$}", rounded % parts, width = places as usize),
+    }
+}
+
+/// Rounded up, so that what has a width keeps one.
+fn thousandths(width: f32) -> u16 {
+    (width * 1000.0).ceil().clamp(0.0, f32::from(u16::MAX)) as u16
+}
+
+/// The width of the widest river in each cell: in those that it passes, and those whose middles lie between its banks.
+fn widths(relief: &Relief, flow: &Flow, network: &Network) -> Vec<f32> {
+    let mut widths = vec![0.0f32; relief.heights().len()];
+    for river in &network.rivers {
+        let course: Vec<_> = network.course(river).collect();
+        for pair in course.windows(2) {
+            let (from, to) = (pair[0], pair[1]);
+            let count = (from.at.distance(to.at) / (0.5 * CELL_SIZE)).ceil().max(1.0);
+            for i in 0..=count as usize {
+                let share = i as f32 / count;
+                stamp(relief, &mut widths, from.at.lerp(to.at, share), from.width());
+            }
+        }
+    }
+    for (width, &river) in widths.iter_mut().zip(&flow.rivers) {
+        // Where a path takes a corner that the line misses.
+        let least =
+            network.rivers.get(river as usize).map_or(0.0, |river| network.vertices[river.start as usize].width());
+        *width = width.max(least);
+    }
+    widths
+}
+
+/// A river of a width at a point.
+fn stamp(relief: &Relief, widths: &mut [f32], at: Vec2, width: f32) {
+    let last = Vec2::new(relief.columns() as f32 - 1.0, relief.rows() as f32 - 1.0);
+    let cell = |point: Vec2| (point / CELL_SIZE).floor().clamp(Vec2::ZERO, last);
+    let (first, end, own) = (cell(at - width * 0.5), cell(at + width * 0.5), cell(at));
+    for row in first.y as usize..=end.y as usize {
+        for column in first.x as usize..=end.x as usize {
+            let here = Vec2::new(column as f32, row as f32);
+            let index = row * relief.columns() + column;
+            let is_between = ((here + 0.5) * CELL_SIZE).distance(at) <= width * 0.5;
+            if (is_between || here == own) && relief.heights()[index] > 0.0 {
+                widths[index] = widths[index].max(width);
+            }
+        }
+    }
+}
+
+impl From<ReliefError> for ExportError {
+    fn from(error: ReliefError) -> Self {
+        match error {
+            ReliefError::OutOfMemory { megabytes } => Self::OutOfMemory { megabytes },
+        }
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+mod tests {
+    use super::*;
+    use crate::memory::testing::with_lists_up_to;
+
+    #[test]
+    fn rasters_are_refused_where_there_is_no_memory_for_them() {
+        let mut session = Session::new(link::read("attractors=300&style=atlas").unwrap()).unwrap();
+        session.finish().unwrap();
+        // Enough for what the rivers need; the relief is there already.
+        let refused = with_lists_up_to(10_000_000, || Rasters::new(&session)).unwrap_err();
+        assert!(matches!(refused, ExportError::OutOfMemory { megabytes } if megabytes > 10), "{refused}");
+        assert!(Rasters::new(&session).is_ok());
+    }
+
+    #[test]
+    fn decimals_are_rounded_and_keep_their_zeros() {
+        let written = [(0.077_964_4, 6), (-559.25, 1), (2.0, 0), (-0.04, 1), (1_264.911_06, 4), (0.999_96, 4)];
+        let expected = ["0.077964", "-559.3", "2", "0.0", "1264.9111", "1.0000"];
+        assert_eq!(written.map(|(number, places)| decimal(number, places)), expected);
+    }
+}

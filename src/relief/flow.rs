@@ -1,0 +1,196 @@
+//! Where water runs on a relief: from cell to cell, along rivers where there are any, elsewhere by the steepest way down.
+
+use glam::Vec2;
+
+use super::cells::Cells;
+use super::channels::Channels;
+use super::{CELL_SIZE, Relief, ReliefError, ReliefSettings};
+use crate::land::trace::rings;
+use crate::memory::{Refused, ask};
+use crate::network::{NONE, Network};
+use crate::sort::{argsort, key};
+
+/// Flow directions, and the basins that they make, on the cells of a relief, row by row, from north to south.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Flow {
+    /// Of each cell, the code of the neighbour that its water runs to (D8): 1 is east, 2 south-east, 4 south, 8 south-west, 16 west, 32
+    /// north-west, 64 north, 128 north-east; 0 at sea. Where the sea lies beyond the map, the direction leads off it.
+    pub directions: Vec<u8>,
+    /// Of each cell, the number of its basin: that of the mouth by which its water reaches the sea, counted from 1 in the order of
+    /// rivers; 0 at sea, and where water runs to the sea in no river.
+    pub basins: Vec<u32>,
+    /// Of each cell, the river that its water follows; [`NONE`] elsewhere. Of several in one cell, the greatest.
+    pub rivers: Vec<u32>,
+    /// Of each basin, the river in whose mouth it ends: that of basin 1 comes first.
+    pub mouths: Vec<u32>,
+}
+
+/// The codes in the order of [`Field::around`].
+const CODES: [u8; 8] = [16, 1, 32, 64, 128, 8, 4, 2];
+
+impl Flow {
+    /// The flow of a relief, which is that of these rivers and settings.
+    ///
+    /// # Errors
+    /// If there is not enough memory.
+    pub fn new(relief: &Relief, network: &Network, settings: &ReliefSettings) -> Result<Self, ReliefError> {
+        /// Of all lists of cells together, and of paths where rivers have few vertices.
+        const BYTES_A_CELL: usize = 80;
+        const BYTES_A_VERTEX: usize = 40;
+        let bytes = relief.heights.len() * BYTES_A_CELL + network.vertices.len() * BYTES_A_VERTEX;
+        let refused = |_| ReliefError::OutOfMemory { megabytes: (bytes / 1_000_000) as u32 + 1 };
+        ask(bytes).map_err(refused)?;
+        let cells = Cells::new(settings).map_err(refused)?;
+        let channels = walked(&cells, network, settings.total_discharge).map_err(refused)?;
+        Ok(Self::on(&Field { heights: heights_with_rim(&cells, relief), cells }, &channels, network))
+    }
+
+    fn on(field: &Field, channels: &Channels, network: &Network) -> Self {
+        let rivers = field.rivers(channels, network);
+        let downstream = field.downstream(channels, network);
+        let mouths: Vec<u32> =
+            (0..).zip(&network.rivers).filter(|(_, river)| river.parent == NONE).map(|(id, _)| id).collect();
+        let outlets = field.outlets(&downstream);
+        let basin_of = basins_of_rivers(network, &mouths);
+        let basin = |cell: usize| match rivers[outlets[cell]] {
+            NONE => 0,
+            river => basin_of[river as usize],
+        };
+        let inside = || field.inside();
+        Self {
+            directions: inside().map(|cell| field.code(cell, downstream[cell])).collect(),
+            basins: inside().map(|cell| if field.cells.is_land(cell) { basin(cell) } else { 0 }).collect(),
+            rivers: inside().map(|cell| rivers[cell]).collect(),
+            mouths,
+        }
+    }
+
+    /// The rings around all cells of each basin, in units: that of basin 1 comes first. Land lies to the left of a ring as a map shows it, and
+    /// cells that only touch at a corner are apart.
+    pub fn basin_rings(&self, columns: usize) -> Vec<Vec<Vec<Vec2>>> {
+        let mut cells: Vec<Vec<usize>> = vec![Vec::new(); self.mouths.len()];
+        for (cell, &basin) in self.basins.iter().enumerate().filter(|(_, basin)| **basin > 0) {
+            cells[basin as usize - 1].push(cell);
+        }
+        cells.iter().map(|cells| rings_around(cells, columns)).collect()
+    }
+}
+
+/// The rings around some cells, given row by row.
+fn rings_around(cells: &[usize], columns: usize) -> Vec<Vec<Vec2>> {
+    let (Some(&first), Some(&last)) = (cells.first(), cells.last()) else { return Vec::new() };
+    let across = || cells.iter().map(|cell| cell % columns);
+    let (left, right) = across().fold((columns, 0), |(left, right), x| (left.min(x), right.max(x)));
+    let (top, bottom) = (first / columns, last / columns);
+    // With a rim around it.
+    let (width, height) = (right - left + 3, bottom - top + 3);
+    let mut mask = vec![0.0; width * height];
+    cells.iter().for_each(|cell| mask[(cell / columns - top + 1) * width + cell % columns - left + 1] = 1.0);
+    let (size, corner) = (Vec2::new(width as f32, height as f32), Vec2::new(left as f32 - 1.0, top as f32 - 1.0));
+    let place = |at: Vec2| ((at * size * 2.0).round() * 0.5 + corner) * CELL_SIZE;
+    rings(width, mask, 0.0).into_iter().map(|ring| ring.into_iter().map(place).collect()).collect()
+}
+
+/// Rivers on their way from cell to cell.
+fn walked(cells: &Cells, network: &Network, total_discharge: u32) -> Result<Channels, Refused> {
+    let mut channels = Channels::new(network, total_discharge)?;
+    while channels.walk(cells, network)? {}
+    Ok(channels)
+}
+
+/// Of each river, the number of its basin.
+fn basins_of_rivers(network: &Network, mouths: &[u32]) -> Vec<u32> {
+    let basin = |mut id: u32| {
+        while let Some(river) = network.rivers.get(id as usize).filter(|river| river.parent != NONE) {
+            id = river.parent;
+        }
+        mouths.partition_point(|&mouth| mouth < id) as u32 + 1
+    };
+    (0..network.rivers.len() as u32).map(basin).collect()
+}
+
+/// Heights of the map's cells and of the rim around them.
+struct Field {
+    cells: Cells,
+    /// All of the sea is level; infinite where no water runs.
+    heights: Vec<f32>,
+}
+
+fn heights_with_rim(cells: &Cells, relief: &Relief) -> Vec<f32> {
+    let height = |cell: usize| match (cells.is_land(cell), cells.is_sea(cell)) {
+        (true, _) => relief.heights[(cell / cells.columns - 1) * relief.columns + cell % cells.columns - 1],
+        (_, true) => 0.0,
+        _ => f32::INFINITY,
+    };
+    (0..cells.inland.len()).map(height).collect()
+}
+
+impl Field {
+    /// The map's cells, row by row.
+    fn inside(&self) -> impl Iterator<Item = usize> + '_ {
+        let Cells { columns, rows, .. } = self.cells;
+        (1..rows - 1).flat_map(move |row| (1..columns - 1).map(move |column| row * columns + column))
+    }
+
+    /// Of each cell, the greatest river that passes it on land.
+    fn rivers(&self, channels: &Channels, network: &Network) -> Vec<u32> {
+        let mut greatest = vec![NONE; self.heights.len()];
+        let discharge = |river: u32| network.rivers.get(river as usize).map_or(0, |river| network.discharge(river));
+        for (river, path) in (0..).zip(channels.paths()) {
+            for cell in path.filter(|&cell| self.cells.is_land(cell)) {
+                if greatest[cell] == NONE || discharge(river) > discharge(greatest[cell]) {
+                    greatest[cell] = river;
+                }
+            }
+        }
+        greatest
+    }
+
+    /// Of each cell of land, the lower one that its water runs to; itself elsewhere.
+    fn downstream(&self, channels: &Channels, network: &Network) -> Vec<usize> {
+        let mut downstream: Vec<usize> = (0..self.heights.len()).collect();
+        let mut discharge = vec![None; self.heights.len()];
+        for (river, path) in network.rivers.iter().zip(channels.paths()) {
+            let own = Some(network.discharge(river));
+            let mut path = path.peekable();
+            while let Some(cell) = path.next() {
+                // Where two rivers pass a cell, the way of one may lead up from there.
+                let lower = path.peek().filter(|&&next| self.heights[next] < self.heights[cell]);
+                if let Some(&next) = lower.filter(|_| self.cells.is_land(cell) && own > discharge[cell]) {
+                    (downstream[cell], discharge[cell]) = (next, own);
+                }
+            }
+        }
+        for cell in self.cells.land().filter(|&cell| discharge[cell].is_none()) {
+            downstream[cell] = self.steepest(cell);
+        }
+        downstream
+    }
+
+    /// The neighbour by which the way down is steepest; the cell itself if none is lower.
+    fn steepest(&self, cell: usize) -> usize {
+        let slope = |(beside, code): (usize, u8)| {
+            let far = if matches!(code, 1 | 4 | 16 | 64) { 1.0 } else { std::f32::consts::SQRT_2 };
+            ((self.heights[cell] - self.heights[beside]) / far, beside)
+        };
+        let slopes = self.cells.around(cell).into_iter().zip(CODES).map(slope);
+        slopes.fold((0.0, cell), |best, next| if next.0 > best.0 { next } else { best }).1
+    }
+
+    /// Of each cell, the last one of land on its water's way.
+    fn outlets(&self, downstream: &[usize]) -> Vec<usize> {
+        let mut outlets: Vec<usize> = (0..downstream.len()).collect();
+        let land: Vec<usize> = self.cells.land().collect();
+        for cell in argsort(land.iter().map(|&cell| key(self.heights[cell]))).into_iter().map(|i| land[i]) {
+            if self.cells.is_land(downstream[cell]) {
+                outlets[cell] = outlets[downstream[cell]];
+            }
+        }
+        outlets
+    }
+
+    fn code(&self, cell: usize, downstream: usize) -> u8 {
+        let around = self.cells.around(cell).into_iter().zip(CODES);
+        around.filter(|&(beside, _)| beside == downstream).map(|(_, code)| code).next().unwrap_or(0)
+    }
+}

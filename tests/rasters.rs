@@ -1,0 +1,232 @@
+//! Rasters: water runs down from every cell of land to the sea, along rivers, and files hold what was computed.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
+#![cfg(feature = "cli")]
+
+mod common;
+
+use std::io::Cursor;
+
+use common::{property, random_link};
+use glam::Vec2;
+use png::{BitDepth, ColorType, Decoder};
+use proptest::prelude::*;
+use riverseed::export::rasters::{LINK_KEYWORD, Layer, Rasters, Values};
+use riverseed::export::{ExportError, pack, png as to_png};
+use riverseed::network::NONE;
+use riverseed::picture::Picture;
+use riverseed::recipe::{Recipe, link};
+use riverseed::relief::METRES;
+use riverseed::session::Session;
+
+fn finished(text: &str) -> Session {
+    let mut session = Session::new(link::read(text).unwrap()).unwrap();
+    session.finish().unwrap();
+    session
+}
+
+/// East and south of each direction's code.
+fn offset(code: u8) -> Option<(i32, i32)> {
+    const OFFSETS: [(i32, i32); 8] = [(1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0), (-1, -1), (0, -1), (1, -1)];
+    (code.count_ones() == 1).then(|| OFFSETS[code.trailing_zeros() as usize])
+}
+
+/// The cell that water runs to; `None` off the map, and where it stays.
+fn next(rasters: &Rasters, cell: usize) -> Option<usize> {
+    let (east, south) = offset(rasters.flow().directions[cell])?;
+    let column = usize::try_from((cell % rasters.columns) as i32 + east).ok().filter(|&x| x < rasters.columns)?;
+    let row = usize::try_from((cell / rasters.columns) as i32 + south).ok().filter(|&y| y < rasters.rows)?;
+    Some(row * rasters.columns + column)
+}
+
+/// Water runs down from everywhere, and all that meets is of one basin.
+fn check_flow(session: &Session, rasters: &Rasters) {
+    let (flow, heights) = (rasters.flow(), rasters.relief().heights());
+    let mouths = session.network().unwrap().rivers.iter().filter(|river| river.parent == NONE).count();
+    assert_eq!(flow.mouths.len(), mouths);
+    for cell in 0..heights.len() {
+        if heights[cell] <= 0.0 {
+            assert_eq!((flow.directions[cell], flow.basins[cell]), (0, 0), "sea");
+            continue;
+        }
+        assert!(offset(flow.directions[cell]).is_some(), "water stays on land");
+        // Lower at every step, it reaches the sea.
+        if let Some(next) = next(rasters, cell) {
+            assert!(heights[next] < heights[cell], "water runs uphill");
+            let stays = heights[next] > 0.0;
+            assert!(!stays || flow.basins[next] == flow.basins[cell], "a basin leaks");
+            assert!(!stays || flow.rivers[cell] == NONE || flow.rivers[next] != NONE, "a river ends on land");
+        }
+        assert!(flow.basins[cell] as usize <= mouths);
+    }
+}
+
+/// A PNG as grey values, with its texts.
+fn read(file: &[u8]) -> (usize, usize, Values, Vec<(String, String)>) {
+    let mut reader = Decoder::new(Cursor::new(file)).read_info().unwrap();
+    let mut bytes = vec![0; reader.output_buffer_size().unwrap()];
+    reader.next_frame(&mut bytes).unwrap();
+    let info = reader.info();
+    assert_eq!(info.color_type, ColorType::Grayscale);
+    let values = match info.bit_depth {
+        BitDepth::Sixteen => {
+            Values::Words(bytes.chunks_exact(2).map(|pair| u16::from_be_bytes([pair[0], pair[1]])).collect())
+        }
+        _ => Values::Bytes(bytes),
+    };
+    let texts = info.uncompressed_latin1_text.iter().map(|chunk| (chunk.keyword.clone(), chunk.text.clone())).collect();
+    (info.width as usize, info.height as usize, values, texts)
+}
+
+fn file(rasters: &Rasters, layer: Layer) -> Vec<u8> {
+    let mut file = Vec::new();
+    to_png::write_raster(&mut file, rasters, layer).unwrap();
+    file
+}
+
+/// A file holds each height to half a step, by what it says of itself.
+fn check_heights(rasters: &Rasters) {
+    let (columns, rows, values, texts) = read(&file(rasters, Layer::Heights));
+    let text = |keyword: &str| &texts.iter().find(|(own, _)| own == keyword).unwrap().1;
+    assert_eq!((columns, rows, text(LINK_KEYWORD)), (rasters.columns, rasters.rows, &rasters.link));
+    let (step, sea) = (text("metres-a-step").parse::<f64>().unwrap(), text("sea-level").parse::<f64>().unwrap());
+    let Values::Words(values) = values else { panic!("no 16 bits") };
+    for (&value, &height) in values.iter().zip(rasters.relief().heights()) {
+        let metres = (f64::from(value) - sea) * step;
+        let off = (metres - f64::from(height * METRES)).abs();
+        // The step is written with six decimals.
+        assert!(off <= 0.5 * step + 0.04 || (f64::from(value) == sea + 1.0 && off <= step), "{metres} for {height}");
+        assert_eq!(f64::from(value) > sea, height > 0.0, "land and sea");
+    }
+}
+
+proptest! {
+    #![proptest_config(property::cases(24))]
+
+    #[test]
+    fn water_runs_to_the_sea_from_everywhere(text in random_link(2500)) {
+        let session = finished(&text);
+        let rasters = Rasters::new(&session).unwrap();
+        check_flow(&session, &rasters);
+        check_heights(&rasters);
+    }
+}
+
+#[test]
+fn water_runs_to_the_sea_on_usual_maps() {
+    for land in common::lands::every_land() {
+        for growth in ["drainage", "colonize", "brownian&sensitivity=24"] {
+            let session = finished(&format!("seed=kea&{land}&growth={growth}&attractors=3000"));
+            let rasters = Rasters::new(&session).unwrap();
+            check_flow(&session, &rasters);
+            assert!(rasters.flow().mouths.is_empty() || rasters.flow().basins.iter().any(|&basin| basin > 0), "{land}");
+        }
+    }
+}
+
+/// How far a point lies from a segment.
+fn distance(point: Vec2, from: Vec2, to: Vec2) -> f32 {
+    let way = to - from;
+    let share = (point - from).dot(way) / way.length_squared().max(f32::MIN_POSITIVE);
+    (from + way * share.clamp(0.0, 1.0)).distance(point)
+}
+
+#[test]
+fn water_follows_rivers() {
+    // Within a cell's diagonal: a path may take a corner.
+    const NEAR: f32 = 3.0;
+    for text in ["seed=kea&attractors=3000", "seed=rimu&attractors=3000&growth=colonize&land=rectangle"] {
+        let session = finished(text);
+        let (rasters, network) = (Rasters::new(&session).unwrap(), session.network().unwrap());
+        let (mut steps, mut astray) = (0, 0);
+        for river in network.rivers.iter().filter(|river| river.order > 1) {
+            let source = network.vertices[river.start as usize].at / 2.0;
+            let mut cell = Some(source.y as usize * rasters.columns + source.x as usize);
+            while let Some(at) = cell.filter(|&cell| rasters.relief().heights()[cell] > 0.0) {
+                let own = rasters.flow().rivers[at];
+                let here = Vec2::new((at % rasters.columns) as f32 + 0.5, (at / rasters.columns) as f32 + 0.5) * 2.0;
+                let far = network.rivers.get(own as usize).map_or(f32::INFINITY, |own| {
+                    let course: Vec<_> = network.course(own).map(|vertex| vertex.at).collect();
+                    course.windows(2).map(|pair| distance(here, pair[0], pair[1])).fold(f32::INFINITY, f32::min)
+                });
+                steps += 1;
+                astray += usize::from(far > NEAR);
+                cell = next(&rasters, at);
+            }
+        }
+        assert!(steps > 1000 && astray * 50 < steps, "{text}: {astray} of {steps}");
+    }
+}
+
+#[test]
+fn any_style_has_the_same_rasters_and_the_highest_land_of_default_maps_is_a_mountain() {
+    for seed in ["kauri", "rimu", "kea"] {
+        let rasters = Rasters::new(&finished(&format!("seed={seed}"))).unwrap();
+        let highest = rasters.scale.metres(u16::MAX);
+        assert!((1500.0..3000.0).contains(&highest), "{seed}: {highest} m");
+    }
+    let with = |style: &str| Rasters::new(&finished(&format!("seed=kea&attractors=800&style={style}"))).unwrap();
+    for layer in Layer::ALL {
+        assert_eq!(with("ink").values(layer), with("atlas").values(layer), "{layer:?}");
+    }
+}
+
+#[test]
+fn every_raster_is_read_back_as_it_was() {
+    let session = finished("seed=kea&attractors=800&land=valley");
+    let rasters = Rasters::new(&session).unwrap();
+    for layer in Layer::ALL {
+        let (columns, rows, values, texts) = read(&file(&rasters, layer));
+        assert_eq!((columns, rows), (rasters.columns, rasters.rows));
+        assert!(values == rasters.values(layer), "{layer:?}");
+        assert!(texts.contains(&("Description".into(), rasters.meaning(layer))));
+    }
+    let Values::Words(widths) = rasters.values(Layer::Rivers) else { panic!() };
+    let widest = session.network().unwrap().vertices.iter().map(|vertex| vertex.width()).fold(0.0, f32::max);
+    let most = f32::from(*widths.iter().max().unwrap());
+    assert!(most <= (widest * 1000.0).ceil() && most > widest * 500.0, "{most} of {widest}");
+}
+
+#[test]
+fn pack_holds_every_file() {
+    let session = finished("seed=kea&attractors=300");
+    let mut picture = Picture::new(64, 64).unwrap();
+    picture.paint(&session);
+    let written = || {
+        let mut file = Vec::new();
+        pack::write(&mut file, &session, picture.pixmap()).unwrap();
+        file
+    };
+    let file = written();
+    assert_eq!(file, written(), "the same bytes each time");
+    let archive = rawzip::ZipArchive::from_slice(&file).unwrap();
+    let mut names = Vec::new();
+    let mut entries = archive.entries();
+    while let Some(entry) = entries.next_entry().unwrap() {
+        names.push(entry.file_path().try_normalize().unwrap().as_ref().to_owned());
+    }
+    let wanted =
+        ["README.txt", "heights.png", "land.png", "rivers.png", "flow.png", "basins.png", "map.geojson", "map.png"];
+    assert_eq!(names, wanted);
+    let readme = pack::readme(&Rasters::new(&session).unwrap());
+    for name in &wanted[1..] {
+        assert!(readme.contains(&format!("\n{name}\n")), "{name}");
+    }
+}
+
+#[test]
+fn there_are_no_rasters_of_growing_rivers() {
+    let session = Session::new(Recipe::default()).unwrap();
+    assert_eq!(Rasters::new(&session).unwrap_err(), ExportError::Unfinished);
+}
+
+#[test]
+fn rivers_that_a_cutoff_gave_to_another_fall_into_it() {
+    let session = finished(
+        "seed=f&growth=colonize&valleys=0&land=rectangle&aspect=0.25&mouths=3&sides=n&attractors=1233&kill=0.5&step=0.2\
+         &momentum=0&trim=0&width=3&simplify=0&bank-variation=0&meander-rounds=90&meander-strength=1\
+         &meander-mix=0.575&meander-elsewhere=0&great-rivers=9&flat-share=0.9&neck=3.29&clearance=0&taper=1",
+    );
+    let rivers = &session.network().unwrap().rivers;
+    assert!((0..).zip(rivers).any(|(id, river)| river.parent != NONE && river.parent > id));
+    check_flow(&session, &Rasters::new(&session).unwrap());
+}

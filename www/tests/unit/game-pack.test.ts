@@ -1,0 +1,61 @@
+import { decode } from "fast-png";
+import { strFromU8, unzipSync } from "fflate";
+import { expect, test, vi } from "vitest";
+import { contentsOf, packed } from "../../src/player/game-pack.ts";
+import { full } from "../full.ts";
+
+// An archive takes seconds, on a busy machine more.
+vi.setConfig({ testTimeout: 60_000 });
+
+const LINK = "seed=kauri&attractors=300&land=valley";
+
+function finished(): full.River {
+  const river = new full.River(LINK);
+  while (river.advance(1000));
+  return river;
+}
+
+async function unpacked(): Promise<Record<string, Uint8Array>> {
+  const archive = packed(contentsOf(finished()), bufferOf("a picture"));
+  return unzipSync(new Uint8Array(await archive.arrayBuffer()));
+}
+
+function bufferOf(text: string): ArrayBuffer {
+  return new TextEncoder().encode(text).buffer;
+}
+
+function bytesOf({ buffer, byteOffset, byteLength }: ArrayBufferView): Buffer {
+  return Buffer.from(buffer as ArrayBuffer, byteOffset, byteLength);
+}
+
+test("the archive holds every file, and the picture as it came", async () => {
+  const files = await unpacked();
+  const rasters = ["heights.png", "land.png", "rivers.png", "flow.png", "basins.png"];
+  expect(Object.keys(files)).toEqual(["README.txt", ...rasters, "map.geojson", "map.png"]);
+  expect(strFromU8(files["map.png"] ?? new Uint8Array())).toBe("a picture");
+  expect(JSON.parse(strFromU8(files["map.geojson"] ?? new Uint8Array()))).toEqual(finished().geojson());
+  expect(strFromU8(files["README.txt"] ?? new Uint8Array())).toBe(finished().cells().readme());
+});
+
+test("rasters are read back as the engine has them, in 8 or 16 bits, with what they mean", async () => {
+  const [files, { columns, rows, rasters }] = [await unpacked(), contentsOf(finished())];
+  const depths = rasters.map(({ name, values, texts }) => {
+    const picture = decode(files[`${name}.png`] ?? new Uint8Array());
+    expect([picture.width, picture.height, picture.channels]).toEqual([columns, rows, 1]);
+    // Compared one by one, a quarter of a million numbers would take seconds.
+    expect(Buffer.compare(bytesOf(picture.data), bytesOf(values))).toBe(0);
+    expect(picture.text).toEqual(texts);
+    return picture.depth;
+  });
+  expect(depths).toEqual([16, 8, 16, 8, 16]);
+  expect(rasters[0]?.texts["metres-a-step"]).toMatch(/^0\.\d{6}$/);
+});
+
+test("a growing river has no rasters", () => {
+  expect(() => contentsOf(new full.River(LINK))).toThrow("still growing");
+});
+
+test("a river always gives the same archive", async () => {
+  const made = async () => Buffer.from(await packed(contentsOf(finished()), bufferOf("x")).arrayBuffer());
+  expect((await made()).equals(await made())).toBe(true);
+});
