@@ -232,12 +232,13 @@ pub(super) fn lay_strokes(
     for Rect { left, top, right, bottom } in coverage.take_touched() {
         for row in top..bottom {
             let first = row as usize * view.width as usize;
-            for i in first + left as usize..first + right as usize {
-                let covered = coverage.mask().data()[i];
+            let columns = first + left as usize..first + right as usize;
+            let covered = &coverage.mask().data()[columns.clone()];
+            for ((i, pixel), &covered) in columns.clone().zip(&mut pixels[columns]).zip(covered) {
                 if covered > 0 {
-                    let [r, g, b, rest] = pixels[i];
+                    let [r, g, b, rest] = *pixel;
                     let [r, g, b] = mix([r, g, b], colour, f32::from(covered) / 255.0 * open(i));
-                    pixels[i] = [r, g, b, rest];
+                    *pixel = [r, g, b, rest];
                 }
             }
         }
