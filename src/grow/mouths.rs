@@ -239,7 +239,7 @@ mod tests {
                 let settings = GrowthSettings::of(&link::read(&link).unwrap());
                 let land = settings.land.as_ref().unwrap();
                 at_mouths.extend(mouths(&settings).iter().map(|mouth| land.shelter(mouth.at)));
-                along_coasts.extend(shores(&settings).map(|shore| land.shelter(shore.at)));
+                along_coasts.extend(shores(&settings).iter().map(|shore| land.shelter(shore.at)));
             }
             let mean = |shelters: &[f32]| shelters.iter().sum::<f32>() / shelters.len() as f32;
             let (mouths, coasts) = (mean(&at_mouths), mean(&along_coasts));
