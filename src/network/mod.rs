@@ -122,6 +122,7 @@ impl Oxbow {
     /// that is too short to be a lake.
     pub fn lake(&self) -> Vec<(Vertex, f32)> {
         const LEAST_WIDTHS: f32 = 3.0;
+        const LEAST_VERTICES: usize = 3;
         const TAPER: f32 = 1.5;
         // Silt comes in at the ends, and makes shallow what it does not fill.
         const FROM_EITHER_END: f32 = 0.35;
@@ -142,7 +143,9 @@ impl Oxbow {
             let from_end = along.min(length - along) - silt;
             (from_end >= 0.0).then(|| open * (from_end / (TAPER * width)).min(1.0).sqrt())
         };
-        lake.iter().zip(along).filter_map(|(vertex, along)| Some((*vertex, share(along)?))).collect()
+        let open: Vec<_> =
+            lake.iter().zip(along).filter_map(|(vertex, along)| Some((*vertex, share(along)?))).collect();
+        if open.len() < LEAST_VERTICES { Vec::new() } else { open }
     }
 }
 
