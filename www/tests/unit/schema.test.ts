@@ -19,7 +19,7 @@ function written(link: string): Network {
 }
 
 const WITH_LAKES =
-  "seed=rimu&land=rectangle&attractors=800&great-rivers=9&meander-elsewhere=1&meander-rounds=150&meander-strength=1&meander=bend";
+  "seed=kauri&land=rectangle&aspect=1.5&growth=colonize&valleys=0&attractors=1500&trim=39&great-rivers=16&flat-share=1&meander-elsewhere=1&meander-rounds=90&meander-strength=1&neck=3&meander=bend";
 const LINKS = [
   WITH_LAKES,
   "seed=kauri&land=rectangle&attractors=600",
