@@ -6,7 +6,8 @@ mod common;
 
 use std::io::Cursor;
 
-use common::{property, random_link};
+use common::property::cases;
+use common::random_link;
 use glam::Vec2;
 use png::{BitDepth, ColorType, Decoder};
 use proptest::prelude::*;
@@ -100,7 +101,7 @@ fn check_heights(rasters: &Rasters) {
 }
 
 proptest! {
-    #![proptest_config(property::cases(24))]
+    #![proptest_config(cases(24))]
 
     #[test]
     fn water_runs_to_the_sea_from_everywhere(text in random_link(2500)) {
