@@ -1,16 +1,13 @@
-//! What a page of controls asks for, and a widget does without: the parameter table, presets, links in all their parts, drawn lines.
+//! What a page of controls asks for, and a widget does without: the parameter table, presets, seeds by chance, drawn lines.
 
 use glam::Vec2;
 use js_sys::{Array, Float32Array, Object};
 use wasm_bindgen::prelude::*;
 
 use super::objects::{coded, object, set};
-use super::rivers::{list, read_options};
+use super::rivers::pair;
 use crate::dice;
-use crate::land::Land;
-use crate::recipe::link;
 use crate::recipe::preset::{PRESETS, Preset};
-use crate::recipe::reading::{self, Reading};
 use crate::recipe::table::TABLE;
 use crate::recipe::{Decimal, GridPoint, Key, Kind, LONGEST_OUTLINE, Outline, Parameter};
 
@@ -42,20 +39,6 @@ export interface Preset {
   readonly label: string;
   readonly help: string;
   readonly values: readonly (readonly [key: string, value: string])[];
-}
-/** A link as it was understood. */
-export interface Reading {
-  /** The canonical link of what is drawn: defaults left out. */
-  readonly link: string;
-  /** The canonical link to share: it names a style only where the text that was read did. */
-  readonly sharedLink: string;
-  /** Whether the text names a style. */
-  readonly namesStyle: boolean;
-  /** Every parameter's value as link text. */
-  readonly values: readonly (readonly [key: string, value: string])[];
-  /** The keys that do nothing in this recipe, and why. */
-  readonly idle: readonly (readonly [key: string, reason: string])[];
-  readonly notices: readonly Notice[];
 }
 /** Lines of a drawn land, each as x and y in turn, in fractions of the map's width and height. */
 export interface Lines {
@@ -91,27 +74,6 @@ pub fn presets() -> Array {
     PRESETS.iter().map(view).collect()
 }
 
-/// Reads a link leniently. Total: never throws, whatever the text.
-#[wasm_bindgen(js_name = readLink, unchecked_return_type = "Reading")]
-pub fn read_link(
-    text: &str,
-    #[wasm_bindgen(unchecked_optional_param_type = "ReadOptions")] options: &JsValue,
-) -> Object {
-    let reading = reading::read(text, read_options(options));
-    let Reading { recipe, .. } = &reading;
-    let value = |parameter: &Parameter| pair(parameter.name, &parameter.text_of(recipe.value(parameter.key)));
-    let land = Land::kind_of(recipe);
-    let idle = |row: &Parameter| recipe.inactive_reason(row.key, land).map(|reason| pair(row.name, reason));
-    object(&[
-        ("link", link::write(recipe).into()),
-        ("sharedLink", reading.shared_link().into()),
-        ("namesStyle", reading.names_style.into()),
-        ("values", TABLE.iter().map(value).collect::<Array>().into()),
-        ("idle", TABLE.iter().filter_map(idle).collect::<Array>().into()),
-        ("notices", list(&reading.notices).into()),
-    ])
-}
-
 /// A new seed, a word that can be said aloud.
 #[wasm_bindgen(js_name = freshSeed)]
 pub fn fresh_seed() -> Result<String, JsValue> {
@@ -145,10 +107,6 @@ pub fn outline_lines(text: &str) -> Result<Object, JsValue> {
 /// The points of a line given as x and y in turn; half a point at the end is left out.
 fn points(line: &Float32Array) -> Vec<Vec2> {
     line.to_vec().chunks_exact(2).map(Vec2::from_slice).collect()
-}
-
-fn pair(name: &str, text: &str) -> Array {
-    [name, text].into_iter().map(JsValue::from_str).collect()
 }
 
 /// A value in the one spelling that links are written in.

@@ -1,15 +1,17 @@
-//! A river.
+//! Links, and a river.
 
 use js_sys::{Array, Object, Reflect};
 use wasm_bindgen::prelude::*;
 
 use super::objects::{coded, object};
 use crate::grow::Ending;
+use crate::land::Land;
 use crate::paint::{PaintError, Rect};
 use crate::picture::Picture;
 use crate::recipe::link::{self, Notice};
 use crate::recipe::reading::{self, ReadOptions, Reading};
-use crate::recipe::{Key, Stage, Value};
+use crate::recipe::table::TABLE;
+use crate::recipe::{Key, Parameter, Stage, Value};
 use crate::session::{Phase, Session, SessionError, Shortfall};
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -29,6 +31,20 @@ export interface ReadOptions {
   readonly widget?: boolean;
   /** On a dark page: if the link names no style, it is the one for dark pages. */
   readonly dark?: boolean;
+}
+/** A link as it was understood. */
+export interface Reading {
+  /** The canonical link of what is drawn: defaults left out. */
+  readonly link: string;
+  /** The canonical link to share: it names a style only where the text that was read did. */
+  readonly sharedLink: string;
+  /** Whether the text names a style. */
+  readonly namesStyle: boolean;
+  /** Every parameter's value as link text. */
+  readonly values: readonly (readonly [key: string, value: string])[];
+  /** The keys that do nothing in this recipe, and why. */
+  readonly idle: readonly (readonly [key: string, reason: string])[];
+  readonly notices: readonly Notice[];
 }
 /** What a picture shows, in numbers. */
 export interface Summary {
@@ -54,13 +70,34 @@ export interface Summary {
 }
 "#;
 
+/// Reads a link leniently. Total: never throws, whatever the text.
+#[wasm_bindgen(js_name = readLink, unchecked_return_type = "Reading")]
+pub fn read_link(
+    text: &str,
+    #[wasm_bindgen(unchecked_optional_param_type = "ReadOptions")] options: &JsValue,
+) -> Object {
+    let reading = reading::read(text, read_options(options));
+    let Reading { recipe, .. } = &reading;
+    let value = |parameter: &Parameter| pair(parameter.name, &parameter.text_of(recipe.value(parameter.key)));
+    let land = Land::kind_of(recipe);
+    let idle = |row: &Parameter| recipe.inactive_reason(row.key, land).map(|reason| pair(row.name, reason));
+    object(&[
+        ("link", link::write(recipe).into()),
+        ("sharedLink", reading.shared_link().into()),
+        ("namesStyle", reading.names_style.into()),
+        ("values", TABLE.iter().map(value).collect::<Array>().into()),
+        ("idle", TABLE.iter().filter_map(idle).collect::<Array>().into()),
+        ("notices", list(&reading.notices).into()),
+    ])
+}
+
 /// What a page says of where rivers are to be seen; what it leaves out is not so.
-pub(super) fn read_options(given: &JsValue) -> ReadOptions {
+fn read_options(given: &JsValue) -> ReadOptions {
     let is = |name: &str| Reflect::get(given, &JsValue::from_str(name)).is_ok_and(|value| value.is_truthy());
     ReadOptions { widget: is("widget"), dark: is("dark") }
 }
 
-pub(super) fn list(notices: &[Notice]) -> Array {
+fn list(notices: &[Notice]) -> Array {
     let notice = |Notice { key, message }: &Notice| {
         object(&[("key", key.as_str().into()), ("message", message.as_str().into())])
     };
@@ -257,4 +294,8 @@ pub(super) fn paint_error(error: &PaintError) -> JsValue {
         PaintError::Size { .. } | PaintError::OutOfMemory { .. } => "too-large",
     };
     coded(code, &error.to_string())
+}
+
+pub(super) fn pair(name: &str, text: &str) -> Array {
+    [name, text].into_iter().map(JsValue::from_str).collect()
 }
