@@ -173,6 +173,25 @@ impl Network {
         downstream
     }
 
+    /// The rivers that run into the sea, in their order.
+    pub fn mouths(&self) -> Vec<u32> {
+        (0..).zip(&self.rivers).filter(|(_, river)| river.parent == NONE).map(|(id, _)| id).collect()
+    }
+
+    /// Of each river, the number of its basin: that of the mouth that its water comes to, counted from 1 in the order of
+    /// [`mouths`](Self::mouths).
+    pub fn basins(&self) -> Vec<u32> {
+        let mouths = self.mouths();
+        let basin = |mut id: u32| {
+            // After a cutoff a river may join one that stands after it.
+            while let Some(river) = self.rivers.get(id as usize).filter(|river| river.parent != NONE) {
+                id = river.parent;
+            }
+            mouths.partition_point(|&mouth| mouth < id) as u32 + 1
+        };
+        (0..self.rivers.len() as u32).map(basin).collect()
+    }
+
     /// A river's course: its own vertices, then the junction if it ends in one.
     pub fn course(&self, river: &River) -> impl DoubleEndedIterator<Item = &Vertex> + Clone {
         let junction = (river.junction != NONE).then(|| &self.vertices[river.junction as usize]);
@@ -211,5 +230,17 @@ impl Network {
             (Some(source), Some(end)) if source.at != end.at => self.length(river) / distance(source.at, end.at),
             _ => 1.0,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn basins_are_those_of_mouths_also_where_a_river_joins_one_that_stands_after_it() {
+        let river = |parent: u32| River { start: 0, end: 0, junction: parent, parent, order: 1, magnitude: 1 };
+        let network = Network { rivers: [2, NONE, NONE, 0].map(river).into(), ..Network::default() };
+        assert_eq!((network.mouths(), network.basins()), (vec![1, 2], vec![2, 1, 2, 2]));
     }
 }

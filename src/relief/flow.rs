@@ -48,10 +48,8 @@ impl Flow {
     fn on(field: &Field, channels: &Channels, network: &Network) -> Self {
         let rivers = field.rivers(channels, network);
         let downstream = field.downstream(channels, network);
-        let mouths: Vec<u32> =
-            (0..).zip(&network.rivers).filter(|(_, river)| river.parent == NONE).map(|(id, _)| id).collect();
         let outlets = field.outlets(&downstream);
-        let basin_of = basins_of_rivers(network, &mouths);
+        let basin_of = network.basins();
         let basin = |cell: usize| match rivers[outlets[cell]] {
             NONE => 0,
             river => basin_of[river as usize],
@@ -61,7 +59,7 @@ impl Flow {
             directions: inside().map(|cell| field.code(cell, downstream[cell])).collect(),
             basins: inside().map(|cell| if field.cells.is_land(cell) { basin(cell) } else { 0 }).collect(),
             rivers: inside().map(|cell| rivers[cell]).collect(),
-            mouths,
+            mouths: network.mouths(),
         }
     }
 
@@ -96,17 +94,6 @@ fn walked(cells: &Cells, network: &Network, total_discharge: u32) -> Result<Chan
     let mut channels = Channels::new(network, total_discharge)?;
     while channels.walk(cells, network)? {}
     Ok(channels)
-}
-
-/// Of each river, the number of its basin.
-fn basins_of_rivers(network: &Network, mouths: &[u32]) -> Vec<u32> {
-    let basin = |mut id: u32| {
-        while let Some(river) = network.rivers.get(id as usize).filter(|river| river.parent != NONE) {
-            id = river.parent;
-        }
-        mouths.partition_point(|&mouth| mouth < id) as u32 + 1
-    };
-    (0..network.rivers.len() as u32).map(basin).collect()
 }
 
 /// Heights of the map's cells and of the rim around them.

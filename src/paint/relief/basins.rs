@@ -37,7 +37,7 @@ const UNKNOWN: u32 = u32::MAX;
 impl Basins {
     /// The basins of a relief, and of the network that it belongs to.
     pub fn new(relief: &Relief, network: &Network, colours: &[Colour]) -> Self {
-        let of_rivers = basins_of_rivers(network);
+        let of_rivers = network.basins();
         let mut basins = vec![UNKNOWN; relief.heights().len()];
         for (river, &basin) in network.rivers.iter().zip(&of_rivers) {
             mark(relief, network, river, basin, &mut basins);
@@ -118,18 +118,6 @@ fn full_share(scale: f32) -> f32 {
     const HALF_PX: f32 = 0.7;
     let cells = (HALF.max(HALF_PX / scale) / CELL_SIZE).min(0.5);
     0.5 + 0.75 * cells - cells * cells * cells / 3.0
-}
-
-/// Of each river the number of its basin, counted from 1.
-fn basins_of_rivers(network: &Network) -> Vec<u32> {
-    let (mut basins, mut count) = (Vec::with_capacity(network.rivers.len()), 0);
-    for river in &network.rivers {
-        // A river stands after the one that it joins.
-        let parent = basins.get(river.parent as usize).copied();
-        count += u32::from(parent.is_none());
-        basins.push(parent.unwrap_or(count));
-    }
-    basins
 }
 
 /// Marks the cells that a river covers.
@@ -248,7 +236,6 @@ fn coloured(basins: &[Neighbours], colours: &[Colour]) -> Vec<u8> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::network::NONE;
     use crate::recipe::link;
     use crate::session::Session;
 
@@ -262,9 +249,8 @@ mod tests {
             session.finish().unwrap();
             let (relief, network) = (session.relief().unwrap(), session.network().unwrap());
             let basins = Basins::new(relief, network, COLOURS);
-            let of_rivers = basins_of_rivers(network);
-            let mouths = network.rivers.iter().filter(|river| river.parent == NONE).count();
-            assert_eq!(of_rivers.iter().max(), Some(&(mouths as u32)), "{land}");
+            let of_rivers = network.basins();
+            assert_eq!(of_rivers.iter().max(), Some(&(network.mouths().len() as u32)), "{land}");
             let mut basin_of = vec![UNKNOWN; relief.heights().len()];
             let (mut own, mut all) = (0, 0);
             for (river, &basin) in network.rivers.iter().zip(&of_rivers) {

@@ -77,6 +77,7 @@ impl Field {
     }
 
     /// The control points along one y of a map, in units.
+    #[inline(never)]
     pub fn line(&self, y: f32, heights: &mut Vec<f32>) {
         let (controls, t) = self.controls(y);
         heights.clear();
@@ -84,6 +85,7 @@ impl Field {
     }
 
     /// Those of how much higher the surface is a cell to the south.
+    #[inline(never)]
     pub fn rises(&self, y: f32, rises: &mut Vec<f32>) {
         let (controls, t) = self.controls(y);
         rises.clear();
@@ -107,6 +109,7 @@ pub(super) struct Places {
 }
 
 impl Places {
+    #[inline(never)]
     pub fn new(view: &View, columns: usize) -> Self {
         let x = |x: usize| view.point(Vec2::splat(x as f32 + 0.5)).x;
         let (mut runs, mut along) = (Vec::<(usize, Range<usize>)>::new(), Vec::new());
