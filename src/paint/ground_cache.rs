@@ -4,7 +4,9 @@
 
 use std::sync::Arc;
 
+use super::beds;
 use super::coverage::{Coverage, Rect};
+use super::grid;
 use super::ground::ground;
 use super::palette::{Colour, LAND_ONLY, Palette};
 use super::paper;
@@ -25,6 +27,8 @@ pub(super) struct GroundCache {
     /// In a style; no pixels where all is plain land.
     flat: Option<(Style, Option<Vec<[u8; 4]>>)>,
     prepared: Option<Prepared>,
+    /// With great rivers and their former beds.
+    beds: Option<Vec<[u8; 4]>>,
     raised: Option<Raised>,
 }
 
@@ -48,10 +52,10 @@ impl GroundCache {
 
     /// The pixels, and the number of the colour that rivers have in each; none if they have but one. `None` for plain land.
     pub fn pixels(&self) -> Option<(&[[u8; 4]], &[u8])> {
-        match (&self.raised, &self.flat) {
-            (Some(raised), _) => Some((&raised.pixels, &raised.numbers)),
-            (None, Some((_, Some(pixels)))) => Some((pixels, &[])),
-            (None, _) => None,
+        match (&self.raised, &self.beds, &self.flat) {
+            (Some(raised), ..) => Some((&raised.pixels, &raised.numbers)),
+            (None, Some(pixels), _) | (None, None, Some((_, Some(pixels)))) => Some((pixels, &[])),
+            (None, None, _) => None,
         }
     }
 
@@ -71,12 +75,12 @@ impl GroundCache {
 
     /// Shows flat ground again.
     pub fn lower(&mut self) {
-        self.raised = None;
+        (self.raised, self.beds) = (None, None);
     }
 
     /// The same, and keeps nothing of a relief: there will be another.
     pub fn forget_relief(&mut self) {
-        self.raised = None;
+        self.lower();
         self.prepared = None;
     }
 
@@ -85,13 +89,26 @@ impl GroundCache {
         if self.flat.as_ref().is_some_and(|(painted, _)| *painted == style) {
             return;
         }
-        (self.flat, self.raised) = (None, None);
+        self.flat = None;
+        self.lower();
         let palette = palette(style);
         let mut pixels = land.map(|land| self.coast(view, land, palette));
         if let Some(paper) = palette.paper {
             paper::lay(view, paper, pixels.get_or_insert_with(|| bare(view, palette.plain)));
         }
+        if let Some(grid) = palette.grid {
+            grid::lay(view, grid, pixels.get_or_insert_with(|| bare(view, palette.plain)));
+        }
         self.flat = Some((style, pixels));
+    }
+
+    /// Lays great rivers and their former beds over flat ground, if the style has any.
+    pub fn lay_beds(&mut self, view: &View, rivers: &Rivers<'_>) {
+        self.beds = palette(rivers.style).beds.zip(self.flat.as_ref()).and_then(|(look, (_, flat))| {
+            let mut pixels = flat.clone()?;
+            beds::lay(look, view, rivers, &mut pixels);
+            Some(pixels)
+        });
     }
 
     fn coast(&mut self, view: &View, land: &Land, palette: &Palette) -> Vec<[u8; 4]> {
