@@ -4,7 +4,7 @@
 
 use std::sync::Arc;
 
-use super::beds;
+use super::beds::GroundWithBeds;
 use super::coverage::{Coverage, Rect};
 use super::grid;
 use super::ground::ground;
@@ -28,7 +28,7 @@ pub(super) struct GroundCache {
     flat: Option<(Style, Option<Vec<[u8; 4]>>)>,
     prepared: Option<Prepared>,
     /// With great rivers and their former beds.
-    beds: Option<Vec<[u8; 4]>>,
+    beds: Option<GroundWithBeds>,
     raised: Option<Raised>,
 }
 
@@ -43,9 +43,10 @@ struct Raised {
 }
 
 impl GroundCache {
-    /// What a picture takes at most, beyond its own pixels and mask, in bytes a pixel: flat ground and raised, the shares of land, the
-    /// numbers of basins or a casing before its blur and after it, and a mask that is drawn for it.
-    pub const BYTES_A_PIXEL: usize = 4 + 4 + 1 + 2 + 1;
+    /// What a picture takes at most, beyond its own pixels and mask, in bytes a pixel: flat ground, the same twice with former beds, and a
+    /// mask that is drawn for them. With relief it is one less: flat ground and raised, the shares of land, the numbers of basins or a
+    /// casing before its blur and after it, and a mask.
+    pub const BYTES_A_PIXEL: usize = 4 + 4 + 4 + 1;
 
     /// What a relief takes besides, however large the picture is: heights, light and contours of 250,000 cells, and what they are made of.
     pub const BYTES: usize = 6_000_000;
@@ -54,7 +55,9 @@ impl GroundCache {
     pub fn pixels(&self) -> Option<(&[[u8; 4]], &[u8])> {
         match (&self.raised, &self.beds, &self.flat) {
             (Some(raised), ..) => Some((&raised.pixels, &raised.numbers)),
-            (None, Some(pixels), _) | (None, None, Some((_, Some(pixels)))) => Some((pixels, &[])),
+            (None, Some(GroundWithBeds { pixels, .. }), _) | (None, None, Some((_, Some(pixels)))) => {
+                Some((pixels, &[]))
+            }
             (None, None, _) => None,
         }
     }
@@ -75,12 +78,17 @@ impl GroundCache {
 
     /// Shows flat ground again.
     pub fn lower(&mut self) {
+        self.raised = None;
+    }
+
+    /// Shows the ground alone: other rivers come next.
+    pub fn forget_rivers(&mut self) {
         (self.raised, self.beds) = (None, None);
     }
 
     /// The same, and keeps nothing of a relief: there will be another.
     pub fn forget_relief(&mut self) {
-        self.lower();
+        self.forget_rivers();
         self.prepared = None;
     }
 
@@ -90,7 +98,7 @@ impl GroundCache {
             return;
         }
         self.flat = None;
-        self.lower();
+        self.forget_rivers();
         let palette = palette(style);
         let mut pixels = land.map(|land| self.coast(view, land, palette));
         if let Some(paper) = palette.paper {
@@ -104,11 +112,9 @@ impl GroundCache {
 
     /// Lays great rivers and their former beds over flat ground, if the style has any.
     pub fn lay_beds(&mut self, view: &View, rivers: &Rivers<'_>) {
-        self.beds = palette(rivers.style).beds.zip(self.flat.as_ref()).and_then(|(look, (_, flat))| {
-            let mut pixels = flat.clone()?;
-            beds::lay(look, view, rivers, &mut pixels);
-            Some(pixels)
-        });
+        if let (Some(look), Some((_, Some(flat)))) = (palette(rivers.style).beds, &self.flat) {
+            self.beds.get_or_insert_default().lay(look, view, rivers, flat);
+        }
     }
 
     fn coast(&mut self, view: &View, land: &Land, palette: &Palette) -> Vec<[u8; 4]> {

@@ -105,7 +105,7 @@ impl Painter {
 
     /// Forgets the picture: another tree, trim, width or style comes next.
     pub fn reset(&mut self) {
-        self.ground.lower();
+        self.ground.forget_rivers();
         self.coverage.clear();
         self.drawn.clear();
         self.flow = Flow::default();

@@ -38,7 +38,7 @@ pub struct Rivers<'a> {
 }
 
 /// The margin that is added to each bank, in pixels, so that a brook can be seen.
-const VISIBLE_PX: f32 = 0.2;
+pub(super) const VISIBLE_PX: f32 = 0.2;
 
 /// Draws a network. `margin` is added to each bank, in units.
 pub(super) fn draw_network(
