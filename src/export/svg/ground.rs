@@ -69,7 +69,7 @@ pub(super) fn ground(out: &mut Text, size: Vec2, land: Option<&Land>, relief: Op
 fn grid(out: &mut Text, size: Vec2, palette: &Palette) {
     let Some(look) = palette.grid else { return };
     let mut path = Path::default();
-    lines(look, size).for_each(|ends| path.line(&ends));
+    lines(look, size).iter().for_each(|ends| path.line(ends));
     out.text("<path id=\"grid\" fill=\"none\" stroke-opacity=\"").units(look.strength).text("\"");
     line(out, look.colour, Grid::WIDTH, path.data());
 }
