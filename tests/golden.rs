@@ -46,6 +46,14 @@ const PICTURES: &[(&str, &str)] = &[
         "growth=drainage&land=island&seed=moa&attractors=5000&trim=24&channel-area=4&mouths=0&style=parchment",
     ),
     ("parchment-plain", "growth=colonize&attractors=1500&trim=39&mouths=4&style=parchment"),
+    (
+        "past-courses",
+        "seed=memphis&aspect=2&sides=e&mouths=1&attractors=200&trim=60&width=26&flat-share=0.8&neck=3&meander-mix=0.8&meander-rounds=50&great-rivers=2&style=past-courses",
+    ),
+    (
+        "past-courses-coast",
+        "growth=drainage&land=continent&seed=moa&attractors=1500&trim=60&mouths=0&great-rivers=4&flat-share=0.6&meander-rounds=60&style=past-courses",
+    ),
     ("atlas-plain", "growth=drainage&attractors=3000&trim=30&mouths=0&style=atlas&mountains=3&plains=60&shade=0.8"),
     ("original", "preset=original&attractors=1500"),
     ("momentum", "preset=momentum&attractors=1500"),

@@ -6,6 +6,7 @@ mod dark;
 mod ink;
 mod night;
 mod parchment;
+mod past_courses;
 mod skeleton;
 mod survey;
 
@@ -22,6 +23,7 @@ pub(crate) fn palette(style: Style) -> &'static Palette {
         Style::Survey => &survey::PALETTE,
         Style::Basins => &basins::PALETTE,
         Style::Parchment => &parchment::PALETTE,
+        Style::PastCourses => &past_courses::PALETTE,
         Style::Skeleton => &skeleton::PALETTE,
     }
 }
