@@ -43,6 +43,9 @@ pub struct PastCourse {
 }
 
 impl PastCourses {
+    /// What they take at most.
+    pub(in crate::network) const BYTES: usize = 900_000;
+
     /// Nothing yet, of the rivers that count as great.
     pub(super) fn of(great: Vec<u32>) -> Self {
         Self { great, rounds: Vec::new() }
@@ -173,7 +176,7 @@ mod tests {
         }
         let all = past.rounds().iter().flat_map(|past| past.courses.iter().chain(&past.loops));
         let bytes = all.map(|course| size_of_val(course) + size_of_val(&course.line[..])).sum::<usize>();
-        assert!((500_000..900_000).contains(&bytes), "{bytes}");
+        assert!((500_000..PastCourses::BYTES).contains(&bytes), "{bytes}");
         for course in &past.rounds()[11].courses {
             let whole = network.middle(&network.rivers[course.river as usize]);
             assert_eq!((course.line.first(), course.line.last()), (whole.first(), whole.last()));
