@@ -1,7 +1,7 @@
 //! The beds in which great rivers ran before, kept at even rounds while they meander: what a map of past courses shows, and what can
 //! be looked through from the first round to the last.
 //!
-//! The rounds are chosen by how many there will be, [`ROUNDS`] of them or all of fewer, as even as whole numbers are: of 40 those before
+//! The rounds are chosen by how many there will be, twelve of them or all of fewer, as even as whole numbers are: of 40 those before
 //! the rounds 1, 5, 8, 11, 15 and so on. A loop that is cut off belongs to the last of them before. So what is kept does not depend on
 //! how often a session stops to be looked at, and takes 0.9 MB at most: long courses are thinned out evenly, and loops beyond a
 //! number are left out.
