@@ -6,7 +6,7 @@ use thiserror::Error;
 
 use super::courses::Courses;
 use super::meander::{Meander, smooth_courses, thin_out};
-use super::{Network, NetworkSettings};
+use super::{Network, NetworkSettings, PastCourses};
 use crate::memory;
 use crate::recipe::CourseShape;
 use crate::tree::Tree;
@@ -58,7 +58,7 @@ impl Shaping {
     pub fn new(tree: &Tree, may_cross: bool, settings: NetworkSettings) -> Result<Self, ShapeError> {
         /// By trials with less and less memory, rivers of 300,000 attractors take 200 to 235 at most.
         const BYTES_A_NODE: usize = 256;
-        ask_for_memory(tree.len(), BYTES_A_NODE)?;
+        ask_for_memory(tree.len(), BYTES_A_NODE, PastCourses::BYTES)?;
         let state = State::Courses(Courses::unranked(tree, may_cross));
         Ok(Self { settings, nodes: tree.len() as u32, state })
     }
@@ -138,12 +138,12 @@ impl Shaping {
     }
 }
 
-/// Checks that there is enough memory for a number of nodes.
+/// Checks that there is enough memory for a number of nodes, and for more.
 ///
 /// # Errors
 /// If there is not enough.
-pub(crate) fn ask_for_memory(nodes: usize, bytes_a_node: usize) -> Result<(), ShapeError> {
-    let bytes = nodes.saturating_mul(bytes_a_node);
+pub(crate) fn ask_for_memory(nodes: usize, bytes_a_node: usize, more: usize) -> Result<(), ShapeError> {
+    let bytes = nodes.saturating_mul(bytes_a_node).saturating_add(more);
     if memory::can_allocate(bytes) {
         return Ok(());
     }

@@ -1,7 +1,7 @@
 //! The beds in which great rivers ran before, kept at even rounds while they meander: what a map of past courses shows, and what can
 //! be looked through from the first round to the last.
 //!
-//! The rounds are chosen by how many there will be, [`ROUNDS`] of them or all of fewer, as even as whole numbers are: of 40 those before
+//! The rounds are chosen by how many there will be, twelve of them or all of fewer, as even as whole numbers are: of 40 those before
 //! the rounds 1, 5, 8, 11, 15 and so on. A loop that is cut off belongs to the last of them before. So what is kept does not depend on
 //! how often a session stops to be looked at, and takes 0.9 MB at most: long courses are thinned out evenly, and loops beyond a
 //! number are left out.
@@ -43,6 +43,9 @@ pub struct PastCourse {
 }
 
 impl PastCourses {
+    /// What they take at most.
+    pub(in crate::network) const BYTES: usize = 900_000;
+
     /// Nothing yet, of the rivers that count as great.
     pub(super) fn of(great: Vec<u32>) -> Self {
         Self { great, rounds: Vec::new() }
@@ -173,7 +176,7 @@ mod tests {
         }
         let all = past.rounds().iter().flat_map(|past| past.courses.iter().chain(&past.loops));
         let bytes = all.map(|course| size_of_val(course) + size_of_val(&course.line[..])).sum::<usize>();
-        assert!((500_000..900_000).contains(&bytes), "{bytes}");
+        assert!((500_000..PastCourses::BYTES).contains(&bytes), "{bytes}");
         for course in &past.rounds()[11].courses {
             let whole = network.middle(&network.rivers[course.river as usize]);
             assert_eq!((course.line.first(), course.line.last()), (whole.first(), whole.last()));
