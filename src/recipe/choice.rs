@@ -130,6 +130,8 @@ choices! {
         Basins = "basins", "basins";
         /// An engraving on old paper: water lines, mountains in strokes on their dark side.
         Parchment = "parchment", "parchment";
+        /// A painting in ink and water: mountains on their dark side, mist along rivers.
+        InkWash = "ink-wash", "ink wash";
         /// Light ink on dark paper, for dark pages.
         Dark = "dark", "dark";
     }

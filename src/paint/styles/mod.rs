@@ -4,6 +4,7 @@ mod atlas;
 mod basins;
 mod dark;
 mod ink;
+mod ink_wash;
 mod night;
 mod parchment;
 mod skeleton;
@@ -22,6 +23,7 @@ pub(crate) fn palette(style: Style) -> &'static Palette {
         Style::Survey => &survey::PALETTE,
         Style::Basins => &basins::PALETTE,
         Style::Parchment => &parchment::PALETTE,
+        Style::InkWash => &ink_wash::PALETTE,
         Style::Skeleton => &skeleton::PALETTE,
     }
 }
