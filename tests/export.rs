@@ -292,6 +292,7 @@ fn svg_looks_like_the_picture() {
         "seed=rimu&aspect=1&attractors=2000&land=island&style=atlas&mouths=9&meander-rounds=200&width=30",
         "seed=totara&aspect=1&land=valley&growth=brownian&sensitivity=24",
         "seed=tui&aspect=1&land=island&attractors=3000&trim=30&style=ink-wash",
+        "seed=tui&aspect=1&land=archipelago&attractors=3000&trim=30&style=orbit",
     ] {
         let session = finished(link);
         let mut picture = Picture::new(SIDE, SIDE).unwrap();

@@ -53,3 +53,24 @@ fn grain(x: u32, y: u32) -> f32 {
     bits = (bits ^ (bits >> 15)).wrapping_mul(0x2c1b_3c6d);
     1.0 + ((bits >> 16) as f32 / 65_535.0 - 0.5) * 2.0 * STRENGTH
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::domain::Domain;
+    use crate::paint::styles::palette;
+    use crate::recipe::Style;
+
+    #[test]
+    fn forests_grow_on_land_alone() {
+        let view = View::new(&Domain::with_aspect(1.0), 200, 100).unwrap();
+        let paper = palette(Style::Orbit).paper.unwrap();
+        let darkest = |open: u8| {
+            let mut pixels = vec![[120, 120, 120, open]; view.pixels()];
+            lay(&view, paper, &mut pixels);
+            pixels.iter().map(|pixel| pixel[0]).min().unwrap()
+        };
+        assert!(darkest(0) >= 117, "no more than the grain");
+        assert!(darkest(255) < 90);
+    }
+}

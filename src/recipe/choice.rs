@@ -132,6 +132,8 @@ choices! {
         Parchment = "parchment", "parchment";
         /// A painting in ink and water: mountains on their dark side, mist along rivers.
         InkWash = "ink-wash", "ink wash";
+        /// The land from orbit: forests, rock, snow, shallow water.
+        Orbit = "orbit", "from orbit";
         /// Light ink on dark paper, for dark pages.
         Dark = "dark", "dark";
     }

@@ -6,6 +6,7 @@ mod dark;
 mod ink;
 mod ink_wash;
 mod night;
+mod orbit;
 mod parchment;
 mod skeleton;
 mod survey;
@@ -24,6 +25,7 @@ pub(crate) fn palette(style: Style) -> &'static Palette {
         Style::Basins => &basins::PALETTE,
         Style::Parchment => &parchment::PALETTE,
         Style::InkWash => &ink_wash::PALETTE,
+        Style::Orbit => &orbit::PALETTE,
         Style::Skeleton => &skeleton::PALETTE,
     }
 }
