@@ -59,9 +59,9 @@ impl Picture {
         self.rivers_of = tree.filter(|_| session.network().is_some());
         let (recipe, land) = (session.recipe(), session.land().map(Arc::as_ref));
         let (courses, style) = (recipe.get(), recipe.get());
-        if let Some((network, rounds)) = session.network().zip(session.rounds()) {
+        if let Some(((network, rounds), past)) = session.network().zip(session.rounds()).zip(session.past()) {
             let relief = session.relief().map(|relief| (relief, recipe.number(Key::Shade)));
-            return self.painter.paint_rivers(&Rivers { network, rounds, courses, land, relief, style });
+            return self.painter.paint_rivers(&Rivers { network, past, rounds, courses, land, relief, style });
         }
         let growth = session.growth();
         self.painter.paint(&Progress {

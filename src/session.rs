@@ -14,7 +14,7 @@ use crate::domain::Domain;
 use crate::grow::{GrowError, Growth, GrowthSettings};
 use crate::land::Land;
 use crate::memory;
-use crate::network::{Meander, Network, NetworkSettings, ShapeError, Shaping, ask_for_memory};
+use crate::network::{Meander, Network, NetworkSettings, PastCourses, ShapeError, Shaping, ask_for_memory};
 use crate::prune::{self, Pruned, Trim};
 use crate::recipe::{Key, Recipe, Stage, Style};
 use crate::relief::{Relief, ReliefError, ReliefSettings};
@@ -341,6 +341,11 @@ impl Session {
 
     fn meander(&self) -> Option<&Meander> {
         self.shaping.as_ref().and_then(Shaping::meander)
+    }
+
+    /// The courses that great rivers had before, as far as they have meandered; `None` while there are no rivers yet.
+    pub fn past(&self) -> Option<&PastCourses> {
+        self.meander().map(Meander::past)
     }
 
     /// How many rounds the rivers have meandered; `None` while there are none yet.

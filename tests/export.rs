@@ -273,8 +273,13 @@ fn drawn(session: &Session) -> tiny_skia::Pixmap {
 
 #[test]
 fn rivers_of_an_svg_end_at_the_coast() {
-    let link = "aspect=1&land=archipelago&roughness=1&attractors=600&width=";
-    let [narrow, wide] = ["2", "40"].map(|width| finished(&format!("{link}{width}")));
+    for style in ["ink", "past-courses"] {
+        let link = format!("aspect=1&land=archipelago&roughness=1&attractors=600&style={style}&width=");
+        ends_at_the_coast(["2", "40"].map(|width| finished(&format!("{link}{width}"))));
+    }
+}
+
+fn ends_at_the_coast([narrow, wide]: [Session; 2]) {
     let (narrow_map, wide_map) = (drawn(&narrow), drawn(&wide));
     let land = narrow.land().unwrap();
     for (i, (narrow, wide)) in narrow_map.pixels().iter().zip(wide_map.pixels()).enumerate() {
@@ -291,6 +296,8 @@ fn svg_looks_like_the_picture() {
         "seed=kauri&aspect=1&attractors=2000",
         "seed=rimu&aspect=1&attractors=2000&land=island&style=atlas&mouths=9&meander-rounds=200&width=30",
         "seed=totara&aspect=1&land=valley&growth=brownian&sensitivity=24",
+        "seed=fisk&aspect=1&land=rectangle&attractors=700&mouths=2&flat-share=0.8&meander-rounds=50&neck=3&style=past-courses",
+        "seed=moa&aspect=1&land=continent&attractors=2000&flat-share=0.5&meander-rounds=30&style=past-courses",
         "seed=tui&aspect=1&land=island&attractors=3000&trim=30&style=ink-wash",
         "seed=tui&aspect=1&land=archipelago&attractors=3000&trim=30&style=orbit",
     ] {

@@ -46,6 +46,14 @@ const PICTURES: &[(&str, &str)] = &[
         "growth=drainage&land=island&seed=moa&attractors=5000&trim=24&channel-area=4&mouths=0&style=parchment",
     ),
     ("parchment-plain", "growth=colonize&attractors=1500&trim=39&mouths=4&style=parchment"),
+    (
+        "past-courses",
+        "aspect=2&sides=e&mouths=1&attractors=400&trim=30&width=14&flat-share=0.8&neck=3&meander-mix=0.8&meander-rounds=40&great-rivers=3&style=past-courses",
+    ),
+    (
+        "past-courses-coast",
+        "growth=drainage&land=continent&seed=moa&attractors=1500&trim=60&mouths=0&great-rivers=4&flat-share=0.6&meander-rounds=60&style=past-courses",
+    ),
     ("ink-wash", "growth=drainage&land=island&seed=tui&attractors=5000&trim=24&channel-area=4&mouths=0&style=ink-wash"),
     ("ink-wash-valley", "land=valley&attractors=2000&trim=24&mouths=4&style=ink-wash"),
     ("orbit", "growth=drainage&land=archipelago&seed=tui&attractors=5000&trim=24&channel-area=4&mouths=0&style=orbit"),

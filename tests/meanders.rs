@@ -63,6 +63,33 @@ fn sinuosity(network: &Network, river: &River, spacing: f32) -> f32 {
     own.iter().enumerate().map(stretch).fold(1.0, f32::max)
 }
 
+/// What is kept of former courses is that of each round, however a session comes there; nobody has to ask for it in between.
+#[test]
+fn former_courses_are_those_of_their_rounds_and_the_same_stepped_or_at_once() {
+    for recipe in OLD {
+        let link = link::read(&format!("{recipe}&meander-rounds=50")).unwrap();
+        let mut stepped = Session::new(link.clone()).unwrap();
+        let mut courses: Vec<Vec<Vec<Place>>> = Vec::new();
+        while stepped.advance(1).unwrap() {
+            if let Some((network, past)) = stepped.network().zip(stepped.past()) {
+                assert!(past.rounds().iter().all(|past| past.round < courses.len() as u32));
+                let great = past.great_rivers().iter().map(|&id| network.middle(&network.rivers[id as usize]));
+                courses.push(great.collect());
+            }
+        }
+        let mut at_once = Session::new(link).unwrap();
+        at_once.finish().unwrap();
+        let past = stepped.past().unwrap();
+        assert!(Some(past) == at_once.past() && past.rounds().len() == 12, "{recipe}");
+        for kept in past.rounds() {
+            for (kept, whole) in kept.courses.iter().zip(&courses[kept.round as usize]) {
+                let mut rest = whole.iter();
+                assert!(kept.line.len() * 5 > whole.len() && kept.line.iter().all(|at| rest.any(|other| other == at)));
+            }
+        }
+    }
+}
+
 /// A stretch rests from 2.6 on, and a loop that is nearly closed from 3.3 on; what moves beside it may add to that until all of it
 /// rests.
 #[test]

@@ -132,7 +132,9 @@ fn map(link: &str) -> (Session, Vec<[u8; 4]>) {
 
 #[test]
 fn rivers_end_at_the_coast_and_the_sea_is_the_same_whatever_runs_into_it() {
-    for style in ["atlas", "night", "survey", "basins", "parchment", "ink-wash", "orbit", "ink", "skeleton"] {
+    for style in
+        ["atlas", "night", "survey", "basins", "parchment", "past-courses", "ink-wash", "orbit", "ink", "skeleton"]
+    {
         let link = format!("aspect=1&land=archipelago&roughness=1&attractors=600&style={style}");
         let ((session, narrow), (_, wide)) = (map(&format!("{link}&width=2")), map(&format!("{link}&width=40")));
         let land = session.land().unwrap();
@@ -146,6 +148,53 @@ fn rivers_end_at_the_coast_and_the_sea_is_the_same_whatever_runs_into_it() {
         }
         assert!(inland > 2000 || style == "skeleton", "{style}: {inland} pixels differ");
     }
+}
+
+/// Rivers that cut off loops, on land with a coast and without.
+const BENDS: &str = "seed=fisk&aspect=1&growth=colonize&attractors=400&mouths=3&trim=30&flat-share=0.8&neck=3&meander-mix=0.8&style=past-courses";
+
+#[test]
+fn past_courses_painted_round_by_round_are_those_painted_at_once() {
+    for land in ["island", "rectangle"] {
+        let link = format!("{BENDS}&land={land}&meander-rounds=30");
+        let (mut session, mut kept, mut rounds) = (Session::new(link::read(&link).unwrap()).unwrap(), picture(), 0);
+        while session.advance(1).unwrap() {
+            kept.paint(&session);
+            if session.phase() == Phase::Meandering {
+                let mut fresh = picture();
+                fresh.paint(&session);
+                assert!(kept.pixmap().data() == fresh.pixmap().data(), "{land}, round {:?}", session.rounds());
+                rounds += 1;
+            }
+        }
+        assert!(rounds > 20 && session.past().unwrap().rounds().iter().any(|past| !past.loops.is_empty()), "{land}");
+    }
+}
+
+/// The pixels of a map that have exactly a colour.
+fn count(pixels: &[[u8; 4]], [r, g, b]: [u8; 3]) -> usize {
+    pixels.iter().filter(|pixel| **pixel == [r, g, b, 255]).count()
+}
+
+#[test]
+fn past_courses_have_a_colour_each_and_without_any_the_map_is_plain() {
+    const OLDEST: [u8; 3] = [0xc9, 0xb7, 0x9c];
+    const LATEST: [u8; 3] = [0x8f, 0xb8, 0xb0];
+    const RIVER: [u8; 3] = [0xfb, 0xfa, 0xf5];
+    const BROOK: [u8; 3] = [0x7d, 0x8f, 0xa0];
+    let pixels = |more: &str| map(&format!("{BENDS}&land=rectangle&{more}")).1;
+    for (more, bands) in [
+        ("great-rivers=3&meander-rounds=30", true),
+        ("great-rivers=3&meander-rounds=0", false),
+        ("meander=none", false),
+    ] {
+        let pixels = pixels(more);
+        let [oldest, latest, river, brook] = [OLDEST, LATEST, RIVER, BROOK].map(|colour| count(&pixels, colour));
+        assert_eq!((oldest > 50, latest > 50), (bands, bands), "{more}: {oldest} and {latest} pixels");
+        assert!(river > 3000 && brook > 100, "{more}: {river} and {brook} pixels");
+    }
+    // Without great rivers those of the highest order stand out.
+    assert!(count(&pixels("great-rivers=0&meander-rounds=9"), RIVER) > 1000);
 }
 
 /// Each style after another that shows the same relief, on land with a coast and without; and growing again from the start.

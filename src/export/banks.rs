@@ -26,8 +26,8 @@ pub(super) struct Banks {
 /// How wide rivers are drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Width {
-    /// As wide as they are, plus a margin on each side so that a brook can be seen.
-    Own { more: f32 },
+    /// A share of their width, plus a margin on each side so that a brook can be seen.
+    Own { share: f32, more: f32 },
     /// All alike, half of that to each side of the course, from its first vertex to its last.
     Even { half: f32 },
 }
@@ -36,10 +36,15 @@ impl Banks {
     /// A river's banks. They begin at its source, both at one point; a tributary's end in the middle of the river that it
     /// joins, those of others past the shore. Empty if it has no vertices.
     pub fn of_river(network: &Network, river: &River, width: Width, courses: CourseShape) -> Self {
-        let mut line = match width {
-            Width::Own { more } => widened(network.middle(river), more),
+        let line = match width {
+            Width::Own { share, more } => widened(network.middle(river), share, more),
             Width::Even { half } => network.course(river).map(|vertex| Place { at: vertex.at, half }).collect(),
         };
+        Self::of_line(line, courses)
+    }
+
+    /// The banks along a line, as wide as its places say but for the first, where they are one.
+    pub fn of_line(mut line: Vec<Place>, courses: CourseShape) -> Self {
         line.dedup_by_key(|place| place.at);
         if let Some(source) = line.first_mut() {
             source.half = 0.0;
@@ -49,7 +54,7 @@ impl Banks {
 
     /// A lake's banks, moved outward by a margin, which meet at both of its ends. Empty if silt has filled all of the lake.
     pub fn of_lake(oxbow: &Oxbow, more: f32) -> Self {
-        let mut line = widened(oxbow.middle(), more);
+        let mut line = widened(oxbow.middle(), 1.0, more);
         line.dedup_by_key(|place| place.at);
         if let [first, .., last] = &mut line[..] {
             (first.half, last.half) = (0.0, 0.0);
@@ -136,8 +141,8 @@ impl Banks {
     }
 }
 
-fn widened(line: Vec<Place>, more: f32) -> Vec<Place> {
-    line.into_iter().map(|place| Place { half: place.half + more, ..place }).collect()
+fn widened(line: Vec<Place>, share: f32, more: f32) -> Vec<Place> {
+    line.into_iter().map(|place| Place { half: place.half * share + more, ..place }).collect()
 }
 
 /// A line turns by more than 60° where the mean of the unit vectors before and after is shorter: cos² 30°.
@@ -181,7 +186,7 @@ mod tests {
     #[test]
     fn left_bank_is_north_of_a_river_that_runs_east() {
         let (network, river) = river(&[(0.0, 0.0), (10.0, 0.0), (20.0, 0.0)], 4.0);
-        let banks = Banks::of_river(&network, &river, Width::Own { more: 0.0 }, CourseShape::Smooth);
+        let banks = Banks::of_river(&network, &river, Width::Own { share: 1.0, more: 0.0 }, CourseShape::Smooth);
         assert_eq!(banks.left, [(0.0, 0.0), (10.0, -2.0), (20.0, -2.0), (20.4, -2.0)].map(Vec2::from));
         assert_eq!(banks.right, [(0.0, 0.0), (10.0, 2.0), (20.0, 2.0), (20.4, 2.0)].map(Vec2::from));
     }

@@ -41,12 +41,19 @@ impl Oxbow {
     pub fn middle(&self) -> Vec<Place> {
         let lake = self.lake();
         let course: Vec<&Vertex> = lake.iter().map(|(vertex, _)| vertex).collect();
-        let place = |(i, (vertex, share)): (usize, &(Vertex, f32))| {
-            let place = between(vertex.at, vertex, tangent(&course, i));
-            Place { half: place.half * share, ..place }
-        };
-        lake.iter().enumerate().map(place).collect()
+        let open = lake.iter().map(|(_, share)| share);
+        bed(&course).into_iter().zip(open).map(|(place, share)| Place { half: place.half * share, ..place }).collect()
     }
+
+    /// The centerline of the river that ran here, as wide as it was, but for what other rivers have run over.
+    pub(super) fn bed(&self) -> Vec<Place> {
+        bed(&self.vertices.iter().collect::<Vec<_>>())
+    }
+}
+
+/// The middle line of a part of a course.
+fn bed(course: &[&Vertex]) -> Vec<Place> {
+    course.iter().enumerate().map(|(i, vertex)| between(vertex.at, vertex, tangent(course, i))).collect()
 }
 
 fn between(at: Vec2, banks: &Vertex, tangent: Vec2) -> Place {

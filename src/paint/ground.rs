@@ -229,11 +229,22 @@ pub(super) fn lay_strokes(
     for &[(a, half_a), (b, half_b)] in strokes {
         coverage.capsule(view.pixel(a), half_a * view.scale, view.pixel(b), half_b * view.scale);
     }
-    for Rect { left, top, right, bottom } in coverage.take_touched() {
+    lay_mask(view, &mut coverage, colour, open, pixels);
+}
+
+/// Lays a colour over a ground where a mask has been drawn on.
+pub(super) fn lay_mask(
+    view: &View,
+    mask: &mut Coverage,
+    colour: Colour,
+    open: &dyn Fn(usize) -> f32,
+    pixels: &mut [[u8; 4]],
+) {
+    for Rect { left, top, right, bottom } in mask.take_touched() {
         for row in top..bottom {
             let first = row as usize * view.width as usize;
             let columns = first + left as usize..first + right as usize;
-            let covered = &coverage.mask().data()[columns.clone()];
+            let covered = &mask.mask().data()[columns.clone()];
             for ((i, pixel), &covered) in columns.clone().zip(&mut pixels[columns]).zip(covered) {
                 if covered > 0 {
                     let [r, g, b, rest] = *pixel;

@@ -4,7 +4,9 @@
 
 use std::sync::Arc;
 
+use super::beds::GroundWithBeds;
 use super::coverage::{Coverage, Rect};
+use super::grid;
 use super::ground::ground;
 use super::palette::{Colour, LAND_ONLY, Palette};
 use super::paper;
@@ -25,6 +27,8 @@ pub(super) struct GroundCache {
     /// In a style; no pixels where all is plain land.
     flat: Option<(Style, Option<Vec<[u8; 4]>>)>,
     prepared: Option<Prepared>,
+    /// With great rivers and their former beds.
+    beds: Option<GroundWithBeds>,
     raised: Option<Raised>,
 }
 
@@ -39,19 +43,22 @@ struct Raised {
 }
 
 impl GroundCache {
-    /// What a picture takes at most, beyond its own pixels and mask, in bytes a pixel: flat ground and raised, the shares of land, the
-    /// numbers of basins or a casing before its blur and after it, and a mask that is drawn for it.
-    pub const BYTES_A_PIXEL: usize = 4 + 4 + 1 + 2 + 1;
+    /// What a picture takes at most, beyond its own pixels and mask, in bytes a pixel: flat ground, the same twice with former beds, and a
+    /// mask that is drawn for them. With relief it is one less: flat ground and raised, the shares of land, the numbers of basins or a
+    /// casing before its blur and after it, and a mask.
+    pub const BYTES_A_PIXEL: usize = 4 + 4 + 4 + 1;
 
     /// What a relief takes besides, however large the picture is: heights, light and contours of 250,000 cells, and what they are made of.
     pub const BYTES: usize = 6_000_000;
 
     /// The pixels, and the number of the colour that rivers have in each; none if they have but one. `None` for plain land.
     pub fn pixels(&self) -> Option<(&[[u8; 4]], &[u8])> {
-        match (&self.raised, &self.flat) {
-            (Some(raised), _) => Some((&raised.pixels, &raised.numbers)),
-            (None, Some((_, Some(pixels)))) => Some((pixels, &[])),
-            (None, _) => None,
+        match (&self.raised, &self.beds, &self.flat) {
+            (Some(raised), ..) => Some((&raised.pixels, &raised.numbers)),
+            (None, Some(GroundWithBeds { pixels, .. }), _) | (None, None, Some((_, Some(pixels)))) => {
+                Some((pixels, &[]))
+            }
+            (None, None, _) => None,
         }
     }
 
@@ -74,9 +81,14 @@ impl GroundCache {
         self.raised = None;
     }
 
+    /// Shows the ground alone: other rivers come next.
+    pub fn forget_rivers(&mut self) {
+        (self.raised, self.beds) = (None, None);
+    }
+
     /// The same, and keeps nothing of a relief: there will be another.
     pub fn forget_relief(&mut self) {
-        self.raised = None;
+        self.forget_rivers();
         self.prepared = None;
     }
 
@@ -85,13 +97,24 @@ impl GroundCache {
         if self.flat.as_ref().is_some_and(|(painted, _)| *painted == style) {
             return;
         }
-        (self.flat, self.raised) = (None, None);
+        self.flat = None;
+        self.forget_rivers();
         let palette = palette(style);
         let mut pixels = land.map(|land| self.coast(view, land, palette));
         if let Some(paper) = palette.paper {
             paper::lay(view, paper, pixels.get_or_insert_with(|| bare(view, palette.plain)));
         }
+        if let Some(grid) = palette.grid {
+            grid::lay(view, grid, pixels.get_or_insert_with(|| bare(view, palette.plain)));
+        }
         self.flat = Some((style, pixels));
+    }
+
+    /// Lays great rivers and their former beds over flat ground, if the style has any.
+    pub fn lay_beds(&mut self, view: &View, rivers: &Rivers<'_>) {
+        if let (Some(look), Some((_, Some(flat)))) = (palette(rivers.style).beds, &self.flat) {
+            self.beds.get_or_insert_default().lay(look, view, rivers, flat);
+        }
     }
 
     fn coast(&mut self, view: &View, land: &Land, palette: &Palette) -> Vec<[u8; 4]> {

@@ -6,8 +6,10 @@
 //!
 //! Units here are pixels; a [`View`] is the only thing that knows how many there are to a unit of the domain.
 
+pub(crate) mod beds;
 mod coverage;
 mod flow;
+pub(crate) mod grid;
 pub(crate) mod ground;
 mod ground_cache;
 mod ink;

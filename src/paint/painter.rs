@@ -105,7 +105,7 @@ impl Painter {
 
     /// Forgets the picture: another tree, trim, width or style comes next.
     pub fn reset(&mut self) {
-        self.ground.lower();
+        self.ground.forget_rivers();
         self.coverage.clear();
         self.drawn.clear();
         self.flow = Flow::default();
@@ -159,6 +159,7 @@ impl Painter {
             Some(_) => {}
             None => self.ground.lower(),
         }
+        self.ground.lay_beds(&self.view, rivers);
         self.compose(rivers.style)
     }
 
@@ -196,7 +197,7 @@ impl Painter {
         let around = touched.iter().copied().reduce(Rect::union)?;
         let ground = self.ground.pixels();
         match palette(style).lines {
-            Lines::Wide => {
+            Lines::Wide | Lines::Thin => {
                 ink::compose(&mut self.pixmap, &self.coverage, ground, palette(style), &touched);
             }
             Lines::Skeleton if self.is_finished => {
@@ -213,8 +214,11 @@ impl Painter {
 }
 
 fn widths(progress: &Progress<'_>) -> Widths {
-    match palette(progress.style).lines {
-        Lines::Wide => Widths::ByDischarge { full: progress.max_width, total_discharge: progress.total_discharge },
+    let lines = palette(progress.style).lines;
+    match lines {
+        Lines::Wide | Lines::Thin => {
+            Widths::ByDischarge { full: progress.max_width * lines.share(), total_discharge: progress.total_discharge }
+        }
         Lines::Skeleton => Widths::Even { width_px: skeleton::WIDTH_PX },
     }
 }

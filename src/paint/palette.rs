@@ -22,10 +22,39 @@ pub(crate) struct Palette {
     /// Land where all of the domain is.
     pub plain: Colour,
     pub lines: Lines,
+    /// Great rivers over their former beds; `None` if rivers are all alike.
+    pub beds: Option<&'static Beds>,
+    pub grid: Option<&'static Grid>,
     /// What is under all of it; `None` if that is as even as a screen.
     pub paper: Option<&'static Paper>,
     /// How it shows relief; `None` if it does not.
     pub relief: Option<&'static ReliefLook>,
+}
+
+/// Great rivers and the beds that they have left.
+#[derive(Debug)]
+pub(crate) struct Beds {
+    /// Of the rounds that are kept, the oldest first.
+    pub colours: &'static [Colour],
+    /// The line on both sides of a former bed.
+    pub line: Colour,
+    /// The rivers as they are, and the line on both sides.
+    pub water: Colour,
+    pub bank: Colour,
+}
+
+/// Lines from north to south and from west to east.
+#[derive(Debug)]
+pub(crate) struct Grid {
+    /// How far apart they are, in units.
+    pub every: f32,
+    pub colour: Colour,
+    pub strength: f32,
+}
+
+impl Grid {
+    /// How wide they are, in units.
+    pub const WIDTH: f32 = 0.8;
 }
 
 /// Paper, or other ground that is not even.
@@ -163,12 +192,21 @@ impl Tints {
 pub(crate) enum Lines {
     /// As wide as they are, with the lakes that they have left.
     Wide,
+    /// At half their width, without lakes: great rivers show theirs with their former beds.
+    Thin,
     /// One pixel wide, without lakes.
     Skeleton,
 }
 
 /// What of a picture is land: white, and all else black.
 pub(crate) static LAND_ONLY: Palette = even([0xff; 3], [0; 3], [0; 3], [0xff; 3], [0; 3]);
+
+impl Lines {
+    /// The share of their width that rivers are drawn with.
+    pub fn share(self) -> f32 {
+        if self == Self::Thin { 0.5 } else { 1.0 }
+    }
+}
 
 impl Palette {
     /// The colour of each coverage by river, from bare plain land to river. Made for a picture: as a table for each style it
@@ -192,6 +230,8 @@ pub(super) const fn even(land: Colour, water: Colour, coast: Colour, ridge: Colo
         river,
         plain: land,
         lines: Lines::Wide,
+        beds: None,
+        grid: None,
         paper: None,
         relief: None,
     }

@@ -11,7 +11,7 @@ use super::skeleton;
 use super::strokes::{Vertex, middle, parabola, step};
 use super::view::View;
 use crate::land::Land;
-use crate::network::{self, Network, Place};
+use crate::network::{self, Network, PastCourses, Place};
 use crate::recipe::{CourseShape, Style};
 use crate::relief::Relief;
 
@@ -23,6 +23,8 @@ pub(super) type Exaggerated<'a> = (&'a Arc<Relief>, f32);
 pub struct Rivers<'a> {
     /// The network. Between two calls only rounds of meandering may have changed it.
     pub network: &'a Network,
+    /// The courses that great rivers had before.
+    pub past: &'a PastCourses,
     /// How many rounds that were.
     pub rounds: u32,
     /// The lines that rivers follow.
@@ -36,7 +38,7 @@ pub struct Rivers<'a> {
 }
 
 /// The margin that is added to each bank, in pixels, so that a brook can be seen.
-const VISIBLE_PX: f32 = 0.2;
+pub(super) const VISIBLE_PX: f32 = 0.2;
 
 /// Draws a network. `margin` is added to each bank, in units.
 pub(super) fn draw_network(
@@ -47,23 +49,30 @@ pub(super) fn draw_network(
     lines: Lines,
     margin: f32,
 ) {
-    let draw_line = |coverage: &mut Coverage, line: Vec<Vertex>| match courses {
-        CourseShape::Smooth => draw_smooth(coverage, &line),
-        CourseShape::Grown => line.windows(2).for_each(|pair| step(coverage, pair[0], pair[1])),
-    };
+    let draw_line = |coverage: &mut Coverage, line: Vec<Vertex>| draw_line(coverage, &line, courses);
     if lines == Lines::Skeleton {
         // The courses as they are: widths, and banks that vary, change nothing in a skeleton.
         let in_pixels = |vertex: &network::Vertex| (view.pixel(vertex.at), skeleton::WIDTH_PX * 0.5);
         network.rivers.iter().for_each(|river| draw_line(coverage, network.course(river).map(in_pixels).collect()));
     } else {
-        let in_pixels = |place: &Place| (view.pixel(place.at), (place.half + margin) * view.scale + VISIBLE_PX);
+        let in_pixels =
+            |place: &Place| (view.pixel(place.at), (place.half * lines.share() + margin) * view.scale + VISIBLE_PX);
         let in_pixels = |line: Vec<Place>| line.iter().map(in_pixels).collect();
         network.rivers.iter().for_each(|river| draw_line(coverage, in_pixels(network.middle(river))));
-        for oxbow in &network.oxbows {
+        let lakes = if lines == Lines::Wide { &network.oxbows[..] } else { &[] };
+        for oxbow in lakes {
             coverage.set_strength(1.0 - oxbow.silt);
             draw_line(coverage, in_pixels(oxbow.middle()));
         }
         coverage.set_strength(1.0);
+    }
+}
+
+/// Draws a line from bank to bank.
+pub(super) fn draw_line(coverage: &mut Coverage, line: &[Vertex], courses: CourseShape) {
+    match courses {
+        CourseShape::Smooth => draw_smooth(coverage, line),
+        CourseShape::Grown => line.windows(2).for_each(|pair| step(coverage, pair[0], pair[1])),
     }
 }
 

@@ -130,6 +130,8 @@ choices! {
         Basins = "basins", "basins";
         /// An engraving on old paper: water lines, mountains in strokes on their dark side.
         Parchment = "parchment", "parchment";
+        /// Past courses: where great rivers have run in bends before, a band for each time, after Fisk 1944.
+        PastCourses = "past-courses", "past courses";
         /// A painting in ink and water: mountains on their dark side, mist along rivers.
         InkWash = "ink-wash", "ink wash";
         /// The land from orbit: forests, rock, snow, shallow water.
@@ -142,7 +144,7 @@ choices! {
 impl Style {
     /// Whether it shows how high the land is.
     pub fn has_relief(self) -> bool {
-        !matches!(self, Self::Ink | Self::Skeleton | Self::Dark)
+        !matches!(self, Self::Ink | Self::Skeleton | Self::PastCourses | Self::Dark)
     }
 }
 

@@ -6,8 +6,9 @@ use super::light::light;
 use super::path::Path;
 use super::text::Text;
 use crate::land::{Land, SmoothedDistance};
+use crate::paint::grid::lines;
 use crate::paint::ground::{COAST_WIDTH, RING_WIDTH, RIVERS_END, way_to};
-use crate::paint::palette::{BasinColours, Colour, Contours, Hachures, Palette, mix};
+use crate::paint::palette::{BasinColours, Colour, Contours, Grid, Hachures, Palette, mix};
 use crate::paint::relief::{Basins, INDEX, Stroke, highest, interval, strokes};
 use crate::paint::ridges;
 use crate::relief::Relief;
@@ -30,6 +31,7 @@ pub(super) fn ground(out: &mut Text, size: Vec2, land: Option<&Land>, relief: Op
         out.text("<rect id=\"land\"");
         sheet(out, size, palette.plain);
         tints(out, relief, palette);
+        grid(out, size, palette);
         return;
     };
     let shown = &SmoothedDistance::of(land.coast_distance());
@@ -60,6 +62,16 @@ pub(super) fn ground(out: &mut Text, size: Vec2, land: Option<&Land>, relief: Op
     }
     ridges(out, land, palette);
     out.text("</g>\n");
+    grid(out, size, palette);
+}
+
+/// Lines over land and sea, if the style has any.
+fn grid(out: &mut Text, size: Vec2, palette: &Palette) {
+    let Some(look) = palette.grid else { return };
+    let mut path = Path::default();
+    lines(look, size).for_each(|ends| path.line(&ends));
+    out.text("<path id=\"grid\" fill=\"none\" stroke-opacity=\"").units(look.strength).text("\"");
+    line(out, look.colour, Grid::WIDTH, path.data());
 }
 
 /// Heights in colours, each laid over the one below, and what a style shows of them besides.

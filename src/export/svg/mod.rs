@@ -2,8 +2,9 @@
 //!
 //! Lengths are domain units, y runs down, numbers are rounded to a hundredth. Rivers stand in a group for each of
 //! Strahler's orders (`order-3`), each with its number (`river-12`) and, as data, its parent, order, magnitude and discharge; lakes
-//! are `oxbow-3`. The link of the recipe is in the file's metadata.
+//! are `oxbow-3`, and former beds of great rivers as they were after so many rounds of meandering `round-3`. The link of the recipe is in the file's metadata.
 
+mod beds;
 mod ground;
 mod light;
 mod path;
@@ -32,8 +33,9 @@ pub fn svg(session: &Session) -> Result<String, ExportError> {
     const BYTES_A_VERTEX: usize = 80;
     let network = rivers(session, BYTES_A_VERTEX)?;
     let (recipe, land) = (session.recipe(), session.land());
-    let (size, style) = (session.domain().size, recipe.get());
-    let palette = palette_of(style);
+    let (size, courses) = (session.domain().size, recipe.get());
+    let palette = palette_of(recipe.get());
+    let past = session.past().zip(palette.beds);
     let mut out = Text::default();
     out.text("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"").units(size.x).text("\" height=\"").units(size.y);
     out.text("\" viewBox=\"0 0 ").units(size.x).text(" ").units(size.y);
@@ -50,8 +52,17 @@ pub fn svg(session: &Session) -> Result<String, ExportError> {
     ground::ground(&mut out, size, land.map(Arc::as_ref), relief, palette);
     // The shore is where rivers end; in a land without a sea nothing is clipped.
     let clip = if land.is_some() { "\" clip-path=\"url(#shore)" } else { "" };
+    if let Some((past, look)) = past {
+        out.text("<g id=\"past").text(clip).text("\">\n");
+        beds::draw_past(&mut out, past, look, courses);
+        out.text("</g>\n");
+    }
     out.text("<g id=\"rivers").text(clip).text("\" fill=\"").colour(palette.river).text("\">\n");
-    draw_rivers(&mut out, network, basins.as_ref(), width(palette.lines), recipe.get());
+    draw_rivers(&mut out, network, basins.as_ref(), width(palette.lines), courses);
+    if let Some((past, look)) = past {
+        out.text("</g>\n<g id=\"great").text(clip).text("\">\n");
+        beds::draw_great(&mut out, network, past, look, courses);
+    }
     if palette.lines == Lines::Wide {
         out.text("</g>\n<g id=\"oxbows\" fill=\"").colour(palette.river).text("\">\n");
         draw_lakes(&mut out, network, basins.as_ref());
@@ -66,7 +77,7 @@ const VISIBLE: f32 = 0.2;
 fn width(lines: Lines) -> Width {
     match lines {
         Lines::Skeleton => Width::Even { half: 0.5 },
-        Lines::Wide => Width::Own { more: VISIBLE },
+        Lines::Wide | Lines::Thin => Width::Own { share: lines.share(), more: VISIBLE },
     }
 }
 
@@ -95,7 +106,7 @@ fn draw_rivers(out: &mut Text, network: &Network, basins: Option<&InBasins>, wid
             out.text("<path id=\"river-").whole(id);
             fill(out, basins, id);
             describe(out, network, river);
-            outline(out, &Banks::of_river(network, river, width, courses), courses);
+            shape(out, &Banks::of_river(network, river, width, courses), courses);
         }
         out.text("</g>\n");
     }
@@ -119,26 +130,31 @@ fn draw_lakes(out: &mut Text, network: &Network, basins: Option<&InBasins>) {
                 out.text("\" fill-opacity=\"").units(1.0 - oxbow.silt);
             }
             fill(out, basins, oxbow.river);
-            outline(out, &banks, CourseShape::Smooth);
+            shape(out, &banks, CourseShape::Smooth);
         }
     }
 }
 
-/// The end of a path: down the left bank, round the end, and up the right bank.
-#[inline(never)]
-fn outline(out: &mut Text, banks: &Banks, courses: CourseShape) {
+/// The end of a path: a river from bank to bank.
+fn shape(out: &mut Text, banks: &Banks, courses: CourseShape) {
     let mut path = Path::default();
+    outline(&mut path, banks, courses);
+    out.text("\" d=\"").text(path.data()).text("\"/>\n");
+}
+
+/// Down the left bank, round the end, and up the right bank.
+#[inline(never)]
+fn outline(path: &mut Path, banks: &Banks, courses: CourseShape) {
     let draw = match courses {
         CourseShape::Smooth => Path::smooth,
         CourseShape::Grown => Path::straight,
     };
     if let (Some(&source), Some(&end)) = (banks.left.first(), banks.right.last()) {
         path.start(source);
-        draw(&mut path, &banks.left);
+        draw(path, &banks.left);
         path.half_circle(end);
         let upstream: Vec<_> = banks.right.iter().rev().copied().collect();
-        draw(&mut path, &upstream);
+        draw(path, &upstream);
         path.close();
     }
-    out.text("\" d=\"").text(path.data()).text("\"/>\n");
 }

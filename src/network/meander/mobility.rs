@@ -21,10 +21,10 @@ const EQUAL: f32 = 0.35;
 /// What sways less than this stands still: it would not be seen, and takes as long as the rest.
 const LEAST: f32 = 0.05;
 
-/// Gives every vertex its mobility.
-pub(super) fn assign(network: &mut Network, settings: &NetworkSettings) {
+/// Gives every vertex its mobility. Returns the great rivers.
+pub(super) fn assign(network: &mut Network, settings: &NetworkSettings) -> Vec<u32> {
     if settings.model == MeanderModel::None {
-        return;
+        return Vec::new();
     }
     let is_flat = flat_vertices(network, settings);
     let great = great_rivers(network, &is_flat, settings.great_rivers);
@@ -36,7 +36,7 @@ pub(super) fn assign(network: &mut Network, settings: &NetworkSettings) {
         let own = &mut network.vertices[river.vertex_range()];
         let width: Vec<f32> = own.iter().map(|vertex| fast_max(vertex.width(), settings.spacing)).collect();
         let ramp = |far: f32, width: f32| smooth_step((far / width - HELD) / fast_max(settings.taper - HELD, 0.1));
-        let in_flat = great.contains(&number).then(|| depths_in_flat(&is_flat[river.vertex_range()], &along));
+        let in_flat = great.contains(&(number as u32)).then(|| depths_in_flat(&is_flat[river.vertex_range()], &along));
         for (i, vertex) in own.iter_mut().enumerate() {
             let gently =
                 settings.meander_elsewhere * smooth_step(noise.get_noise_2d(vertex.at.x, vertex.at.y) * 1.25 + 0.25);
@@ -54,6 +54,7 @@ pub(super) fn assign(network: &mut Network, settings: &NetworkSettings) {
             let _ = (0..at).rev().all(&mut ease);
         }
     }
+    great
 }
 
 /// Lets mobility fall off toward vertices that have none, so that a river does not bend sharply round what holds it.
@@ -88,12 +89,13 @@ fn flat_vertices(network: &Network, settings: &NetworkSettings) -> Vec<bool> {
 }
 
 /// The rivers with the longest flat stretches.
-fn great_rivers(network: &Network, is_flat: &[bool], count: u32) -> Vec<usize> {
+fn great_rivers(network: &Network, is_flat: &[bool], count: u32) -> Vec<u32> {
     let length =
         |river: &super::super::River| is_flat[river.vertex_range()].iter().filter(|&&flat| flat).count() as u32;
     let lengths: Vec<u32> = network.rivers.iter().map(length).collect();
     let by_length = sort::argsort(lengths.iter().map(|&length| u32::MAX - length));
-    by_length.into_iter().take(count as usize).filter(|&river| lengths[river] > 0).collect()
+    let has_any = by_length.into_iter().take(count as usize).filter(|&river| lengths[river] > 0);
+    has_any.map(|river| river as u32).collect()
 }
 
 /// How far inside a flat stretch each vertex of a river lies: the distance to its nearer end, but for the river's own end; 0 where it

@@ -9,6 +9,7 @@ mod cutoff;
 mod flow;
 mod lakes;
 mod mobility;
+mod past;
 mod respace;
 mod rest;
 
@@ -25,6 +26,8 @@ use super::{NONE, Network, Vertex};
 use crate::domain::Domain;
 use crate::geometry::{fast_max, length};
 use crate::recipe::MeanderModel;
+
+pub use past::{PastCourse, PastCourses, PastRound};
 
 /// Clearances are measured up to this share of a step. Vertices move by less than a third of it in a round.
 const CAP: f32 = 0.75;
@@ -45,6 +48,7 @@ pub struct Meander {
     network: Network,
     guard: ClearanceGrid,
     round: u32,
+    past: PastCourses,
     /// Whether anything was stopped by the frame of the map in the last round.
     has_stopped: bool,
 }
@@ -53,14 +57,14 @@ impl Meander {
     /// Round 0: courses that are smooth and thinned out, as wide as they will be.
     pub(super) fn along(mut network: Network, settings: NetworkSettings) -> Self {
         widen(&mut network, &settings);
-        mobility::assign(&mut network, &settings);
-        Self::of(network, settings)
+        let past = PastCourses::of(mobility::assign(&mut network, &settings));
+        Self { past, ..Self::of(network, settings) }
     }
 
-    /// Goes on with a network that has its widths and mobility already, wherever it comes from.
+    /// Goes on with a network that has its widths and mobility already, wherever it comes from. None of its rivers counts as great.
     pub fn of(network: Network, settings: NetworkSettings) -> Self {
         let guard = ClearanceGrid::new(&settings.domain, settings.spacing);
-        Self { settings, network, guard, round: 0, has_stopped: false }
+        Self { settings, network, guard, round: 0, past: PastCourses::default(), has_stopped: false }
     }
 
     /// The network as it is.
@@ -73,6 +77,11 @@ impl Meander {
         &self.settings
     }
 
+    /// The courses that great rivers had before.
+    pub fn past(&self) -> &PastCourses {
+        &self.past
+    }
+
     /// How many rounds have been made.
     pub fn rounds(&self) -> u32 {
         self.round
@@ -83,6 +92,7 @@ impl Meander {
         if self.is_finished() {
             return false;
         }
+        self.past.keep(&self.network, self.round, self.settings.rounds);
         self.round += 1;
         let (mut downstream, mut step_scale) = (self.network.downstream(), self.step_scale());
         let (mut clearance, mut near) = self.measure(&downstream, &step_scale);
@@ -179,6 +189,7 @@ impl Meander {
             return false;
         }
         cutoff::cut(&mut self.network, &cuts, self.round);
+        self.past.keep_loops(&self.network, self.round);
         true
     }
 

@@ -8,6 +8,7 @@ mod ink_wash;
 mod night;
 mod orbit;
 mod parchment;
+mod past_courses;
 mod skeleton;
 mod survey;
 
@@ -24,6 +25,7 @@ pub(crate) fn palette(style: Style) -> &'static Palette {
         Style::Survey => &survey::PALETTE,
         Style::Basins => &basins::PALETTE,
         Style::Parchment => &parchment::PALETTE,
+        Style::PastCourses => &past_courses::PALETTE,
         Style::InkWash => &ink_wash::PALETTE,
         Style::Orbit => &orbit::PALETTE,
         Style::Skeleton => &skeleton::PALETTE,

@@ -1,0 +1,114 @@
+//! Great rivers over their former beds, a band each, the oldest undermost, as Fisk drew those of the Mississippi (1944).
+
+use super::coverage::Coverage;
+use super::ground::lay_mask;
+use super::palette::{Beds, Colour};
+use super::rivers::{Rivers, VISIBLE_PX, draw_line};
+use super::view::View;
+use crate::network::{Network, PastCourses, Place};
+use crate::recipe::CourseShape;
+
+/// A ground with great rivers and their former beds, kept from round to round: bands that will not change any more stay.
+#[derive(Clone, Debug, Default)]
+pub(super) struct GroundWithBeds {
+    /// The ground with those bands, and how many they are.
+    settled: Vec<[u8; 4]>,
+    bands: usize,
+    /// With all bands, and the rivers as they are now: there no others show.
+    pub pixels: Vec<[u8; 4]>,
+}
+
+impl GroundWithBeds {
+    /// Comes up to date with rivers over a ground. Between two calls only rounds of meandering may have changed them.
+    pub fn lay(&mut self, look: &Beds, view: &View, rivers: &Rivers<'_>, ground: &[[u8; 4]]) {
+        let Some(mask) = Coverage::new(view.width, view.height) else { return };
+        let mut sheet = Sheet { view, courses: rivers.courses, mask, ground };
+        if self.settled.is_empty() {
+            self.settled = ground.to_vec();
+        }
+        let bands: Vec<_> = look.bands(rivers.past).collect();
+        // What is cut off from now on still belongs to the last.
+        let (settled, last) = bands.split_at(bands.len().saturating_sub(1));
+        settled.iter().skip(self.bands).for_each(|band| sheet.band(look, band, &mut self.settled));
+        self.bands = settled.len();
+        self.pixels.clone_from(&self.settled);
+        last.iter().for_each(|band| sheet.band(look, band, &mut self.pixels));
+        let now = great_rivers(rivers.network, rivers.past);
+        let now: Vec<&[Place]> = now.iter().map(Vec::as_slice).collect();
+        sheet.draw(&now, Beds::BANK, look.bank, 1.0, &mut self.pixels);
+        sheet.hide(&mut self.pixels);
+        sheet.draw(&now, 0.0, look.water, 1.0, &mut self.pixels);
+    }
+}
+
+/// Former beds, and their colour.
+type Band<'a> = (Vec<&'a [Place]>, Colour);
+
+impl Beds {
+    /// How wide the line beside a former bed is, and beside a river, in units.
+    pub const LINE: f32 = 0.8;
+    pub const BANK: f32 = 1.3;
+
+    /// Half the width of a bed at a place of its river, with a line beside it, in units; beside a brook the line is thinner.
+    pub fn half(place: &Place, line: f32) -> f32 {
+        // Wider than the river: fewer, but whole bands are to be seen.
+        const WIDER: f32 = 1.25;
+        const WIDE: f32 = 5.0;
+        place.half * WIDER + line * (place.half / WIDE).min(1.0)
+    }
+
+    /// The former beds of each round with their colour, the oldest first.
+    pub fn bands<'a>(&self, past: &'a PastCourses) -> impl Iterator<Item = Band<'a>> {
+        past.rounds().iter().zip(self.colours).map(|(round, &colour)| {
+            (round.courses.iter().chain(&round.loops).map(|course| &course.line[..]).collect(), colour)
+        })
+    }
+}
+
+/// The rivers that stand out: the great ones, or where none meanders those of the highest order.
+pub(crate) fn great_rivers(network: &Network, past: &PastCourses) -> Vec<Vec<Place>> {
+    let highest = network.rivers.iter().map(|river| river.order).max();
+    let is_great = |id: u32, order: u8| match past.great_rivers() {
+        [] => Some(order) == highest,
+        great => great.contains(&id),
+    };
+    let great = (0..).zip(&network.rivers).filter(|(id, river)| is_great(*id, river.order));
+    great.map(|(_, river)| network.middle(river)).collect()
+}
+
+struct Sheet<'a> {
+    view: &'a View,
+    courses: CourseShape,
+    mask: Coverage,
+    /// The ground, and how far rivers show on it.
+    ground: &'a [[u8; 4]],
+}
+
+impl Sheet<'_> {
+    /// Lays the beds of a round.
+    fn band(&mut self, look: &Beds, (lines, colour): &Band<'_>, pixels: &mut [[u8; 4]]) {
+        // In a small picture, where lines would lie side by side, they would be all that is left of bands.
+        let crisp = (2.0 * Beds::LINE * self.view.scale).min(1.0);
+        self.draw(lines, Beds::LINE, look.line, crisp, pixels);
+        self.draw(lines, 0.0, *colour, 1.0, pixels);
+    }
+
+    /// Lays beds in one colour, with a margin, in units.
+    fn draw(&mut self, lines: &[&[Place]], margin: f32, colour: Colour, strength: f32, pixels: &mut [[u8; 4]]) {
+        self.mask.clear();
+        let in_pixels =
+            |place: &Place| (self.view.pixel(place.at), Beds::half(place, margin) * self.view.scale + VISIBLE_PX);
+        for line in lines {
+            draw_line(&mut self.mask, &line.iter().map(in_pixels).collect::<Vec<_>>(), self.courses);
+        }
+        let open = |i: usize| f32::from(self.ground[i][3]) * strength / 255.0;
+        lay_mask(self.view, &mut self.mask, colour, &open, pixels);
+    }
+
+    /// Lets no river show where something has just been laid.
+    fn hide(&self, pixels: &mut [[u8; 4]]) {
+        for (pixel, &covered) in pixels.iter_mut().zip(self.mask.mask().data()) {
+            pixel[3] = (u32::from(pixel[3]) * u32::from(255 - covered) / 255) as u8;
+        }
+    }
+}
