@@ -300,6 +300,7 @@ fn svg_looks_like_the_picture() {
         "seed=moa&aspect=1&land=continent&attractors=2000&flat-share=0.5&meander-rounds=30&style=past-courses",
         "seed=tui&aspect=1&land=island&attractors=3000&trim=30&style=ink-wash",
         "seed=tui&aspect=1&land=archipelago&attractors=3000&trim=30&style=orbit",
+        "seed=tui&aspect=1&land=rectangle&attractors=3000&trim=30&style=blueprint",
     ] {
         let session = finished(link);
         let mut picture = Picture::new(SIDE, SIDE).unwrap();

@@ -58,6 +58,11 @@ const PICTURES: &[(&str, &str)] = &[
     ("ink-wash-valley", "land=valley&attractors=2000&trim=24&mouths=4&style=ink-wash"),
     ("orbit", "growth=drainage&land=archipelago&seed=tui&attractors=5000&trim=24&channel-area=4&mouths=0&style=orbit"),
     ("orbit-plain", "growth=drainage&attractors=3000&trim=30&mouths=0&style=orbit"),
+    (
+        "blueprint",
+        "growth=drainage&land=continent&seed=tui&attractors=5000&trim=24&channel-area=4&mouths=0&style=blueprint",
+    ),
+    ("blueprint-plain", "growth=colonize&attractors=1500&trim=39&mouths=4&style=blueprint"),
     ("atlas-plain", "growth=drainage&attractors=3000&trim=30&mouths=0&style=atlas&mountains=3&plains=60&shade=0.8"),
     ("original", "preset=original&attractors=1500"),
     ("momentum", "preset=momentum&attractors=1500"),

@@ -24,7 +24,8 @@ pub(crate) struct Palette {
     pub lines: Lines,
     /// Great rivers over their former beds; `None` if rivers are all alike.
     pub beds: Option<&'static Beds>,
-    pub grid: Option<&'static Grid>,
+    /// Lines over land and sea, the closest first.
+    pub grids: &'static [Grid],
     /// What is under all of it; `None` if that is as even as a screen.
     pub paper: Option<&'static Paper>,
     /// How it shows relief; `None` if it does not.
@@ -231,7 +232,7 @@ pub(super) const fn even(land: Colour, water: Colour, coast: Colour, ridge: Colo
         plain: land,
         lines: Lines::Wide,
         beds: None,
-        grid: None,
+        grids: &[],
         paper: None,
         relief: None,
     }

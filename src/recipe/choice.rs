@@ -136,6 +136,8 @@ choices! {
         InkWash = "ink-wash", "ink wash";
         /// The land from orbit: forests, rock, snow, shallow water.
         Orbit = "orbit", "from orbit";
+        /// A blueprint: rivers, coasts and contours in white on blue, over a grid.
+        Blueprint = "blueprint", "blueprint";
         /// Light ink on dark paper, for dark pages.
         Dark = "dark", "dark";
     }

@@ -2,6 +2,7 @@
 
 mod atlas;
 mod basins;
+mod blueprint;
 mod dark;
 mod ink;
 mod ink_wash;
@@ -28,6 +29,7 @@ pub(crate) fn palette(style: Style) -> &'static Palette {
         Style::PastCourses => &past_courses::PALETTE,
         Style::InkWash => &ink_wash::PALETTE,
         Style::Orbit => &orbit::PALETTE,
+        Style::Blueprint => &blueprint::PALETTE,
         Style::Skeleton => &skeleton::PALETTE,
     }
 }
