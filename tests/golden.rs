@@ -48,7 +48,7 @@ const PICTURES: &[(&str, &str)] = &[
     ("parchment-plain", "growth=colonize&attractors=1500&trim=39&mouths=4&style=parchment"),
     (
         "past-courses",
-        "aspect=2&sides=e&mouths=1&attractors=400&trim=30&width=14&flat-share=0.8&neck=3&meander-mix=0.8&meander-rounds=40&great-rivers=3&style=past-courses",
+        "seed=memphis&aspect=2&sides=e&mouths=1&attractors=200&trim=60&width=26&flat-share=0.8&neck=3&meander-mix=0.8&meander-rounds=50&great-rivers=2&style=past-courses",
     ),
     (
         "past-courses-coast",

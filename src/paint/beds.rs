@@ -5,7 +5,7 @@ use super::ground::lay_mask;
 use super::palette::{Beds, Colour};
 use super::rivers::{Rivers, VISIBLE_PX, draw_line};
 use super::view::View;
-use crate::network::{Network, PastCourses, Place};
+use crate::network::{Network, PastCourse, PastCourses, Place};
 use crate::recipe::CourseShape;
 
 /// A ground with great rivers and their former beds, kept from round to round: bands that will not change any more stay.
@@ -26,23 +26,19 @@ impl GroundWithBeds {
         if self.settled.is_empty() {
             self.settled = ground.to_vec();
         }
-        let bands: Vec<_> = look.bands(rivers.past).collect();
         // What is cut off from now on still belongs to the last.
-        let (settled, last) = bands.split_at(bands.len().saturating_sub(1));
-        settled.iter().skip(self.bands).for_each(|band| sheet.band(look, band, &mut self.settled));
-        self.bands = settled.len();
+        while self.bands + 1 < rivers.past.rounds().len() {
+            sheet.band(look, rivers.past, self.bands, &mut self.settled);
+            self.bands += 1;
+        }
         self.pixels.clone_from(&self.settled);
-        last.iter().for_each(|band| sheet.band(look, band, &mut self.pixels));
-        let now = great_rivers(rivers.network, rivers.past);
-        let now: Vec<&[Place]> = now.iter().map(Vec::as_slice).collect();
-        sheet.draw(&now, Beds::BANK, look.bank, 1.0, &mut self.pixels);
+        sheet.band(look, rivers.past, self.bands, &mut self.pixels);
+        let now = [&great_rivers(rivers.network, rivers.past)[..], &[]];
+        sheet.draw(now, Beds::BANK, look.bank, 1.0, &mut self.pixels);
         sheet.hide(&mut self.pixels);
-        sheet.draw(&now, 0.0, look.water, 1.0, &mut self.pixels);
+        sheet.draw(now, 0.0, look.water, 1.0, &mut self.pixels);
     }
 }
-
-/// Former beds, and their colour.
-type Band<'a> = (Vec<&'a [Place]>, Colour);
 
 impl Beds {
     /// How wide the line beside a former bed is, and beside a river, in units.
@@ -57,23 +53,21 @@ impl Beds {
         place.half * WIDER + line * (place.half / WIDE).min(1.0)
     }
 
-    /// The former beds of each round with their colour, the oldest first.
-    pub fn bands<'a>(&self, past: &'a PastCourses) -> impl Iterator<Item = Band<'a>> {
-        past.rounds().iter().zip(self.colours).map(|(round, &colour)| {
-            (round.courses.iter().chain(&round.loops).map(|course| &course.line[..]).collect(), colour)
-        })
+    /// The colour of a band.
+    pub fn colour(&self, band: usize) -> Colour {
+        self.colours[band % self.colours.len()]
     }
 }
 
 /// The rivers that stand out: the great ones, or where none meanders those of the highest order.
-pub(crate) fn great_rivers(network: &Network, past: &PastCourses) -> Vec<Vec<Place>> {
+pub(crate) fn great_rivers(network: &Network, past: &PastCourses) -> Vec<PastCourse> {
     let highest = network.rivers.iter().map(|river| river.order).max();
     let is_great = |id: u32, order: u8| match past.great_rivers() {
         [] => Some(order) == highest,
         great => great.contains(&id),
     };
     let great = (0..).zip(&network.rivers).filter(|(id, river)| is_great(*id, river.order));
-    great.map(|(_, river)| network.middle(river)).collect()
+    great.map(|(id, river)| PastCourse { river: id, line: network.middle(river) }).collect()
 }
 
 struct Sheet<'a> {
@@ -85,21 +79,22 @@ struct Sheet<'a> {
 }
 
 impl Sheet<'_> {
-    /// Lays the beds of a round.
-    fn band(&mut self, look: &Beds, (lines, colour): &Band<'_>, pixels: &mut [[u8; 4]]) {
+    /// Lays the beds of a round, if it is kept.
+    fn band(&mut self, look: &Beds, past: &PastCourses, band: usize, pixels: &mut [[u8; 4]]) {
+        let Some(round) = past.rounds().get(band) else { return };
         // In a small picture, where lines would lie side by side, they would be all that is left of bands.
         let crisp = (2.0 * Beds::LINE * self.view.scale).min(1.0);
-        self.draw(lines, Beds::LINE, look.line, crisp, pixels);
-        self.draw(lines, 0.0, *colour, 1.0, pixels);
+        self.draw(round.beds(), Beds::LINE, look.line, crisp, pixels);
+        self.draw(round.beds(), 0.0, look.colour(band), 1.0, pixels);
     }
 
     /// Lays beds in one colour, with a margin, in units.
-    fn draw(&mut self, lines: &[&[Place]], margin: f32, colour: Colour, strength: f32, pixels: &mut [[u8; 4]]) {
+    fn draw(&mut self, beds: [&[PastCourse]; 2], margin: f32, colour: Colour, strength: f32, pixels: &mut [[u8; 4]]) {
         self.mask.clear();
         let in_pixels =
             |place: &Place| (self.view.pixel(place.at), Beds::half(place, margin) * self.view.scale + VISIBLE_PX);
-        for line in lines {
-            draw_line(&mut self.mask, &line.iter().map(in_pixels).collect::<Vec<_>>(), self.courses);
+        for bed in beds.into_iter().flatten() {
+            draw_line(&mut self.mask, &bed.line.iter().map(in_pixels).collect::<Vec<_>>(), self.courses);
         }
         let open = |i: usize| f32::from(self.ground[i][3]) * strength / 255.0;
         lay_mask(self.view, &mut self.mask, colour, &open, pixels);

@@ -19,13 +19,14 @@ pub(super) fn lay(view: &View, grid: &Grid, pixels: &mut [[u8; 4]]) {
 }
 
 /// The lines of a grid as far as a corner, in units.
-pub(crate) fn lines(grid: &Grid, corner: Vec2) -> impl Iterator<Item = [Vec2; 2]> {
-    let along = |axis: Vec2| {
-        let across = axis.yx();
-        (1..=(corner.dot(axis) / grid.every) as u32).map(move |i| {
-            let start = axis * (i as f32 * grid.every);
-            [start, start + corner * across]
-        })
-    };
-    along(Vec2::X).chain(along(Vec2::Y))
+pub(crate) fn lines(grid: &Grid, corner: Vec2) -> Vec<[Vec2; 2]> {
+    let mut lines = Vec::new();
+    for axis in [Vec2::X, Vec2::Y] {
+        let (mut start, across) = (axis * grid.every, corner * axis.yx());
+        while (corner - start).min_element() > 0.0 {
+            lines.push([start, start + across]);
+            start += axis * grid.every;
+        }
+    }
+    lines
 }

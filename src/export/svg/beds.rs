@@ -5,16 +5,16 @@ use super::super::banks::Banks;
 use super::outline;
 use super::path::Path;
 use super::text::Text;
-use crate::network::{Network, PastCourses, Place};
+use crate::network::{Network, PastCourse, PastCourses, Place};
 use crate::paint::beds::great_rivers;
 use crate::paint::palette::{Beds, Colour};
 use crate::recipe::CourseShape;
 
 /// The former beds, a group a round, the oldest first.
 pub(super) fn draw_past(out: &mut Text, past: &PastCourses, look: &Beds, courses: CourseShape) {
-    for (round, (lines, colour)) in past.rounds().iter().zip(look.bands(past)) {
+    for (band, round) in past.rounds().iter().enumerate() {
         out.text("<g id=\"round-").whole(round.round).text("\">\n");
-        draw(out, &lines, [(Beds::LINE, look.line), (0.0, colour)], courses);
+        draw(out, round.beds(), [(Beds::LINE, look.line), (0.0, look.colour(band))], courses);
         out.text("</g>\n");
     }
 }
@@ -22,16 +22,15 @@ pub(super) fn draw_past(out: &mut Text, past: &PastCourses, look: &Beds, courses
 /// The great rivers as they are.
 pub(super) fn draw_great(out: &mut Text, network: &Network, past: &PastCourses, look: &Beds, courses: CourseShape) {
     let great = great_rivers(network, past);
-    let lines: Vec<&[Place]> = great.iter().map(Vec::as_slice).collect();
-    draw(out, &lines, [(Beds::BANK, look.bank), (0.0, look.water)], courses);
+    draw(out, [&great, &[]], [(Beds::BANK, look.bank), (0.0, look.water)], courses);
 }
 
-fn draw(out: &mut Text, lines: &[&[Place]], layers: [(f32, Colour); 2], courses: CourseShape) {
+fn draw(out: &mut Text, beds: [&[PastCourse]; 2], layers: [(f32, Colour); 2], courses: CourseShape) {
     for (margin, colour) in layers {
         let wide = |place: &Place| Place { half: Beds::half(place, margin), ..*place };
         let mut path = Path::default();
-        for line in lines {
-            outline(&mut path, &Banks::of_line(line.iter().map(wide).collect(), courses), courses);
+        for bed in beds.into_iter().flatten() {
+            outline(&mut path, &Banks::of_line(bed.line.iter().map(wide).collect(), courses), courses);
         }
         out.text("<path fill=\"").colour(colour).text("\" d=\"").text(path.data()).text("\"/>\n");
     }

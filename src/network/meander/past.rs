@@ -82,6 +82,13 @@ impl PastCourses {
     }
 }
 
+impl PastRound {
+    /// All that is kept of it: courses, and loops.
+    pub fn beds(&self) -> [&[PastCourse]; 2] {
+        [&self.courses, &self.loops]
+    }
+}
+
 impl PastCourse {
     /// Keeps one place in so many, and the last.
     fn thin_out(&mut self, every: usize) {
