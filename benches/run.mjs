@@ -28,6 +28,7 @@ const GROUPS = {
   "Drawing 100,000 segments at 1024²": drawing,
   "A slider or a pen moves: regrow and redraw 15,000 attractors at 1024²": slider,
   "Rivers of a default map, and their rounds of meandering": rivers,
+  "The relief of a default map, and other styles at 1024² when it is there": relief,
   "Bends of the great rivers of 20 maps; in nature wavelength 11 widths, radius 2 to 3": bends,
   "The page at 1024², while 100,000 attractors grow, then while the rivers of 6,000 meander": page,
   "A widget in a post, grown in a worker, then on the page itself": widget,
@@ -213,10 +214,25 @@ async function rivers() {
   for (const [task, what] of [
     ["late simplify 60 62", "simplify"],
     ["late width 14 14.5", "width"],
-    ["late style ink map", "style"],
+    ["late style ink dark", "style"],
   ]) {
     const [late] = await inTurn(9, [wasm, task, 4]);
     row(`wasm, ${what} changes: until the finished picture at 1024²`, median(late), "ms", atMost(16));
+  }
+}
+
+async function relief() {
+  const [natively, asWasm] = await inTurn(9, [native, "relief"], [wasm, "relief"]);
+  row("wasm: the relief of a finished network", median(asWasm), "ms", atMost(190));
+  guide("native", median(natively), "ms");
+  const bars = { atlas: 25, night: 25, survey: 25, basins: 25, parchment: 150 };
+  for (const land of ["island", "rectangle"]) {
+    for (const [style, bar] of Object.entries(bars)) {
+      const task = `restyle ${land} ${style}`;
+      const [natively, asWasm] = await inTurn(9, [native, task, 3], [wasm, task, 3]);
+      row(`wasm, ${land}: another style, now ${style}`, median(asWasm), "ms", atMost(bar));
+      guide("native", median(natively), "ms");
+    }
   }
 }
 

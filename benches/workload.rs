@@ -82,6 +82,8 @@ fn repetition(task: &str) -> Option<Repetition> {
         ["pairs"] => all_pairs(),
         ["bends", model, measure, percent] => bends_of(model, measure, percent.parse().ok()?),
         ["late", key, one, other] => late(&format!("{key}={one}"), &format!("{key}={other}")),
+        ["relief"] => relief(),
+        ["restyle", land, style] => restyle(land, style),
         ["pen"] => changes("roughness=0.5", "roughness=0.51", 6000, DRAWN),
         ["differing"] => Some(Box::new(|| differing_bytes().unwrap_or(u32::MAX))),
         _ => None,
@@ -329,6 +331,46 @@ fn late(one: &str, other: &str) -> Option<Repetition> {
         }
         picture.paint(&session);
         session.network().map_or(0, |network| network.rivers.len() as u32)
+    }))
+}
+
+// ---- the relief
+
+/// A default map with the rivers of its finished network, but for what is said.
+fn map(link: &str) -> Option<Session> {
+    let mut session = Session::new(link::read(link).ok()?).ok()?;
+    session.finish().ok()?;
+    Some(session)
+}
+
+/// The relief of a default map's finished rivers; the height of one cell, in bits.
+fn relief() -> Option<Repetition> {
+    let session = map("style=ink")?;
+    Some(Box::new(move || {
+        let Ok(relief) = session.make_relief() else { return 0 };
+        relief.heights()[relief.heights().len() / 2].to_bits()
+    }))
+}
+
+/// A default map, or one on other land, that is painted in another style, in which it has been painted before; one of its pixels.
+fn restyle(land: &str, style: &str) -> Option<Repetition> {
+    let recipes = [if style == "atlas" { "night" } else { "atlas" }, style]
+        .map(|style| link::read(&format!("land={land}&style={style}")).ok());
+    let [Some(before), Some(after)] = recipes else { return None };
+    let mut session = Session::new(before.clone()).ok()?;
+    session.advance(u32::MAX).ok()?;
+    let mut shown = Picture::new(SIDE, SIDE).ok()?;
+    for recipe in [&after, &before] {
+        session.change(recipe.clone()).ok()?;
+        shown.paint(&session);
+    }
+    Some(Box::new(move || {
+        let mut picture = shown.clone();
+        if [&before, &after].into_iter().any(|recipe| session.change(recipe.clone()).is_err()) {
+            return 0;
+        }
+        picture.paint(&session);
+        picture.pixmap().data().chunks(4096).map(|row| u32::from(row[0])).sum()
     }))
 }
 

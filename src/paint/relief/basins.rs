@@ -5,7 +5,7 @@ use glam::Vec2;
 use super::Sheet;
 #[cfg(feature = "files")]
 use super::field::Field;
-use super::field::Places;
+use super::field::{Place, places};
 use crate::geometry::distance;
 #[cfg(feature = "files")]
 use crate::land::trace::rings;
@@ -62,23 +62,26 @@ impl Basins {
     /// Lays the colours over the land of a ground, with a gap along divides. Returns the colour of each pixel's basin.
     pub(super) fn lay(&self, look: &BasinColours, sheet: &Sheet<'_>, pixels: &mut [[u8; 4]]) -> Vec<u8> {
         let (view, width) = (sheet.view, sheet.view.width as usize);
-        let (places, full) = (Places::new(view, self.columns), full_share(view.scale));
+        let (places, full) = (places(view, self.columns), full_share(view.scale));
         let tints: Vec<Colour> = (0..=look.colours.len()).map(|number| look.tint(number)).collect();
         let mut numbers = vec![0; pixels.len()];
         for (y, (row, numbers)) in pixels.chunks_mut(width).zip(numbers.chunks_mut(width)).enumerate() {
             let (middle, down) = nearest(view.point(Vec2::splat(y as f32 + 0.5)).y / CELL_SIZE - 0.5, self.rows);
-            for (column, run) in &places.runs {
-                let cell = middle * self.columns + column;
-                let (number, tint) = (self.cells[cell], tints[usize::from(self.cells[cell])]);
-                numbers[run.clone()].fill(number);
-                for x in run.clone().filter(|x| sheet.land[y * width + x] > 0) {
-                    let mut tint = tint;
-                    if self.is_mixed[cell] {
-                        let (number, share) = self.greatest([middle, *column], [down, places.along[x]]);
+            let row_of_cells = middle * self.columns..(middle + 1) * self.columns;
+            let (cells, is_mixed) = (&self.cells[row_of_cells.clone()], &self.is_mixed[row_of_cells]);
+            let land = &sheet.land[y * width..][..width];
+            for ((pixel, number), (&Place { column, along }, &share)) in
+                row.iter_mut().zip(numbers).zip(places.iter().zip(land))
+            {
+                *number = cells[column];
+                if share > 0 {
+                    let mut tint = tints[usize::from(cells[column])];
+                    if is_mixed[column] {
+                        let (number, share) = self.greatest([middle, column], [down, along]);
                         let inside = ((share - 0.5) / (full - 0.5)).clamp(0.0, 1.0);
                         tint = mix(sheet.plain, tints[usize::from(number)], inside);
                     }
-                    sheet.shift(&mut row[x], tint, sheet.land[y * width + x]);
+                    sheet.shift(pixel, tint, share);
                 }
             }
         }
@@ -101,13 +104,15 @@ impl Basins {
         let weights = |t: f32| [0.5 * (0.5 - t) * (0.5 - t), 0.75 - t * t, 0.5 * (0.5 + t) * (0.5 + t)];
         let (across, along) = (weights(down), weights(along));
         let (rows, columns) = (beside(row, self.rows), beside(column, self.columns));
-        let places: [(u8, f32); 9] = std::array::from_fn(|i| {
-            (self.cells[rows[i / 3] * self.columns + columns[i % 3]], across[i / 3] * along[i % 3])
-        });
-        let share = |number: u8| places.iter().filter(|place| place.0 == number).map(|place| place.1).sum::<f32>();
-        places
-            .iter()
-            .fold((0, 0.0), |most, &(number, _)| if share(number) > most.1 { (number, share(number)) } else { most })
+        let (mut shares, mut count) = ([(0, 0.0); 9], 0);
+        for i in 0..9 {
+            let number = self.cells[rows[i / 3] * self.columns + columns[i % 3]];
+            let known = shares[..count].iter().position(|share| share.0 == number);
+            count += usize::from(known.is_none());
+            let share = &mut shares[known.unwrap_or(count - 1)];
+            *share = (number, share.1 + across[i / 3] * along[i % 3]);
+        }
+        shares.into_iter().fold((0, 0.0), |most, share| if share.1 > most.1 { share } else { most })
     }
 }
 

@@ -45,31 +45,32 @@ fn grown(rect: Rect, reach: u32, sheet: &Sheet<'_>) -> Rect {
 /// Each row blurred, rows become columns.
 fn blurred_and_turned(mask: &[u8], width: usize, height: usize, radius: usize) -> Vec<u8> {
     let mut turned = vec![0; mask.len()];
-    let (mut line, mut blurred) = (vec![0; width], vec![0; width]);
+    // With room for nothing on both sides.
+    let [mut line, mut blurred] = [0, 0].map(|nothing| vec![nothing; width + 2 * radius]);
     for (y, row) in mask.chunks(width).enumerate().filter(|(_, row)| row.iter().any(|&covered| covered > 0)) {
-        line.copy_from_slice(row);
+        line[radius..][..width].copy_from_slice(row);
         for _ in 0..BOXES {
-            blur(&line, radius, &mut blurred);
+            blur(&line, radius, &mut blurred[radius..][..width]);
             std::mem::swap(&mut line, &mut blurred);
         }
         // Most of a row is empty.
-        for (x, &covered) in line.iter().enumerate().filter(|(_, covered)| **covered > 0) {
+        for (x, &covered) in line[radius..][..width].iter().enumerate().filter(|(_, covered)| **covered > 0) {
             turned[x * height + y] = covered;
         }
     }
     turned
 }
 
-/// The mean of the pixels that are no farther than a radius, of each in a row.
+/// The mean of the pixels that are no farther than a radius, of each in a row that has a radius more on both sides.
 fn blur(row: &[u8], radius: usize, blurred: &mut [u8]) {
     let whole = (2 * radius + 1) as u32;
     // A multiplication for a division, of at most 255 times that.
     let per_whole = (1 << 24) / whole + 1;
-    let mut sum: u32 = row.iter().take(radius).map(|&value| u32::from(value)).sum();
-    for (x, blurred) in blurred.iter_mut().enumerate() {
-        sum += row.get(x + radius).map_or(0, |&value| u32::from(value));
+    let mut sum: u32 = row[..2 * radius].iter().map(|&value| u32::from(value)).sum();
+    for ((blurred, &first), &last) in blurred.iter_mut().zip(row).zip(&row[2 * radius..]) {
+        sum += u32::from(last);
         *blurred = (((sum + whole / 2) * per_whole) >> 24) as u8;
-        sum -= if x >= radius { u32::from(row[x - radius]) } else { 0 };
+        sum -= u32::from(first);
     }
 }
 

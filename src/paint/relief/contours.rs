@@ -5,7 +5,7 @@
 use glam::Vec2;
 
 use super::Sheet;
-use super::field::{Field, Places, piece};
+use super::field::{Field, Place, places};
 use crate::paint::palette::{Contours, mix};
 use crate::relief::{CELL_SIZE, METRES, Relief};
 
@@ -31,7 +31,7 @@ pub(super) fn levels(relief: &Relief, highest: f32) -> Field {
 
 /// Lays the contours of a relief over the land of a ground, broken where rivers run.
 pub(super) fn lay(look: &Contours, field: &Field, sheet: &Sheet<'_>, pixels: &mut [[u8; 4]]) {
-    let (places, width) = (Places::new(sheet.view, field.columns), sheet.view.width as usize);
+    let (places, width) = (places(sheet.view, field.columns), sheet.view.width as usize);
     let cell_px = CELL_SIZE * sheet.view.scale;
     let lines = [0, 1].map(|i| Line::new(look.widths[i] * sheet.view.scale, look.strengths[i], [1.0, INDEX as f32][i]));
     let (mut heights, mut rises) = (Vec::new(), Vec::new());
@@ -40,29 +40,27 @@ pub(super) fn lay(look: &Contours, field: &Field, sheet: &Sheet<'_>, pixels: &mu
         field.line(at, &mut heights);
         field.rises(at, &mut rises);
         let (land, rivers) = (&sheet.land[y * width..][..width], &sheet.rivers[y * width..][..width]);
-        for (column, run) in places.runs.iter().filter(|(_, run)| land[run.clone()].iter().any(|&share| share > 0)) {
-            let (along, south) = (piece(&heights, *column), piece(&rises, *column));
-            for x in run.clone() {
-                let (t, open) = (places.along[x], f32::from(land[x]) * f32::from(255 - rivers[x]));
-                let height = along.at(t);
-                let level = (height + 0.5) as u32;
-                if level > 0 && open > 0.0 {
-                    let squared = Vec2::new(along.rise(t), south.at(t)).length_squared().max(1e-8);
-                    let line = &lines[usize::from(level.is_multiple_of(INDEX))];
-                    let (off, rim) = ((height - level as f32) * cell_px, line.half + 0.5);
-                    // Most pixels are on no line.
-                    if off * off > rim * rim * squared {
-                        continue;
-                    }
-                    let spacing = cell_px / squared.sqrt();
-                    let covered = line.coverage((height - level as f32).abs() * spacing, spacing);
-                    if covered > 0.0 {
-                        let [r, g, b, rest] = row[x];
-                        let [r, g, b] = mix([r, g, b], look.colour, covered * open / (255.0 * 255.0));
-                        row[x] = [r, g, b, rest];
-                    }
-                }
+        for ((pixel, &Place { column, along }), (&land, &rivers)) in
+            row.iter_mut().zip(&places).zip(land.iter().zip(rivers))
+        {
+            let height = heights[column].at(along);
+            let level = (height + 0.5) as u32;
+            if level == 0 || land == 0 || rivers == 255 {
+                continue;
             }
+            let squared = Vec2::new(heights[column].rise(along), rises[column].at(along)).length_squared().max(1e-8);
+            let line = &lines[usize::from(level.is_multiple_of(INDEX))];
+            let (off, rim) = ((height - level as f32) * cell_px, line.half + 0.5);
+            // Most pixels are on no line.
+            if off * off > rim * rim * squared {
+                continue;
+            }
+            let spacing = cell_px / squared.sqrt();
+            let covered = line.coverage((height - level as f32).abs() * spacing, spacing);
+            let open = f32::from(land) * f32::from(255 - rivers);
+            let [r, g, b, rest] = *pixel;
+            let [r, g, b] = mix([r, g, b], look.colour, covered * open / (255.0 * 255.0));
+            *pixel = [r, g, b, rest];
         }
     }
 }

@@ -1,7 +1,5 @@
 //! A value for each cell of a map as a surface without facets: of parabolas (a biquadratic B-spline).
 
-use std::ops::Range;
-
 use glam::Vec2;
 
 use crate::land::{Parabola, beside, nearest};
@@ -76,20 +74,18 @@ impl Field {
         self
     }
 
-    /// The control points along one y of a map, in units.
+    /// Its surface along one y of a map, in units: a piece for each column of cells.
     #[inline(never)]
-    pub fn line(&self, y: f32, heights: &mut Vec<f32>) {
+    pub fn line(&self, y: f32, line: &mut Vec<Parabola>) {
         let (controls, t) = self.controls(y);
-        heights.clear();
-        heights.extend(controls.map(|parabola| parabola.at(t)));
+        join(controls.map(|parabola| parabola.at(t)), line);
     }
 
-    /// Those of how much higher the surface is a cell to the south.
+    /// How much higher that is a cell to the south.
     #[inline(never)]
-    pub fn rises(&self, y: f32, rises: &mut Vec<f32>) {
+    pub fn rises(&self, y: f32, line: &mut Vec<Parabola>) {
         let (controls, t) = self.controls(y);
-        rises.clear();
-        rises.extend(controls.map(|parabola| parabola.rise(t)));
+        join(controls.map(|parabola| parabola.rise(t)), line);
     }
 
     fn controls(&self, y: f32) -> (impl Iterator<Item = Parabola>, f32) {
@@ -100,35 +96,35 @@ impl Field {
     }
 }
 
-/// The pixels of a picture's rows, cell by cell.
-pub(super) struct Places {
-    /// Columns of cells with the pixels that they are nearest to.
-    pub runs: Vec<(usize, Range<usize>)>,
-    /// How far each pixel lies beyond the middle of its cell, in cells.
-    pub along: Vec<f32>,
-}
-
-impl Places {
-    #[inline(never)]
-    pub fn new(view: &View, columns: usize) -> Self {
-        let x = |x: usize| view.point(Vec2::splat(x as f32 + 0.5)).x;
-        let (mut runs, mut along) = (Vec::<(usize, Range<usize>)>::new(), Vec::new());
-        for pixel in 0..view.width as usize {
-            let (column, t) = nearest(x(pixel) / CELL_SIZE - 0.5, columns);
-            along.push(t);
-            match runs.last_mut() {
-                Some((last, pixels)) if *last == column => pixels.end += 1,
-                _ => runs.push((column, pixel..pixel + 1)),
-            }
-        }
-        Self { runs, along }
-    }
-}
-
-/// A piece of a line around a column.
+/// The pieces between control points that go over into each other.
 #[inline]
-pub(super) fn piece(line: &[f32], column: usize) -> Parabola {
-    Parabola::of(beside(column, line.len()).map(|column| line[column]))
+fn join(mut controls: impl Iterator<Item = f32>, line: &mut Vec<Parabola>) {
+    line.clear();
+    let Some(mut here) = controls.next() else { return };
+    let mut before = here;
+    for after in controls {
+        line.push(Parabola::of([before, here, after]));
+        (before, here) = (here, after);
+    }
+    line.push(Parabola::of([before, here, here]));
+}
+
+/// Where a pixel lies in its row: the column of cells that it is nearest to, and how far beyond their middle, in cells.
+#[derive(Clone, Copy)]
+pub(super) struct Place {
+    pub column: usize,
+    pub along: f32,
+}
+
+/// The places of the pixels of a row.
+#[inline(never)]
+pub(super) fn places(view: &View, columns: usize) -> Vec<Place> {
+    let x = |pixel: u32| view.point(Vec2::splat(pixel as f32 + 0.5)).x;
+    let place = |pixel| {
+        let (column, along) = nearest(x(pixel) / CELL_SIZE - 0.5, columns);
+        Place { column, along }
+    };
+    (0..view.width).map(place).collect()
 }
 
 #[cfg(test)]

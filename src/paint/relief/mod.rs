@@ -40,14 +40,15 @@ impl Sheet<'_> {
     #[inline]
     fn shift(&self, pixel: &mut [u8; 4], colour: Colour, share: u8) {
         let [r, g, b, open] = *pixel;
-        // Most of a map is nothing but land.
+        // Most of a map is nothing but land, and bare.
         if share == 255 && [r, g, b] == self.plain {
             *pixel = [colour[0], colour[1], colour[2], open];
             return;
         }
         for i in 0..3 {
-            let more = (i32::from(colour[i]) - i32::from(self.plain[i])) * i32::from(share);
-            pixel[i] = (i32::from(pixel[i]) + more / 255).clamp(0, 255) as u8;
+            let more = i32::from(colour[i]) - i32::from(self.plain[i]);
+            let more = if share == 255 { more } else { more * i32::from(share) / 255 };
+            pixel[i] = (i32::from(pixel[i]) + more).clamp(0, 255) as u8;
         }
     }
 }

@@ -3,7 +3,7 @@
 use glam::{Vec2, Vec3};
 
 use super::Sheet;
-use super::field::{Field, Places, piece};
+use super::field::{Field, Place, places};
 use crate::land::beside;
 use crate::paint::palette::{Colour, Tints, mix};
 use crate::relief::{CELL_SIZE, Relief};
@@ -43,18 +43,15 @@ impl Surface {
     /// Lays tints over the land of a ground.
     pub fn lay(&self, sheet: &Sheet<'_>, tints: &Tints, pixels: &mut [[u8; 4]]) {
         let colours = Colours::new(tints);
-        let (places, width) = (Places::new(sheet.view, self.tint.columns), sheet.view.width as usize);
+        let (places, width) = (places(sheet.view, self.tint.columns), sheet.view.width as usize);
         let (mut tint, mut light) = (Vec::new(), Vec::new());
         for (y, (row, land)) in pixels.chunks_mut(width).zip(sheet.land.chunks(width)).enumerate() {
             let y = sheet.view.point(Vec2::splat(y as f32 + 0.5)).y;
             self.tint.line(y, &mut tint);
             self.light.line(y, &mut light);
-            for (column, run) in places.runs.iter().filter(|(_, run)| land[run.clone()].iter().any(|&share| share > 0))
-            {
-                let (tint, light) = (piece(&tint, *column), piece(&light, *column));
-                let pixels = row[run.clone()].iter_mut().zip(&land[run.clone()]).zip(&places.along[run.clone()]);
-                for ((pixel, &share), &t) in pixels {
-                    sheet.shift(pixel, colours.at(tint.at(t), light.at(t)), share);
+            for ((pixel, &share), &Place { column, along }) in row.iter_mut().zip(land).zip(&places) {
+                if share > 0 {
+                    sheet.shift(pixel, colours.at(tint[column].at(along), light[column].at(along)), share);
                 }
             }
         }
