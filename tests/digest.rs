@@ -6,6 +6,8 @@
 
 use riverseed::digest::digest;
 use riverseed::recipe::link;
+#[cfg(not(target_arch = "wasm32"))]
+use riverseed::recipe::{Choice, Style};
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
 
@@ -29,6 +31,15 @@ fn every_recipe_has_its_committed_digest() {
     let changed: Vec<&str> =
         lines.iter().filter(|(digest, link)| *digest != now(link)).map(|(_, link)| *link).collect();
     assert!(changed.is_empty(), "these recipes have changed: {changed:#?}");
+}
+
+#[test]
+#[cfg(not(target_arch = "wasm32"))]
+fn every_style_has_a_digest() {
+    for style in Style::WORDS.iter().map(|word| word.name) {
+        let is_its = |line: &str| line.split(['&', ' ']).any(|part| part.strip_prefix("style=") == Some(style));
+        assert!(DIGESTS.lines().any(is_its), "no recipe has style={style}");
+    }
 }
 
 #[cfg_attr(not(target_arch = "wasm32"), test)]

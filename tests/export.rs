@@ -298,6 +298,9 @@ fn svg_looks_like_the_picture() {
         "seed=totara&aspect=1&land=valley&growth=brownian&sensitivity=24",
         "seed=fisk&aspect=1&land=rectangle&attractors=700&mouths=2&flat-share=0.8&meander-rounds=50&neck=3&style=past-courses",
         "seed=moa&aspect=1&land=continent&attractors=2000&flat-share=0.5&meander-rounds=30&style=past-courses",
+        "seed=tui&aspect=1&land=island&attractors=3000&trim=30&style=ink-wash",
+        "seed=tui&aspect=1&land=archipelago&attractors=3000&trim=30&style=orbit",
+        "seed=tui&aspect=1&land=rectangle&attractors=3000&trim=30&style=blueprint",
     ] {
         let session = finished(link);
         let mut picture = Picture::new(SIDE, SIDE).unwrap();

@@ -132,7 +132,19 @@ fn map(link: &str) -> (Session, Vec<[u8; 4]>) {
 
 #[test]
 fn rivers_end_at_the_coast_and_the_sea_is_the_same_whatever_runs_into_it() {
-    for style in ["atlas", "night", "survey", "basins", "parchment", "past-courses", "ink", "skeleton"] {
+    for style in [
+        "atlas",
+        "night",
+        "survey",
+        "basins",
+        "parchment",
+        "past-courses",
+        "ink-wash",
+        "orbit",
+        "blueprint",
+        "ink",
+        "skeleton",
+    ] {
         let link = format!("aspect=1&land=archipelago&roughness=1&attractors=600&style={style}");
         let ((session, narrow), (_, wide)) = (map(&format!("{link}&width=2")), map(&format!("{link}&width=40")));
         let land = session.land().unwrap();

@@ -104,7 +104,7 @@ impl GroundCache {
         if let Some(paper) = palette.paper {
             paper::lay(view, paper, pixels.get_or_insert_with(|| bare(view, palette.plain)));
         }
-        if let Some(grid) = palette.grid {
+        for grid in palette.grids {
             grid::lay(view, grid, pixels.get_or_insert_with(|| bare(view, palette.plain)));
         }
         self.flat = Some((style, pixels));

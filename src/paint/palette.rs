@@ -24,8 +24,9 @@ pub(crate) struct Palette {
     pub lines: Lines,
     /// Great rivers over their former beds; `None` if rivers are all alike.
     pub beds: Option<&'static Beds>,
-    pub grid: Option<&'static Grid>,
-    /// What it is printed on; `None` if that is as even as a screen.
+    /// Lines over land and sea, the closest first.
+    pub grids: &'static [Grid],
+    /// What is under all of it; `None` if that is as even as a screen.
     pub paper: Option<&'static Paper>,
     /// How it shows relief; `None` if it does not.
     pub relief: Option<&'static ReliefLook>,
@@ -57,15 +58,25 @@ impl Grid {
     pub const WIDTH: f32 = 0.8;
 }
 
-/// Old paper.
+/// Paper, or other ground that is not even.
 #[derive(Debug)]
 pub(crate) struct Paper {
     pub blotch: Colour,
     pub blotched: f32,
+    /// About how large blotches are, in units.
+    pub size: f32,
+    /// How many sizes they have, each half as large as the one before.
+    pub octaves: i32,
+    /// How much of them water has, as a share.
+    pub at_sea: f32,
     /// The colour of its edges.
     pub edge: Colour,
     pub edged: f32,
 }
+
+/// Paper without blotches and edges.
+pub(super) const BLANK: Paper =
+    Paper { blotch: [0; 3], blotched: 0.0, size: 260.0, octaves: 4, at_sea: 1.0, edge: [0; 3], edged: 0.0 };
 
 /// How a style shows relief, part by part.
 #[derive(Debug)]
@@ -81,7 +92,7 @@ pub(crate) struct ReliefLook {
 /// Relief in tints and light alone.
 pub(super) const fn tinted(stops: &'static [(f32, Colour)], darkest: f32) -> ReliefLook {
     let casing = Casing { colour: [0; 3], strength: 0.0, margin: 0.0, blur: 0.0, gain: 1.0 };
-    let tints = Tints { stops, light: [darkest, 1.0] };
+    let tints = Tints { stops, light: [darkest, 1.0], most: f32::MAX, shadow: [0; 3] };
     ReliefLook { tints, contours: None, hachures: None, basins: None, casing }
 }
 
@@ -99,6 +110,10 @@ pub(crate) struct Tints {
     pub stops: &'static [(f32, Colour)],
     /// What colours are multiplied by where there is no light, and where there is as much as on flat land.
     pub light: [f32; 2],
+    /// The most that they are multiplied by.
+    pub most: f32,
+    /// What is left of them where they are multiplied by nothing.
+    pub shadow: Colour,
 }
 
 /// Lines of one height each.
@@ -165,6 +180,12 @@ impl Tints {
         let share = if to > from { ((height - from) / (to - from)).min(1.0) } else { 0.0 };
         mix(low, high, share)
     }
+
+    /// What a colour is multiplied by in a light, which is a share of that on flat land.
+    pub fn factor(&self, light: f32) -> f32 {
+        let [none, full] = self.light;
+        (none + (full - none) * light).min(self.most)
+    }
 }
 
 /// How a style draws rivers.
@@ -211,7 +232,7 @@ pub(super) const fn even(land: Colour, water: Colour, coast: Colour, ridge: Colo
         plain: land,
         lines: Lines::Wide,
         beds: None,
-        grid: None,
+        grids: &[],
         paper: None,
         relief: None,
     }

@@ -1,4 +1,4 @@
-//! Old paper: blotches, a grain, and darker edges.
+//! Paper, and other ground that is not even: blotches, a grain, and darker edges.
 
 use fastnoise_lite::{FastNoiseLite, FractalType, NoiseType};
 use glam::Vec2;
@@ -11,31 +11,33 @@ pub(super) fn lay(view: &View, paper: &Paper, pixels: &mut [[u8; 4]]) {
     let mut noise = FastNoiseLite::with_seed(1);
     noise.set_noise_type(Some(NoiseType::OpenSimplex2));
     noise.set_fractal_type(Some(FractalType::FBm));
-    noise.set_fractal_octaves(Some(4));
-    noise.set_frequency(Some(1.0 / 260.0));
+    noise.set_fractal_octaves(Some(paper.octaves));
+    noise.set_frequency(Some(1.0 / paper.size));
     let size = Vec2::new(view.width as f32, view.height as f32);
     let columns = view.width as usize;
+    let blotched = |pixel: Vec2| {
+        let at = view.point(pixel);
+        (noise.get_noise_2d(at.x, at.y) * 1.4 + 0.1).clamp(0.0, 1.0)
+    };
+    // Blotches are looked up once in so many pixels of a row.
+    let every = ((paper.size * view.scale / 18.0) as usize).clamp(1, 8);
     for (y, row) in pixels.chunks_mut(columns).enumerate() {
-        let mut blotch = [0.0; 2];
+        let mut blotch = [0.0, blotched(Vec2::new(0.0, y as f32) + 0.5)];
         for (x, pixel) in row.iter_mut().enumerate() {
             let at = Vec2::new(x as f32, y as f32) + 0.5;
-            if x.is_multiple_of(EVERY) {
-                let here = view.point(at);
-                let next = view.point(at + Vec2::X * EVERY as f32);
-                blotch = [here, next].map(|at| (noise.get_noise_2d(at.x, at.y) * 1.4 + 0.1).clamp(0.0, 1.0));
+            if x.is_multiple_of(every) {
+                blotch = [blotch[1], blotched(at + Vec2::X * every as f32)];
             }
-            let way = (x % EVERY) as f32 / EVERY as f32;
-            let stained = (blotch[0] + (blotch[1] - blotch[0]) * way) * paper.blotched;
+            let way = (x % every) as f32 / every as f32;
             let [r, g, b, open] = *pixel;
+            let here = paper.at_sea + (1.0 - paper.at_sea) * f32::from(open) / 255.0;
+            let stained = (blotch[0] + (blotch[1] - blotch[0]) * way) * paper.blotched * here;
             let aged = mix(mix([r, g, b], paper.blotch, stained), paper.edge, edge(at / size) * paper.edged);
             let [r, g, b] = aged.map(|part| (f32::from(part) * grain(x as u32, y as u32)).min(255.0) as u8);
             *pixel = [r, g, b, open];
         }
     }
 }
-
-/// Blotches are looked up once in so many pixels of a row.
-const EVERY: usize = 8;
 
 /// How far a place belongs to the edges; places are shares of the picture's sides.
 fn edge(place: Vec2) -> f32 {
@@ -50,4 +52,25 @@ fn grain(x: u32, y: u32) -> f32 {
     let mut bits = x.wrapping_mul(0x9e37_79b1) ^ y.wrapping_mul(0x85eb_ca77);
     bits = (bits ^ (bits >> 15)).wrapping_mul(0x2c1b_3c6d);
     1.0 + ((bits >> 16) as f32 / 65_535.0 - 0.5) * 2.0 * STRENGTH
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::domain::Domain;
+    use crate::paint::styles::palette;
+    use crate::recipe::Style;
+
+    #[test]
+    fn forests_grow_on_land_alone() {
+        let view = View::new(&Domain::with_aspect(1.0), 200, 100).unwrap();
+        let paper = palette(Style::Orbit).paper.unwrap();
+        let darkest = |open: u8| {
+            let mut pixels = vec![[120, 120, 120, open]; view.pixels()];
+            lay(&view, paper, &mut pixels);
+            pixels.iter().map(|pixel| pixel[0]).min().unwrap()
+        };
+        assert!(darkest(0) >= 117, "no more than the grain");
+        assert!(darkest(255) < 90);
+    }
 }

@@ -132,6 +132,12 @@ choices! {
         Parchment = "parchment", "parchment";
         /// Past courses: where great rivers have run in bends before, a band for each time, after Fisk 1944.
         PastCourses = "past-courses", "past courses";
+        /// A painting in ink and water: mountains on their dark side, mist along rivers.
+        InkWash = "ink-wash", "ink wash";
+        /// The land from orbit: forests, rock, snow, shallow water.
+        Orbit = "orbit", "from orbit";
+        /// A blueprint: rivers, coasts and contours in white on blue, over a grid.
+        Blueprint = "blueprint", "blueprint";
         /// Light ink on dark paper, for dark pages.
         Dark = "dark", "dark";
     }

@@ -537,7 +537,7 @@ pub static TABLE: [Parameter; COUNT] = {
             key: Key::Style,
             name: "style",
             label: "Style",
-            help: "How the map is drawn. Atlas, night, survey, basins and parchment show how high the land is, once its rivers are finished.",
+            help: "How the map is drawn. All but ink, skeleton, past-courses and dark show how high the land is, once its rivers are finished.",
             unit: "",
             group: "Finish",
             stage: Paint,

@@ -67,11 +67,12 @@ pub(super) fn ground(out: &mut Text, size: Vec2, land: Option<&Land>, relief: Op
 
 /// Lines over land and sea, if the style has any.
 fn grid(out: &mut Text, size: Vec2, palette: &Palette) {
-    let Some(look) = palette.grid else { return };
-    let mut path = Path::default();
-    lines(look, size).iter().for_each(|ends| path.line(ends));
-    out.text("<path id=\"grid\" fill=\"none\" stroke-opacity=\"").units(look.strength).text("\"");
-    line(out, look.colour, Grid::WIDTH, path.data());
+    for look in palette.grids {
+        let mut path = Path::default();
+        lines(look, size).iter().for_each(|ends| path.line(ends));
+        out.text("<path class=\"grid\" fill=\"none\" stroke-opacity=\"").units(look.strength).text("\"");
+        line(out, look.colour, Grid::WIDTH, path.data());
+    }
 }
 
 /// Heights in colours, each laid over the one below, and what a style shows of them besides.

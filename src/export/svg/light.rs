@@ -9,7 +9,17 @@ use crate::paint::relief::light_of;
 use crate::relief::Relief;
 
 /// The shadows that are told apart: what colours are multiplied by where each begins, and in the middle of it.
-const SHADOWS: [(f32, f32); 6] = [(0.97, 0.94), (0.9, 0.86), (0.82, 0.78), (0.74, 0.7), (0.66, 0.62), (0.58, 0.53)];
+const SHADOWS: [(f32, f32); 9] = [
+    (0.97, 0.94),
+    (0.9, 0.86),
+    (0.82, 0.78),
+    (0.74, 0.7),
+    (0.66, 0.62),
+    (0.58, 0.53),
+    (0.48, 0.43),
+    (0.38, 0.33),
+    (0.28, 0.22),
+];
 /// The same in the light.
 const LIGHTS: [(f32, f32); 4] = [(1.03, 1.06), (1.09, 1.12), (1.16, 1.2), (1.24, 1.3)];
 
@@ -17,12 +27,11 @@ const LIGHTS: [(f32, f32); 4] = [(1.03, 1.06), (1.09, 1.12), (1.16, 1.2), (1.24,
 pub(super) fn light(out: &mut Text, relief: &Relief, exaggeration: f32, tints: &Tints) {
     let mut light = vec![1.0; relief.heights().len()];
     light_of(relief, exaggeration, &mut light);
-    let [none, full] = tints.light;
-    let factor: Vec<f32> = light.into_iter().map(|light| none + (full - none) * light).collect();
+    let factor: Vec<f32> = light.into_iter().map(|light| tints.factor(light)).collect();
     out.text("<g id=\"shade\">\n");
     let mut before = 1.0;
     for (level, after) in SHADOWS {
-        area(out, relief, [0; 3], 1.0 - after / before, factor.iter().map(|factor| level - factor));
+        area(out, relief, tints.shadow, 1.0 - after / before, factor.iter().map(|factor| level - factor));
         before = after;
     }
     // What is laid over colours to make them lighter takes a share of what they lack of it.

@@ -5,7 +5,7 @@ use glam::{Vec2, Vec3};
 use super::Sheet;
 use super::field::{Field, Place, places};
 use crate::land::beside;
-use crate::paint::palette::{Colour, Tints};
+use crate::paint::palette::{Colour, Tints, mix};
 use crate::relief::{CELL_SIZE, Relief};
 use crate::sort::quantile;
 
@@ -98,9 +98,7 @@ impl Colours {
         let colour = |i: usize| {
             let height = (i / LIGHT_STEPS) as f32 / (HEIGHTS - 1) as f32;
             let light = (i % LIGHT_STEPS) as f32 / (LIGHT_STEPS - 1) as f32 * MOST_LIGHT;
-            let [low, high] = tints.light;
-            let factor = low + (high - low) * light;
-            tints.at(height).map(|part| (f32::from(part) * factor + 0.5).clamp(0.0, 255.0) as u8)
+            mix(tints.shadow, tints.at(height), tints.factor(light))
         };
         Self((0..HEIGHTS * LIGHT_STEPS).map(colour).collect())
     }
@@ -111,5 +109,26 @@ impl Colours {
         let height = ((height * (HEIGHTS - 1) as f32 + 0.5) as u32).min(HEIGHTS as u32 - 1);
         let light = ((light * ((LIGHT_STEPS - 1) as f32 / MOST_LIGHT) + 0.5) as u32).min(LIGHT_STEPS as u32 - 1);
         self.0[height as usize * LIGHT_STEPS + light as usize]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::paint::styles::palette;
+    use crate::recipe::Style;
+
+    #[test]
+    fn a_wash_is_ink_where_it_is_dark_and_never_lighter_than_its_paper() {
+        let tints = &palette(Style::InkWash).relief.unwrap().tints;
+        let colours = Colours::new(tints);
+        for height in [0.0, 0.4, 1.0] {
+            let (dark, flat, light) =
+                (colours.at(height, 0.0), colours.at(height, 1.0), colours.at(height, MOST_LIGHT));
+            let paper = tints.at((height * (HEIGHTS - 1) as f32).round() / (HEIGHTS - 1) as f32);
+            assert_eq!((flat, light), (paper, paper), "at {height}");
+            let off = |i: usize| dark[i].abs_diff(tints.shadow[i]);
+            assert!((0..3).all(|i| off(i) < 24), "{dark:?} at {height}");
+        }
     }
 }

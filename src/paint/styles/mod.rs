@@ -2,9 +2,12 @@
 
 mod atlas;
 mod basins;
+mod blueprint;
 mod dark;
 mod ink;
+mod ink_wash;
 mod night;
+mod orbit;
 mod parchment;
 mod past_courses;
 mod skeleton;
@@ -24,6 +27,9 @@ pub(crate) fn palette(style: Style) -> &'static Palette {
         Style::Basins => &basins::PALETTE,
         Style::Parchment => &parchment::PALETTE,
         Style::PastCourses => &past_courses::PALETTE,
+        Style::InkWash => &ink_wash::PALETTE,
+        Style::Orbit => &orbit::PALETTE,
+        Style::Blueprint => &blueprint::PALETTE,
         Style::Skeleton => &skeleton::PALETTE,
     }
 }

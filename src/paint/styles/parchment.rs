@@ -1,6 +1,6 @@
 //! An engraving on old paper.
 
-use crate::paint::palette::{Casing, Hachures, Palette, Paper, ReliefLook, even, tinted};
+use crate::paint::palette::{BLANK, Casing, Hachures, Palette, Paper, ReliefLook, even, tinted};
 
 const LAND: [u8; 3] = [0xf1, 0xe4, 0xc3];
 
@@ -25,7 +25,7 @@ pub(super) static PALETTE: Palette = Palette {
         (41.9, 0.20),
         (54.9, 0.16),
     ],
-    paper: Some(&Paper { blotch: [0xbf, 0xa0, 0x6a], blotched: 0.3, edge: [0x7d, 0x5f, 0x33], edged: 0.4 }),
+    paper: Some(&Paper { blotch: [0xbf, 0xa0, 0x6a], blotched: 0.3, edge: [0x7d, 0x5f, 0x33], edged: 0.4, ..BLANK }),
     relief: Some(&RELIEF),
     ..even(LAND, [0xdf, 0xcb, 0x9d], [0x4a, 0x38, 0x28], [0x6e, 0x5a, 0x40], [0x4a, 0x5a, 0x5c])
 };

@@ -1,0 +1,24 @@
+//! A blueprint: white lines on blue.
+
+use crate::paint::palette::{BLANK, Casing, Contours, Grid, Palette, Paper, ReliefLook, even, tinted};
+
+const LAND: [u8; 3] = [0x13, 0x44, 0x81];
+
+const TINTED: ReliefLook = tinted(&[(0.0, LAND), (1.0, [0x20, 0x5a, 0x9c])], 0.85);
+
+static RELIEF: ReliefLook = ReliefLook {
+    contours: Some(Contours { colour: [0xbf, 0xe0, 0xff], widths: [0.4, 0.9], strengths: [0.3, 0.5] }),
+    casing: Casing { margin: 0.8, ..TINTED.casing },
+    ..TINTED
+};
+
+pub(super) static PALETTE: Palette = Palette {
+    rings: &[(5.0, 0.4), (10.0, 0.28), (16.0, 0.18)],
+    grids: &[
+        Grid { every: 24.0, colour: [0xbf, 0xe0, 0xff], strength: 0.12 },
+        Grid { every: 120.0, colour: [0xbf, 0xe0, 0xff], strength: 0.16 },
+    ],
+    paper: Some(&Paper { blotch: [0x2a, 0x62, 0xa6], blotched: 0.25, edge: [0x08, 0x26, 0x50], edged: 0.5, ..BLANK }),
+    relief: Some(&RELIEF),
+    ..even(LAND, [0x0f, 0x3c, 0x73], [0xe6, 0xf2, 0xff], [0xbf, 0xe0, 0xff], [0xf4, 0xfa, 0xff])
+};

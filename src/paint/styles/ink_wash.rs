@@ -1,0 +1,22 @@
+//! A painting in ink and water.
+
+use crate::paint::palette::{BLANK, Casing, Hachures, Palette, Paper, ReliefLook, Tints, even, tinted};
+
+const PAPER: [u8; 3] = [0xf5, 0xf1, 0xe8];
+
+const TINTED: ReliefLook = tinted(&[(0.0, PAPER), (0.3, [0xee, 0xea, 0xe1]), (1.0, [0xc4, 0xc3, 0xbf])], 0.0);
+
+static RELIEF: ReliefLook = ReliefLook {
+    tints: Tints { light: [0.1, 1.03], most: 1.0, shadow: [0x23, 0x27, 0x2b], ..TINTED.tints },
+    hachures: Some(Hachures { colour: [0x23, 0x27, 0x2b], strength: 0.3 }),
+    casing: Casing { colour: PAPER, strength: 0.8, margin: 2.0, blur: 2.0, gain: 1.5 },
+    ..TINTED
+};
+
+pub(super) static PALETTE: Palette = Palette {
+    shallows: [0x8f, 0xb0, 0xb8],
+    fade: 55.0,
+    paper: Some(&Paper { blotch: [0xb9, 0xb4, 0xa8], blotched: 0.16, edge: [0xb0, 0xa8, 0x98], edged: 0.15, ..BLANK }),
+    relief: Some(&RELIEF),
+    ..even(PAPER, PAPER, [0x6f, 0x93, 0x9e], [0x55, 0x55, 0x52], [0x3c, 0x69, 0x7e])
+};
