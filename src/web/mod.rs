@@ -13,6 +13,11 @@ mod tracing;
 
 use wasm_bindgen::prelude::*;
 
+/// Half as large as the one that Rust brings along.
+#[cfg(any(feature = "rivers", feature = "tracing"))]
+#[global_allocator]
+static ALLOCATOR: talc::wasm::WasmDynamicTalc = talc::wasm::new_wasm_dynamic_allocator();
+
 #[wasm_bindgen(start)]
 fn start() {
     std::panic::set_hook(Box::new(|panic| web_sys::console::error_1(&panic.to_string().into())));
