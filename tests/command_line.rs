@@ -399,6 +399,21 @@ fn what_is_given_and_does_nothing_is_said() {
     assert_eq!(said.lines().count(), 3, "{said}");
 }
 
+#[test]
+fn heights_of_a_style_without_relief_matter_to_files_of_data() {
+    let said = |out: &str, mountains: &str| {
+        let out = scratch(out);
+        let link = "attractors=200&style=ink&land=island";
+        let output = riverseed(&["render", link, "--mountains", mountains, "-o", out.to_str().unwrap()]);
+        assert!(output.status.success());
+        (String::from_utf8_lossy(&output.stderr).into_owned(), fs::read(&out).unwrap())
+    };
+    let ((of_picture, _), (of_heights, low)) = (said("flat.png", "2"), said("low.heights.png", "2"));
+    assert!(of_picture.contains("'mountains' has no effect: this style shows no relief"), "{of_picture}");
+    assert_eq!(of_heights, "");
+    assert_ne!(low, said("high.heights.png", "3").1);
+}
+
 /// A network's file states every parameter, so that what it leaves at its default was not asked for.
 #[test]
 fn network_read_as_a_recipe_warns_only_of_what_it_changes() {

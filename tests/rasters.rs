@@ -204,6 +204,8 @@ fn pack_holds_every_file() {
     let mut entries = archive.entries();
     while let Some(entry) = entries.next_entry().unwrap() {
         names.push(entry.file_path().try_normalize().unwrap().as_ref().to_owned());
+        let moment = entry.last_modified();
+        assert_eq!((moment.year(), moment.month(), moment.day()), (1980, 1, 1), "a date that there is");
     }
     let wanted =
         ["README.txt", "heights.png", "land.png", "rivers.png", "flow.png", "basins.png", "map.geojson", "map.png"];

@@ -6,6 +6,8 @@ use std::io::{Error, Result, Write};
 #[cfg(feature = "cli")]
 use flate2::{Compression, write::DeflateEncoder};
 #[cfg(feature = "cli")]
+use rawzip::time::UtcDateTime;
+#[cfg(feature = "cli")]
 use rawzip::{CompressionMethod, ZipArchiveWriter};
 #[cfg(feature = "cli")]
 use tiny_skia::Pixmap;
@@ -80,7 +82,10 @@ fn add<W: Write>(
     name: &str,
     write: impl FnOnce(&mut dyn Write) -> Result<()>,
 ) -> Result<()> {
-    let file = archive.new_file(name).compression_method(CompressionMethod::DEFLATE);
+    /// The first moment that a ZIP knows, 1980-01-01: the same bytes on any day.
+    const EARLIEST: i64 = 315_532_800;
+    let moment = UtcDateTime::from_unix(EARLIEST);
+    let file = archive.new_file(name).last_modified(moment).compression_method(CompressionMethod::DEFLATE);
     let (mut entry, config) = file.start().map_err(Error::other)?;
     let mut content = config.wrap(DeflateEncoder::new(&mut entry, Compression::default()));
     write(&mut content)?;

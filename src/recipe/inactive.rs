@@ -15,6 +15,13 @@ impl Recipe {
     pub fn inactive_reason(&self, key: Key, land: LandKind) -> Option<&'static str> {
         Given { recipe: self, land }.inactive_reason(key)
     }
+
+    /// The same of files of data, which have widths and heights whatever the style shows of them.
+    pub fn inactive_reason_in_data(&self, key: Key, land: LandKind) -> Option<&'static str> {
+        let mut shown = self.clone();
+        shown.put(Key::Style, Value::Choice(Style::Atlas.word().name));
+        shown.inactive_reason(key, land)
+    }
 }
 
 /// A recipe, and the kind of land that it gives: a drawing that leaves no water or next to no land is the whole rectangle.
@@ -52,7 +59,8 @@ impl Given<'_> {
             Key::FlatShare => self.no_rounds().or_else(|| self.no_great_rivers()),
             Key::MeanderStrength | Key::Neck | Key::Clearance | Key::Taper => self.no_bends(),
             Key::MeanderMix => self.no_bends().or_else(|| self.no_choice_of_direction()),
-            Key::Mountains | Key::Plains | Key::Shade => self.no_relief(),
+            Key::Mountains | Key::Plains => self.heights_only_in_files(),
+            Key::Shade => self.no_relief(),
             Key::Style => None,
         }
     }
@@ -128,6 +136,10 @@ impl Given<'_> {
     fn no_widths(&self) -> Reason {
         let is_skeleton = self.recipe.get::<Style>() == Style::Skeleton;
         (is_skeleton && self.no_rounds().is_some()).then_some("the skeleton is one pixel wide everywhere")
+    }
+
+    fn heights_only_in_files(&self) -> Reason {
+        self.no_relief().map(|_| "this style shows no relief, though files of heights have it")
     }
 
     fn no_relief(&self) -> Reason {
@@ -224,7 +236,9 @@ mod tests {
     const BROWNIAN: (&str, &str) =
         ("mouths mouth-spacing shores attractors valleys valley-spacing", "Brownian trees do not use it");
     const NO_LONGER_SHAPED: &str = "simplify meander meander-rounds meander-strength meander-mix meander-elsewhere great-rivers flat-share neck clearance taper";
-    const NO_RELIEF: (&str, &str) = ("mountains plains shade", "this style shows no relief");
+    const NO_RELIEF: (&str, &str) = ("shade", "this style shows no relief");
+    const NO_HEIGHTS: (&str, &str) =
+        ("mountains plains", "this style shows no relief, though files of heights have it");
     const RECTANGULAR: &[(&str, &str)] = &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS];
 
     /// What is set over the lively recipe, and all keys that do nothing then, each with its reason.
@@ -354,10 +368,11 @@ mod tests {
                 (NO_LONGER_SHAPED, "rivers keep the steps of their tree"),
                 ("width bank-variation", "the skeleton is one pixel wide everywhere"),
                 NO_RELIEF,
+                NO_HEIGHTS,
             ],
         ),
-        ("style=ink", &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS, NO_RELIEF]),
-        ("style=skeleton", &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS, NO_RELIEF]),
+        ("style=ink", &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS, NO_RELIEF, NO_HEIGHTS]),
+        ("style=skeleton", &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS, NO_RELIEF, NO_HEIGHTS]),
         (
             "style=skeleton&meander-rounds=0",
             &[
@@ -369,6 +384,7 @@ mod tests {
                 ("meander-strength meander-mix meander-elsewhere great-rivers flat-share neck clearance taper", STILL),
                 ("width bank-variation", "the skeleton is one pixel wide everywhere"),
                 NO_RELIEF,
+                NO_HEIGHTS,
             ],
         ),
         (
@@ -385,6 +401,7 @@ mod tests {
                 ),
                 ("width bank-variation", "the skeleton is one pixel wide everywhere"),
                 NO_RELIEF,
+                NO_HEIGHTS,
             ],
         ),
         ("growth=drainage", &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_COLONIZING]),

@@ -256,7 +256,6 @@ impl Form {
 fn render(matches: &ArgMatches) -> Result<(), Failure> {
     let Some(output) = matches.get_one::<PathBuf>("output") else { return Ok(()) };
     let order = Order::of(matches)?;
-    order.say_what_is_idle();
     let size = matches.get_one("size").copied().unwrap_or(LONGEST_SIDE);
     let wants_attractors = matches
         .get_occurrences::<String>("attractors")
@@ -269,6 +268,7 @@ fn render(matches: &ArgMatches) -> Result<(), Failure> {
     if wants_size && !matches!(form, Form::Png | Form::Pack) {
         return Err(Failure::Mismatch { option: "--size", ending });
     }
+    order.say_what_is_idle(matches!(form, Form::Png | Form::Svg));
     let output = Output::open(output)?;
     match form {
         Form::Png | Form::Pack => write_picture(output, order, form, size),
@@ -342,11 +342,12 @@ impl Order {
     }
 
     /// Warns of values that were given and have no effect.
-    fn say_what_is_idle(&self) {
+    fn say_what_is_idle(&self, is_picture: bool) {
         let kind = if self.land.is_some() { LandKind::Drawn } else { Land::kind_of(&self.recipe) };
         let reason = |key| match (key, &self.land) {
             (Key::Roughness, Some(_)) => Some("the picture determines the coast"),
-            _ => self.recipe.inactive_reason(key, kind),
+            _ if is_picture => self.recipe.inactive_reason(key, kind),
+            _ => self.recipe.inactive_reason_in_data(key, kind),
         };
         for name in &self.given {
             if let Some(reason) = Key::from_name(name).and_then(reason) {

@@ -12,7 +12,7 @@ use super::{Failure, Order};
 /// Measures the rivers of a recipe and prints the table, or JSON.
 pub fn measure(matches: &ArgMatches) -> Result<(), Failure> {
     let order = Order::of(matches)?;
-    order.say_what_is_idle();
+    order.say_what_is_idle(true);
     let progress = super::progress(&order.recipe, 0);
     let session = super::grow(order, &progress)?;
     progress.finish_and_clear();
