@@ -138,7 +138,7 @@ choices! {
         Orbit = "orbit", "from orbit";
         /// A blueprint: rivers, coasts and contours in white on blue, over a grid.
         Blueprint = "blueprint", "blueprint";
-        /// Light ink on dark paper, for dark pages.
+        /// Light ink on dark paper.
         Dark = "dark", "dark";
     }
 }

@@ -94,6 +94,26 @@ proptest! {
     }
 
     #[test]
+    fn between_neighbours_no_hillside_rises_more_than_it_may((cells, rises, rivers) in maps()) {
+        const ROUNDING: f32 = 1.000_01;
+        let height = marched(&cells, &rises, &rivers);
+        let is_river = |cell: usize| rivers.iter().any(|river| river.0 == cell);
+        for cell in cells.land().filter(|&cell| !is_river(cell) && height[cell].is_finite()) {
+            let beside = cells.beside(cell);
+            for near in beside.into_iter().filter(|&near| cells.is_land(near)) {
+                prop_assert!(height[cell] <= (height[near] + rises[cell]) * ROUNDING);
+            }
+            for (x, y) in [0, 1].into_iter().flat_map(|x| [2, 3].map(|y| (beside[x], beside[y]))) {
+                let diagonal = x + y - cell;
+                if [x, y, diagonal].into_iter().all(|near| cells.is_land(near)) {
+                    let rise = rises[cell].max(rises[x]).max(rises[y]);
+                    prop_assert!(height[cell] <= (height[diagonal] + 1.707_11 * rise) * ROUNDING);
+                }
+            }
+        }
+    }
+
+    #[test]
     fn march_agrees_with_relaxation((cells, rises, rivers) in maps()) {
         for (marched, relaxed) in marched(&cells, &rises, &rivers).into_iter().zip(relaxed(&cells, &rises, &rivers)) {
             prop_assert!(marched == relaxed || (marched - relaxed).abs() < 1e-5 * marched, "{} and {}", marched, relaxed);

@@ -233,7 +233,7 @@ impl River {
         }
     }
 
-    /// How far the phase has come, from 0 to 1: growth by what is drained, meandering by its rounds.
+    /// How far the phase has come, from 0 to 1: growth by what is drained, meandering by its rounds, relief by its parts.
     #[wasm_bindgen(getter)]
     pub fn progress(&self) -> f32 {
         self.session.progress()

@@ -37,8 +37,8 @@ pub(super) fn lay(look: &Contours, field: &Field, sheet: &Sheet<'_>, pixels: &mu
     let (mut heights, mut rises) = (Vec::new(), Vec::new());
     for (y, row) in pixels.chunks_mut(width).enumerate() {
         let at = sheet.view.point(Vec2::splat(y as f32 + 0.5)).y;
-        field.line(at, &mut heights);
-        field.rises(at, &mut rises);
+        field.line(at, false, &mut heights);
+        field.line(at, true, &mut rises);
         let (land, rivers) = (&sheet.land[y * width..][..width], &sheet.rivers[y * width..][..width]);
         for ((pixel, &Place { column, along }), (&land, &rivers)) in
             row.iter_mut().zip(&places).zip(land.iter().zip(rivers))

@@ -74,39 +74,26 @@ impl Field {
         self
     }
 
-    /// Its surface along one y of a map, in units: a piece for each column of cells.
+    /// Its surface along one y of a map, in units: a piece for each column of cells. Or, for `rises`, how much higher that is a cell to
+    /// the south.
     #[inline(never)]
-    pub fn line(&self, y: f32, line: &mut Vec<Parabola>) {
-        let (controls, t) = self.controls(y);
-        join(controls.map(|parabola| parabola.at(t)), line);
-    }
-
-    /// How much higher that is a cell to the south.
-    #[inline(never)]
-    pub fn rises(&self, y: f32, line: &mut Vec<Parabola>) {
-        let (controls, t) = self.controls(y);
-        join(controls.map(|parabola| parabola.rise(t)), line);
-    }
-
-    fn controls(&self, y: f32) -> (impl Iterator<Item = Parabola>, f32) {
+    pub fn line(&self, y: f32, rises: bool, line: &mut Vec<Parabola>) {
         let (middle, t) = nearest(y / CELL_SIZE - 0.5, self.rows);
         let [north, here, south] =
             beside(middle, self.rows).map(|row| &self.values[row * self.columns..][..self.columns]);
-        (north.iter().zip(here).zip(south).map(|((&a, &b), &c)| Parabola::of([a, b, c])), t)
+        let mut controls = north.iter().zip(here).zip(south).map(|((&a, &b), &c)| {
+            let across = Parabola::of([a, b, c]);
+            if rises { across.rise(t) } else { across.at(t) }
+        });
+        line.clear();
+        let Some(mut here) = controls.next() else { return };
+        let mut before = here;
+        for after in controls {
+            line.push(Parabola::of([before, here, after]));
+            (before, here) = (here, after);
+        }
+        line.push(Parabola::of([before, here, here]));
     }
-}
-
-/// The pieces between control points that go over into each other.
-#[inline]
-fn join(mut controls: impl Iterator<Item = f32>, line: &mut Vec<Parabola>) {
-    line.clear();
-    let Some(mut here) = controls.next() else { return };
-    let mut before = here;
-    for after in controls {
-        line.push(Parabola::of([before, here, after]));
-        (before, here) = (here, after);
-    }
-    line.push(Parabola::of([before, here, here]));
 }
 
 /// Where a pixel lies in its row: the column of cells that it is nearest to, and how far beyond their middle, in cells.

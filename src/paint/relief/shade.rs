@@ -47,8 +47,8 @@ impl Surface {
         let (mut tint, mut light) = (Vec::new(), Vec::new());
         for (y, (row, land)) in pixels.chunks_mut(width).zip(sheet.land.chunks(width)).enumerate() {
             let y = sheet.view.point(Vec2::splat(y as f32 + 0.5)).y;
-            self.tint.line(y, &mut tint);
-            self.light.line(y, &mut light);
+            self.tint.line(y, false, &mut tint);
+            self.light.line(y, false, &mut light);
             for ((pixel, &share), &Place { column, along }) in row.iter_mut().zip(land).zip(&places) {
                 if share > 0 {
                     sheet.shift(pixel, colours.at(tint[column].at(along), light[column].at(along)), share);

@@ -1,4 +1,4 @@
-//! Ink's drawing on dark paper, for pages with a dark scheme.
+//! Ink's drawing on dark paper.
 
 use super::ink::PALETTE as INK;
 use crate::paint::palette::{Palette, even};
