@@ -44,9 +44,7 @@ const native = await nativeSide();
 const wasm = wasmSide();
 try {
   const words = process.argv.slice(2).map((word) => word.toLowerCase());
-  console.log(
-    "N uniform attractors, one mouth, reach R spacings, kill and step ½ spacing, no trimming; growth is timed",
-  );
+  console.log("N uniform attractors, one mouth, reach R spacings, kill and step ½ spacing, no trimming; growth is timed");
   console.log("from the recipe to the last node. Processor time, medians.");
   for (const [name, measure] of Object.entries(GROUPS)) {
     if (words.length > 0 && !words.some((word) => name.toLowerCase().includes(word))) continue;
@@ -136,13 +134,7 @@ async function brownian() {
 async function drainage() {
   const [few, many] = [6_000, 100_000];
   const sides = [native, wasm];
-  const times = await inTurn(
-    5,
-    ...sides.flatMap((side) => [
-      [side, `drain ${few}`, 5],
-      [side, `drain ${many}`],
-    ]),
-  );
+  const times = await inTurn(5, ...sides.flatMap((side) => [[side, `drain ${few}`, 5], [side, `drain ${many}`]]));
   for (const [i, side] of sides.entries()) {
     const [short, long] = times.slice(2 * i);
     const exponent = Math.log(median(ratios(long, short))) / Math.log(many / few);
@@ -192,11 +184,7 @@ async function slider() {
 
 async function bends() {
   for (const model of ["bend", "flow"]) {
-    for (const [measure, unit] of [
-      ["wavelength", "widths"],
-      ["radius", "widths"],
-      ["sinuosity", ""],
-    ]) {
+    for (const [measure, unit] of [["wavelength", "widths"], ["radius", "widths"], ["sinuosity", ""]]) {
       const quartiles = [];
       for (const percent of [25, 50, 75]) {
         quartiles.push((await native.run(`bends ${model} ${measure} ${percent}`)).result / 100);
@@ -238,13 +226,10 @@ async function relief() {
   // From a link to the picture: 250 ms with a relief, of two solutions of all cells, and 60 without.
   row("wasm: the relief of a finished network", median(asWasm), "ms", atMost(190));
   guide("native", median(natively), "ms");
-  const [quick, slow] = [
-    ["atlas", "night", "survey", "basins"],
-    ["parchment", "past-courses", "ink-wash", "orbit", "blueprint"],
-  ];
-  const bars = Object.fromEntries([...quick.map((style) => [style, 25]), ...slow.map((style) => [style, 150])]);
+  const quick = ["atlas", "night", "survey", "basins"].map((style) => [style, 25]);
+  const slow = ["parchment", "past-courses", "ink-wash", "orbit", "blueprint"].map((style) => [style, 150]);
   for (const land of ["island", "rectangle"]) {
-    for (const [style, bar] of Object.entries(bars)) {
+    for (const [style, bar] of [...quick, ...slow]) {
       const task = `restyle ${land} ${style}`;
       const [natively, asWasm] = await inTurn(9, [native, task, 3], [wasm, task, 3]);
       row(`wasm, ${land}: another style, now ${style}`, median(asWasm), "ms", atMost(bar));
