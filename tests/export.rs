@@ -292,7 +292,8 @@ fn ends_at_the_coast([narrow, wide]: [Session; 2]) {
 
 #[test]
 fn svg_looks_like_the_picture() {
-    // And how many pixels in a hundred may differ: in an SVG, Survey's contours do not end beside rivers, and Night's rivers do not glow.
+    // And how many pixels in a hundred may differ: in an SVG, Survey's contours neither end beside rivers nor grow paler on
+    // steep slopes, and Night's rivers do not glow.
     let links = [
         ("seed=kauri&aspect=1&attractors=2000", 1),
         ("seed=rimu&aspect=1&attractors=2000&land=island&style=atlas&mouths=9&meander-rounds=200&width=30", 1),
