@@ -86,15 +86,16 @@ fn tints(out: &mut Text, relief: Option<Raised<'_>>, palette: &Palette) {
         let colour = look.tints.at(share + 0.5 / STEPS as f32);
         fill(out, colour, &path_of(relief.rings_above(share * highest), 2));
     }
-    light(out, relief, exaggeration, &look.tints);
+    // Light falls on the colours of basins as on those of heights.
+    if let Some((basins, look)) = basins.zip(look.basins.as_ref()) {
+        basin_shapes(out, basins, look);
+    }
+    light(out, relief, exaggeration, look);
     if let Some(lines) = &look.contours {
         contours(out, relief, interval(highest), lines);
     }
     if let Some(look) = &look.hachures {
         hachures(out, &strokes(relief, highest), look);
-    }
-    if let Some((basins, look)) = basins.zip(look.basins.as_ref()) {
-        basin_shapes(out, basins, look);
     }
 }
 

@@ -4,52 +4,48 @@ use glam::Vec2;
 
 use super::path::Path;
 use super::text::Text;
-use crate::paint::palette::{Colour, Tints};
+use crate::paint::palette::{Colour, ReliefLook};
 use crate::paint::relief::light_of;
 use crate::relief::Relief;
 
-/// The shadows that are told apart: what colours are multiplied by where each begins, and in the middle of it.
-const SHADOWS: [(f32, f32); 9] = [
-    (0.97, 0.94),
-    (0.9, 0.86),
-    (0.82, 0.78),
-    (0.74, 0.7),
-    (0.66, 0.62),
-    (0.58, 0.53),
-    (0.48, 0.43),
-    (0.38, 0.33),
-    (0.28, 0.22),
-];
-/// The same in the light.
-const LIGHTS: [(f32, f32); 4] = [(1.03, 1.06), (1.09, 1.12), (1.16, 1.2), (1.24, 1.3)];
-
 /// Writes all shadows and lights that a style has.
-pub(super) fn light(out: &mut Text, relief: &Relief, exaggeration: f32, tints: &Tints) {
+pub(super) fn light(out: &mut Text, relief: &Relief, exaggeration: f32, look: &ReliefLook) {
+    let tints = &look.tints;
     let mut light = vec![1.0; relief.heights().len()];
     light_of(relief, exaggeration, &mut light);
-    let factor: Vec<f32> = light.into_iter().map(|light| tints.factor(light)).collect();
+    // The less light changes a style's colours, the fewer steps are enough.
+    let step = 0.1 + 0.02 / (tints.light[1] - tints.light[0]);
     out.text("<g id=\"shade\">\n");
-    let mut before = 1.0;
-    for (level, after) in SHADOWS {
-        area(out, relief, tints.shadow, 1.0 - after / before, factor.iter().map(|factor| level - factor));
-        before = after;
-    }
-    // What is laid over colours to make them lighter takes a share of what they lack of it.
-    let (colour, usual) = lightest(tints);
-    let lack = |factor: f32| (1.0 - usual * factor).max(0.02);
-    let mut before = 1.0;
-    for (level, after) in LIGHTS {
-        let share = 1.0 - lack(after) / lack(before);
-        area(out, relief, colour, share, factor.iter().map(|factor| factor - level));
-        before = after;
-    }
+    steps(out, relief, &light, (tints.shadow, -step), |light| tints.factor(light));
+    // Land is seldom much lighter than flat land, so steps are half as long there. What is laid over colours to make them lighter takes
+    // a share of what they lack of it.
+    let (colour, usual) = lightest(look);
+    steps(out, relief, &light, (colour, step * 0.5), |light| (1.0 - usual * tints.factor(light)).max(0.02));
     out.text("</g>\n");
 }
 
+/// Steps from the light on flat land on, in one colour. In the middle of each, so much is left of what is under it as `left` says.
+fn steps(out: &mut Text, relief: &Relief, light: &[f32], (colour, step): (Colour, f32), left: impl Fn(f32) -> f32) {
+    const MOST: u8 = 16;
+    let mut before = left(1.0);
+    for middle in (1..=MOST).map(|i| 1.0 + step * f32::from(i)) {
+        // In whole hundredths, as it is written: what is lost by that, the next step makes up for.
+        let opacity = f32::from((100.0 - 100.0 * left(middle.max(0.0)) / before + 0.5) as u8) / 100.0;
+        before *= 1.0 - opacity;
+        if opacity > 0.0 {
+            area(out, relief, colour, opacity, light.iter().map(|light| (light - middle) / step + 0.5));
+        }
+    }
+}
+
 /// A tint of white with the hue of a style's land, and how light that land usually is as a share of it.
-fn lightest(tints: &Tints) -> (Colour, f32) {
-    let sum = |i: usize| tints.stops.iter().map(|(_, colour)| f32::from(colour[i])).sum::<f32>();
-    let mean = [0, 1, 2].map(|i| sum(i) / tints.stops.len() as f32);
+fn lightest(look: &ReliefLook) -> (Colour, f32) {
+    let colours: Vec<Colour> = match &look.basins {
+        Some(basins) => (0..=basins.colours.len()).map(|number| basins.tint(number)).collect(),
+        None => look.tints.stops.iter().map(|stop| stop.1).collect(),
+    };
+    let sum = |i: usize| colours.iter().map(|colour| f32::from(colour[i])).sum::<f32>();
+    let mean = [0, 1, 2].map(|i| sum(i) / colours.len() as f32);
     let most = 255.0 / mean.into_iter().fold(1.0, f32::max);
     let tint = mean.map(|part| (part * most + 255.0) / 2.0);
     (tint.map(|part| (part + 0.5) as u8), mean.iter().sum::<f32>() / tint.iter().sum::<f32>())
@@ -57,12 +53,10 @@ fn lightest(tints: &Tints) -> (Colour, f32) {
 
 /// Everything with a value above 0.
 fn area(out: &mut Text, relief: &Relief, colour: Colour, opacity: f32, values: impl Iterator<Item = f32>) {
-    /// So much change of a colour counts as far.
-    const FAR: f32 = 0.1;
     let mut path = Path::default();
-    for ring in relief.rings_around(values.map(|value| value / FAR)) {
-        // Every second point is enough.
-        path.ring(&ring.into_iter().step_by(2).collect::<Vec<Vec2>>());
+    for ring in relief.rings_around(values) {
+        // Edges so soft need no more than every third point.
+        path.ring(&ring.into_iter().step_by(3).collect::<Vec<Vec2>>());
     }
     if path.data().is_empty() {
         return;
