@@ -64,8 +64,8 @@ fn colonized(session: &Session) -> Result<String, std::fmt::Error> {
 /// The same rivers after 0, 50 and 150 rounds of meandering, with the oxbow lakes that are left by then.
 fn meanders() -> Result<String, Box<dyn Error>> {
     let recipe: Recipe =
-        "seed=kea&growth=drainage&land=rectangle&sides=s&aspect=1&mouths=1&attractors=160&valleys=0.2&captures=5&\
-                          channel-area=6&trim=22&simplify=80&width=22&\
+        "seed=weka&growth=drainage&land=rectangle&sides=s&aspect=1&mouths=1&attractors=160&valleys=0.2&captures=5&\
+                          channel-area=6&trim=22&simplify=80&width=22&flat-share=0.6&\
                           meander=flow&meander-rounds=150&meander-strength=0.8"
             .parse()?;
     let mut session = Session::new(recipe)?;

@@ -18,6 +18,14 @@ const OLD: [&str; 6] = [
     "seed=anduin&land=continent&growth=drainage&attractors=3000&width=24&great-rivers=16&flat-share=1&meander-strength=1&meander-elsewhere=1&clearance=0",
 ];
 
+/// Rivers that either model spoils most easily: wide ones and narrow ones, with many junctions that hold them.
+const HELD: [&str; 4] = [
+    "seed=weka&land=rectangle",
+    "seed=rata&flat-share=0.5",
+    "seed=weka&land=rectangle&growth=colonize&attractors=2000&width=24",
+    "seed=skye&attractors=4000",
+];
+
 /// The rivers of a recipe before they meander.
 fn young(recipe: &str) -> Meander {
     let mut session = Session::new(link::read(&format!("{recipe}&meander-rounds=0")).unwrap()).unwrap();
@@ -123,7 +131,8 @@ fn overlap(a: &[Place], b: &[Place]) -> bool {
 #[test]
 fn lakes_overlap_neither_rivers_nor_each_other() {
     let mut seen = 0;
-    for recipe in OLD {
+    let held = HELD.map(|recipe| format!("{recipe}&meander=flow"));
+    for recipe in OLD.into_iter().chain(held.iter().map(String::as_str)) {
         grow_old(recipe, |meander| {
             let network = meander.network();
             let rivers: Vec<Vec<Place>> = network.rivers.iter().map(|river| network.middle(river)).collect();
@@ -195,6 +204,64 @@ fn no_round_of_old_rivers_takes_long() {
             if !goes_on {
                 break;
             }
+        }
+    }
+}
+
+/// A river's course: where its vertices lie, how wide they count, and how far along it they are, in widths.
+fn course(meander: &Meander, river: u32) -> Vec<(Vec2, f32, f32)> {
+    let (network, spacing) = (meander.network(), meander.settings().spacing);
+    let own = &network.vertices[network.rivers[river as usize].vertex_range()];
+    let (mut along, mut last) = (0.0, own[0].at);
+    let place = |vertex: &riverseed::Vertex| {
+        let width = vertex.width().max(spacing);
+        along += last.distance(vertex.at) / width;
+        last = vertex.at;
+        (vertex.at, width, along)
+    };
+    own.iter().map(place).collect()
+}
+
+/// The longest way of a course that keeps within a quarter of its width of a straight line, in widths.
+fn longest_chord(course: &[(Vec2, f32, f32)]) -> f32 {
+    let is_straight = |from: usize, to: usize| {
+        let ((a, width, _), b) = (course[from], course[to].0);
+        let way = (b - a).normalize_or_zero();
+        course[from..to].iter().all(|(at, ..)| (*at - a).perp_dot(way).abs() < 0.25 * width)
+    };
+    let chord = |from: usize| {
+        let end = (from + 1..course.len()).take_while(|&to| is_straight(from, to)).last().unwrap_or(from);
+        course[end].2 - course[from].2
+    };
+    (0..course.len()).map(chord).fold(0.0, f32::max)
+}
+
+/// How much a course turns from the width above each vertex to the width below it, in degrees.
+fn turns(course: &[(Vec2, f32, f32)]) -> Vec<f32> {
+    let place = |along: f32| course[course.partition_point(|at| at.2 < along).min(course.len() - 1)].0;
+    let length = course[course.len() - 1].2;
+    let inner = course.iter().filter(|(.., along)| (1.0..length - 1.0).contains(along));
+    inner.map(|&(at, _, s)| (at - place(s - 1.0)).angle_to(place(s + 1.0) - at).abs().to_degrees()).collect()
+}
+
+/// No line is longer than those that grow, and hardly a corner is sharp: what turns by more than 75° in two widths is at most a
+/// thirtieth of the great rivers of `flow`, and an eighth of those of `bend`, which wind more.
+#[test]
+fn old_courses_are_neither_chords_nor_hooks() {
+    for (model, most) in [("bend", 1.0 / 8.0), ("flow", 1.0 / 30.0)] {
+        for recipe in HELD {
+            grow_old(&format!("{recipe}&meander={model}"), |meander| {
+                if ![100, 200, 400].contains(&meander.rounds()) {
+                    return;
+                }
+                let courses: Vec<_> =
+                    meander.past().great_rivers().iter().map(|&river| course(meander, river)).collect();
+                let chord = courses.iter().map(|course| longest_chord(course)).fold(0.0, f32::max);
+                let turns: Vec<f32> = courses.iter().flat_map(|course| turns(course)).collect();
+                let hooks = turns.iter().filter(|turn| **turn > 75.0).count() as f32 / turns.len() as f32;
+                let seen = format!("{recipe}, {model}, round {}: {chord} widths straight, {hooks}", meander.rounds());
+                assert!(chord < 12.0 && hooks < most, "{seen}");
+            });
         }
     }
 }

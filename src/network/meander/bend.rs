@@ -87,6 +87,12 @@ impl Course {
         direction(self.at[(i + 1).min(self.at.len() - 1)] - self.at[i.saturating_sub(1)])
     }
 
+    /// Curvature times width where it may be sharper than the sharpest, up to 1.7 of it.
+    pub fn uncapped(&self, i: usize) -> f32 {
+        let beyond = fast_max(self.kink[i] - (1.0 - NEARLY), 0.0);
+        self.bend[i] + beyond.copysign(self.bend[i])
+    }
+
     /// The way that takes a kink out of a line.
     pub fn ease(&self, i: usize) -> Vec2 {
         ((self.at[i - 1] + self.at[i + 1]) * 0.5 - self.at[i]) * (EASE * self.kink[i])

@@ -4,6 +4,10 @@
 //! With R₀ = κ W, the rate is R₁(s) = Ω R₀(s) + Γ ∫ R₀(s − ξ) G(ξ) dξ / ∫ G dξ, Ω = −1, Γ = 2.5, G = exp(−ξ / memory), the memory
 //! about 1.4 widths (as meanderpy has it), times sinuosity^(−2/3), since a longer river is less steep. Short bends fade, those of
 //! some eleven widths grow fastest. The integral is a recursive filter, one pass down the river.
+//!
+//! From upstream alone, bends travel faster than they grow. Between junctions, which hold, they would all crowd at the lower end as
+//! hooks and leave straight lines behind. So part of the integral looks downstream, as bends of wide rivers do act upstream
+//! (Zolezzi and Seminara 2001): a second pass, up the river. Waves of each length grow as fast as before and travel more slowly.
 
 use glam::Vec2;
 
@@ -17,6 +21,9 @@ const GAMMA: f32 = 2.5;
 /// In widths.
 const MEMORY: f32 = 1.4;
 
+/// The share of the integral that looks downstream: at a half, bends would not travel at all.
+const DOWNSTREAM: f32 = 0.4;
+
 /// How far a bank moves in a round at full strength where the rate is one, in widths.
 const PACE: f32 = 0.66;
 
@@ -29,23 +36,34 @@ pub(super) fn moves(network: &Network, step_scale: &[f32], settings: &NetworkSet
             continue;
         }
         course.read(network, river, settings);
+        let around = around(&course);
         let slackening = libm::powf(network.sinuosity(river), -2.0 / 3.0);
-        let mut upstream = 0.0f32;
         for (i, (&step_scale, way)) in
             step_scale[river.vertex_range()].iter().zip(&mut moves[river.vertex_range()]).enumerate()
         {
-            let width = course.width[i];
-            // The mean upstream, weighted by G, after another step.
-            upstream += (course.bend[i] - upstream) * (1.0 - libm::expf(-course.step[i] / (MEMORY * width)));
             if step_scale == 0.0 || i == 0 || i + 1 == course.at.len() {
                 continue;
             }
-            let rate = (OMEGA * course.bend[i] + GAMMA * upstream) * slackening;
-            let outward = course.tangent(i).perp() * (-rate * PACE * settings.strength * width);
+            let rate = (OMEGA * course.uncapped(i) + GAMMA * around[i]) * slackening;
+            let outward = course.tangent(i).perp() * (-rate * PACE * settings.strength * course.width[i]);
             *way = (outward + course.ease(i)) * step_scale;
         }
     }
     moves
+}
+
+/// The mean curvature up and down the river from each vertex, weighted by G. Beyond its end it is taken to bend as above it.
+fn around(course: &Course) -> Vec<f32> {
+    let mut around = vec![0.0; course.bend.len()];
+    let mut mean = 0.0f32;
+    let mut take = |i: usize, step: f32, share: f32| {
+        mean += (course.bend[i] - mean) * (1.0 - libm::expf(-step / (MEMORY * course.width[i])));
+        around[i] += mean * share;
+    };
+    let count = course.bend.len();
+    (0..count).for_each(|i| take(i, course.step[i], 1.0 - DOWNSTREAM));
+    (0..count).rev().for_each(|i| take(i, course.step.get(i + 1).copied().unwrap_or(0.0), DOWNSTREAM));
+    around
 }
 
 #[cfg(test)]
@@ -80,12 +98,17 @@ mod tests {
     }
 
     #[test]
-    fn a_river_moves_only_below_where_it_bends() {
-        // Straight for sixty units, then bent.
-        let mut line: Vec<Vec2> = (0..60).map(|x| Vec2::new(x as f32 - 40.0, 400.0)).collect();
-        line.extend(sine_generated(0.6, 60.0, 2, 60));
+    fn a_bend_moves_what_is_near_and_more_of_it_downstream() {
+        // Straight, then half a wave, then straight, with middles 60 units from each other.
+        let bend = sine_generated(0.6, 60.0, 1, 60);
+        let (first, last) = (bend[15], bend[45]);
+        let before = (1..=60).rev().map(|i| first - (bend[16] - bend[15]) * i as f32);
+        let after = (1..=60).map(|i| last + (bend[45] - bend[44]) * i as f32);
+        let line: Vec<Vec2> = before.chain(bend[15..=45].iter().copied()).chain(after).collect();
         let far = sideways(&line, moves);
-        assert!(far[..50].iter().all(|far| far.abs() < 1e-3));
-        assert!(far[70..100].iter().any(|far| far.abs() > 0.1));
+        let sum = |range: std::ops::Range<usize>| far[range].iter().map(|far| far.abs()).sum::<f32>();
+        let (above, below) = (sum(40..52), sum(98..110));
+        assert!(above > 0.1 && below > 1.2 * above, "{above} above, {below} below");
+        assert!(far[..20].iter().chain(&far[130..]).all(|far| far.abs() < 0.01));
     }
 }
