@@ -26,6 +26,8 @@ export interface Answer {
   body?: string | Buffer;
   /** It is begun and never ended: what there is of the body comes, and nothing more. */
   hangs?: boolean;
+  /** What comes later than the body. */
+  rest?: Promise<string>;
 }
 
 export class Host {
@@ -40,14 +42,14 @@ export class Host {
     server.on("request", async ({ url }, response) => {
       const path = decodeURIComponent(new URL(url ?? "/", "http://host").pathname);
       this.asked.push(path);
-      const { status = 200, headers, body, hangs } = this.#answers.get(path) ?? (await this.#file(path));
+      const { status = 200, headers, body, hangs, rest } = this.#answers.get(path) ?? (await this.#file(path));
       response.writeHead(status, {
         "content-type": this.types[extname(path)] ?? TYPES[".html"],
         ...this.headers,
         ...headers,
       });
-      if (!hangs) response.end(body);
-      else if (body !== undefined) response.write(body);
+      if (body !== undefined) response.write(body);
+      if (!hangs) response.end(await rest);
     });
   }
 
