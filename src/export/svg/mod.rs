@@ -2,7 +2,8 @@
 //!
 //! Lengths are domain units, y runs down, numbers are rounded to a hundredth. Rivers stand in a group for each of
 //! Strahler's orders (`order-3`), each with its number (`river-12`) and, as data, its parent, order, magnitude and discharge; lakes
-//! are `oxbow-3`, and former beds of great rivers as they were after so many rounds of meandering `round-3`. The link of the recipe is in the file's metadata.
+//! are `oxbow-3`, and former beds of great rivers as they were after so many rounds of meandering `round-3`. The link of the recipe is
+//! in the file's metadata.
 
 mod beds;
 mod ground;
