@@ -10,8 +10,9 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 source scripts/env.sh
 
-# notices FILE
+# notices FILE. All crates are looked at, also those for other machines, which no build here has fetched.
 notices() {
+  cargo fetch --quiet --locked
   cargo about generate --frozen --all-features --fail --config .cargo/about.toml --output-file "$1" .cargo/about.hbs
 }
 

@@ -14,6 +14,7 @@ supply() { run on_machine "$checkout/scripts/supply.sh" "$@"; }
   supply check
   succeeded
   [[ $output == "" ]] || fail "it said something"
+  called 1 "cargo fetch --quiet --locked"
   called 1 "cargo about generate --frozen --all-features --fail"
   called 1 "cargo deny .*check licenses bans sources"
   called 1 "cargo deny .*check advisories"

@@ -242,6 +242,7 @@ fn coloured(basins: &[Neighbours], colours: &[Colour]) -> Vec<u8> {
 mod tests {
     use super::*;
     use crate::recipe::link;
+    use crate::relief::Flow;
     use crate::session::Session;
 
     const COLOURS: &[Colour] = &[[250, 0, 0], [0, 250, 0], [0, 0, 250], [250, 250, 0], [0, 250, 250], [250, 0, 250]];
@@ -275,6 +276,28 @@ mod tests {
                 let others = others.iter().filter(|&&other| other > 0);
                 others.for_each(|&other| assert_ne!(colour(basin), colour(other as usize), "{land}: {basin}, {other}"));
             }
+        }
+    }
+
+    #[test]
+    fn pictures_and_files_have_the_same_basins() {
+        for (land, growth) in
+            [("island", "drainage"), ("archipelago", "colonize"), ("valley", "drainage"), ("basin", "brownian")]
+        {
+            let text = format!("seed=kea&land={land}&growth={growth}&attractors=2500&style=basins");
+            let mut session = Session::new(link::read(&text).unwrap()).unwrap();
+            session.finish().unwrap();
+            let (relief, network) = (session.relief().unwrap(), session.network().unwrap());
+            let basins = Basins::new(relief, network, COLOURS);
+            let flow = Flow::new(relief, network, &session.relief_settings()).unwrap();
+            let of_file = flow.basins.iter().zip(&basins.cells).filter(|(number, _)| **number > 0);
+            let (mut same, mut all) = (0, 0);
+            for (&number, &colour) in of_file {
+                all += 1;
+                same += usize::from(colour == basins.rivers[flow.mouths[number as usize - 1] as usize]);
+            }
+            // Files go by the steepest way, pictures by the lowest neighbour and the banks of wide rivers.
+            assert!(same * 100 > all * 97, "{land}, {growth}: {same} of {all} cells");
         }
     }
 
