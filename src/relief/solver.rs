@@ -2,12 +2,12 @@
 
 use thiserror::Error;
 
-use super::Relief;
 use super::cells::Cells;
 use super::channels::Channels;
 use super::march::{March, Sources};
 use super::settings::ReliefSettings;
 use super::steepness::Steepness;
+use super::{Grid, Relief};
 use crate::memory::{Refused, ask, lengthen, reserve};
 use crate::network::Network;
 use crate::work;
@@ -28,6 +28,8 @@ pub enum ReliefError {
 #[derive(Clone, Debug)]
 pub struct ReliefSolver {
     settings: ReliefSettings,
+    /// The height of the water at each vertex, if another relief has found it: it is not corrected again.
+    given: Option<Vec<f32>>,
     /// About how much memory it takes.
     bytes: usize,
     next: Part,
@@ -82,10 +84,11 @@ impl ReliefSolver {
         /// Six numbers, two entries of a queue, the finished height; and paths where rivers have few vertices.
         const BYTES_A_CELL: usize = 64;
         const BYTES_A_VERTEX: usize = 40;
-        let (columns, rows) = Cells::size(&settings.domain);
+        let Grid { columns, rows, .. } = settings.grid;
         let this = Self {
             settings,
-            bytes: columns * rows * BYTES_A_CELL + network.vertices.len() * BYTES_A_VERTEX,
+            given: None,
+            bytes: (columns + 2) * (rows + 2) * BYTES_A_CELL + network.vertices.len() * BYTES_A_VERTEX,
             next: Part::Cells,
             cells: Cells::default(),
             steepness: Steepness::default(),
@@ -95,6 +98,19 @@ impl ReliefSolver {
         };
         ask(this.bytes).map_err(|_| this.refused())?;
         Ok(this)
+    }
+
+    /// The same with rivers as high as another relief has them, in units: only the land between them is solved.
+    ///
+    /// # Errors
+    /// If there is not enough memory.
+    #[cfg(feature = "files")]
+    pub(super) fn with_water(
+        network: &Network,
+        settings: ReliefSettings,
+        water: Vec<f32>,
+    ) -> Result<Self, ReliefError> {
+        Ok(Self { given: Some(water), ..Self::new(network, settings)? })
     }
 
     /// About how many bytes of memory it takes.
@@ -156,11 +172,12 @@ impl ReliefSolver {
                 let cells = self.cells.inland.len();
                 lengthen(&mut self.river_heights, cells, f32::INFINITY)?;
                 self.march = March::new(cells)?;
-                self.channels = Channels::new(network, self.settings.total_discharge)?;
+                self.channels = Channels::new(network, self.settings.total_discharge, self.given.as_deref())?;
                 Part::Channels
             }
             Part::Channels => match self.channels.walk(&self.cells, network)? {
                 true => self.next,
+                false if self.given.is_some() => Part::Meet(0),
                 false => self.restart(false, Part::Lower(0)),
             },
             Part::Lower(times) => match self.march(false) {
@@ -169,7 +186,7 @@ impl ReliefSolver {
             },
             Part::Meet(times) => self.meet(times + 1),
             Part::Fall => {
-                self.channels.let_fall();
+                self.channels.let_fall(&self.cells);
                 self.restart(true, Part::March)
             }
             Part::March => match self.march(true) {
@@ -231,7 +248,7 @@ impl ReliefSolver {
             }));
         }
         work::count(heights.len());
-        Ok(Relief { columns: columns - 2, rows: rows - 2, heights })
+        Ok(Relief { grid: self.settings.grid, heights })
     }
 }
 

@@ -29,10 +29,10 @@ impl Steepness {
         let ground = Ground::new(settings);
         let mut this = Self::default();
         lengthen(&mut this.nearness, cells.inland.len(), 1.0)?;
-        lengthen(&mut this.rises, cells.inland.len(), CELL_SIZE)?;
+        lengthen(&mut this.rises, cells.inland.len(), cells.size)?;
         work::count(cells.inland.len());
         for cell in cells.land() {
-            this.rises[cell] = CELL_SIZE * slope(settings, cells.inland[cell]) * ground.at(cells.point(cell));
+            this.rises[cell] = cells.size * slope(settings, cells.inland[cell]) * ground.at(cells.point(cell));
         }
         Ok(this)
     }
@@ -49,6 +49,7 @@ impl Steepness {
                 return Some(i);
             }
             let radius = vertex.width() * WIDTHS;
+            // Of the map's own cells: on a finer grid the same rivers have valleys.
             if radius > 1.5 * CELL_SIZE {
                 self.come_near(cells, vertex.at, radius);
             }

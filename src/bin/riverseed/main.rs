@@ -20,8 +20,8 @@ use clap::{Arg, ArgAction, ArgMatches, Command, crate_version, value_parser};
 use indicatif::{ProgressBar, ProgressStyle};
 use riverseed::digest::DigestError;
 use riverseed::domain::Domain;
-use riverseed::export;
 use riverseed::export::rasters::{Layer, Rasters};
+use riverseed::export::{self, ExportError};
 use riverseed::import::png::{Image, ImportError};
 use riverseed::land::Land;
 use riverseed::land::trace::{Traced, trace};
@@ -67,6 +67,8 @@ enum Failure {
     Ending { path: PathBuf },
     #[error("{option} does not go with {ending}")]
     Mismatch { option: &'static str, ending: &'static str },
+    #[error("--raster-size: {0}")]
+    RasterSize(ExportError),
     #[error("{}: {error}", path.display())]
     File { path: PathBuf, error: io::Error },
     #[error("--land {}: {reason}", path.display())]
@@ -82,7 +84,9 @@ enum Failure {
 impl Failure {
     fn exit_code(&self) -> ExitCode {
         match self {
-            Self::Recipe(_) | Self::Ending { .. } | Self::Mismatch { .. } | Self::Land { .. } => ExitCode::from(2),
+            Self::Recipe(_) | Self::Ending { .. } | Self::Mismatch { .. } | Self::RasterSize(_) | Self::Land { .. } => {
+                ExitCode::from(2)
+            }
             Self::Session(_)
             | Self::Paint(_)
             | Self::Digest(_)
@@ -132,6 +136,13 @@ fn render_command() -> Command {
                 .default_value("1200")
                 .help("The longer side of the picture")
                 .value_parser(value_parser!(u32).range(1..=i64::from(LONGEST_SIDE))),
+        )
+        .arg(
+            Arg::new("raster-size")
+                .long("raster-size")
+                .value_name("PIXELS")
+                .help("The longer side of rasters, alone or in a ZIP: at most 4096; at least, and by default, a pixel for 2 units of the map, which is 500 on a square map")
+                .value_parser(value_parser!(u32)),
         )
         .args(TABLE.iter().map(render_option))
 }
@@ -268,38 +279,75 @@ fn render(matches: &ArgMatches) -> Result<(), Failure> {
     if wants_size && !matches!(form, Form::Png | Form::Pack) {
         return Err(Failure::Mismatch { option: "--size", ending });
     }
+    let raster_size = matches.get_one::<u32>("raster-size").copied();
+    if raster_size.is_some() && !matches!(form, Form::Raster(_) | Form::Pack) {
+        return Err(Failure::Mismatch { option: "--raster-size", ending });
+    }
+    if let Some(size) = raster_size {
+        // Before anything grows.
+        Rasters::grid(&Domain::of(&order.recipe), size).map_err(Failure::RasterSize)?;
+    }
     order.say_what_is_idle(matches!(form, Form::Png | Form::Svg));
     let output = Output::open(output)?;
     match form {
-        Form::Png | Form::Pack => write_picture(output, order, form, size),
+        Form::Png => write_picture(output, order, size),
+        Form::Pack => write_pack(output, order, size, raster_size),
+        Form::Raster(layer) => write_raster(output, order, layer, raster_size),
         _ => write_network(output, order, form, wants_attractors),
     }
 }
 
-/// Writes the picture, alone or with all that games need.
-fn write_picture(output: Output, order: Order, form: Form, size: u32) -> Result<(), Failure> {
+fn write_picture(output: Output, order: Order, size: u32) -> Result<(), Failure> {
     let progress = progress(&order.recipe, size);
-    let domain = Domain::of(&order.recipe);
-    let height = View::height_for(&domain, size);
-    let (width, height) = if height <= size { (size, height) } else { (View::width_for(&domain, size), size) };
-    let mut picture = Picture::new(width, height)?;
-    let mut session = grow(order, &progress)?;
-    if form == Form::Pack {
-        // Once, for all files of the pack.
-        while session.raise_relief()? {}
-    }
+    let mut picture = picture(&order.recipe, size)?;
+    let session = grow(order, &progress)?;
     progress.set_message("painting");
     picture.paint(&session);
     progress.set_message("writing");
-    output.write(|out| {
-        if form == Form::Pack {
-            return Ok(export::pack::write(out, &session, picture.pixmap())?);
-        }
-        let link = link::write(session.recipe());
-        Ok(export::png::write(out, picture.pixmap(), &link).map_err(io::Error::from)?)
-    })?;
+    let link = link::write(session.recipe());
+    output.write(|out| Ok(export::png::write(out, picture.pixmap(), &link).map_err(io::Error::from)?))?;
     progress.finish_and_clear();
     Ok(())
+}
+
+/// Writes the picture with all that games need.
+fn write_pack(output: Output, order: Order, size: u32, raster_size: Option<u32>) -> Result<(), Failure> {
+    let progress = progress(&order.recipe, size.max(raster_size.unwrap_or(0)));
+    let mut picture = picture(&order.recipe, size)?;
+    let mut session = grow(order, &progress)?;
+    // Once, for all files of the pack.
+    while session.raise_relief()? {}
+    let rasters = rasters(&session, raster_size, &progress)?;
+    progress.set_message("painting");
+    picture.paint(&session);
+    progress.set_message("writing");
+    output.write(|out| Ok(export::pack::write(out, &session, &rasters, picture.pixmap())?))?;
+    progress.finish_and_clear();
+    Ok(())
+}
+
+/// Room for a picture whose longer side is that long.
+fn picture(recipe: &Recipe, size: u32) -> Result<Picture, PaintError> {
+    let domain = Domain::of(recipe);
+    let height = View::height_for(&domain, size);
+    let (width, height) = if height <= size { (size, height) } else { (View::width_for(&domain, size), size) };
+    Picture::new(width, height)
+}
+
+fn write_raster(output: Output, order: Order, layer: Layer, size: Option<u32>) -> Result<(), Failure> {
+    let progress = progress(&order.recipe, size.unwrap_or(0));
+    let session = grow(order, &progress)?;
+    let rasters = rasters(&session, size, &progress)?;
+    progress.set_message("writing");
+    output.write(|out| Ok(export::png::write_raster(out, &rasters, layer).map_err(io::Error::from)?))?;
+    progress.finish_and_clear();
+    Ok(())
+}
+
+fn rasters(session: &Session, size: Option<u32>, progress: &ProgressBar) -> Result<Rasters, Failure> {
+    progress.set_message("raising land");
+    let rasters = size.map_or_else(|| Rasters::new(session), |size| Rasters::with_size(session, size));
+    Ok(rasters.map_err(io::Error::other)?)
 }
 
 fn write_network(output: Output, order: Order, form: Form, with_attractors: bool) -> Result<(), Failure> {
@@ -310,18 +358,12 @@ fn write_network(output: Output, order: Order, form: Form, with_attractors: bool
         match form {
             Form::Svg => out.write_all(export::svg::svg(&session).map_err(io::Error::other)?.as_bytes())?,
             Form::GeoJson => export::geojson::write(&mut *out, &session)?,
-            Form::Raster(layer) => return write_raster(out, &session, layer),
-            Form::Png | Form::Pack | Form::Json => export::json::write(&mut *out, &session, with_attractors)?,
+            _ => export::json::write(&mut *out, &session, with_attractors)?,
         }
         Ok(writeln!(out)?)
     })?;
     progress.finish_and_clear();
     Ok(())
-}
-
-fn write_raster(out: &mut dyn Write, session: &Session, layer: Layer) -> Result<(), Failure> {
-    let rasters = Rasters::new(session).map_err(io::Error::other)?;
-    Ok(export::png::write_raster(out, &rasters, layer).map_err(io::Error::from)?)
 }
 
 /// What a call asks for: a recipe, and the land itself if that is given as a picture.
