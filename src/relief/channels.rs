@@ -11,7 +11,7 @@ use crate::network::{NONE, Network, River, hydrology};
 use crate::work;
 
 /// A cell that a river passes, and the height of the water there, in units.
-type Step = (u32, f32);
+pub(super) type Step = (u32, f32);
 
 /// A river's path.
 #[derive(Clone, Copy, Debug)]
@@ -143,6 +143,12 @@ impl Channels {
     #[cfg(feature = "files")]
     pub fn paths(&self) -> impl Iterator<Item = impl Iterator<Item = usize> + '_> + '_ {
         self.paths.iter().map(|path| self.steps[path.range()].iter().map(|&(cell, _)| cell as usize))
+    }
+
+    /// Each river's cells with the height of the water there, and those of its junction.
+    #[cfg(test)]
+    pub fn rivers(&self) -> impl Iterator<Item = (&[Step], Option<Step>)> + '_ {
+        self.paths.iter().map(|path| (&self.steps[path.range()], self.steps.get(path.junction as usize).copied()))
     }
 
     /// How many cells rivers pass, each as often as they do.
