@@ -61,7 +61,6 @@ fn fitting(cells: f64) -> usize {
 }
 
 #[cfg(all(test, feature = "files"))]
-#[allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 mod tests {
     use super::*;
 
