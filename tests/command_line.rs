@@ -136,6 +136,40 @@ fn name_says_which_raster_is_written_and_zip_holds_them_all() {
 }
 
 #[test]
+fn rasters_have_the_size_asked_for_alone_and_in_a_pack() {
+    const LINK: &str = "seed=rata&attractors=200&aspect=2";
+    let written = |name: &str, more: &[&str]| {
+        let out = scratch(name);
+        let output = riverseed(&[&["render", LINK, "-o", out.to_str().unwrap()], more].concat());
+        assert!(output.status.success() && output.stderr.is_empty(), "{output:?}");
+        fs::read(out).unwrap()
+    };
+    let alone = written("finer.land.png", &["--raster-size", "1024"]);
+    let info = png::Decoder::new(std::io::Cursor::new(&alone)).read_info().unwrap();
+    assert_eq!((info.info().width, info.info().height), (1024, 512));
+    let pack = written("finer.zip", &["--size", "64", "--raster-size", "1024"]);
+    let archive = rawzip::ZipArchive::from_slice(&pack).unwrap();
+    let (mut entries, mut land) = (archive.entries(), Vec::new());
+    while let Some(entry) = entries.next_entry().unwrap() {
+        if entry.file_path().try_normalize().unwrap().as_ref() == "land.png" {
+            let content = archive.get_entry(entry.wayfinder()).unwrap();
+            flate2::read::DeflateDecoder::new(content.data()).read_to_end(&mut land).unwrap();
+        }
+    }
+    assert!(land == alone);
+    let refused = |size: &str, out: &str| refusal(&["render", LINK, "--raster-size", size, "-o", out]);
+    for size in ["707", "4097"] {
+        let text =
+            format!("riverseed: --raster-size: rasters of this map are from 708 to 4096 pixels long, not {size}\n");
+        assert_eq!(refused(size, "x.heights.png"), (2, text.clone()));
+        assert_eq!(refused(size, "x.zip"), (2, text));
+    }
+    assert_eq!(refused("-3", "x.zip").0, 2);
+    assert_eq!(refused("1024", "x.png"), (2, "riverseed: --raster-size does not go with .png\n".into()));
+    assert_eq!(refused("1024", "x.json"), (2, "riverseed: --raster-size does not go with .json\n".into()));
+}
+
+#[test]
 fn rivers_are_in_the_network_with_what_they_were_made_by() {
     let network =
         network("rivers.json", &["growth=colonize&valleys=0&attractors=400&meander=flow&meander-rounds=3&simplify=50"]);

@@ -19,8 +19,6 @@ from pysheds.grid import Grid
 from pysheds.view import Raster, ViewFinder
 from scipy.ndimage import label
 
-# Metres of map are of no matter here: a cell is 2 units, whatever they are.
-CELL = 2.0
 NO_DATA = -1
 # North, north-east and so on: the codes of ESRI.
 DIRECTIONS = (64, 128, 1, 2, 4, 8, 16, 32)
@@ -42,12 +40,14 @@ LINKS = (
     "seed=rimu&growth=brownian",
     "seed=kea&growth=colonize&curl=0.6&trim=12",
 )
+# The same of a finer grid.
+FINER = ("seed=kauri", "--raster-size", "1500")
 
 
-def pack(program, link):
+def pack(program, link, *options):
     """The files that Riverseed writes for a link."""
     with tempfile.NamedTemporaryFile(suffix=".zip") as file:
-        subprocess.run([program, "render", link, "-o", file.name, "--size", "64"], check=True)
+        subprocess.run([program, "render", link, "-o", file.name, "--size", "64", *options], check=True)
         with zipfile.ZipFile(file.name) as archive:
             return {name: archive.read(name) for name in archive.namelist()}
 
@@ -57,11 +57,11 @@ def picture(files, name):
     return np.asarray(image).astype(np.int64), image.text
 
 
-def elevation(heights, land, sea):
+def elevation(heights, land, sea, cell):
     """Heights as pysheds takes them, with a rim of sea: the sea is level, or no data."""
     heights, land = np.pad(heights, 1), np.pad(land, 1)
     values = np.where(land, heights, NO_DATA if sea is None else sea).astype(np.float64)
-    view = ViewFinder(affine=Affine(CELL, 0, 0, 0, -CELL, 0), shape=values.shape, nodata=np.float64(NO_DATA))
+    view = ViewFinder(affine=Affine(cell, 0, 0, 0, -cell, 0), shape=values.shape, nodata=np.float64(NO_DATA))
     return Raster(values, view)
 
 
@@ -76,10 +76,10 @@ def with_canals(land):
     return cut
 
 
-def filled(heights, land, sea):
+def filled(heights, land, sea, cell):
     """How many cells of land pysheds fills. The sea is level."""
     cut = with_canals(land)
-    before = elevation(heights, cut, sea)
+    before = elevation(heights, cut, sea, cell)
     grid = Grid(viewfinder=before.viewfinder)
     # It works in place.
     after = [fill(before.copy()) for fill in (grid.fill_pits, grid.fill_depressions)]
@@ -142,33 +142,34 @@ def places(files, size):
             yield from zip((line[1:] + line[:-1]) / 2, np.hypot(*(line[1:] - line[:-1]).T))
 
 
-def follow(grid, dem, ours, files, size):
+def follow(grid, dem, ours, files, size, cell):
     """Length of our rivers, and of what has, within two cells, a cell that at least half as much water gathers in."""
     flow = grid.flowdir(grid.resolve_flats(dem), dirmap=DIRECTIONS)
     theirs = greatest_near(np.asarray(grid.accumulation(flow, dirmap=DIRECTIONS))[1:-1, 1:-1])
     length = found = 0.0
     for at, way in places(files, size):
-        column, row = np.minimum((np.maximum(at, 0) // CELL).astype(int), [ours.shape[1] - 1, ours.shape[0] - 1])
+        column, row = np.minimum((np.maximum(at, 0) // cell).astype(int), [ours.shape[1] - 1, ours.shape[0] - 1])
         length += way
         found += way * bool(theirs[row, column] >= HALF * ours[row, column])
     return length, found
 
 
-def check(program, link):
-    files = pack(program, link)
+def check(program, link, *options):
+    files = pack(program, link, *options)
     heights, texts = picture(files, "heights.png")
     land = picture(files, "land.png")[0] > 0
-    sea = int(texts["sea-level"])
-    changed = filled(heights, land, sea)
-    assert filled(with_holes(heights, land, sea), land, sea) >= 4, "holes are not found"
-    dem = elevation(heights, land, None)
+    sea, cell = int(texts["sea-level"]), float(texts["units-a-pixel"])
+    changed = filled(heights, land, sea, cell)
+    assert filled(with_holes(heights, land, sea), land, sea, cell) >= 4, "holes are not found"
+    dem = elevation(heights, land, None, cell)
     ours = gathered_by(picture(files, "flow.png")[0], land)
     size = np.array([float(length) for length in texts["map-units"].split(" x ")])
-    length, found = follow(Grid(viewfinder=dem.viewfinder), dem, ours, files, size)
+    length, found = follow(Grid(viewfinder=dem.viewfinder), dem, ours, files, size, cell)
     share = found / length if length else 1.0
-    print(f"{link}: {changed} of {land.sum()} cells filled; {share:.1%} of {length:.0f} units of river found", flush=True)
+    called = " ".join((link, *options))
+    print(f"{called}: {changed} of {land.sum()} cells filled; {share:.1%} of {length:.0f} units of river found", flush=True)
     return changed == 0 and found >= SHARE * length
 
 
 if __name__ == "__main__":
-    sys.exit(0 if all([check(sys.argv[1], link) for link in LINKS]) else 1)
+    sys.exit(0 if all([check(sys.argv[1], *call) for call in (*zip(LINKS), FINER)]) else 1)

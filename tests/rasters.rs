@@ -188,13 +188,67 @@ fn every_raster_is_read_back_as_it_was() {
 }
 
 #[test]
+fn finer_rasters_are_true_to_their_scale_and_water_runs_to_the_sea_on_them() {
+    for (text, size) in [
+        ("seed=kea&attractors=1500", 1025),
+        ("seed=rimu&attractors=1500&land=rectangle&growth=colonize&aspect=0.7", 1500),
+        ("seed=matai&land=valley&growth=brownian&sensitivity=24", 2048),
+    ] {
+        let session = finished(text);
+        let rasters = Rasters::with_size(&session, size).unwrap();
+        let (own, map) = (Rasters::new(&session).unwrap(), session.domain().size);
+        assert_eq!(rasters.columns.max(rasters.rows), size as usize);
+        check_flow(&session, &rasters);
+        check_heights(&rasters);
+        let (_, _, _, texts) = read(&file(&rasters, Layer::Land));
+        let text = |keyword: &str| texts.iter().find(|(own, _)| own == keyword).unwrap().1.clone();
+        let longer = text("units-a-pixel").parse::<f32>().unwrap() * size as f32;
+        assert!((longer - map.max_element()).abs() < 0.01, "{longer}");
+        assert!(pack::readme(&rasters).contains(&format!("{} x {} pixels", rasters.columns, rasters.rows)));
+        assert!(pack::readme(&rasters).contains(&format!("A pixel is {0} x {0} units", text("units-a-pixel"))));
+        // The same land, as a share of the map, and the same rivers.
+        let share = |rasters: &Rasters, layer| {
+            let Values::Bytes(values) = rasters.values(layer) else { panic!("no bytes") };
+            values.iter().filter(|value| **value > 0).count() as f32 * rasters.cell_size.powi(2) / 1e6
+        };
+        assert!((share(&rasters, Layer::Land) - share(&own, Layer::Land)).abs() < 0.005);
+        assert_eq!(rasters.flow().mouths, own.flow().mouths);
+        let widest = |rasters: &Rasters| match rasters.values(Layer::Rivers) {
+            Values::Words(widths) => widths.into_iter().max(),
+            Values::Bytes(_) => None,
+        };
+        assert_eq!(widest(&rasters), widest(&own), "in thousandths of a unit, however large cells are");
+    }
+}
+
+#[test]
+fn rasters_of_the_map_s_own_size_are_the_usual_ones_and_none_are_coarser_or_too_large() {
+    for (aspect, own) in [("1", 500), ("1.5", 613), ("0.25", 1000)] {
+        let session = finished(&format!("seed=kea&attractors=800&aspect={aspect}"));
+        let usual = Rasters::new(&session).unwrap();
+        let asked = Rasters::with_size(&session, own).unwrap();
+        assert!(asked == usual, "{aspect}");
+        assert!(Layer::ALL.into_iter().all(|layer| file(&asked, layer) == file(&usual, layer)), "{aspect}");
+        for size in [0, own - 1, 4097, u32::MAX] {
+            let refused = Rasters::with_size(&session, size).unwrap_err();
+            assert_eq!(refused, ExportError::RasterSize { size, least: own, most: 4096 });
+            let text = format!("rasters of this map are from {own} to 4096 pixels long, not {size}");
+            assert_eq!(refused.to_string(), text);
+        }
+    }
+    let growing = Session::new(Recipe::default()).unwrap();
+    assert_eq!(Rasters::with_size(&growing, 2048).unwrap_err(), ExportError::Unfinished);
+}
+
+#[test]
 fn pack_holds_every_file() {
     let session = finished("seed=kea&attractors=300");
     let mut picture = Picture::new(64, 64).unwrap();
     picture.paint(&session);
+    let rasters = Rasters::new(&session).unwrap();
     let written = || {
         let mut file = Vec::new();
-        pack::write(&mut file, &session, picture.pixmap()).unwrap();
+        pack::write(&mut file, &session, &rasters, picture.pixmap()).unwrap();
         file
     };
     let file = written();
@@ -210,7 +264,7 @@ fn pack_holds_every_file() {
     let wanted =
         ["README.txt", "heights.png", "land.png", "rivers.png", "flow.png", "basins.png", "map.geojson", "map.png"];
     assert_eq!(names, wanted);
-    let readme = pack::readme(&Rasters::new(&session).unwrap());
+    let readme = pack::readme(&rasters);
     for name in &wanted[1..] {
         assert!(readme.contains(&format!("\n{name}\n")), "{name}");
     }

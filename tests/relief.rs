@@ -15,6 +15,8 @@ use riverseed::network::NONE;
 #[cfg(feature = "files")]
 use riverseed::picture::Picture;
 use riverseed::recipe::{Key, link};
+#[cfg(feature = "files")]
+use riverseed::relief::Grid;
 use riverseed::relief::{CELL_SIZE, Relief};
 use riverseed::session::{Phase, Session};
 
@@ -50,8 +52,7 @@ fn leaves_the_map(session: &Session, relief: &Relief, cell: usize) -> bool {
 }
 
 /// The cells of land that have no lower neighbour and no sea beside them.
-fn pits(session: &Session) -> Vec<usize> {
-    let relief = relief(session);
+fn pits(session: &Session, relief: &Relief) -> Vec<usize> {
     let heights = relief.heights();
     let is_pit = |&cell: &usize| {
         heights[cell] > 0.0
@@ -62,7 +63,7 @@ fn pits(session: &Session) -> Vec<usize> {
 }
 
 fn cell_of(relief: &Relief, at: Vec2) -> usize {
-    let place = (at / CELL_SIZE).max(Vec2::ZERO);
+    let place = (at / relief.cell_size()).max(Vec2::ZERO);
     (place.y as usize).min(relief.rows() - 1) * relief.columns() + (place.x as usize).min(relief.columns() - 1)
 }
 
@@ -71,7 +72,7 @@ fn cells_of(relief: &Relief, course: &[Vec2]) -> Vec<usize> {
     let between = |pair: &[Vec2]| {
         let (from, to) = (pair[0], pair[1]);
         // As rivers are walked there: another rule could cut another corner.
-        let count = (from.distance(to) / (0.5 * CELL_SIZE)).ceil().max(1.0) as u32;
+        let count = (from.distance(to) / (0.5 * relief.cell_size())).ceil().max(1.0) as u32;
         (0..=count).map(move |i| from.lerp(to, i as f32 / count as f32))
     };
     let mut cells: Vec<usize> = course.windows(2).flat_map(between).map(|at| cell_of(relief, at)).collect();
@@ -79,18 +80,16 @@ fn cells_of(relief: &Relief, course: &[Vec2]) -> Vec<usize> {
     cells
 }
 
-/// Where rivers do not fall from one vertex's cell to a later one's, counted. Cells that are passed more than once are left out:
+/// Where rivers do not fall from one cell of their paths to a later one, counted. Cells that are passed more than once are left out:
 /// there the lower river counts.
-fn climbs(session: &Session) -> usize {
-    let (network, relief) = (session.network().unwrap(), relief(session));
+fn climbs(session: &Session, relief: &Relief) -> usize {
+    let network = session.network().unwrap();
     let course = |river| network.course(river).map(|vertex| vertex.at).collect::<Vec<_>>();
     let courses: Vec<Vec<usize>> = network.rivers.iter().map(|river| cells_of(relief, &course(river))).collect();
     let mut passed = vec![0; relief.heights().len()];
     courses.iter().flatten().for_each(|&cell| passed[cell] += 1);
     let mut climbs = 0;
-    for river in &network.rivers {
-        let mut cells: Vec<usize> = course(river).into_iter().map(|at| cell_of(relief, at)).collect();
-        cells.dedup();
+    for mut cells in courses {
         // At the sea's height rivers may be led on from their mouths.
         cells.retain(|&cell| passed[cell] == 1 && relief.heights()[cell] > 0.01);
         climbs += cells.windows(2).filter(|pair| relief.heights()[pair[1]] >= relief.heights()[pair[0]]).count();
@@ -107,8 +106,8 @@ proptest! {
         recipe.set(Key::Style, "atlas").unwrap();
         let mut session = Session::new(recipe).unwrap();
         session.finish().unwrap();
-        prop_assert_eq!(pits(&session), Vec::<usize>::new());
-        prop_assert_eq!(climbs(&session), 0);
+        prop_assert_eq!(pits(&session, relief(&session)), Vec::<usize>::new());
+        prop_assert_eq!(climbs(&session, relief(&session)), 0);
         prop_assert!(relief(&session).heights().iter().all(|height| height.is_finite()));
     }
 }
@@ -118,8 +117,79 @@ fn no_land_of_usual_maps_is_a_pit() {
     for land in common::lands::every_land() {
         for growth in ["drainage", "colonize", "brownian&sensitivity=24"] {
             let session = finished(&format!("seed=kea&{land}&growth={growth}&attractors=3000&style=night"));
-            assert_eq!((pits(&session), climbs(&session)), (vec![], 0), "{land}, {growth}");
+            let relief = relief(&session);
+            assert_eq!((pits(&session, relief), climbs(&session, relief)), (vec![], 0), "{land}, {growth}");
         }
+    }
+}
+
+/// The relief of a session on a finer grid, with so many cells on the longer side.
+#[cfg(feature = "files")]
+fn finer(session: &Session, cells: u32) -> Relief {
+    let mut settings = session.relief_settings();
+    settings.grid = Grid::with_longer_side(&settings.domain, cells).unwrap();
+    let own = session.make_relief().unwrap();
+    own.on_grid_of(session.network().unwrap(), settings).unwrap()
+}
+
+#[cfg(feature = "files")]
+proptest! {
+    #![proptest_config(large(40))]
+
+    #[test]
+    fn no_land_is_a_pit_and_no_river_climbs_on_finer_grids(text in random_link(1500), times in 1.01f32..4.0) {
+        let session = finished(&text);
+        let own = *Grid::sizes(&session.domain()).start();
+        let finer = finer(&session, ((own as f32 * times) as u32).min(2400));
+        prop_assert_eq!(pits(&session, &finer), Vec::<usize>::new());
+        prop_assert_eq!(climbs(&session, &finer), 0);
+        prop_assert!(finer.heights().iter().all(|height| height.is_finite()));
+    }
+}
+
+#[cfg(feature = "files")]
+#[test]
+fn no_land_of_usual_maps_is_a_pit_on_finer_grids() {
+    let sizes = [1025, 1500, 2049];
+    for (land, i) in common::lands::every_land().into_iter().zip(0..) {
+        for (growth, j) in ["drainage", "colonize", "brownian&sensitivity=24"].into_iter().zip(0..) {
+            let session = finished(&format!("seed=kea&{land}&growth={growth}&attractors=3000"));
+            let finer = finer(&session, sizes[(i + j) % 3]);
+            assert_eq!((pits(&session, &finer), climbs(&session, &finer)), (vec![], 0), "{land}, {growth}");
+        }
+    }
+    // The largest, on a map that is small there.
+    let session = finished("seed=kea&aspect=4&attractors=2000");
+    let finer = finer(&session, Grid::MOST);
+    assert_eq!((finer.columns(), finer.rows()), (4096, 1024));
+    assert_eq!((pits(&session, &finer), climbs(&session, &finer)), (vec![], 0));
+}
+
+/// The share of some values that is greater than a bound.
+#[cfg(feature = "files")]
+fn share_above(values: &[f32], bound: f32) -> f32 {
+    values.iter().filter(|value| **value > bound).count() as f32 / values.len() as f32
+}
+
+#[cfg(feature = "files")]
+#[test]
+fn finer_grids_keep_the_heights_of_rivers_and_the_shape_of_the_land() {
+    for text in ["seed=kea&attractors=3000", "seed=kea&growth=colonize&land=rectangle&attractors=3000"] {
+        let session = finished(text);
+        let (own, finer) = (session.make_relief().unwrap(), finer(&session, 2000));
+        let highest = own.quantile(0.99);
+        let rivers = session.network().unwrap().vertices.iter().filter(|vertex| own.at(vertex.at) > 0.0);
+        let off: Vec<f32> = rivers.map(|vertex| (finer.at(vertex.at) - own.at(vertex.at)).abs() / highest).collect();
+        // Within the fall of a cell or two: rivers have no stairs of cells here.
+        assert!(off.len() > 1000 && share_above(&off, 0.005) < 0.001 && share_above(&off, 0.01) == 0.0, "{text}");
+        let land = own.heights().iter().enumerate().filter(|(_, height)| **height > 0.0).map(|(cell, height)| {
+            let at = Vec2::new((cell % own.columns()) as f32, (cell / own.columns()) as f32) + 0.5;
+            (finer.at(at * CELL_SIZE) - height).abs() / highest
+        });
+        // Fast marching of the first order is a little too high, the more so the larger cells are.
+        let land: Vec<f32> = land.collect();
+        let (two, five) = (share_above(&land, 0.02), share_above(&land, 0.05));
+        assert!(two < 0.15 && five < 0.01, "{text}: {two} and {five} of the land are elsewhere");
     }
 }
 

@@ -160,7 +160,7 @@ impl Ground {
         let flow = Flow::new(relief, features.network, &session.relief_settings())?;
         let mut areas = vec![0.0; flow.mouths.len() + 1];
         flow.basins.iter().for_each(|&basin| areas[basin as usize] += CELL_SIZE * CELL_SIZE);
-        let basins = (1..).zip(&flow.mouths).zip(flow.basin_rings(relief.columns()));
+        let basins = (1..).zip(&flow.mouths).zip(flow.basin_rings(&relief.grid()));
         let basins = basins.map(|((number, &mouth), rings)| (number, mouth, areas[number as usize], on_grid(rings)));
         Ok(Self { land: on_grid(land), basins: basins.filter(|basin| !basin.3.is_empty()).collect() })
     }

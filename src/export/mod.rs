@@ -29,6 +29,16 @@ pub enum ExportError {
     /// There are no rivers yet.
     #[error("the rivers are still growing")]
     Unfinished,
+    /// Rasters of this map cannot have that many pixels.
+    #[error("rasters of this map are from {least} to {most} pixels long, not {size}")]
+    RasterSize {
+        /// What was asked for: pixels on the longer side.
+        size: u32,
+        /// The fewest that there can be.
+        least: u32,
+        /// The most.
+        most: u32,
+    },
     /// There was not enough memory.
     #[error("the file needs about {megabytes} MB, and the allocation failed")]
     OutOfMemory {

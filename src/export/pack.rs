@@ -12,10 +12,10 @@ use rawzip::{CompressionMethod, ZipArchiveWriter};
 #[cfg(feature = "cli")]
 use tiny_skia::Pixmap;
 
-use super::rasters::{Layer, Rasters, decimal};
+use super::rasters::{Layer, Rasters, decimal, shortest};
 #[cfg(feature = "cli")]
 use super::{geojson, png};
-use crate::relief::{CELL_SIZE, METRES};
+use crate::relief::METRES;
 #[cfg(feature = "cli")]
 use crate::session::Session;
 
@@ -40,7 +40,7 @@ pub fn readme(rasters: &Rasters) -> String {
         link = rasters.link,
         columns = rasters.columns,
         rows = rasters.rows,
-        pixel = decimal(CELL_SIZE.into(), 0),
+        pixel = shortest(rasters.cell_size.into(), 6),
         unit = decimal(METRES.into(), 0),
         deepest = decimal(scale.metres(0), 1),
         highest = decimal(scale.metres(u16::MAX), 1),
@@ -57,18 +57,18 @@ pub fn readme(rasters: &Rasters) -> String {
     text
 }
 
-/// Writes the archive, in the ZIP format. `picture` is that of the session. A recipe always gives the same bytes: files have no time.
+/// Writes the archive, in the ZIP format. `rasters` and `picture` are those of the session. A recipe always gives the same bytes: files
+/// have no time.
 ///
 /// # Errors
 /// If there are no rivers yet, or there is not enough memory; and those of the writer.
 #[cfg(feature = "cli")]
-pub fn write(out: impl Write, session: &Session, picture: &Pixmap) -> Result<()> {
-    let rasters = Rasters::new(session).map_err(Error::other)?;
+pub fn write(out: impl Write, session: &Session, rasters: &Rasters, picture: &Pixmap) -> Result<()> {
     let mut archive = ZipArchiveWriter::new(out);
-    add(&mut archive, README, |file| file.write_all(readme(&rasters).as_bytes()))?;
+    add(&mut archive, README, |file| file.write_all(readme(rasters).as_bytes()))?;
     for layer in Layer::ALL {
         let name = format!("{}.png", layer.name());
-        add(&mut archive, &name, |file| Ok(png::write_raster(file, &rasters, layer)?))?;
+        add(&mut archive, &name, |file| Ok(png::write_raster(file, rasters, layer)?))?;
     }
     add(&mut archive, FEATURES, |file| geojson::write(file, session))?;
     add(&mut archive, PICTURE, |file| Ok(png::write(file, picture, &rasters.link)?))?;

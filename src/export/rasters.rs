@@ -5,10 +5,13 @@ use std::sync::Arc;
 use glam::Vec2;
 
 use super::{ExportError, rivers};
+use crate::domain::Domain;
 use crate::network::Network;
 use crate::recipe::link;
-use crate::relief::{CELL_SIZE, Flow, METRES, Relief, ReliefError};
+use crate::relief::{CELL_SIZE, Flow, Grid, METRES, Relief, ReliefError, ReliefSettings};
 use crate::session::Session;
+
+const BYTES_A_VERTEX: usize = 40;
 
 /// The keyword of the text that holds the link, in every PNG.
 pub const LINK_KEYWORD: &str = "riverseed";
@@ -22,6 +25,8 @@ pub struct Rasters {
     pub columns: usize,
     /// How many rows of cells there are.
     pub rows: usize,
+    /// The side of a cell, in units.
+    pub cell_size: f32,
     /// Width and height of the map, in units: the last cells may reach beyond.
     pub size: Vec2,
     /// How heights are written.
@@ -105,19 +110,55 @@ impl Scale {
 }
 
 impl Rasters {
-    /// The rasters of a session's rivers as they are.
+    /// The rasters of a session's rivers as they are, on the map's own grid: a pixel is 2 x 2 units.
     ///
     /// # Errors
     /// If there are no rivers yet, or there is not enough memory.
     pub fn new(session: &Session) -> Result<Self, ExportError> {
-        const BYTES_A_VERTEX: usize = 40;
         let network = rivers(session, BYTES_A_VERTEX)?;
-        let relief = session.make_relief()?;
-        let flow = Flow::new(&relief, network, &session.relief_settings())?;
+        Self::of(session, network, session.make_relief()?, &session.relief_settings())
+    }
+
+    /// The same with so many pixels on the longer side, from those of the map's own grid (500 of a square map) to [`Grid::MOST`]. Rivers
+    /// are as high as on that; hillsides are solved anew.
+    ///
+    /// # Errors
+    /// If there are no rivers yet, rasters cannot be that long, or there is not enough memory: some 100 bytes a pixel.
+    pub fn with_size(session: &Session, size: u32) -> Result<Self, ExportError> {
+        let network = rivers(session, BYTES_A_VERTEX)?;
+        let mut settings = session.relief_settings();
+        let grid = Self::grid(&settings.domain, size)?;
+        let own = session.make_relief()?;
+        if grid == settings.grid {
+            return Self::of(session, network, own, &settings);
+        }
+        settings.grid = grid;
+        let finer = own.on_grid_of(network, settings.clone())?;
+        Self::of(session, network, finer.into(), &settings)
+    }
+
+    /// The pixels of rasters that are so long.
+    ///
+    /// # Errors
+    /// If rasters of this map cannot be that long.
+    pub fn grid(domain: &Domain, size: u32) -> Result<Grid, ExportError> {
+        let sizes = Grid::sizes(domain);
+        let refused = ExportError::RasterSize { size, least: *sizes.start(), most: *sizes.end() };
+        Grid::with_longer_side(domain, size).ok_or(refused)
+    }
+
+    fn of(
+        session: &Session,
+        network: &Network,
+        relief: Arc<Relief>,
+        settings: &ReliefSettings,
+    ) -> Result<Self, ExportError> {
+        let flow = Flow::new(&relief, network, settings)?;
         Ok(Self {
             link: link::write(session.recipe()),
             columns: relief.columns(),
             rows: relief.rows(),
+            cell_size: relief.cell_size(),
             size: session.domain().size,
             scale: Scale::of(relief.heights()),
             widths: widths(&relief, &flow, network),
@@ -148,10 +189,10 @@ impl Rasters {
                 decimal(metres_a_step, 6)
             ),
             Layer::Land => "255 is land, 0 is sea.".into(),
-            Layer::Rivers => {
-                "16-bit width of the river in thousandths of a unit (a pixel is 2000 wide), 0 where there is none."
-                    .into()
-            }
+            Layer::Rivers => format!(
+                "16-bit width of the river in thousandths of a unit (a pixel is {} wide), 0 where there is none.",
+                shortest(f64::from(self.cell_size) * 1000.0, 3)
+            ),
             Layer::Flow => {
                 "Where water runs (D8, as ESRI writes it): 1 east, 2 south-east, 4 south, 8 south-west, 16 west, \
                             32 north-west, 64 north, 128 north-east, 0 at sea."
@@ -170,7 +211,7 @@ impl Rasters {
         let mut texts = vec![
             (LINK_KEYWORD, self.link.clone()),
             ("Description", self.meaning(layer)),
-            ("units-a-pixel", decimal(CELL_SIZE.into(), 0)),
+            ("units-a-pixel", shortest(self.cell_size.into(), 6)),
             ("map-units", format!("{} x {}", decimal(self.size.x.into(), 4), decimal(self.size.y.into(), 4))),
         ];
         if layer == Layer::Heights {
@@ -203,6 +244,11 @@ pub(super) fn decimal(number: f64, places: u32) -> String {
     }
 }
 
+/// The same without decimal places where the number is whole.
+pub(super) fn shortest(number: f64, places: u32) -> String {
+    decimal(number, if number.fract() == 0.0 { 0 } else { places })
+}
+
 /// Rounded up, so that what has a width keeps one.
 fn thousandths(width: f32) -> u16 {
     (width * 1000.0).ceil().clamp(0.0, f32::from(u16::MAX)) as u16
@@ -215,7 +261,7 @@ fn widths(relief: &Relief, flow: &Flow, network: &Network) -> Vec<f32> {
         let course: Vec<_> = network.course(river).collect();
         for pair in course.windows(2) {
             let (from, to) = (pair[0], pair[1]);
-            let count = (from.at.distance(to.at) / (0.5 * CELL_SIZE)).ceil().max(1.0);
+            let count = (from.at.distance(to.at) / (0.5 * relief.cell_size())).ceil().max(1.0);
             for i in 0..=count as usize {
                 let share = i as f32 / count;
                 stamp(relief, &mut widths, from.at.lerp(to.at, share), from.width());
@@ -234,13 +280,13 @@ fn widths(relief: &Relief, flow: &Flow, network: &Network) -> Vec<f32> {
 /// A river of a width at a point.
 fn stamp(relief: &Relief, widths: &mut [f32], at: Vec2, width: f32) {
     let last = Vec2::new(relief.columns() as f32 - 1.0, relief.rows() as f32 - 1.0);
-    let cell = |point: Vec2| (point / CELL_SIZE).floor().clamp(Vec2::ZERO, last);
+    let cell = |point: Vec2| (point / relief.cell_size()).floor().clamp(Vec2::ZERO, last);
     let (first, end, own) = (cell(at - width * 0.5), cell(at + width * 0.5), cell(at));
     for row in first.y as usize..=end.y as usize {
         for column in first.x as usize..=end.x as usize {
             let here = Vec2::new(column as f32, row as f32);
             let index = row * relief.columns() + column;
-            let is_between = ((here + 0.5) * CELL_SIZE).distance(at) <= width * 0.5;
+            let is_between = ((here + 0.5) * relief.cell_size()).distance(at) <= width * 0.5;
             if (is_between || here == own) && relief.heights()[index] > 0.0 {
                 widths[index] = widths[index].max(width);
             }
@@ -270,6 +316,10 @@ mod tests {
         let refused = with_lists_up_to(10_000_000, || Rasters::new(&session)).unwrap_err();
         assert!(matches!(refused, ExportError::OutOfMemory { megabytes } if megabytes > 10), "{refused}");
         assert!(Rasters::new(&session).is_ok());
+        // A finer relief than the one that is there has to be made.
+        let refused = with_lists_up_to(100_000_000, || Rasters::with_size(&session, 2048)).unwrap_err();
+        assert!(matches!(refused, ExportError::OutOfMemory { megabytes } if megabytes > 100), "{refused}");
+        assert!(Rasters::with_size(&session, 700).is_ok());
     }
 
     #[test]

@@ -2,9 +2,8 @@
 
 use glam::Vec2;
 
-use super::CELL_SIZE;
+use super::Grid;
 use super::settings::ReliefSettings;
-use crate::domain::Domain;
 use crate::land::{Parabola, SmoothedDistance};
 use crate::memory::{Refused, ask, lengthen};
 use crate::work;
@@ -16,6 +15,8 @@ pub(super) struct Cells {
     pub columns: usize,
     /// With the rim.
     pub rows: usize,
+    /// The side of each, in units.
+    pub size: f32,
     /// How far inland the middle of each lies, in units; 0 or less at sea.
     pub inland: Vec<f32>,
 }
@@ -24,17 +25,12 @@ pub(super) struct Cells {
 const BEYOND: f32 = f32::NEG_INFINITY;
 
 impl Cells {
-    /// How many columns and rows there are on a map, the rim included.
-    pub fn size(domain: &Domain) -> (usize, usize) {
-        let size = (domain.size / CELL_SIZE).ceil();
-        (size.x as usize + 2, size.y as usize + 2)
-    }
-
     pub fn new(settings: &ReliefSettings) -> Result<Self, Refused> {
         /// What the smoothed distance takes on the way, of the finest land, whose corners are as many as cells.
         const BYTES_A_CELL: usize = 8;
-        let (columns, rows) = Self::size(&settings.domain);
-        let mut this = Self { columns, rows, inland: Vec::new() };
+        let Grid { cell_size, columns, rows } = settings.grid;
+        let (columns, rows) = (columns + 2, rows + 2);
+        let mut this = Self { columns, rows, size: cell_size, inland: Vec::new() };
         lengthen(&mut this.inland, columns * rows, BEYOND)?;
         ask(columns * rows * BYTES_A_CELL)?;
         work::count(columns * rows);
@@ -52,9 +48,9 @@ impl Cells {
     /// Takes over the distances that pictures show.
     fn measure(&mut self, distance: &SmoothedDistance) {
         for row in 1..self.rows - 1 {
-            let across = distance.across(coordinate(row));
+            let across = distance.across(self.coordinate(row));
             for column in 1..self.columns - 1 {
-                let (nearest, t) = distance.column(coordinate(column));
+                let (nearest, t) = distance.column(self.coordinate(column));
                 self.inland[row * self.columns + column] = Parabola::of(across.around(nearest)).at(t);
             }
         }
@@ -65,16 +61,16 @@ impl Cells {
         let is_open = |side| settings.sides.contains(side);
         for row in 0..self.rows {
             for column in 0..self.columns {
-                let at = Vec2::new(coordinate(column), coordinate(row));
+                let at = Vec2::new(self.coordinate(column), self.coordinate(row));
                 let open = settings.domain.sides(at).into_iter().filter(|&(side, _)| is_open(side)).map(|(_, far)| far);
                 let nearest = open.fold(f32::INFINITY, f32::min);
                 let is_rim_row = row == 0 || row + 1 == self.rows;
                 let is_rim_column = column == 0 || column + 1 == self.columns;
                 self.inland[row * self.columns + column] = match is_rim_row || is_rim_column {
-                    true if (is_rim_row && is_rim_column) || nearest > CELL_SIZE => BEYOND,
+                    true if (is_rim_row && is_rim_column) || nearest > self.size => BEYOND,
                     true => nearest.min(0.0),
                     // Where the last cells reach over the border.
-                    false => nearest.max(CELL_SIZE * 0.1),
+                    false => nearest.max(self.size * 0.1),
                 };
             }
         }
@@ -93,7 +89,7 @@ impl Cells {
     /// The cell of a point; of one beyond the map, the nearest.
     #[inline]
     pub fn of(&self, point: Vec2) -> usize {
-        let index = |x: f32, count: usize| ((x / CELL_SIZE) as usize + 1).min(count - 2);
+        let index = |x: f32, count: usize| ((x / self.size) as usize + 1).min(count - 2);
         index(point.y, self.rows) * self.columns + index(point.x, self.columns)
     }
 
@@ -116,11 +112,11 @@ impl Cells {
 
     /// Where the middle of a cell lies.
     pub fn point(&self, cell: usize) -> Vec2 {
-        Vec2::new(coordinate(cell % self.columns), coordinate(cell / self.columns))
+        Vec2::new(self.coordinate(cell % self.columns), self.coordinate(cell / self.columns))
     }
-}
 
-/// The middle of a column or row, in units.
-fn coordinate(index: usize) -> f32 {
-    (index as f32 - 0.5) * CELL_SIZE
+    /// The middle of a column or row, in units.
+    fn coordinate(&self, index: usize) -> f32 {
+        (index as f32 - 0.5) * self.size
+    }
 }

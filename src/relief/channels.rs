@@ -4,7 +4,6 @@ use std::ops::Range;
 
 use glam::Vec2;
 
-use super::CELL_SIZE;
 use super::cells::Cells;
 use crate::geometry::{distance, fast_min};
 use crate::memory::{Refused, ask, lengthen, reserve};
@@ -12,7 +11,7 @@ use crate::network::{NONE, Network, River, hydrology};
 use crate::work;
 
 /// A cell that a river passes, and the height of the water there, in units.
-type Step = (u32, f32);
+pub(super) type Step = (u32, f32);
 
 /// A river's path.
 #[derive(Clone, Copy, Debug)]
@@ -44,12 +43,12 @@ pub(super) struct Channels {
     step_of: Vec<u32>,
 }
 
-/// The least fall from one cell to the next, in units.
-const LEAST_FALL: f32 = 1e-4;
+/// The least fall from one cell to the next, as a share of a cell's side.
+const LEAST_SLOPE: f32 = 5e-5;
 
 impl Channels {
-    /// Rivers that have not been walked yet.
-    pub fn new(network: &Network, total_discharge: u32) -> Result<Self, Refused> {
+    /// Rivers that have not been walked yet. They are as high as given for each vertex, in units, or by the law of rivers.
+    pub fn new(network: &Network, total_discharge: u32, given: Option<&[f32]>) -> Result<Self, Refused> {
         /// Of elevations, and of what they are made of.
         const BYTES_A_VERTEX: usize = 20;
         let vertices = network.vertices.len();
@@ -58,7 +57,10 @@ impl Channels {
         lengthen(&mut this.step_of, vertices, 0)?;
         ask(vertices * BYTES_A_VERTEX)?;
         work::count(4 * vertices);
-        this.elevations = hydrology::elevations(network, total_discharge);
+        this.elevations = match given {
+            Some(heights) => heights.to_vec(),
+            None => hydrology::elevations(network, total_discharge),
+        };
         Ok(this)
     }
 
@@ -122,15 +124,16 @@ impl Channels {
     }
 
     /// Makes every river fall from each cell to the next, its end being where it joins another, or the sea.
-    pub fn let_fall(&mut self) {
+    pub fn let_fall(&mut self, cells: &Cells) {
         work::count(self.steps.len());
+        let least = LEAST_SLOPE * cells.size;
         for &river in &self.parents_first {
             let path = self.paths[river as usize];
-            let mut below = self.steps.get(path.junction as usize).map_or(LEAST_FALL, |junction| junction.1);
+            let mut below = self.steps.get(path.junction as usize).map_or(least, |junction| junction.1);
             let mut upward = self.steps[path.range()].iter_mut().rev();
             upward.next().into_iter().for_each(|end| end.1 = below);
             for (_, height) in upward {
-                *height = height.max((below + LEAST_FALL).max(below.next_up()));
+                *height = height.max((below + least).max(below.next_up()));
                 below = *height;
             }
         }
@@ -140,6 +143,12 @@ impl Channels {
     #[cfg(feature = "files")]
     pub fn paths(&self) -> impl Iterator<Item = impl Iterator<Item = usize> + '_> + '_ {
         self.paths.iter().map(|path| self.steps[path.range()].iter().map(|&(cell, _)| cell as usize))
+    }
+
+    /// Each river's cells with the height of the water there, and those of its junction.
+    #[cfg(test)]
+    pub fn rivers(&self) -> impl Iterator<Item = (&[Step], Option<Step>)> + '_ {
+        self.paths.iter().map(|path| (&self.steps[path.range()], self.steps.get(path.junction as usize).copied()))
     }
 
     /// How many cells rivers pass, each as often as they do.
@@ -158,7 +167,7 @@ impl Channels {
 }
 
 /// The numbers of all rivers, each after the one that it joins: rivers that take over another's upper course may stand before it.
-fn parents_first(network: &Network) -> Result<Vec<u32>, Refused> {
+pub(super) fn parents_first(network: &Network) -> Result<Vec<u32>, Refused> {
     let (mut order, mut upward, mut is_listed) = (Vec::new(), Vec::new(), Vec::new());
     reserve(&mut order, network.rivers.len())?;
     reserve(&mut upward, network.rivers.len())?;
@@ -187,7 +196,7 @@ impl Walk<'_> {
     /// Goes from one place to the next, each with its height.
     fn straight(&mut self, from: (Vec2, f32), to: (Vec2, f32)) -> Result<(), Refused> {
         // At most a cell to the side each time.
-        let count = (distance(from.0, to.0) / (0.5 * CELL_SIZE)).ceil().max(1.0);
+        let count = (distance(from.0, to.0) / (0.5 * self.cells.size)).ceil().max(1.0);
         work::count(count as usize);
         for i in 1..=count as usize {
             let share = i as f32 / count;

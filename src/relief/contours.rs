@@ -2,7 +2,7 @@
 
 use glam::Vec2;
 
-use super::{CELL_SIZE, Relief};
+use super::Relief;
 use crate::land::trace::rings;
 
 impl Relief {
@@ -19,8 +19,8 @@ impl Relief {
         /// As a share of the map: some ten cells.
         const SPECK: f32 = 4e-5;
         let share = |value: f32| (0.5 + value / 2.0).clamp(0.0, 1.0);
-        let size = Vec2::new(self.columns as f32, self.rows as f32) * CELL_SIZE;
-        let rings = rings(self.columns, values.map(share).collect(), SPECK);
+        let size = Vec2::new(self.columns() as f32, self.rows() as f32) * self.cell_size();
+        let rings = rings(self.columns(), values.map(share).collect(), SPECK);
         rings.into_iter().map(|ring| ring.into_iter().map(|at| at * size).collect()).collect()
     }
 }

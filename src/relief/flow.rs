@@ -4,7 +4,7 @@ use glam::Vec2;
 
 use super::cells::Cells;
 use super::channels::Channels;
-use super::{CELL_SIZE, Relief, ReliefError, ReliefSettings};
+use super::{Grid, Relief, ReliefError, ReliefSettings};
 use crate::land::trace::rings;
 use crate::memory::{Refused, ask};
 use crate::network::{NONE, Network};
@@ -29,7 +29,7 @@ pub struct Flow {
 const CODES: [u8; 8] = [16, 1, 32, 64, 128, 8, 4, 2];
 
 impl Flow {
-    /// The flow of a relief, which is that of these rivers and settings.
+    /// The flow of a relief, which is that of these rivers and settings, their grid included.
     ///
     /// # Errors
     /// If there is not enough memory.
@@ -63,19 +63,19 @@ impl Flow {
         }
     }
 
-    /// The rings around all cells of each basin, in units: that of basin 1 comes first. Land lies to the left of a ring as a map shows it, and
+    /// The rings around all cells of each basin, in units, on the grid of this flow: that of basin 1 comes first. Land lies to the left of a ring as a map shows it, and
     /// cells that only touch at a corner are apart.
-    pub fn basin_rings(&self, columns: usize) -> Vec<Vec<Vec<Vec2>>> {
+    pub fn basin_rings(&self, grid: &Grid) -> Vec<Vec<Vec<Vec2>>> {
         let mut cells: Vec<Vec<usize>> = vec![Vec::new(); self.mouths.len()];
         for (cell, &basin) in self.basins.iter().enumerate().filter(|(_, basin)| **basin > 0) {
             cells[basin as usize - 1].push(cell);
         }
-        cells.iter().map(|cells| rings_around(cells, columns)).collect()
+        cells.iter().map(|cells| rings_around(cells, grid)).collect()
     }
 }
 
 /// The rings around some cells, given row by row.
-fn rings_around(cells: &[usize], columns: usize) -> Vec<Vec<Vec2>> {
+fn rings_around(cells: &[usize], &Grid { cell_size, columns, .. }: &Grid) -> Vec<Vec<Vec2>> {
     let (Some(&first), Some(&last)) = (cells.first(), cells.last()) else { return Vec::new() };
     let across = || cells.iter().map(|cell| cell % columns);
     let (left, right) = across().fold((columns, 0), |(left, right), x| (left.min(x), right.max(x)));
@@ -85,13 +85,13 @@ fn rings_around(cells: &[usize], columns: usize) -> Vec<Vec<Vec2>> {
     let mut mask = vec![0.0; width * height];
     cells.iter().for_each(|cell| mask[(cell / columns - top + 1) * width + cell % columns - left + 1] = 1.0);
     let (size, corner) = (Vec2::new(width as f32, height as f32), Vec2::new(left as f32 - 1.0, top as f32 - 1.0));
-    let place = |at: Vec2| ((at * size * 2.0).round() * 0.5 + corner) * CELL_SIZE;
+    let place = |at: Vec2| ((at * size * 2.0).round() * 0.5 + corner) * cell_size;
     rings(width, mask, 0.0).into_iter().map(|ring| ring.into_iter().map(place).collect()).collect()
 }
 
 /// Rivers on their way from cell to cell.
 fn walked(cells: &Cells, network: &Network, total_discharge: u32) -> Result<Channels, Refused> {
-    let mut channels = Channels::new(network, total_discharge)?;
+    let mut channels = Channels::new(network, total_discharge, None)?;
     while channels.walk(cells, network)? {}
     Ok(channels)
 }
@@ -105,7 +105,7 @@ struct Field {
 
 fn heights_with_rim(cells: &Cells, relief: &Relief) -> Vec<f32> {
     let height = |cell: usize| match (cells.is_land(cell), cells.is_sea(cell)) {
-        (true, _) => relief.heights[(cell / cells.columns - 1) * relief.columns + cell % cells.columns - 1],
+        (true, _) => relief.heights[(cell / cells.columns - 1) * relief.columns() + cell % cells.columns - 1],
         (_, true) => 0.0,
         _ => f32::INFINITY,
     };

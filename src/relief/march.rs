@@ -1,6 +1,5 @@
 //! Fast marching (Sethian 1996): from sources of given heights over cells of given steepness, the lowest first.
 
-use super::CELL_SIZE;
 use super::cells::Cells;
 use crate::memory::{Refused, lengthen};
 use crate::queue::Queue;
@@ -59,9 +58,9 @@ impl March {
         for cell in cells.land() {
             self.propose(cell, rivers[cell]);
             if sources.is_open(cell) && cells.beside(cell).into_iter().any(|beside| cells.is_sea(beside)) {
-                // The coast runs somewhere between their middles.
-                let way = cells.inland[cell].clamp(0.05 * CELL_SIZE, CELL_SIZE);
-                self.propose(cell, rises[cell] * way / CELL_SIZE);
+                // The coast runs somewhere between their middles. `clamp` would bring a message with numbers, which weighs 8 kB.
+                let way = cells.inland[cell].max(0.05 * cells.size).min(cells.size);
+                self.propose(cell, rises[cell] * way / cells.size);
             }
         }
     }

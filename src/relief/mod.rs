@@ -15,7 +15,10 @@ mod channels;
 #[cfg(feature = "files")]
 mod contours;
 #[cfg(feature = "files")]
+mod finer;
+#[cfg(feature = "files")]
 mod flow;
+mod grid;
 mod march;
 mod settings;
 mod solver;
@@ -29,32 +32,42 @@ use crate::sort::quantile;
 
 #[cfg(feature = "files")]
 pub use flow::Flow;
+pub use grid::Grid;
 pub use settings::ReliefSettings;
 pub use solver::{ReliefError, ReliefSolver};
 
-/// The side of a cell, in units.
+/// The side of a cell of a map's own grid, in units.
 pub const CELL_SIZE: f32 = 2.0;
 
 /// How many metres of height a unit of height stands for, in files: so that the highest land of usual maps has 1,500 to 3,000.
 pub const METRES: f32 = 25.0;
 
-/// The heights of a map's cells, row by row, from north to south.
+/// The heights of the cells of a grid, row by row, from north to south.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Relief {
-    columns: usize,
-    rows: usize,
+    grid: Grid,
     heights: Vec<f32>,
 }
 
 impl Relief {
     /// How many cells lie side by side. The last may reach over the map's border.
     pub fn columns(&self) -> usize {
-        self.columns
+        self.grid.columns
     }
 
     /// How many rows of cells there are.
     pub fn rows(&self) -> usize {
-        self.rows
+        self.grid.rows
+    }
+
+    /// Its cells.
+    pub fn grid(&self) -> Grid {
+        self.grid
+    }
+
+    /// The side of a cell, in units.
+    pub fn cell_size(&self) -> f32 {
+        self.grid.cell_size
     }
 
     /// Heights over the sea, in units, row by row: positive on land, 0 or less at sea.
@@ -76,7 +89,8 @@ impl Relief {
 
     /// The cell of a point; of one beyond the map, the nearest.
     pub(crate) fn cell(&self, point: Vec2) -> usize {
-        let index = |x: f32, count: usize| ((x / CELL_SIZE) as usize).min(count - 1);
-        index(point.y, self.rows) * self.columns + index(point.x, self.columns)
+        let Grid { cell_size, columns, rows } = self.grid;
+        let index = |x: f32, count: usize| ((x / cell_size) as usize).min(count - 1);
+        index(point.y, rows) * columns + index(point.x, columns)
     }
 }

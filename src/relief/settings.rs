@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use fastnoise_lite::FastNoiseLite;
 
+use super::Grid;
 use crate::domain::Domain;
 use crate::land::Land;
 use crate::random::{Purpose, Seed};
@@ -16,6 +17,8 @@ pub struct ReliefSettings {
     pub seed: Seed,
     /// The rectangle.
     pub domain: Domain,
+    /// The cells whose heights are found.
+    pub grid: Grid,
     /// The land; `None` if all of the domain is.
     pub land: Option<Arc<Land>>,
     /// The sides beyond which lies the sea, where all of the domain is land.
@@ -29,11 +32,13 @@ pub struct ReliefSettings {
 }
 
 impl ReliefSettings {
-    /// The settings of a recipe on some land; `total_discharge` is the discharge of a river that drained everything.
+    /// The settings of a recipe on some land, for the map's own grid; `total_discharge` is the discharge of a river that drained everything.
     pub fn new(recipe: &Recipe, land: Option<Arc<Land>>, total_discharge: u32) -> Self {
+        let domain = Domain::of(recipe);
         Self {
             seed: Seed::from_text(recipe.seed()),
-            domain: Domain::of(recipe),
+            domain,
+            grid: Grid::of(&domain),
             land,
             sides: recipe.open_sides(),
             total_discharge: total_discharge.max(1),

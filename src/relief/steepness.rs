@@ -29,10 +29,10 @@ impl Steepness {
         let ground = Ground::new(settings);
         let mut this = Self::default();
         lengthen(&mut this.nearness, cells.inland.len(), 1.0)?;
-        lengthen(&mut this.rises, cells.inland.len(), CELL_SIZE)?;
+        lengthen(&mut this.rises, cells.inland.len(), cells.size)?;
         work::count(cells.inland.len());
         for cell in cells.land() {
-            this.rises[cell] = CELL_SIZE * slope(settings, cells.inland[cell]) * ground.at(cells.point(cell));
+            this.rises[cell] = cells.size * slope(settings, cells.inland[cell]) * ground.at(cells.point(cell));
         }
         Ok(this)
     }
@@ -49,6 +49,7 @@ impl Steepness {
                 return Some(i);
             }
             let radius = vertex.width() * WIDTHS;
+            // Of the map's own cells: on a finer grid the same rivers have valleys.
             if radius > 1.5 * CELL_SIZE {
                 self.come_near(cells, vertex.at, radius);
             }
@@ -139,5 +140,48 @@ impl Ground {
         };
         let (north, south) = (mix(row), mix(row + 1));
         north + (south - north) * t.y
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::recipe::link;
+    use crate::session::Session;
+
+    /// How far a point lies from a segment.
+    fn far(point: Vec2, from: Vec2, to: Vec2) -> f32 {
+        let way = to - from;
+        let share = ((point - from).dot(way) / way.length_squared()).clamp(0.0, 1.0);
+        (from + way * share).distance(point)
+    }
+
+    #[test]
+    fn ground_is_three_times_as_steep_on_ridges_and_as_before_fourteen_units_away() {
+        const DRAWN: &str = "land=drawn&roughness=0&aspect=1&outline=.MzMzzMMzzMzMMzzM..YAYAnnYAnnnn..jAjAnAjA";
+        let session = Session::new(link::read(DRAWN).unwrap()).unwrap();
+        let (settings, land) = (session.relief_settings(), session.land().unwrap());
+        let ridges: Vec<[Vec2; 2]> =
+            land.ridges().iter().flat_map(|line| line.windows(2)).map(|pair| [pair[0], pair[1]]).collect();
+        assert!(ridges.len() > 2);
+        let cells = Cells::new(&settings).unwrap();
+        let before = Steepness::of_hillsides(&settings, &cells).unwrap();
+        let mut raised = before.clone();
+        let mut from = Some(0);
+        while let Some(piece) = from {
+            from = raised.raise_ridges(&cells, land, piece);
+        }
+        let (mut on, mut off) = (0, 0);
+        for cell in cells.land() {
+            let nearest = ridges.iter().map(|&[a, b]| far(cells.point(cell), a, b)).fold(f32::INFINITY, f32::min);
+            let expected = 3.0 - 2.0 * (nearest / 14.0).min(1.0);
+            let factor = raised.rises[cell] / before.rises[cell];
+            // Ridges count as points two units apart.
+            assert!((-0.15..0.001).contains(&(factor - expected)), "{factor} at {nearest} units, not {expected}");
+            on += usize::from(factor > 2.7);
+            off += usize::from(factor == 1.0);
+        }
+        assert!(on > 100 && off > 10_000, "{on} cells of ridges and {off} elsewhere");
+        assert!(raised.nearness.iter().all(|near| *near == 1.0), "whatever comes next finds all far");
     }
 }

@@ -1,5 +1,6 @@
 use proptest::prelude::*;
 
+use super::CELL_SIZE;
 use super::cells::Cells;
 use super::march::{March, Sources};
 use crate::property::cases;
@@ -16,7 +17,7 @@ fn maps() -> impl Strategy<Value = (Cells, Vec<f32>, Vec<(usize, f32)>)> {
         let rivers = prop::collection::vec((0..count, 0.0f32..9.0), 0..8);
         (inland, rises, rivers).prop_map(move |(mut inland, rises, rivers)| {
             (0..count).filter(|&i| is_rim(i)).for_each(|i| inland[i] = f32::NEG_INFINITY);
-            let cells = Cells { columns, rows, inland };
+            let cells = Cells { columns, rows, size: CELL_SIZE, inland };
             let rivers = rivers.into_iter().filter(|&(cell, _)| cells.is_land(cell)).collect();
             (cells, rises, rivers)
         })

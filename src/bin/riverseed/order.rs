@@ -1,0 +1,98 @@
+//! What a call asks for: link, file and options as one recipe.
+
+use std::fs::File;
+use std::io::Read;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use clap::ArgMatches;
+use riverseed::land::Land;
+use riverseed::recipe::table::TABLE;
+use riverseed::recipe::{Key, LandKind, Recipe, RecipeError, json, link};
+
+use super::{Failure, mask};
+
+/// What a call asks for: a recipe, and the land itself if that is given as a picture.
+pub struct Order {
+    pub recipe: Recipe,
+    /// The names that were given on purpose.
+    pub given: Vec<String>,
+    pub land: Option<Arc<Land>>,
+}
+
+impl Order {
+    pub fn of(matches: &ArgMatches) -> Result<Self, Failure> {
+        let (recipe, given) = recipe(matches)?;
+        match mask::path(matches) {
+            Some(path) => mask::order(path, recipe, given),
+            None => Ok(Self { recipe, given, land: None }),
+        }
+    }
+
+    /// Warns of values that were given and have no effect.
+    pub fn say_what_is_idle(&self, is_picture: bool) {
+        let kind = if self.land.is_some() { LandKind::Drawn } else { Land::kind_of(&self.recipe) };
+        let reason = |key| match (key, &self.land) {
+            (Key::Roughness, Some(_)) => Some("the picture determines the coast"),
+            _ if is_picture => self.recipe.inactive_reason(key, kind),
+            _ => self.recipe.inactive_reason_in_data(key, kind),
+        };
+        for name in &self.given {
+            if let Some(reason) = Key::from_name(name).and_then(reason) {
+                eprintln!("riverseed: '{name}' has no effect: {reason}");
+            }
+        }
+    }
+}
+
+/// Reads link, file and options in the order in which they were given. Returns the names that were given on purpose, too: a
+/// network's file states every parameter, so of a file only those count that it states differently from the default. A picture of a land
+/// is no part of a recipe.
+fn recipe(matches: &ArgMatches) -> Result<(Recipe, Vec<String>), Failure> {
+    let mut parts: Vec<(usize, Vec<(String, String)>)> = Vec::new();
+    let mut part = |id: &str, pairs: Vec<(String, String)>| {
+        parts.extend(matches.index_of(id).map(|index| (index, pairs)));
+    };
+    if let Some(text) = matches.get_one::<String>("link") {
+        part("link", link::pairs(text)?);
+    }
+    if let Some(path) = matches.get_one::<PathBuf>("recipe") {
+        part("recipe", json::pairs(&read_recipe(path)?)?);
+    }
+    for name in TABLE.iter().map(|parameter| parameter.name).chain([link::PRESET]) {
+        let values: Vec<&String> = matches.get_many(name).into_iter().flatten().collect();
+        if values.len() > 1 {
+            return Err(RecipeError::Duplicate { key: name.into() }.into());
+        }
+        if let [value] = values[..]
+            && !(name == Key::Land.parameter().name && mask::is_picture(value))
+        {
+            part(name, vec![(name.into(), value.clone())]);
+        }
+    }
+    // A preset is read first, wherever it stands.
+    parts.sort_by_key(|(index, pairs)| (pairs.iter().all(|(name, _)| name != link::PRESET), *index));
+    let mut given: Vec<String> = Vec::new();
+    let mut recipe = Recipe::default();
+    let file = matches.index_of("recipe");
+    for (index, pairs) in parts {
+        recipe = link::apply(recipe, &pairs)?;
+        let names = pairs.into_iter().map(|(name, _)| name);
+        let names = names.filter(|name| Some(index) != file || is_set(&recipe, name));
+        given.extend(names.filter(|name| !given.contains(name)).collect::<Vec<_>>());
+    }
+    Ok((recipe, given))
+}
+
+/// Whether a recipe's value of a parameter is not the default.
+fn is_set(recipe: &Recipe, name: &str) -> bool {
+    Key::from_name(name).is_some_and(|key| *recipe.value(key) != key.parameter().default_value())
+}
+
+/// Reads a recipe's file, but not without end.
+fn read_recipe(path: &Path) -> Result<String, Failure> {
+    let mut text = String::new();
+    let file = File::open(path).map_err(Failure::file(path))?;
+    file.take(json::LONGEST as u64 + 1).read_to_string(&mut text).map_err(Failure::file(path))?;
+    Ok(text)
+}
