@@ -209,7 +209,7 @@ fn finer_rasters_are_true_to_their_scale_and_water_runs_to_the_sea_on_them() {
         // The same land, as a share of the map, and the same rivers.
         let share = |rasters: &Rasters, layer| {
             let Values::Bytes(values) = rasters.values(layer) else { panic!("no bytes") };
-            values.iter().filter(|value| **value > 0).count() as f32 * rasters.cell_size.powi(2) / 1e6
+            values.iter().filter(|value| **value > 0).count() as f32 * rasters.cell_size * rasters.cell_size / 1e6
         };
         assert!((share(&rasters, Layer::Land) - share(&own, Layer::Land)).abs() < 0.005);
         assert_eq!(rasters.flow().mouths, own.flow().mouths);
