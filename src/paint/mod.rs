@@ -8,6 +8,7 @@
 
 pub(crate) mod beds;
 mod coverage;
+mod flat;
 mod flow;
 pub(crate) mod grid;
 pub(crate) mod ground;
@@ -16,6 +17,7 @@ mod ink;
 mod painter;
 pub(crate) mod palette;
 mod paper;
+mod raised;
 pub(crate) mod relief;
 pub(crate) mod ridges;
 mod rivers;
@@ -27,6 +29,7 @@ mod view;
 #[doc(hidden)]
 pub use coverage::Coverage;
 pub use coverage::Rect;
+pub use painter::Painted;
 #[doc(hidden)]
 pub use painter::{Painter, Progress};
 #[doc(hidden)]

@@ -4,6 +4,8 @@
 //! will certainly stay (its depth can only grow), so those are drawn at once, the growing tips a little later; when
 //! growth is over, all that stays is drawn. The finished picture is the one painted at once, to the byte.
 
+use std::sync::Arc;
+
 use tiny_skia::Pixmap;
 
 use super::coverage::{Coverage, Rect};
@@ -20,6 +22,7 @@ use crate::land::Land;
 use crate::memory;
 use crate::prune::{self, Trim};
 use crate::recipe::{CourseShape, Style};
+use crate::relief::Relief;
 use crate::tree::Tree;
 
 /// A tree to be painted, as far as it has grown.
@@ -43,6 +46,25 @@ pub struct Progress<'a> {
     pub style: Style,
 }
 
+/// What came of painting.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Painted {
+    /// Nothing to be seen yet: there is more to do.
+    Part,
+    /// The picture is up to date. With the rectangle that changed; `None` if nothing did.
+    Whole(Option<Rect>),
+}
+
+impl Painted {
+    /// The rectangle that changed; `None` if nothing did.
+    pub fn changed(self) -> Option<Rect> {
+        match self {
+            Self::Part => None,
+            Self::Whole(changed) => changed,
+        }
+    }
+}
+
 /// A picture in the making.
 #[derive(Clone, Debug)]
 pub struct Painter {
@@ -60,6 +82,8 @@ pub struct Painter {
     is_finished: bool,
     /// The round that the rivers shown have meandered to; `None` as long as a tree is shown.
     round: Option<u32>,
+    /// The relief of the finished rivers that the mask shows, which has but these, and the lines; `None` if it shows anything else.
+    drawn_rivers: Option<(Arc<Relief>, Lines)>,
 }
 
 impl Painter {
@@ -89,6 +113,7 @@ impl Painter {
             is_blank: true,
             is_finished: false,
             round: None,
+            drawn_rivers: None,
         })
     }
 
@@ -106,12 +131,17 @@ impl Painter {
     /// Forgets the picture: another tree, trim, width or style comes next.
     pub fn reset(&mut self) {
         self.ground.forget_rivers();
-        self.coverage.clear();
-        self.drawn.clear();
-        self.flow = Flow::default();
         self.is_blank = true;
         self.is_finished = false;
         self.round = None;
+    }
+
+    /// Forgets what of a tree or of rivers has been drawn.
+    fn forget_drawing(&mut self) {
+        self.coverage.clear();
+        self.drawn.clear();
+        self.flow = Flow::default();
+        self.drawn_rivers = None;
     }
 
     /// Whether the picture shows a relief.
@@ -124,6 +154,10 @@ impl Painter {
         if self.is_finished {
             return None;
         }
+        let is_blank = std::mem::take(&mut self.is_blank);
+        if is_blank {
+            self.forget_drawing();
+        }
         let (tree, pen) = (progress.tree, Pen::new(self.view, widths(progress), progress.courses));
         if progress.finished || self.flow.is_stale(tree) {
             self.flow.measure(tree, &pen, progress.trim.channel_area);
@@ -134,8 +168,7 @@ impl Painter {
             near_tip.iter().for_each(|&child| pen.draw(&mut self.coverage, tree, radii, child as usize));
         }
         self.is_finished = progress.finished;
-        if std::mem::take(&mut self.is_blank) || (progress.finished && palette(progress.style).lines == Lines::Skeleton)
-        {
+        if is_blank || (progress.finished && palette(progress.style).lines == Lines::Skeleton) {
             self.coverage.touch_all();
         }
         self.ground.forget_relief();
@@ -143,24 +176,32 @@ impl Painter {
         self.compose(progress.style)
     }
 
-    /// Paints rivers, in place of the tree that they were. Returns the rectangle that changed; `None` if nothing did.
-    pub fn paint_rivers(&mut self, rivers: &Rivers<'_>) -> Option<Rect> {
+    /// Does a part of painting rivers, in place of the tree that they were. The picture changes with the last part.
+    pub fn paint_rivers(&mut self, rivers: &Rivers<'_>) -> Painted {
         if self.round == Some(rivers.rounds) && self.ground.shows(rivers.relief) {
-            return None;
+            return Painted::Whole(None);
+        }
+        if self.ground.advance(&self.view, rivers) {
+            return Painted::Part;
         }
         self.round = Some(rivers.rounds);
         self.is_finished = true;
-        self.coverage.clear();
-        draw_network(&mut self.coverage, &self.view, rivers.network, rivers.courses, palette(rivers.style).lines, 0.0);
+        self.draw_rivers(rivers);
         self.coverage.touch_all();
-        self.ground.lay(&self.view, rivers.land, rivers.style);
-        match rivers.relief {
-            Some(relief) if !self.ground.shows(rivers.relief) => self.ground.raise(&self.view, rivers, relief),
-            Some(_) => {}
-            None => self.ground.lower(),
+        Painted::Whole(self.compose(rivers.style))
+    }
+
+    /// Draws rivers, unless it is they that the mask shows: a style may have changed alone.
+    fn draw_rivers(&mut self, rivers: &Rivers<'_>) {
+        let (lines, relief) = (palette(rivers.style).lines, rivers.relief.map(|(relief, _)| relief));
+        let is_drawn = |(of, as_lines): &(Arc<Relief>, Lines)| {
+            relief.is_some_and(|relief| Arc::ptr_eq(of, relief)) && *as_lines == lines
+        };
+        if !self.drawn_rivers.as_ref().is_some_and(is_drawn) {
+            self.coverage.clear();
+            draw_network(&mut self.coverage, &self.view, rivers.network, rivers.courses, lines, 0.0);
+            self.drawn_rivers = relief.map(|relief| (relief.clone(), lines));
         }
-        self.ground.lay_beds(&self.view, rivers);
-        self.compose(rivers.style)
     }
 
     /// Draws all strokes that are new or have grown wider since this was last called. Strokes near the tips have been
@@ -195,7 +236,7 @@ impl Painter {
     fn compose(&mut self, style: Style) -> Option<Rect> {
         let touched = self.coverage.take_touched();
         let around = touched.iter().copied().reduce(Rect::union)?;
-        let ground = self.ground.pixels();
+        let ground = self.ground.pixels(style);
         match palette(style).lines {
             Lines::Wide | Lines::Thin => {
                 ink::compose(&mut self.pixmap, &self.coverage, ground, palette(style), &touched);

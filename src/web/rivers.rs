@@ -6,7 +6,7 @@ use wasm_bindgen::prelude::*;
 use super::objects::{coded, object};
 use crate::grow::Ending;
 use crate::land::Land;
-use crate::paint::{PaintError, Rect};
+use crate::paint::{PaintError, Painted, Rect};
 use crate::picture::Picture;
 use crate::recipe::link::{self, Notice};
 use crate::recipe::reading::{self, ReadOptions, Reading};
@@ -189,10 +189,12 @@ impl River {
         .into()
     }
 
-    /// Draws what is new. Returns whether any pixel changed: none does without a picture.
+    /// Draws what is new, or does a part of that, which takes a few milliseconds. Returns whether there is more to do: until there is not,
+    /// no pixel changes.
     pub fn paint(&mut self) -> bool {
-        self.dirty = self.picture.as_mut().and_then(|picture| picture.paint(&self.session));
-        self.dirty.is_some()
+        let painted = self.picture.as_mut().map(|picture| picture.paint_part(&self.session));
+        self.dirty = painted.and_then(Painted::changed);
+        painted == Some(Painted::Part)
     }
 
     /// What the last `paint` changed: x, y, width, height.
