@@ -11,7 +11,8 @@ use glam::Vec2;
 use proptest::prelude::*;
 use riverseed::network::meet;
 use riverseed::recipe::{Recipe, link};
-use riverseed::{Network, Session};
+use riverseed::tree::{Hydrology, NO_PARENT};
+use riverseed::{Network, Session, Tree};
 
 fn grown(link: &str, over: &str) -> Session {
     let over = link::pairs(over).unwrap();
@@ -51,6 +52,16 @@ fn crosses(link: &str, growth: &str) -> bool {
     })
 }
 
+/// Where arms end that bring as much water as another of the same fork: of these the longer is the river's own, and what is trimmed may
+/// decide which that is.
+fn tied(tree: &Tree) -> BTreeSet<[u32; 2]> {
+    let discharge = Hydrology::of(tree).discharge;
+    let mut arms: BTreeMap<(u32, u32), Vec<usize>> = BTreeMap::new();
+    (0..tree.len()).for_each(|node| arms.entry((tree.parent[node], discharge[node])).or_default().push(node));
+    let tied = arms.into_iter().filter(|((parent, _), arms)| *parent != NO_PARENT && arms.len() > 1);
+    tied.flat_map(|(_, arms)| arms).map(|node| tree.at[node].to_array().map(f32::to_bits)).collect()
+}
+
 /// How many of the rivers of a trimmed tree are rivers of the untrimmed one by the same name, and how many there are.
 fn kept(link: &str, growth: &str, trim: u32, channel_area: u32) -> (usize, usize) {
     let trimmed = |trim: u32, channel_area: u32| {
@@ -58,7 +69,10 @@ fn kept(link: &str, growth: &str, trim: u32, channel_area: u32) -> (usize, usize
         lowest(&rivers(link, &over))
     };
     let (trimmed, whole) = (trimmed(trim, channel_area), trimmed(0, 1));
-    let is_kept = |(identity, at): &(&u32, &(Vec2, u32))| whole.get(identity) == Some(at);
+    let tied = tied(grown(link, &format!("{growth}&style=ink")).tree());
+    let is_kept = |(identity, at): &(&u32, &(Vec2, u32))| {
+        whole.get(identity) == Some(at) || tied.contains(&at.0.to_array().map(f32::to_bits))
+    };
     (trimmed.iter().filter(is_kept).count(), trimmed.len())
 }
 

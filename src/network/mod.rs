@@ -38,7 +38,7 @@ pub use clearance::{ClearanceGrid, NearbyPair};
 pub use courses::Courses;
 #[doc(hidden)]
 pub use curvature::curvature;
-pub use meander::{Meander, PastCourse, PastCourses, PastRound};
+pub use meander::{Meander, PastCourse, PastCourses, PastRound, Reach};
 pub use settings::NetworkSettings;
 pub(crate) use shaping::ask_for_memory;
 pub use shaping::{ShapeError, Shaping};
