@@ -30,6 +30,7 @@
 //! # Features
 //!
 //! - `files` (default): SVG as text, GeoJSON and JSON as plain data, tracing of images, digests.
+//! - `names` (default): names of rivers, lakes and islands.
 //! - `json`: JSON and GeoJSON as text, and recipes in JSON.
 //! - `png`: PNG, written and read.
 //! - `cli`: the program `riverseed`, with all of these.
@@ -67,6 +68,8 @@ pub mod land;
 mod lands;
 pub mod measure;
 mod memory;
+#[cfg(feature = "names")]
+pub mod name;
 pub mod network;
 pub mod paint;
 pub mod picture;

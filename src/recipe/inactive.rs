@@ -61,7 +61,7 @@ impl Given<'_> {
             Key::MeanderMix => self.no_bends().or_else(|| self.no_choice_of_direction()),
             Key::Mountains | Key::Plains => self.heights_only_in_files(),
             Key::Shade => self.no_relief(),
-            Key::Style => None,
+            Key::Style | Key::Language | Key::Names => None,
         }
     }
 

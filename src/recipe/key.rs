@@ -52,7 +52,9 @@ pub enum Key {
     Plains,
     Shade,
     Style,
+    Language,
+    Names,
 }
 
 /// How many parameters there are.
-pub(super) const COUNT: usize = Key::Style as usize + 1;
+pub(super) const COUNT: usize = Key::Names as usize + 1;

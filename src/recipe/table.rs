@@ -10,7 +10,7 @@ use super::value::{Decimal, Sides};
 
 /// All parameters, in the order in which links and tables list them; row `i` is that of the key numbered `i`.
 pub static TABLE: [Parameter; COUNT] = {
-    use Stage::{Grow, Land, Paint, Prune, Relief, Shape};
+    use Stage::{Grow, Land, Name, Paint, Prune, Relief, Shape};
     const fn number(min: f64, max: f64, step: f64, default: f64) -> Kind {
         let (min, max) = (Decimal::new(min), Decimal::new(max));
         Kind::Number { min, max, step: Decimal::new(step), default: Decimal::new(default) }
@@ -543,6 +543,28 @@ pub static TABLE: [Parameter; COUNT] = {
             stage: Paint,
             logarithmic: false,
             kind: Kind::Choice { choices: Style::WORDS },
+        },
+        Parameter {
+            key: Key::Language,
+            name: "language",
+            label: "Language",
+            help: "The made-up language of names: 0 for the seed's own; any other is the same for all seeds.",
+            unit: "",
+            group: "Names",
+            stage: Name,
+            logarithmic: false,
+            kind: Kind::Integer { min: 0, max: 999, default: 0 },
+        },
+        Parameter {
+            key: Key::Names,
+            name: "names",
+            label: "Own names",
+            help: "Names of your own for at most 12 things, such as 12.Silver Water_t.Home.",
+            unit: "",
+            group: "Names",
+            stage: Name,
+            logarithmic: false,
+            kind: Kind::Text { longest: 400, default: "" },
         },
     ])
 };

@@ -17,7 +17,7 @@ use crate::session::{Phase, Session, SessionError, Shortfall};
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
 /** The stages of a river, in the order in which they run. */
-export type Stage = "land" | "grow" | "prune" | "shape" | "relief" | "paint";
+export type Stage = "land" | "grow" | "prune" | "shape" | "relief" | "name" | "paint";
 /** What a river's next step does: a tick of growth; rivers made of the tree, in a few; a round of meandering; a part of the relief; nothing. */
 export type Phase = "growing" | "shaping" | "meandering" | "relief" | "finished";
 /** Something in a link that had to be corrected. */
