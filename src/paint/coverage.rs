@@ -143,16 +143,36 @@ impl Coverage {
     }
 }
 
-/// Paints the pixels that a mask covers: gives the number of each, and by how much it is covered. Most masks are mostly empty, so many
-/// pixels at a time are passed over.
-#[inline(never)]
-pub(super) fn for_each_covered(mask: &[u8], paint: &mut dyn FnMut(usize, u8)) {
-    const MANY: usize = 16;
-    for (i, pixels) in mask.chunks(MANY).enumerate() {
-        if pixels.iter().fold(0, |all, covered| all | covered) > 0 {
-            let covered = (i * MANY..).zip(pixels).filter(|(_, covered)| **covered > 0);
-            covered.for_each(|(i, covered)| paint(i, *covered));
+/// The pixels that a mask covers: the number of each, and by how much it is covered. Most masks are mostly empty, so many pixels at a
+/// time are passed over.
+pub(super) struct Covered<'a> {
+    mask: &'a [u8],
+    next: usize,
+}
+
+impl<'a> Covered<'a> {
+    pub fn by(mask: &'a [u8]) -> Self {
+        Self { mask, next: 0 }
+    }
+}
+
+impl Iterator for Covered<'_> {
+    type Item = (usize, u8);
+
+    #[inline(never)]
+    fn next(&mut self) -> Option<(usize, u8)> {
+        const MANY: usize = 16;
+        while let Some((&covered, _)) = self.mask.get(self.next..).and_then(<[u8]>::split_first) {
+            if self.mask[self.next..].starts_with(&[0; MANY]) {
+                self.next += MANY;
+                continue;
+            }
+            self.next += 1;
+            if covered > 0 {
+                return Some((self.next - 1, covered));
+            }
         }
+        None
     }
 }
 

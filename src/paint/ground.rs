@@ -3,7 +3,7 @@
 
 use glam::Vec2;
 
-use super::coverage::{Coverage, for_each_covered};
+use super::coverage::{Coverage, Covered};
 use super::palette::{Colour, Palette, mix};
 use super::ridges::ridges;
 use super::view::{Rows, View};
@@ -245,11 +245,11 @@ pub(super) fn draw(mask: &mut Coverage, view: &View, strokes: &[[(Vec2, f32); 2]
 
 /// Lays a colour over pixels as far as a mask covers them. `open` is how much of the colour shows in a pixel.
 pub(super) fn lay_mask(mask: &[u8], colour: Colour, open: &dyn Fn(usize) -> f32, pixels: &mut [[u8; 4]]) {
-    for_each_covered(mask, &mut |i, covered| {
+    for (i, covered) in Covered::by(mask) {
         let [r, g, b, rest] = pixels[i];
         let [r, g, b] = mix([r, g, b], colour, f32::from(covered) / 255.0 * open(i));
         pixels[i] = [r, g, b, rest];
-    });
+    }
 }
 
 #[cfg(test)]

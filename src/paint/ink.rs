@@ -5,7 +5,7 @@
 
 use tiny_skia::Pixmap;
 
-use super::coverage::{Coverage, Rect, for_each_covered};
+use super::coverage::{Coverage, Covered, Rect};
 use super::palette::{BasinColours, Colour, Palette, opaque, over};
 
 /// Colours rectangles of the picture: rivers on a ground, of which each pixel may have the number of a colour, or on plain land.
@@ -45,14 +45,17 @@ fn on_ground(pixels: &mut [u8], coverage: &[u8], palette: &Palette, ground: &[[u
     for (pixel, ground) in pixels.iter_mut().zip(ground) {
         *pixel = opaque(*ground);
     }
-    for_each_covered(coverage, &mut |i, covered| pixels[i] = river_over(ground[i], palette.river, covered));
+    for (i, covered) in Covered::by(coverage) {
+        pixels[i] = river_over(ground[i], palette.river, covered);
+    }
 }
 
 /// Rivers in the colours of their basins, over all that is there.
 fn in_basins(pixels: &mut [u8], coverage: &[u8], look: &BasinColours, ground: &[[u8; 4]], numbers: &[u8]) {
     let pixels = pixels.as_chunks_mut::<4>().0;
-    let river = |i: usize| look.river(numbers[i].into());
-    for_each_covered(coverage, &mut |i, covered| pixels[i] = river_over(ground[i], river(i), covered));
+    for (i, covered) in Covered::by(coverage) {
+        pixels[i] = river_over(ground[i], look.river(numbers[i].into()), covered);
+    }
 }
 
 /// River of some coverage over a ground, as far as it shows there.
