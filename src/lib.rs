@@ -30,6 +30,7 @@
 //! # Features
 //!
 //! - `files` (default): SVG as text, GeoJSON and JSON as plain data, tracing of images, digests.
+//! - `names` (default): names on the map.
 //! - `json`: JSON and GeoJSON as text, and recipes in JSON.
 //! - `png`: PNG, written and read.
 //! - `cli`: the program `riverseed`, with all of these.
@@ -58,6 +59,9 @@ pub mod domain;
 #[cfg(feature = "files")]
 pub mod export;
 mod geometry;
+#[cfg(feature = "names")]
+#[doc(hidden)]
+pub mod glyph;
 pub mod grow;
 #[cfg(feature = "png")]
 pub mod import;
