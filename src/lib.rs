@@ -42,7 +42,7 @@ pub use land::Land;
 pub use network::{Network, Oxbow, River, Vertex};
 pub use picture::Picture;
 pub use recipe::{
-    CourseShape, GrowthMethod, Key, LandKind, MeanderModel, Recipe, RecipeError, Scatter, Sides, Style, Value,
+    CourseShape, GrowthMethod, Key, Labels, LandKind, MeanderModel, Recipe, RecipeError, Scatter, Sides, Style, Value,
 };
 pub use session::{Phase, Session, SessionError, Shortfall, Summary};
 pub use tree::Tree;
@@ -51,6 +51,9 @@ pub use tree::Tree;
 #[cfg(test)]
 extern crate self as riverseed;
 
+#[cfg(feature = "names")]
+#[doc(hidden)]
+pub mod chart;
 #[doc(hidden)]
 pub mod dice;
 #[cfg(feature = "files")]

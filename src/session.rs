@@ -1,6 +1,8 @@
 //! A session: one recipe at a time, each stage's result kept, and after a change only what it touches run again.
 
 mod error;
+#[cfg(feature = "names")]
+mod labels;
 mod relief;
 mod summary;
 #[cfg(test)]

@@ -106,7 +106,7 @@ fn in_column(row: &mut [f32], from: f32, to: f32, down: f32) {
 }
 
 /// Hands out the straight pieces of curves whose points are where `place` puts them: as many as keep them within a tolerance.
-pub(crate) fn flatten(
+fn flatten(
     start: Vec2,
     curves: &[Curve],
     place: impl Fn(Vec2) -> Vec2,
@@ -130,6 +130,15 @@ pub(crate) fn flatten(
             };
             piece(from, to);
             from = to;
+        }
+    }
+}
+
+impl Glyph {
+    /// Hands out its outline as straight pieces, whose points are where `place` puts them: as many as keep within a tolerance.
+    pub fn outline(&self, place: impl Fn(Vec2) -> Vec2, tolerance: f32, mut piece: impl FnMut(Vec2, Vec2)) {
+        for (start, curves) in &self.contours {
+            flatten(place(*start), curves, &place, tolerance, &mut piece);
         }
     }
 }

@@ -7,6 +7,8 @@
 //! Units here are pixels; a [`View`] is the only thing that knows how many there are to a unit of the domain.
 
 pub(crate) mod beds;
+#[cfg(feature = "names")]
+pub(crate) mod chart;
 mod coverage;
 mod flow;
 pub(crate) mod grid;

@@ -4,8 +4,12 @@
 //! will certainly stay (its depth can only grow), so those are drawn at once, the growing tips a little later; when
 //! growth is over, all that stays is drawn. The finished picture is the one painted at once, to the byte.
 
+#[cfg(feature = "names")]
+use glam::Vec2;
 use tiny_skia::Pixmap;
 
+#[cfg(feature = "names")]
+use super::chart;
 use super::coverage::{Coverage, Rect};
 use super::flow::Flow;
 use super::ground_cache::GroundCache;
@@ -60,6 +64,8 @@ pub struct Painter {
     is_finished: bool,
     /// The round that the rivers shown have meandered to; `None` as long as a tree is shown.
     round: Option<u32>,
+    /// How many labels the picture shows.
+    labels: usize,
 }
 
 impl Painter {
@@ -89,6 +95,7 @@ impl Painter {
             is_blank: true,
             is_finished: false,
             round: None,
+            labels: 0,
         })
     }
 
@@ -112,6 +119,18 @@ impl Painter {
         self.is_blank = true;
         self.is_finished = false;
         self.round = None;
+    }
+
+    /// The part of the domain that the picture shows: its north-western and its south-eastern corner.
+    #[cfg(feature = "names")]
+    pub(crate) fn frame(&self) -> [Vec2; 2] {
+        [Vec2::ZERO, Vec2::new(self.view.width as f32, self.view.height as f32)].map(|corner| self.view.point(corner))
+    }
+
+    /// Pixels to a unit.
+    #[cfg(feature = "names")]
+    pub(crate) fn scale(&self) -> f32 {
+        self.view.scale
     }
 
     /// Whether the picture shows a relief.
@@ -145,13 +164,17 @@ impl Painter {
 
     /// Paints rivers, in place of the tree that they were. Returns the rectangle that changed; `None` if nothing did.
     pub fn paint_rivers(&mut self, rivers: &Rivers<'_>) -> Option<Rect> {
-        if self.round == Some(rivers.rounds) && self.ground.shows(rivers.relief) {
+        let is_labelled = self.labels == labels_of(rivers);
+        if self.round == Some(rivers.rounds) && self.ground.shows(rivers.relief) && is_labelled {
             return None;
         }
+        self.labels = labels_of(rivers);
         self.round = Some(rivers.rounds);
         self.is_finished = true;
         self.coverage.clear();
         draw_network(&mut self.coverage, &self.view, rivers.network, rivers.courses, palette(rivers.style).lines, 0.0);
+        #[cfg(feature = "names")]
+        let halo = chart::halo(&mut self.coverage, &self.view, rivers.labels, palette(rivers.style));
         self.coverage.touch_all();
         self.ground.lay(&self.view, rivers.land, rivers.style);
         match rivers.relief {
@@ -160,7 +183,10 @@ impl Painter {
             None => self.ground.lower(),
         }
         self.ground.lay_beds(&self.view, rivers);
-        self.compose(rivers.style)
+        let changed = self.compose(rivers.style);
+        #[cfg(feature = "names")]
+        chart::letters(&mut self.pixmap, &self.view, rivers.labels, palette(rivers.style), halo);
+        changed
     }
 
     /// Draws all strokes that are new or have grown wider since this was last called. Strokes near the tips have been
@@ -211,6 +237,14 @@ impl Painter {
         }
         Some(around)
     }
+}
+
+/// How many labels there are.
+fn labels_of(rivers: &Rivers<'_>) -> usize {
+    #[cfg(feature = "names")]
+    return rivers.labels.len();
+    #[cfg(not(feature = "names"))]
+    return 0;
 }
 
 fn widths(progress: &Progress<'_>) -> Widths {

@@ -19,6 +19,10 @@ pub(crate) struct Palette {
     pub rings: &'static [(f32, f32)],
     pub ridge: Colour,
     pub river: Colour,
+    /// Letters.
+    pub label: Colour,
+    /// What lies around letters, and how much it covers, where the ground is too uneven for letters of one colour.
+    pub label_halo: Option<(Colour, f32)>,
     /// Land where all of the domain is.
     pub plain: Colour,
     pub lines: Lines,
@@ -229,6 +233,8 @@ pub(super) const fn even(land: Colour, water: Colour, coast: Colour, ridge: Colo
         rings: &[],
         ridge,
         river,
+        label: river,
+        label_halo: None,
         plain: land,
         lines: Lines::Wide,
         beds: None,

@@ -51,6 +51,8 @@ pub enum Key {
     Mountains,
     Plains,
     Shade,
+    Labels,
+    LabelSize,
     Style,
 }
 

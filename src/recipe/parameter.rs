@@ -105,6 +105,11 @@ pub struct Parameter {
 }
 
 impl Parameter {
+    /// Whether this build draws what it decides: names are only drawn where there is the feature for them.
+    pub fn is_drawn(&self) -> bool {
+        cfg!(feature = "names") || !matches!(self.key, Key::Labels | Key::LabelSize)
+    }
+
     /// The value when nothing is given.
     pub fn default_value(&self) -> Value {
         match self.kind {

@@ -50,10 +50,10 @@ export interface Lines {
 }
 "#;
 
-/// The parameter table.
+/// The parameter table, but for what this package does not draw.
 #[wasm_bindgen(unchecked_return_type = "Parameter[]")]
 pub fn parameters() -> Array {
-    TABLE.iter().map(row).collect()
+    TABLE.iter().filter(|parameter| parameter.is_drawn()).map(row).collect()
 }
 
 /// All presets.

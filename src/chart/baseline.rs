@@ -1,0 +1,163 @@
+//! Lines that type can stand on: beside copies of a course, more and less smooth.
+
+use glam::Vec2;
+
+use crate::geometry::{direction, distance};
+use crate::network::Place;
+
+/// How many samples of a course there are to the em.
+pub const SAMPLES: usize = 4;
+/// How smooth copies are: the standard deviation of what a point is the mean of, in samples.
+const SMOOTHNESS: [usize; 3] = [SAMPLES, 2 * SAMPLES, 4 * SAMPLES];
+/// How smooth baselines are beyond their copies.
+const SMOOTHED_AGAIN: usize = 3;
+/// How far around a place the course may poke into letters, in samples, and how much of that a line keeps away.
+const AROUND: usize = 2 * SAMPLES;
+const KEPT: f32 = 0.7;
+
+/// How far the baseline lies from the bank, in ems: above the river, and below it, where type hangs from it.
+const ABOVE: f32 = 0.25 + 0.06;
+const BELOW: f32 = 0.42 + 0.14;
+
+/// A course at even distances.
+#[derive(Clone, Debug)]
+pub struct Course {
+    at: Vec<Vec2>,
+    half: Vec<f32>,
+    /// The share of the river's area that lies upstream of each point.
+    area: Vec<f32>,
+    /// How wide the river is where it is widest, in units.
+    thick: f32,
+}
+
+/// A line for type, in the direction that it is read in.
+#[derive(Clone, Debug)]
+pub struct Line {
+    /// Its points, in units.
+    pub at: Vec<Vec2>,
+    /// How far each is from the first, along the line.
+    pub along: Vec<f32>,
+    /// Whether it lies above the river, and not below it.
+    pub is_above: bool,
+    /// Of each point, the share of the river's area that lies upstream.
+    pub area: Vec<f32>,
+    /// How wide the river is there, in units.
+    pub width: Vec<f32>,
+}
+
+impl Course {
+    /// A centerline with as many samples to the em. `None` if it is shorter than an em.
+    pub fn new(line: &[Place], em: f32) -> Option<Self> {
+        let spacing = em / SAMPLES as f32;
+        let (mut at, mut half) = (Vec::new(), Vec::new());
+        let mut ahead = 0.0;
+        for pair in line.windows(2) {
+            let length = distance(pair[0].at, pair[1].at);
+            while ahead < length {
+                let t = ahead / length;
+                at.push(pair[0].at + (pair[1].at - pair[0].at) * t);
+                half.push(pair[0].half + (pair[1].half - pair[0].half) * t);
+                ahead += spacing;
+            }
+            ahead -= length;
+        }
+        let total: f32 = half.iter().sum();
+        let mut upstream = 0.0;
+        let share = |half: &f32| {
+            upstream += half;
+            upstream / total
+        };
+        let area = half.iter().map(share).collect();
+        let thick = 2.0 * half.iter().copied().fold(0.0, f32::max);
+        (at.len() > SAMPLES && total > 0.0).then_some(Self { at, half, area, thick })
+    }
+
+    /// How wide it is where it is widest, in units.
+    pub fn thick(&self) -> f32 {
+        self.thick
+    }
+
+    /// All lines beside it, for letters of this size, of which some part is read from left to right.
+    pub fn lines(&self, em: f32) -> Vec<Line> {
+        SMOOTHNESS.into_iter().flat_map(|radius| self.beside(&smoothed(&self.at, radius), em)).collect()
+    }
+
+    /// The lines beside one copy.
+    fn beside(&self, copy: &[Vec2], em: f32) -> Vec<Line> {
+        let last = copy.len() - 1;
+        let along: Vec<Vec2> =
+            (0..=last).map(|i| direction(copy[(i + 1).min(last)] - copy[i.saturating_sub(1)])).collect();
+        let mut lines = Vec::new();
+        for is_downstream in [true, false] {
+            let is_read = |along: &Vec2| is_upright(if is_downstream { *along } else { -*along });
+            if !along.iter().any(is_read) {
+                continue;
+            }
+            for is_above in [true, false] {
+                // To the left of those who read is above.
+                let side = if is_downstream == is_above { -1.0 } else { 1.0 };
+                let aside: Vec<Vec2> = along.iter().map(|along| along.perp() * side).collect();
+                let poking = self.poking(copy, &aside);
+                let gap = if is_above { ABOVE } else { BELOW } * em;
+                for kept in [0.0, KEPT] {
+                    let off = |i: usize| copy[i] + aside[i] * (self.half[i] + gap + kept * poking[i]);
+                    let at = smoothed(&(0..=last).map(off).collect::<Vec<_>>(), SMOOTHED_AGAIN);
+                    lines.push(self.line(at, is_downstream, is_above));
+                }
+            }
+        }
+        lines
+    }
+
+    fn line(&self, mut at: Vec<Vec2>, is_downstream: bool, is_above: bool) -> Line {
+        let (mut area, mut width) = (self.area.clone(), self.half.iter().map(|half| 2.0 * half).collect::<Vec<_>>());
+        if !is_downstream {
+            at.reverse();
+            area.reverse();
+            width.reverse();
+        }
+        let along = crate::geometry::lengths(&at);
+        Line { at, along, is_above, area, width }
+    }
+
+    /// How far the course comes to one side of its copy, at most, around each point.
+    fn poking(&self, copy: &[Vec2], aside: &[Vec2]) -> Vec<f32> {
+        let off: Vec<f32> = (0..copy.len()).map(|i| (self.at[i] - copy[i]).dot(aside[i])).collect();
+        let most = |i: usize| {
+            let around = &off[i.saturating_sub(AROUND)..(i + AROUND + 1).min(off.len())];
+            around.iter().copied().fold(0.0, |most: f32, off| if off > most { off } else { most })
+        };
+        (0..copy.len()).map(most).collect()
+    }
+}
+
+/// Whether type that runs this way is upright: from 100 degrees upward to 80 downward.
+pub fn is_upright(along: Vec2) -> bool {
+    /// The direction ten degrees upward.
+    const MIDDLE: Vec2 = Vec2::new(0.984_807_7, -0.173_648_18);
+    let rightward = along.dot(MIDDLE);
+    rightward > 0.0 || (rightward == 0.0 && along.y > 0.0)
+}
+
+/// A line whose points are means of those around, three times over; beyond its ends it goes on as its mirror image through them, so it keeps
+/// them.
+fn smoothed(line: &[Vec2], radius: usize) -> Vec<Vec2> {
+    let last = line.len() - 1;
+    let mut smooth = line.to_vec();
+    for _ in 0..3 {
+        let before = smooth.clone();
+        let at = |i: isize| match usize::try_from(i) {
+            Ok(i) if i <= last => before[i],
+            Ok(i) => before[last] * 2.0 - before[(2 * last).saturating_sub(i)],
+            Err(_) => before[0] * 2.0 - before[last.min(i.unsigned_abs())],
+        };
+        let radius = radius as isize;
+        let mut sum = (-radius..=radius).map(at).fold(Vec2::ZERO, |sum, at| sum + at);
+        let share = 1.0 / (2 * radius + 1) as f32;
+        for (i, point) in (0..).zip(&mut smooth) {
+            *point = sum * share;
+            sum = sum + at(i + radius + 1) - at(i - radius);
+        }
+    }
+    smooth
+}

@@ -1,0 +1,38 @@
+//! What labels are placed by.
+
+use glam::Vec2;
+
+use crate::land::CoastDistance;
+use crate::network::Place;
+
+/// A river that may have a label.
+#[derive(Clone, Debug, PartialEq)]
+pub struct River {
+    /// Its centerline, from the source, with its banks, in units.
+    pub course: Vec<Place>,
+    /// Its discharge at its end.
+    pub discharge: u32,
+    /// Its name in full, and in short.
+    pub name: [String; 2],
+}
+
+/// A map that labels are wanted for. Lengths are units.
+#[derive(Clone, Debug)]
+pub struct Input<'a> {
+    /// The part of the domain that is seen: its north-western and its south-eastern corner.
+    pub frame: [Vec2; 2],
+    /// The smallest letters that can be read, as the length of their em.
+    pub least_em: f32,
+    /// What sizes of letters are multiplied by.
+    pub label_size: f32,
+    /// Labels end when they cover so much of the map, in square units.
+    pub most_area: f32,
+    /// What all rivers together bring to the sea, in the unit of their discharge.
+    pub total_discharge: u32,
+    /// The rivers.
+    pub rivers: Vec<River>,
+    /// Lakes and ridges, which no letter may touch.
+    pub obstacles: Vec<Vec<Place>>,
+    /// How far inland each point lies; `None` if there is no sea.
+    pub coast: Option<&'a CoastDistance>,
+}

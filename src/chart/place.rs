@@ -1,0 +1,116 @@
+//! Labels, one after the other: the greatest river first. Later ones only take room away, so nothing is placed twice.
+
+use glam::Vec2;
+
+use super::baseline::{Course, Line};
+use super::ground::Ground;
+use super::input::{Input, River};
+use super::letters::{Box, Label, Text};
+use super::search::Search;
+use crate::geometry::distance;
+use crate::sort;
+
+/// Sizes of letters, the length of their em in units, by the share of all water that a river has.
+const SIZES: [(f32, f32); 5] = [(0.10, 18.5), (0.045, 16.0), (0.018, 14.0), (0.007, 12.5), (0.0, 11.0)];
+
+/// Shorter rivers have no label, and beyond this length a river is no more important for being longer. In units.
+const SHORTEST: f32 = 60.0;
+const LONG: f32 = 400.0;
+/// A river as long as this in units, and in labels, has two, which lie so many of their lengths apart.
+const LONG_ENOUGH_FOR_TWO: f32 = 420.0;
+const LABELS_FOR_TWO: f32 = 7.0;
+const APART: f32 = 2.2;
+
+/// How many rivers are tried, however many there are.
+const MOST_RIVERS: usize = 400;
+
+/// The labels of a map's rivers, the most important first.
+pub fn place<G: Ground>(input: &Input<'_>, ground: &G) -> Vec<Label> {
+    let mut map = Map { input, ground, labels: Vec::new(), boxes: Vec::new(), area: 0.0 };
+    for number in by_importance(&input.rivers).into_iter().take(MOST_RIVERS) {
+        if map.area >= input.most_area {
+            break;
+        }
+        map.label(number);
+    }
+    map.labels
+}
+
+/// The rivers that are long enough, in the order in which they are labelled.
+fn by_importance(rivers: &[River]) -> Vec<usize> {
+    let length = |river: &River| river.course.windows(2).map(|pair| distance(pair[0].at, pair[1].at)).sum::<f32>();
+    let lengths: Vec<f32> = rivers.iter().map(length).collect();
+    let importance = |i: usize| (rivers[i].discharge as f32).sqrt() * lengths[i].min(LONG);
+    let order = sort::argsort((0..rivers.len()).map(|i| sort::key(-importance(i))));
+    order.into_iter().filter(|&i| lengths[i] >= SHORTEST).collect()
+}
+
+/// A map with the labels that it has so far.
+struct Map<'a, G> {
+    input: &'a Input<'a>,
+    ground: &'a G,
+    labels: Vec<Label>,
+    boxes: Vec<Box>,
+    /// What they cover, in square units.
+    area: f32,
+}
+
+impl<G: Ground> Map<'_, G> {
+    /// Labels a river, in short if there is no room for all of its name; twice if it is long.
+    fn label(&mut self, number: usize) {
+        let river = &self.input.rivers[number];
+        let total: u32 = self.input.total_discharge;
+        let share = river.discharge as f32 / total.max(1) as f32;
+        let size = SIZES.iter().find(|(least, _)| share >= *least).map_or(0.0, |(_, size)| *size);
+        let em = size.max(self.input.least_em) * self.input.label_size;
+        let Some(course) = Course::new(&river.course, em) else { return };
+        let lines = course.lines(em);
+        let Some(first) = self.attempt(number, &course, &lines, em, None) else { return };
+        let (middle, length) = (middle(&first), first.letters.len() as f32 * 0.5 * em);
+        self.take(first);
+        let along: f32 = river.course.windows(2).map(|pair| distance(pair[0].at, pair[1].at)).sum();
+        if along >= LONG_ENOUGH_FOR_TWO.max(LABELS_FOR_TWO * length) {
+            let second = self.attempt(number, &course, &lines, em, Some((middle, APART * length)));
+            second.into_iter().for_each(|second| self.take(second));
+        }
+    }
+
+    fn attempt(
+        &self,
+        number: usize,
+        course: &Course,
+        lines: &[Line],
+        em: f32,
+        away: Option<(Vec2, f32)>,
+    ) -> Option<Label> {
+        let [long, short] = &self.input.rivers[number].name;
+        let forms = if long == short { &[long][..] } else { &[long, short] };
+        forms.iter().find_map(|form| {
+            let search = Search {
+                input: self.input,
+                ground: self.ground,
+                taken: &self.boxes,
+                river: number as u32,
+                thick: course.thick(),
+                lines,
+                text: Text::new(form),
+                em,
+                away,
+            };
+            search.label(form)
+        })
+    }
+
+    fn take(&mut self, label: Label) {
+        self.area += Text::new(&label.text).length * label.em * label.em;
+        self.boxes.extend(label.letters.iter().map(|letter| letter.around(label.em)));
+        self.labels.push(label);
+    }
+}
+
+/// The middle between a label's first letter and its last.
+fn middle(label: &Label) -> Vec2 {
+    let ends =
+        [label.letters.first(), label.letters.last()].map(|letter| letter.map_or(Vec2::ZERO, |letter| letter.at));
+    (ends[0] + ends[1]) * 0.5
+}
