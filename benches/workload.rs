@@ -84,6 +84,7 @@ fn repetition(task: &str) -> Option<Repetition> {
         ["late", key, one, other] => late(&format!("{key}={one}"), &format!("{key}={other}")),
         ["relief"] => relief(),
         ["restyle", land, style] => restyle(land, style),
+        ["labelled", labels] => pictured(link::read(&format!("land=island&style=ink&labels={labels}")).ok()?),
         ["pen"] => changes("roughness=0.5", "roughness=0.51", 6000, DRAWN),
         ["differing"] => Some(Box::new(|| differing_bytes().unwrap_or(u32::MAX))),
         _ => None,
@@ -193,9 +194,13 @@ fn drainage(attractors: &str) -> Option<Repetition> {
 
 /// An island from its link to the finished picture; the number of rivers.
 fn finished(growth: &str, attractors: &str) -> Option<Repetition> {
-    let link = format!("growth={growth}&land=island&mouths=0&attractors={attractors}");
+    pictured(recipe(&format!("growth={growth}&land=island&mouths=0&attractors={attractors}"))?)
+}
+
+/// A map from its recipe to the finished picture; the number of rivers.
+fn pictured(recipe: Recipe) -> Option<Repetition> {
     let rivers = move || -> Option<u32> {
-        let mut session = Session::new(recipe(&link)?).ok()?;
+        let mut session = Session::new(recipe.clone()).ok()?;
         let mut picture = Picture::new(SIDE, SIDE).ok()?;
         session.advance(u32::MAX).ok()?;
         picture.paint(&session);

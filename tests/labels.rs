@@ -9,7 +9,7 @@ use common::property::{cases, large};
 use common::random_link;
 use geo::{Distance, Euclidean, Intersects};
 use proptest::prelude::*;
-use riverseed::chart::{Box, Ground, Ink, Input, Label, OBSTACLE, Piece, Placed, Raster, cell_middle, place};
+use riverseed::chart::{Box, Ground, Ink, Input, Kind, Label, Piece, Placed, Raster, cell_middle, place};
 use riverseed::glam::Vec2;
 use riverseed::recipe::link;
 use riverseed::{Picture, Session};
@@ -32,7 +32,7 @@ impl Ground for Literal {
     }
 
     fn distances(&self, at: Vec2, river: u32, least_width: f32, reach: f32) -> [f32; 2] {
-        let rivers = || self.0.iter().filter(|piece| piece.river != OBSTACLE);
+        let rivers = || self.0.iter().filter(|piece| piece.is_river());
         let least =
             |pieces: &mut dyn Iterator<Item = &Piece>| pieces.map(|piece| piece.distance(at)).fold(reach, f32::min);
         let is_rival = |piece: &&Piece| piece.river != river && piece.is_as_wide_as(least_width);
@@ -109,7 +109,8 @@ fn check_place(label: &Label, input: &Input<'_>) -> Result<(), TestCaseError> {
             prop_assert!(input.coast.is_none_or(|coast| coast.height(corner) > 0.0), "{} is in the sea", label.text);
             prop_assert!(corner.cmpge(input.frame[0]).all() && corner.cmple(input.frame[1]).all(), "{}", label.text);
         }
-        for piece in pieces.iter().filter(|piece| piece.river == label.river) {
+        let own = pieces.iter().filter(|piece| piece.river == label.river && label.kind == Kind::River);
+        for piece in own {
             let narrower = f64::from(piece.ends[0].half.min(piece.ends[1].half));
             let distance = Euclidean.distance(&polygon(&around), &ends(piece));
             prop_assert!(distance >= narrower * 0.999, "{} lies on its river", label.text);

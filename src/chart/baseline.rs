@@ -14,6 +14,12 @@ const SMOOTHED_AGAIN: usize = 3;
 /// How far around a place the course may poke into letters, in samples, and how much of that a line keeps away.
 const AROUND: usize = 2 * SAMPLES;
 const KEPT: f32 = 0.7;
+/// The same of reaches, which are named on and beside the belt of their bends.
+const SMOOTHNESS_OF_REACHES: [usize; 3] = [3 * SAMPLES, 5 * SAMPLES, 8 * SAMPLES];
+const AROUND_REACHES: usize = 4 * SAMPLES;
+const SMOOTHED_AGAIN_OF_REACHES: usize = 2 * SAMPLES;
+/// How far below its line the baseline of type lies whose small letters stand on the middle of that, in ems.
+const ON: f32 = 0.2;
 
 /// How far the baseline lies from the bank, in ems: above the river, and below it, where type hangs from it.
 const ABOVE: f32 = 0.25 + 0.06;
@@ -82,11 +88,50 @@ impl Course {
         SMOOTHNESS.into_iter().flat_map(|radius| self.beside(&smoothed(&self.at, radius), em)).collect()
     }
 
+    /// Lines on and beside the belt of a reach.
+    pub fn lines_of_reach(&self, em: f32) -> Vec<Line> {
+        SMOOTHNESS_OF_REACHES.into_iter().flat_map(|radius| self.along_belt(&smoothed(&self.at, radius), em)).collect()
+    }
+
+    /// How much longer it is than a copy smoothed by so many ems.
+    pub fn winding(&self, ems: usize) -> f32 {
+        let length = |line: &[Vec2]| line.windows(2).map(|pair| distance(pair[0], pair[1])).sum::<f32>();
+        length(&self.at) / length(&smoothed(&self.at, ems * SAMPLES))
+    }
+
+    /// The lines on and beside one copy, in both directions if both can be read somewhere.
+    fn along_belt(&self, copy: &[Vec2], em: f32) -> Vec<Line> {
+        let along = directions(copy);
+        let mut lines = Vec::new();
+        for is_downstream in [true, false] {
+            let is_read = |along: &Vec2| is_upright(if is_downstream { *along } else { -*along });
+            if !along.iter().any(is_read) {
+                continue;
+            }
+            // To the right of those who read is below.
+            let right = if is_downstream { 1.0 } else { -1.0 };
+            for (side, gap) in [(0.0, ON), (-1.0, ABOVE), (1.0, BELOW)] {
+                let aside: Vec<Vec2> =
+                    along.iter().map(|along| along.perp() * right * if side < 0.0 { -1.0 } else { 1.0 }).collect();
+                let belt = if side == 0.0 { vec![0.0; copy.len()] } else { self.belt(copy, &aside) };
+                let off = |i: usize| copy[i] + aside[i] * (gap * em + belt[i]);
+                let at = smoothed(&(0..copy.len()).map(off).collect::<Vec<_>>(), SMOOTHED_AGAIN_OF_REACHES);
+                lines.push(self.line(at, is_downstream, side < 0.0));
+            }
+        }
+        lines
+    }
+
+    /// How far the banks come to one side of the copy, at most, around each point.
+    fn belt(&self, copy: &[Vec2], aside: &[Vec2]) -> Vec<f32> {
+        let off = (0..copy.len()).map(|i| (self.at[i] - copy[i]).dot(aside[i]) + self.half[i]).collect::<Vec<_>>();
+        most_around(&off, AROUND_REACHES)
+    }
+
     /// The lines beside one copy.
     fn beside(&self, copy: &[Vec2], em: f32) -> Vec<Line> {
         let last = copy.len() - 1;
-        let along: Vec<Vec2> =
-            (0..=last).map(|i| direction(copy[(i + 1).min(last)] - copy[i.saturating_sub(1)])).collect();
+        let along = directions(copy);
         let mut lines = Vec::new();
         for is_downstream in [true, false] {
             let is_read = |along: &Vec2| is_upright(if is_downstream { *along } else { -*along });
@@ -123,12 +168,23 @@ impl Course {
     /// How far the course comes to one side of its copy, at most, around each point.
     fn poking(&self, copy: &[Vec2], aside: &[Vec2]) -> Vec<f32> {
         let off: Vec<f32> = (0..copy.len()).map(|i| (self.at[i] - copy[i]).dot(aside[i])).collect();
-        let most = |i: usize| {
-            let around = &off[i.saturating_sub(AROUND)..(i + AROUND + 1).min(off.len())];
-            around.iter().copied().fold(0.0, |most: f32, off| if off > most { off } else { most })
-        };
-        (0..copy.len()).map(most).collect()
+        most_around(&off, AROUND)
     }
+}
+
+/// The unit vectors along a line.
+fn directions(line: &[Vec2]) -> Vec<Vec2> {
+    let last = line.len() - 1;
+    (0..=last).map(|i| direction(line[(i + 1).min(last)] - line[i.saturating_sub(1)])).collect()
+}
+
+/// The greatest number around each, at least 0.
+fn most_around(numbers: &[f32], around: usize) -> Vec<f32> {
+    let most = |i: usize| {
+        let around = &numbers[i.saturating_sub(around)..(i + around + 1).min(numbers.len())];
+        around.iter().copied().fold(0.0, |most: f32, number| if number > most { number } else { most })
+    };
+    (0..numbers.len()).map(most).collect()
 }
 
 /// Whether type that runs this way is upright: from 100 degrees upward to 80 downward.

@@ -7,8 +7,10 @@ use crate::network::Place;
 
 /// No river.
 pub const NONE: u32 = u32::MAX;
-/// What is in the way of every label.
-pub const OBSTACLE: u32 = u32::MAX - 1;
+/// A ridge, which is in the way of every label.
+pub const RIDGE: u32 = u32::MAX - 1;
+/// A lake.
+pub const LAKE: u32 = u32::MAX - 2;
 
 /// The side of the cells that samples are taken by, in units.
 pub const CELL: f32 = 2.0;
@@ -41,10 +43,10 @@ pub trait Ground {
     fn distances(&self, at: Vec2, river: u32, least_width: f32, reach: f32) -> [f32; 2];
 }
 
-/// A straight piece of a river or an obstacle.
+/// A straight piece of a river, a lake or a ridge.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Piece {
-    /// The river's number, or [`OBSTACLE`].
+    /// The river's number, [`LAKE`] or [`RIDGE`].
     pub river: u32,
     /// Its ends.
     pub ends: [Place; 2],
@@ -57,7 +59,8 @@ impl Piece {
             line.windows(2).map(|pair| Self { river, ends: [pair[0], pair[1]] }).collect()
         };
         let rivers = (0..).zip(&input.rivers).flat_map(|(number, river)| pieces(number, &river.course));
-        rivers.chain(input.obstacles.iter().flat_map(|line| pieces(OBSTACLE, line))).collect()
+        let lakes = input.lakes.iter().flat_map(|line| pieces(LAKE, line));
+        rivers.chain(lakes).chain(input.ridges.iter().flat_map(|line| pieces(RIDGE, line))).collect()
     }
 
     /// How far a point lies from the middle line, and half the width there.
@@ -75,8 +78,18 @@ impl Piece {
     #[inline]
     pub fn ink(&self, point: Vec2) -> Option<Ink> {
         let (distance, half) = self.nearest(point);
-        let width = if self.river == OBSTACLE { f32::MAX } else { 2.0 * half };
+        let width = match self.river {
+            RIDGE => f32::MAX,
+            LAKE => f32::MAX / 2.0,
+            _ => 2.0 * half,
+        };
         (distance <= half + MARGIN).then_some(Ink { river: self.river, width })
+    }
+
+    /// Whether it is a river's.
+    #[inline]
+    pub fn is_river(&self) -> bool {
+        self.river < LAKE
     }
 
     /// How far its bank is from a point; less than 0 in the river.

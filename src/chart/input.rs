@@ -16,6 +16,17 @@ pub struct River {
     pub name: [String; 2],
 }
 
+/// A stretch on which a great river winds, and that has a name of its own.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Reach {
+    /// The number of its river.
+    pub river: u32,
+    /// Its centerline, with its banks, in units.
+    pub course: Vec<Place>,
+    /// Its name in full, and in short.
+    pub name: [String; 2],
+}
+
 /// A map that labels are wanted for. Lengths are units.
 #[derive(Clone, Debug)]
 pub struct Input<'a> {
@@ -31,8 +42,12 @@ pub struct Input<'a> {
     pub total_discharge: u32,
     /// The rivers.
     pub rivers: Vec<River>,
-    /// Lakes and ridges, which no letter may touch.
-    pub obstacles: Vec<Vec<Place>>,
+    /// Stretches of them with names of their own.
+    pub reaches: Vec<Reach>,
+    /// Lakes that rivers have left, which only letters of reaches may touch.
+    pub lakes: Vec<Vec<Place>>,
+    /// Ridges, which no letter may touch.
+    pub ridges: Vec<Vec<Place>>,
     /// How far inland each point lies; `None` if there is no sea.
     pub coast: Option<&'a CoastDistance>,
 }

@@ -7,8 +7,32 @@ use crate::geometry::{distance, gap, length};
 use crate::glyph::{Glyph, Letter, line_of};
 use crate::network::Place;
 
-/// What is between letters besides their advance, in ems.
-pub const TRACKING: f32 = 0.08;
+/// What a label names.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// A river.
+    River,
+    /// A stretch on which one winds.
+    Reach,
+}
+
+impl Kind {
+    /// What is between letters besides their advance, in ems.
+    pub fn tracking(self) -> f32 {
+        match self {
+            Self::River => 0.08,
+            Self::Reach => 0.16,
+        }
+    }
+
+    /// How far its halo reaches around outlines, in ems.
+    pub fn halo(self) -> f32 {
+        match self {
+            Self::River => 0.13,
+            Self::Reach => 0.2,
+        }
+    }
+}
 
 /// How far below its baseline the middle of a small letter lies, in ems.
 pub const MIDDLE: f32 = -0.2;
@@ -27,6 +51,8 @@ pub struct Placed {
 /// A label in its place.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Label {
+    /// What it names.
+    pub kind: Kind,
     /// The number of its river.
     pub river: u32,
     /// What it says.
@@ -41,7 +67,7 @@ impl Label {
     /// The spaces between its words, each from one letter's middle to the next one's, in units.
     pub fn spaces(&self) -> impl Iterator<Item = [Vec2; 2]> + '_ {
         /// More than there is between the letters of a word, in ems.
-        const LEAST: f32 = 0.2;
+        const LEAST: f32 = 0.28;
         let space = |pair: &[Placed]| {
             let end = Vec2::new(pair[0].glyph.advance, MIDDLE);
             [pair[0].place(end, self.em), pair[1].place(Vec2::new(0.0, MIDDLE), self.em)]
@@ -59,8 +85,8 @@ pub struct Text {
 }
 
 impl Text {
-    pub fn new(text: &str) -> Self {
-        let (mut letters, length) = line_of(text, TRACKING);
+    pub fn new(text: &str, kind: Kind) -> Self {
+        let (mut letters, length) = line_of(text, kind.tracking());
         letters.retain(|letter| !letter.glyph.contours.is_empty());
         Self { letters, length }
     }

@@ -16,8 +16,8 @@ mod place;
 mod raster;
 mod search;
 
-pub use ground::{Ground, Ink, OBSTACLE, Piece, cell_middle};
-pub use input::{Input, River};
-pub use letters::{Box, Label, Placed};
-pub use place::place;
+pub use ground::{Ground, Ink, Piece, cell_middle};
+pub use input::{Input, Reach, River};
+pub use letters::{Box, Kind, Label, Placed};
+pub use place::{place, winding};
 pub use raster::Raster;

@@ -4,10 +4,11 @@ use glam::Vec2;
 
 use super::baseline::{Course, Line};
 use super::ground::Ground;
-use super::input::{Input, River};
-use super::letters::{Box, Label, Text};
+use super::input::{Input, Reach, River};
+use super::letters::{Box, Kind, Label, Text};
 use super::search::Search;
 use crate::geometry::distance;
+use crate::network::Place;
 use crate::sort;
 
 /// Sizes of letters, the length of their em in units, by the share of all water that a river has.
@@ -27,13 +28,27 @@ const MOST_RIVERS: usize = 400;
 /// The labels of a map's rivers, the most important first.
 pub fn place<G: Ground>(input: &Input<'_>, ground: &G) -> Vec<Label> {
     let mut map = Map { input, ground, labels: Vec::new(), boxes: Vec::new(), area: 0.0 };
-    for number in by_importance(&input.rivers).into_iter().take(MOST_RIVERS) {
+    for reach in &input.reaches {
+        map.label_with_reach(reach);
+    }
+    let is_new = |number: &usize| input.reaches.iter().all(|reach| reach.river as usize != *number);
+    for number in by_importance(&input.rivers).into_iter().take(MOST_RIVERS).filter(is_new) {
         if map.area >= input.most_area {
             break;
         }
         map.label(number);
     }
     map.labels
+}
+
+/// How much longer a stretch is than its valley; 0 if it is less than so many of its widths long.
+pub fn winding(course: &[Place], least_widths: f32) -> f32 {
+    /// Of letters that it might be named with, in units, and how many of those its valley is smoothed by.
+    const EM: f32 = 16.0;
+    const EMS: usize = 5;
+    let length: f32 = course.windows(2).map(|pair| distance(pair[0].at, pair[1].at)).sum();
+    let is_long = |course: &Course| length >= least_widths * course.thick();
+    Course::new(course, EM).filter(is_long).map_or(0.0, |course| course.winding(EMS))
 }
 
 /// The rivers that are long enough, in the order in which they are labelled.
@@ -45,55 +60,95 @@ fn by_importance(rivers: &[River]) -> Vec<usize> {
     order.into_iter().filter(|&i| lengths[i] >= SHORTEST).collect()
 }
 
+/// What a label is wanted for.
+struct Subject<'a> {
+    kind: Kind,
+    river: u32,
+    name: &'a [String; 2],
+}
+
 /// A map with the labels that it has so far.
 struct Map<'a, G> {
     input: &'a Input<'a>,
     ground: &'a G,
     labels: Vec<Label>,
-    boxes: Vec<Box>,
+    boxes: Vec<(u32, Box)>,
     /// What they cover, in square units.
     area: f32,
 }
 
 impl<G: Ground> Map<'_, G> {
+    /// Labels a stretch on which a river winds, and the river; the river first, if that leaves it no room.
+    fn label_with_reach(&mut self, reach: &Reach) {
+        let before = (self.labels.len(), self.boxes.len(), self.area);
+        self.label_reach(reach);
+        let with_reach = self.labels.len();
+        self.label(reach.river as usize);
+        if self.labels.len() == with_reach {
+            self.labels.truncate(before.0);
+            self.boxes.truncate(before.1);
+            self.area = before.2;
+            self.label(reach.river as usize);
+            self.label_reach(reach);
+        }
+    }
+
+    /// Labels a stretch on which a river winds, in smaller letters if there is no room for large ones.
+    fn label_reach(&mut self, reach: &Reach) {
+        for size in [1.0, 0.85] {
+            let em = self.em(reach.river as usize) * size;
+            let Some(course) = Course::new(&reach.course, em) else { return };
+            let subject = Subject { kind: Kind::Reach, river: reach.river, name: &reach.name };
+            if let Some(label) = self.attempt(&subject, &course, &course.lines_of_reach(em), em, None) {
+                return self.take(label);
+            }
+        }
+    }
+
+    /// The size of a river's letters.
+    fn em(&self, number: usize) -> f32 {
+        let share = self.input.rivers[number].discharge as f32 / self.input.total_discharge.max(1) as f32;
+        let size = SIZES.iter().find(|(least, _)| share >= *least).map_or(0.0, |(_, size)| *size);
+        size.max(self.input.least_em) * self.input.label_size
+    }
+
     /// Labels a river, in short if there is no room for all of its name; twice if it is long.
     fn label(&mut self, number: usize) {
         let river = &self.input.rivers[number];
-        let total: u32 = self.input.total_discharge;
-        let share = river.discharge as f32 / total.max(1) as f32;
-        let size = SIZES.iter().find(|(least, _)| share >= *least).map_or(0.0, |(_, size)| *size);
-        let em = size.max(self.input.least_em) * self.input.label_size;
+        let em = self.em(number);
+        let subject = Subject { kind: Kind::River, river: number as u32, name: &river.name };
         let Some(course) = Course::new(&river.course, em) else { return };
         let lines = course.lines(em);
-        let Some(first) = self.attempt(number, &course, &lines, em, None) else { return };
+        let Some(first) = self.attempt(&subject, &course, &lines, em, None) else { return };
         let (middle, length) = (middle(&first), first.letters.len() as f32 * 0.5 * em);
         self.take(first);
         let along: f32 = river.course.windows(2).map(|pair| distance(pair[0].at, pair[1].at)).sum();
         if along >= LONG_ENOUGH_FOR_TWO.max(LABELS_FOR_TWO * length) {
-            let second = self.attempt(number, &course, &lines, em, Some((middle, APART * length)));
+            let second = self.attempt(&subject, &course, &lines, em, Some((middle, APART * length)));
             second.into_iter().for_each(|second| self.take(second));
         }
     }
 
     fn attempt(
         &self,
-        number: usize,
+        subject: &Subject<'_>,
         course: &Course,
         lines: &[Line],
         em: f32,
         away: Option<(Vec2, f32)>,
     ) -> Option<Label> {
-        let [long, short] = &self.input.rivers[number].name;
+        let Subject { kind, river, name: [long, short] } = subject;
         let forms = if long == short { &[long][..] } else { &[long, short] };
         forms.iter().find_map(|form| {
             let search = Search {
                 input: self.input,
                 ground: self.ground,
                 taken: &self.boxes,
-                river: number as u32,
+                river: *river,
+                kind: *kind,
                 thick: course.thick(),
                 lines,
-                text: Text::new(form),
+                text: Text::new(form, *kind),
                 em,
                 away,
             };
@@ -102,8 +157,8 @@ impl<G: Ground> Map<'_, G> {
     }
 
     fn take(&mut self, label: Label) {
-        self.area += Text::new(&label.text).length * label.em * label.em;
-        self.boxes.extend(label.letters.iter().map(|letter| letter.around(label.em)));
+        self.area += Text::new(&label.text, label.kind).length * label.em * label.em;
+        self.boxes.extend(label.letters.iter().map(|letter| (label.river, letter.around(label.em))));
         self.labels.push(label);
     }
 }

@@ -2,7 +2,7 @@
 
 use glam::Vec2;
 
-use super::ground::{CELL, Ground, Ink, OBSTACLE, Piece, cell_middle};
+use super::ground::{CELL, Ground, Ink, Piece, cell_middle};
 use super::input::Input;
 
 /// The side of the squares that pieces are sorted into, in units.
@@ -83,7 +83,7 @@ impl Ground for Raster {
         self.squares.around(at - self.corner, reach, |pieces| {
             for piece in pieces.iter().map(|&piece| &self.pieces[piece as usize]) {
                 let is_other = piece.river != river;
-                if piece.river == OBSTACLE || (is_other && !piece.is_as_wide_as(least_width)) {
+                if !piece.is_river() || (is_other && !piece.is_as_wide_as(least_width)) {
                     continue;
                 }
                 let distance = piece.distance(at);

@@ -3,9 +3,9 @@
 use glam::Vec2;
 
 use super::baseline::{Line, is_upright};
-use super::ground::{Ground, OBSTACLE};
+use super::ground::{Ground, LAKE, RIDGE};
 use super::input::Input;
-use super::letters::{Box, Label, MIDDLE, Placed, Text, between, walk_from};
+use super::letters::{Box, Kind, Label, MIDDLE, Placed, Text, between, walk_from};
 use crate::geometry::direction;
 use crate::sort;
 
@@ -24,7 +24,9 @@ const COS_LETTER: f32 = 0.573_576_4;
 /// How far letters keep from the frame, the coast and other labels, in ems.
 const FROM_FRAME: f32 = 0.4;
 const FROM_COAST: f32 = 0.15;
-pub const FROM_LABELS: f32 = 0.28;
+const FROM_LABELS: f32 = 0.28;
+/// The same of other labels of the same river, with which they would read as one.
+const FROM_OWN_LABELS: f32 = 1.6;
 
 /// How far from the bank letters may stand on average, in ems, and any of them.
 const MOST_MEAN: f32 = 1.35;
@@ -39,9 +41,10 @@ const RIVALS_AWAY: f32 = 1.6;
 pub struct Search<'a, G> {
     pub input: &'a Input<'a>,
     pub ground: &'a G,
-    /// The boxes of the labels that there are.
-    pub taken: &'a [Box],
+    /// The boxes of the labels that there are, with the numbers of their rivers.
+    pub taken: &'a [(u32, Box)],
     pub river: u32,
+    pub kind: Kind,
     /// How wide the river is where it is widest, in units.
     pub thick: f32,
     pub lines: &'a [Line],
@@ -66,7 +69,7 @@ impl<G: Ground> Search<'_, G> {
         let candidate = self.best()?;
         let mut letters = Vec::new();
         self.lay(candidate.line, candidate.start, &mut letters)?;
-        Some(Label { river: self.river, text: text.into(), em: self.em, letters })
+        Some(Label { kind: self.kind, river: self.river, text: text.into(), em: self.em, letters })
     }
 
     /// The cheapest candidate that nothing forbids; the earlier of equals.
@@ -158,10 +161,13 @@ impl<G: Ground> Search<'_, G> {
             letters.push(placed);
         }
         let middle = walk_from(line, start + length * 0.5).place();
-        let thin = (1.0 - line.width[middle] / (0.55 * self.thick)).max(0.0);
         let off_middle = line.area[middle] - 0.5;
+        let thin = (1.0 - line.width[middle] / (0.55 * self.thick)).max(0.0);
         let below = if line.is_above { 0.0 } else { 0.35 };
-        Some(turns.cost() + 1.6 * steepness(along) + 2.6 * off_middle * off_middle + 0.9 * thin + below)
+        Some(match self.kind {
+            Kind::River => turns.cost() + 1.6 * steepness(along) + 2.6 * off_middle * off_middle + 0.9 * thin + below,
+            Kind::Reach => 1.1 * turns.sum + 1.6 * steepness(along) + 3.0 * off_middle.abs(),
+        })
     }
 
     fn is_in_frame(&self, at: Vec2) -> bool {
@@ -170,28 +176,35 @@ impl<G: Ground> Search<'_, G> {
         at.cmpge(least + margin).all() && at.cmple(most - margin).all()
     }
 
-    /// What the ink of other rivers under the letters costs; `None` if there is too much of it, or sea, or their own river.
+    /// What the ink under the letters costs; `None` if there is too much of it, or sea.
     fn ink(&self, letters: &[Placed], width: f32) -> Option<f32> {
-        let most = (0.55 * width).clamp(1.6, 3.2);
-        let (mut ink, mut hit, mut count) = (0.0, 0.0, 0.0);
+        let most = match self.kind {
+            Kind::River => (0.55 * width).clamp(1.6, 3.2),
+            Kind::Reach => 0.8 * self.thick,
+        };
+        let (mut others, mut own) = (Under::default(), Under::default());
         for letter in letters {
             let around = letter.around(self.em);
             if !self.is_on_land(&around) {
                 return None;
             }
             for sample in around.samples() {
-                count += 1.0;
                 let under = self.ground.ink(sample);
-                if under.width > 0.0 {
-                    if under.river == self.river || under.river == OBSTACLE || under.width > most {
-                        return None;
-                    }
-                    ink += 0.5 + under.width;
-                    hit += 1.0;
+                let is_own = under.river == self.river || under.river == LAKE;
+                if under.river == RIDGE || (is_own && self.kind == Kind::River) || (!is_own && under.width > most) {
+                    return None;
                 }
+                let width = if under.river == LAKE { self.thick } else { under.width };
+                if is_own { own.take(width) } else { others.take(width) }
             }
         }
-        Some(if count > 0.0 { 1.5 * (ink + hit) / count } else { 0.0 })
+        let samples = (others.samples + own.samples).max(1.0);
+        Some(match self.kind {
+            Kind::River => 1.5 * (0.5 * others.hits + others.width + others.hits) / samples,
+            Kind::Reach => {
+                (1.2 * (0.5 * others.hits + others.width) + 4.0 * own.width / self.thick + 1.1 * own.hits) / samples
+            }
+        })
     }
 
     fn is_on_land(&self, around: &Box) -> bool {
@@ -206,7 +219,7 @@ impl<G: Ground> Search<'_, G> {
             let middle = letter.place(Vec2::new(letter.glyph.advance * 0.5, MIDDLE), self.em);
             let both = self.ground.distances(middle, self.river, RIVAL * width, FARTHEST * self.em);
             let [own, rival] = both.map(|distance| distance / self.em);
-            if own >= FARTHEST {
+            if own >= FARTHEST && self.kind == Kind::River {
                 return None;
             }
             own_sum += own;
@@ -216,6 +229,9 @@ impl<G: Ground> Search<'_, G> {
         }
         let count = letters.len() as f32;
         let mean = own_sum / count;
+        if self.kind == Kind::Reach {
+            return (count > 0.0).then_some(0.5 * mean.max(0.0));
+        }
         if count == 0.0 || mean > MOST_MEAN || own_sum * NEARER > rival_sum {
             return None;
         }
@@ -226,11 +242,33 @@ impl<G: Ground> Search<'_, G> {
     /// Whether no letter touches its own river or comes too near to another label, exactly.
     fn is_free(&self, letters: &[Placed]) -> bool {
         let course = &self.input.rivers[self.river as usize].course;
-        let margin = FROM_LABELS * self.em;
         letters.iter().map(|letter| letter.around(self.em)).all(|around| {
-            !self.taken.iter().any(|other| around.meets(other, margin))
-                && !course.windows(2).any(|pair| around.meets_river(pair))
+            let is_too_near = |(river, other): &(u32, Box)| {
+                let margin = if *river == self.river { FROM_OWN_LABELS } else { FROM_LABELS };
+                around.meets(other, margin * self.em)
+            };
+            !self.taken.iter().any(is_too_near)
+                && (self.kind == Kind::Reach || !course.windows(2).any(|pair| around.meets_river(pair)))
         })
+    }
+}
+
+/// What samples have met.
+#[derive(Default)]
+struct Under {
+    samples: f32,
+    hits: f32,
+    /// The sum of widths, in units.
+    width: f32,
+}
+
+impl Under {
+    fn take(&mut self, width: f32) {
+        self.samples += 1.0;
+        if width > 0.0 {
+            self.hits += 1.0;
+            self.width += width;
+        }
     }
 }
 

@@ -9,9 +9,7 @@ use super::view::View;
 use crate::chart::{Label, Placed};
 use crate::glyph::Fill;
 
-/// How far the halo reaches around outlines, in ems, and around the middle of a space between words: a river that showed there would be
-/// taken for a hyphen.
-pub(crate) const HALO: f32 = 0.13;
+/// How far the halo reaches around the middle of a space between words, in ems: a river that showed there would be taken for a hyphen.
 pub(crate) const SPACE: f32 = 0.33;
 
 /// Takes rivers away around all letters. Returns the halo, if it has a colour of its own.
@@ -30,7 +28,7 @@ pub(super) fn halo(rivers: &mut Coverage, view: &View, labels: &[Label], palette
     rivers.take_away(&mask, &touched);
     mask.clear();
     for (label, letter) in letters_of(labels) {
-        let radius = HALO * label.em * view.scale;
+        let radius = label.kind.halo() * label.em * view.scale;
         let Some(pixels) = pixels(label, letter, view, radius + 1.0) else { continue };
         // Most letters stand on bare ground, where there is nothing to take away.
         if palette.label_halo.is_some() || rivers.is_drawn_on(pixels) {

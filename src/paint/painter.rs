@@ -164,11 +164,11 @@ impl Painter {
 
     /// Paints rivers, in place of the tree that they were. Returns the rectangle that changed; `None` if nothing did.
     pub fn paint_rivers(&mut self, rivers: &Rivers<'_>) -> Option<Rect> {
-        let is_labelled = self.labels == labels_of(rivers);
+        let is_labelled = self.labels == rivers.label_count();
         if self.round == Some(rivers.rounds) && self.ground.shows(rivers.relief) && is_labelled {
             return None;
         }
-        self.labels = labels_of(rivers);
+        self.labels = rivers.label_count();
         self.round = Some(rivers.rounds);
         self.is_finished = true;
         self.coverage.clear();
@@ -237,14 +237,6 @@ impl Painter {
         }
         Some(around)
     }
-}
-
-/// How many labels there are.
-fn labels_of(rivers: &Rivers<'_>) -> usize {
-    #[cfg(feature = "names")]
-    return rivers.labels.len();
-    #[cfg(not(feature = "names"))]
-    return 0;
 }
 
 fn widths(progress: &Progress<'_>) -> Widths {

@@ -20,8 +20,10 @@ pub(crate) struct Palette {
     pub ridge: Colour,
     pub river: Colour,
     /// Letters.
+    #[cfg_attr(not(feature = "names"), expect(dead_code, reason = "there are none"))]
     pub label: Colour,
     /// What lies around letters, and how much it covers, where the ground is too uneven for letters of one colour.
+    #[cfg_attr(not(feature = "names"), expect(dead_code, reason = "there are none"))]
     pub label_halo: Option<(Colour, f32)>,
     /// Land where all of the domain is.
     pub plain: Colour,

@@ -42,6 +42,16 @@ pub struct Rivers<'a> {
     pub style: Style,
 }
 
+impl Rivers<'_> {
+    /// How many labels there are.
+    pub(super) fn label_count(&self) -> usize {
+        #[cfg(feature = "names")]
+        return self.labels.len();
+        #[cfg(not(feature = "names"))]
+        0
+    }
+}
+
 /// The margin that is added to each bank, in pixels, so that a brook can be seen.
 pub(super) const VISIBLE_PX: f32 = 0.2;
 

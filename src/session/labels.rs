@@ -3,11 +3,11 @@
 use glam::Vec2;
 
 use super::Session;
-use crate::chart::{Input, Label, Raster, River, place};
+use crate::chart::{Input, Label, Raster, Reach, River, place, winding};
 use crate::domain::AREA;
 use crate::land::{CELL_SIZE, Land};
 use crate::memory;
-use crate::network::{NONE, Network, Place};
+use crate::network::{NONE, Network, Oxbow, Place, Vertex};
 use crate::recipe::{Key, Labels};
 
 /// The smallest letters that can be read: their em in pixels.
@@ -56,7 +56,9 @@ impl Session {
                     name: name(number),
                 })
                 .collect(),
-            obstacles: obstacles(network, land.map(std::convert::AsRef::as_ref)),
+            reaches: reaches(network),
+            lakes: network.oxbows.iter().map(Oxbow::middle).collect(),
+            ridges: land.map_or_else(Vec::new, |land| ridges(land)),
             coast: land.map(|land| land.coast_distance()),
         })
     }
@@ -67,13 +69,29 @@ fn area(land: &Land) -> f32 {
     land.regions().iter().map(|region| region.cells as f32).sum::<f32>() * CELL_SIZE * CELL_SIZE
 }
 
-/// Lakes and ridges.
-fn obstacles(network: &Network, land: Option<&Land>) -> Vec<Vec<Place>> {
+fn ridges(land: &Land) -> Vec<Vec<Place>> {
     /// How wide a ridge's strokes are on either side, in units.
-    const RIDGE: f32 = 3.0;
-    let ridges = land.into_iter().flat_map(Land::ridges);
-    let ridges = ridges.map(|ridge| ridge.iter().map(|&at| Place { at, half: RIDGE }).collect());
-    network.oxbows.iter().map(crate::network::Oxbow::middle).chain(ridges).collect()
+    const HALF: f32 = 3.0;
+    land.ridges().iter().map(|ridge| ridge.iter().map(|&at| Place { at, half: HALF }).collect()).collect()
+}
+
+/// The stretches on which great rivers wind, one a river at most: from where it first moves freely to where it last does, if that is so
+/// many widths long and so much longer than its valley.
+fn reaches(network: &Network) -> Vec<Reach> {
+    const FREE: f32 = 0.55;
+    const LEAST_WIDTHS: f32 = 12.0;
+    const LEAST_WINDING: f32 = 1.3;
+    let mut reaches: Vec<Reach> = Vec::new();
+    for (number, river) in (0..).zip(&network.rivers) {
+        let own = &network.vertices[river.vertex_range()];
+        let is_free = |vertex: &Vertex| vertex.mobility >= FREE;
+        let Some((first, last)) = own.iter().position(is_free).zip(own.iter().rposition(is_free)) else { continue };
+        let course = network.middle(river)[first..=last].to_vec();
+        if winding(&course, LEAST_WIDTHS) >= LEAST_WINDING {
+            reaches.push(Reach { river: number, course, name: reach_name(reaches.len()) });
+        }
+    }
+    reaches
 }
 
 /// A river's name in full, and in short. Until rivers have names of their own, words in turn.
@@ -84,4 +102,11 @@ fn name(number: usize) -> [String; 2] {
     ];
     let word = WORDS[number % WORDS.len()];
     [format!("{word} River"), word.into()]
+}
+
+/// The same of a stretch on which a river winds.
+fn reach_name(number: usize) -> [String; 2] {
+    const WORDS: [&str; 6] = ["Meanders", "Rambles", "Cringle-Crangles", "Serpentines", "Wimples", "Windings"];
+    let word = WORDS[number % WORDS.len()];
+    [format!("The {word}"), word.into()]
 }

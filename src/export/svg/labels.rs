@@ -6,7 +6,7 @@ use glam::Vec2;
 use super::path::Path;
 use super::text::Text;
 use crate::chart::{Label, Placed};
-use crate::paint::chart::{HALO, SPACE};
+use crate::paint::chart::SPACE;
 use crate::paint::palette::Palette;
 
 /// The end of a group's attributes that the halo masks.
@@ -22,7 +22,8 @@ pub(super) fn draw_halo(out: &mut Text, size: Vec2, labels: &[Label]) -> bool {
     out.text("<mask id=\"halo\" maskUnits=\"userSpaceOnUse\" x=\"0\" y=\"0\"").sized(size);
     out.text(">\n<rect fill=\"#fff\"").sized(size).text("/>\n");
     for label in labels {
-        out.text("<path stroke=\"#000\" stroke-linejoin=\"round\" stroke-width=\"").units(2.0 * HALO * label.em);
+        out.text("<path stroke=\"#000\" stroke-linejoin=\"round\" stroke-width=\"")
+            .units(2.0 * label.kind.halo() * label.em);
         out.text("\" d=\"").text(outlines(label).data()).text("\"/>\n");
     }
     out.text("<g stroke=\"#000\" stroke-linecap=\"round\">\n");
@@ -49,7 +50,9 @@ pub(super) fn draw(out: &mut Text, labels: &[Label], palette: &Palette) {
         out.text("\"><title>").escaped(&label.text).text("</title><path");
         if let Some((colour, strength)) = palette.label_halo {
             out.text(" paint-order=\"stroke\" stroke=\"").colour(colour).text("\" stroke-opacity=\"").units(strength);
-            out.text("\" stroke-linejoin=\"round\" stroke-width=\"").units(2.0 * HALO * label.em).text("\"");
+            out.text("\" stroke-linejoin=\"round\" stroke-width=\"")
+                .units(2.0 * label.kind.halo() * label.em)
+                .text("\"");
         }
         out.text(" d=\"").text(outlines(label).data()).text("\"/></g>\n");
     }
