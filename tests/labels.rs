@@ -72,7 +72,10 @@ fn check(session: &Session, width: f32) -> Result<usize, TestCaseError> {
     let (labels, input) = placed(session, width);
     for label in &labels {
         check_shape(label)?;
-        check_place(label, &input)?;
+        match label.river {
+            Some(river) => check_place(label, river, &input)?,
+            None => check_water(label, &input)?,
+        }
     }
     for (i, label) in labels.iter().enumerate() {
         for other in &labels[..i] {
@@ -97,8 +100,17 @@ fn check_shape(label: &Label) -> Result<(), TestCaseError> {
     Ok(())
 }
 
+/// On water.
+fn check_water(label: &Label, input: &Input<'_>) -> Result<(), TestCaseError> {
+    let corners = boxes(label).into_iter().flat_map(|around| around.corners());
+    let depth = |at: Vec2| input.coast.map_or(0.0, |coast| -coast.height(at));
+    let least = corners.map(depth).fold(f32::MAX, f32::min);
+    prop_assert!(least > 0.7 * label.em, "{} is {least} from the coast", label.text);
+    Ok(())
+}
+
 /// On land, off its river, and nearer to that than to any other that could be taken for it.
-fn check_place(label: &Label, input: &Input<'_>) -> Result<(), TestCaseError> {
+fn check_place(label: &Label, river: u32, input: &Input<'_>) -> Result<(), TestCaseError> {
     let pieces = Piece::all(input);
     let ends = |piece: &Piece| {
         let [from, to] = piece.ends.map(|place| geo::coord! { x: f64::from(place.at.x), y: f64::from(place.at.y) });
@@ -109,7 +121,7 @@ fn check_place(label: &Label, input: &Input<'_>) -> Result<(), TestCaseError> {
             prop_assert!(input.coast.is_none_or(|coast| coast.height(corner) > 0.0), "{} is in the sea", label.text);
             prop_assert!(corner.cmpge(input.frame[0]).all() && corner.cmple(input.frame[1]).all(), "{}", label.text);
         }
-        let own = pieces.iter().filter(|piece| piece.river == label.river && label.kind == Kind::River);
+        let own = pieces.iter().filter(|piece| piece.river == river && label.kind == Kind::River);
         for piece in own {
             let narrower = f64::from(piece.ends[0].half.min(piece.ends[1].half));
             let distance = Euclidean.distance(&polygon(&around), &ends(piece));
@@ -122,9 +134,9 @@ fn check_place(label: &Label, input: &Input<'_>) -> Result<(), TestCaseError> {
         let of_river = || pieces.iter().filter(|piece| piece.river == river && piece.is_as_wide_as(least));
         middles().map(|at| of_river().map(|piece| piece.distance(at)).fold(4.0 * label.em, f32::min)).sum()
     };
-    let widest = input.rivers[label.river as usize].course.iter().map(|place| 2.0 * place.half).fold(0.0, f32::max);
-    let own = away(label.river, 0.0);
-    for rival in (0..input.rivers.len() as u32).filter(|&rival| rival != label.river) {
+    let widest = input.rivers[river as usize].course.iter().map(|place| 2.0 * place.half).fold(0.0, f32::max);
+    let own = away(river, 0.0);
+    for rival in (0..input.rivers.len() as u32).filter(|&rival| rival != river) {
         prop_assert!(own < away(rival, 0.4 * widest), "{} seems to belong to river {rival}", label.text);
     }
     Ok(())
@@ -182,7 +194,8 @@ fn most_great_rivers_have_their_name() {
         let (labels, input) = placed(&session, 1400.0);
         let mut greatest: Vec<u32> = (0..input.rivers.len() as u32).collect();
         greatest.sort_by_key(|&river| std::cmp::Reverse(input.rivers[river as usize].discharge));
-        let count = greatest[..10].iter().filter(|&&river| labels.iter().any(|label| label.river == river)).count();
+        let count =
+            greatest[..10].iter().filter(|&&river| labels.iter().any(|label| label.river == Some(river))).count();
         println!("{link}: {count} of 10, {} labels", labels.len());
         count
     };

@@ -48,6 +48,8 @@ pub struct Input<'a> {
     pub lakes: Vec<Vec<Place>>,
     /// Ridges, which no letter may touch.
     pub ridges: Vec<Vec<Place>>,
+    /// The name of the sea, or of the lake that there is instead, in full and in short; `None` if it is to have none.
+    pub water: Option<[String; 2]>,
     /// How far inland each point lies; `None` if there is no sea.
     pub coast: Option<&'a CoastDistance>,
 }

@@ -14,6 +14,8 @@ pub enum Kind {
     River,
     /// A stretch on which one winds.
     Reach,
+    /// The sea or a lake.
+    Water,
 }
 
 impl Kind {
@@ -22,13 +24,14 @@ impl Kind {
         match self {
             Self::River => 0.08,
             Self::Reach => 0.16,
+            Self::Water => 0.3,
         }
     }
 
     /// How far its halo reaches around outlines, in ems.
     pub fn halo(self) -> f32 {
         match self {
-            Self::River => 0.13,
+            Self::River | Self::Water => 0.13,
             Self::Reach => 0.2,
         }
     }
@@ -53,8 +56,8 @@ pub struct Placed {
 pub struct Label {
     /// What it names.
     pub kind: Kind,
-    /// The number of its river.
-    pub river: u32,
+    /// The number of its river; `None` if it names none.
+    pub river: Option<u32>,
     /// What it says.
     pub text: String,
     /// The length of its em, in units.

@@ -1,4 +1,4 @@
-//! The chart: what stands on a map besides rivers. Labels of rivers, so far: words set along courses, letter by letter.
+//! The chart: what stands on a map besides rivers. Labels, so far: words set along courses, letter by letter, and on the sea.
 //!
 //! Input is plain arrays, so is the result, and neither knows what pixels or files are. After Wolff, Knipping, van Kreveld, Strijk and
 //! Agarwal, *A simple and efficient algorithm for high-quality line labeling*: lines of type that bend little, at a small and even distance
@@ -8,6 +8,7 @@
 //! courses ─► copies of them, smoothed ─► baselines beside those ─► candidates ─► the cheapest that nothing forbids
 //! ```
 
+mod areas;
 mod baseline;
 mod ground;
 mod input;

@@ -2,6 +2,7 @@
 
 use glam::Vec2;
 
+use super::areas;
 use super::baseline::{Course, Line};
 use super::ground::Ground;
 use super::input::{Input, Reach, River};
@@ -38,6 +39,7 @@ pub fn place<G: Ground>(input: &Input<'_>, ground: &G) -> Vec<Label> {
         }
         map.label(number);
     }
+    map.labels.extend(areas::water(input));
     map.labels
 }
 
@@ -100,7 +102,7 @@ impl<G: Ground> Map<'_, G> {
             let Some(course) = Course::new(&reach.course, em) else { return };
             let subject = Subject { kind: Kind::Reach, river: reach.river, name: &reach.name };
             if let Some(label) = self.attempt(&subject, &course, &course.lines_of_reach(em), em, None) {
-                return self.take(label);
+                return self.take(reach.river, label);
             }
         }
     }
@@ -121,11 +123,11 @@ impl<G: Ground> Map<'_, G> {
         let lines = course.lines(em);
         let Some(first) = self.attempt(&subject, &course, &lines, em, None) else { return };
         let (middle, length) = (middle(&first), first.letters.len() as f32 * 0.5 * em);
-        self.take(first);
+        self.take(number as u32, first);
         let along: f32 = river.course.windows(2).map(|pair| distance(pair[0].at, pair[1].at)).sum();
         if along >= LONG_ENOUGH_FOR_TWO.max(LABELS_FOR_TWO * length) {
             let second = self.attempt(&subject, &course, &lines, em, Some((middle, APART * length)));
-            second.into_iter().for_each(|second| self.take(second));
+            second.into_iter().for_each(|second| self.take(number as u32, second));
         }
     }
 
@@ -156,9 +158,9 @@ impl<G: Ground> Map<'_, G> {
         })
     }
 
-    fn take(&mut self, label: Label) {
+    fn take(&mut self, river: u32, label: Label) {
         self.area += Text::new(&label.text, label.kind).length * label.em * label.em;
-        self.boxes.extend(label.letters.iter().map(|letter| (label.river, letter.around(label.em))));
+        self.boxes.extend(label.letters.iter().map(|letter| (river, letter.around(label.em))));
         self.labels.push(label);
     }
 }

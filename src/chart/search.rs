@@ -69,7 +69,7 @@ impl<G: Ground> Search<'_, G> {
         let candidate = self.best()?;
         let mut letters = Vec::new();
         self.lay(candidate.line, candidate.start, &mut letters)?;
-        Some(Label { kind: self.kind, river: self.river, text: text.into(), em: self.em, letters })
+        Some(Label { kind: self.kind, river: Some(self.river), text: text.into(), em: self.em, letters })
     }
 
     /// The cheapest candidate that nothing forbids; the earlier of equals.
@@ -166,7 +166,7 @@ impl<G: Ground> Search<'_, G> {
         let below = if line.is_above { 0.0 } else { 0.35 };
         Some(match self.kind {
             Kind::River => turns.cost() + 1.6 * steepness(along) + 2.6 * off_middle * off_middle + 0.9 * thin + below,
-            Kind::Reach => 1.1 * turns.sum + 1.6 * steepness(along) + 3.0 * off_middle.abs(),
+            Kind::Reach | Kind::Water => 1.1 * turns.sum + 1.6 * steepness(along) + 3.0 * off_middle.abs(),
         })
     }
 
@@ -180,7 +180,7 @@ impl<G: Ground> Search<'_, G> {
     fn ink(&self, letters: &[Placed], width: f32) -> Option<f32> {
         let most = match self.kind {
             Kind::River => (0.55 * width).clamp(1.6, 3.2),
-            Kind::Reach => 0.8 * self.thick,
+            Kind::Reach | Kind::Water => (0.8 * self.thick).clamp(1.6, 3.2),
         };
         let (mut others, mut own) = (Under::default(), Under::default());
         for letter in letters {
@@ -201,7 +201,7 @@ impl<G: Ground> Search<'_, G> {
         let samples = (others.samples + own.samples).max(1.0);
         Some(match self.kind {
             Kind::River => 1.5 * (0.5 * others.hits + others.width + others.hits) / samples,
-            Kind::Reach => {
+            Kind::Reach | Kind::Water => {
                 (1.2 * (0.5 * others.hits + others.width) + 4.0 * own.width / self.thick + 1.1 * own.hits) / samples
             }
         })
@@ -229,10 +229,13 @@ impl<G: Ground> Search<'_, G> {
         }
         let count = letters.len() as f32;
         let mean = own_sum / count;
-        if self.kind == Kind::Reach {
-            return (count > 0.0).then_some(0.5 * mean.max(0.0));
+        if count == 0.0 || own_sum * NEARER > rival_sum {
+            return None;
         }
-        if count == 0.0 || mean > MOST_MEAN || own_sum * NEARER > rival_sum {
+        if self.kind == Kind::Reach {
+            return Some(0.5 * mean.max(0.0));
+        }
+        if mean > MOST_MEAN {
             return None;
         }
         let deviation = (squares / count - mean * mean).max(0.0).sqrt();

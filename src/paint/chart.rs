@@ -4,45 +4,43 @@ use glam::Vec2;
 use tiny_skia::Pixmap;
 
 use super::coverage::{Coverage, Rect};
-use super::palette::{Palette, over};
+use super::palette::over;
+use super::styles::labels::LabelLook;
 use super::view::View;
-use crate::chart::{Label, Placed};
+use crate::chart::{Kind, Label, Placed};
 use crate::glyph::Fill;
 
 /// How far the halo reaches around the middle of a space between words, in ems: a river that showed there would be taken for a hyphen.
 pub(crate) const SPACE: f32 = 0.33;
 
 /// Takes rivers away around all letters. Returns the halo, if it has a colour of its own.
-pub(super) fn halo(rivers: &mut Coverage, view: &View, labels: &[Label], palette: &Palette) -> Option<Coverage> {
+pub(super) fn halo(rivers: &mut Coverage, view: &View, labels: &[Label], look: LabelLook) -> Option<Coverage> {
     if labels.is_empty() {
         return None;
     }
     let mut mask = Coverage::new(view.width, view.height)?;
-    for label in labels {
+    for label in labels.iter().filter(|label| label.kind != Kind::Water) {
         let radius = SPACE * label.em * view.scale;
         for [from, to] in label.spaces().map(|ends| ends.map(|end| view.pixel(end))) {
             mask.capsule(from, radius, to, radius);
         }
     }
-    let touched = mask.take_touched();
-    rivers.take_away(&mask, &touched);
-    mask.clear();
     for (label, letter) in letters_of(labels) {
         let radius = label.kind.halo() * label.em * view.scale;
         let Some(pixels) = pixels(label, letter, view, radius + 1.0) else { continue };
         // Most letters stand on bare ground, where there is nothing to take away.
-        if palette.label_halo.is_some() || rivers.is_drawn_on(pixels) {
+        if (look.halo.is_some() && label.kind != Kind::Water) || rivers.is_drawn_on(pixels) {
             outline(label, letter, view, |from, to| mask.capsule(from, radius, to, radius));
         }
     }
     let touched = mask.take_touched();
     rivers.take_away(&mask, &touched);
-    palette.label_halo.map(|_| mask)
+    look.halo.map(|_| mask)
 }
 
 /// Lays letters over the picture.
-pub(super) fn letters(pixmap: &mut Pixmap, view: &View, labels: &[Label], palette: &Palette, halo: Option<Coverage>) {
-    if let Some((halo, (colour, strength))) = halo.zip(palette.label_halo) {
+pub(super) fn letters(pixmap: &mut Pixmap, view: &View, labels: &[Label], look: LabelLook, halo: Option<Coverage>) {
+    if let Some((halo, (colour, strength))) = halo.zip(look.halo) {
         for (pixel, &covered) in pixmap.data_mut().as_chunks_mut::<4>().0.iter_mut().zip(halo.mask().data()) {
             let [red, green, blue, _] = *pixel;
             *pixel = over([red, green, blue], colour, (f32::from(covered) * strength + 0.5) as u32);
@@ -57,7 +55,7 @@ pub(super) fn letters(pixmap: &mut Pixmap, view: &View, labels: &[Label], palett
         for (row, shares) in (top as usize..).zip(fill.rows()) {
             for (pixel, share) in picture[row * width + left as usize..].iter_mut().zip(shares) {
                 let [red, green, blue, _] = *pixel;
-                *pixel = over([red, green, blue], palette.label, (share * 255.0 + 0.5) as u32);
+                *pixel = over([red, green, blue], look.ink, (share * 255.0 + 0.5) as u32);
             }
         }
     }

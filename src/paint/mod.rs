@@ -39,5 +39,7 @@ pub use view::{LONGEST_SIDE, PaintError, View};
 
 #[cfg(feature = "files")]
 pub(crate) use palette::Lines;
+#[cfg(all(feature = "files", feature = "names"))]
+pub(crate) use styles::labels::{LabelLook, label_look};
 #[cfg(feature = "files")]
 pub(crate) use styles::palette as palette_of;

@@ -16,6 +16,8 @@ use super::ground_cache::GroundCache;
 use super::palette::Lines;
 use super::rivers::{Rivers, draw_network};
 use super::strokes::{Pen, Widths};
+#[cfg(feature = "names")]
+use super::styles::labels::label_look;
 use super::styles::palette;
 use super::view::{PaintError, View};
 use super::{ink, skeleton};
@@ -174,7 +176,7 @@ impl Painter {
         self.coverage.clear();
         draw_network(&mut self.coverage, &self.view, rivers.network, rivers.courses, palette(rivers.style).lines, 0.0);
         #[cfg(feature = "names")]
-        let halo = chart::halo(&mut self.coverage, &self.view, rivers.labels, palette(rivers.style));
+        let halo = chart::halo(&mut self.coverage, &self.view, rivers.labels, label_look(rivers.style));
         self.coverage.touch_all();
         self.ground.lay(&self.view, rivers.land, rivers.style);
         match rivers.relief {
@@ -185,7 +187,7 @@ impl Painter {
         self.ground.lay_beds(&self.view, rivers);
         let changed = self.compose(rivers.style);
         #[cfg(feature = "names")]
-        chart::letters(&mut self.pixmap, &self.view, rivers.labels, palette(rivers.style), halo);
+        chart::letters(&mut self.pixmap, &self.view, rivers.labels, label_look(rivers.style), halo);
         changed
     }
 

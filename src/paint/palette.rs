@@ -19,12 +19,6 @@ pub(crate) struct Palette {
     pub rings: &'static [(f32, f32)],
     pub ridge: Colour,
     pub river: Colour,
-    /// Letters.
-    #[cfg_attr(not(feature = "names"), expect(dead_code, reason = "there are none"))]
-    pub label: Colour,
-    /// What lies around letters, and how much it covers, where the ground is too uneven for letters of one colour.
-    #[cfg_attr(not(feature = "names"), expect(dead_code, reason = "there are none"))]
-    pub label_halo: Option<(Colour, f32)>,
     /// Land where all of the domain is.
     pub plain: Colour,
     pub lines: Lines,
@@ -235,8 +229,6 @@ pub(super) const fn even(land: Colour, water: Colour, coast: Colour, ridge: Colo
         rings: &[],
         ridge,
         river,
-        label: river,
-        label_halo: None,
         plain: land,
         lines: Lines::Wide,
         beds: None,

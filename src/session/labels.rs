@@ -5,7 +5,7 @@ use glam::Vec2;
 use super::Session;
 use crate::chart::{Input, Label, Raster, Reach, River, place, winding};
 use crate::domain::AREA;
-use crate::land::{CELL_SIZE, Land};
+use crate::land::{CELL_SIZE, CoastDistance, Land};
 use crate::memory;
 use crate::network::{NONE, Network, Oxbow, Place, Vertex};
 use crate::recipe::{Key, Labels};
@@ -59,6 +59,7 @@ impl Session {
             reaches: reaches(network),
             lakes: network.oxbows.iter().map(Oxbow::middle).collect(),
             ridges: land.map_or_else(Vec::new, |land| ridges(land)),
+            water: land.map(|land| water_name(has_sea(land.coast_distance(), self.domain().size))),
             coast: land.map(|land| land.coast_distance()),
         })
     }
@@ -73,6 +74,14 @@ fn ridges(land: &Land) -> Vec<Vec<Place>> {
     /// How wide a ridge's strokes are on either side, in units.
     const HALF: f32 = 3.0;
     land.ridges().iter().map(|ridge| ridge.iter().map(|&at| Place { at, half: HALF }).collect()).collect()
+}
+
+/// Whether there is water at the frame, and not only in lakes.
+fn has_sea(coast: &CoastDistance, size: Vec2) -> bool {
+    const STEPS: u32 = 100;
+    let along = |i: u32| i as f32 / STEPS as f32;
+    let around = |i: u32| [(along(i), 0.0), (along(i), 1.0), (0.0, along(i)), (1.0, along(i))];
+    (0..=STEPS).flat_map(around).any(|at| coast.height(Vec2::from(at) * size) < 0.0)
 }
 
 /// The stretches on which great rivers wind, one a river at most: from where it first moves freely to where it last does, if that is so
@@ -109,4 +118,10 @@ fn reach_name(number: usize) -> [String; 2] {
     const WORDS: [&str; 6] = ["Meanders", "Rambles", "Cringle-Crangles", "Serpentines", "Wimples", "Windings"];
     let word = WORDS[number % WORDS.len()];
     [format!("The {word}"), word.into()]
+}
+
+/// The same of the sea, or of a lake.
+fn water_name(is_sea: bool) -> [String; 2] {
+    let form = if is_sea { ["The Galder Sea", "Galder Sea"] } else { ["Lake Galder", "Galder"] };
+    form.map(String::from)
 }

@@ -5,9 +5,9 @@ use glam::Vec2;
 
 use super::path::Path;
 use super::text::Text;
-use crate::chart::{Label, Placed};
+use crate::chart::{Kind, Label, Placed};
+use crate::paint::LabelLook;
 use crate::paint::chart::SPACE;
-use crate::paint::palette::Palette;
 
 /// The end of a group's attributes that the halo masks.
 pub(super) fn masked(clip: &str) -> &'static str {
@@ -21,7 +21,7 @@ pub(super) fn draw_halo(out: &mut Text, size: Vec2, labels: &[Label]) -> bool {
     }
     out.text("<mask id=\"halo\" maskUnits=\"userSpaceOnUse\" x=\"0\" y=\"0\"").sized(size);
     out.text(">\n<rect fill=\"#fff\"").sized(size).text("/>\n");
-    for label in labels {
+    for label in labels.iter().filter(|label| label.kind != Kind::Water) {
         out.text("<path stroke=\"#000\" stroke-linejoin=\"round\" stroke-width=\"")
             .units(2.0 * label.kind.halo() * label.em);
         out.text("\" d=\"").text(outlines(label).data()).text("\"/>\n");
@@ -40,15 +40,18 @@ pub(super) fn draw_halo(out: &mut Text, size: Vec2, labels: &[Label]) -> bool {
 }
 
 /// Writes the labels, the greatest river's first.
-pub(super) fn draw(out: &mut Text, labels: &[Label], palette: &Palette) {
+pub(super) fn draw(out: &mut Text, labels: &[Label], look: LabelLook) {
     if labels.is_empty() {
         return;
     }
-    out.text("<g id=\"labels\" fill=\"").colour(palette.label).text("\">\n");
+    out.text("<g id=\"labels\" fill=\"").colour(look.ink).text("\">\n");
     for label in labels {
-        out.text("<g role=\"img\" data-river=\"").whole(label.river);
-        out.text("\"><title>").escaped(&label.text).text("</title><path");
-        if let Some((colour, strength)) = palette.label_halo {
+        out.text("<g role=\"img\"");
+        if let Some(river) = label.river {
+            out.text(" data-river=\"").whole(river).text("\"");
+        }
+        out.text("><title>").escaped(&label.text).text("</title><path");
+        if let Some((colour, strength)) = look.halo.filter(|_| label.kind != Kind::Water) {
             out.text(" paint-order=\"stroke\" stroke=\"").colour(colour).text("\" stroke-opacity=\"").units(strength);
             out.text("\" stroke-linejoin=\"round\" stroke-width=\"")
                 .units(2.0 * label.kind.halo() * label.em)

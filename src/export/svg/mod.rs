@@ -24,6 +24,8 @@ use self::text::Text;
 use super::banks::{Banks, Width};
 use super::{ExportError, rivers};
 use crate::network::{NONE, Network, River};
+#[cfg(feature = "names")]
+use crate::paint::label_look;
 use crate::paint::palette::{BasinColours, Palette};
 use crate::paint::relief::Basins;
 use crate::paint::{Lines, palette_of};
@@ -79,7 +81,7 @@ pub fn svg(session: &Session) -> Result<String, ExportError> {
     }
     out.text("</g>\n");
     #[cfg(feature = "names")]
-    labels::draw(&mut out, &labels, palette);
+    labels::draw(&mut out, &labels, label_look(recipe.get()));
     out.text("</g>\n</svg>");
     Ok(out.0)
 }

@@ -32,8 +32,5 @@ static RELIEF: ReliefLook = ReliefLook {
     ..tinted(&[(0.0, PAPER)], 0.82)
 };
 
-pub(super) static PALETTE: Palette = Palette {
-    relief: Some(&RELIEF),
-    label: [0x3a, 0x33, 0x2b],
-    ..even(PAPER, PAPER, [0xc9, 0xbd, 0xa2], [0xa8, 0x93, 0x78], [0x6b, 0x63, 0x58])
-};
+pub(super) static PALETTE: Palette =
+    Palette { relief: Some(&RELIEF), ..even(PAPER, PAPER, [0xc9, 0xbd, 0xa2], [0xa8, 0x93, 0x78], [0x6b, 0x63, 0x58]) };
