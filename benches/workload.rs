@@ -83,7 +83,9 @@ fn repetition(task: &str) -> Option<Repetition> {
         ["bends", model, measure, percent] => bends_of(model, measure, percent.parse().ok()?),
         ["late", key, one, other] => late(&format!("{key}={one}"), &format!("{key}={other}")),
         ["relief"] => relief(),
-        ["restyle", land, style] => restyle(land, style),
+        ["restyle", land, style] => repaint(land, &restyled(style), true),
+        ["restyle-less-painting", land, style] => repaint(land, &restyled(style), false),
+        ["reshade", land] => repaint(land, &["style=atlas", "style=atlas&shade=1"].map(String::from), true),
         ["labelled", labels] => pictured(link::read(&format!("land=island&style=ink&labels={labels}")).ok()?),
         ["pen"] => changes("roughness=0.5", "roughness=0.51", 6000, DRAWN),
         ["differing"] => Some(Box::new(|| differing_bytes().unwrap_or(u32::MAX))),
@@ -357,11 +359,18 @@ fn relief() -> Option<Repetition> {
     }))
 }
 
-/// A default map, or one on other land, that is painted in another style, in which it has been painted before; one of its pixels.
-fn restyle(land: &str, style: &str) -> Option<Repetition> {
-    let recipes = [if style == "atlas" { "night" } else { "atlas" }, style]
-        .map(|style| link::read(&format!("land={land}&style={style}")).ok());
-    let [Some(before), Some(after)] = recipes else { return None };
+/// A style, after another one.
+fn restyled(style: &str) -> [String; 2] {
+    [if style == "atlas" { "night" } else { "atlas" }, style].map(|style| format!("style={style}"))
+}
+
+/// A map on some land that is painted in another way, in which it has been painted before; one of its pixels. The picture that it is
+/// painted into is a copy, so that it is the same each time: without painting, that is all.
+fn repaint(land: &str, looks: &[String; 2], paints: bool) -> Option<Repetition> {
+    let [Some(before), Some(after)] = looks.each_ref().map(|look| link::read(&format!("land={land}&{look}")).ok())
+    else {
+        return None;
+    };
     let mut session = Session::new(before.clone()).ok()?;
     session.advance(u32::MAX).ok()?;
     let mut shown = Picture::new(SIDE, SIDE).ok()?;
@@ -374,7 +383,9 @@ fn restyle(land: &str, style: &str) -> Option<Repetition> {
         if [&before, &after].into_iter().any(|recipe| session.change(recipe.clone()).is_err()) {
             return 0;
         }
-        picture.paint(&session);
+        if paints {
+            picture.paint(&session);
+        }
         picture.pixmap().data().chunks(4096).map(|row| u32::from(row[0])).sum()
     }))
 }

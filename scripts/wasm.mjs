@@ -87,10 +87,10 @@ function stampOf(dir) {
 }
 
 /**
- * What messages of panics say of their place: the file alone, since its lines and columns, of each place where anything could
- * panic, weigh 2 kB with brotli in the lean package and 3 in the full one. (The compiler calls this flag unstable, and takes it
- * if RUSTC_BOOTSTRAP is set.) And not by the folders of this machine, so that all machines build the same bytes. A setting of
- * cargo's, added to the flags of .cargo/config.toml: in RUSTFLAGS no folder could have a space.
+ * Messages of panics do not say their place: files, lines and columns, of each place where anything could panic, weigh 4 kB with
+ * brotli in the lean package and 5 in the full one. (The compiler calls this flag unstable, and takes it if RUSTC_BOOTSTRAP is set.)
+ * And no folder of this machine is named, so that all machines build the same bytes. A setting of cargo's, added to the flags of
+ * .cargo/config.toml: in RUSTFLAGS no folder could have a space.
  */
 function compilerFlags() {
   const known = ["--locked", "--format-version", "1", "--filter-platform", "wasm32-unknown-unknown"];
@@ -98,7 +98,7 @@ function compilerFlags() {
   // Where they are depends on the registry, which may be replaced, or be a folder of the checkout.
   const folders = new Set(crates.map((one) => dirname(dirname(one.manifest_path))));
   const remaps = [...folders].sort().map((folder) => `--remap-path-prefix=${folder}=crates`);
-  return `target.wasm32-unknown-unknown.rustflags=${JSON.stringify(["-Zlocation-detail=file", ...remaps])}`;
+  return `target.wasm32-unknown-unknown.rustflags=${JSON.stringify(["-Zlocation-detail=none", ...remaps])}`;
 }
 
 /** All that is compiled. */

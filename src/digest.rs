@@ -29,8 +29,8 @@ pub enum DigestError {
 }
 
 /// Grows, paints and exports a recipe and returns the FNV-1a hash (64 bits) of its tree, its hydrology, its rivers, its
-/// pixels, the text of its SVG and all that its JSON holds, and in a style with relief, of that and all that its GeoJSON holds, as 16
-/// hexadecimal digits.
+/// pixels, the text of its SVG and all that its JSON holds but names, and in a style with relief, of that and all that its GeoJSON holds but
+/// names, as 16 hexadecimal digits.
 ///
 /// # Errors
 /// If there is not enough memory.
@@ -68,11 +68,11 @@ pub fn digest(recipe: &Recipe) -> Result<String, DigestError> {
     if let Some(relief) = session.relief() {
         hash.words(relief.heights().iter().map(|height| height.to_bits()));
         // Of other maps a relief would have to be made for it.
-        hash.value(&geojson::collection(&session)?);
+        hash.value(&geojson::unnamed(&session)?);
     }
     hash.bytes(picture.pixmap().data());
     hash.bytes(svg::svg(&session)?.as_bytes());
-    hash.value(&json::network(&session, true)?);
+    hash.value(&json::unnamed(&session, true)?);
     Ok(format!("{:016x}", hash.0))
 }
 

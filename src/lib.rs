@@ -30,7 +30,7 @@
 //! # Features
 //!
 //! - `files` (default): SVG as text, GeoJSON and JSON as plain data, tracing of images, digests.
-//! - `names` (default): names on the map.
+//! - `names` (default): names of rivers, lakes and islands, in files and on the map.
 //! - `json`: JSON and GeoJSON as text, and recipes in JSON.
 //! - `png`: PNG, written and read.
 //! - `cli`: the program `riverseed`, with all of these.
@@ -68,12 +68,17 @@ pub mod glyph;
 pub mod grow;
 #[cfg(feature = "png")]
 pub mod import;
+#[cfg(feature = "names")]
+#[doc(hidden)]
+pub mod labels;
 pub mod land;
 #[cfg(test)]
 #[path = "../tests/common/lands.rs"]
 mod lands;
 pub mod measure;
 mod memory;
+#[cfg(feature = "names")]
+pub mod name;
 pub mod network;
 pub mod paint;
 pub mod picture;

@@ -7,8 +7,10 @@ use tiny_skia::Pixmap;
 #[cfg(feature = "names")]
 use crate::chart::Label;
 use crate::domain::Domain;
+#[cfg(feature = "names")]
+use crate::labels::labels;
 use crate::land::Land;
-use crate::paint::{PaintError, Painter, Progress, Rect, Rivers};
+use crate::paint::{PaintError, Painted, Painter, Progress, Rect, Rivers};
 use crate::recipe::Key;
 use crate::session::{Generation, Phase, Session};
 
@@ -57,6 +59,17 @@ impl Picture {
     /// are cut, evenly. Returns the rectangle that changed; `None` if nothing did. While the rivers of a tree are made again,
     /// the picture keeps those that it shows, and while their relief is, the relief.
     pub fn paint(&mut self, session: &Session) -> Option<Rect> {
+        loop {
+            match self.paint_part(session) {
+                Painted::Part => {}
+                Painted::Whole(changed) => return changed,
+            }
+        }
+    }
+
+    /// Does a part of that, so that a program can do other work in between: 65,536 pixels of ground, or one of the things that a relief
+    /// is painted with. The picture changes with the last part. If the session changes before, another picture is begun.
+    pub fn paint_part(&mut self, session: &Session) -> Painted {
         let tree = Some(session.tree_generation());
         let is_kept = match session.phase() {
             Phase::Shaping => true,
@@ -64,7 +77,7 @@ impl Picture {
             Phase::Growing | Phase::Meandering | Phase::Finished => false,
         };
         if is_kept && self.rivers_of == tree {
-            return None;
+            return Painted::Whole(None);
         }
         self.forget_what_is_over(session);
         self.rivers_of = tree.filter(|_| session.network().is_some());
@@ -89,7 +102,7 @@ impl Picture {
             });
         }
         let growth = session.growth();
-        self.painter.paint(&Progress {
+        Painted::Whole(self.painter.paint(&Progress {
             tree: growth.tree(),
             finished: growth.ending().is_some(),
             trim: session.trim(),
@@ -98,7 +111,7 @@ impl Picture {
             courses,
             land,
             style,
-        })
+        }))
     }
 
     /// Places labels, once for as long as the rivers are the same; none while they change.
@@ -109,7 +122,7 @@ impl Picture {
         if !matches!(session.phase(), Phase::Relief | Phase::Finished) {
             self.labels = None;
         } else if !are_placed {
-            self.labels = Some((generation, session.labels(self.painter.frame(), self.painter.scale())));
+            self.labels = Some((generation, labels(session, self.painter.frame(), self.painter.scale())));
         }
     }
 
@@ -165,7 +178,7 @@ mod tests {
     #[test]
     fn picture_that_there_is_no_memory_for_is_refused() {
         let refused = with_lists_up_to(2_000_000, || Picture::new(500, 500)).map(drop).unwrap_err();
-        assert_eq!(refused, PaintError::OutOfMemory { width: 500, height: 500, megabytes: 11 });
+        assert_eq!(refused, PaintError::OutOfMemory { width: 500, height: 500, megabytes: 12 });
         assert_eq!(Picture::new(0, 70).map(drop).unwrap_err(), PaintError::Size { width: 0, height: 70 });
     }
 

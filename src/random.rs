@@ -35,6 +35,8 @@ pub enum Purpose {
     Ground = 7,
     /// Where hillsides are steep.
     Relief = 8,
+    /// The language of names.
+    Names = 9,
 }
 
 impl Seed {

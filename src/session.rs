@@ -1,8 +1,6 @@
 //! A session: one recipe at a time, each stage's result kept, and after a change only what it touches run again.
 
 mod error;
-#[cfg(feature = "names")]
-mod labels;
 mod relief;
 mod summary;
 #[cfg(test)]
@@ -16,7 +14,7 @@ use crate::domain::Domain;
 use crate::grow::{GrowError, Growth, GrowthSettings};
 use crate::land::Land;
 use crate::memory;
-use crate::network::{Meander, Network, NetworkSettings, PastCourses, ShapeError, Shaping, ask_for_memory};
+use crate::network::{Meander, Network, NetworkSettings, PastCourses, Reach, ShapeError, Shaping, ask_for_memory};
 use crate::prune::{self, Pruned, Trim};
 use crate::recipe::{Key, Recipe, Stage, Style};
 use crate::relief::{Relief, ReliefError, ReliefSettings};
@@ -156,7 +154,7 @@ impl Session {
             self.land = land;
         }
         self.recipe = recipe;
-        if stage.is_some_and(|stage| stage != Stage::Paint) {
+        if stage.is_some_and(|stage| stage < Stage::Name) {
             self.relief = ReliefStage::Waiting;
         }
         if matches!(stage, Some(Stage::Land | Stage::Grow | Stage::Prune)) {
@@ -349,6 +347,11 @@ impl Session {
     /// The courses that great rivers had before, as far as they have meandered; `None` while there are no rivers yet.
     pub fn past(&self) -> Option<&PastCourses> {
         self.meander().map(Meander::past)
+    }
+
+    /// Where the great rivers are flat, and meander fully; none while there are no rivers yet.
+    pub fn reaches(&self) -> &[Reach] {
+        self.meander().map_or(&[], Meander::reaches)
     }
 
     /// How many rounds the rivers have meandered; `None` while there are none yet.

@@ -8,6 +8,9 @@ use glam::Vec2;
 /// The parent of a mouth.
 pub const NO_PARENT: u32 = u32::MAX;
 
+/// The identity of a node that no grower made: where a river was made to join another that it crossed.
+pub const UNGROWN: u32 = u32::MAX;
+
 /// The slope at the mouth of a river that drains everything: a few units in a thousand.
 pub const LEAST_SLOPE: f32 = 0.055 / 14.0;
 
@@ -26,9 +29,17 @@ pub struct Tree {
     /// How high each node lies over the sea, in units: a node is higher than its parent. Empty if the way of growing knows no
     /// elevations, or not yet.
     pub elevation: Vec<f32>,
+    /// The number by which each node is known however the tree is trimmed: no two have the same, [`UNGROWN`] apart. Empty if that is its
+    /// place in this list.
+    pub identity: Vec<u32>,
 }
 
 impl Tree {
+    /// The number by which a node is known; [`UNGROWN`] if it never grew.
+    pub fn identity_of(&self, node: usize) -> u32 {
+        self.identity.get(node).copied().unwrap_or(node as u32)
+    }
+
     /// How many nodes there are.
     pub fn len(&self) -> usize {
         self.at.len()
@@ -96,6 +107,21 @@ impl Hydrology {
             }
         }
         this
+    }
+
+    /// Of each node's arms the one that is its river's own: that with the greatest discharge, of equal ones the longest, then the
+    /// first; [`NO_PARENT`] at a source.
+    pub fn own_arms(&self, tree: &Tree) -> Vec<u32> {
+        let mut own_arm = vec![NO_PARENT; tree.len()];
+        let size = |node: u32| (self.discharge[node as usize], self.depth[node as usize]);
+        for node in 0..tree.len() as u32 {
+            if let Some(arm) = own_arm.get_mut(tree.parent[node as usize] as usize)
+                && (*arm == NO_PARENT || size(node) > size(*arm))
+            {
+                *arm = node;
+            }
+        }
+        own_arm
     }
 
     /// All children have been added to a node: settle its order and magnitude.

@@ -183,6 +183,31 @@ fn rivers_are_in_the_network_with_what_they_were_made_by() {
 }
 
 #[test]
+fn names_are_printed_greatest_first_with_their_marks() {
+    let printed = |arguments: &[&str]| {
+        let output = riverseed(&[&["names", "seed=kauri&land=island&attractors=3000"], arguments].concat());
+        assert!(output.status.success(), "{output:?}");
+        let [out, err] = [output.stdout, output.stderr].map(|text| String::from_utf8(text).unwrap());
+        (out.lines().map(str::to_owned).collect::<Vec<_>>(), err)
+    };
+    let (plain, complaints) = printed(&[]);
+    assert_eq!(complaints, "");
+    assert_eq!(plain[0].split_whitespace().collect::<Vec<_>>(), ["mark", "name", "order", "length"]);
+    assert!(plain.last().unwrap().trim_start().starts_with("t  "), "{:?}", plain.last());
+    let network = network("names.json", &["seed=kauri&land=island&attractors=3000"]);
+    let rivers = network["rivers"].as_array().unwrap();
+    let greatest = rivers.iter().max_by_key(|river| river["discharge"].as_u64()).unwrap();
+    let (mark, name) = (greatest["identity"].to_string(), greatest["name"].as_str().unwrap());
+    assert!(plain[1].trim_start().starts_with(&format!("{mark}  {name}")), "{}", plain[1]);
+    assert_eq!(plain.len(), 1 + rivers.len() + network["names"].as_array().unwrap().len());
+    let (named, complaints) = printed(&["--names", &format!("{mark}.Silver Water_l77.Nowhere")]);
+    assert!(named[1].contains(&format!("{mark}  Silver Water")), "{}", named[1]);
+    assert_eq!(complaints, "riverseed: 'names' has no effect on 'l77': there is no such thing on this map\n");
+    let (code, complaint) = refusal(&["names", "--names", "x3.y"]);
+    assert!(code == 2 && complaint.contains("names: 'x3' is no mark"), "{complaint}");
+}
+
+#[test]
 fn measures_are_printed_beside_nature_s() {
     let printed = |arguments: &[&str]| {
         let output = riverseed(&[&["measure"], arguments].concat());

@@ -41,7 +41,7 @@ fn rivers_of_svg(path: PathBuf) -> usize {
 
 #[test]
 fn all_examples_are_run() {
-    // What `figures.rs` draws is compared by `documents.rs`.
+    // What `figures.rs` draws is compared by `documents.rs`; what `words.rs` prints is read by `www/tests/unit/words.test.ts`.
     let mut names: Vec<_> = fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/examples"))
         .unwrap()
         .map(|entry| entry.unwrap().file_name().into_string().unwrap())
@@ -49,7 +49,7 @@ fn all_examples_are_run() {
     names.sort_unstable();
     assert_eq!(
         names,
-        ["figures.rs", "geojson.rs", "own_land.rs", "picture.rs", "statistics.rs", "stepping.rs", "svg.rs"]
+        ["figures.rs", "geojson.rs", "own_land.rs", "picture.rs", "statistics.rs", "stepping.rs", "svg.rs", "words.rs"]
     );
 }
 

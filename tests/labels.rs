@@ -11,6 +11,7 @@ use geo::{Distance, Euclidean, Intersects};
 use proptest::prelude::*;
 use riverseed::chart::{Box, Ground, Ink, Input, Kind, Label, Piece, Placed, Raster, cell_middle, place};
 use riverseed::glam::Vec2;
+use riverseed::labels;
 use riverseed::recipe::link;
 use riverseed::{Picture, Session};
 
@@ -50,7 +51,7 @@ fn finished(link: &str) -> Session {
 /// The labels of a picture that shows all of the map, so many pixels wide, and what they are placed by.
 fn placed(session: &Session, width: f32) -> (Vec<Label>, Input<'_>) {
     let size = session.domain().size;
-    let input = session.label_input([Vec2::ZERO, size], width / size.x).unwrap();
+    let input = labels::input(session, [Vec2::ZERO, size], width / size.x).unwrap();
     (place(&input, &Raster::new(&input)), input)
 }
 
@@ -208,11 +209,11 @@ fn a_map_without_labels_asks_for_none_and_one_with_them_has_as_many_as_it_asks_f
     let count = |labels: &str| {
         let session = finished(&format!("land=island&attractors=4000&seed=kauri&labels={labels}"));
         let size = session.domain().size;
-        session.label_input([Vec2::ZERO, size], 1.0).map_or(0, |input| place(&input, &Raster::new(&input)).len())
+        labels::input(&session, [Vec2::ZERO, size], 1.0).map_or(0, |input| place(&input, &Raster::new(&input)).len())
     };
     let counts = ["none", "few", "some", "many"].map(count);
     assert!(counts[0] == 0 && counts[1] > 3 && counts.is_sorted_by(|a, b| a < b), "{counts:?}");
     // A recipe that is still growing has none.
     let session = Session::new(link::read("land=island&labels=many").unwrap()).unwrap();
-    assert!(session.label_input([Vec2::ZERO, session.domain().size], 1.0).is_none());
+    assert!(labels::input(&session, [Vec2::ZERO, session.domain().size], 1.0).is_none());
 }

@@ -7,6 +7,7 @@ use common::plain::plain;
 use common::property::cases;
 use common::random_link;
 use proptest::prelude::*;
+use riverseed::paint::Painted;
 use riverseed::picture::Picture;
 use riverseed::recipe::{Choice, Key, Recipe, Style, link};
 use riverseed::session::{Phase, Session};
@@ -229,5 +230,47 @@ fn changing_the_style_of_a_finished_map_gives_the_picture_of_a_fresh_one() {
         let mut fresh = self::picture();
         fresh.paint(&Session::new(recipe).unwrap());
         assert!(picture.pixmap().data() == fresh.pixmap().data(), "{land}, from the start");
+    }
+}
+
+/// What changes of a finished map's picture from one recipe to the next, and after how many parts that picture is given up for another.
+type Change = (usize, u32, bool, u32);
+
+proptest! {
+    #![proptest_config(cases(12))]
+
+    /// Whatever is kept of a relief, of rivers and of ground, and wherever painting is broken off.
+    #[test]
+    fn a_picture_painted_in_parts_is_that_of_a_fresh_one(
+        changes in prop::collection::vec((0..Style::ALL.len(), 0u32..3, any::<bool>(), 0u32..40), 2..9), has_coast in any::<bool>(),
+    ) {
+        let land = if has_coast { "island" } else { "rectangle" };
+        let start = link::read(&format!("seed=kea&attractors=300&mouths=3&land={land}&meander-rounds=9")).unwrap();
+        let recipe = |&(style, shade, is_grown, _): &Change| {
+            let mut recipe = start.clone();
+            recipe.set(Key::Style, Style::WORDS[style].name).unwrap();
+            recipe.set(Key::Shade, ["0.2", "0.45", "1"][shade as usize]).unwrap();
+            recipe.set(Key::Courses, if is_grown { "grown" } else { "smooth" }).unwrap();
+            recipe
+        };
+        // Several bands of rows.
+        let picture = || Picture::new(420, 330).unwrap();
+        let (mut session, mut kept) = (Session::new(start.clone()).unwrap(), picture());
+        for change in &changes {
+            session.change(recipe(change)).unwrap();
+            session.finish().unwrap();
+            let before = kept.pixmap().data().to_vec();
+            for _ in 0..change.3 {
+                if kept.paint_part(&session) != Painted::Part {
+                    break;
+                }
+                prop_assert!(kept.pixmap().data() == before, "a part is not to be seen");
+            }
+        }
+        kept.paint(&session);
+        let mut fresh = picture();
+        fresh.paint(&session);
+        prop_assert!(kept.pixmap().data() == fresh.pixmap().data());
+        prop_assert_eq!(kept.paint_part(&session), Painted::Whole(None));
     }
 }

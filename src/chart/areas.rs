@@ -31,7 +31,9 @@ const ARCS: [f32; 3] = [0.0, 0.09, -0.09];
 pub fn water(input: &Input<'_>) -> Option<Label> {
     let (coast, name) = (input.coast?, input.water.as_ref()?);
     let sizes = SIZES.map(|size| size.max(1.3 * input.least_em) * input.label_size);
-    let label = |em: f32| name.iter().find_map(|text| Search::new(input, coast, em, text).label(text));
+    let label = |em: f32| {
+        name.iter().filter(|text| !text.is_empty()).find_map(|text| Search::new(input, coast, em, text).label(text))
+    };
     sizes.into_iter().find_map(label)
 }
 

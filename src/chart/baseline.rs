@@ -93,12 +93,6 @@ impl Course {
         SMOOTHNESS_OF_REACHES.into_iter().flat_map(|radius| self.along_belt(&smoothed(&self.at, radius), em)).collect()
     }
 
-    /// How much longer it is than a copy smoothed by so many ems.
-    pub fn winding(&self, ems: usize) -> f32 {
-        let length = |line: &[Vec2]| line.windows(2).map(|pair| distance(pair[0], pair[1])).sum::<f32>();
-        length(&self.at) / length(&smoothed(&self.at, ems * SAMPLES))
-    }
-
     /// The lines on and beside one copy, in both directions if both can be read somewhere.
     fn along_belt(&self, copy: &[Vec2], em: f32) -> Vec<Line> {
         let along = directions(copy);

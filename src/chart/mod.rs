@@ -20,5 +20,5 @@ mod search;
 pub use ground::{Ground, Ink, Piece, cell_middle};
 pub use input::{Input, Reach, River};
 pub use letters::{Box, Kind, Label, Placed};
-pub use place::{place, winding};
+pub use place::place;
 pub use raster::Raster;

@@ -9,11 +9,14 @@ use super::input::{Input, Reach, River};
 use super::letters::{Box, Kind, Label, Text};
 use super::search::Search;
 use crate::geometry::distance;
-use crate::network::Place;
 use crate::sort;
 
 /// Sizes of letters, the length of their em in units, by the share of all water that a river has.
 const SIZES: [(f32, f32); 5] = [(0.10, 18.5), (0.045, 16.0), (0.018, 14.0), (0.007, 12.5), (0.0, 11.0)];
+
+/// How much smaller letters are tried for reaches, and for rivers with this share of all water, if there is no room for those.
+const SMALLER: f32 = 0.85;
+const GREAT: f32 = 0.018;
 
 /// Shorter rivers have no label, and beyond this length a river is no more important for being longer. In units.
 const SHORTEST: f32 = 60.0;
@@ -41,16 +44,6 @@ pub fn place<G: Ground>(input: &Input<'_>, ground: &G) -> Vec<Label> {
     }
     map.labels.extend(areas::water(input));
     map.labels
-}
-
-/// How much longer a stretch is than its valley; 0 if it is less than so many of its widths long.
-pub fn winding(course: &[Place], least_widths: f32) -> f32 {
-    /// Of letters that it might be named with, in units, and how many of those its valley is smoothed by.
-    const EM: f32 = 16.0;
-    const EMS: usize = 5;
-    let length: f32 = course.windows(2).map(|pair| distance(pair[0].at, pair[1].at)).sum();
-    let is_long = |course: &Course| length >= least_widths * course.thick();
-    Course::new(course, EM).filter(is_long).map_or(0.0, |course| course.winding(EMS))
 }
 
 /// The rivers that are long enough, in the order in which they are labelled.
@@ -97,7 +90,7 @@ impl<G: Ground> Map<'_, G> {
 
     /// Labels a stretch on which a river winds, in smaller letters if there is no room for large ones.
     fn label_reach(&mut self, reach: &Reach) {
-        for size in [1.0, 0.85] {
+        for size in [1.0, SMALLER] {
             let em = self.em(reach.river as usize) * size;
             let Some(course) = Course::new(&reach.course, em) else { return };
             let subject = Subject { kind: Kind::Reach, river: reach.river, name: &reach.name };
@@ -107,21 +100,35 @@ impl<G: Ground> Map<'_, G> {
         }
     }
 
+    /// The share of all water that a river has.
+    fn share(&self, number: usize) -> f32 {
+        self.input.rivers[number].discharge as f32 / self.input.total_discharge.max(1) as f32
+    }
+
     /// The size of a river's letters.
     fn em(&self, number: usize) -> f32 {
-        let share = self.input.rivers[number].discharge as f32 / self.input.total_discharge.max(1) as f32;
+        let share = self.share(number);
         let size = SIZES.iter().find(|(least, _)| share >= *least).map_or(0.0, |(_, size)| *size);
         size.max(self.input.least_em) * self.input.label_size
     }
 
-    /// Labels a river, in short if there is no room for all of its name; twice if it is long.
+    /// Labels a river, in short if there is no room for all of its name, and a great one in smaller letters if there is none for that; twice
+    /// if it is long.
     fn label(&mut self, number: usize) {
-        let river = &self.input.rivers[number];
         let em = self.em(number);
+        let smaller = (SMALLER * em).max(self.input.least_em * self.input.label_size);
+        if !self.label_in_size(number, em) && self.share(number) >= GREAT && smaller < em {
+            self.label_in_size(number, smaller);
+        }
+    }
+
+    /// Labels a river in letters of a size, twice if it is long. Returns whether there was room.
+    fn label_in_size(&mut self, number: usize, em: f32) -> bool {
+        let river = &self.input.rivers[number];
         let subject = Subject { kind: Kind::River, river: number as u32, name: &river.name };
-        let Some(course) = Course::new(&river.course, em) else { return };
+        let Some(course) = Course::new(&river.course, em) else { return false };
         let lines = course.lines(em);
-        let Some(first) = self.attempt(&subject, &course, &lines, em, None) else { return };
+        let Some(first) = self.attempt(&subject, &course, &lines, em, None) else { return false };
         let (middle, length) = (middle(&first), first.letters.len() as f32 * 0.5 * em);
         self.take(number as u32, first);
         let along: f32 = river.course.windows(2).map(|pair| distance(pair[0].at, pair[1].at)).sum();
@@ -129,6 +136,7 @@ impl<G: Ground> Map<'_, G> {
             let second = self.attempt(&subject, &course, &lines, em, Some((middle, APART * length)));
             second.into_iter().for_each(|second| self.take(number as u32, second));
         }
+        true
     }
 
     fn attempt(
@@ -141,7 +149,7 @@ impl<G: Ground> Map<'_, G> {
     ) -> Option<Label> {
         let Subject { kind, river, name: [long, short] } = subject;
         let forms = if long == short { &[long][..] } else { &[long, short] };
-        forms.iter().find_map(|form| {
+        forms.iter().filter(|form| !form.is_empty()).find_map(|form| {
             let search = Search {
                 input: self.input,
                 ground: self.ground,

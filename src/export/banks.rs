@@ -179,7 +179,15 @@ mod tests {
             right: width / 2.0,
             ..Vertex::default()
         };
-        let river = River { start: 0, end: points.len() as u32, junction: NONE, parent: NONE, order: 1, magnitude: 1 };
+        let river = River {
+            start: 0,
+            end: points.len() as u32,
+            junction: NONE,
+            parent: NONE,
+            order: 1,
+            magnitude: 1,
+            identity: 0,
+        };
         (Network { vertices: points.iter().map(vertex).collect(), rivers: vec![river], oxbows: vec![] }, river)
     }
 

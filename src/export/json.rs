@@ -3,13 +3,17 @@
 use glam::Vec2;
 
 use super::data::{Json, Members};
+#[cfg(feature = "names")]
+use super::names;
 use super::{ExportError, rivers};
 use crate::grow::Ending;
 use crate::measure::{self, Measures};
+#[cfg(feature = "names")]
+use crate::name::Names;
 use crate::network::{NONE, Network, Vertex};
 use crate::prune::Pruned;
 use crate::recipe::table::TABLE;
-use crate::recipe::{self, Key, Recipe};
+use crate::recipe::{self, Key, Recipe, Stage};
 use crate::session::Session;
 use crate::tree::NO_PARENT;
 
@@ -18,20 +22,47 @@ use crate::tree::NO_PARENT;
 /// # Errors
 /// If there are no rivers yet, or there is not enough memory.
 pub fn network(session: &Session, with_attractors: bool) -> Result<Json<'_>, ExportError> {
+    compose(session, with_attractors, true)
+}
+
+/// The same without names and what they are made of, which no digest is of.
+pub(crate) fn unnamed(session: &Session, with_attractors: bool) -> Result<Json<'_>, ExportError> {
+    compose(session, with_attractors, false)
+}
+
+fn compose(session: &Session, with_attractors: bool, is_named: bool) -> Result<Json<'_>, ExportError> {
     /// Of the nodes' columns, about two nodes a vertex.
     const BYTES_A_VERTEX: usize = 64;
     let network = rivers(session, BYTES_A_VERTEX)?;
     let mut domain = Members::default();
     domain.single("width", session.domain().size.x).single("height", session.domain().size.y);
     let mut form = Members::default();
-    form.value("recipe", recipe(session.recipe()))
+    #[cfg(feature = "names")]
+    let names = is_named.then(|| Names::of(session));
+    #[cfg(feature = "names")]
+    let named_rivers = names.as_ref().map_or_else(Vec::new, |names| names.rivers.clone());
+    let river = move |i: usize| {
+        let mut members = river(network, i as u32);
+        if is_named {
+            members.whole("identity", network.rivers[i].identity);
+        }
+        #[cfg(feature = "names")]
+        names::river(&mut members, named_rivers.get(i));
+        members.value("points", points(course(network, i)));
+        Json::from(members)
+    };
+    form.value("recipe", values(session.recipe(), is_named))
         .object("resolved", resolved(session))
         .object("domain", domain)
         .object("growth", growth(session))
         .value("measures", Measures::of(session).as_ref().map_or(Json::Null, measures))
         .object("nodes", nodes(session.pruned()))
-        .value("rivers", Json::list(network.rivers.len(), |i| river(network, i as u32)))
+        .value("rivers", Json::list(network.rivers.len(), river))
         .value("oxbows", Json::list(network.oxbows.len(), |i| oxbow(network, i as u32)));
+    #[cfg(feature = "names")]
+    if let Some(names) = names {
+        form.value("names", names::list(names));
+    }
     if with_attractors {
         form.object("attractors", columns(&session.growth().scattered()));
     }
@@ -51,8 +82,12 @@ pub fn write(out: impl std::io::Write, session: &Session, with_attractors: bool)
 /// All values of a recipe, defaults too: so that the recipe keeps its meaning when a default changes. Numbers are numbers,
 /// everything else is text.
 pub fn recipe<'a>(recipe: &Recipe) -> Json<'a> {
+    values(recipe, true)
+}
+
+fn values<'a>(recipe: &Recipe, is_named: bool) -> Json<'a> {
     let mut members = Members::default();
-    for parameter in &TABLE {
+    for parameter in TABLE.iter().filter(|parameter| is_named || parameter.stage != Stage::Name) {
         match recipe.value(parameter.key) {
             recipe::Value::Integer(number) => members.whole(parameter.name, *number),
             recipe::Value::Number(number) => members.double(parameter.name, number.to_f64()),
@@ -150,7 +185,7 @@ fn nodes<'a>(Pruned { tree, hydrology, .. }: Pruned) -> Members<'a> {
     members
 }
 
-fn river<'a>(network: &Network, id: u32) -> Json<'a> {
+fn river<'a>(network: &Network, id: u32) -> Members<'a> {
     let river = &network.rivers[id as usize];
     let mut members = Members::default();
     members
@@ -158,9 +193,12 @@ fn river<'a>(network: &Network, id: u32) -> Json<'a> {
         .unless("parent", river.parent, NONE)
         .whole("order", river.order.into())
         .whole("magnitude", river.magnitude)
-        .whole("discharge", network.discharge(river))
-        .value("points", points(network.course(river).map(|vertex| point(vertex, 1.0)).collect()));
-    members.into()
+        .whole("discharge", network.discharge(river));
+    members
+}
+
+fn course(network: &Network, id: usize) -> Vec<[f32; 3]> {
+    network.course(&network.rivers[id]).map(|vertex| point(vertex, 1.0)).collect()
 }
 
 fn oxbow<'a>(network: &Network, id: u32) -> Json<'a> {

@@ -6,6 +6,8 @@ mod banks;
 mod data;
 pub mod geojson;
 pub mod json;
+#[cfg(feature = "names")]
+mod names;
 pub mod pack;
 #[cfg(feature = "png")]
 pub mod png;

@@ -10,6 +10,8 @@ use super::grid::Grid;
 use super::kinds::Shape;
 use super::obstacles::Obstacles;
 use super::outline::Drawing;
+#[cfg(feature = "names")]
+use super::regions::regions;
 use super::regions::{Region, regions_of};
 use super::walk::walk;
 use crate::domain::Domain;
@@ -99,6 +101,19 @@ impl Land {
     /// Connected components of land, the largest first.
     pub fn regions(&self) -> &[Region] {
         &self.regions
+    }
+
+    /// Connected components of water, the largest first.
+    #[cfg(feature = "names")]
+    pub(crate) fn waters(&self) -> Vec<Region> {
+        regions(&self.grid.cells, Cell::Water, self.grid.columns as usize)
+    }
+
+    /// Connected components of what is no water, ridges or not, the largest first.
+    #[cfg(feature = "names")]
+    pub(crate) fn islands(&self) -> Vec<Region> {
+        let is_land = |cell: &Cell| if *cell == Cell::Water { Cell::Water } else { Cell::Land };
+        regions(&self.grid.cells.iter().map(is_land).collect::<Vec<_>>(), Cell::Land, self.grid.columns as usize)
     }
 
     /// How much land there is around a place on the coast: 0 on a straight one, toward 1 in a bay, toward -1 on a cape.

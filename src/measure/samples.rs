@@ -40,7 +40,7 @@ pub(super) fn network(samples: &[Sample<'_>]) -> Network {
         let (parent, junction) =
             sample.joins.map_or((NONE, NONE), |(river, vertex)| (river as u32, network.rivers[river].start + vertex));
         let end = network.vertices.len() as u32;
-        network.rivers.push(River { start, end, junction, parent, order: 2, magnitude: 1 });
+        network.rivers.push(River { start, end, junction, parent, order: 2, magnitude: 1, identity: 0 });
     }
     network
 }

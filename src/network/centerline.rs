@@ -72,7 +72,7 @@ mod tests {
     #[test]
     fn middle_lies_toward_the_farther_bank_and_runs_past_the_shore() {
         let vertex = |x: f32| Vertex { at: Vec2::new(x, 0.0), left: 1.0, right: 3.0, ..Vertex::default() };
-        let river = River { start: 0, end: 3, junction: NONE, parent: NONE, order: 1, magnitude: 1 };
+        let river = River { start: 0, end: 3, junction: NONE, parent: NONE, order: 1, magnitude: 1, identity: 0 };
         let network = Network { vertices: [0.0, 10.0, 20.0].map(vertex).into(), rivers: vec![river], oxbows: vec![] };
         let line = network.middle(&river);
         assert_eq!(line[1], Place { at: Vec2::new(10.0, 1.0), half: 2.0 });

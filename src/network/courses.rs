@@ -5,7 +5,7 @@ use super::ranking;
 use super::uncross::uncross;
 use super::{NONE, Network, River, Vertex};
 use crate::land::Land;
-use crate::tree::{Hydrology, NO_PARENT, Tree};
+use crate::tree::{Hydrology, NO_PARENT, Tree, UNGROWN};
 
 /// The courses of a tree as it grew, and the order in which their vertices go when they are simplified.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -39,7 +39,7 @@ impl Courses {
 /// which nothing grew makes no river.
 fn courses(tree: &Tree) -> Network {
     let hydrology = Hydrology::of(tree);
-    let own_arm = own_arms(tree, &hydrology);
+    let own_arm = hydrology.own_arms(tree);
     let mut network = Network { vertices: Vec::with_capacity(tree.len()), ..Network::default() };
     let mut river_of = vec![NONE; tree.len()];
     let mut place = vec![NONE; tree.len()];
@@ -71,24 +71,15 @@ fn courses(tree: &Tree) -> Network {
             parent: river_of.get(parent as usize).copied().unwrap_or(NONE),
             order: hydrology.order[lowest],
             magnitude: hydrology.magnitude[lowest],
+            // A source always grew.
+            identity: upstream
+                .iter()
+                .map(|&node| tree.identity_of(node as usize))
+                .find(|&id| id != UNGROWN)
+                .unwrap_or(UNGROWN),
         });
     }
     network
-}
-
-/// Of each node's arms the one with the greatest discharge, of equal ones the longest, then the first; [`NONE`] at
-/// a source.
-fn own_arms(tree: &Tree, hydrology: &Hydrology) -> Vec<u32> {
-    let mut own_arm = vec![NONE; tree.len()];
-    let size = |node: u32| (hydrology.discharge[node as usize], hydrology.depth[node as usize]);
-    for node in 0..tree.len() as u32 {
-        if let Some(arm) = own_arm.get_mut(tree.parent[node as usize] as usize)
-            && (*arm == NONE || size(node) > size(*arm))
-        {
-            *arm = node;
-        }
-    }
-    own_arm
 }
 
 #[cfg(test)]

@@ -38,7 +38,7 @@ pub use clearance::{ClearanceGrid, NearbyPair};
 pub use courses::Courses;
 #[doc(hidden)]
 pub use curvature::curvature;
-pub use meander::{Meander, PastCourse, PastCourses, PastRound};
+pub use meander::{Meander, PastCourse, PastCourses, PastRound, Reach};
 pub use settings::NetworkSettings;
 pub(crate) use shaping::ask_for_memory;
 pub use shaping::{ShapeError, Shaping};
@@ -92,6 +92,9 @@ pub struct River {
     pub order: u8,
     /// Shreve's magnitude at its end: the number of sources upstream.
     pub magnitude: u32,
+    /// The number of its lowest node that grew ([`Tree::identity`](crate::Tree::identity)): no other river has it, and it stays whatever
+    /// becomes of its course.
+    pub identity: u32,
 }
 
 impl River {
@@ -239,7 +242,8 @@ mod tests {
 
     #[test]
     fn basins_are_those_of_mouths_also_where_a_river_joins_one_that_stands_after_it() {
-        let river = |parent: u32| River { start: 0, end: 0, junction: parent, parent, order: 1, magnitude: 1 };
+        let river =
+            |parent: u32| River { start: 0, end: 0, junction: parent, parent, order: 1, magnitude: 1, identity: 0 };
         let network = Network { rivers: [2, NONE, NONE, 0].map(river).into(), ..Network::default() };
         assert_eq!((network.mouths(), network.basins()), (vec![1, 2], vec![2, 1, 2, 2]));
     }

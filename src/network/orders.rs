@@ -60,7 +60,7 @@ mod tests {
         let river = |&(length, junction, parent): &(u32, u32, u32)| {
             let own = start..start + length;
             start = own.end;
-            River { start: own.start, end: own.end, junction, parent, order: 0, magnitude: 0 }
+            River { start: own.start, end: own.end, junction, parent, order: 0, magnitude: 0, identity: 0 }
         };
         let rivers: Vec<River> = rivers.iter().map(river).collect();
         Network { vertices: vec![Vertex::default(); start as usize], rivers, oxbows: vec![] }

@@ -23,7 +23,8 @@ pub(super) fn river(points: &[Vec2], width: f32) -> Network {
     let half = width * 0.5;
     let vertex =
         |&at: &Vec2| Vertex { at, discharge: 100, left: half, right: half, mobility: 1.0, ..Vertex::default() };
-    let river = River { start: 0, end: points.len() as u32, junction: NONE, parent: NONE, order: 1, magnitude: 1 };
+    let river =
+        River { start: 0, end: points.len() as u32, junction: NONE, parent: NONE, order: 1, magnitude: 1, identity: 0 };
     Network { vertices: points.iter().map(vertex).collect(), rivers: vec![river], oxbows: vec![] }
 }
 
@@ -35,7 +36,7 @@ impl Network {
         let arm = river(points, width).vertices.into_iter().map(|vertex| Vertex { discharge, ..vertex });
         self.vertices.extend(arm);
         let end = self.vertices.len() as u32;
-        self.rivers.push(River { start, end, junction, parent: 0, order: 1, magnitude: 1 });
+        self.rivers.push(River { start, end, junction, parent: 0, order: 1, magnitude: 1, identity: 0 });
         self.rivers[0].magnitude += 1;
         self
     }

@@ -11,7 +11,7 @@ use glam::Vec2;
 
 use super::NONE;
 use crate::geometry::{Segment, distance, height, meet, meeting};
-use crate::tree::{NO_PARENT, Tree};
+use crate::tree::{NO_PARENT, Tree, UNGROWN};
 use crate::work;
 
 /// A tree whose steps meet only at its nodes. The nodes stand in another order than before, parents first as ever.
@@ -26,6 +26,9 @@ pub(super) fn uncross(tree: &Tree) -> Tree {
             Some(parent) if number[parent] == NONE => NONE,
             Some(parent) => planar.grow(tree.at[node], number[parent], tree.drained[node]).unwrap_or(NONE),
         };
+        if let Some(identity) = planar.identity.get_mut(number[node] as usize) {
+            *identity = tree.identity_of(node);
+        }
     }
     planar.into_tree()
 }
@@ -35,6 +38,7 @@ struct Planar {
     at: Vec<Vec2>,
     parent: Vec<u32>,
     drained: Vec<u32>,
+    identity: Vec<u32>,
     /// A list of steps for each cell: its first entry, and for each entry the step and the next entry.
     first: Vec<u32>,
     entries: Vec<(u32, u32)>,
@@ -61,6 +65,7 @@ impl Planar {
             at: Vec::with_capacity(capacity),
             parent: Vec::with_capacity(capacity),
             drained: Vec::with_capacity(capacity),
+            identity: Vec::with_capacity(capacity),
             first: vec![NONE; columns * rows],
             entries: Vec::with_capacity(2 * capacity),
             columns,
@@ -78,6 +83,7 @@ impl Planar {
         self.at.push(at);
         self.parent.push(parent);
         self.drained.push(drained);
+        self.identity.push(UNGROWN);
         if parent != NO_PARENT {
             self.enter(node);
         }
@@ -222,6 +228,7 @@ impl Planar {
             at: order.iter().map(|&node| self.at[node as usize]).collect(),
             parent: order.iter().map(|&node| parent(node)).collect(),
             drained: order.iter().map(|&node| self.drained[node as usize]).collect(),
+            identity: order.iter().map(|&node| self.identity[node as usize]).collect(),
             tick_starts: vec![0, count as u32],
             ..Tree::default()
         }
@@ -254,6 +261,10 @@ mod tests {
         assert!(upper.contains(&Vec2::new(20.0, 0.0)) && upper.contains(&Vec2::new(14.0, -6.0)));
         assert_eq!(tree.at[tree.parent_of(junction).unwrap()], Vec2::new(10.0, 0.0));
         assert_eq!(tree.drained.iter().sum::<u32>(), 21, "nothing is lost of what they drain");
+        let mut identities = tree.identity;
+        assert_eq!(identities[junction], UNGROWN);
+        identities.sort_unstable();
+        assert_eq!(identities, [0, 1, 2, 3, 4, 5, UNGROWN]);
     }
 
     #[test]

@@ -19,17 +19,19 @@ pub(super) struct GroundWithBeds {
 }
 
 impl GroundWithBeds {
-    /// Comes up to date with rivers over a ground. Between two calls only rounds of meandering may have changed them.
-    pub fn lay(&mut self, look: &Beds, view: &View, rivers: &Rivers<'_>, ground: &[[u8; 4]]) {
-        let Some(mask) = Coverage::new(view.width, view.height) else { return };
+    /// Lays a band, or what follows on the last: then it is up to date with rivers over a ground. Returns whether there is more to lay.
+    /// Between two calls only rounds of meandering may have changed rivers.
+    pub fn advance(&mut self, look: &Beds, view: &View, rivers: &Rivers<'_>, ground: &[[u8; 4]]) -> bool {
+        let Some(mask) = Coverage::new(view.width, view.height) else { return false };
         let mut sheet = Sheet { view, courses: rivers.courses, mask, ground };
         if self.settled.is_empty() {
             self.settled = ground.to_vec();
         }
         // What is cut off from now on still belongs to the last.
-        while self.bands + 1 < rivers.past.rounds().len() {
+        if self.bands + 1 < rivers.past.rounds().len() {
             sheet.band(look, rivers.past, self.bands, &mut self.settled);
             self.bands += 1;
+            return true;
         }
         self.pixels.clone_from(&self.settled);
         sheet.band(look, rivers.past, self.bands, &mut self.pixels);
@@ -37,6 +39,7 @@ impl GroundWithBeds {
         sheet.draw(now, Beds::BANK, look.bank, 1.0, &mut self.pixels);
         sheet.hide(&mut self.pixels);
         sheet.draw(now, 0.0, look.water, 1.0, &mut self.pixels);
+        false
     }
 }
 
@@ -97,7 +100,7 @@ impl Sheet<'_> {
             draw_line(&mut self.mask, &bed.line.iter().map(in_pixels).collect::<Vec<_>>(), self.courses);
         }
         let open = |i: usize| f32::from(self.ground[i][3]) * strength / 255.0;
-        lay_mask(self.view, &mut self.mask, colour, &open, pixels);
+        lay_mask(self.mask.mask().data(), colour, &open, pixels);
     }
 
     /// Lets no river show where something has just been laid.

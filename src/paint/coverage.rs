@@ -165,6 +165,19 @@ impl Coverage {
     }
 }
 
+/// Paints the pixels that a mask covers: gives the number of each, and by how much it is covered. Most masks are mostly empty, so many
+/// pixels at a time are passed over.
+#[inline(never)]
+pub(super) fn for_each_covered(mask: &[u8], paint: &mut dyn FnMut(usize, u8)) {
+    const MANY: usize = 16;
+    for (i, pixels) in mask.chunks(MANY).enumerate() {
+        if pixels.iter().fold(0, |all, covered| all | covered) > 0 {
+            let covered = (i * MANY..).zip(pixels).filter(|(_, covered)| **covered > 0);
+            covered.for_each(|(i, covered)| paint(i, *covered));
+        }
+    }
+}
+
 const HALF: f32 = 0.5;
 
 /// How far from its middle line a stroke of a radius shows.

@@ -15,7 +15,7 @@ pub(super) fn lay(view: &View, grid: &Grid, pixels: &mut [[u8; 4]]) {
     for [from, to] in lines(grid, corner) {
         mask.capsule(view.pixel(from), half, view.pixel(to), half);
     }
-    lay_mask(view, &mut mask, grid.colour, &|_| grid.strength, pixels);
+    lay_mask(mask.mask().data(), grid.colour, &|_| grid.strength, pixels);
 }
 
 /// The lines of a grid as far as a corner, in units.

@@ -3,10 +3,10 @@
 
 use glam::Vec2;
 
-use super::coverage::{Coverage, Rect};
+use super::coverage::{Coverage, for_each_covered};
 use super::palette::{Colour, Palette, mix};
 use super::ridges::ridges;
-use super::view::View;
+use super::view::{Rows, View};
 use crate::land::{Across, Land, Parabola, SmoothedDistance};
 
 /// Widths of lines, in units.
@@ -16,31 +16,57 @@ pub(crate) const COAST_WIDTH: f32 = 1.8;
 /// Rivers end so far out at sea, in units: they interrupt the line of the coast, and no more.
 pub(crate) const RIVERS_END: f32 = COAST_WIDTH * 0.5;
 
-/// Paints the ground of a picture, row by row. In place of opacity there is how far rivers show on it.
-pub(super) fn ground(view: &View, land: &Land, shown: &SmoothedDistance, palette: &Palette) -> Vec<[u8; 4]> {
-    let shades = Shades::new(view.scale, palette, shown.spacing());
-    let (stretches, mut spans, mut spanned) = (stretches(view, shown), Vec::new(), None);
-    let mut pixels = Vec::with_capacity(view.pixels());
-    for y in 0..view.height {
-        let across = shown.across(view.point(Vec2::splat(y as f32 + 0.5)).y);
-        // Some rows lie between the same corners.
-        if spanned.replace(across.row) != Some(across.row) {
-            spans = shades.spans(&stretches, shown, across.row);
-        }
-        for span in &spans {
-            match span {
-                Span::Even(colour, count) => pixels.resize(pixels.len() + count, *colour),
-                Span::Uneven(stretch, false) => shades.tint(stretch, &across, &mut pixels),
-                Span::Uneven(stretch, true) => shades.draw_lines(stretch, &across, &mut pixels),
-            }
+/// The ground of a picture in the making, from north to south. In place of opacity its pixels have how far rivers show on them.
+#[derive(Clone, Debug)]
+pub(super) struct Ground {
+    shades: Shades,
+    stretches: Vec<Stretch>,
+    /// The spans of the row of corners that was last painted around.
+    spans: Vec<Span>,
+    spanned: Option<usize>,
+    /// Where ridges are drawn, and in which colour; `None` if there are none.
+    ridges: Option<(Coverage, Colour)>,
+}
+
+impl Ground {
+    pub fn new(view: &View, land: &Land, shown: &SmoothedDistance, palette: &Palette) -> Self {
+        let strokes = ridges(land);
+        let mut mask = Coverage::new(view.width, view.height).filter(|_| !strokes.is_empty());
+        mask.iter_mut().for_each(|mask| draw(mask, view, &strokes));
+        Self {
+            shades: Shades::new(view.scale, palette, shown.spacing()),
+            stretches: stretches(view, shown),
+            spans: Vec::new(),
+            spanned: None,
+            ridges: mask.map(|mask| (mask, palette.ridge)),
         }
     }
-    lay_ridges(view, land, palette, &mut pixels);
-    pixels
+
+    /// Paints some rows, which follow on those that are there.
+    pub fn paint(&mut self, view: &View, shown: &SmoothedDistance, rows: Rows, pixels: &mut Vec<[u8; 4]>) {
+        let first = pixels.len();
+        for y in rows.clone() {
+            let across = shown.across(view.point(Vec2::splat(y as f32 + 0.5)).y);
+            // Some rows lie between the same corners.
+            if self.spanned.replace(across.row) != Some(across.row) {
+                self.spans = self.shades.spans(&self.stretches, shown, across.row);
+            }
+            for span in &self.spans {
+                match span {
+                    Span::Even(colour, count) => pixels.resize(pixels.len() + count, *colour),
+                    Span::Uneven(stretch, false) => self.shades.tint(stretch, &across, pixels),
+                    Span::Uneven(stretch, true) => self.shades.draw_lines(stretch, &across, pixels),
+                }
+            }
+        }
+        if let Some((ridges, colour)) = &self.ridges {
+            lay_mask(&ridges.mask().data()[view.range(rows)], *colour, &|_| 1.0, &mut pixels[first..]);
+        }
+    }
 }
 
 /// Pixels of a row around a column of the lattice's corners: the height along them is a parabola.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 struct Stretch {
     count: usize,
     column: usize,
@@ -64,6 +90,7 @@ fn stretches(view: &View, shown: &SmoothedDistance) -> Vec<Stretch> {
 }
 
 /// Pixels of a row that are painted together.
+#[derive(Clone, Debug)]
 enum Span {
     /// A number of pixels of one colour: most of a picture is far from any coast.
     Even([u8; 4], usize),
@@ -72,6 +99,7 @@ enum Span {
 }
 
 /// The colours along the coast by their distance from it, looked up.
+#[derive(Clone, Debug)]
 struct Shades {
     colours: Vec<[u8; 4]>,
     rings: &'static [(f32, f32)],
@@ -208,52 +236,20 @@ fn line(scale: f32, distance: f32, width: f32) -> f32 {
     (half_width_px + 0.5 - distance.abs() * scale).clamp(0.0, 1.0) * (half_width_px * 2.0).min(1.0)
 }
 
-/// Paints the ridges over the ground.
-fn lay_ridges(view: &View, land: &Land, palette: &Palette, pixels: &mut [[u8; 4]]) {
-    let strokes = ridges(land);
-    if !strokes.is_empty() {
-        lay_strokes(view, &strokes, palette.ridge, &|_| 1.0, pixels);
-    }
-}
-
-/// Lays strokes of a colour over a ground: lines between two places with half of their width there, in units. `open` is how much of the
-/// colour shows in a pixel.
-pub(super) fn lay_strokes(
-    view: &View,
-    strokes: &[[(Vec2, f32); 2]],
-    colour: Colour,
-    open: &dyn Fn(usize) -> f32,
-    pixels: &mut [[u8; 4]],
-) {
-    let Some(mut coverage) = Coverage::new(view.width, view.height) else { return };
+/// Draws strokes: lines between two places with half of their width there, in units.
+pub(super) fn draw(mask: &mut Coverage, view: &View, strokes: &[[(Vec2, f32); 2]]) {
     for &[(a, half_a), (b, half_b)] in strokes {
-        coverage.capsule(view.pixel(a), half_a * view.scale, view.pixel(b), half_b * view.scale);
+        mask.capsule(view.pixel(a), half_a * view.scale, view.pixel(b), half_b * view.scale);
     }
-    lay_mask(view, &mut coverage, colour, open, pixels);
 }
 
-/// Lays a colour over a ground where a mask has been drawn on.
-pub(super) fn lay_mask(
-    view: &View,
-    mask: &mut Coverage,
-    colour: Colour,
-    open: &dyn Fn(usize) -> f32,
-    pixels: &mut [[u8; 4]],
-) {
-    for Rect { left, top, right, bottom } in mask.take_touched() {
-        for row in top..bottom {
-            let first = row as usize * view.width as usize;
-            let columns = first + left as usize..first + right as usize;
-            let covered = &mask.mask().data()[columns.clone()];
-            for ((i, pixel), &covered) in columns.clone().zip(&mut pixels[columns]).zip(covered) {
-                if covered > 0 {
-                    let [r, g, b, rest] = *pixel;
-                    let [r, g, b] = mix([r, g, b], colour, f32::from(covered) / 255.0 * open(i));
-                    *pixel = [r, g, b, rest];
-                }
-            }
-        }
-    }
+/// Lays a colour over pixels as far as a mask covers them. `open` is how much of the colour shows in a pixel.
+pub(super) fn lay_mask(mask: &[u8], colour: Colour, open: &dyn Fn(usize) -> f32, pixels: &mut [[u8; 4]]) {
+    for_each_covered(mask, &mut |i, covered| {
+        let [r, g, b, rest] = pixels[i];
+        let [r, g, b] = mix([r, g, b], colour, f32::from(covered) / 255.0 * open(i));
+        pixels[i] = [r, g, b, rest];
+    });
 }
 
 #[cfg(test)]
@@ -275,7 +271,8 @@ mod tests {
             let coast_distance = CoastDistance::of_strait(&domain, from, to, width);
             let shown = SmoothedDistance::of(&coast_distance);
             let land = Land::new(&domain, coast_distance, Vec::new());
-            let pixels = ground(&view, &land, &shown, palette(Style::Skeleton));
+            let mut pixels = Vec::new();
+            Ground::new(&view, &land, &shown, palette(Style::Skeleton)).paint(&view, &shown, 0..1000, &mut pixels);
             let strait = (0..1000).flat_map(|y| (300..700).map(move |x| (x, y)));
             let coast = strait
                 .map(|(x, y)| f32::from(pixels[y * 1000 + x][0]) / f32::from(palette(Style::Skeleton).coast[0]))

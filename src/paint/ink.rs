@@ -5,7 +5,7 @@
 
 use tiny_skia::Pixmap;
 
-use super::coverage::{Coverage, Rect};
+use super::coverage::{Coverage, Rect, for_each_covered};
 use super::palette::{BasinColours, Colour, Palette, opaque, over};
 
 /// Colours rectangles of the picture: rivers on a ground, of which each pixel may have the number of a colour, or on plain land.
@@ -40,31 +40,19 @@ fn on_plain_land(pixels: &mut [u8], coverage: &[u8], ramp: &[[u8; 4]; 256]) {
     }
 }
 
-/// Most of a map has no river: the ground is copied, and many pixels at a time are left at that.
 fn on_ground(pixels: &mut [u8], coverage: &[u8], palette: &Palette, ground: &[[u8; 4]]) {
-    const MANY: usize = 16;
-    for (pixel, ground) in pixels.as_chunks_mut::<4>().0.iter_mut().zip(ground) {
+    let pixels = pixels.as_chunks_mut::<4>().0;
+    for (pixel, ground) in pixels.iter_mut().zip(ground) {
         *pixel = opaque(*ground);
     }
-    let (many, rest) = coverage.as_chunks::<MANY>();
-    let mut lay = |first: usize, coverage: &[u8]| {
-        let pixels = pixels[first * 4..].chunks_exact_mut(4);
-        for ((pixel, &coverage), ground) in pixels.zip(coverage).zip(&ground[first..]) {
-            pixel.copy_from_slice(&river_over(*ground, palette.river, coverage));
-        }
-    };
-    for (i, coverage) in many.iter().enumerate().filter(|(_, coverage)| **coverage != [0; MANY]) {
-        lay(i * MANY, coverage);
-    }
-    lay(many.len() * MANY, rest);
+    for_each_covered(coverage, &mut |i, covered| pixels[i] = river_over(ground[i], palette.river, covered));
 }
 
 /// Rivers in the colours of their basins, over all that is there.
 fn in_basins(pixels: &mut [u8], coverage: &[u8], look: &BasinColours, ground: &[[u8; 4]], numbers: &[u8]) {
-    let pixels = pixels.as_chunks_mut::<4>().0.iter_mut().zip(ground).zip(numbers.iter().zip(coverage));
-    for ((pixel, &ground), (&number, &coverage)) in pixels.filter(|(_, (_, coverage))| **coverage > 0) {
-        *pixel = river_over(ground, look.river(number.into()), coverage);
-    }
+    let pixels = pixels.as_chunks_mut::<4>().0;
+    let river = |i: usize| look.river(numbers[i].into());
+    for_each_covered(coverage, &mut |i, covered| pixels[i] = river_over(ground[i], river(i), covered));
 }
 
 /// River of some coverage over a ground, as far as it shows there.

@@ -10,6 +10,7 @@ pub(crate) mod beds;
 #[cfg(feature = "names")]
 pub(crate) mod chart;
 mod coverage;
+mod flat;
 mod flow;
 pub(crate) mod grid;
 pub(crate) mod ground;
@@ -18,6 +19,7 @@ mod ink;
 mod painter;
 pub(crate) mod palette;
 mod paper;
+mod raised;
 pub(crate) mod relief;
 pub(crate) mod ridges;
 mod rivers;
@@ -29,6 +31,7 @@ mod view;
 #[doc(hidden)]
 pub use coverage::Coverage;
 pub use coverage::Rect;
+pub use painter::Painted;
 #[doc(hidden)]
 pub use painter::{Painter, Progress};
 #[doc(hidden)]

@@ -4,6 +4,8 @@
 //! will certainly stay (its depth can only grow), so those are drawn at once, the growing tips a little later; when
 //! growth is over, all that stays is drawn. The finished picture is the one painted at once, to the byte.
 
+use std::sync::Arc;
+
 #[cfg(feature = "names")]
 use glam::Vec2;
 use tiny_skia::Pixmap;
@@ -26,6 +28,7 @@ use crate::land::Land;
 use crate::memory;
 use crate::prune::{self, Trim};
 use crate::recipe::{CourseShape, Style};
+use crate::relief::Relief;
 use crate::tree::Tree;
 
 /// A tree to be painted, as far as it has grown.
@@ -49,6 +52,25 @@ pub struct Progress<'a> {
     pub style: Style,
 }
 
+/// What came of painting.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Painted {
+    /// Nothing to be seen yet: there is more to do.
+    Part,
+    /// The picture is up to date. With the rectangle that changed; `None` if nothing did.
+    Whole(Option<Rect>),
+}
+
+impl Painted {
+    /// The rectangle that changed; `None` if nothing did.
+    pub fn changed(self) -> Option<Rect> {
+        match self {
+            Self::Part => None,
+            Self::Whole(changed) => changed,
+        }
+    }
+}
+
 /// A picture in the making.
 #[derive(Clone, Debug)]
 pub struct Painter {
@@ -66,6 +88,8 @@ pub struct Painter {
     is_finished: bool,
     /// The round that the rivers shown have meandered to; `None` as long as a tree is shown.
     round: Option<u32>,
+    /// The relief of the finished rivers that the mask shows, which has but these, and the lines; `None` if it shows anything else.
+    drawn_rivers: Option<(Arc<Relief>, Lines)>,
     /// How many labels the picture shows.
     labels: usize,
 }
@@ -97,6 +121,7 @@ impl Painter {
             is_blank: true,
             is_finished: false,
             round: None,
+            drawn_rivers: None,
             labels: 0,
         })
     }
@@ -115,12 +140,17 @@ impl Painter {
     /// Forgets the picture: another tree, trim, width or style comes next.
     pub fn reset(&mut self) {
         self.ground.forget_rivers();
-        self.coverage.clear();
-        self.drawn.clear();
-        self.flow = Flow::default();
         self.is_blank = true;
         self.is_finished = false;
         self.round = None;
+    }
+
+    /// Forgets what of a tree or of rivers has been drawn.
+    fn forget_drawing(&mut self) {
+        self.coverage.clear();
+        self.drawn.clear();
+        self.flow = Flow::default();
+        self.drawn_rivers = None;
     }
 
     /// The part of the domain that the picture shows: its north-western and its south-eastern corner.
@@ -145,6 +175,10 @@ impl Painter {
         if self.is_finished {
             return None;
         }
+        let is_blank = std::mem::take(&mut self.is_blank);
+        if is_blank {
+            self.forget_drawing();
+        }
         let (tree, pen) = (progress.tree, Pen::new(self.view, widths(progress), progress.courses));
         if progress.finished || self.flow.is_stale(tree) {
             self.flow.measure(tree, &pen, progress.trim.channel_area);
@@ -155,8 +189,7 @@ impl Painter {
             near_tip.iter().for_each(|&child| pen.draw(&mut self.coverage, tree, radii, child as usize));
         }
         self.is_finished = progress.finished;
-        if std::mem::take(&mut self.is_blank) || (progress.finished && palette(progress.style).lines == Lines::Skeleton)
-        {
+        if is_blank || (progress.finished && palette(progress.style).lines == Lines::Skeleton) {
             self.coverage.touch_all();
         }
         self.ground.forget_relief();
@@ -164,31 +197,48 @@ impl Painter {
         self.compose(progress.style)
     }
 
-    /// Paints rivers, in place of the tree that they were. Returns the rectangle that changed; `None` if nothing did.
-    pub fn paint_rivers(&mut self, rivers: &Rivers<'_>) -> Option<Rect> {
+    /// Does a part of painting rivers, in place of the tree that they were. The picture changes with the last part.
+    pub fn paint_rivers(&mut self, rivers: &Rivers<'_>) -> Painted {
         let is_labelled = self.labels == rivers.label_count();
         if self.round == Some(rivers.rounds) && self.ground.shows(rivers.relief) && is_labelled {
-            return None;
+            return Painted::Whole(None);
         }
-        self.labels = rivers.label_count();
+        if self.ground.advance(&self.view, rivers) {
+            return Painted::Part;
+        }
         self.round = Some(rivers.rounds);
         self.is_finished = true;
-        self.coverage.clear();
-        draw_network(&mut self.coverage, &self.view, rivers.network, rivers.courses, palette(rivers.style).lines, 0.0);
+        self.labels = rivers.label_count();
+        self.draw_rivers(rivers);
         #[cfg(feature = "names")]
-        let halo = chart::halo(&mut self.coverage, &self.view, rivers.labels, label_look(rivers.style));
+        let halo = self.draw_halo(rivers);
         self.coverage.touch_all();
-        self.ground.lay(&self.view, rivers.land, rivers.style);
-        match rivers.relief {
-            Some(relief) if !self.ground.shows(rivers.relief) => self.ground.raise(&self.view, rivers, relief),
-            Some(_) => {}
-            None => self.ground.lower(),
-        }
-        self.ground.lay_beds(&self.view, rivers);
         let changed = self.compose(rivers.style);
         #[cfg(feature = "names")]
         chart::letters(&mut self.pixmap, &self.view, rivers.labels, label_look(rivers.style), halo);
-        changed
+        Painted::Whole(changed)
+    }
+
+    /// Takes rivers away around letters. Returns the halo, if it has a colour of its own.
+    #[cfg(feature = "names")]
+    fn draw_halo(&mut self, rivers: &Rivers<'_>) -> Option<Coverage> {
+        if !rivers.labels.is_empty() {
+            self.drawn_rivers = None;
+        }
+        chart::halo(&mut self.coverage, &self.view, rivers.labels, label_look(rivers.style))
+    }
+
+    /// Draws rivers, unless it is they that the mask shows: a style may have changed alone.
+    fn draw_rivers(&mut self, rivers: &Rivers<'_>) {
+        let (lines, relief) = (palette(rivers.style).lines, rivers.relief.map(|(relief, _)| relief));
+        let is_drawn = |(of, as_lines): &(Arc<Relief>, Lines)| {
+            relief.is_some_and(|relief| Arc::ptr_eq(of, relief)) && *as_lines == lines
+        };
+        if !self.drawn_rivers.as_ref().is_some_and(is_drawn) {
+            self.coverage.clear();
+            draw_network(&mut self.coverage, &self.view, rivers.network, rivers.courses, lines, 0.0);
+            self.drawn_rivers = relief.map(|relief| (relief.clone(), lines));
+        }
     }
 
     /// Draws all strokes that are new or have grown wider since this was last called. Strokes near the tips have been
@@ -223,7 +273,7 @@ impl Painter {
     fn compose(&mut self, style: Style) -> Option<Rect> {
         let touched = self.coverage.take_touched();
         let around = touched.iter().copied().reduce(Rect::union)?;
-        let ground = self.ground.pixels();
+        let ground = self.ground.pixels(style);
         match palette(style).lines {
             Lines::Wide | Lines::Thin => {
                 ink::compose(&mut self.pixmap, &self.coverage, ground, palette(style), &touched);

@@ -4,10 +4,10 @@ use fastnoise_lite::{FastNoiseLite, FractalType, NoiseType};
 use glam::Vec2;
 
 use super::palette::{Paper, mix};
-use super::view::View;
+use super::view::{Rows, View};
 
-/// Ages the ground of a picture.
-pub(super) fn lay(view: &View, paper: &Paper, pixels: &mut [[u8; 4]]) {
+/// Ages some rows of a ground.
+pub(super) fn lay(view: &View, paper: &Paper, rows: Rows, pixels: &mut [[u8; 4]]) {
     let mut noise = FastNoiseLite::with_seed(1);
     noise.set_noise_type(Some(NoiseType::OpenSimplex2));
     noise.set_fractal_type(Some(FractalType::FBm));
@@ -21,7 +21,7 @@ pub(super) fn lay(view: &View, paper: &Paper, pixels: &mut [[u8; 4]]) {
     };
     // Blotches are looked up once in so many pixels of a row.
     let every = ((paper.size * view.scale / 18.0) as usize).clamp(1, 8);
-    for (y, row) in pixels.chunks_mut(columns).enumerate() {
+    for (y, row) in rows.zip(pixels.chunks_mut(columns)) {
         let mut blotch = [0.0, blotched(Vec2::new(0.0, y as f32) + 0.5)];
         for (x, pixel) in row.iter_mut().enumerate() {
             let at = Vec2::new(x as f32, y as f32) + 0.5;
@@ -33,7 +33,7 @@ pub(super) fn lay(view: &View, paper: &Paper, pixels: &mut [[u8; 4]]) {
             let here = paper.at_sea + (1.0 - paper.at_sea) * f32::from(open) / 255.0;
             let stained = (blotch[0] + (blotch[1] - blotch[0]) * way) * paper.blotched * here;
             let aged = mix(mix([r, g, b], paper.blotch, stained), paper.edge, edge(at / size) * paper.edged);
-            let [r, g, b] = aged.map(|part| (f32::from(part) * grain(x as u32, y as u32)).min(255.0) as u8);
+            let [r, g, b] = aged.map(|part| (f32::from(part) * grain(x as u32, y)).min(255.0) as u8);
             *pixel = [r, g, b, open];
         }
     }
@@ -67,7 +67,7 @@ mod tests {
         let paper = palette(Style::Orbit).paper.unwrap();
         let darkest = |open: u8| {
             let mut pixels = vec![[120, 120, 120, open]; view.pixels()];
-            lay(&view, paper, &mut pixels);
+            lay(&view, paper, 0..100, &mut pixels);
             pixels.iter().map(|pixel| pixel[0]).min().unwrap()
         };
         assert!(darkest(0) >= 117, "no more than the grain");

@@ -1,5 +1,7 @@
 //! How the domain lies on the pixels.
 
+use std::ops::Range;
+
 use glam::Vec2;
 use thiserror::Error;
 
@@ -31,6 +33,9 @@ pub enum PaintError {
         megabytes: u32,
     },
 }
+
+/// Some rows of a picture, which lie one below the other.
+pub(super) type Rows = Range<u32>;
 
 /// A picture's size, and the map from domain units to pixels.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -78,6 +83,19 @@ impl View {
     /// How many pixels it has.
     pub(super) fn pixels(&self) -> usize {
         self.width as usize * self.height as usize
+    }
+
+    /// The pixels of some rows.
+    pub(super) fn range(&self, rows: Rows) -> Range<usize> {
+        let width = self.width as usize;
+        rows.start as usize * width..rows.end as usize * width
+    }
+
+    /// The rows that are painted next, when so many pixels have been: as many as take a few milliseconds at most, and one at least.
+    pub(super) fn next_rows(&self, painted: usize) -> Rows {
+        const PIXELS: u32 = 1 << 16;
+        let first = (painted / self.width as usize) as u32;
+        first..(first + (PIXELS / self.width).max(1)).min(self.height)
     }
 
     /// A pixel's place in the domain.

@@ -2,6 +2,8 @@
 
 use thiserror::Error;
 
+#[cfg(feature = "names")]
+use super::names::NamesError;
 use super::outline::OutlineError;
 use super::value::Decimal;
 
@@ -82,6 +84,15 @@ pub enum RecipeError {
         key: &'static str,
         /// What is wrong with it, and where.
         reason: OutlineError,
+    },
+    /// A text that is no list of names.
+    #[cfg(feature = "names")]
+    #[error("{key}: {reason}")]
+    Names {
+        /// The parameter.
+        key: &'static str,
+        /// What is wrong with it.
+        reason: NamesError,
     },
     /// No set of values has this name.
     #[error("there is no preset '{name}': choose from {names}")]

@@ -61,9 +61,8 @@ impl Given<'_> {
             Key::MeanderMix => self.no_bends().or_else(|| self.no_choice_of_direction()),
             Key::Mountains | Key::Plains => self.heights_only_in_files(),
             Key::Shade => self.no_relief(),
-            Key::Labels => self.no_names(),
-            Key::LabelSize => self.no_names().or_else(|| self.no_labels()),
-            Key::Style => None,
+            Key::LabelSize => self.no_labels(),
+            Key::Style | Key::Labels | Key::Language | Key::Names => None,
         }
     }
 
@@ -146,10 +145,6 @@ impl Given<'_> {
 
     fn no_relief(&self) -> Reason {
         (!self.recipe.get::<Style>().has_relief()).then_some("this style shows no relief")
-    }
-
-    fn no_names(&self) -> Reason {
-        (!cfg!(feature = "names")).then_some("names are not drawn here yet")
     }
 
     fn no_labels(&self) -> Reason {

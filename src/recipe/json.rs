@@ -108,8 +108,8 @@ impl<'de> Visitor<'de> for MembersVisitor {
 }
 
 /// The members of a network's JSON: the recipe first, then what this reader has no use for.
-const NETWORK: [&str; 9] =
-    ["recipe", "resolved", "domain", "growth", "measures", "nodes", "rivers", "oxbows", "attractors"];
+const NETWORK: [&str; 10] =
+    ["recipe", "resolved", "domain", "growth", "measures", "nodes", "rivers", "oxbows", "names", "attractors"];
 
 fn pass_over_network<'de, A: MapAccess<'de>>(mut map: A) -> Result<(), A::Error> {
     let mut seen = vec![String::from(NETWORK[0])];

@@ -51,10 +51,12 @@ pub enum Key {
     Mountains,
     Plains,
     Shade,
+    Style,
     Labels,
     LabelSize,
-    Style,
+    Language,
+    Names,
 }
 
 /// How many parameters there are.
-pub(super) const COUNT: usize = Key::Style as usize + 1;
+pub(super) const COUNT: usize = Key::Names as usize + 1;

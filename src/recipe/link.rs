@@ -8,13 +8,15 @@ use std::str::FromStr;
 
 use super::error::{RecipeError, shown};
 use super::key::Key;
+#[cfg(feature = "names")]
+use super::names::OwnNames;
 use super::parameter::{Kind, Parameter};
 use super::table::TABLE;
 use super::value::{Decimal, Value};
 use super::{Recipe, preset};
 
 /// The longest link that is read, in bytes.
-pub const LONGEST: usize = 4096;
+pub const LONGEST: usize = 8192;
 
 /// The key that names a preset: read first, overridden by all other keys, never written.
 pub const PRESET: &str = "preset";
@@ -156,7 +158,7 @@ fn apply_preset(recipe: &mut Recipe, name: &str) -> Result<(), RecipeError> {
 /// Replaces a refused value by the nearest allowed one, if there is one.
 fn correct(recipe: &mut Recipe, key: Key, text: &str, error: &RecipeError) -> Notice {
     let parameter = key.parameter();
-    if let Some(value) = nearest_allowed(parameter.kind, text) {
+    if let Some(value) = nearest_allowed(parameter, text) {
         recipe.put(key, value);
     }
     let used = parameter.text_of(recipe.value(key));
@@ -167,9 +169,11 @@ fn correct(recipe: &mut Recipe, key: Key, text: &str, error: &RecipeError) -> No
     Notice { key: parameter.name.into(), message }
 }
 
-fn nearest_allowed(kind: Kind, text: &str) -> Option<Value> {
+fn nearest_allowed(parameter: &Parameter, text: &str) -> Option<Value> {
     let number = || Decimal::parse(text.trim());
-    match kind {
+    match parameter.kind {
+        #[cfg(feature = "names")]
+        Kind::Text { .. } if parameter.key == Key::Names => Some(Value::Text(OwnNames::readable(text).to_string())),
         Kind::Integer { min, max, .. } => number().map(|n| Value::Integer(n.round().clamp(min, max))),
         Kind::Number { min, max, .. } => number().map(|x| Value::Number(x.clamp(min, max))),
         Kind::Text { longest, .. } => {

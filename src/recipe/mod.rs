@@ -13,6 +13,8 @@ mod inactive;
 pub mod json;
 mod key;
 pub mod link;
+#[cfg(feature = "names")]
+mod names;
 mod outline;
 mod parameter;
 pub mod preset;
@@ -23,6 +25,8 @@ mod value;
 pub use choice::{Choice, CourseShape, GrowthMethod, Labels, LandKind, MeanderModel, Scatter, Style, Word};
 pub use error::RecipeError;
 pub use key::Key;
+#[cfg(feature = "names")]
+pub use names::{Mark, NamesError, OwnNames};
 pub use outline::{GridPoint, LONGEST as LONGEST_OUTLINE, LineKind, Outline, OutlineError};
 pub use parameter::{Kind, Parameter, Stage};
 pub use value::{Decimal, Sides, Value};

@@ -3,6 +3,8 @@
 use super::choice::Word;
 use super::error::{RecipeError, shown};
 use super::key::Key;
+#[cfg(feature = "names")]
+use super::names::OwnNames;
 use super::outline::Outline;
 use super::value::{Decimal, Sides, Value};
 
@@ -19,6 +21,8 @@ pub enum Stage {
     Shape,
     /// Giving the land the heights that belong to them.
     Relief,
+    /// Naming what is on the map.
+    Name,
     /// Drawing it.
     Paint,
 }
@@ -32,6 +36,7 @@ impl Stage {
             Self::Prune => "prune",
             Self::Shape => "shape",
             Self::Relief => "relief",
+            Self::Name => "name",
             Self::Paint => "paint",
         }
     }
@@ -105,11 +110,6 @@ pub struct Parameter {
 }
 
 impl Parameter {
-    /// Whether this build draws what it decides: names are only drawn where there is the feature for them.
-    pub fn is_drawn(&self) -> bool {
-        cfg!(feature = "names") || !matches!(self.key, Key::Labels | Key::LabelSize)
-    }
-
     /// The value when nothing is given.
     pub fn default_value(&self) -> Value {
         match self.kind {
@@ -152,6 +152,10 @@ impl Parameter {
     /// Names the key, the text and what is allowed.
     pub fn parse(&self, text: &str) -> Result<Value, RecipeError> {
         match self.kind {
+            #[cfg(feature = "names")]
+            Kind::Text { .. } if self.key == Key::Names => OwnNames::parse(text)
+                .map(|names| Value::Text(names.to_string()))
+                .map_err(|reason| RecipeError::Names { key: self.name, reason }),
             Kind::Text { longest, .. } => self.parse_text(text, longest),
             Kind::Integer { min, max, .. } => self.parse_integer(text, min, max),
             Kind::Number { min, max, .. } => self.parse_number(text, min, max),

@@ -10,7 +10,7 @@ use super::value::{Decimal, Sides};
 
 /// All parameters, in the order in which links and tables list them; row `i` is that of the key numbered `i`.
 pub static TABLE: [Parameter; COUNT] = {
-    use Stage::{Grow, Land, Paint, Prune, Relief, Shape};
+    use Stage::{Grow, Land, Name, Paint, Prune, Relief, Shape};
     const fn number(min: f64, max: f64, step: f64, default: f64) -> Kind {
         let (min, max) = (Decimal::new(min), Decimal::new(max));
         Kind::Number { min, max, step: Decimal::new(step), default: Decimal::new(default) }
@@ -534,13 +534,24 @@ pub static TABLE: [Parameter; COUNT] = {
             kind: number(0.0, 1.0, 0.05, 0.45),
         },
         Parameter {
+            key: Key::Style,
+            name: "style",
+            label: "Style",
+            help: "How the map is drawn. All but ink, skeleton, past-courses and dark show how high the land is, once its rivers are finished.",
+            unit: "",
+            group: "Finish",
+            stage: Paint,
+            logarithmic: false,
+            kind: Kind::Choice { choices: Style::WORDS },
+        },
+        Parameter {
             key: Key::Labels,
             name: "labels",
             label: "Labels",
             help: "How many rivers have their name on the map, the greatest first.",
             unit: "",
             group: "Names",
-            stage: Paint,
+            stage: Name,
             logarithmic: false,
             kind: Kind::Choice { choices: Labels::WORDS },
         },
@@ -551,20 +562,31 @@ pub static TABLE: [Parameter; COUNT] = {
             help: "How large letters are, over what suits the map. Larger ones find fewer places.",
             unit: "",
             group: "Names",
-            stage: Paint,
+            stage: Name,
             logarithmic: true,
             kind: number(0.5, 2.0, 0.05, 1.0),
         },
         Parameter {
-            key: Key::Style,
-            name: "style",
-            label: "Style",
-            help: "How the map is drawn. All but ink, skeleton, past-courses and dark show how high the land is, once its rivers are finished.",
+            key: Key::Language,
+            name: "language",
+            label: "Language",
+            help: "The made-up language of names: 0 for the seed's own; any other is the same for all seeds.",
             unit: "",
-            group: "Finish",
-            stage: Paint,
+            group: "Names",
+            stage: Name,
             logarithmic: false,
-            kind: Kind::Choice { choices: Style::WORDS },
+            kind: Kind::Integer { min: 0, max: 999, default: 0 },
+        },
+        Parameter {
+            key: Key::Names,
+            name: "names",
+            label: "Own names",
+            help: "Names of your own for at most 12 things, such as 12.Silver Water_t.Home.",
+            unit: "",
+            group: "Names",
+            stage: Name,
+            logarithmic: false,
+            kind: Kind::Text { longest: 400, default: "" },
         },
     ])
 };

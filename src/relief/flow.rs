@@ -63,8 +63,8 @@ impl Flow {
         }
     }
 
-    /// The rings around all cells of each basin, in units, on the grid of this flow: that of basin 1 comes first. Land lies to the left of a ring as a map shows it, and
-    /// cells that only touch at a corner are apart.
+    /// The rings around all cells of each basin, in units, on the grid of this flow: that of basin 1 comes first. Land lies to the left
+    /// of a ring as a map shows it, and cells that only touch at a corner are apart.
     pub fn basin_rings(&self, grid: &Grid) -> Vec<Vec<Vec<Vec2>>> {
         let mut cells: Vec<Vec<usize>> = vec![Vec::new(); self.mouths.len()];
         for (cell, &basin) in self.basins.iter().enumerate().filter(|(_, basin)| **basin > 0) {

@@ -6,7 +6,7 @@ use wasm_bindgen::prelude::*;
 use super::objects::{coded, object};
 use crate::grow::Ending;
 use crate::land::Land;
-use crate::paint::{PaintError, Rect};
+use crate::paint::{PaintError, Painted, Rect};
 use crate::picture::Picture;
 use crate::recipe::link::{self, Notice};
 use crate::recipe::reading::{self, ReadOptions, Reading};
@@ -17,7 +17,7 @@ use crate::session::{Phase, Session, SessionError, Shortfall};
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
 /** The stages of a river, in the order in which they run. */
-export type Stage = "land" | "grow" | "prune" | "shape" | "relief" | "paint";
+export type Stage = "land" | "grow" | "prune" | "shape" | "relief" | "name" | "paint";
 /** What a river's next step does: a tick of growth; rivers made of the tree, in a few; a round of meandering; a part of the relief; nothing. */
 export type Phase = "growing" | "shaping" | "meandering" | "relief" | "finished";
 /** Something in a link that had to be corrected. */
@@ -189,10 +189,12 @@ impl River {
         .into()
     }
 
-    /// Draws what is new. Returns whether any pixel changed: none does without a picture.
+    /// Draws what is new, or does a part of that, which takes a few milliseconds. Returns whether there is more to do: until there is not,
+    /// no pixel changes.
     pub fn paint(&mut self) -> bool {
-        self.dirty = self.picture.as_mut().and_then(|picture| picture.paint(&self.session));
-        self.dirty.is_some()
+        let painted = self.picture.as_mut().map(|picture| picture.paint_part(&self.session));
+        self.dirty = painted.and_then(Painted::changed);
+        painted == Some(Painted::Part)
     }
 
     /// What the last `paint` changed: x, y, width, height.

@@ -14,10 +14,11 @@ use super::{json, list, names, of_all, singles, some, wholes, written};
 fn members_are_those_that_are_told_of() {
     of_all(|session| {
         let file = json(session);
-        let members = ["recipe", "resolved", "domain", "growth", "measures", "nodes", "rivers", "oxbows", "attractors"];
+        let members =
+            ["recipe", "resolved", "domain", "growth", "measures", "nodes", "rivers", "oxbows", "names", "attractors"];
         assert_eq!(names(&file), members);
         let without = written(|text| to_json::write(text, session, false));
-        assert_eq!(names(&without), members[..8]);
+        assert_eq!(names(&without), members[..9]);
     });
 }
 
@@ -171,7 +172,10 @@ fn rivers_and_lakes_are_the_network_s() {
         let (orders, magnitudes) = (orders(network), magnitudes(network));
         assert_eq!(list(&file["rivers"]).len(), network.rivers.len());
         for (id, (river, written)) in network.rivers.iter().zip(list(&file["rivers"])).enumerate() {
-            assert_eq!(names(written), ["id", "parent", "order", "magnitude", "discharge", "points"]);
+            assert_eq!(
+                names(written),
+                ["id", "parent", "order", "magnitude", "discharge", "identity", "name", "points"]
+            );
             assert_eq!((written["id"].as_u64(), written["parent"].as_u64()), (Some(id as u64), some(river.parent)));
             assert_eq!((&written["order"], &written["magnitude"]), (&orders[id].into(), &magnitudes[id].into()));
             let course: Vec<_> = course(river).into_iter().map(|i| network.vertices[i]).collect();

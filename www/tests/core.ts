@@ -16,7 +16,7 @@ export function pictureOf(link: string, width: number, height: number): Picture 
   const river = new engine.River(engine.readLink(link).link);
   river.resize(width, height);
   while (river.advance(1000));
-  river.paint();
+  while (river.paint());
   const bytes = new Uint8Array(memory.buffer, river.pixelsPointer(), river.pixelsLength());
   const sha256 = createHash("sha256").update(bytes).digest("hex");
   const summary = river.summary();
@@ -26,7 +26,7 @@ export function pictureOf(link: string, width: number, height: number): Picture 
 
 /** A river's picture as it stands: RGBA. */
 export function pixelsOf(river: engine.River): Uint8Array {
-  river.paint();
+  while (river.paint());
   return new Uint8Array(memory.buffer, river.pixelsPointer(), river.pixelsLength()).slice();
 }
 

@@ -17,6 +17,7 @@ pub fn command() -> Command {
         .subcommand(render_command())
         .subcommand(outline_command())
         .subcommand(measure_command())
+        .subcommand(names_command())
         .subcommand(Command::new("table").about("Prints a page of all parameters, as Markdown"))
         .subcommand(verify_command())
 }
@@ -59,6 +60,14 @@ fn measure_command() -> Command {
         .after_help(MIXED)
         .args(recipe_arguments())
         .arg(Arg::new("json").long("json").action(ArgAction::SetTrue).help("Print JSON"))
+        .args(TABLE.iter().map(option))
+}
+
+fn names_command() -> Command {
+    Command::new("names")
+        .about("Prints the names of a recipe's rivers, greatest first, and the marks by which 'names' gives others")
+        .after_help(MIXED)
+        .args(recipe_arguments())
         .args(TABLE.iter().map(option))
 }
 

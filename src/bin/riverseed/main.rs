@@ -1,5 +1,5 @@
 //! The command line: `riverseed render` draws a recipe or writes its network, `riverseed outline` traces a picture of a
-//! land, `riverseed measure` compares a recipe's rivers with nature's, `riverseed table` explains recipes, `riverseed verify` tells whether this machine draws as all others do.
+//! land, `riverseed measure` compares a recipe's rivers with nature's, `riverseed names` lists their names, `riverseed table` explains recipes, `riverseed verify` tells whether this machine draws as all others do.
 //!
 //! Exit codes: 0 done, 1 the work failed, 2 the call or the recipe is wrong.
 
@@ -8,6 +8,7 @@ mod form;
 mod grow;
 mod mask;
 mod measure;
+mod names;
 mod order;
 mod outline;
 mod output;
@@ -31,6 +32,7 @@ fn main() -> ExitCode {
         Some(("render", matches)) => render::render(matches),
         Some(("outline", matches)) => outline::outline(matches),
         Some(("measure", matches)) => measure::measure(matches),
+        Some(("names", matches)) => names::names(matches),
         Some(("table", _)) => table::print().map_err(Failure::from),
         Some(("verify", matches)) => verify::verify(matches.get_one::<PathBuf>("digests").map(PathBuf::as_path)),
         _ => Ok(()),

@@ -17,6 +17,7 @@ use riverseed::session::Session;
 use super::Failure;
 use super::form::Form;
 use super::grow::{grow, progress};
+use super::names::say_what_is_unused;
 use super::order::Order;
 use super::output::Output;
 
@@ -110,6 +111,9 @@ fn rasters(session: &Session, size: Option<u32>, progress: &ProgressBar) -> Resu
 fn write_network(output: Output, order: Order, form: Form, with_attractors: bool) -> Result<(), Failure> {
     let progress = progress(&order.recipe, 0);
     let session = grow(order, &progress)?;
+    if form != Form::Svg {
+        say_what_is_unused(&session);
+    }
     progress.set_message("writing");
     output.write(|out| {
         match form {

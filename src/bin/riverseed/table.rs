@@ -53,6 +53,14 @@ tree. `trim` is rounded to whole nodes. In a Brownian tree, and in drainage with
 drawn, rivers that reach the sea on their own are trimmed too if they are shorter than that; the longest one always stays. In drainage, rivers are trimmed after `channel-area` has decided
 where they begin.
 
+## Own names
+
+`names` gives names of your own to at most 12 things: `names=69.Silver+Water_m69.The+Old+Man_51._t.Home`. An entry is a mark, a full stop and
+a name of at most 40 characters; an underscore ends it. The mark is a river's identity, `m` and the identity for the stretch where it meanders, `s`,
+`l` or `i` and a number for a sea, a lake or an island, or `t` for the map; `i0` is the main land, after which the map is called. No name after
+the full stop takes a thing's name away. `riverseed names` prints the marks of a map. A mark that the map has not is kept and does nothing.
+Files hold names as they were typed; control characters, and those that turn the direction of writing, are refused, in links on the page left out.
+
 ## Limits
 
 Growth always ends. Drainage makes one node per parcel and one per river mouth; space colonization makes at most 10 nodes per attractor,

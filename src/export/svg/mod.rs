@@ -66,7 +66,7 @@ pub fn svg(session: &Session) -> Result<String, ExportError> {
         out.text("</g>\n");
     }
     #[cfg(feature = "names")]
-    let labels = session.labels([Vec2::ZERO, size], 1.0);
+    let labels = crate::labels::labels(session, [Vec2::ZERO, size], 1.0);
     #[cfg(feature = "names")]
     let clip = if labels::draw_halo(&mut out, size, &labels) { labels::masked(clip) } else { clip };
     out.text("<g id=\"rivers").text(clip).text("\" fill=\"").colour(palette.river).text("\">\n");

@@ -11,6 +11,7 @@ mod captures;
 mod directions;
 mod folds;
 mod heights;
+mod identities;
 mod invasion;
 mod lattice;
 mod outlets;
@@ -163,6 +164,8 @@ impl Drainage {
         let is_last = self.rounds > self.settings.drainage.captures;
         if is_last {
             self.raise(&directions, &areas);
+            let middle = self.settings.domain.size / 2.0;
+            identities::assign(&mut self.tree, &self.parcels, &self.node, middle);
             self.largest_basin = areas.iter().copied().max();
             self.ending = Some(Ending::Complete);
         }

@@ -21,8 +21,20 @@ const EQUAL: f32 = 0.35;
 /// What sways less than this stands still: it would not be seen, and takes as long as the rest.
 const LEAST: f32 = 0.05;
 
-/// Gives every vertex its mobility. Returns the great rivers.
-pub(super) fn assign(network: &mut Network, settings: &NetworkSettings) -> Vec<u32> {
+/// The longest stretch of a great river that is flat, told by what it drains there: that grows all along a river, however the vertices are
+/// spaced.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Reach {
+    /// The river's number.
+    pub river: u32,
+    /// What it drains at the upper end.
+    pub least_discharge: u32,
+    /// What it drains at the lower end.
+    pub most_discharge: u32,
+}
+
+/// Gives every vertex its mobility. Returns the great rivers, each with its longest flat stretch.
+pub(super) fn assign(network: &mut Network, settings: &NetworkSettings) -> Vec<Reach> {
     if settings.model == MeanderModel::None {
         return Vec::new();
     }
@@ -54,7 +66,21 @@ pub(super) fn assign(network: &mut Network, settings: &NetworkSettings) -> Vec<u
             let _ = (0..at).rev().all(&mut ease);
         }
     }
-    great
+    great.into_iter().map(|river| reach(network, river, &is_flat)).collect()
+}
+
+fn reach(network: &Network, river: u32, is_flat: &[bool]) -> Reach {
+    let (mut longest, mut start) = (0..0, 0);
+    let own = network.rivers[river as usize].vertex_range();
+    for stretch in is_flat[own.clone()].chunk_by(|a, b| a == b) {
+        let end = start + stretch.len();
+        if stretch[0] && stretch.len() > longest.len() {
+            longest = start..end;
+        }
+        start = end;
+    }
+    let discharge = |i: usize| network.vertices[own.start + i].discharge;
+    Reach { river, least_discharge: discharge(longest.start), most_discharge: discharge(longest.end.max(1) - 1) }
 }
 
 /// Lets mobility fall off toward vertices that have none, so that a river does not bend sharply round what holds it.

@@ -27,6 +27,7 @@ use crate::domain::Domain;
 use crate::geometry::{fast_max, length};
 use crate::recipe::MeanderModel;
 
+pub use mobility::Reach;
 pub use past::{PastCourse, PastCourses, PastRound};
 
 /// Clearances are measured up to this share of a step. Vertices move by less than a third of it in a round.
@@ -49,6 +50,7 @@ pub struct Meander {
     guard: ClearanceGrid,
     round: u32,
     past: PastCourses,
+    reaches: Vec<Reach>,
     /// Whether anything was stopped by the frame of the map in the last round.
     has_stopped: bool,
 }
@@ -57,14 +59,23 @@ impl Meander {
     /// Round 0: courses that are smooth and thinned out, as wide as they will be.
     pub(super) fn along(mut network: Network, settings: NetworkSettings) -> Self {
         widen(&mut network, &settings);
-        let past = PastCourses::of(mobility::assign(&mut network, &settings));
-        Self { past, ..Self::of(network, settings) }
+        let reaches = mobility::assign(&mut network, &settings);
+        let past = PastCourses::of(reaches.iter().map(|reach| reach.river).collect());
+        Self { past, reaches, ..Self::of(network, settings) }
     }
 
     /// Goes on with a network that has its widths and mobility already, wherever it comes from. None of its rivers counts as great.
     pub fn of(network: Network, settings: NetworkSettings) -> Self {
         let guard = ClearanceGrid::new(&settings.domain, settings.spacing);
-        Self { settings, network, guard, round: 0, past: PastCourses::default(), has_stopped: false }
+        Self {
+            settings,
+            network,
+            guard,
+            round: 0,
+            past: PastCourses::default(),
+            reaches: Vec::new(),
+            has_stopped: false,
+        }
     }
 
     /// The network as it is.
@@ -80,6 +91,11 @@ impl Meander {
     /// The courses that great rivers had before.
     pub fn past(&self) -> &PastCourses {
         &self.past
+    }
+
+    /// Where the great rivers are flat, and meander fully.
+    pub fn reaches(&self) -> &[Reach] {
+        &self.reaches
     }
 
     /// How many rounds have been made.

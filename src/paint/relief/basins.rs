@@ -12,6 +12,7 @@ use crate::land::trace::rings;
 use crate::land::{beside, nearest};
 use crate::network::{Network, River};
 use crate::paint::palette::{BasinColours, Colour, mix};
+use crate::paint::view::{Rows, View};
 use crate::relief::{CELL_SIZE, Relief};
 use crate::sort::argsort;
 
@@ -59,35 +60,6 @@ impl Basins {
         }
     }
 
-    /// Lays the colours over the land of a ground, with a gap along divides. Returns the colour of each pixel's basin.
-    pub(super) fn lay(&self, look: &BasinColours, sheet: &Sheet<'_>, pixels: &mut [[u8; 4]]) -> Vec<u8> {
-        let (view, width) = (sheet.view, sheet.view.width as usize);
-        let (places, full) = (places(view, self.columns), full_share(view.scale));
-        let tints: Vec<Colour> = (0..=look.colours.len()).map(|number| look.tint(number)).collect();
-        let mut numbers = vec![0; pixels.len()];
-        for (y, (row, numbers)) in pixels.chunks_mut(width).zip(numbers.chunks_mut(width)).enumerate() {
-            let (middle, down) = nearest(view.point(Vec2::splat(y as f32 + 0.5)).y / CELL_SIZE - 0.5, self.rows);
-            let row_of_cells = middle * self.columns..(middle + 1) * self.columns;
-            let (cells, is_mixed) = (&self.cells[row_of_cells.clone()], &self.is_mixed[row_of_cells]);
-            let land = &sheet.land[y * width..][..width];
-            for ((pixel, number), (&Place { column, along }, &share)) in
-                row.iter_mut().zip(numbers).zip(places.iter().zip(land))
-            {
-                *number = cells[column];
-                if share > 0 {
-                    let mut tint = tints[usize::from(cells[column])];
-                    if is_mixed[column] {
-                        let (number, share) = self.greatest([middle, column], [down, along]);
-                        let inside = ((share - 0.5) / (full - 0.5)).clamp(0.0, 1.0);
-                        tint = mix(sheet.plain, tints[usize::from(number)], inside);
-                    }
-                    sheet.shift(pixel, tint, share);
-                }
-            }
-        }
-        numbers
-    }
-
     /// The rings around all that has a numbered colour, in units. At sea they go on.
     #[cfg(feature = "files")]
     pub fn rings(&self, number: u8) -> Vec<Vec<Vec2>> {
@@ -113,6 +85,61 @@ impl Basins {
             *share = (number, share.1 + across[i / 3] * along[i % 3]);
         }
         shares.into_iter().fold((0, 0.0), |most, share| if share.1 > most.1 { share } else { most })
+    }
+}
+
+/// The basins of a map in a picture, as far as pixels have been looked at, from north to south.
+#[derive(Clone, Debug)]
+pub(super) struct BasinPixels {
+    basins: Basins,
+    places: Vec<Place>,
+    /// The number of the colour that rivers have in each pixel.
+    pub numbers: Vec<u8>,
+    /// Pixels on divides, or near them: the number of their colour, and how much they have of it.
+    near_divides: Vec<(u32, u8, f32)>,
+}
+
+impl BasinPixels {
+    pub fn new(basins: Basins, view: &View) -> Self {
+        let places = places(view, basins.columns);
+        Self { basins, places, numbers: Vec::with_capacity(view.pixels()), near_divides: Vec::new() }
+    }
+
+    /// Lays the colours over the land of some rows of a ground, with a gap along divides.
+    pub fn lay(&mut self, look: &BasinColours, sheet: &Sheet<'_>, rows: Rows, pixels: &mut [[u8; 4]]) {
+        let range = sheet.view.range(rows.clone());
+        if self.numbers.len() == range.start {
+            rows.for_each(|y| self.look_at(sheet, y));
+        }
+        let tints: Vec<Colour> = (0..=look.colours.len()).map(|number| look.tint(number)).collect();
+        let first = self.near_divides.partition_point(|near| (near.0 as usize) < range.start);
+        let mut near = self.near_divides[first..].iter().peekable();
+        let (numbers, land) = (&self.numbers[range.clone()], &sheet.land[range.clone()]);
+        for (i, ((pixel, &number), &share)) in range.zip(pixels.iter_mut().zip(numbers).zip(land)) {
+            if share > 0 {
+                let tint = match near.next_if(|near| near.0 as usize == i) {
+                    Some(&(_, number, inside)) => mix(sheet.plain, tints[usize::from(number)], inside),
+                    None => tints[usize::from(number)],
+                };
+                sheet.shift(pixel, tint, share);
+            }
+        }
+    }
+
+    /// Looks at the pixels of a row.
+    fn look_at(&mut self, sheet: &Sheet<'_>, y: u32) {
+        let (basins, full) = (&self.basins, full_share(sheet.view.scale));
+        let (row, down) = nearest(sheet.view.point(Vec2::splat(y as f32 + 0.5)).y / CELL_SIZE - 0.5, basins.rows);
+        let range = sheet.view.range(y..y + 1);
+        for ((i, &land), &Place { column, along }) in range.clone().zip(&sheet.land[range]).zip(&self.places) {
+            let cell = row * basins.columns + column;
+            self.numbers.push(basins.cells[cell]);
+            if land > 0 && basins.is_mixed[cell] {
+                let (number, share) = basins.greatest([row, column], [down, along]);
+                let inside = ((share - 0.5) / (full - 0.5)).clamp(0.0, 1.0);
+                self.near_divides.push((i as u32, number, inside));
+            }
+        }
     }
 }
 

@@ -1,44 +1,77 @@
 //! What lies around rivers: a light edge, or a glow.
 
+use std::ops::Range;
+
 use super::Sheet;
-use crate::paint::coverage::Rect;
+use crate::paint::coverage::{Coverage, Rect, for_each_covered};
 use crate::paint::palette::{Casing, mix};
+use crate::paint::view::{Rows, View};
 
 /// So many boxes are nearly a bell.
 const BOXES: u32 = 3;
 
-/// Lays a casing or a glow around rivers, which were drawn as wide as it begins.
-pub(super) fn lay(casing: &Casing, sheet: &Sheet<'_>, pixels: &mut [[u8; 4]]) {
-    let radius = (casing.blur * sheet.view.scale).round() as u32;
-    let Some(rect) = sheet.touched.map(|rect| grown(rect, BOXES * radius, sheet)) else { return };
-    let (columns, stride) = (rect.left as usize..rect.right as usize, sheet.view.width as usize);
-    let (width, height) = (columns.len(), (rect.bottom - rect.top) as usize);
-    let rows = |row: u32| row as usize * stride + columns.start..row as usize * stride + columns.end;
-    let mut mask = Vec::with_capacity(width * height);
-    (rect.top..rect.bottom).for_each(|row| mask.extend_from_slice(&sheet.rivers[rows(row)]));
-    if radius > 0 {
-        mask = blurred_and_turned(&mask, width, height, radius as usize);
-        mask = blurred_and_turned(&mask, height, width, radius as usize);
-    }
-    // A blur spreads what it takes, which is made up for.
-    let gain = if radius > 0 { casing.gain } else { 1.0 };
-    for (row, mask) in (rect.top..rect.bottom).zip(mask.chunks(width)) {
-        for (pixel, &covered) in pixels[rows(row)].iter_mut().zip(mask).filter(|(_, covered)| **covered > 0) {
-            let [r, g, b, open] = *pixel;
-            let share = (f32::from(covered) / 255.0 * gain).min(1.0) * casing.strength * f32::from(open) / 255.0;
-            let [r, g, b] = mix([r, g, b], casing.colour, share);
-            *pixel = [r, g, b, open];
+/// A mask of rivers that were drawn as wide as a casing begins, blurred as the casing is.
+#[derive(Clone, Debug)]
+pub(super) struct Blurred {
+    /// The pixels that it has.
+    rect: Rect,
+    mask: Vec<u8>,
+}
+
+impl Blurred {
+    /// `None` if rivers cover no pixel, or there is nothing to blur: the mask is then what there is.
+    pub fn new(casing: &Casing, rivers: &mut Coverage, view: &View) -> Option<Self> {
+        let radius = (casing.blur * view.scale).round() as usize;
+        let touched = rivers.take_touched().into_iter().reduce(Rect::union).filter(|_| radius > 0)?;
+        let rect = grown(touched, BOXES * radius as u32, rivers.bounds());
+        let (width, height) = ((rect.right - rect.left) as usize, (rect.bottom - rect.top) as usize);
+        let mut mask = Vec::with_capacity(width * height);
+        for row in rect.top..rect.bottom {
+            mask.extend_from_slice(&rivers.mask().data()[in_row(rect, row, view)]);
         }
+        mask = blurred_and_turned(&mask, width, height, radius);
+        mask = blurred_and_turned(&mask, height, width, radius);
+        Some(Self { rect, mask })
     }
 }
 
+/// Lays a casing or a glow around the rivers of some rows.
+pub(super) fn lay(casing: &Casing, blurred: Option<&Blurred>, sheet: &Sheet<'_>, rows: Rows, pixels: &mut [[u8; 4]]) {
+    let first = sheet.view.range(rows.clone());
+    let Some(Blurred { rect, mask }) = blurred else {
+        return lay_mask(casing, 1.0, &sheet.rivers[first], pixels);
+    };
+    let width = (rect.right - rect.left) as usize;
+    for row in rows.start.max(rect.top)..rows.end.min(rect.bottom) {
+        let (from, here) = ((row - rect.top) as usize * width, in_row(*rect, row, sheet.view));
+        // A blur spreads what it takes, which is made up for.
+        let pixels = &mut pixels[here.start - first.start..here.end - first.start];
+        lay_mask(casing, casing.gain, &mask[from..from + width], pixels);
+    }
+}
+
+fn lay_mask(casing: &Casing, gain: f32, mask: &[u8], pixels: &mut [[u8; 4]]) {
+    for_each_covered(mask, &mut |i, covered| {
+        let [r, g, b, open] = pixels[i];
+        let share = (f32::from(covered) / 255.0 * gain).min(1.0) * casing.strength * f32::from(open) / 255.0;
+        let [r, g, b] = mix([r, g, b], casing.colour, share);
+        pixels[i] = [r, g, b, open];
+    });
+}
+
+/// The pixels of a rectangle that lie in a row.
+fn in_row(rect: Rect, row: u32, view: &View) -> Range<usize> {
+    let first = view.range(row..row + 1).start;
+    first + rect.left as usize..first + rect.right as usize
+}
+
 /// The pixels that a blur of what is touched reaches.
-fn grown(rect: Rect, reach: u32, sheet: &Sheet<'_>) -> Rect {
+fn grown(rect: Rect, reach: u32, bounds: Rect) -> Rect {
     Rect {
         left: rect.left.saturating_sub(reach),
         top: rect.top.saturating_sub(reach),
-        right: (rect.right + reach).min(sheet.view.width),
-        bottom: (rect.bottom + reach).min(sheet.view.height),
+        right: (rect.right + reach).min(bounds.right),
+        bottom: (rect.bottom + reach).min(bounds.bottom),
     }
 }
 
@@ -82,31 +115,31 @@ mod tests {
     use crate::paint::view::View;
     use glam::Vec2;
 
-    /// What a white glow on black looks like around two strokes, one at the edge, if it is laid within some pixels; and their mask.
-    fn glow(side: u32, within: impl Fn(&mut Coverage) -> Rect) -> (Vec<u8>, Vec<u8>) {
+    /// What a white glow on black looks like around two strokes, one at the edge, and their mask. All of the picture is blurred, or
+    /// what rivers touch.
+    fn glow(side: u32, blurs_all: bool) -> (Vec<u8>, Vec<u8>) {
         let view = View::new(&Domain::with_aspect(1.0), side, side).unwrap();
         let mut mask = Coverage::new(side, side).unwrap();
         for (from, to) in [((420.0, 500.0), (520.0, 560.0)), ((300.0, -1.0), (340.0, 3.0))] {
             mask.capsule(view.pixel(Vec2::from(from)), 1.2, view.pixel(Vec2::from(to)), 0.9);
         }
-        let touched = Some(within(&mut mask));
-        let sheet = Sheet { view: &view, plain: [0; 3], land: &[], rivers: mask.mask().data(), touched };
+        if blurs_all {
+            mask.touch_all();
+        }
         let casing = Casing { colour: [255; 3], strength: 1.0, margin: 0.0, blur: 2.0, gain: 2.5 };
+        let blurred = Blurred::new(&casing, &mut mask, &view);
+        let sheet = Sheet { view: &view, plain: [0; 3], land: &[], rivers: mask.mask().data() };
         let mut pixels = vec![[0, 0, 0, 255]; view.pixels()];
-        lay(&casing, &sheet, &mut pixels);
+        for top in (0..side).step_by(100) {
+            let rows = top..(top + 100).min(side);
+            lay(&casing, blurred.as_ref(), &sheet, rows.clone(), &mut pixels[view.range(rows)]);
+        }
         (pixels.iter().map(|pixel| pixel[0]).collect(), mask.mask().data().to_vec())
     }
 
     #[test]
     fn a_glow_is_blurred_where_it_is_as_in_the_whole_picture() {
-        // No pixel larger than it must be: tiles have room to spare.
-        let touched = |mask: &mut Coverage| {
-            let covered = mask.mask().data().iter().enumerate().filter(|(_, covered)| **covered > 0);
-            let pixels = covered.map(|(i, _)| ((i % 900) as u32, (i / 900) as u32));
-            let rects = pixels.map(|(x, y)| Rect { left: x, top: y, right: x + 1, bottom: y + 1 });
-            rects.reduce(Rect::union).unwrap()
-        };
-        let ((part, mask), (whole, _)) = (glow(900, touched), glow(900, |mask| mask.bounds()));
+        let ((part, mask), (whole, _)) = (glow(900, false), glow(900, true));
         assert!(part == whole);
         let count = |pixels: &[u8]| pixels.iter().filter(|&&light| light > 0).count();
         assert!(count(&part) > 2 * count(&mask), "{} pixels of {}", count(&part), count(&mask));
@@ -114,7 +147,7 @@ mod tests {
 
     #[test]
     fn a_glow_too_small_to_be_blurred_is_no_stronger_than_its_mask() {
-        let (light, mask) = glow(200, |mask| mask.bounds());
+        let (light, mask) = glow(200, false);
         assert!(light == mask);
     }
 }

@@ -7,6 +7,7 @@ use glam::Vec2;
 use super::Sheet;
 use super::field::{Field, Place, places};
 use crate::paint::palette::{Contours, mix};
+use crate::paint::view::{Rows, View};
 use crate::relief::{CELL_SIZE, METRES, Relief};
 
 /// How often heights are smoothed before: at valley floors lines would be sharper than any surveyor draws them.
@@ -24,32 +25,77 @@ pub(crate) fn interval(highest: f32) -> f32 {
 }
 
 /// The heights of a relief, counted in contours.
-pub(super) fn levels(relief: &Relief, highest: f32) -> Field {
+fn levels(relief: &Relief, highest: f32) -> Field {
     let interval = interval(highest);
     Field::of(relief, |height| height / interval).smoothed(TIMES)
 }
 
-/// Lays the contours of a relief over the land of a ground, broken where rivers run.
-pub(super) fn lay(look: &Contours, field: &Field, sheet: &Sheet<'_>, pixels: &mut [[u8; 4]]) {
-    let (places, width) = (places(sheet.view, field.columns), sheet.view.width as usize);
-    let cell_px = CELL_SIZE * sheet.view.scale;
-    let lines = [0, 1].map(|i| Line::new(look.widths[i] * sheet.view.scale, look.strengths[i], [1.0, INDEX as f32][i]));
-    let (mut heights, mut rises) = (Vec::new(), Vec::new());
-    for (y, row) in pixels.chunks_mut(width).enumerate() {
+/// The contours of a relief in a picture, as far as they are found, from north to south.
+#[derive(Clone, Debug)]
+pub(super) struct ContourLines {
+    look: &'static Contours,
+    /// Until all are found.
+    levels: Option<Field>,
+    places: Vec<Place>,
+    lines: [Line; 2],
+    /// Pixels on land that a line covers, and how much it does, if no river runs there.
+    covered: Vec<(u32, f32)>,
+    /// How many pixels have been looked at.
+    found: usize,
+}
+
+impl ContourLines {
+    pub fn new(look: &'static Contours, relief: &Relief, highest: f32, view: &View) -> Self {
+        let line = |i: usize, apart| Line::new(look.widths[i] * view.scale, look.strengths[i], apart);
+        Self {
+            look,
+            levels: Some(levels(relief, highest)),
+            places: places(view, relief.columns()),
+            lines: [line(0, 1.0), line(1, INDEX as f32)],
+            covered: Vec::new(),
+            found: 0,
+        }
+    }
+
+    /// Whether they are drawn like this.
+    pub fn are(&self, look: &Contours) -> bool {
+        std::ptr::eq(self.look, look)
+    }
+
+    /// Lays the lines over some rows of a ground, broken where rivers run.
+    pub fn lay(&mut self, sheet: &Sheet<'_>, rows: Rows, pixels: &mut [[u8; 4]]) {
+        let range = sheet.view.range(rows.clone());
+        if self.found == range.start {
+            rows.for_each(|y| self.find(sheet, y));
+            self.found = range.end;
+            self.levels.take_if(|_| range.end == sheet.view.pixels());
+        }
+        let first = self.covered.partition_point(|line| (line.0 as usize) < range.start);
+        let here = self.covered[first..].iter().take_while(|line| (line.0 as usize) < range.end);
+        for &(i, covered) in here {
+            let i = i as usize;
+            let open = f32::from(sheet.land[i]) * f32::from(255 - sheet.rivers[i]);
+            let pixel = &mut pixels[i - range.start];
+            let [r, g, b, rest] = *pixel;
+            let [r, g, b] = mix([r, g, b], self.look.colour, covered * open / (255.0 * 255.0));
+            *pixel = [r, g, b, rest];
+        }
+    }
+
+    /// Finds the lines of a row.
+    fn find(&mut self, sheet: &Sheet<'_>, y: u32) {
+        let Some(field) = &self.levels else { return };
         let at = sheet.view.point(Vec2::splat(y as f32 + 0.5)).y;
-        field.line(at, false, &mut heights);
-        field.line(at, true, &mut rises);
-        let (land, rivers) = (&sheet.land[y * width..][..width], &sheet.rivers[y * width..][..width]);
-        for ((pixel, &Place { column, along }), (&land, &rivers)) in
-            row.iter_mut().zip(&places).zip(land.iter().zip(rivers))
-        {
+        let (heights, rises) = (field.line(at, false), field.line(at, true));
+        let (cell_px, range) = (CELL_SIZE * sheet.view.scale, sheet.view.range(y..y + 1));
+        for ((i, &land), &Place { column, along }) in range.clone().zip(&sheet.land[range]).zip(&self.places) {
             let height = heights[column].at(along);
-            let level = (height + 0.5) as u32;
-            if level == 0 || land == 0 || rivers == 255 {
+            let level = (height + 0.5) as i32;
+            if level <= 0 || land == 0 {
                 continue;
             }
             let squared = Vec2::new(heights[column].rise(along), rises[column].at(along)).length_squared().max(1e-8);
-            let line = &lines[usize::from(level.is_multiple_of(INDEX))];
+            let line = &self.lines[usize::from(level.unsigned_abs().is_multiple_of(INDEX))];
             let (off, rim) = ((height - level as f32) * cell_px, line.half + 0.5);
             // Most pixels are on no line.
             if off * off > rim * rim * squared {
@@ -57,15 +103,15 @@ pub(super) fn lay(look: &Contours, field: &Field, sheet: &Sheet<'_>, pixels: &mu
             }
             let spacing = cell_px / squared.sqrt();
             let covered = line.coverage((height - level as f32).abs() * spacing, spacing);
-            let open = f32::from(land) * f32::from(255 - rivers);
-            let [r, g, b, rest] = *pixel;
-            let [r, g, b] = mix([r, g, b], look.colour, covered * open / (255.0 * 255.0));
-            *pixel = [r, g, b, rest];
+            if covered > 0.0 {
+                self.covered.push((i as u32, covered));
+            }
         }
     }
 }
 
 /// One kind of line.
+#[derive(Clone, Debug)]
 struct Line {
     /// Half of its width in pixels, and how much of a pixel in its middle it covers.
     half: f32,

@@ -77,7 +77,7 @@ impl Field {
     /// Its surface along one y of a map, in units: a piece for each column of cells. Or, for `rises`, how much higher that is a cell to
     /// the south.
     #[inline(never)]
-    pub fn line(&self, y: f32, rises: bool, line: &mut Vec<Parabola>) {
+    pub fn line(&self, y: f32, rises: bool) -> Vec<Parabola> {
         let (middle, t) = nearest(y / CELL_SIZE - 0.5, self.rows);
         let [north, here, south] =
             beside(middle, self.rows).map(|row| &self.values[row * self.columns..][..self.columns]);
@@ -85,19 +85,20 @@ impl Field {
             let across = Parabola::of([a, b, c]);
             if rises { across.rise(t) } else { across.at(t) }
         });
-        line.clear();
-        let Some(mut here) = controls.next() else { return };
+        let mut line = Vec::with_capacity(self.columns);
+        let Some(mut here) = controls.next() else { return line };
         let mut before = here;
         for after in controls {
             line.push(Parabola::of([before, here, after]));
             (before, here) = (here, after);
         }
         line.push(Parabola::of([before, here, here]));
+        line
     }
 }
 
 /// Where a pixel lies in its row: the column of cells that it is nearest to, and how far beyond their middle, in cells.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub(super) struct Place {
     pub column: usize,
     pub along: f32,

@@ -5,8 +5,10 @@ use glam::Vec2;
 
 use super::Sheet;
 use super::field::Field;
-use crate::paint::ground::lay_strokes;
+use crate::paint::coverage::Coverage;
+use crate::paint::ground::{draw, lay_mask};
 use crate::paint::palette::Hachures;
+use crate::paint::view::{Rows, View};
 use crate::relief::Relief;
 
 /// A stroke: its places with half of its width there, in units.
@@ -22,46 +24,101 @@ const TIMES: u32 = 5;
 const APART: u32 = 3;
 
 /// The strokes of a relief. `highest` is what has the colour of the highest land, in units of height.
+#[cfg(feature = "files")]
 pub(crate) fn strokes(relief: &Relief, highest: f32) -> Vec<Stroke> {
-    let per_row = ROWS / highest;
-    let field = Field::of(relief, |height| height * per_row).smoothed(TIMES);
-    let mut rows = Rows { marks: vec![0; field.values.len()], field: &field, strokes: Vec::new() };
-    for (cell, pair) in field.values.windows(2).enumerate() {
-        let (low, high) = (pair[0].min(pair[1]), pair[0].max(pair[1]));
-        let is_last = (cell + 1).is_multiple_of(field.columns);
-        (low.max(0.0) as u32 + 1..=high as u32).filter(|_| !is_last).for_each(|row| rows.draw(cell, row));
-    }
-    rows.strokes
+    let mut strokes = Strokes::new(relief, highest);
+    while strokes.advance() {}
+    strokes.drawn
 }
 
-/// Lays the strokes of a relief over the land of a ground.
-pub(super) fn lay(look: &Hachures, strokes: &[Stroke], sheet: &Sheet<'_>, pixels: &mut [[u8; 4]]) {
-    let lines: Vec<_> = strokes.iter().flat_map(|stroke| [[stroke[0], stroke[1]], [stroke[1], stroke[2]]]).collect();
-    let open =
-        |i: usize| f32::from(sheet.land[i]) * f32::from(255 - sheet.rivers[i]) * (look.strength / (255.0 * 255.0));
-    lay_strokes(sheet.view, &lines, look.colour, &open, pixels);
+/// The strokes of a relief, as far as its rows have been walked along.
+#[derive(Clone, Debug)]
+pub(super) struct Strokes {
+    /// Until all are.
+    rows: Option<HachureRows>,
+    drawn: Vec<Stroke>,
+}
+
+impl Strokes {
+    pub fn new(relief: &Relief, highest: f32) -> Self {
+        let per_row = ROWS / highest;
+        let field = Field::of(relief, |height| height * per_row).smoothed(TIMES);
+        let rows = HachureRows { marks: vec![0; field.values.len()], field, cell: 0 };
+        Self { rows: Some(rows), drawn: Vec::new() }
+    }
+
+    /// Walks on, if any rows are left. Returns whether there are more.
+    pub fn advance(&mut self) -> bool {
+        /// So many make a part.
+        const MANY: usize = 3000;
+        let enough = self.drawn.len() + MANY;
+        self.rows.take_if(|rows| {
+            while self.drawn.len() < enough && rows.cell + 1 < rows.field.values.len() {
+                rows.draw_from(rows.cell, &mut self.drawn);
+                rows.cell += 1;
+            }
+            rows.cell + 1 >= rows.field.values.len()
+        });
+        self.rows.is_some()
+    }
+}
+
+/// A mask with strokes, as far as they are drawn.
+#[derive(Clone, Debug)]
+pub(super) struct StrokeMask {
+    mask: Coverage,
+    drawn: usize,
+}
+
+impl StrokeMask {
+    /// Without any yet. `None` if it would have no pixels.
+    pub fn new(view: &View) -> Option<Self> {
+        Some(Self { mask: Coverage::new(view.width, view.height)?, drawn: 0 })
+    }
+
+    /// Draws some more of these, if any are left. Returns whether there are more.
+    pub fn advance(&mut self, strokes: &Strokes, view: &View) -> bool {
+        const MANY: usize = 6000;
+        let some = strokes.drawn[self.drawn..].iter().take(MANY);
+        self.drawn += some.len();
+        some.for_each(|[from, middle, to]| draw(&mut self.mask, view, &[[*from, *middle], [*middle, *to]]));
+        self.drawn < strokes.drawn.len()
+    }
+}
+
+/// Lays strokes over the land of some rows of a ground, broken where rivers run.
+pub(super) fn lay(look: &Hachures, strokes: &StrokeMask, sheet: &Sheet<'_>, rows: Rows, pixels: &mut [[u8; 4]]) {
+    let range = sheet.view.range(rows);
+    let (land, rivers) = (&sheet.land[range.clone()], &sheet.rivers[range.clone()]);
+    let open = |i: usize| f32::from(land[i]) * f32::from(255 - rivers[i]) * (look.strength / (255.0 * 255.0));
+    lay_mask(&strokes.mask.mask().data()[range], look.colour, &open, pixels);
 }
 
 /// The rows of a field whose unit is a row.
-struct Rows<'a> {
-    field: &'a Field,
+#[derive(Clone, Debug)]
+struct HachureRows {
+    field: Field,
     /// Of each cell, the rows that pass it, a bit each.
     marks: Vec<u32>,
-    strokes: Vec<Stroke>,
+    /// The cell from which rows are drawn next.
+    cell: usize,
 }
 
-impl Rows<'_> {
-    /// Draws the row that passes between a cell and the next, both ways, unless it is there.
-    fn draw(&mut self, cell: usize, row: u32) {
-        if self.marks[cell] & (1 << (row % 32)) == 0 {
-            let start = self.field.middle(cell) + Vec2::X;
-            self.walk(start, row, 1.0);
-            self.walk(start, row, -1.0);
+impl HachureRows {
+    /// Draws the rows that pass between a cell and the next, both ways, unless they are there.
+    fn draw_from(&mut self, cell: usize, strokes: &mut Vec<Stroke>) {
+        let (here, next) = (self.field.values[cell], self.field.values[cell + 1]);
+        let is_last = (cell + 1).is_multiple_of(self.field.columns);
+        for row in (here.min(next).max(0.0) as u32 + 1..=here.max(next) as u32).filter(|_| !is_last) {
+            if self.marks[cell] & (1 << (row % 32)) == 0 {
+                let start = self.field.middle(cell) + Vec2::X;
+                [1.0, -1.0].into_iter().for_each(|side| self.walk(start, row, side, strokes));
+            }
         }
     }
 
     /// Walks along a row until it closes or ends, and leaves strokes.
-    fn walk(&mut self, start: Vec2, row: u32, side: f32) {
+    fn walk(&mut self, start: Vec2, row: u32, side: f32, strokes: &mut Vec<Stroke>) {
         /// Of a unit each.
         const MOST_STEPS: u32 = 5000;
         let (mut at, mut here) = (start, usize::MAX);
@@ -82,7 +139,7 @@ impl Rows<'_> {
             }
             // The start belongs to one side.
             if step.is_multiple_of(APART) && (step > 0 || side > 0.0) {
-                self.strokes.extend(stroke(self.field, at, rise));
+                strokes.extend(stroke(&self.field, at, rise));
             }
             at += rise.perp() * (side / squared.sqrt());
         }

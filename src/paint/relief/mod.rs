@@ -9,16 +9,20 @@ mod shade;
 
 use std::sync::Arc;
 
-use self::field::Field;
-use self::shade::Surface;
-use super::coverage::Rect;
+use self::basins::BasinPixels;
+use self::casing::Blurred;
+use self::contours::ContourLines;
+use self::hachures::{StrokeMask, Strokes};
+use self::shade::{Colours, Shading};
+use super::coverage::Coverage;
 use super::palette::{Colour, ReliefLook};
-use super::view::View;
+use super::view::{Rows, View};
 use crate::network::Network;
 use crate::relief::Relief;
 pub(crate) use basins::Basins;
 #[cfg(feature = "files")]
 pub(crate) use contours::{INDEX, interval};
+#[cfg(feature = "files")]
 pub(crate) use hachures::{Stroke, strokes};
 #[cfg(feature = "files")]
 pub(crate) use shade::light_of;
@@ -30,9 +34,8 @@ pub(super) struct Sheet<'a> {
     pub plain: Colour,
     /// How much of each pixel is land, in 255ths.
     pub land: &'a [u8],
-    /// How much of each pixel rivers and their casings cover, in 255ths, and the pixels where they do; `None` if they cover none.
+    /// How much of each pixel rivers and their casings cover, in 255ths, if the look minds rivers.
     pub rivers: &'a [u8],
-    pub touched: Option<Rect>,
 }
 
 impl Sheet<'_> {
@@ -53,23 +56,22 @@ impl Sheet<'_> {
     }
 }
 
-/// What of a picture a relief alone decides, or its rivers too, made when a style first shows it.
+/// What of a picture a relief alone decides, made when a style first shows it, and kept for the next.
 #[derive(Clone, Debug)]
 pub(super) struct Prepared {
     relief: Arc<Relief>,
     /// What has the colour of the highest land, in units of height.
     highest: f32,
-    surface: Surface,
-    levels: Option<Field>,
-    strokes: Option<Vec<Stroke>>,
-    basins: Option<Basins>,
+    shading: Option<Shading>,
+    contours: Option<ContourLines>,
+    strokes: Option<Strokes>,
+    basins: Option<BasinPixels>,
 }
 
 impl Prepared {
     pub fn new(relief: &Arc<Relief>) -> Self {
         let highest = highest(relief);
-        let surface = Surface::new(relief, highest);
-        Self { relief: relief.clone(), highest, surface, levels: None, strokes: None, basins: None }
+        Self { relief: relief.clone(), highest, shading: None, contours: None, strokes: None, basins: None }
     }
 
     /// Whether it was made of this relief.
@@ -77,32 +79,77 @@ impl Prepared {
         Arc::ptr_eq(&self.relief, relief)
     }
 
-    /// Lays the relief over a ground. Returns the number of the colour that rivers have in each pixel; none if they have but one.
-    pub fn lay(
-        &mut self,
-        look: &ReliefLook,
-        exaggeration: f32,
-        network: &Network,
-        sheet: &Sheet<'_>,
-        pixels: &mut [[u8; 4]],
-    ) -> Vec<u8> {
+    /// Makes one of the things that are missing for a look, or a part of it. Returns whether any was.
+    pub fn prepare(&mut self, look: &'static ReliefLook, exaggeration: f32, network: &Network, view: &View) -> bool {
         let (relief, highest) = (&self.relief, self.highest);
-        self.surface.light(relief, exaggeration);
-        self.surface.lay(sheet, &look.tints, pixels);
-        if let Some(lines) = &look.contours {
-            contours::lay(lines, self.levels.get_or_insert_with(|| contours::levels(relief, highest)), sheet, pixels);
+        if !self.shading.as_ref().is_some_and(|shading| shading.is_lit_with(exaggeration)) {
+            self.shading = Some(Shading::new(relief, highest, exaggeration, view));
+        } else if let Some(look) = &look.contours
+            && !self.contours.as_ref().is_some_and(|lines| lines.are(look))
+        {
+            self.contours = Some(ContourLines::new(look, relief, highest, view));
+        } else if look.hachures.is_some() && self.strokes.is_none() {
+            self.strokes = Some(Strokes::new(relief, highest));
+        } else if let Some(look) = &look.basins
+            && self.basins.is_none()
+        {
+            self.basins = Some(BasinPixels::new(Basins::new(relief, network, look.colours), view));
+        } else {
+            return look.hachures.is_some() && self.strokes.as_mut().is_some_and(Strokes::advance);
         }
-        if let Some(look) = &look.hachures {
-            hachures::lay(look, self.strokes.get_or_insert_with(|| strokes(relief, highest)), sheet, pixels);
+        true
+    }
+
+    /// Lays the relief over some rows of a ground, once all is prepared.
+    pub fn lay(&mut self, inks: &Inks, sheet: &Sheet<'_>, rows: Rows, pixels: &mut [[u8; 4]]) {
+        let look = inks.look;
+        if let Some(shading) = &mut self.shading {
+            shading.lay(sheet, &inks.colours, rows.clone(), pixels);
         }
-        let numbers = look.basins.as_ref().map(|look| {
-            let basins = self.basins.get_or_insert_with(|| Basins::new(relief, network, look.colours));
-            basins.lay(look, sheet, pixels)
-        });
+        if let (Some(_), Some(lines)) = (&look.contours, &mut self.contours) {
+            lines.lay(sheet, rows.clone(), pixels);
+        }
+        if let (Some(look), Some(mask)) = (&look.hachures, &inks.hachures) {
+            hachures::lay(look, mask, sheet, rows.clone(), pixels);
+        }
+        if let (Some(look), Some(basins)) = (&look.basins, &mut self.basins) {
+            basins.lay(look, sheet, rows.clone(), pixels);
+        }
         if look.casing.strength > 0.0 {
-            casing::lay(&look.casing, sheet, pixels);
+            casing::lay(&look.casing, inks.casing.as_ref(), sheet, rows, pixels);
         }
-        numbers.unwrap_or_default()
+    }
+
+    /// The number of the colour that rivers have in each pixel, once basins have been laid; none before.
+    pub fn numbers(&self) -> &[u8] {
+        self.basins.as_ref().map_or(&[], |basins| &basins.numbers)
+    }
+}
+
+/// What is made of a look and a picture's rivers to lay a relief once.
+#[derive(Clone, Debug)]
+pub(super) struct Inks {
+    look: &'static ReliefLook,
+    colours: Colours,
+    hachures: Option<StrokeMask>,
+    casing: Option<Blurred>,
+}
+
+impl Inks {
+    /// Of the mask of rivers with their casing.
+    pub fn new(look: &'static ReliefLook, rivers: &mut Coverage, view: &View) -> Self {
+        Self {
+            look,
+            colours: Colours::new(&look.tints),
+            hachures: look.hachures.as_ref().and_then(|_| StrokeMask::new(view)),
+            casing: Blurred::new(&look.casing, rivers, view),
+        }
+    }
+
+    /// Makes a part of what is missing for a relief that is prepared. Returns whether there is more.
+    pub fn advance(&mut self, prepared: &Prepared, view: &View) -> bool {
+        let strokes = self.hachures.as_mut().zip(prepared.strokes.as_ref());
+        strokes.is_some_and(|(mask, strokes)| mask.advance(strokes, view))
     }
 }
 

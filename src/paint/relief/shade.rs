@@ -6,6 +6,7 @@ use super::Sheet;
 use super::field::{Field, Place, places};
 use crate::land::beside;
 use crate::paint::palette::{Colour, Tints, mix};
+use crate::paint::view::{Rows, View};
 use crate::relief::{CELL_SIZE, Relief};
 use crate::sort::quantile;
 
@@ -15,46 +16,68 @@ use crate::sort::quantile;
 const LIGHTS: [Vec3; 3] =
     [Vec3::new(-0.275, -0.275, 0.388_909), Vec3::new(-0.160_697, 0.0, 0.191_511), Vec3::new(0.0, -0.114_715, 0.163_83)];
 
-/// A relief as a picture shows it: how high and how light each cell is.
+/// How high and how light land is in each pixel of a picture, as far as that has been looked at, from north to south.
 #[derive(Clone, Debug)]
-pub(super) struct Surface {
-    /// The height of each cell as a share of the highest, and its light as a share of that on flat land.
-    tint: Field,
-    light: Field,
+pub(super) struct Shading {
     /// The exaggeration of slopes that it is lit with.
-    lit_with: Option<f32>,
+    lit_with: f32,
+    /// Until all pixels are looked at.
+    surface: Option<Surface>,
+    places: Vec<Place>,
+    /// The number of the colour in the table of all.
+    numbers: Vec<u16>,
 }
 
-impl Surface {
-    /// A relief without light.
-    pub fn new(relief: &Relief, highest: f32) -> Self {
-        let tint = Field::of(relief, |height| height.max(0.0) / highest);
-        Self { tint, light: Field::of(relief, |_| 1.0), lit_with: None }
-    }
+/// The height of each cell as a share of the highest, and its light as a share of that on flat land.
+#[derive(Clone, Debug)]
+struct Surface {
+    height: Field,
+    light: Field,
+}
 
-    /// Lets light fall on it.
-    pub fn light(&mut self, relief: &Relief, exaggeration: f32) {
-        if self.lit_with.replace(exaggeration) == Some(exaggeration) {
-            return;
+impl Shading {
+    /// Lets light fall on a relief. `highest` is what has the colour of the highest land, in units of height.
+    pub fn new(relief: &Relief, highest: f32, exaggeration: f32, view: &View) -> Self {
+        let mut light = Field::of(relief, |_| 0.0);
+        light_of(relief, exaggeration, &mut light.values);
+        let height = Field::of(relief, |height| height.max(0.0) / highest);
+        Self {
+            lit_with: exaggeration,
+            surface: Some(Surface { height, light }),
+            places: places(view, relief.columns()),
+            numbers: Vec::with_capacity(view.pixels()),
         }
-        light_of(relief, exaggeration, &mut self.light.values);
     }
 
-    /// Lays tints over the land of a ground.
-    pub fn lay(&self, sheet: &Sheet<'_>, tints: &Tints, pixels: &mut [[u8; 4]]) {
-        let colours = Colours::new(tints);
-        let (places, width) = (places(sheet.view, self.tint.columns), sheet.view.width as usize);
-        let (mut tint, mut light) = (Vec::new(), Vec::new());
-        for (y, (row, land)) in pixels.chunks_mut(width).zip(sheet.land.chunks(width)).enumerate() {
-            let y = sheet.view.point(Vec2::splat(y as f32 + 0.5)).y;
-            self.tint.line(y, false, &mut tint);
-            self.light.line(y, false, &mut light);
-            for ((pixel, &share), &Place { column, along }) in row.iter_mut().zip(land).zip(&places) {
-                if share > 0 {
-                    sheet.shift(pixel, colours.at(tint[column].at(along), light[column].at(along)), share);
-                }
+    /// Whether slopes are exaggerated like this.
+    pub fn is_lit_with(&self, exaggeration: f32) -> bool {
+        self.lit_with == exaggeration
+    }
+
+    /// Lays colours over the land of some rows of a ground.
+    pub fn lay(&mut self, sheet: &Sheet<'_>, colours: &Colours, rows: Rows, pixels: &mut [[u8; 4]]) {
+        let range = sheet.view.range(rows.clone());
+        if self.numbers.len() == range.start {
+            rows.for_each(|y| self.look_at(sheet, y));
+            self.surface.take_if(|_| range.end == sheet.view.pixels());
+        }
+        let numbers = &self.numbers[range.clone()];
+        for ((pixel, &number), &share) in pixels.iter_mut().zip(numbers).zip(&sheet.land[range]) {
+            if share > 0 {
+                sheet.shift(pixel, colours.0[usize::from(number)], share);
             }
         }
+    }
+
+    /// Looks at the pixels of a row.
+    fn look_at(&mut self, sheet: &Sheet<'_>, y: u32) {
+        let Some(Surface { height, light }) = &self.surface else { return };
+        let at = sheet.view.point(Vec2::splat(y as f32 + 0.5)).y;
+        let (height, light, land) =
+            (height.line(at, false), light.line(at, false), &sheet.land[sheet.view.range(y..y + 1)]);
+        self.numbers.extend(self.places.iter().zip(land).map(|(&Place { column, along }, &share)| {
+            if share > 0 { number(height[column].at(along), light[column].at(along)) } else { 0 }
+        }));
     }
 }
 
@@ -85,8 +108,9 @@ fn lit(rise: Vec2) -> f32 {
     LIGHTS.iter().map(|light| (normal.dot(*light) / length).max(0.0)).sum()
 }
 
-/// The colours of all heights and lights, looked up.
-struct Colours(Vec<Colour>);
+/// The colours of all heights and lights, by their numbers.
+#[derive(Clone, Debug)]
+pub(super) struct Colours(Vec<Colour>);
 
 const HEIGHTS: usize = 128;
 const LIGHT_STEPS: usize = 128;
@@ -94,7 +118,7 @@ const LIGHT_STEPS: usize = 128;
 const MOST_LIGHT: f32 = 2.0;
 
 impl Colours {
-    fn new(tints: &Tints) -> Self {
+    pub fn new(tints: &Tints) -> Self {
         let colour = |i: usize| {
             let height = (i / LIGHT_STEPS) as f32 / (HEIGHTS - 1) as f32;
             let light = (i % LIGHT_STEPS) as f32 / (LIGHT_STEPS - 1) as f32 * MOST_LIGHT;
@@ -102,14 +126,16 @@ impl Colours {
         };
         Self((0..HEIGHTS * LIGHT_STEPS).map(colour).collect())
     }
+}
 
-    #[inline]
-    fn at(&self, height: f32, light: f32) -> Colour {
-        // What is less than 0 becomes 0.
-        let height = ((height * (HEIGHTS - 1) as f32 + 0.5) as u32).min(HEIGHTS as u32 - 1);
-        let light = ((light * ((LIGHT_STEPS - 1) as f32 / MOST_LIGHT) + 0.5) as u32).min(LIGHT_STEPS as u32 - 1);
-        self.0[height as usize * LIGHT_STEPS + light as usize]
-    }
+/// The number of the colour of a height, as a share of the highest, and of a light, as a share of that on flat land.
+#[inline]
+fn number(height: f32, light: f32) -> u16 {
+    const MOST_HEIGHT: i32 = HEIGHTS as i32 - 1;
+    const LIGHTEST: i32 = LIGHT_STEPS as i32 - 1;
+    let height = ((height * MOST_HEIGHT as f32 + 0.5) as i32).clamp(0, MOST_HEIGHT);
+    let light = ((light * (LIGHTEST as f32 / MOST_LIGHT) + 0.5) as i32).clamp(0, LIGHTEST);
+    (height * LIGHT_STEPS as i32 + light) as u16
 }
 
 #[cfg(test)]
@@ -123,8 +149,7 @@ mod tests {
         let tints = &palette(Style::InkWash).relief.unwrap().tints;
         let colours = Colours::new(tints);
         for height in [0.0, 0.4, 1.0] {
-            let (dark, flat, light) =
-                (colours.at(height, 0.0), colours.at(height, 1.0), colours.at(height, MOST_LIGHT));
+            let [dark, flat, light] = [0.0, 1.0, MOST_LIGHT].map(|light| colours.0[usize::from(number(height, light))]);
             let paper = tints.at((height * (HEIGHTS - 1) as f32).round() / (HEIGHTS - 1) as f32);
             assert_eq!((flat, light), (paper, paper), "at {height}");
             let off = |i: usize| dark[i].abs_diff(tints.shadow[i]);

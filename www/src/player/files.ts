@@ -58,7 +58,7 @@ function stepsFor(milliseconds: number, step: () => boolean): boolean {
 export function drawn(river: River, memory: WebAssembly.Memory, longSide: number): Canvas {
   const { width, height } = sizeFor(river.aspect, longSide);
   river.resize(width, height);
-  river.paint();
+  while (river.paint());
   const canvas = bareCanvas(width, height);
   new Blitter(contextOf(canvas), memory).blit(river);
   return canvas;

@@ -14,6 +14,8 @@ export const MEANDER_SECONDS = 1.2;
 export const FRAME_BUDGET_MS = 6;
 /** What they may take of a frame when somebody waits for the finished river. */
 export const SETTLE_BUDGET_MS = 10;
+/** What painting may take of a frame, and a part of it more: a picture that takes longer is painted over several, and seen in the last. */
+export const PAINT_BUDGET_MS = 10;
 /** After steps that took longer than this, painting is left to the next frame: one callback with both would be felt. */
 export const LONG_STEPS_MS = 20;
 /** While somebody waits for a river that takes longer than this, it is shown so often: each picture delays the end. */
@@ -44,8 +46,8 @@ export interface Frames {
 export type State = "growing" | "paused" | "settling" | "finished";
 
 export interface Audience {
-  /** Show what there is. */
-  draw(): void;
+  /** Does a part of showing what there is. Returns whether there is more to do: until there is not, nothing is to be seen. */
+  draw(): boolean;
   /** Something was shown that may give way to another recipe. */
   ready(): void;
   changed(state: State): void;
@@ -81,8 +83,9 @@ export class FrameLoop {
   /** While settling: whether the tree is worth a picture before it becomes rivers, and whether any grown one was shown. */
   #showsTree = false;
   #isShown = false;
-  /** The next frame paints and makes no steps: those of the last one took too long. */
+  /** The next frame paints and makes no steps: the last one had no time to, or not for all. */
   #paintsNext = false;
+  #isPainting = false;
 
   constructor(
     private readonly river: Growing,
@@ -103,7 +106,7 @@ export class FrameLoop {
 
   /** Whether another recipe would throw away what nobody has seen yet. */
   get isBusy(): boolean {
-    return this.#state === "settling" && !this.#isShown;
+    return this.#isPainting || (this.#state === "settling" && !this.#isShown);
   }
 
   /** Animates a river from where it stands. */
@@ -226,12 +229,22 @@ export class FrameLoop {
 
   #show(now: number): void {
     const { phase } = this.river;
-    this.#redraw = false;
+    this.#isPainting = this.#paint();
+    this.#redraw = this.#paintsNext = this.#isPainting;
+    if (this.#isPainting) return;
     this.#shownAt = now;
     this.#isShown = phase !== "growing";
-    this.audience.draw();
     if (this.#runs && phase === "finished") this.#become("finished");
     if (!this.isBusy) this.audience.ready();
+  }
+
+  /** Paints within the budget. Returns whether there is more to do. */
+  #paint(): boolean {
+    const end = this.frames.now() + PAINT_BUDGET_MS;
+    while (this.audience.draw()) {
+      if (this.frames.now() >= end) return true;
+    }
+    return false;
   }
 
   /** Makes the steps that are due, within the budget. */

@@ -183,15 +183,13 @@ export class RiverPlayer<Planted extends River = River> {
     else this.#loop.settle(how === "settle");
   }
 
-  #paint(): void {
-    if (this.#river.paint()) this.#blitter.blit(this.#river);
-  }
-
-  #draw(): void {
-    this.#paint();
+  #draw(): boolean {
+    if (this.#river.paint()) return true;
+    this.#blitter.blit(this.#river);
     const still = this.state === "finished" || this.state === "paused";
     const isNews = still || this.#told !== this.#river.phase;
     if (isNews || this.frames.now() - this.#counted >= COUNT_EVERY_MS) this.#tell();
+    return false;
   }
 
   #tell(): void {
@@ -216,7 +214,8 @@ export class RiverPlayer<Planted extends River = River> {
     // Setting its size empties a canvas, so it is filled again before the browser can show that.
     canvas.width = width;
     canvas.height = height;
-    this.#paint();
+    while (river.paint());
+    this.#blitter.blit(river);
   }
 
   /** Whatever is asked after the end is passed over. */

@@ -7,6 +7,7 @@ import {
   type Growing,
   LONG_STEPS_MS,
   MEANDER_SECONDS,
+  PAINT_BUDGET_MS,
   ROUNDS_PER_SECOND,
   SETTLE_BUDGET_MS,
   SETTLE_QUIET_MS,
@@ -25,6 +26,10 @@ class Stage implements Growing {
   failures: unknown[] = [];
   restarts = 0;
   cost = 0;
+  /** A picture is painted in so many parts, of so many milliseconds each. */
+  partsOfPicture = 1;
+  partCost = 0;
+  parts = 0;
   #callbacks = new Map<number, (now: number) => void>();
   #handles = 0;
   readonly loop: FrameLoop;
@@ -44,8 +49,12 @@ class Stage implements Growing {
     };
     this.loop = new FrameLoop(this, frames, {
       draw: () => {
+        this.time += this.partCost;
+        if (++this.parts < this.partsOfPicture) return true;
+        this.parts = 0;
         this.drawn.push(this.ticks);
         this.phases.push(this.phase);
+        return false;
       },
       ready: () => void this.ready++,
       changed: (state) => void this.states.push(state),
@@ -259,6 +268,37 @@ test("a redraw is drawn once, and grows nothing", () => {
   stage.frames(5);
   expect(stage.drawn).toEqual([10, 10]);
   expect(stage.loop.state).toBe("finished");
+});
+
+test("a picture that takes long is painted over several frames, in which nothing grows, and then gives way to another", () => {
+  const stage = new Stage(10);
+  [stage.partsOfPicture, stage.partCost] = [7, PAINT_BUDGET_MS / 2];
+  stage.loop.settle(false);
+  // Two parts fit into the budget.
+  for (const parts of [2, 4, 6]) {
+    stage.frames(1);
+    expect([stage.parts, stage.drawn.length, stage.ready, stage.loop.isBusy]).toEqual([parts, 0, 0, true]);
+    expect(stage.loop.state).toBe("settling");
+  }
+  stage.frames(1);
+  expect([stage.drawn, stage.ready, stage.loop.isBusy, stage.loop.state]).toEqual([[10], 1, false, "finished"]);
+  stage.loop.redraw();
+  stage.frames(3);
+  expect([stage.loop.isBusy, stage.drawn.length]).toEqual([true, 1]);
+  stage.frames(1);
+  expect([stage.loop.isBusy, stage.drawn.length, stage.ready, stage.waiting]).toEqual([false, 2, 2, 0]);
+});
+
+test("a river that is watched grows in turns with a picture that takes long", () => {
+  const stage = new Stage(40);
+  [stage.partsOfPicture, stage.partCost] = [4, PAINT_BUDGET_MS / 2];
+  stage.loop.watch();
+  for (let i = 0; i < 300 && stage.loop.state === "growing"; i++) {
+    const { ticks, parts } = stage;
+    stage.frames(1);
+    expect(parts === 0 || stage.ticks === ticks).toBe(true);
+  }
+  expect([stage.loop.state, stage.drawn.at(-1)]).toEqual(["finished", 40]);
 });
 
 test("at rest nothing is drawn; waking goes on", () => {

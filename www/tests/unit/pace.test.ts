@@ -19,7 +19,10 @@ function framesOf(
   river.resize(width, height);
   const display = new Display();
   const loop = new FrameLoop(river, display, {
-    draw: () => seen(river, display.count),
+    draw: () => {
+      seen(river, display.count);
+      return false;
+    },
     ready: () => {},
     changed: () => {},
     failed: (error) => {

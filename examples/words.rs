@@ -1,0 +1,15 @@
+//! Prints made-up words of many languages, a line each, for `www/scripts/words.mjs`, which looks for such as nobody wants to read.
+//!
+//! `words LANGUAGES WORDS`: so many languages, and so many words of each.
+
+use std::io::{self, Write};
+
+fn main() -> io::Result<()> {
+    let mut given = std::env::args().skip(1).filter_map(|number| number.parse().ok());
+    let (languages, words) = (given.next().unwrap_or(10), given.next().unwrap_or(10));
+    let mut out = io::BufWriter::new(io::stdout().lock());
+    for language in 0..languages {
+        riverseed::name::words(&format!("seed {language}"), words).try_for_each(|word| writeln!(out, "{word}"))?;
+    }
+    out.flush()
+}

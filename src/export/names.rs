@@ -1,0 +1,69 @@
+//! Names in files of data.
+
+use glam::Vec2;
+
+use super::data::{Json, Members};
+use crate::name::{Names, PlaceName, ReachName, RiverName};
+
+/// A name, or null for what has none.
+fn name<'a>(name: &str) -> Json<'a> {
+    if name.is_empty() { Json::Null } else { Json::Owned(name.into()) }
+}
+
+/// A river's name in JSON.
+pub(super) fn river<'a>(members: &mut Members<'a>, river: Option<&RiverName>) {
+    if let Some(river) = river {
+        members.value("name", name(&river.name));
+    }
+}
+
+/// A river's name in GeoJSON.
+pub(super) fn river_feature<'a>(members: &mut Members<'a>, named: Option<&RiverName>) {
+    river(members, named);
+    if let Some(named) = named {
+        members.text("kind_name", named.kind);
+    }
+}
+
+/// All names but those of rivers, as a list for JSON.
+pub(super) fn list<'a>(names: Names) -> Json<'a> {
+    let Names { reaches, places, title, .. } = names;
+    let entry = |kind, identity, text: &str| {
+        let mut members = Members::default();
+        members.text("kind", kind).value("identity", identity).value("text", name(text));
+        Json::from(members)
+    };
+    let (first_place, last) = (1 + reaches.len(), 1 + reaches.len() + places.len());
+    Json::list(last, move |i| match (i.checked_sub(1), i.checked_sub(first_place)) {
+        (_, Some(i)) => entry(places[i].kind.word(), Json::Whole(places[i].number.into()), &places[i].name),
+        (Some(i), _) => entry("reach", Json::Whole(reaches[i].identity.into()), &reaches[i].name),
+        _ => entry("title", Json::Null, &title),
+    })
+}
+
+/// A feature of GeoJSON before it is one: its id, where it lies, and its properties.
+pub(super) enum Feature<'a, 'b> {
+    Line(String, &'b [Vec2], Members<'a>),
+    Point(String, Vec2, Members<'a>),
+}
+
+/// What has a name and is no river: reaches as lines, seas, lakes and islands as points.
+pub(super) fn feature<'a, 'b>(names: &'b Names, i: usize) -> Option<Feature<'a, 'b>> {
+    match i.checked_sub(names.reaches.len()) {
+        None => names.reaches.get(i).map(reach),
+        Some(i) => names.places.get(i).map(place),
+    }
+}
+
+fn reach<'a, 'b>(reach: &'b ReachName) -> Feature<'a, 'b> {
+    let mut properties = Members::default();
+    properties.text("kind", "reach").whole("number", reach.river).whole("river", reach.river);
+    properties.value("reach_name", name(&reach.name));
+    Feature::Line(format!("reach-{}", reach.river), &reach.course, properties)
+}
+
+fn place<'a, 'b>(place: &'b PlaceName) -> Feature<'a, 'b> {
+    let mut properties = Members::default();
+    properties.text("kind", place.kind.word()).whole("number", place.number).value("name", name(&place.name));
+    Feature::Point(format!("{}-{}", place.kind.word(), place.number), place.at, properties)
+}

@@ -1,0 +1,84 @@
+//! The numbers by which the nodes of a drainage tree are known: those of places in the plane, since a node's place in the list changes
+//! with every round, and with every change of the coast.
+
+use std::collections::BTreeMap;
+
+use glam::Vec2;
+
+use super::parcels::Parcels;
+use crate::sort;
+use crate::tree::{Hydrology, Tree};
+
+/// A side of the squares that rivers are counted in, in units.
+const SQUARE: f32 = 128.0;
+
+/// As many as the longest map reaches into: eight rings around the one in the middle.
+const SQUARES: u32 = 17 * 17;
+
+/// Gives each node its identity. Which parcels a river ends between is chance: the coast moves with the sea, and parcels with their number.
+/// So the lowest node of a river has the number of the wide square that it lies in, and the greatest river of each square comes first: those
+/// that anybody knows keep their numbers when the recipe changes a little, and have small ones. Any other node has that of its parcel's
+/// cell. Mouths, other ends of rivers and the rest are counted apart: no two have the same.
+pub(super) fn assign(tree: &mut Tree, parcels: &Parcels, node: &[u32], middle: Vec2) {
+    let hydrology = Hydrology::of(tree);
+    let own_arm = hydrology.own_arms(tree);
+    tree.identity = vec![0; tree.len()];
+    for (cell, &node) in parcels.identity.iter().zip(node) {
+        if let Some(identity) = tree.identity.get_mut(node as usize) {
+            *identity = 3 * number_of_cell(cell.map(|i| i as i32)) + 2;
+        }
+    }
+    let mut before = BTreeMap::new();
+    for node in sort::argsort(hydrology.discharge.iter().map(|&discharge| !discharge)) {
+        let kind = match tree.parent_of(node) {
+            None => 0,
+            Some(parent) if own_arm[parent] != node as u32 => 1,
+            Some(_) => continue,
+        };
+        let square = ((tree.at[node] - middle) / SQUARE).round();
+        let square = number_of_cell([square.x as i32, square.y as i32]);
+        let before = before.entry((kind, square)).or_insert(0);
+        tree.identity[node] = 3 * (square + SQUARES * *before) + kind;
+        *before += 1;
+    }
+}
+
+/// The number of a cell of the plane, counted in rings around that in the middle: however far the plane reaches, a cell's number is the same.
+fn number_of_cell([i, j]: [i32; 2]) -> u32 {
+    let ring = i.abs().max(j.abs());
+    if ring == 0 {
+        return 0;
+    }
+    let around = match (i, j) {
+        (i, j) if i == ring => j + ring,
+        (i, j) if i == -ring => 3 * ring + 1 + j,
+        (i, j) if j == ring => 5 * ring + 1 + i,
+        (i, _) => 7 * ring + i,
+    };
+    ((2 * ring - 1).pow(2) + around) as u32
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::domain::Domain;
+
+    #[test]
+    fn no_map_reaches_into_more_squares_than_are_counted() {
+        for aspect in [0.25, 1.0, 4.0] {
+            let corner = (Domain::with_aspect(aspect).size / 2.0 / SQUARE).round();
+            let number = number_of_cell([corner.x as i32, corner.y as i32]);
+            assert!(number < SQUARES, "{aspect}: {number}");
+        }
+    }
+
+    #[test]
+    fn each_cell_has_a_number_of_its_own_and_rings_come_in_turn() {
+        for reach in 0..6 {
+            let cells = (-reach..=reach).flat_map(|i| (-reach..=reach).map(move |j| [i, j]));
+            let mut numbers: Vec<u32> = cells.map(number_of_cell).collect();
+            numbers.sort_unstable();
+            assert!(numbers.into_iter().eq(0..(2 * reach as u32 + 1).pow(2)), "{reach}");
+        }
+    }
+}

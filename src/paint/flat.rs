@@ -1,0 +1,63 @@
+//! Flat ground in a style: land and sea, or plain land, on paper, under a grid. It is painted some rows at a time.
+
+use super::grid;
+use super::ground::Ground;
+use super::palette::Palette;
+use super::paper;
+use super::styles::palette;
+use super::view::View;
+use crate::land::{Land, SmoothedDistance};
+use crate::recipe::Style;
+
+/// Flat ground, as far as it is painted.
+#[derive(Clone, Debug)]
+pub(super) struct FlatGround {
+    pub style: Style,
+    /// What paints land and sea; `None` where there is no sea, and once all is painted.
+    coast: Option<Ground>,
+    /// `None` where all is plain land.
+    pixels: Option<Vec<[u8; 4]>>,
+}
+
+impl FlatGround {
+    pub fn new(view: &View, style: Style, land: Option<&Land>, shown: Option<&SmoothedDistance>) -> Self {
+        let palette = palette(style);
+        let coast = land.zip(shown).map(|(land, shown)| Ground::new(view, land, shown, palette));
+        let is_plain = coast.is_none() && palette.paper.is_none() && palette.grids.is_empty();
+        Self { style, coast, pixels: (!is_plain).then(|| Vec::with_capacity(view.pixels())) }
+    }
+
+    /// Its pixels; `None` where all is plain land.
+    pub fn pixels(&self) -> Option<&[[u8; 4]]> {
+        self.pixels.as_deref()
+    }
+
+    /// Paints some more rows, if any are left. Returns whether there are more.
+    pub fn advance(&mut self, view: &View, shown: Option<&SmoothedDistance>) -> bool {
+        let Some(pixels) = &mut self.pixels else { return false };
+        let rows = view.next_rows(pixels.len());
+        if rows.is_empty() {
+            return false;
+        }
+        let (palette, range) = (palette(self.style), view.range(rows.clone()));
+        match (&mut self.coast, shown) {
+            (Some(coast), Some(shown)) => coast.paint(view, shown, rows.clone(), pixels),
+            _ => pixels.resize(range.end, plain(palette)),
+        }
+        if let Some(paper) = palette.paper {
+            paper::lay(view, paper, rows.clone(), &mut pixels[range]);
+        }
+        let is_whole = rows.end == view.height;
+        if is_whole {
+            self.coast = None;
+            palette.grids.iter().for_each(|lines| grid::lay(view, lines, pixels));
+        }
+        !is_whole
+    }
+}
+
+/// Plain land.
+pub(super) fn plain(palette: &Palette) -> [u8; 4] {
+    let [r, g, b] = palette.plain;
+    [r, g, b, 255]
+}

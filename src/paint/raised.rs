@@ -1,0 +1,118 @@
+//! Ground with relief: flat ground on which a relief is laid, some rows at a time.
+
+use std::sync::Arc;
+
+use super::coverage::Coverage;
+use super::flat::plain;
+use super::ground::Ground;
+use super::palette::{LAND_ONLY, Palette, ReliefLook};
+use super::relief::{Inks, Prepared, Sheet};
+use super::rivers::{Exaggerated, Rivers, draw_network};
+use super::styles::palette;
+use super::view::View;
+use crate::land::{Land, SmoothedDistance};
+use crate::relief::Relief;
+
+/// How much of each pixel is land, in 255ths, as far as that is known, from north to south.
+#[derive(Clone, Debug)]
+pub(super) struct LandShares {
+    /// What paints land alone; `None` where there is no sea, and once all is painted.
+    coast: Option<Ground>,
+    shares: Vec<u8>,
+}
+
+impl LandShares {
+    pub fn new(view: &View, land: Option<&Land>, shown: Option<&SmoothedDistance>) -> Self {
+        let coast = land.zip(shown).map(|(land, shown)| Ground::new(view, land, shown, &LAND_ONLY));
+        let shares = if coast.is_some() { Vec::with_capacity(view.pixels()) } else { vec![255; view.pixels()] };
+        Self { coast, shares }
+    }
+
+    /// Goes on by some rows, if any are left. Returns whether there are more.
+    pub fn advance(&mut self, view: &View, shown: Option<&SmoothedDistance>) -> bool {
+        let (Some(coast), Some(shown)) = (&mut self.coast, shown) else { return false };
+        let (rows, mut pixels) = (view.next_rows(self.shares.len()), Vec::new());
+        coast.paint(view, shown, rows.clone(), &mut pixels);
+        self.shares.extend(pixels.into_iter().map(|[share, ..]| share));
+        self.coast.take_if(|_| rows.end == view.height);
+        self.coast.is_some()
+    }
+
+    pub fn of_pixels(&self) -> &[u8] {
+        &self.shares
+    }
+}
+
+/// Ground with relief, as far as it is painted.
+#[derive(Clone, Debug)]
+pub(super) struct RaisedGround {
+    relief: Arc<Relief>,
+    exaggeration: f32,
+    palette: &'static Palette,
+    /// What it is painted with; `None` once all is painted.
+    making: Option<Making>,
+    pixels: Vec<[u8; 4]>,
+}
+
+#[derive(Clone, Debug)]
+struct Making {
+    look: &'static ReliefLook,
+    /// Rivers with their casings, if the look minds them.
+    rivers: Coverage,
+    inks: Option<Inks>,
+}
+
+impl RaisedGround {
+    /// Nothing of it yet. `None` if it would have no pixels.
+    pub fn new(
+        look: &'static ReliefLook,
+        (relief, exaggeration): Exaggerated<'_>,
+        view: &View,
+        rivers: &Rivers<'_>,
+    ) -> Option<Self> {
+        let palette = palette(rivers.style);
+        let mut mask = Coverage::new(view.width, view.height)?;
+        if look.minds_rivers() {
+            draw_network(&mut mask, view, rivers.network, rivers.courses, palette.lines, look.casing.margin);
+        }
+        let making = Some(Making { look, rivers: mask, inks: None });
+        Some(Self { relief: relief.clone(), exaggeration, palette, making, pixels: Vec::with_capacity(view.pixels()) })
+    }
+
+    /// Whether it is made of this relief.
+    pub fn is_of(&self, (relief, exaggeration): Exaggerated<'_>) -> bool {
+        Arc::ptr_eq(&self.relief, relief) && self.exaggeration == exaggeration
+    }
+
+    /// Whether it shows this relief.
+    pub fn shows(&self, relief: Exaggerated<'_>) -> bool {
+        self.making.is_none() && self.is_of(relief)
+    }
+
+    pub fn pixels(&self) -> &[[u8; 4]] {
+        &self.pixels
+    }
+
+    /// Makes a part of what it is painted with, or paints some more rows, if any are left: a relief that is prepared, on flat ground
+    /// (`None`: plain land) of which these shares are land. Returns whether there are more.
+    pub fn advance(&mut self, prepared: &mut Prepared, view: &View, land: &[u8], flat: Option<&[[u8; 4]]>) -> bool {
+        let Some(Making { look, rivers, inks }) = &mut self.making else { return false };
+        let Some(inks) = inks else {
+            *inks = Some(Inks::new(look, rivers, view));
+            return true;
+        };
+        if inks.advance(prepared, view) {
+            return true;
+        }
+        let rows = view.next_rows(self.pixels.len());
+        let range = view.range(rows.clone());
+        match flat {
+            Some(flat) => self.pixels.extend_from_slice(&flat[range.clone()]),
+            None => self.pixels.resize(range.end, plain(self.palette)),
+        }
+        let sheet = Sheet { view, plain: self.palette.plain, land, rivers: rivers.mask().data() };
+        prepared.lay(inks, &sheet, rows.clone(), &mut self.pixels[range]);
+        self.making.take_if(|_| rows.end == view.height);
+        self.making.is_some()
+    }
+}

@@ -1,0 +1,235 @@
+//! The text of names of one's own: `12.Silver Water_m12.The Old Man_214._t.Home`. An entry is a mark, which says what is named, a full stop
+//! and a name; an underscore ends it. Nothing after the full stop takes the name away.
+
+use std::fmt;
+
+use thiserror::Error;
+
+/// The most characters of the text, of one name, and the most entries.
+const LONGEST: usize = 400;
+const LONGEST_NAME: usize = 40;
+const MOST: usize = 12;
+
+/// What a name of one's own is for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Mark {
+    /// A river, by its [identity](crate::River::identity).
+    River(u32),
+    /// The stretch where a river meanders, by the river's identity.
+    Reach(u32),
+    /// A sea, by its number.
+    Sea(u32),
+    /// A lake, by its number.
+    Lake(u32),
+    /// An island, by its number; 0 is the main land.
+    Island(u32),
+    /// The map.
+    Title,
+}
+
+impl Mark {
+    fn parse(text: &str) -> Option<Self> {
+        let number = |text: &str| {
+            let is_plain = text == "0" || !text.starts_with(['0', '+']);
+            text.parse().ok().filter(|_| is_plain)
+        };
+        match text.split_at_checked(1)? {
+            ("t", "") => Some(Self::Title),
+            ("m", rest) => number(rest).map(Self::Reach),
+            ("s", rest) => number(rest).map(Self::Sea),
+            ("l", rest) => number(rest).map(Self::Lake),
+            ("i", rest) => number(rest).map(Self::Island),
+            _ => number(text).map(Self::River),
+        }
+    }
+}
+
+impl fmt::Display for Mark {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::River(number) => write!(f, "{number}"),
+            Self::Reach(number) => write!(f, "m{number}"),
+            Self::Sea(number) => write!(f, "s{number}"),
+            Self::Lake(number) => write!(f, "l{number}"),
+            Self::Island(number) => write!(f, "i{number}"),
+            Self::Title => write!(f, "t"),
+        }
+    }
+}
+
+/// Why a text is no list of names.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[non_exhaustive]
+pub enum NamesError {
+    /// It is too long.
+    #[error("the text has {length} characters, at most {LONGEST} are allowed")]
+    TooLong {
+        /// How many characters it has.
+        length: usize,
+    },
+    /// It has too many entries.
+    #[error("there are {count} names, at most {MOST} are allowed")]
+    TooMany {
+        /// How many there are.
+        count: usize,
+    },
+    /// What stands before the full stop says of nothing that it is named.
+    #[error(
+        "'{mark}' is no mark: a river's identity, m and one for its meanders, s, l or i and the number of a sea, a lake or an island, or t for the map, then a full stop"
+    )]
+    Mark {
+        /// What stands there.
+        mark: String,
+    },
+    /// A mark stands there twice.
+    #[error("'{mark}' is named more than once")]
+    Repeated {
+        /// The mark.
+        mark: Mark,
+    },
+    /// A name is too long.
+    #[error("the name of '{mark}' has {length} characters, at most {LONGEST_NAME} are allowed")]
+    LongName {
+        /// What it names.
+        mark: Mark,
+        /// How many characters it has.
+        length: usize,
+    },
+    /// A control character, or one that turns the direction of writing.
+    #[error("the text holds a character that cannot be shown")]
+    NotText,
+}
+
+/// Names of one's own, in the order in which they were given.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct OwnNames {
+    entries: Vec<(Mark, String)>,
+}
+
+impl OwnNames {
+    /// Reads a text strictly.
+    ///
+    /// # Errors
+    /// Says what is wrong, and of which entry.
+    pub fn parse(text: &str) -> Result<Self, NamesError> {
+        let length = text.chars().count();
+        if length > LONGEST {
+            return Err(NamesError::TooLong { length });
+        }
+        if text.chars().any(is_hidden) {
+            return Err(NamesError::NotText);
+        }
+        let count = entries(text).count();
+        if count > MOST {
+            return Err(NamesError::TooMany { count });
+        }
+        let mut names = Self::default();
+        entries(text).try_for_each(|entry| names.add(entry))?;
+        Ok(names)
+    }
+
+    /// What can be read of a text: entries that are wrong are left out, and characters that cannot be shown.
+    pub fn readable(text: &str) -> Self {
+        let text: String = text.chars().filter(|&c| !is_hidden(c)).take(LONGEST).collect();
+        let mut names = Self::default();
+        for entry in entries(&text) {
+            // The last may have been cut off.
+            if names.entries.len() < MOST {
+                let _ = names.add(entry);
+            }
+        }
+        names
+    }
+
+    fn add(&mut self, entry: &str) -> Result<(), NamesError> {
+        let (mark, name) = entry.split_once('.').unwrap_or((entry, ""));
+        let known = Mark::parse(mark.trim()).filter(|_| entry.contains('.'));
+        let mark = known.ok_or_else(|| NamesError::Mark { mark: super::error::shown(mark) })?;
+        let (name, length) = (name.trim(), name.trim().chars().count());
+        if length > LONGEST_NAME {
+            return Err(NamesError::LongName { mark, length });
+        }
+        if self.get(mark).is_some() {
+            return Err(NamesError::Repeated { mark });
+        }
+        self.entries.push((mark, name.into()));
+        Ok(())
+    }
+
+    /// The name that is given to something; an empty one takes its name away.
+    pub fn get(&self, mark: Mark) -> Option<&str> {
+        self.entries.iter().find(|(named, _)| *named == mark).map(|(_, name)| name.as_str())
+    }
+
+    /// What is named.
+    pub fn marks(&self) -> impl Iterator<Item = Mark> {
+        self.entries.iter().map(|(mark, _)| *mark)
+    }
+}
+
+impl fmt::Display for OwnNames {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (i, (mark, name)) in self.entries.iter().enumerate() {
+            write!(f, "{}{mark}.{name}", if i > 0 { "_" } else { "" })?;
+        }
+        Ok(())
+    }
+}
+
+fn entries(text: &str) -> impl Iterator<Item = &str> {
+    text.split('_').map(str::trim).filter(|entry| !entry.is_empty())
+}
+
+/// Whether a character would not be seen, but change what is: control characters, and those that separate lines, join letters or turn the direction
+/// of writing.
+fn is_hidden(c: char) -> bool {
+    let is_directional = matches!(c, '\u{61c}' | '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2060}'..='\u{206f}' | '\u{feff}');
+    c.is_control() || is_directional || c == char::REPLACEMENT_CHARACTER
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn error(text: &str) -> String {
+        OwnNames::parse(text).unwrap_err().to_string()
+    }
+
+    #[test]
+    fn entries_are_read_and_written_alike() {
+        let text = "0.Silver Water_m0.The Old Man. Again_214._s0.Sea of Glass_l3.x_i0.y_t.z";
+        let names = OwnNames::parse(text).unwrap();
+        assert_eq!(names.to_string(), text);
+        assert_eq!(names.get(Mark::Reach(0)), Some("The Old Man. Again"));
+        assert_eq!((names.get(Mark::River(214)), names.get(Mark::River(1))), (Some(""), None));
+        assert_eq!(OwnNames::parse(" _0. Silver _ ").unwrap().to_string(), "0.Silver");
+    }
+
+    #[test]
+    fn what_is_wrong_is_refused_by_name() {
+        assert!(error("x3.y").starts_with("'x3' is no mark: a river's identity, m and one for its meanders"));
+        assert!(error("12").starts_with("'12' is no mark"));
+        assert!(error("007.Bond").starts_with("'007' is no mark") && error("+7.x").starts_with("'+7'"));
+        assert_eq!(error("1.a_1.b"), "'1' is named more than once");
+        assert_eq!(
+            error(&format!("m1.{}", "é".repeat(41))),
+            "the name of 'm1' has 41 characters, at most 40 are allowed"
+        );
+        assert_eq!(error(&"x".repeat(401)), "the text has 401 characters, at most 400 are allowed");
+        assert_eq!(
+            error(&(0..13).map(|i| format!("{i}.a_")).collect::<String>()),
+            "there are 13 names, at most 12 are allowed"
+        );
+        for hidden in ['\0', '\u{202e}', '\u{2067}', '\u{fffd}', '\u{2028}'] {
+            assert_eq!(error(&format!("1.a{hidden}b")), "the text holds a character that cannot be shown");
+        }
+    }
+
+    #[test]
+    fn lenient_reading_keeps_what_can_be_read() {
+        let names = OwnNames::readable("x3.y_1.a\u{202e}b_2_1.again_t.Home");
+        assert_eq!(names.to_string(), "1.ab_t.Home");
+        let many = (0..99).map(|i| format!("{i}.a_")).collect::<String>();
+        assert_eq!(OwnNames::readable(&many).marks().count(), MOST);
+    }
+}

@@ -1,0 +1,164 @@
+//! A river's identity, by which it has its name: its own, whatever is trimmed and however courses are made.
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+mod common;
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use common::property::large;
+use common::{lands, random_link};
+use glam::Vec2;
+use proptest::prelude::*;
+use riverseed::network::meet;
+use riverseed::recipe::{Recipe, link};
+use riverseed::tree::{Hydrology, NO_PARENT};
+use riverseed::{Network, Session, Tree};
+
+fn grown(link: &str, over: &str) -> Session {
+    let over = link::pairs(over).unwrap();
+    let mut pairs = link::pairs(link).unwrap();
+    pairs.retain(|(key, _)| over.iter().all(|(other, _)| other != key));
+    pairs.extend(over);
+    let mut session = Session::new(link::apply(Recipe::default(), &pairs).unwrap()).unwrap();
+    session.finish().unwrap();
+    session
+}
+
+fn rivers(link: &str, over: &str) -> Network {
+    grown(link, over).network().unwrap().clone()
+}
+
+fn identities(network: &Network) -> Vec<u32> {
+    network.rivers.iter().map(|river| river.identity).collect()
+}
+
+/// Where each river's lowest node lies, by the river's identity, and what it drains.
+fn lowest(network: &Network) -> BTreeMap<u32, (Vec2, u32)> {
+    let lowest = |end: u32| (network.vertices[end as usize - 1].at, network.vertices[end as usize - 1].discharge);
+    network.rivers.iter().map(|river| (river.identity, lowest(river.end))).collect()
+}
+
+/// Whether steps of the untrimmed tree cross each other.
+fn crosses(link: &str, growth: &str) -> bool {
+    let session = grown(link, &format!("{growth}&style=ink&trim=0"));
+    let tree = session.tree();
+    let step = |node: usize| Some([tree.at[node], tree.at[tree.parent_of(node)?]]);
+    let mut steps: Vec<[Vec2; 2]> = (0..tree.len()).filter_map(step).collect();
+    let west = |[a, b]: &[Vec2; 2]| a.x.min(b.x);
+    steps.sort_by(|a, b| west(a).total_cmp(&west(b)));
+    steps.iter().enumerate().any(|(i, [a, b])| {
+        let near = steps[i + 1..].iter().take_while(|other| west(other) <= a.x.max(b.x));
+        near.filter(|[c, d]| ![c, d].into_iter().any(|end| end == a || end == b)).any(|&[c, d]| meet((*a, *b), (c, d)))
+    })
+}
+
+/// Where arms end that bring as much water as another of the same fork: of these the longer is the river's own, and what is trimmed may
+/// decide which that is.
+fn tied(tree: &Tree) -> BTreeSet<[u32; 2]> {
+    let discharge = Hydrology::of(tree).discharge;
+    let mut arms: BTreeMap<(u32, u32), Vec<usize>> = BTreeMap::new();
+    (0..tree.len()).for_each(|node| arms.entry((tree.parent[node], discharge[node])).or_default().push(node));
+    let tied = arms.into_iter().filter(|((parent, _), arms)| *parent != NO_PARENT && arms.len() > 1);
+    tied.flat_map(|(_, arms)| arms).map(|node| tree.at[node].to_array().map(f32::to_bits)).collect()
+}
+
+/// How many of the rivers of a trimmed tree are rivers of the untrimmed one by the same name, and how many there are.
+fn kept(link: &str, growth: &str, trim: u32, channel_area: u32) -> (usize, usize) {
+    let trimmed = |trim: u32, channel_area: u32| {
+        let over = format!("{growth}&courses=grown&style=ink&trim={trim}&channel-area={channel_area}");
+        lowest(&rivers(link, &over))
+    };
+    let (trimmed, whole) = (trimmed(trim, channel_area), trimmed(0, 1));
+    let tied = tied(grown(link, &format!("{growth}&style=ink")).tree());
+    let is_kept = |(identity, at): &(&u32, &(Vec2, u32))| {
+        whole.get(identity) == Some(at) || tied.contains(&at.0.to_array().map(f32::to_bits))
+    };
+    (trimmed.iter().filter(is_kept).count(), trimmed.len())
+}
+
+proptest! {
+    #![proptest_config(large(500))]
+
+    #[test]
+    fn no_two_rivers_of_a_map_are_one_by_identity(link in random_link(600)) {
+        let all = identities(&rivers(&link, "style=ink"));
+        prop_assert_eq!(all.iter().collect::<BTreeSet<_>>().len(), all.len(), "{}", link);
+        prop_assert!(all.iter().all(|&identity| identity != u32::MAX));
+    }
+
+    #[test]
+    fn identities_are_the_same_however_courses_are_made(
+        link in random_link(400),
+        simplify in 0u32..=95,
+        width in 1u32..=40,
+        rounds in 0u32..60,
+        model in prop::sample::select(vec!["none", "bend", "flow"]),
+    ) {
+        let grown = identities(&rivers(&link, "style=ink&courses=grown"));
+        let over = format!(
+            "style=ink&courses=smooth&simplify={simplify}&width={width}&bank-variation=0.5&meander={model}\
+             &meander-rounds={rounds}&great-rivers=5&meander-elsewhere=1"
+        );
+        prop_assert_eq!(identities(&rivers(&link, &over)), grown, "{}", link);
+    }
+
+    #[test]
+    fn identities_are_the_same_however_much_is_trimmed(link in random_link(600), trim in 0u32..100, area in 1u32..30) {
+        for growth in ["growth=drainage", "growth=colonize&curl=0&momentum=0"] {
+            let (kept, all) = kept(&link, growth, trim, area);
+            prop_assert!(kept == all || crosses(&link, growth), "{} of {} {} {}", kept, all, growth, link);
+        }
+    }
+}
+
+#[test]
+fn where_rivers_cross_nearly_all_keep_their_identity() {
+    let (mut kept_of_all, mut all_of_all) = (0, 0);
+    for seed in 0..6 {
+        for bends in ["curl=0.9", "curl=1.6&momentum=0.4", "curl=1&momentum=0.8"] {
+            for trim in [10, 22, 60] {
+                let growth = format!("growth=colonize&{bends}");
+                let (kept, all) = kept(&format!("land=rectangle&attractors=2000&seed=s{seed}"), &growth, trim, 1);
+                kept_of_all += kept;
+                all_of_all += all;
+            }
+        }
+    }
+    assert!(kept_of_all * 100 >= all_of_all * 95, "{kept_of_all} of {all_of_all}");
+}
+
+#[test]
+fn a_brownian_tree_keeps_its_identities() {
+    for seed in 0..3 {
+        let (kept, all) = kept(&format!("land=island&sensitivity=24&seed=s{seed}"), "growth=brownian", 60, 1);
+        assert!(all > 10 && kept == all, "{kept} of {all}");
+    }
+}
+
+/// How many of the ten greatest rivers of one recipe have no river of the same identity near the same place in another.
+fn renamed(link: &str, notch: &str) -> usize {
+    const NEAR: f32 = 80.0;
+    let drawn = |over: &str| rivers(link, &format!("growth=drainage&courses=grown&style=ink{over}"));
+    let other = lowest(&drawn(&format!("&{notch}")));
+    let mut greatest: Vec<(u32, (Vec2, u32))> = lowest(&drawn("")).into_iter().collect();
+    greatest.sort_by_key(|(_, (_, discharge))| u32::MAX - discharge);
+    let is_there = |(identity, (at, _)): &&(u32, (Vec2, u32))| {
+        other.get(identity).is_some_and(|(there, _)| there.distance(*at) < NEAR)
+    };
+    greatest.truncate(10);
+    greatest.iter().filter(|river| !is_there(river)).count()
+}
+
+#[test]
+fn a_small_change_of_the_land_or_of_growth_renames_few_great_rivers() {
+    let seeds = 3;
+    for notch in ["sea=0.56", "roughness=0.99", "attractors=20400"] {
+        let lands = lands::every_land();
+        let lost: usize = lands
+            .iter()
+            .map(|land| (0..seeds).map(|seed| renamed(&format!("{land}&seed=s{seed}"), notch)).sum::<usize>())
+            .sum();
+        // A tenth; by land and over many seeds two tenths at most were seen.
+        assert!(lost <= lands.len() * seeds, "{notch}: {lost} of {}", 10 * lands.len() * seeds);
+    }
+}
