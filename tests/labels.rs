@@ -217,3 +217,42 @@ fn a_map_without_labels_asks_for_none_and_one_with_them_has_as_many_as_it_asks_f
     let session = Session::new(link::read("land=island&labels=many").unwrap()).unwrap();
     assert!(labels::input(&session, [Vec2::ZERO, session.domain().size], 1.0).is_none());
 }
+
+#[test]
+#[cfg(feature = "files")]
+fn svg_has_each_label_as_a_group_with_its_text_and_a_mask_for_rivers() {
+    let session = finished("land=island&attractors=4000&seed=kauri&style=atlas&labels=some&names=t.%3Cb%3E");
+    let size = session.domain().size;
+    let input = labels::input(&session, [Vec2::ZERO, size], 1.0).unwrap();
+    let text = riverseed::export::svg::svg(&session).unwrap();
+    let document = roxmltree::Document::parse(&text).unwrap();
+    let by_id = |id: &str| document.descendants().find(|node| node.attribute("id") == Some(id));
+    let titles: Vec<&str> =
+        by_id("labels").unwrap().children().filter_map(|label| label.first_child()?.text()).collect();
+    let texts: Vec<String> = place(&input, &Raster::new(&input)).into_iter().map(|label| label.text).collect();
+    assert_eq!(titles, texts);
+    assert_eq!(by_id("rivers").unwrap().attribute("mask"), Some("url(#halo)"));
+    assert!(by_id("halo").unwrap().descendants().count() > titles.len());
+    let bare = finished("land=island&attractors=4000&seed=kauri&style=atlas");
+    let bare = riverseed::export::svg::svg(&bare).unwrap();
+    assert!(!bare.contains("labels") && !bare.contains("mask"));
+}
+
+#[test]
+fn a_name_that_is_taken_away_is_on_no_map_and_one_s_own_is() {
+    let session = finished("land=island&attractors=4000&seed=kauri&labels=some");
+    let (labels, _) = placed(&session, 1400.0);
+    let river = labels[0].river.unwrap();
+    let identity = session.network().unwrap().rivers[river as usize].identity;
+    let texts = |own: &str| -> Vec<String> {
+        let session = finished(&format!("land=island&attractors=4000&seed=kauri&labels=some&names={identity}.{own}"));
+        let (labels, _) = placed(&session, 1400.0);
+        labels
+            .into_iter()
+            .filter(|label| label.river == Some(river) && label.kind == Kind::River)
+            .map(|label| label.text)
+            .collect()
+    };
+    assert!(texts("").is_empty());
+    assert!(texts("Ant").contains(&"Ant".to_owned()));
+}

@@ -211,3 +211,50 @@ fn smoothed(line: &[Vec2], radius: usize) -> Vec<Vec2> {
     }
     smooth
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn course(degrees: f32) -> Course {
+        let along = Vec2::new(libm::cosf(degrees.to_radians()), libm::sinf(degrees.to_radians()));
+        let line: Vec<Place> = (0..40).map(|i| Place { at: along * (i as f32 * 10.0), half: 2.0 }).collect();
+        Course::new(&line, 12.0).unwrap()
+    }
+
+    #[test]
+    fn smoothing_keeps_straight_lines_and_ends() {
+        let line: Vec<Vec2> = (0..30).map(|i| Vec2::new(i as f32, 2.0 * i as f32)).collect();
+        for (at, smooth) in line.iter().zip(smoothed(&line, 8)) {
+            assert!(distance(*at, smooth) < 1e-3, "{at} became {smooth}");
+        }
+        let bent: Vec<Vec2> = (0..30).map(|i| Vec2::new(i as f32, (i % 5) as f32)).collect();
+        let smooth = smoothed(&bent, 4);
+        assert!(distance(bent[0], smooth[0]) < 1e-3 && distance(bent[29], smooth[29]) < 1e-3);
+    }
+
+    #[test]
+    fn lines_lie_beside_a_straight_river_by_half_its_width_and_a_gap_and_are_upright() {
+        for degrees in [0.0f32, 60.0, 120.0, 200.0, 300.0] {
+            for line in course(degrees).lines(12.0) {
+                let away = distance(line.at[20], course(degrees).at[20])
+                    .min(distance(line.at[20], course(degrees).at[line.at.len() - 21]));
+                let gap = 2.0 + 12.0 * if line.is_above { ABOVE } else { BELOW };
+                assert!((away - gap).abs() < 1e-2, "{away} and not {gap}");
+                assert!(is_upright(line.at[10] - line.at[9]), "{degrees}");
+                // Above is where letters rise from the river, up on the page as long as type is not upright.
+                let up = (line.at[10] - line.at[9]).perp();
+                let river = course(degrees).at[20] - line.at[20];
+                assert_eq!(river.dot(up) > 0.0, line.is_above, "{degrees}");
+            }
+        }
+    }
+
+    #[test]
+    fn type_runs_from_100_degrees_upward_to_80_downward() {
+        let is_upright =
+            |degrees: f32| is_upright(Vec2::new(libm::cosf(degrees.to_radians()), libm::sinf(degrees.to_radians())));
+        assert!([-99.9, -90.0, 0.0, 79.9].into_iter().all(is_upright));
+        assert!(![-100.1, 80.1, 180.0, 100.0].into_iter().any(is_upright));
+    }
+}

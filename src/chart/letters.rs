@@ -220,3 +220,31 @@ pub fn between(letter: &Letter, from: Vec2, to: Vec2, em: f32) -> Option<Placed>
     let at = (from + to) * 0.5 - along * (0.5 * em * letter.glyph.advance);
     Some(Placed { glyph: letter.glyph, at, along })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn square(x: f32, y: f32, half: f32) -> Box {
+        Box { middle: Vec2::new(x, y), along: Vec2::new(half, 0.0), down: Vec2::new(0.0, half) }
+    }
+
+    #[test]
+    fn boxes_meet_if_they_overlap_or_one_holds_the_other_or_they_come_near() {
+        let one = square(0.0, 0.0, 5.0);
+        assert!(one.meets(&square(9.0, 0.0, 5.0), 0.0) && !one.meets(&square(11.0, 0.0, 5.0), 0.5));
+        assert!(one.meets(&square(11.0, 0.0, 5.0), 1.5));
+        assert!(one.meets(&square(1.0, 1.0, 1.0), 0.0) && square(1.0, 1.0, 1.0).meets(&one, 0.0));
+        // The corner of one that is turned by 45 degrees.
+        let turned = Box { middle: Vec2::new(11.0, 0.0), along: Vec2::new(5.0, 5.0), down: Vec2::new(-5.0, 5.0) };
+        assert!(one.meets(&turned, 0.0) && !one.meets(&Box { middle: Vec2::new(16.0, 0.0), ..turned }, 0.5));
+    }
+
+    #[test]
+    fn a_box_meets_a_river_that_is_as_near_as_its_banks() {
+        let river = |y: f32, half: f32| [-40.0, 40.0].map(|x| Place { at: Vec2::new(x, y), half });
+        let one = square(0.0, 0.0, 5.0);
+        assert!(one.meets_river(&river(0.0, 0.1)) && one.meets_river(&river(8.0, 3.1)));
+        assert!(!one.meets_river(&river(8.0, 2.9)));
+    }
+}

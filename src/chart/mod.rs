@@ -10,6 +10,7 @@
 
 mod areas;
 mod baseline;
+mod costs;
 mod ground;
 mod input;
 mod letters;

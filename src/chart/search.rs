@@ -3,6 +3,7 @@
 use glam::Vec2;
 
 use super::baseline::{Line, is_upright};
+use super::costs::{Turns, Under, steepness};
 use super::ground::{Ground, LAKE, RIDGE};
 use super::input::Input;
 use super::letters::{Box, Kind, Label, MIDDLE, Placed, Text, between, walk_from};
@@ -17,8 +18,7 @@ const BEST: usize = 3;
 /// What no candidate may cost.
 const MOST_COST: f32 = 5.5;
 
-/// The cosine of 16 degrees, the most between two letters, and of 55, the most between a letter and its label.
-const COS_TURN: f32 = 0.961_261_7;
+/// The cosine of 55 degrees, the most between a letter and its label.
 const COS_LETTER: f32 = 0.573_576_4;
 
 /// How far letters keep from the frame, the coast and other labels, in ems.
@@ -254,61 +254,4 @@ impl<G: Ground> Search<'_, G> {
                 && (self.kind == Kind::Reach || !course.windows(2).any(|pair| around.meets_river(pair)))
         })
     }
-}
-
-/// What samples have met.
-#[derive(Default)]
-struct Under {
-    samples: f32,
-    hits: f32,
-    /// The sum of widths, in units.
-    width: f32,
-}
-
-impl Under {
-    fn take(&mut self, width: f32) {
-        self.samples += 1.0;
-        if width > 0.0 {
-            self.hits += 1.0;
-            self.width += width;
-        }
-    }
-}
-
-/// How much type turns from letter to letter.
-#[derive(Default)]
-struct Turns {
-    before: Option<Vec2>,
-    turn: Option<f32>,
-    sum: f32,
-    changes: f32,
-}
-
-impl Turns {
-    /// The next letter's direction; `None` if that is too far off.
-    fn take(&mut self, along: Vec2) -> Option<()> {
-        if let Some(before) = self.before.replace(along) {
-            let (sine, cosine) = (before.perp_dot(along), before.dot(along));
-            if cosine < COS_TURN {
-                return None;
-            }
-            // The angle, for angles as small as these.
-            let turn = sine * (1.0 + sine * sine / 6.0);
-            self.sum += turn.abs();
-            self.changes += self.turn.replace(turn).map_or(0.0, |before| (turn - before).abs());
-        }
-        Some(())
-    }
-
-    fn cost(&self) -> f32 {
-        1.1 * self.sum + 1.2 * self.changes
-    }
-}
-
-/// How hard a direction is to read: nothing up to 25 degrees, and more if it falls than if it rises.
-fn steepness(along: Vec2) -> f32 {
-    let degrees = libm::atan2f(along.y, along.x).to_degrees();
-    let falling = if degrees > 50.0 { 0.25 } else { 0.0 };
-    let steep = (degrees.abs() - 25.0).max(0.0) / 65.0 + falling;
-    steep * steep
 }
