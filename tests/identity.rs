@@ -38,10 +38,16 @@ fn lowest(network: &Network) -> BTreeMap<u32, (Vec2, u32)> {
     network.rivers.iter().map(|river| (river.identity, lowest(river.end))).collect()
 }
 
-/// Whether steps of the untrimmed tree cross each other.
+/// Whether steps of the untrimmed tree cross each other, or lie upon each other, so that a branch goes.
 fn crosses(link: &str, growth: &str) -> bool {
-    let session = grown(link, &format!("{growth}&style=ink&trim=0"));
+    let session = grown(link, &format!("{growth}&style=ink&courses=grown&trim=0"));
     let tree = session.tree();
+    let is_parent: BTreeSet<u32> = tree.parent.iter().copied().collect();
+    let lone = |node: &u32| tree.parent[*node as usize] == NO_PARENT && !is_parent.contains(node);
+    let nodes = tree.len() - (0..tree.len() as u32).filter(lone).count();
+    if growth.starts_with("growth=colonize") && session.network().unwrap().vertices.len() != nodes {
+        return true;
+    }
     let step = |node: usize| Some([tree.at[node], tree.at[tree.parent_of(node)?]]);
     let mut steps: Vec<[Vec2; 2]> = (0..tree.len()).filter_map(step).collect();
     let west = |[a, b]: &[Vec2; 2]| a.x.min(b.x);

@@ -43,7 +43,7 @@ fn compose(session: &Session, with_attractors: bool, is_named: bool) -> Result<J
     let named_rivers = names.as_ref().map_or_else(Vec::new, |names| names.rivers.clone());
     let river = move |i: usize| {
         let mut members = river(network, i as u32);
-        if is_named {
+        if is_named && cfg!(feature = "names") {
             members.whole("identity", network.rivers[i].identity);
         }
         #[cfg(feature = "names")]

@@ -71,15 +71,16 @@ fn courses(tree: &Tree) -> Network {
             parent: river_of.get(parent as usize).copied().unwrap_or(NONE),
             order: hydrology.order[lowest],
             magnitude: hydrology.magnitude[lowest],
-            // A source always grew.
-            identity: upstream
-                .iter()
-                .map(|&node| tree.identity_of(node as usize))
-                .find(|&id| id != UNGROWN)
-                .unwrap_or(UNGROWN),
+            identity: if cfg!(feature = "names") { identity(tree, &upstream) } else { 0 },
         });
     }
     network
+}
+
+/// The number of the lowest of a river's nodes that grew, as a source always did.
+fn identity(tree: &Tree, upstream: &[u32]) -> u32 {
+    let identities = upstream.iter().map(|&node| tree.identity_of(node as usize));
+    identities.into_iter().find(|&identity| identity != UNGROWN).unwrap_or(UNGROWN)
 }
 
 #[cfg(test)]

@@ -93,7 +93,7 @@ pub struct River {
     /// Shreve's magnitude at its end: the number of sources upstream.
     pub magnitude: u32,
     /// The number of its lowest node that grew ([`Tree::identity`](crate::Tree::identity)): no other river has it, and it stays whatever
-    /// becomes of its course.
+    /// becomes of its course. Without the feature `names` it is 0.
     pub identity: u32,
 }
 

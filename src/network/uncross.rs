@@ -26,7 +26,9 @@ pub(super) fn uncross(tree: &Tree) -> Tree {
             Some(parent) if number[parent] == NONE => NONE,
             Some(parent) => planar.grow(tree.at[node], number[parent], tree.drained[node]).unwrap_or(NONE),
         };
-        if let Some(identity) = planar.identity.get_mut(number[node] as usize) {
+        if cfg!(feature = "names")
+            && let Some(identity) = planar.identity.get_mut(number[node] as usize)
+        {
             *identity = tree.identity_of(node);
         }
     }
@@ -65,7 +67,7 @@ impl Planar {
             at: Vec::with_capacity(capacity),
             parent: Vec::with_capacity(capacity),
             drained: Vec::with_capacity(capacity),
-            identity: Vec::with_capacity(capacity),
+            identity: Vec::new(),
             first: vec![NONE; columns * rows],
             entries: Vec::with_capacity(2 * capacity),
             columns,
@@ -83,7 +85,9 @@ impl Planar {
         self.at.push(at);
         self.parent.push(parent);
         self.drained.push(drained);
-        self.identity.push(UNGROWN);
+        if cfg!(feature = "names") {
+            self.identity.push(UNGROWN);
+        }
         if parent != NO_PARENT {
             self.enter(node);
         }
@@ -228,7 +232,11 @@ impl Planar {
             at: order.iter().map(|&node| self.at[node as usize]).collect(),
             parent: order.iter().map(|&node| parent(node)).collect(),
             drained: order.iter().map(|&node| self.drained[node as usize]).collect(),
-            identity: order.iter().map(|&node| self.identity[node as usize]).collect(),
+            identity: if cfg!(feature = "names") {
+                order.iter().map(|&node| self.identity[node as usize]).collect()
+            } else {
+                Vec::new()
+            },
             tick_starts: vec![0, count as u32],
             ..Tree::default()
         }

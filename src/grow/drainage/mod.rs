@@ -164,8 +164,10 @@ impl Drainage {
         let is_last = self.rounds > self.settings.drainage.captures;
         if is_last {
             self.raise(&directions, &areas);
-            let middle = self.settings.domain.size / 2.0;
-            identities::assign(&mut self.tree, &self.parcels, &self.node, middle);
+            if cfg!(feature = "names") {
+                let middle = self.settings.domain.size / 2.0;
+                identities::assign(&mut self.tree, &self.parcels, &self.node, middle);
+            }
             self.largest_basin = areas.iter().copied().max();
             self.ending = Some(Ending::Complete);
         }

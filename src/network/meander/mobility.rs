@@ -23,7 +23,7 @@ const LEAST: f32 = 0.05;
 
 /// The longest stretch of a great river that is flat, told by what it drains there: that grows all along a river, however the vertices are
 /// spaced.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Reach {
     /// The river's number.
     pub river: u32,
@@ -66,7 +66,9 @@ pub(super) fn assign(network: &mut Network, settings: &NetworkSettings) -> Vec<R
             let _ = (0..at).rev().all(&mut ease);
         }
     }
-    great.into_iter().map(|river| reach(network, river, &is_flat)).collect()
+    let is_named = cfg!(feature = "names");
+    let reach = |river| if is_named { reach(network, river, &is_flat) } else { Reach { river, ..Reach::default() } };
+    great.into_iter().map(reach).collect()
 }
 
 fn reach(network: &Network, river: u32, is_flat: &[bool]) -> Reach {
