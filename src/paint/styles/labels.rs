@@ -17,7 +17,7 @@ pub(crate) fn label_look(style: Style) -> LabelLook {
     let on = |ink: Colour, halo: Colour, strength: f32| LabelLook { ink, halo: Some((halo, strength)) };
     let bare = |ink: Colour| LabelLook { ink, halo: None };
     match style {
-        Style::Ink | Style::Dark | Style::Blueprint => bare(palette(style).river),
+        Style::Ink | Style::Dark => bare(palette(style).river),
         Style::Skeleton => bare([0xd0; 3]),
         Style::Basins => bare([0x3a, 0x33, 0x2b]),
         Style::Atlas => on([0x17, 0x3e, 0x68], [0xf4, 0xee, 0xd6], 0.5),
@@ -26,6 +26,7 @@ pub(crate) fn label_look(style: Style) -> LabelLook {
         Style::Parchment => on([0x2f, 0x3a, 0x3f], [0xf1, 0xe4, 0xc3], 0.6),
         Style::PastCourses => on([0x2e, 0x2a, 0x26], [0xf1, 0xe9, 0xd6], 0.6),
         Style::InkWash => on([0x1c, 0x36, 0x44], [0xf5, 0xf1, 0xe8], 0.6),
+        Style::Blueprint => on(palette(style).river, palette(style).plain, 0.6),
         Style::Orbit => on([0xf8, 0xf6, 0xee], [0x10, 0x18, 0x26], 0.62),
     }
 }
