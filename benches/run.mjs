@@ -29,6 +29,7 @@ const GROUPS = {
   "A slider or a pen moves: regrow and redraw 15,000 attractors at 1024²": slider,
   "Rivers of a default map, and their rounds of meandering": rivers,
   "The relief of a default map, and other styles at 1024² when it is there": relief,
+  "Labels of a map at 1024², from the link to the finished picture": labels,
   "Bends of the great rivers of 20 maps; in nature wavelength 11 widths, radius 2 to 3": bends,
   "The page at 1024², while 100,000 attractors grow, then while the rivers of 6,000 meander": page,
   "A widget in a post, grown in a worker, then on the page itself": widget,
@@ -243,6 +244,12 @@ async function relief() {
     const [shaded, styled] = await inTurn(9, [wasm, `reshade ${land}`, 3], [wasm, atlas, 3]);
     row(`wasm, ${land}: shading`, median(less(shaded, styled)), "ms", atMost(10));
   }
+}
+
+async function labels() {
+  const [bare, labelled] = await inTurn(15, [native, "labelled none"], [native, "labelled some"]);
+  row("native: with labels / without", median(ratios(labelled, bare)), "×", atMost(1.2, 1.12));
+  guide("with labels", median(labelled), "ms");
 }
 
 function page() {

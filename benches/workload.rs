@@ -86,6 +86,7 @@ fn repetition(task: &str) -> Option<Repetition> {
         ["restyle", land, style] => repaint(land, &restyled(style), true),
         ["restyle-less-painting", land, style] => repaint(land, &restyled(style), false),
         ["reshade", land] => repaint(land, &["style=atlas", "style=atlas&shade=1"].map(String::from), true),
+        ["labelled", labels] => pictured(link::read(&format!("land=island&style=ink&labels={labels}")).ok()?),
         ["pen"] => changes("roughness=0.5", "roughness=0.51", 6000, DRAWN),
         ["differing"] => Some(Box::new(|| differing_bytes().unwrap_or(u32::MAX))),
         _ => None,
@@ -195,9 +196,13 @@ fn drainage(attractors: &str) -> Option<Repetition> {
 
 /// An island from its link to the finished picture; the number of rivers.
 fn finished(growth: &str, attractors: &str) -> Option<Repetition> {
-    let link = format!("growth={growth}&land=island&mouths=0&attractors={attractors}");
+    pictured(recipe(&format!("growth={growth}&land=island&mouths=0&attractors={attractors}"))?)
+}
+
+/// A map from its recipe to the finished picture; the number of rivers.
+fn pictured(recipe: Recipe) -> Option<Repetition> {
     let rivers = move || -> Option<u32> {
-        let mut session = Session::new(recipe(&link)?).ok()?;
+        let mut session = Session::new(recipe.clone()).ok()?;
         let mut picture = Picture::new(SIDE, SIDE).ok()?;
         session.advance(u32::MAX).ok()?;
         picture.paint(&session);

@@ -30,7 +30,7 @@
 //! # Features
 //!
 //! - `files` (default): SVG as text, GeoJSON and JSON as plain data, tracing of images, digests.
-//! - `names` (default): names of rivers, lakes and islands.
+//! - `names` (default): names of rivers, lakes and islands, in files and on the map.
 //! - `json`: JSON and GeoJSON as text, and recipes in JSON.
 //! - `png`: PNG, written and read.
 //! - `cli`: the program `riverseed`, with all of these.
@@ -42,7 +42,7 @@ pub use land::Land;
 pub use network::{Network, Oxbow, River, Vertex};
 pub use picture::Picture;
 pub use recipe::{
-    CourseShape, GrowthMethod, Key, LandKind, MeanderModel, Recipe, RecipeError, Scatter, Sides, Style, Value,
+    CourseShape, GrowthMethod, Key, Labels, LandKind, MeanderModel, Recipe, RecipeError, Scatter, Sides, Style, Value,
 };
 pub use session::{Phase, Session, SessionError, Shortfall, Summary};
 pub use tree::Tree;
@@ -51,6 +51,9 @@ pub use tree::Tree;
 #[cfg(test)]
 extern crate self as riverseed;
 
+#[cfg(feature = "names")]
+#[doc(hidden)]
+pub mod chart;
 #[doc(hidden)]
 pub mod dice;
 #[cfg(feature = "files")]
@@ -59,9 +62,15 @@ pub mod domain;
 #[cfg(feature = "files")]
 pub mod export;
 mod geometry;
+#[cfg(feature = "names")]
+#[doc(hidden)]
+pub mod glyph;
 pub mod grow;
 #[cfg(feature = "png")]
 pub mod import;
+#[cfg(feature = "names")]
+#[doc(hidden)]
+pub mod labels;
 pub mod land;
 #[cfg(test)]
 #[path = "../tests/common/lands.rs"]

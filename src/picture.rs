@@ -4,7 +4,11 @@ use std::sync::Arc;
 
 use tiny_skia::Pixmap;
 
+#[cfg(feature = "names")]
+use crate::chart::Label;
 use crate::domain::Domain;
+#[cfg(feature = "names")]
+use crate::labels::labels;
 use crate::land::Land;
 use crate::paint::{PaintError, Painted, Painter, Progress, Rect, Rivers};
 use crate::recipe::Key;
@@ -31,6 +35,9 @@ pub struct Picture {
     shown: Option<(Generation, Domain, Option<Arc<Land>>)>,
     /// The trimmed tree whose rivers it shows; `None` if it shows none.
     rivers_of: Option<Generation>,
+    /// The labels of finished rivers, and the generation that they belong to.
+    #[cfg(feature = "names")]
+    labels: Option<(Generation, Vec<Label>)>,
 }
 
 impl Picture {
@@ -39,7 +46,13 @@ impl Picture {
     /// # Errors
     /// If a side is out of range, or there is not enough memory.
     pub fn new(width: u32, height: u32) -> Result<Self, PaintError> {
-        Ok(Self { painter: Painter::new(&Domain::with_aspect(1.0), width, height)?, shown: None, rivers_of: None })
+        Ok(Self {
+            painter: Painter::new(&Domain::with_aspect(1.0), width, height)?,
+            shown: None,
+            rivers_of: None,
+            #[cfg(feature = "names")]
+            labels: None,
+        })
     }
 
     /// Brings the picture up to date with its session, however that has changed. Where their aspects differ, the map's edges
@@ -70,9 +83,23 @@ impl Picture {
         self.rivers_of = tree.filter(|_| session.network().is_some());
         let (recipe, land) = (session.recipe(), session.land().map(Arc::as_ref));
         let (courses, style) = (recipe.get(), recipe.get());
+        #[cfg(feature = "names")]
+        self.place_labels(session);
+        #[cfg(feature = "names")]
+        let labels = self.labels.as_ref().map_or(&[][..], |(_, labels)| labels);
         if let Some(((network, rounds), past)) = session.network().zip(session.rounds()).zip(session.past()) {
             let relief = session.relief().map(|relief| (relief, recipe.number(Key::Shade)));
-            return self.painter.paint_rivers(&Rivers { network, past, rounds, courses, land, relief, style });
+            return self.painter.paint_rivers(&Rivers {
+                network,
+                past,
+                rounds,
+                courses,
+                land,
+                relief,
+                #[cfg(feature = "names")]
+                labels,
+                style,
+            });
         }
         let growth = session.growth();
         Painted::Whole(self.painter.paint(&Progress {
@@ -85,6 +112,18 @@ impl Picture {
             land,
             style,
         }))
+    }
+
+    /// Places labels, once for as long as the rivers are the same; none while they change.
+    #[cfg(feature = "names")]
+    fn place_labels(&mut self, session: &Session) {
+        let generation = session.generation();
+        let are_placed = self.labels.as_ref().is_some_and(|(of, _)| *of == generation);
+        if !matches!(session.phase(), Phase::Relief | Phase::Finished) {
+            self.labels = None;
+        } else if !are_placed {
+            self.labels = Some((generation, labels(session, self.painter.frame(), self.painter.scale())));
+        }
     }
 
     fn forget_what_is_over(&mut self, session: &Session) {

@@ -64,6 +64,15 @@ const PICTURES: &[(&str, &str)] = &[
     ),
     ("blueprint-plain", "growth=colonize&attractors=1500&trim=39&mouths=4&style=blueprint"),
     ("atlas-plain", "growth=drainage&attractors=3000&trim=30&mouths=0&style=atlas&mountains=3&plains=60&shade=0.8"),
+    (
+        "labels-atlas",
+        "growth=drainage&land=island&seed=kauri&attractors=4000&trim=24&channel-area=4&mouths=0&style=atlas&labels=many&label-size=0.5",
+    ),
+    (
+        "labels-ink",
+        "growth=colonize&valleys=0.2&land=continent&attractors=2000&mouths=0&style=ink&labels=some&label-size=0.7",
+    ),
+    ("labels-dark", "growth=brownian&sensitivity=32&trim=50&land=archipelago&style=dark&labels=few"),
     ("original", "preset=original&attractors=1500"),
     ("momentum", "preset=momentum&attractors=1500"),
     ("curl", "preset=curl&attractors=1500"),

@@ -9,7 +9,7 @@ use riverseed::recipe::{Key, Recipe, link, table::TABLE};
 use riverseed::tree::Hydrology;
 
 /// What a preset leaves to its user: the land, its mouths, how fine the network is, and how it looks.
-const LEFT: [Key; 13] = [
+const LEFT: [Key; 17] = [
     Key::Seed,
     Key::Edition,
     Key::Aspect,
@@ -18,6 +18,10 @@ const LEFT: [Key; 13] = [
     Key::Roughness,
     Key::Mouths,
     Key::MouthSpacing,
+    Key::Labels,
+    Key::LabelSize,
+    Key::Language,
+    Key::Names,
     Key::Shores,
     Key::Attractors,
     Key::Width,

@@ -7,6 +7,8 @@
 //! Units here are pixels; a [`View`] is the only thing that knows how many there are to a unit of the domain.
 
 pub(crate) mod beds;
+#[cfg(feature = "names")]
+pub(crate) mod chart;
 mod coverage;
 mod flat;
 mod flow;
@@ -40,5 +42,7 @@ pub use view::{LONGEST_SIDE, PaintError, View};
 
 #[cfg(feature = "files")]
 pub(crate) use palette::Lines;
+#[cfg(all(feature = "files", feature = "names"))]
+pub(crate) use styles::labels::{LabelLook, label_look};
 #[cfg(feature = "files")]
 pub(crate) use styles::palette as palette_of;

@@ -6,14 +6,20 @@
 
 use std::sync::Arc;
 
+#[cfg(feature = "names")]
+use glam::Vec2;
 use tiny_skia::Pixmap;
 
+#[cfg(feature = "names")]
+use super::chart;
 use super::coverage::{Coverage, Rect};
 use super::flow::Flow;
 use super::ground_cache::GroundCache;
 use super::palette::Lines;
 use super::rivers::{Rivers, draw_network};
 use super::strokes::{Pen, Widths};
+#[cfg(feature = "names")]
+use super::styles::labels::label_look;
 use super::styles::palette;
 use super::view::{PaintError, View};
 use super::{ink, skeleton};
@@ -84,6 +90,8 @@ pub struct Painter {
     round: Option<u32>,
     /// The relief of the finished rivers that the mask shows, which has but these, and the lines; `None` if it shows anything else.
     drawn_rivers: Option<(Arc<Relief>, Lines)>,
+    /// How many labels the picture shows.
+    labels: usize,
 }
 
 impl Painter {
@@ -114,6 +122,7 @@ impl Painter {
             is_finished: false,
             round: None,
             drawn_rivers: None,
+            labels: 0,
         })
     }
 
@@ -142,6 +151,18 @@ impl Painter {
         self.drawn.clear();
         self.flow = Flow::default();
         self.drawn_rivers = None;
+    }
+
+    /// The part of the domain that the picture shows: its north-western and its south-eastern corner.
+    #[cfg(feature = "names")]
+    pub(crate) fn frame(&self) -> [Vec2; 2] {
+        [Vec2::ZERO, Vec2::new(self.view.width as f32, self.view.height as f32)].map(|corner| self.view.point(corner))
+    }
+
+    /// Pixels to a unit.
+    #[cfg(feature = "names")]
+    pub(crate) fn scale(&self) -> f32 {
+        self.view.scale
     }
 
     /// Whether the picture shows a relief.
@@ -178,7 +199,8 @@ impl Painter {
 
     /// Does a part of painting rivers, in place of the tree that they were. The picture changes with the last part.
     pub fn paint_rivers(&mut self, rivers: &Rivers<'_>) -> Painted {
-        if self.round == Some(rivers.rounds) && self.ground.shows(rivers.relief) {
+        let is_labelled = self.labels == rivers.label_count();
+        if self.round == Some(rivers.rounds) && self.ground.shows(rivers.relief) && is_labelled {
             return Painted::Whole(None);
         }
         if self.ground.advance(&self.view, rivers) {
@@ -186,9 +208,24 @@ impl Painter {
         }
         self.round = Some(rivers.rounds);
         self.is_finished = true;
+        self.labels = rivers.label_count();
         self.draw_rivers(rivers);
+        #[cfg(feature = "names")]
+        let halo = self.draw_halo(rivers);
         self.coverage.touch_all();
-        Painted::Whole(self.compose(rivers.style))
+        let changed = self.compose(rivers.style);
+        #[cfg(feature = "names")]
+        chart::letters(&mut self.pixmap, &self.view, rivers.labels, label_look(rivers.style), halo);
+        Painted::Whole(changed)
+    }
+
+    /// Takes rivers away around letters. Returns the halo, if it has a colour of its own.
+    #[cfg(feature = "names")]
+    fn draw_halo(&mut self, rivers: &Rivers<'_>) -> Option<Coverage> {
+        if !rivers.labels.is_empty() {
+            self.drawn_rivers = None;
+        }
+        chart::halo(&mut self.coverage, &self.view, rivers.labels, label_look(rivers.style))
     }
 
     /// Draws rivers, unless it is they that the mask shows: a style may have changed alone.

@@ -114,6 +114,18 @@ choices! {
         None = "none", "none";
     }
 
+    /// How many names are on a map.
+    Labels of Labels {
+        /// No names.
+        None = "none", "none";
+        /// Names on a fiftieth of the land.
+        Few = "few", "few";
+        /// Names on a twentieth of it.
+        Some = "some", "some";
+        /// Names on a tenth of it.
+        Many = "many", "many";
+    }
+
     /// How a picture is painted.
     Style of Style {
         /// Ink on paper, rivers as wide as their discharge asks.
@@ -177,6 +189,7 @@ mod tests {
             check::<Scatter>(),
             check::<CourseShape>(),
             check::<MeanderModel>(),
+            check::<Labels>(),
             check::<Style>(),
         ];
         let choices = TABLE.iter().filter(|row| matches!(row.kind, Kind::Choice { .. }));

@@ -1,6 +1,6 @@
 //! Which parameters have no effect in a recipe, and why: the one place where that is decided.
 
-use super::choice::{CourseShape, GrowthMethod, LandKind, MeanderModel, Style};
+use super::choice::{CourseShape, GrowthMethod, Labels, LandKind, MeanderModel, Style};
 use super::key::Key;
 use super::{Decimal, Recipe, Value};
 
@@ -61,7 +61,8 @@ impl Given<'_> {
             Key::MeanderMix => self.no_bends().or_else(|| self.no_choice_of_direction()),
             Key::Mountains | Key::Plains => self.heights_only_in_files(),
             Key::Shade => self.no_relief(),
-            Key::Style | Key::Language | Key::Names => None,
+            Key::LabelSize => self.no_labels(),
+            Key::Style | Key::Labels | Key::Language | Key::Names => None,
         }
     }
 
@@ -146,6 +147,10 @@ impl Given<'_> {
         (!self.recipe.get::<Style>().has_relief()).then_some("this style shows no relief")
     }
 
+    fn no_labels(&self) -> Reason {
+        (self.recipe.get::<Labels>() == Labels::None).then_some("there are no labels")
+    }
+
     fn as_grown(&self) -> Reason {
         match self.recipe.get() {
             CourseShape::Grown => Some("rivers keep the steps of their tree"),
@@ -215,13 +220,14 @@ mod tests {
             ("growth=colonize&valleys=0.3", Key::ValleySpacing),
             ("growth=drainage&hardness=0.1", Key::HardnessScale),
             ("growth=drainage&land=island", Key::MouthSpacing),
+            ("labels=none", Key::Labels),
         ] {
             assert_eq!(reason(link, key), None, "{link}");
         }
     }
 
     /// A recipe in which next to everything does something, whatever the defaults are.
-    const LIVELY: &str = "land=rectangle&growth=colonize&valleys=0.3&curl=0.5&courses=smooth&meander=bend&meander-rounds=60&meander-strength=0.5&great-rivers=3&meander-elsewhere=0.3&style=atlas";
+    const LIVELY: &str = "land=rectangle&growth=colonize&valleys=0.3&curl=0.5&courses=smooth&meander=bend&meander-rounds=60&meander-strength=0.5&great-rivers=3&meander-elsewhere=0.3&labels=some&style=atlas";
 
     const NO_COAST: (&str, &str) =
         ("sea roughness mouth-spacing shores", "the whole rectangle is land, so there is no coast");

@@ -52,6 +52,8 @@ pub enum Key {
     Plains,
     Shade,
     Style,
+    Labels,
+    LabelSize,
     Language,
     Names,
 }

@@ -3,7 +3,7 @@
 //! Links, attributes, command-line options, JSON, the page's controls and `docs/parameters.md` all come from here.
 //! Keys are added freely and never renamed: a shared link holds them.
 
-use super::choice::{Choice, CourseShape, GrowthMethod, LandKind, MeanderModel, Scatter, Style};
+use super::choice::{Choice, CourseShape, GrowthMethod, Labels, LandKind, MeanderModel, Scatter, Style};
 use super::key::{COUNT, Key};
 use super::parameter::{Kind, Parameter, Stage};
 use super::value::{Decimal, Sides};
@@ -543,6 +543,28 @@ pub static TABLE: [Parameter; COUNT] = {
             stage: Paint,
             logarithmic: false,
             kind: Kind::Choice { choices: Style::WORDS },
+        },
+        Parameter {
+            key: Key::Labels,
+            name: "labels",
+            label: "Labels",
+            help: "How many rivers have their name on the map, the greatest first.",
+            unit: "",
+            group: "Names",
+            stage: Name,
+            logarithmic: false,
+            kind: Kind::Choice { choices: Labels::WORDS },
+        },
+        Parameter {
+            key: Key::LabelSize,
+            name: "label-size",
+            label: "Size of letters",
+            help: "How large letters are, over what suits the map. Larger ones find fewer places.",
+            unit: "",
+            group: "Names",
+            stage: Name,
+            logarithmic: true,
+            kind: number(0.5, 2.0, 0.05, 1.0),
         },
         Parameter {
             key: Key::Language,

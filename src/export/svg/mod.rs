@@ -7,11 +7,16 @@
 
 mod beds;
 mod ground;
+#[cfg(feature = "names")]
+mod labels;
 mod light;
 mod path;
 mod text;
 
 use std::sync::Arc;
+
+#[cfg(feature = "names")]
+use glam::Vec2;
 
 use self::ground::Raised;
 use self::path::Path;
@@ -19,6 +24,8 @@ use self::text::Text;
 use super::banks::{Banks, Width};
 use super::{ExportError, rivers};
 use crate::network::{NONE, Network, River};
+#[cfg(feature = "names")]
+use crate::paint::label_look;
 use crate::paint::palette::{BasinColours, Palette};
 use crate::paint::relief::Basins;
 use crate::paint::{Lines, palette_of};
@@ -58,6 +65,10 @@ pub fn svg(session: &Session) -> Result<String, ExportError> {
         beds::draw_past(&mut out, past, look, courses);
         out.text("</g>\n");
     }
+    #[cfg(feature = "names")]
+    let labels = crate::labels::labels(session, [Vec2::ZERO, size], 1.0);
+    #[cfg(feature = "names")]
+    let clip = if labels::draw_halo(&mut out, size, &labels) { labels::masked(clip) } else { clip };
     out.text("<g id=\"rivers").text(clip).text("\" fill=\"").colour(palette.river).text("\">\n");
     draw_rivers(&mut out, network, basins.as_ref(), width(palette.lines), courses);
     if let Some((past, look)) = past {
@@ -68,7 +79,10 @@ pub fn svg(session: &Session) -> Result<String, ExportError> {
         out.text("</g>\n<g id=\"oxbows\" fill=\"").colour(palette.river).text("\">\n");
         draw_lakes(&mut out, network, basins.as_ref());
     }
-    out.text("</g>\n</g>\n</svg>");
+    out.text("</g>\n");
+    #[cfg(feature = "names")]
+    labels::draw(&mut out, &labels, label_look(recipe.get()));
+    out.text("</g>\n</svg>");
     Ok(out.0)
 }
 

@@ -58,6 +58,14 @@ impl Path {
         self.go_to(whole(*last));
     }
 
+    /// A parabola from where the path has come to: its control point and its end.
+    #[cfg(feature = "names")]
+    pub fn curve(&mut self, [control, end]: [Vec2; 2]) {
+        self.command("q");
+        self.number_pair(difference(whole(control), self.at));
+        self.go_to(whole(end));
+    }
+
     /// A smooth closed line round some points.
     pub fn ring(&mut self, points: &[Vec2]) {
         let [first, .., last] = points else { return };

@@ -53,6 +53,12 @@ impl Text {
         self.hundredths((units * 100.0 + 0.5) as i32)
     }
 
+    /// The attributes of a size, in units.
+    #[cfg(feature = "names")]
+    pub fn sized(&mut self, size: glam::Vec2) -> &mut Self {
+        self.text(" width=\"").units(size.x).text("\" height=\"").units(size.y).text("\"")
+    }
+
     /// A colour, in hexadecimal digits.
     #[inline(never)]
     pub fn colour(&mut self, colour: Colour) -> &mut Self {

@@ -1,0 +1,120 @@
+//! What letters stand on, as placement asks about it.
+
+use glam::Vec2;
+
+use super::input::Input;
+use crate::network::Place;
+
+/// No river.
+pub const NONE: u32 = u32::MAX;
+/// A ridge, which is in the way of every label.
+pub const RIDGE: u32 = u32::MAX - 1;
+/// A lake.
+pub const LAKE: u32 = u32::MAX - 2;
+
+/// The side of the cells that samples are taken by, in units.
+pub const CELL: f32 = 2.0;
+/// How far from their banks rivers still count as ink, in units.
+const MARGIN: f32 = 1.0;
+
+/// The widest river over a place.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ink {
+    /// Its number; [`NONE`] where there is none.
+    pub river: u32,
+    /// How wide it is there, in units; 0 where there is none.
+    pub width: f32,
+}
+
+impl Ink {
+    /// Nothing.
+    pub const NOTHING: Self = Self { river: NONE, width: 0.0 };
+}
+
+/// What letters stand on.
+pub trait Ground {
+    /// Whether candidates that cannot be the best any more are left alone.
+    const STOPS_EARLY: bool;
+
+    /// The widest piece whose ink reaches the middle of a place's cell; the first of equals.
+    fn ink(&self, at: Vec2) -> Ink;
+
+    /// How far a place lies from the banks of one river, and from those of all others that are as wide as this or wider; at most `reach`.
+    fn distances(&self, at: Vec2, river: u32, least_width: f32, reach: f32) -> [f32; 2];
+}
+
+/// A straight piece of a river, a lake or a ridge.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Piece {
+    /// The river's number, [`LAKE`] or [`RIDGE`].
+    pub river: u32,
+    /// Its ends.
+    pub ends: [Place; 2],
+}
+
+impl Piece {
+    /// All pieces of a map, river by river.
+    pub fn all(input: &Input<'_>) -> Vec<Self> {
+        let pieces = |river: u32, line: &[Place]| -> Vec<Self> {
+            line.windows(2).map(|pair| Self { river, ends: [pair[0], pair[1]] }).collect()
+        };
+        let rivers = (0..).zip(&input.rivers).flat_map(|(number, river)| pieces(number, &river.course));
+        let lakes = input.lakes.iter().flat_map(|line| pieces(LAKE, line));
+        rivers.chain(lakes).chain(input.ridges.iter().flat_map(|line| pieces(RIDGE, line))).collect()
+    }
+
+    /// How far a point lies from the middle line, and half the width there.
+    #[inline]
+    pub fn nearest(&self, point: Vec2) -> (f32, f32) {
+        let [from, to] = self.ends;
+        let (along, out) = (to.at - from.at, point - from.at);
+        let squared_length = along.length_squared();
+        let t = if squared_length > 0.0 { (out.dot(along) / squared_length).clamp(0.0, 1.0) } else { 0.0 };
+        let off = out - along * t;
+        (off.length_squared().sqrt(), from.half + (to.half - from.half) * t)
+    }
+
+    /// Its ink at a point; `None` if that is bare.
+    #[inline]
+    pub fn ink(&self, point: Vec2) -> Option<Ink> {
+        let (distance, half) = self.nearest(point);
+        let width = match self.river {
+            RIDGE => f32::MAX,
+            LAKE => f32::MAX / 2.0,
+            _ => 2.0 * half,
+        };
+        (distance <= half + MARGIN).then_some(Ink { river: self.river, width })
+    }
+
+    /// Whether it is a river's.
+    #[inline]
+    pub fn is_river(&self) -> bool {
+        self.river < LAKE
+    }
+
+    /// How far its bank is from a point; less than 0 in the river.
+    #[inline]
+    pub fn distance(&self, point: Vec2) -> f32 {
+        let (distance, half) = self.nearest(point);
+        distance - half
+    }
+
+    /// Whether it is as wide as this anywhere.
+    #[inline]
+    pub fn is_as_wide_as(&self, width: f32) -> bool {
+        2.0 * self.ends[0].half.max(self.ends[1].half) >= width
+    }
+
+    /// The corners of a box around its ink, which is at least as large.
+    pub fn corners(&self) -> [Vec2; 2] {
+        let [from, to] = self.ends;
+        let margin = from.half.max(to.half) + MARGIN;
+        [from.at.min(to.at) - margin, from.at.max(to.at) + margin]
+    }
+}
+
+/// The middle of a place's cell.
+#[inline]
+pub fn cell_middle(at: Vec2) -> Vec2 {
+    ((at / CELL).floor() + 0.5) * CELL
+}

@@ -1,0 +1,43 @@
+//! A line of type: which letters it has, and where each stands.
+
+use super::table::{Glyph, Typeface};
+
+/// A letter in a line of type.
+#[derive(Clone, Copy, Debug)]
+pub struct Letter {
+    /// What it looks like.
+    pub glyph: &'static Glyph,
+    /// How far from the line's beginning it stands, in ems.
+    pub at: f32,
+}
+
+/// The letters of a text with kerning and so much more between any two, in ems, and how long all of it is. What there is no letter for is
+/// left out.
+pub fn line_of(text: &str, tracking: f32) -> (Vec<Letter>, f32) {
+    let face = Typeface::garamond();
+    let mut letters: Vec<Letter> = Vec::new();
+    let mut end = 0.0;
+    for glyph in text.chars().filter_map(|letter| face.glyph(letter.into())) {
+        let between = letters.last().map_or(0.0, |before| tracking + face.kerning(before.glyph, glyph));
+        letters.push(Letter { glyph, at: end + between });
+        end += between + glyph.advance;
+    }
+    (letters, end)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_line_is_its_letters_advances_with_kerning_and_tracking() {
+        let advance = |text: &str| Typeface::garamond().glyph(text.chars().next().unwrap().into()).unwrap().advance;
+        let (letters, length) = line_of("non", 0.1);
+        assert_eq!(letters.len(), 3);
+        assert!((length - (2.0 * advance("n") + advance("o") + 0.2)).abs() < 1e-6);
+        assert!((letters[2].at + advance("n") - length).abs() < 1e-6);
+        assert!(line_of("Ty", 0.0).1 < advance("T") + advance("y") - 0.05);
+        assert_eq!(line_of("", 0.1).1, 0.0);
+        assert_eq!(line_of("n中o", 0.1).0.len(), 2);
+    }
+}

@@ -1,0 +1,74 @@
+//! The colours of letters, style by style.
+
+use super::palette;
+use crate::paint::palette::Colour;
+use crate::recipe::Style;
+
+/// How letters are drawn.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct LabelLook {
+    pub ink: Colour,
+    /// What lies around letters on land, and how much it covers, where the ground is too uneven for letters of one colour.
+    pub halo: Option<(Colour, f32)>,
+}
+
+/// How a style draws letters.
+pub(crate) fn label_look(style: Style) -> LabelLook {
+    let on = |ink: Colour, halo: Colour, strength: f32| LabelLook { ink, halo: Some((halo, strength)) };
+    let bare = |ink: Colour| LabelLook { ink, halo: None };
+    match style {
+        Style::Ink | Style::Dark => bare(palette(style).river),
+        Style::Skeleton => bare([0xd0; 3]),
+        Style::Basins => bare([0x3a, 0x33, 0x2b]),
+        Style::Atlas => on([0x17, 0x3e, 0x68], [0xf4, 0xee, 0xd6], 0.5),
+        Style::Survey => on([0x17, 0x3e, 0x68], [0xf4, 0xf1, 0xdc], 0.6),
+        Style::Night => on([0xe8, 0xf5, 0xfc], [0x14, 0x26, 0x28], 0.5),
+        Style::Parchment => on([0x2f, 0x3a, 0x3f], [0xf1, 0xe4, 0xc3], 0.6),
+        Style::PastCourses => on([0x2e, 0x2a, 0x26], [0xf1, 0xe9, 0xd6], 0.6),
+        Style::InkWash => on([0x1c, 0x36, 0x44], [0xf5, 0xf1, 0xe8], 0.6),
+        Style::Blueprint => on(palette(style).river, palette(style).plain, 0.6),
+        Style::Orbit => on([0xf8, 0xf6, 0xee], [0x10, 0x18, 0x26], 0.62),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::paint::palette::mix;
+    use crate::recipe::Choice;
+
+    /// The contrast of two colours as WCAG 2 has it, from 1 to 21.
+    fn contrast(a: Colour, b: Colour) -> f64 {
+        let luminance = |colour: Colour| {
+            let linear = |channel: u8| {
+                let share = f64::from(channel) / 255.0;
+                if share <= 0.040_45 { share / 12.92 } else { libm::pow((share + 0.055) / 1.055, 2.4) }
+            };
+            let [red, green, blue] = colour.map(linear);
+            0.2126 * red + 0.7152 * green + 0.0722 * blue + 0.05
+        };
+        let (a, b) = (luminance(a), luminance(b));
+        a.max(b) / a.min(b)
+    }
+
+    #[test]
+    fn letters_stand_out_from_land_and_sea_of_their_style() {
+        for &style in Style::ALL {
+            let (look, palette) = (label_look(style), palette(style));
+            let relief = palette.relief.iter().flat_map(|relief| {
+                let basins =
+                    relief.basins.iter().flat_map(|look| (0..=look.colours.len()).map(|number| look.tint(number)));
+                relief.tints.stops.iter().map(|stop| stop.1).chain(basins)
+            });
+            for ground in [palette.lowland, palette.inland, palette.plain].into_iter().chain(relief) {
+                let under = look.halo.map_or(ground, |(colour, strength)| mix(ground, colour, strength));
+                let contrast = contrast(look.ink, under);
+                assert!(contrast >= 4.5, "{style:?}: {contrast:.1} : 1 on {ground:x?}");
+            }
+            for water in [palette.shallows, palette.deep] {
+                let contrast = contrast(look.ink, water);
+                assert!(contrast >= 4.5, "{style:?}: {contrast:.1} : 1 on water of {water:x?}");
+            }
+        }
+    }
+}

@@ -1,0 +1,258 @@
+//! What labels promise: those of the twin, which goes through all rivers for every sample; apart from each other and from their rivers;
+//! upright, and hardly bent.
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+#![cfg(feature = "names")]
+
+mod common;
+
+use common::property::{cases, large};
+use common::random_link;
+use geo::{Distance, Euclidean, Intersects};
+use proptest::prelude::*;
+use riverseed::chart::{Box, Ground, Ink, Input, Kind, Label, Piece, Placed, Raster, cell_middle, place};
+use riverseed::glam::Vec2;
+use riverseed::labels;
+use riverseed::recipe::link;
+use riverseed::{Picture, Session};
+
+/// The ground without anything prepared.
+struct Literal(Vec<Piece>);
+
+impl Ground for Literal {
+    const STOPS_EARLY: bool = false;
+
+    fn ink(&self, at: Vec2) -> Ink {
+        let middle = cell_middle(at);
+        let mut widest = Ink::NOTHING;
+        for ink in self.0.iter().filter_map(|piece| piece.ink(middle)) {
+            if ink.width > widest.width {
+                widest = ink;
+            }
+        }
+        widest
+    }
+
+    fn distances(&self, at: Vec2, river: u32, least_width: f32, reach: f32) -> [f32; 2] {
+        let rivers = || self.0.iter().filter(|piece| piece.is_river());
+        let least =
+            |pieces: &mut dyn Iterator<Item = &Piece>| pieces.map(|piece| piece.distance(at)).fold(reach, f32::min);
+        let is_rival = |piece: &&Piece| piece.river != river && piece.is_as_wide_as(least_width);
+        [least(&mut rivers().filter(|piece| piece.river == river)), least(&mut rivers().filter(is_rival))]
+    }
+}
+
+/// A session whose rivers are finished.
+fn finished(link: &str) -> Session {
+    let mut session = Session::new(link::read(link).unwrap()).unwrap();
+    session.finish().unwrap();
+    session
+}
+
+/// The labels of a picture that shows all of the map, so many pixels wide, and what they are placed by.
+fn placed(session: &Session, width: f32) -> (Vec<Label>, Input<'_>) {
+    let size = session.domain().size;
+    let input = labels::input(session, [Vec2::ZERO, size], width / size.x).unwrap();
+    (place(&input, &Raster::new(&input)), input)
+}
+
+fn boxes(label: &Label) -> Vec<Box> {
+    label.letters.iter().map(|letter| letter.around(label.em)).collect()
+}
+
+fn polygon(around: &Box) -> geo::Polygon<f64> {
+    let corners = around.corners().map(|at| geo::coord! { x: f64::from(at.x), y: f64::from(at.y) });
+    geo::Polygon::new(geo::LineString::from(corners.to_vec()), vec![])
+}
+
+/// The angle of a direction in degrees, downward.
+fn degrees(along: Vec2) -> f64 {
+    libm::atan2(f64::from(along.y), f64::from(along.x)).to_degrees()
+}
+
+fn check(session: &Session, width: f32) -> Result<usize, TestCaseError> {
+    let (labels, input) = placed(session, width);
+    for label in &labels {
+        check_shape(label)?;
+        match label.river {
+            Some(river) => check_place(label, river, &input)?,
+            None => check_water(label, &input)?,
+        }
+    }
+    for (i, label) in labels.iter().enumerate() {
+        for other in &labels[..i] {
+            let meet = boxes(label).iter().any(|a| boxes(other).iter().any(|b| polygon(a).intersects(&polygon(b))));
+            prop_assert!(!meet, "{} meets {}", label.text, other.text);
+        }
+    }
+    Ok(labels.len())
+}
+
+/// Hardly bent, and upright.
+fn check_shape(label: &Label) -> Result<(), TestCaseError> {
+    for pair in label.letters.windows(2) {
+        let turn = degrees(pair[1].along) - degrees(pair[0].along);
+        let turn = (turn + 540.0).rem_euclid(360.0) - 180.0;
+        prop_assert!(turn.abs() < 16.01, "{} turns by {turn} degrees", label.text);
+    }
+    let [first, last]: [&Placed; 2] = [label.letters.first().unwrap(), label.letters.last().unwrap()];
+    let end = last.place(Vec2::new(last.glyph.advance, 0.0), label.em);
+    let direction = degrees(end - first.at);
+    prop_assert!((-100.5..80.5).contains(&direction), "{} runs at {direction} degrees", label.text);
+    Ok(())
+}
+
+/// On water.
+fn check_water(label: &Label, input: &Input<'_>) -> Result<(), TestCaseError> {
+    let corners = boxes(label).into_iter().flat_map(|around| around.corners());
+    let depth = |at: Vec2| input.coast.map_or(0.0, |coast| -coast.height(at));
+    let least = corners.map(depth).fold(f32::MAX, f32::min);
+    prop_assert!(least > 0.7 * label.em, "{} is {least} from the coast", label.text);
+    Ok(())
+}
+
+/// On land, off its river, and nearer to that than to any other that could be taken for it.
+fn check_place(label: &Label, river: u32, input: &Input<'_>) -> Result<(), TestCaseError> {
+    let pieces = Piece::all(input);
+    let ends = |piece: &Piece| {
+        let [from, to] = piece.ends.map(|place| geo::coord! { x: f64::from(place.at.x), y: f64::from(place.at.y) });
+        geo::Line::new(from, to)
+    };
+    for around in boxes(label) {
+        for corner in around.corners() {
+            prop_assert!(input.coast.is_none_or(|coast| coast.height(corner) > 0.0), "{} is in the sea", label.text);
+            prop_assert!(corner.cmpge(input.frame[0]).all() && corner.cmple(input.frame[1]).all(), "{}", label.text);
+        }
+        let own = pieces.iter().filter(|piece| piece.river == river && label.kind == Kind::River);
+        for piece in own {
+            let narrower = f64::from(piece.ends[0].half.min(piece.ends[1].half));
+            let distance = Euclidean.distance(&polygon(&around), &ends(piece));
+            prop_assert!(distance >= narrower * 0.999, "{} lies on its river", label.text);
+        }
+    }
+    let middles =
+        || label.letters.iter().map(|letter| letter.place(Vec2::new(letter.glyph.advance * 0.5, -0.2), label.em));
+    let away = |river: u32, least: f32| -> f32 {
+        let of_river = || pieces.iter().filter(|piece| piece.river == river && piece.is_as_wide_as(least));
+        middles().map(|at| of_river().map(|piece| piece.distance(at)).fold(4.0 * label.em, f32::min)).sum()
+    };
+    let widest = input.rivers[river as usize].course.iter().map(|place| 2.0 * place.half).fold(0.0, f32::max);
+    let own = away(river, 0.0);
+    for rival in (0..input.rivers.len() as u32).filter(|&rival| rival != river) {
+        prop_assert!(own < away(rival, 0.4 * widest), "{} seems to belong to river {rival}", label.text);
+    }
+    Ok(())
+}
+
+proptest! {
+    #![proptest_config(large(100))]
+
+    #[test]
+    fn labels_are_upright_ashore_and_apart(link in random_link(2000), size in 0.5f64..1.6, width in 300.0f32..2000.0) {
+        check(&finished(&format!("{link}&labels=many&label-size={size:.2}")), width)?;
+    }
+
+    #[test]
+    fn labels_are_those_of_the_twin(link in random_link(300), size in 0.5f64..1.3) {
+        let session = finished(&format!("{link}&labels=many&label-size={size:.2}"));
+        let (labels, input) = placed(&session, 1400.0);
+        prop_assert_eq!(labels, place(&input, &Literal(Piece::all(&input))));
+    }
+}
+
+proptest! {
+    #![proptest_config(cases(6))]
+
+    #[test]
+    fn changing_labels_gives_the_picture_of_a_fresh_one(link in random_link(500), size in 0.5f64..2.0) {
+        let painted = |session: &Session| {
+            let mut picture = Picture::new(240, 200).unwrap();
+            picture.paint(session);
+            picture.pixmap().data().to_vec()
+        };
+        let mut session = finished(&link);
+        let mut picture = Picture::new(240, 200).unwrap();
+        picture.paint(&session);
+        let bare = picture.pixmap().data().to_vec();
+        for labels in ["many", "few", "none"] {
+            let other = format!("{link}&labels={labels}&label-size={size:.2}");
+            session.change(link::read(&other).unwrap()).unwrap();
+            session.finish().unwrap();
+            picture.paint(&session);
+            prop_assert!(picture.pixmap().data() == painted(&finished(&other)), "{}", labels);
+        }
+        prop_assert!(picture.pixmap().data() == bare);
+    }
+}
+
+#[test]
+fn most_great_rivers_have_their_name() {
+    let maps = ["island", "continent", "archipelago", "valley", "rectangle"].into_iter().flat_map(|land| {
+        ["drainage", "colonize"]
+            .map(|growth| format!("land={land}&growth={growth}&attractors=6000&labels=some&seed=kea"))
+    });
+    let labelled = |link: String| {
+        let session = finished(&link);
+        let (labels, input) = placed(&session, 1400.0);
+        let mut greatest: Vec<u32> = (0..input.rivers.len() as u32).collect();
+        greatest.sort_by_key(|&river| std::cmp::Reverse(input.rivers[river as usize].discharge));
+        let count =
+            greatest[..10].iter().filter(|&&river| labels.iter().any(|label| label.river == Some(river))).count();
+        println!("{link}: {count} of 10, {} labels", labels.len());
+        count
+    };
+    let counts: Vec<usize> = maps.map(labelled).collect();
+    assert!(counts.iter().sum::<usize>() >= 90, "{counts:?} of ten each");
+}
+
+#[test]
+fn a_map_without_labels_asks_for_none_and_one_with_them_has_as_many_as_it_asks_for() {
+    let count = |labels: &str| {
+        let session = finished(&format!("land=island&attractors=4000&seed=kauri&labels={labels}"));
+        let size = session.domain().size;
+        labels::input(&session, [Vec2::ZERO, size], 1.0).map_or(0, |input| place(&input, &Raster::new(&input)).len())
+    };
+    let counts = ["none", "few", "some", "many"].map(count);
+    assert!(counts[0] == 0 && counts[1] > 3 && counts.is_sorted_by(|a, b| a < b), "{counts:?}");
+    // A recipe that is still growing has none.
+    let session = Session::new(link::read("land=island&labels=many").unwrap()).unwrap();
+    assert!(labels::input(&session, [Vec2::ZERO, session.domain().size], 1.0).is_none());
+}
+
+#[test]
+#[cfg(feature = "files")]
+fn svg_has_each_label_as_a_group_with_its_text_and_a_mask_for_rivers() {
+    let session = finished("land=island&attractors=4000&seed=kauri&style=atlas&labels=some&names=t.%3Cb%3E");
+    let size = session.domain().size;
+    let input = labels::input(&session, [Vec2::ZERO, size], 1.0).unwrap();
+    let text = riverseed::export::svg::svg(&session).unwrap();
+    let document = roxmltree::Document::parse(&text).unwrap();
+    let by_id = |id: &str| document.descendants().find(|node| node.attribute("id") == Some(id));
+    let titles: Vec<&str> =
+        by_id("labels").unwrap().children().filter_map(|label| label.first_child()?.text()).collect();
+    let texts: Vec<String> = place(&input, &Raster::new(&input)).into_iter().map(|label| label.text).collect();
+    assert_eq!(titles, texts);
+    assert_eq!(by_id("rivers").unwrap().attribute("mask"), Some("url(#halo)"));
+    assert!(by_id("halo").unwrap().descendants().count() > titles.len());
+    let bare = finished("land=island&attractors=4000&seed=kauri&style=atlas");
+    let bare = riverseed::export::svg::svg(&bare).unwrap();
+    assert!(!bare.contains("labels") && !bare.contains("mask"));
+}
+
+#[test]
+fn a_name_that_is_taken_away_is_on_no_map_and_one_s_own_is() {
+    let session = finished("land=island&attractors=4000&seed=kauri&labels=some");
+    let (labels, _) = placed(&session, 1400.0);
+    let river = labels[0].river.unwrap();
+    let identity = session.network().unwrap().rivers[river as usize].identity;
+    let texts = |own: &str| -> Vec<String> {
+        let session = finished(&format!("land=island&attractors=4000&seed=kauri&labels=some&names={identity}.{own}"));
+        let (labels, _) = placed(&session, 1400.0);
+        labels
+            .into_iter()
+            .filter(|label| label.river == Some(river) && label.kind == Kind::River)
+            .map(|label| label.text)
+            .collect()
+    };
+    assert!(texts("").is_empty());
+    assert!(texts("Ant").contains(&"Ant".to_owned()));
+}
