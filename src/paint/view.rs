@@ -92,6 +92,7 @@ impl View {
     }
 
     /// The rows that are painted next, when so many pixels have been: as many as take a few milliseconds at most, and one at least.
+    #[inline(never)]
     pub(super) fn next_rows(&self, painted: usize) -> Rows {
         const PIXELS: u32 = 1 << 16;
         let first = (painted / self.width as usize) as u32;
