@@ -14,7 +14,7 @@ use crate::domain::Domain;
 use crate::grow::{GrowError, Growth, GrowthSettings};
 use crate::land::Land;
 use crate::memory;
-use crate::network::{Meander, Network, NetworkSettings, PastCourses, Reach, ShapeError, Shaping, ask_for_memory};
+use crate::network::{Meander, Network, NetworkSettings, PastCourses, ShapeError, Shaping, ask_for_memory};
 use crate::prune::{self, Pruned, Trim};
 use crate::recipe::{Key, Recipe, Stage, Style};
 use crate::relief::{Relief, ReliefError, ReliefSettings};
@@ -350,7 +350,8 @@ impl Session {
     }
 
     /// Where the great rivers are flat, and meander fully; none while there are no rivers yet.
-    pub fn reaches(&self) -> &[Reach] {
+    #[cfg(feature = "names")]
+    pub fn reaches(&self) -> &[crate::network::Reach] {
         self.meander().map_or(&[], Meander::reaches)
     }
 

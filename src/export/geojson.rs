@@ -63,9 +63,13 @@ fn compose(session: &Session, is_named: bool) -> Result<Json<'_>, ExportError> {
     let (land, ridges) =
         (count + lakes.len() + ground.basins.len(), session.land().map_or(0, |land| land.ridges().len()));
     let unnamed = land + ground.land.len() + ridges;
+    #[cfg(feature = "names")]
     let all = unnamed + features.named();
+    #[cfg(not(feature = "names"))]
+    let all = unnamed;
     let feature = move |i: usize| match (i.checked_sub(count), i.checked_sub(count + lakes.len()), i.checked_sub(land))
     {
+        #[cfg(feature = "names")]
         _ if i >= unnamed => features.name(i - unnamed),
         (_, _, Some(i)) if i < ground.land.len() => ground.land(i),
         (_, _, Some(i)) => features.ridge(session, i - ground.land.len()),
@@ -106,11 +110,6 @@ impl<'a> Features<'a> {
         self.names.reaches.len() + self.names.places.len()
     }
 
-    #[cfg(not(feature = "names"))]
-    fn named(&self) -> usize {
-        0
-    }
-
     #[cfg(feature = "names")]
     fn name(&self, i: usize) -> Json<'a> {
         match names::feature(&self.names, i) {
@@ -123,11 +122,6 @@ impl<'a> Features<'a> {
             }
             None => Json::Null,
         }
-    }
-
-    #[cfg(not(feature = "names"))]
-    fn name(&self, _: usize) -> Json<'a> {
-        Json::Null
     }
 
     fn river(&self, id: u32) -> Json<'a> {

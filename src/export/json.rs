@@ -30,6 +30,7 @@ pub(crate) fn unnamed(session: &Session, with_attractors: bool) -> Result<Json<'
     compose(session, with_attractors, false)
 }
 
+#[inline(never)] // one copy is enough
 fn compose(session: &Session, with_attractors: bool, is_named: bool) -> Result<Json<'_>, ExportError> {
     /// Of the nodes' columns, about two nodes a vertex.
     const BYTES_A_VERTEX: usize = 64;

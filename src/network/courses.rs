@@ -5,7 +5,7 @@ use super::ranking;
 use super::uncross::uncross;
 use super::{NONE, Network, River, Vertex};
 use crate::land::Land;
-use crate::tree::{Hydrology, NO_PARENT, Tree, UNGROWN};
+use crate::tree::{Hydrology, NO_PARENT, Tree};
 
 /// The courses of a tree as it grew, and the order in which their vertices go when they are simplified.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -71,16 +71,20 @@ fn courses(tree: &Tree) -> Network {
             parent: river_of.get(parent as usize).copied().unwrap_or(NONE),
             order: hydrology.order[lowest],
             magnitude: hydrology.magnitude[lowest],
-            identity: if cfg!(feature = "names") { identity(tree, &upstream) } else { 0 },
+            #[cfg(feature = "names")]
+            identity: identity(tree, &upstream),
+            #[cfg(not(feature = "names"))]
+            identity: 0,
         });
     }
     network
 }
 
 /// The number of the lowest of a river's nodes that grew, as a source always did.
+#[cfg(feature = "names")]
 fn identity(tree: &Tree, upstream: &[u32]) -> u32 {
     let identities = upstream.iter().map(|&node| tree.identity_of(node as usize));
-    identities.into_iter().find(|&identity| identity != UNGROWN).unwrap_or(UNGROWN)
+    identities.into_iter().find(|&identity| identity != crate::tree::UNGROWN).unwrap_or(0)
 }
 
 #[cfg(test)]

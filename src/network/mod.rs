@@ -38,7 +38,9 @@ pub use clearance::{ClearanceGrid, NearbyPair};
 pub use courses::Courses;
 #[doc(hidden)]
 pub use curvature::curvature;
-pub use meander::{Meander, PastCourse, PastCourses, PastRound, Reach};
+#[cfg(feature = "names")]
+pub use meander::Reach;
+pub use meander::{Meander, PastCourse, PastCourses, PastRound};
 pub use settings::NetworkSettings;
 pub(crate) use shaping::ask_for_memory;
 pub use shaping::{ShapeError, Shaping};

@@ -11,7 +11,9 @@ use glam::Vec2;
 
 use super::NONE;
 use crate::geometry::{Segment, distance, height, meet, meeting};
-use crate::tree::{NO_PARENT, Tree, UNGROWN};
+#[cfg(feature = "names")]
+use crate::tree::UNGROWN;
+use crate::tree::{NO_PARENT, Tree};
 use crate::work;
 
 /// A tree whose steps meet only at its nodes. The nodes stand in another order than before, parents first as ever.
@@ -26,9 +28,8 @@ pub(super) fn uncross(tree: &Tree) -> Tree {
             Some(parent) if number[parent] == NONE => NONE,
             Some(parent) => planar.grow(tree.at[node], number[parent], tree.drained[node]).unwrap_or(NONE),
         };
-        if cfg!(feature = "names")
-            && let Some(identity) = planar.identity.get_mut(number[node] as usize)
-        {
+        #[cfg(feature = "names")]
+        if let Some(identity) = planar.identity.get_mut(number[node] as usize) {
             *identity = tree.identity_of(node);
         }
     }
@@ -40,6 +41,7 @@ struct Planar {
     at: Vec<Vec2>,
     parent: Vec<u32>,
     drained: Vec<u32>,
+    #[cfg(feature = "names")]
     identity: Vec<u32>,
     /// A list of steps for each cell: its first entry, and for each entry the step and the next entry.
     first: Vec<u32>,
@@ -67,7 +69,8 @@ impl Planar {
             at: Vec::with_capacity(capacity),
             parent: Vec::with_capacity(capacity),
             drained: Vec::with_capacity(capacity),
-            identity: Vec::new(),
+            #[cfg(feature = "names")]
+            identity: Vec::with_capacity(capacity),
             first: vec![NONE; columns * rows],
             entries: Vec::with_capacity(2 * capacity),
             columns,
@@ -85,9 +88,8 @@ impl Planar {
         self.at.push(at);
         self.parent.push(parent);
         self.drained.push(drained);
-        if cfg!(feature = "names") {
-            self.identity.push(UNGROWN);
-        }
+        #[cfg(feature = "names")]
+        self.identity.push(UNGROWN);
         if parent != NO_PARENT {
             self.enter(node);
         }
@@ -232,11 +234,8 @@ impl Planar {
             at: order.iter().map(|&node| self.at[node as usize]).collect(),
             parent: order.iter().map(|&node| parent(node)).collect(),
             drained: order.iter().map(|&node| self.drained[node as usize]).collect(),
-            identity: if cfg!(feature = "names") {
-                order.iter().map(|&node| self.identity[node as usize]).collect()
-            } else {
-                Vec::new()
-            },
+            #[cfg(feature = "names")]
+            identity: order.iter().map(|&node| self.identity[node as usize]).collect(),
             tick_starts: vec![0, count as u32],
             ..Tree::default()
         }

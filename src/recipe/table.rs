@@ -594,8 +594,11 @@ pub static TABLE: [Parameter; COUNT] = {
 /// The rows, without the words that only a page of controls shows where there is none.
 const fn explained(mut rows: [Parameter; COUNT]) -> [Parameter; COUNT] {
     let mut row = 0;
-    while row < COUNT && !cfg!(feature = "controls") {
-        (rows[row].label, rows[row].help, rows[row].group) = ("", "", "");
+    while row < COUNT {
+        let is_named = matches!(rows[row].stage, Stage::Name);
+        if !cfg!(feature = "controls") || is_named && !cfg!(feature = "names") {
+            (rows[row].label, rows[row].help, rows[row].group) = ("", "", "");
+        }
         row += 1;
     }
     rows

@@ -11,6 +11,7 @@ mod captures;
 mod directions;
 mod folds;
 mod heights;
+#[cfg(feature = "names")]
 mod identities;
 mod invasion;
 mod lattice;
@@ -164,10 +165,8 @@ impl Drainage {
         let is_last = self.rounds > self.settings.drainage.captures;
         if is_last {
             self.raise(&directions, &areas);
-            if cfg!(feature = "names") {
-                let middle = self.settings.domain.size / 2.0;
-                identities::assign(&mut self.tree, &self.parcels, &self.node, middle);
-            }
+            #[cfg(feature = "names")]
+            identities::assign(&mut self.tree, &self.parcels, &self.node, self.settings.domain.size / 2.0);
             self.largest_basin = areas.iter().copied().max();
             self.ending = Some(Ending::Complete);
         }

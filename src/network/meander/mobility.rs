@@ -21,20 +21,8 @@ const EQUAL: f32 = 0.35;
 /// What sways less than this stands still: it would not be seen, and takes as long as the rest.
 const LEAST: f32 = 0.05;
 
-/// The longest stretch of a great river that is flat, told by what it drains there: that grows all along a river, however the vertices are
-/// spaced.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Reach {
-    /// The river's number.
-    pub river: u32,
-    /// What it drains at the upper end.
-    pub least_discharge: u32,
-    /// What it drains at the lower end.
-    pub most_discharge: u32,
-}
-
-/// Gives every vertex its mobility. Returns the great rivers, each with its longest flat stretch.
-pub(super) fn assign(network: &mut Network, settings: &NetworkSettings) -> Vec<Reach> {
+/// Gives every vertex its mobility. Returns the great rivers.
+pub(super) fn assign(network: &mut Network, settings: &NetworkSettings) -> Vec<u32> {
     if settings.model == MeanderModel::None {
         return Vec::new();
     }
@@ -66,23 +54,7 @@ pub(super) fn assign(network: &mut Network, settings: &NetworkSettings) -> Vec<R
             let _ = (0..at).rev().all(&mut ease);
         }
     }
-    let is_named = cfg!(feature = "names");
-    let reach = |river| if is_named { reach(network, river, &is_flat) } else { Reach { river, ..Reach::default() } };
-    great.into_iter().map(reach).collect()
-}
-
-fn reach(network: &Network, river: u32, is_flat: &[bool]) -> Reach {
-    let (mut longest, mut start) = (0..0, 0);
-    let own = network.rivers[river as usize].vertex_range();
-    for stretch in is_flat[own.clone()].chunk_by(|a, b| a == b) {
-        let end = start + stretch.len();
-        if stretch[0] && stretch.len() > longest.len() {
-            longest = start..end;
-        }
-        start = end;
-    }
-    let discharge = |i: usize| network.vertices[own.start + i].discharge;
-    Reach { river, least_discharge: discharge(longest.start), most_discharge: discharge(longest.end.max(1) - 1) }
+    great
 }
 
 /// Lets mobility fall off toward vertices that have none, so that a river does not bend sharply round what holds it.
@@ -155,6 +127,41 @@ fn holds(network: &Network) -> Vec<f32> {
         *hold = fast_max(*hold, smooth_step((share - BROOK) / (EQUAL - BROOK)));
     }
     holds
+}
+
+/// The longest stretch of a great river that is flat, told by what it drains there: that grows all along a river, however the vertices are
+/// spaced.
+#[cfg(feature = "names")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Reach {
+    /// The river's number.
+    pub river: u32,
+    /// What it drains at the upper end.
+    pub least_discharge: u32,
+    /// What it drains at the lower end.
+    pub most_discharge: u32,
+}
+
+/// The longest flat stretch of each great river.
+#[cfg(feature = "names")]
+pub(super) fn reaches(network: &Network, great: &[u32], settings: &NetworkSettings) -> Vec<Reach> {
+    let is_flat = flat_vertices(network, settings);
+    great.iter().map(|&river| reach(network, river, &is_flat)).collect()
+}
+
+#[cfg(feature = "names")]
+fn reach(network: &Network, river: u32, is_flat: &[bool]) -> Reach {
+    let (mut longest, mut start) = (0..0, 0);
+    let own = network.rivers[river as usize].vertex_range();
+    for stretch in is_flat[own.clone()].chunk_by(|a, b| a == b) {
+        let end = start + stretch.len();
+        if stretch[0] && stretch.len() > longest.len() {
+            longest = start..end;
+        }
+        start = end;
+    }
+    let discharge = |i: usize| network.vertices[own.start + i].discharge;
+    Reach { river, least_discharge: discharge(longest.start), most_discharge: discharge(longest.end.max(1) - 1) }
 }
 
 #[cfg(test)]

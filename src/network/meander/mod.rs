@@ -27,6 +27,7 @@ use crate::domain::Domain;
 use crate::geometry::{fast_max, length};
 use crate::recipe::MeanderModel;
 
+#[cfg(feature = "names")]
 pub use mobility::Reach;
 pub use past::{PastCourse, PastCourses, PastRound};
 
@@ -50,6 +51,7 @@ pub struct Meander {
     guard: ClearanceGrid,
     round: u32,
     past: PastCourses,
+    #[cfg(feature = "names")]
     reaches: Vec<Reach>,
     /// Whether anything was stopped by the frame of the map in the last round.
     has_stopped: bool,
@@ -59,9 +61,15 @@ impl Meander {
     /// Round 0: courses that are smooth and thinned out, as wide as they will be.
     pub(super) fn along(mut network: Network, settings: NetworkSettings) -> Self {
         widen(&mut network, &settings);
-        let reaches = mobility::assign(&mut network, &settings);
-        let past = PastCourses::of(reaches.iter().map(|reach| reach.river).collect());
-        Self { past, reaches, ..Self::of(network, settings) }
+        let great = mobility::assign(&mut network, &settings);
+        #[cfg(feature = "names")]
+        let reaches = mobility::reaches(&network, &great, &settings);
+        Self {
+            past: PastCourses::of(great),
+            #[cfg(feature = "names")]
+            reaches,
+            ..Self::of(network, settings)
+        }
     }
 
     /// Goes on with a network that has its widths and mobility already, wherever it comes from. None of its rivers counts as great.
@@ -73,6 +81,7 @@ impl Meander {
             guard,
             round: 0,
             past: PastCourses::default(),
+            #[cfg(feature = "names")]
             reaches: Vec::new(),
             has_stopped: false,
         }
@@ -94,6 +103,7 @@ impl Meander {
     }
 
     /// Where the great rivers are flat, and meander fully.
+    #[cfg(feature = "names")]
     pub fn reaches(&self) -> &[Reach] {
         &self.reaches
     }
