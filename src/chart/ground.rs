@@ -20,7 +20,7 @@ const MARGIN: f32 = 1.0;
 /// The widest river over a place.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ink {
-    /// Its number; [`NONE`] where there is none.
+    /// Its number; `u32::MAX` where there is none.
     pub river: u32,
     /// How wide it is there, in units; 0 where there is none.
     pub width: f32,
@@ -46,7 +46,7 @@ pub trait Ground {
 /// A straight piece of a river, a lake or a ridge.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Piece {
-    /// The river's number, [`LAKE`] or [`RIDGE`].
+    /// The river's number, or what stands for a lake or a ridge.
     pub river: u32,
     /// Its ends.
     pub ends: [Place; 2],

@@ -94,7 +94,7 @@ pub struct River {
     pub order: u8,
     /// Shreve's magnitude at its end: the number of sources upstream.
     pub magnitude: u32,
-    /// The number of its lowest node that grew ([`Tree::identity`](crate::Tree::identity)): no other river has it, and it stays whatever
+    /// The number of its lowest node that grew (`identity` of its tree): no other river has it, and it stays whatever
     /// becomes of its course. Without the feature `names` it is 0.
     pub identity: u32,
 }
