@@ -5,7 +5,7 @@
 use std::fs;
 use std::io::Read;
 use std::path::PathBuf;
-use std::process::{Command, Output};
+use std::process::{Command, Output, Stdio};
 
 use riverseed::measure::TABLE;
 
@@ -180,6 +180,16 @@ fn rivers_are_in_the_network_with_what_they_were_made_by() {
     assert!(!rivers.is_empty() && rivers.iter().any(|river| river["parent"].is_null()));
     let points = rivers[0]["points"].as_array().unwrap();
     assert!(points.iter().all(|point| point.as_array().unwrap().len() == 3));
+}
+
+#[test]
+fn it_is_no_failure_if_nobody_reads_to_the_end() {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_riverseed"));
+    command.args(["names", "attractors=300"]).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let mut running = command.spawn().unwrap();
+    drop(running.stdout.take());
+    let output = running.wait_with_output().unwrap();
+    assert!(output.status.success() && output.stderr.is_empty(), "{}", String::from_utf8_lossy(&output.stderr));
 }
 
 #[test]
