@@ -86,9 +86,12 @@ impl Ground for Raster {
                 if !piece.is_river() || (is_other && !piece.is_as_wide_as(least_width)) {
                     continue;
                 }
-                let distance = piece.distance(at);
+                // The box is larger than the ink by more than any rounding.
+                let [least, most] = piece.corners();
                 let nearest = &mut nearest[usize::from(is_other)];
-                *nearest = nearest.min(distance);
+                if (least - at).max(at - most).max_element() < *nearest {
+                    *nearest = nearest.min(piece.distance(at));
+                }
             }
         });
         nearest

@@ -18,6 +18,7 @@ mod word;
 
 use glam::Vec2;
 
+use crate::land::Land;
 use crate::network::Network;
 use crate::recipe::{Key, Mark, OwnNames, Recipe};
 use crate::session::Session;
@@ -115,7 +116,7 @@ impl Names {
             network.rivers.get(*river as usize).map_or(0, |river| u32::MAX - network.discharge(river))
         });
         let reaches = namer.reaches(reaches, &rivers);
-        let places = session.land().map_or(Vec::new(), |land| namer.places(regions::pieces(land)));
+        let places = session.land().map_or(Vec::new(), |land| namer.places(land));
         Self { rivers, reaches, places, title: namer.title() }
     }
 
@@ -224,21 +225,22 @@ impl Namer {
         named
     }
 
-    fn places(&self, [seas, lakes, islands]: [Vec<regions::Piece>; 3]) -> Vec<PlaceName> {
+    fn places(&self, land: &Land) -> Vec<PlaceName> {
         /// In square units: smaller ones have no names.
         const LEAST_SEA: f32 = 10_000.0;
         const LEAST_LAKE: f32 = 400.0;
         const LEAST_ISLAND: f32 = 150.0;
         let manner = self.language.manner;
+        let [seas, lakes, islands] = regions::pieces(land);
         let place = |kind, least: f32, piece: regions::Piece| {
-            let regions::Piece { number, area, at } = piece;
+            let regions::Piece { number, area, .. } = piece;
             let word = || self.place_word(kind, number);
             let name = match kind {
                 PlaceKind::Sea => self.name(Mark::Sea(number), || kinds::sea(&word(), area, manner)),
                 PlaceKind::Lake => self.name(Mark::Lake(number), || kinds::lake(&word(), area)),
                 PlaceKind::Island => self.name(Mark::Island(number), || kinds::island(&word(), area)),
             };
-            (area >= least).then_some(PlaceName { kind, number, name, at })
+            (area >= least).then(|| PlaceName { kind, number, name, at: piece.midst(land) })
         };
         let seas = seas.into_iter().filter_map(|piece| place(PlaceKind::Sea, LEAST_SEA, piece));
         let lakes = lakes.into_iter().filter_map(|piece| place(PlaceKind::Lake, LEAST_LAKE, piece));

@@ -3,7 +3,7 @@
 use glam::Vec2;
 use tiny_skia::Pixmap;
 
-use super::coverage::{Coverage, Rect};
+use super::coverage::{Coverage, Covered, Rect};
 use super::palette::over;
 use super::styles::labels::LabelLook;
 use super::view::View;
@@ -41,9 +41,10 @@ pub(super) fn halo(rivers: &mut Coverage, view: &View, labels: &[Label], look: L
 /// Lays letters over the picture.
 pub(super) fn letters(pixmap: &mut Pixmap, view: &View, labels: &[Label], look: LabelLook, halo: Option<Coverage>) {
     if let Some((halo, (colour, strength))) = halo.zip(look.halo) {
-        for (pixel, &covered) in pixmap.data_mut().as_chunks_mut::<4>().0.iter_mut().zip(halo.mask().data()) {
-            let [red, green, blue, _] = *pixel;
-            *pixel = over([red, green, blue], colour, (f32::from(covered) * strength + 0.5) as u32);
+        let picture = pixmap.data_mut().as_chunks_mut::<4>().0;
+        for (i, covered) in Covered::by(halo.mask().data()) {
+            let [red, green, blue, _] = picture[i];
+            picture[i] = over([red, green, blue], colour, (f32::from(covered) * strength + 0.5) as u32);
         }
     }
     let (mut fill, width) = (Fill::default(), pixmap.width() as usize);
@@ -53,7 +54,9 @@ pub(super) fn letters(pixmap: &mut Pixmap, view: &View, labels: &[Label], look: 
         fill.add(letter.glyph, |at| view.pixel(letter.place(at, label.em)));
         let picture = pixmap.data_mut().as_chunks_mut::<4>().0;
         for (row, shares) in (top as usize..).zip(fill.rows()) {
-            for (pixel, share) in picture[row * width + left as usize..].iter_mut().zip(shares) {
+            let pixels = picture[row * width + left as usize..].iter_mut().zip(shares);
+            // Most of a letter's box is bare.
+            for (pixel, share) in pixels.filter(|(_, share)| *share > 0.0) {
                 let [red, green, blue, _] = *pixel;
                 *pixel = over([red, green, blue], look.ink, (share * 255.0 + 0.5) as u32);
             }
