@@ -184,6 +184,14 @@ proptest! {
     }
 }
 
+/// Where rivers lie close together, and labels would often be nearer to another.
+#[test]
+fn labels_belong_to_their_rivers_on_a_dense_map_too() {
+    let session = finished("land=rectangle&growth=brownian&sensitivity=12&seed=kea&labels=many&label-size=0.7");
+    let count = check(&session, 1400.0).unwrap();
+    assert!(count > 20, "{count}");
+}
+
 #[test]
 fn most_great_rivers_have_their_name() {
     let maps = ["island", "continent", "archipelago", "valley", "rectangle"].into_iter().flat_map(|land| {

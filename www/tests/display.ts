@@ -1,7 +1,8 @@
-/** A display whose frames come sixty a second and whose clock nothing but frames moves: work takes no time. */
+/** Stand-ins for what a browser shows pictures by. */
 
 import type { Frames } from "../src/player/frame-loop.ts";
 
+/** A display whose frames come sixty a second and whose clock nothing but frames moves: work takes no time. */
 export class Display implements Frames {
   /** How many frames have been. */
   count = 0;
@@ -28,4 +29,13 @@ export class Display implements Frames {
     this.count++;
     return callback !== undefined;
   }
+}
+
+/** As much of ImageData as is looked at. */
+export class Image {
+  constructor(
+    readonly data: Uint8ClampedArray,
+    readonly width: number,
+    readonly height: number,
+  ) {}
 }

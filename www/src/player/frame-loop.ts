@@ -184,7 +184,7 @@ export class FrameLoop {
     this.#last = undefined;
     this.#paced = undefined;
     this.#redraw = true;
-    this.#paintsNext = false;
+    this.#paintsNext = this.#isPainting = false;
     this.#become(state);
     this.#wake();
   }

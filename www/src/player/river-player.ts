@@ -168,8 +168,11 @@ export class RiverPlayer<Planted extends River = River> {
     this.#tellOfLink();
     if (stage === "none") return;
     this.#fit();
+    const { phase } = this.#river;
+    // Of finished rivers a style may show a relief that none has shown before, and that is yet to be made.
+    const isDrawing = (stage === "paint" || stage === "name") && (phase === "finished" || this.state !== "finished");
     if (stage === "land" || stage === "grow") this.#grow(wanted.how);
-    else if (stage === "paint" || this.#river.phase === "growing") this.#loop.redraw();
+    else if (isDrawing || phase === "growing") this.#loop.redraw();
     else this.#loop.settle(false);
   }
 

@@ -4,6 +4,7 @@ import type { Canvas } from "../../../src/player/river-player.ts";
 import type { Report } from "../../../src/widget/protocol.ts";
 import { Scene } from "../../../src/widget/scene.ts";
 import { engine, memory } from "../../core.ts";
+import { Image } from "../../display.ts";
 
 /** A display whose frames come when a test asks for them. */
 class Display implements Frames {
@@ -30,15 +31,6 @@ class Display implements Frames {
     this.#waiting.clear();
     for (const callback of due) callback(this.#time);
   }
-}
-
-/** As much of ImageData as is looked at. */
-class Image {
-  constructor(
-    readonly data: Uint8ClampedArray,
-    readonly width: number,
-    readonly height: number,
-  ) {}
 }
 
 /** A canvas without pixels: these tests are about words. */
