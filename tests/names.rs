@@ -142,6 +142,19 @@ fn one_s_own_name_stands_in_the_place_of_another_and_names_its_fork() {
 }
 
 #[test]
+fn what_is_named_after_a_name_of_one_s_own_has_its_word() {
+    const MANY_REACHES: &str = "seed=s2&land=island&growth=drainage&great-rivers=8&style=ink";
+    let names = |own: &str| Names::of(&finished(MANY_REACHES, &format!("names={own}")));
+    assert!(names("i0.The Shire").title.contains("Shire") && !names("i0.The Shire").title.contains("The Shire"));
+    let meanders = |names: Names| names.reaches.into_iter().find(|reach| reach.name.ends_with(" Meanders"));
+    let reach = meanders(names("")).unwrap();
+    assert!(!reach.name.contains("Fork"), "{}", reach.name);
+    let unnamed = meanders(names(&format!("{}.", reach.identity))).unwrap();
+    assert_eq!(unnamed.name, reach.name, "a river whose name is taken away has a word still");
+    assert_eq!(meanders(names(&format!("{}.The Old Man", reach.identity))).unwrap().name, "Old Man Meanders");
+}
+
+#[test]
 fn a_reach_keeps_its_word_however_long_it_winds() {
     let link = "growth=drainage&land=island&attractors=6000&seed=kauri&style=ink&meander=bend";
     let reaches = |over: &str| -> BTreeMap<u32, String> {

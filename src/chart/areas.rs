@@ -59,6 +59,9 @@ impl<'a> Search<'a> {
 
     /// The label with the most water around it, level and curved if that makes no great difference.
     fn label(&self, text: &str) -> Option<Label> {
+        if self.text.letters.is_empty() {
+            return None;
+        }
         let (step, [least, most]) = (STEP * self.em, self.input.frame);
         let [columns, rows] = [most.x - least.x, most.y - least.y].map(|length| (length / step) as u32);
         let middles =

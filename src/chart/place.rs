@@ -33,6 +33,9 @@ const MOST_RIVERS: usize = 400;
 pub fn place<G: Ground>(input: &Input<'_>, ground: &G) -> Vec<Label> {
     let mut map = Map { input, ground, labels: Vec::new(), boxes: Vec::new(), area: 0.0 };
     for reach in &input.reaches {
+        if map.area >= input.most_area {
+            break;
+        }
         map.label_with_reach(reach);
     }
     let is_new = |number: &usize| input.reaches.iter().all(|reach| reach.river as usize != *number);

@@ -166,9 +166,10 @@ impl Namer {
         self.own.get(mark).map_or_else(other, String::from)
     }
 
-    /// The same for what is named after it, which has a name even if that has none.
+    /// The same for what is named after it, which has a name even if that has none; without an article.
     fn name_of_others(&self, mark: Mark, other: impl FnOnce() -> String) -> String {
-        self.own.get(mark).filter(|own| !own.is_empty()).map_or_else(other, String::from)
+        let own = self.own.get(mark).filter(|own| !own.is_empty());
+        own.map_or_else(other, |own| own.strip_prefix("The ").unwrap_or(own).into())
     }
 
     /// The word of a river. Every eighth number is left to what is no river.
@@ -217,8 +218,9 @@ impl Namer {
             let Some(river) = rivers.get(number as usize) else { continue };
             let bits = self.language.chance.bits([river.identity, 0, REACH]);
             let usual = kinds::reach(bits, self.language.manner);
-            let usual =
-                if named.iter().any(|reach| reach.name == usual) { format!("{} Meanders", river.short) } else { usual };
+            let is_taken = named.iter().any(|reach| reach.name == usual);
+            let word = || self.name_of_others(Mark::River(river.identity), || self.river_word(river.identity));
+            let usual = if is_taken { format!("{} Meanders", word()) } else { usual };
             let name = self.name(Mark::Reach(river.identity), || usual);
             named.push(ReachName { river: number, identity: river.identity, name, course });
         }
