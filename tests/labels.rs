@@ -80,6 +80,7 @@ fn check(session: &Session, width: f32) -> Result<usize, TestCaseError> {
     }
     for (i, label) in labels.iter().enumerate() {
         for other in &labels[..i] {
+            prop_assert!(label.text != other.text || label.river == other.river, "{} twice", label.text);
             let meet = boxes(label).iter().any(|a| boxes(other).iter().any(|b| polygon(a).intersects(&polygon(b))));
             prop_assert!(!meet, "{} meets {}", label.text, other.text);
         }
@@ -190,6 +191,14 @@ fn labels_belong_to_their_rivers_on_a_dense_map_too() {
     let session = finished("land=rectangle&growth=brownian&sensitivity=12&seed=kea&labels=many&label-size=0.7");
     let count = check(&session, 1400.0).unwrap();
     assert!(count > 20, "{count}");
+}
+
+#[test]
+fn no_two_rivers_have_one_label_in_short_either() {
+    let session = finished("seed=skye&land=continent&growth=drainage&meander-rounds=60&great-rivers=3&labels=many");
+    let (labels, _) = placed(&session, 1200.0);
+    let rivers: std::collections::BTreeMap<_, _> = labels.iter().map(|label| (&label.text, label.river)).collect();
+    assert!(labels.iter().all(|label| rivers[&label.text] == label.river) && labels.len() > 40);
 }
 
 #[test]

@@ -152,7 +152,10 @@ impl<G: Ground> Map<'_, G> {
     ) -> Option<Label> {
         let Subject { kind, river, name: [long, short] } = subject;
         let forms = if long == short { &[long][..] } else { &[long, short] };
-        forms.iter().filter(|form| !form.is_empty()).find_map(|form| {
+        // In short, forks of two rivers may be called the same.
+        let is_another_s =
+            |form: &str| self.labels.iter().any(|label| label.text == form && label.river != Some(*river));
+        forms.iter().filter(|form| !form.is_empty() && !is_another_s(form)).find_map(|form| {
             let search = Search {
                 input: self.input,
                 ground: self.ground,
