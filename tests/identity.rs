@@ -6,26 +6,15 @@ mod common;
 use std::collections::{BTreeMap, BTreeSet};
 
 use common::property::large;
-use common::{lands, random_link};
+use common::{finished, lands, random_link};
 use glam::Vec2;
 use proptest::prelude::*;
 use riverseed::network::meet;
-use riverseed::recipe::{Recipe, link};
 use riverseed::tree::{Hydrology, NO_PARENT};
-use riverseed::{Network, Session, Tree};
-
-fn grown(link: &str, over: &str) -> Session {
-    let over = link::pairs(over).unwrap();
-    let mut pairs = link::pairs(link).unwrap();
-    pairs.retain(|(key, _)| over.iter().all(|(other, _)| other != key));
-    pairs.extend(over);
-    let mut session = Session::new(link::apply(Recipe::default(), &pairs).unwrap()).unwrap();
-    session.finish().unwrap();
-    session
-}
+use riverseed::{Network, Tree};
 
 fn rivers(link: &str, over: &str) -> Network {
-    grown(link, over).network().unwrap().clone()
+    finished(link, over).network().unwrap().clone()
 }
 
 fn identities(network: &Network) -> Vec<u32> {
@@ -40,7 +29,7 @@ fn lowest(network: &Network) -> BTreeMap<u32, (Vec2, u32)> {
 
 /// Whether steps of the untrimmed tree cross each other, or lie upon each other, so that a branch goes.
 fn crosses(link: &str, growth: &str) -> bool {
-    let session = grown(link, &format!("{growth}&style=ink&courses=grown&trim=0"));
+    let session = finished(link, &format!("{growth}&style=ink&courses=grown&trim=0"));
     let tree = session.tree();
     let is_parent: BTreeSet<u32> = tree.parent.iter().copied().collect();
     let lone = |node: &u32| tree.parent[*node as usize] == NO_PARENT && !is_parent.contains(node);
@@ -75,7 +64,7 @@ fn kept(link: &str, growth: &str, trim: u32, channel_area: u32) -> (usize, usize
         lowest(&rivers(link, &over))
     };
     let (trimmed, whole) = (trimmed(trim, channel_area), trimmed(0, 1));
-    let tied = tied(grown(link, &format!("{growth}&style=ink")).tree());
+    let tied = tied(finished(link, &format!("{growth}&style=ink")).tree());
     let is_kept = |(identity, at): &(&u32, &(Vec2, u32))| {
         whole.get(identity) == Some(at) || tied.contains(&at.0.to_array().map(f32::to_bits))
     };

@@ -7,23 +7,12 @@ mod common;
 use std::collections::{BTreeMap, BTreeSet};
 
 use common::property::{cases, large};
-use common::random_link;
+use common::{finished, random_link};
 use proptest::prelude::*;
 use riverseed::name::Names;
 use riverseed::recipe::{Key, OwnNames, Recipe, link};
 use riverseed::{Session, export};
 use serde_json::Value;
-
-/// The finished rivers of a link, some of its parameters set otherwise.
-fn finished(link: &str, over: &str) -> Session {
-    let over = link::pairs(over).unwrap();
-    let mut pairs = link::pairs(link).unwrap();
-    pairs.retain(|(key, _)| over.iter().all(|(other, _)| other != key));
-    pairs.extend(over);
-    let mut session = Session::new(link::apply(Recipe::default(), &pairs).unwrap()).unwrap();
-    session.finish().unwrap();
-    session
-}
 
 /// The names of rivers by their identities, with what kind each is.
 fn rivers(session: &Session) -> BTreeMap<u32, (String, &'static str)> {

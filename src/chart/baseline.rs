@@ -97,11 +97,7 @@ impl Course {
     fn along_belt(&self, copy: &[Vec2], em: f32) -> Vec<Line> {
         let along = directions(copy);
         let mut lines = Vec::new();
-        for is_downstream in [true, false] {
-            let is_read = |along: &Vec2| is_upright(if is_downstream { *along } else { -*along });
-            if !along.iter().any(is_read) {
-                continue;
-            }
+        for is_downstream in readable(&along) {
             // To the right of those who read is below.
             let right = if is_downstream { 1.0 } else { -1.0 };
             for (side, gap) in [(0.0, ON), (-1.0, ABOVE), (1.0, BELOW)] {
@@ -127,11 +123,7 @@ impl Course {
         let last = copy.len() - 1;
         let along = directions(copy);
         let mut lines = Vec::new();
-        for is_downstream in [true, false] {
-            let is_read = |along: &Vec2| is_upright(if is_downstream { *along } else { -*along });
-            if !along.iter().any(is_read) {
-                continue;
-            }
+        for is_downstream in readable(&along) {
             for is_above in [true, false] {
                 // To the left of those who read is above.
                 let side = if is_downstream == is_above { -1.0 } else { 1.0 };
@@ -164,6 +156,13 @@ impl Course {
         let off: Vec<f32> = (0..copy.len()).map(|i| (self.at[i] - copy[i]).dot(aside[i])).collect();
         most_around(&off, AROUND)
     }
+}
+
+/// The directions in which a line can be read somewhere: downstream, or up.
+fn readable(along: &[Vec2]) -> impl Iterator<Item = bool> {
+    let is_read =
+        |is_downstream: &bool| along.iter().any(|&along| is_upright(if *is_downstream { along } else { -along }));
+    [true, false].into_iter().filter(is_read)
 }
 
 /// The unit vectors along a line.

@@ -1,5 +1,6 @@
 //! What several test files use.
 #![allow(dead_code, reason = "each test file uses its own part")]
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 pub mod lands;
 pub mod literal;
@@ -9,7 +10,19 @@ pub mod property;
 pub mod twin;
 
 use proptest::prelude::*;
-use riverseed::recipe::{Choice, EDITION, Style};
+use riverseed::Session;
+use riverseed::recipe::{Choice, EDITION, Recipe, Style, link};
+
+/// The finished rivers of a link, some of its parameters set otherwise.
+pub fn finished(link: &str, over: &str) -> Session {
+    let over = link::pairs(over).unwrap();
+    let mut pairs = link::pairs(link).unwrap();
+    pairs.retain(|(key, _)| over.iter().all(|(other, _)| other != key));
+    pairs.extend(over);
+    let mut session = Session::new(link::apply(Recipe::default(), &pairs).unwrap()).unwrap();
+    session.finish().unwrap();
+    session
+}
 
 /// Outlines of any lines, mostly crossing themselves and each other; some of nothing, or of rivers alone.
 pub fn random_outline() -> impl Strategy<Value = String> {
