@@ -37,7 +37,7 @@ widget: wasm ## build <river-seed> into www/dist-widget, and weigh it
 	@$(npm) build:widget
 
 .PHONY: wasm
-wasm: ## build the wasm packages into www/pkg, www/pkg-full and www/pkg-trace, and weigh them
+wasm: ## build the wasm packages into www/pkg, www/pkg-full, www/pkg-trace and www/pkg-chart, and weigh them
 	@$(setup) rust wasm node
 	@$(run) scripts/lib/lock.sh target/wasm.lock "another build of the wasm packages" node scripts/wasm.mjs
 
@@ -175,4 +175,4 @@ docs: wasm ## write what is generated in docs/ again: the parameters, the JSON f
 
 .PHONY: clean
 clean: ## remove what was built here; tools in ~/.cache/riverseed and www/node_modules stay
-	rm -rf target www/pkg www/pkg-full www/pkg-trace www/dist www/dist-widget www/tests/consumers/node_modules www/test-results www/playwright-report
+	rm -rf target www/pkg www/pkg-full www/pkg-trace www/pkg-chart www/dist www/dist-widget www/tests/consumers/node_modules www/test-results www/playwright-report

@@ -1,4 +1,4 @@
-//! The labels of a session's map: its names, and what they are placed by.
+//! The labels of a map: its names, and what they are placed by.
 
 use glam::Vec2;
 
@@ -9,43 +9,48 @@ use crate::land::{CELL_SIZE, Land};
 use crate::memory;
 use crate::name::{Names, PlaceKind, ReachName};
 use crate::network::{NONE, Network, Oxbow, Place};
-use crate::recipe::{Key, Labels};
-use crate::session::{Phase, Session};
+use crate::paint::{ChartMasks, View, letters};
+use crate::recipe::Labels;
+use crate::river_map::RiverMap;
 
 /// The smallest letters that can be read: their em in pixels.
 const LEAST_EM: f32 = 11.0;
 
+/// The labels of a picture as masks, so many of whose pixels are one of those by which small letters can just be read.
+pub fn masks(map: &RiverMap<'_>, view: &View, ratio: f32) -> ChartMasks {
+    letters::masks(view, &labels(map, view.frame(), view.scale / ratio))
+}
+
 /// The labels of a picture that shows a part of the map, its north-western and its south-eastern corner, with so many pixels to a unit:
 /// the greatest rivers first. None if the recipe wants none, if rivers are not finished, or if there is not enough memory.
-pub(crate) fn labels(session: &Session, frame: [Vec2; 2], scale: f32) -> Vec<Label> {
-    input(session, frame, scale).map_or_else(Vec::new, |input| place(&input, &Raster::new(&input)))
+pub(crate) fn labels(map: &RiverMap<'_>, frame: [Vec2; 2], scale: f32) -> Vec<Label> {
+    input(map, frame, scale).map_or_else(Vec::new, |input| place(&input, &Raster::new(&input)))
 }
 
 /// What those labels are placed by.
-pub fn input(session: &Session, frame: [Vec2; 2], scale: f32) -> Option<Input<'_>> {
+pub fn input<'a>(map: &RiverMap<'a>, frame: [Vec2; 2], scale: f32) -> Option<Input<'a>> {
     /// A course's places, its pieces, their numbers in squares, and names.
     const BYTES_A_VERTEX: usize = 120;
-    let (recipe, land) = (session.recipe(), session.land());
-    let share = share_of_land(recipe.get())?;
-    let network = session.network().filter(|_| matches!(session.phase(), Phase::Relief | Phase::Finished))?;
-    if !memory::can_allocate(Raster::BYTES + network.vertices.len() * BYTES_A_VERTEX) {
+    let RiverMap { wishes, network, land, .. } = map;
+    let share = share_of_land(wishes.labels)?;
+    if !map.is_finished || !memory::can_allocate(Raster::BYTES + network.vertices.len() * BYTES_A_VERTEX) {
         return None;
     }
-    let names = Names::of(session);
+    let names = Names::of_map(map);
     let reach = |reach: &ReachName| reach_of(network, reach);
     let water = names.places.iter().find(|place| matches!(place.kind, PlaceKind::Sea | PlaceKind::Lake));
     Some(Input {
         frame,
         least_em: LEAST_EM / scale,
-        label_size: recipe.number(Key::LabelSize),
-        most_area: share * land.map_or(AREA, |land| area(land)),
+        label_size: wishes.label_size,
+        most_area: share * land.map_or(AREA, area),
         total_discharge: total_discharge(network),
         reaches: names.reaches.iter().filter_map(reach).collect(),
         water: water.map(|water| forms(&water.name)),
         rivers: rivers(network, names),
         lakes: network.oxbows.iter().map(Oxbow::middle).collect(),
-        ridges: land.map_or_else(Vec::new, |land| ridges(land)),
-        coast: land.map(|land| land.coast_distance()),
+        ridges: land.map_or_else(Vec::new, ridges),
+        coast: land.map(Land::coast_distance),
     })
 }
 

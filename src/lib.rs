@@ -77,7 +77,6 @@ pub mod land;
 mod lands;
 pub mod measure;
 mod memory;
-#[cfg(feature = "names")]
 pub mod name;
 pub mod network;
 pub mod paint;
@@ -90,6 +89,8 @@ mod queue;
 pub mod random;
 pub mod recipe;
 pub mod relief;
+#[doc(hidden)]
+pub mod river_map;
 pub mod session;
 mod simplify;
 mod skeletonize;
@@ -97,6 +98,7 @@ mod sort;
 pub mod tree;
 #[cfg(target_arch = "wasm32")]
 mod web;
+mod words;
 #[doc(hidden)]
 pub mod work;
 

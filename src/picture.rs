@@ -4,14 +4,14 @@ use std::sync::Arc;
 
 use tiny_skia::Pixmap;
 
-#[cfg(feature = "names")]
-use crate::chart::Label;
 use crate::domain::Domain;
 #[cfg(feature = "names")]
-use crate::labels::labels;
+use crate::labels;
 use crate::land::Land;
-use crate::paint::{PaintError, Painted, Painter, Progress, Rect, Rivers};
-use crate::recipe::Key;
+use crate::paint::{ChartMasks, PaintError, Painted, Painter, Progress, Rect, Rivers, View};
+use crate::recipe::{Key, Labels};
+#[cfg(feature = "names")]
+use crate::river_map::RiverMap;
 use crate::session::{Generation, Phase, Session};
 
 /// The picture of a session.
@@ -35,9 +35,8 @@ pub struct Picture {
     shown: Option<(Generation, Domain, Option<Arc<Land>>)>,
     /// The trimmed tree whose rivers it shows; `None` if it shows none.
     rivers_of: Option<Generation>,
-    /// The labels of finished rivers, and the generation that they belong to.
-    #[cfg(feature = "names")]
-    labels: Option<(Generation, Vec<Label>)>,
+    /// What a chart lays over finished rivers, and the generation that it belongs to.
+    chart: Option<(Generation, Arc<ChartMasks>)>,
 }
 
 impl Picture {
@@ -50,8 +49,7 @@ impl Picture {
             painter: Painter::new(&Domain::with_aspect(1.0), width, height)?,
             shown: None,
             rivers_of: None,
-            #[cfg(feature = "names")]
-            labels: None,
+            chart: None,
         })
     }
 
@@ -83,23 +81,11 @@ impl Picture {
         self.rivers_of = tree.filter(|_| session.network().is_some());
         let (recipe, land) = (session.recipe(), session.land().map(Arc::as_ref));
         let (courses, style) = (recipe.get(), recipe.get());
-        #[cfg(feature = "names")]
-        self.place_labels(session);
-        #[cfg(feature = "names")]
-        let labels = self.labels.as_ref().map_or(&[][..], |(_, labels)| labels);
+        self.bring_chart_up_to_date(session);
+        let chart = self.chart.as_ref().map(|(_, chart)| chart);
         if let Some(((network, rounds), past)) = session.network().zip(session.rounds()).zip(session.past()) {
             let relief = session.relief().map(|relief| (relief, recipe.number(Key::Shade)));
-            return self.painter.paint_rivers(&Rivers {
-                network,
-                past,
-                rounds,
-                courses,
-                land,
-                relief,
-                #[cfg(feature = "names")]
-                labels,
-                style,
-            });
+            return self.painter.paint_rivers(&Rivers { network, past, rounds, courses, land, relief, chart, style });
         }
         let growth = session.growth();
         Painted::Whole(self.painter.paint(&Progress {
@@ -114,15 +100,32 @@ impl Picture {
         }))
     }
 
-    /// Places labels, once for as long as the rivers are the same; none while they change.
-    #[cfg(feature = "names")]
-    fn place_labels(&mut self, session: &Session) {
-        let generation = session.generation();
-        let are_placed = self.labels.as_ref().is_some_and(|(of, _)| *of == generation);
-        if !matches!(session.phase(), Phase::Relief | Phase::Finished) {
-            self.labels = None;
-        } else if !are_placed {
-            self.labels = Some((generation, labels(session, self.painter.frame(), self.painter.scale())));
+    /// Whether the recipe of a session, whose rivers are finished, wants a chart over this picture that it has not got.
+    pub fn wants_chart(&self, session: &Session) -> bool {
+        let has_one = self.chart.as_ref().is_some_and(|(of, _)| *of == session.map_generation());
+        is_to_be_charted(session) && !has_one
+    }
+
+    /// Takes a chart for the rivers of a session as they are, and for a picture of this size. It is seen when next this is painted, for as
+    /// long as these rivers stay.
+    pub fn take_chart(&mut self, session: &Session, chart: ChartMasks) {
+        self.chart = Some((session.map_generation(), Arc::new(chart)));
+    }
+
+    /// How the domain lies on the picture.
+    pub fn view(&self) -> &View {
+        self.painter.view()
+    }
+
+    /// Drops a chart of other rivers, and makes one of these if that can be done here.
+    fn bring_chart_up_to_date(&mut self, session: &Session) {
+        let is_old = |(of, _): &(Generation, Arc<ChartMasks>)| *of != session.map_generation();
+        if self.chart.as_ref().is_some_and(is_old) {
+            self.chart = None;
+        }
+        #[cfg(feature = "names")]
+        if let Some(map) = RiverMap::of(session).filter(|_| self.wants_chart(session)) {
+            self.take_chart(session, labels::masks(&map, self.view(), 1.0));
         }
     }
 
@@ -144,6 +147,12 @@ impl Picture {
     pub fn pixmap(&self) -> &Pixmap {
         self.painter.pixmap()
     }
+}
+
+/// Whether the rivers of a session are finished, and its recipe wants a chart of them.
+pub(crate) fn is_to_be_charted(session: &Session) -> bool {
+    let is_finished = matches!(session.phase(), Phase::Relief | Phase::Finished);
+    is_finished && session.recipe().get::<Labels>() != Labels::None
 }
 
 /// Whether land is the very same, shaped once.

@@ -96,7 +96,6 @@ fn compact(tree: &Tree, stays: &[bool], origin: &[u32], discharge: &[u32]) -> Tr
         parent,
         tick_starts: tree.tick_starts.iter().map(|&start| before[start as usize]).collect(),
         elevation: if tree.elevation.is_empty() { Vec::new() } else { select(&tree.elevation, origin) },
-        #[cfg(feature = "names")]
         identity: origin.iter().map(|&node| tree.identity_of(node as usize)).collect(),
     }
 }

@@ -48,6 +48,8 @@ pub struct Session {
     /// Of finished rivers, once it was wanted.
     relief: ReliefStage,
     generation: Generation,
+    /// Another one whenever more changes than the style.
+    map_generation: Generation,
     /// Another one whenever the trimmed tree is discarded.
     tree_generation: Generation,
 }
@@ -90,7 +92,6 @@ impl Session {
 
     fn plant(recipe: Recipe, land: Option<Arc<Land>>, is_land_given: bool) -> Result<Self, SessionError> {
         let growth = plant(&recipe, &land)?;
-        let (generation, tree_generation) = (Generation::next(), Generation::next());
         Ok(Self {
             recipe,
             land,
@@ -98,8 +99,9 @@ impl Session {
             growth,
             shaping: None,
             relief: ReliefStage::Waiting,
-            generation,
-            tree_generation,
+            generation: Generation::next(),
+            map_generation: Generation::next(),
+            tree_generation: Generation::next(),
         })
     }
 
@@ -118,7 +120,8 @@ impl Session {
         if !memory::can_allocate(bytes) {
             return Err(SessionError::Copy { megabytes: (bytes / 1_000_000) as u32 + 1 });
         }
-        Ok(Self { generation: Generation::next(), tree_generation: Generation::next(), ..self.clone() })
+        let [generation, map_generation, tree_generation] = [(); 3].map(|()| Generation::next());
+        Ok(Self { generation, map_generation, tree_generation, ..self.clone() })
     }
 
     /// The recipe.
@@ -167,6 +170,9 @@ impl Session {
         if stage.is_some() {
             self.generation = Generation::next();
         }
+        if stage.is_some_and(|stage| stage < Stage::Paint) {
+            self.map_generation = Generation::next();
+        }
         Ok(stage)
     }
 
@@ -177,7 +183,7 @@ impl Session {
     pub fn restart(&mut self) -> Result<(), SessionError> {
         self.growth = plant(&self.recipe, &self.land)?;
         self.discard_rivers();
-        self.generation = Generation::next();
+        (self.generation, self.map_generation) = (Generation::next(), Generation::next());
         Ok(())
     }
 
@@ -191,6 +197,11 @@ impl Session {
     /// stays the same the session only advances.
     pub(crate) fn generation(&self) -> Generation {
         self.generation
+    }
+
+    /// The same for as long as finished rivers, and their names, stay the same, whatever the style.
+    pub(crate) fn map_generation(&self) -> Generation {
+        self.map_generation
     }
 
     /// The same for as long as the rivers, made once or several times, are those of one trimmed tree.
@@ -350,7 +361,6 @@ impl Session {
     }
 
     /// Where the great rivers are flat, and meander fully; none while there are no rivers yet.
-    #[cfg(feature = "names")]
     pub fn reaches(&self) -> &[crate::network::Reach] {
         self.meander().map_or(&[], Meander::reaches)
     }

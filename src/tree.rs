@@ -9,7 +9,6 @@ use glam::Vec2;
 pub const NO_PARENT: u32 = u32::MAX;
 
 /// The identity of a node that no grower made: where a river was made to join another that it crossed.
-#[cfg(feature = "names")]
 pub const UNGROWN: u32 = u32::MAX;
 
 /// The slope at the mouth of a river that drains everything: a few units in a thousand.
@@ -32,13 +31,11 @@ pub struct Tree {
     pub elevation: Vec<f32>,
     /// The number by which each node is known however the tree is trimmed: no two have the same, [`UNGROWN`] apart. Empty if that is its
     /// place in this list.
-    #[cfg(feature = "names")]
     pub identity: Vec<u32>,
 }
 
 impl Tree {
     /// The number by which a node is known; [`UNGROWN`] if it never grew.
-    #[cfg(feature = "names")]
     pub fn identity_of(&self, node: usize) -> u32 {
         self.identity.get(node).copied().unwrap_or(node as u32)
     }

@@ -12,7 +12,10 @@ use proptest::prelude::*;
 use riverseed::chart::{Box, Ground, Ink, Input, Kind, Label, Piece, Placed, Raster, cell_middle, place};
 use riverseed::glam::Vec2;
 use riverseed::labels;
+use riverseed::name::Names;
+use riverseed::paint::View;
 use riverseed::recipe::link;
+use riverseed::river_map::{OwnMap, RiverMap, words};
 use riverseed::{Picture, Session};
 
 /// The ground without anything prepared.
@@ -51,7 +54,7 @@ fn finished(link: &str) -> Session {
 /// The labels of a picture that shows all of the map, so many pixels wide, and what they are placed by.
 fn placed(session: &Session, width: f32) -> (Vec<Label>, Input<'_>) {
     let size = session.domain().size;
-    let input = labels::input(session, [Vec2::ZERO, size], width / size.x).unwrap();
+    let input = labels::input(&RiverMap::of(session).unwrap(), [Vec2::ZERO, size], width / size.x).unwrap();
     (place(&input, &Raster::new(&input)), input)
 }
 
@@ -226,13 +229,14 @@ fn a_map_without_labels_asks_for_none_and_one_with_them_has_as_many_as_it_asks_f
     let count = |labels: &str| {
         let session = finished(&format!("land=island&attractors=4000&seed=kauri&labels={labels}"));
         let size = session.domain().size;
-        labels::input(&session, [Vec2::ZERO, size], 1.0).map_or(0, |input| place(&input, &Raster::new(&input)).len())
+        labels::input(&RiverMap::of(&session).unwrap(), [Vec2::ZERO, size], 1.0)
+            .map_or(0, |input| place(&input, &Raster::new(&input)).len())
     };
     let counts = ["none", "few", "some", "many"].map(count);
     assert!(counts[0] == 0 && counts[1] > 3 && counts.is_sorted_by(|a, b| a < b), "{counts:?}");
     // A recipe that is still growing has none.
     let session = Session::new(link::read("land=island&labels=many").unwrap()).unwrap();
-    assert!(labels::input(&session, [Vec2::ZERO, session.domain().size], 1.0).is_none());
+    assert!(RiverMap::of(&session).is_none());
 }
 
 #[test]
@@ -240,7 +244,7 @@ fn a_map_without_labels_asks_for_none_and_one_with_them_has_as_many_as_it_asks_f
 fn svg_has_each_label_as_a_group_with_its_text_and_a_mask_for_rivers() {
     let session = finished("land=island&attractors=4000&seed=kauri&style=atlas&labels=some&names=t.%3Cb%3E");
     let size = session.domain().size;
-    let input = labels::input(&session, [Vec2::ZERO, size], 1.0).unwrap();
+    let input = labels::input(&RiverMap::of(&session).unwrap(), [Vec2::ZERO, size], 1.0).unwrap();
     let text = riverseed::export::svg::svg(&session).unwrap();
     let document = roxmltree::Document::parse(&text).unwrap();
     let by_id = |id: &str| document.descendants().find(|node| node.attribute("id") == Some(id));
@@ -272,4 +276,37 @@ fn a_name_that_is_taken_away_is_on_no_map_and_one_s_own_is() {
     };
     assert!(texts("").is_empty());
     assert!(texts("Ant").contains(&"Ant".to_owned()));
+}
+
+#[test]
+fn a_map_that_is_handed_over_as_words_has_the_same_names_and_labels() {
+    for link in [
+        "land=island&growth=drainage&attractors=3000",
+        "land=archipelago&growth=colonize&attractors=4000&curl=0.8&meander-rounds=60&great-rivers=4",
+        "land=basin&growth=brownian&trim=20&language=9",
+        "land=rectangle&growth=colonize&mouths=3&attractors=2000",
+        "land=drawn&outline=.MzMzzMMzzMzMMzzM&attractors=2000&names=t.Home_s0.Sea+of+Glass",
+    ] {
+        let session = finished(&format!("{link}&seed=kauri&labels=many"));
+        let map = RiverMap::of(&session).unwrap();
+        let own = OwnMap::read(&words::write(&map)).unwrap();
+        assert_eq!(Names::of_map(&own.map()), Names::of(&session), "{link}");
+        let view = View::new(&session.domain(), 500, 400).unwrap();
+        let masks = labels::masks(&own.map(), &view, 1.0);
+        assert!(masks == labels::masks(&map, &view, 1.0) && !masks.letters.is_empty(), "{link}");
+    }
+}
+
+proptest! {
+    #![proptest_config(cases(200))]
+
+    #[test]
+    fn words_that_describe_no_map_are_refused_or_harmless(at in 0usize..60_000, word in any::<u32>(), cut in any::<bool>()) {
+        let session = finished("land=island&growth=drainage&attractors=300&seed=kauri&labels=many");
+        let mut words = words::write(&RiverMap::of(&session).unwrap());
+        let at = at % words.len();
+        if cut { words.truncate(at) } else { words[at] = word }
+        let read = OwnMap::read(&words);
+        prop_assert!(read.is_none() || !cut);
+    }
 }

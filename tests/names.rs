@@ -15,14 +15,17 @@ use riverseed::{Session, export};
 use serde_json::Value;
 
 /// The names of rivers by their identities, with what kind each is.
-fn rivers(session: &Session) -> BTreeMap<u32, (String, &'static str)> {
+fn rivers(session: &Session) -> BTreeMap<u32, (String, String)> {
     Names::of(session).rivers.into_iter().map(|river| (river.identity, (river.name, river.kind))).collect()
 }
 
 proptest! {
     #![proptest_config(large(500))]
 
-    #[test]
+    /// A map on which several great rivers wind.
+const MANY_REACHES: &str = "seed=s2&land=island&growth=drainage&great-rivers=8&style=ink";
+
+#[test]
     fn no_two_things_on_a_map_have_one_name(link in random_link(600)) {
         let session = finished(&link, "style=ink");
         let Names { rivers, reaches, places, title } = Names::of(&session);
@@ -132,7 +135,6 @@ fn one_s_own_name_stands_in_the_place_of_another_and_names_its_fork() {
 
 #[test]
 fn what_is_named_after_a_name_of_one_s_own_has_its_word() {
-    const MANY_REACHES: &str = "seed=s2&land=island&growth=drainage&great-rivers=8&style=ink";
     let names = |own: &str| Names::of(&finished(MANY_REACHES, &format!("names={own}")));
     assert!(names("i0.The Shire").title.contains("Shire") && !names("i0.The Shire").title.contains("The Shire"));
     let meanders = |names: Names| names.reaches.into_iter().find(|reach| reach.name.ends_with(" Meanders"));
@@ -218,7 +220,10 @@ fn files_have_the_names() {
     let features = geojson["features"].as_array().unwrap();
     for (i, river) in names.rivers.iter().enumerate() {
         let properties = &features[i]["properties"];
-        assert_eq!((&properties["name"], &properties["kind_name"]), (&river.name.clone().into(), &river.kind.into()));
+        assert_eq!(
+            (&properties["name"], &properties["kind_name"]),
+            (&river.name.clone().into(), &river.kind.clone().into())
+        );
         let written = &json["rivers"][i];
         assert_eq!((&written["name"], &written["identity"]), (&river.name.clone().into(), &river.identity.into()));
     }
@@ -244,5 +249,18 @@ fn files_have_the_names() {
         );
         let is_land = session.land().unwrap().coast_distance().height(place.at) > 0.0;
         assert_eq!(is_land, place.kind == riverseed::name::PlaceKind::Island, "{id} lies in its midst");
+    }
+}
+
+#[test]
+fn names_come_out_of_words_as_they_went_in() {
+    for link in [MANY_REACHES, "land=archipelago&attractors=600&names=t.Hom%C4%93_i1.", "land=rectangle&attractors=300"]
+    {
+        let names = Names::of(&finished(link, ""));
+        let words = names.to_words();
+        assert_eq!(Names::from_words(&words).as_ref(), Some(&names));
+        for cut in [0, 1, words.len() / 2, words.len() - 1] {
+            assert_eq!(Names::from_words(&words[..cut]), None, "{cut}");
+        }
     }
 }

@@ -9,14 +9,12 @@ use glam::Vec2;
 
 use super::banks::Banks;
 use super::data::{Json, Members};
-#[cfg(feature = "names")]
 use super::names::{self, Feature as Named};
 use super::polygons::{Polygon, polygons};
 use super::rings::GridPoint;
-use super::{ExportError, rivers};
+use super::{ExportError, names_of, rivers};
 use crate::domain::Domain;
 use crate::land::SmoothedDistance;
-#[cfg(feature = "names")]
 use crate::name::Names;
 use crate::network::{NONE, Network, hydrology};
 use crate::recipe::link;
@@ -28,30 +26,22 @@ use crate::session::Session;
 /// # Errors
 /// If there are no rivers yet, or there is not enough memory.
 pub fn collection(session: &Session) -> Result<Json<'_>, ExportError> {
-    compose(session, true)
+    named(session, names_of(session))
 }
 
 /// The same without names, which no digest is of.
 pub(crate) fn unnamed(session: &Session) -> Result<Json<'_>, ExportError> {
-    compose(session, false)
+    named(session, Names::default())
 }
 
-#[cfg_attr(not(feature = "names"), expect(unused_variables, reason = "there are none"))]
-fn compose(session: &Session, is_named: bool) -> Result<Json<'_>, ExportError> {
+/// The same with names that were made elsewhere.
+pub(crate) fn named(session: &Session, names: Names) -> Result<Json<'_>, ExportError> {
     const BYTES_A_VERTEX: usize = 16;
     let network = rivers(session, BYTES_A_VERTEX)?;
     let relief = session.make_relief()?;
     // Where a river passes another's bend, its cell may be lower than the ones below it.
     let elevations = hydrology::upward(network, |i, below| relief.at(network.vertices[i].at).max(below));
-    #[cfg(feature = "names")]
-    let names = if is_named { Names::of(session) } else { Names::default() };
-    let features = Features {
-        network,
-        domain: session.domain(),
-        elevations,
-        #[cfg(feature = "names")]
-        names,
-    };
+    let features = Features { network, domain: session.domain(), elevations, names };
     let mut lakes = Vec::new();
     for (id, oxbow) in (0..).zip(&network.oxbows) {
         if let Some(ring) = Banks::of_lake(oxbow, 0.0).simple_ring(|at| features.grid(at)) {
@@ -63,13 +53,9 @@ fn compose(session: &Session, is_named: bool) -> Result<Json<'_>, ExportError> {
     let (land, ridges) =
         (count + lakes.len() + ground.basins.len(), session.land().map_or(0, |land| land.ridges().len()));
     let unnamed = land + ground.land.len() + ridges;
-    #[cfg(feature = "names")]
     let all = unnamed + features.named();
-    #[cfg(not(feature = "names"))]
-    let all = unnamed;
     let feature = move |i: usize| match (i.checked_sub(count), i.checked_sub(count + lakes.len()), i.checked_sub(land))
     {
-        #[cfg(feature = "names")]
         _ if i >= unnamed => features.name(i - unnamed),
         (_, _, Some(i)) if i < ground.land.len() => ground.land(i),
         (_, _, Some(i)) => features.ridge(session, i - ground.land.len()),
@@ -99,18 +85,15 @@ struct Features<'a> {
     network: &'a Network,
     domain: Domain,
     elevations: Vec<f32>,
-    #[cfg(feature = "names")]
     names: Names,
 }
 
 impl<'a> Features<'a> {
     /// How many features there are for what has a name and is no river.
-    #[cfg(feature = "names")]
     fn named(&self) -> usize {
         self.names.reaches.len() + self.names.places.len()
     }
 
-    #[cfg(feature = "names")]
     fn name(&self, i: usize) -> Json<'a> {
         match names::feature(&self.names, i) {
             Some(Named::Line(id, course, properties)) => {
@@ -143,7 +126,6 @@ impl<'a> Features<'a> {
             .whole("discharge", network.discharge(river))
             .double("length", rounded(network.length(river), 100.0, 100.0))
             .double("sinuosity", rounded(network.sinuosity(river), 1000.0, 1000.0));
-        #[cfg(feature = "names")]
         names::river_feature(&mut properties, self.names.rivers.get(id as usize));
         feature(format!("river-{id}"), "LineString", positions(line), properties)
     }

@@ -3,12 +3,10 @@
 use glam::Vec2;
 
 use super::data::{Json, Members};
-#[cfg(feature = "names")]
 use super::names;
-use super::{ExportError, rivers};
+use super::{ExportError, names_of, rivers};
 use crate::grow::Ending;
 use crate::measure::{self, Measures};
-#[cfg(feature = "names")]
 use crate::name::Names;
 use crate::network::{NONE, Network, Vertex};
 use crate::prune::Pruned;
@@ -22,32 +20,35 @@ use crate::tree::NO_PARENT;
 /// # Errors
 /// If there are no rivers yet, or there is not enough memory.
 pub fn network(session: &Session, with_attractors: bool) -> Result<Json<'_>, ExportError> {
-    compose(session, with_attractors, true)
+    compose(session, with_attractors, Some(names_of(session)))
 }
 
 /// The same without names and what they are made of, which no digest is of.
 pub(crate) fn unnamed(session: &Session, with_attractors: bool) -> Result<Json<'_>, ExportError> {
-    compose(session, with_attractors, false)
+    compose(session, with_attractors, None)
+}
+
+/// The same with names that were made elsewhere.
+#[cfg(all(target_arch = "wasm32", feature = "rivers"))]
+pub(crate) fn named(session: &Session, names: Names) -> Result<Json<'_>, ExportError> {
+    compose(session, false, Some(names))
 }
 
 #[inline(never)] // one copy is enough
-fn compose(session: &Session, with_attractors: bool, is_named: bool) -> Result<Json<'_>, ExportError> {
+fn compose(session: &Session, with_attractors: bool, names: Option<Names>) -> Result<Json<'_>, ExportError> {
     /// Of the nodes' columns, about two nodes a vertex.
     const BYTES_A_VERTEX: usize = 64;
     let network = rivers(session, BYTES_A_VERTEX)?;
     let mut domain = Members::default();
     domain.single("width", session.domain().size.x).single("height", session.domain().size.y);
     let mut form = Members::default();
-    #[cfg(feature = "names")]
-    let names = is_named.then(|| Names::of(session));
-    #[cfg(feature = "names")]
+    let is_named = names.is_some();
     let named_rivers = names.as_ref().map_or_else(Vec::new, |names| names.rivers.clone());
     let river = move |i: usize| {
         let mut members = river(network, i as u32);
-        if is_named && cfg!(feature = "names") {
+        if is_named {
             members.whole("identity", network.rivers[i].identity);
         }
-        #[cfg(feature = "names")]
         names::river(&mut members, named_rivers.get(i));
         members.value("points", points(course(network, i)));
         Json::from(members)
@@ -60,7 +61,6 @@ fn compose(session: &Session, with_attractors: bool, is_named: bool) -> Result<J
         .object("nodes", nodes(session.pruned()))
         .value("rivers", Json::list(network.rivers.len(), river))
         .value("oxbows", Json::list(network.oxbows.len(), |i| oxbow(network, i as u32)));
-    #[cfg(feature = "names")]
     if let Some(names) = names {
         form.value("names", names::list(names));
     }

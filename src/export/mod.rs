@@ -6,7 +6,6 @@ mod banks;
 mod data;
 pub mod geojson;
 pub mod json;
-#[cfg(feature = "names")]
 mod names;
 pub mod pack;
 #[cfg(feature = "png")]
@@ -21,8 +20,20 @@ pub use data::Json;
 use thiserror::Error;
 
 use crate::memory;
+use crate::name::Names;
 use crate::network::Network;
 use crate::session::Session;
+
+/// The names of a session's map; none where there is nothing that makes names.
+fn names_of(session: &Session) -> Names {
+    #[cfg(feature = "names")]
+    return Names::of(session);
+    #[cfg(not(feature = "names"))]
+    {
+        let _ = session;
+        Names::default()
+    }
+}
 
 /// Why a file cannot be written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]

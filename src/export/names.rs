@@ -21,7 +21,7 @@ pub(super) fn river<'a>(members: &mut Members<'a>, river: Option<&RiverName>) {
 pub(super) fn river_feature<'a>(members: &mut Members<'a>, named: Option<&RiverName>) {
     river(members, named);
     if let Some(named) = named {
-        members.text("kind_name", named.kind);
+        members.owned("kind_name", named.kind.clone());
     }
 }
 

@@ -17,6 +17,8 @@ use std::sync::LazyLock;
 
 use glam::Vec2;
 
+use crate::sort;
+
 static BYTES: &[u8] = include_bytes!("garamond.bin");
 
 /// How many units of the table there are to the em.
@@ -83,8 +85,10 @@ impl Typeface {
         let pairs = |(firsts, pairs): &(Vec<u32>, Vec<(u32, f32)>)| -> Vec<([u32; 2], f32)> {
             firsts.iter().flat_map(|&first| pairs.iter().map(move |&(second, by)| ([first, second], by))).collect()
         };
-        let mut kerning: Vec<_> = rows.iter().flat_map(pairs).collect();
-        kerning.sort_unstable_by_key(|(pair, _)| *pair);
+        let kerning: Vec<_> = rows.iter().flat_map(pairs).collect();
+        // Letters have 16 bits at most.
+        let order = sort::argsort(kerning.iter().map(|([first, second], _)| (first << 16) | second));
+        let kerning = order.into_iter().map(|i| kerning[i]).collect();
         Self { glyphs, kerning }
     }
 }

@@ -71,6 +71,13 @@ impl CoastDistance {
         Self::of_coast(domain, Self::SPACING, &coast, &is_land)
     }
 
+    /// A lattice with these heights at its corners, row by row; `None` if that is not as many as cover a domain of this size.
+    #[cfg(feature = "names")]
+    pub(crate) fn of_heights(size: Vec2, spacing: f32, heights: Vec<f32>) -> Option<Self> {
+        let [columns, rows] = size.to_array().map(|length| (length / spacing) as usize + 2);
+        (columns.checked_mul(rows)? == heights.len()).then_some(Self { heights, columns, rows, spacing })
+    }
+
     /// How many columns and rows of corners a lattice has: one more each than would cover the domain.
     pub(super) fn corners(domain: &Domain, spacing: f32) -> (usize, usize) {
         let corners = |length: f32| (length / spacing) as usize + 2;
@@ -180,7 +187,7 @@ impl CoastDistance {
     }
 
     /// The heights of the corners, row by row.
-    pub(super) fn heights(&self) -> &[f32] {
+    pub(crate) fn heights(&self) -> &[f32] {
         &self.heights
     }
 

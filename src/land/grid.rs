@@ -7,6 +7,8 @@ use glam::Vec2;
 use super::cell::{CELL_SIZE, Cell};
 use super::coast_distance::CoastDistance;
 use super::obstacles::Obstacles;
+#[cfg(feature = "names")]
+use super::regions::runs;
 use super::regions::{Region, Run, Shore, without};
 use super::walk::walk;
 use crate::domain::Domain;
@@ -29,7 +31,7 @@ pub(super) struct Grid {
 impl Grid {
     /// The cells whose middles lie above water.
     pub fn above_water(domain: &Domain, coast_distance: &CoastDistance) -> Self {
-        let (columns, rows) = extent(domain);
+        let (columns, rows) = extent(domain.size);
         // How many go into an interval of the lattice.
         let cells = (coast_distance.spacing() / CELL_SIZE) as usize;
         let mut heights = vec![0.0; columns.div_ceil(cells) + 1];
@@ -45,7 +47,7 @@ impl Grid {
     /// Cells from a list, row by row, of whether each is land; rows may have more columns than are needed.
     #[cfg(feature = "files")]
     pub fn of_cells(domain: &Domain, is_land: &[bool], row_length: usize) -> Self {
-        let (columns, rows) = extent(domain);
+        let (columns, rows) = extent(domain.size);
         let mut runs = Vec::new();
         for (row, cells) in (0..).zip(is_land.chunks(row_length).take(rows)) {
             let mut start = 0;
@@ -60,8 +62,24 @@ impl Grid {
         Self::of_runs(domain, runs)
     }
 
+    /// Cells from stretches of one kind, which may go on over the ends of rows: of each the kind, and how many cells there are.
+    #[cfg(feature = "names")]
+    pub fn of_stretches(size: Vec2, stretches: &[u32]) -> Option<Self> {
+        let (columns, rows) = extent(size);
+        let mut cells = Vec::with_capacity(columns * rows);
+        for [kind, count] in stretches.as_chunks().0 {
+            let kind = [Cell::Land, Cell::Water, Cell::Ridge].into_iter().find(|cell| *cell as u32 == *kind)?;
+            let count = (*count as usize).min(columns * rows - cells.len());
+            cells.resize(cells.len() + count, kind);
+        }
+        let runs = runs(&cells, Cell::Land, columns);
+        let land = cells.iter().map(|cell| u32::from(*cell != Cell::Water)).sum();
+        let is_whole = cells.len() == columns * rows;
+        is_whole.then_some(Self { cells, runs, land, columns: columns as i32, rows: rows as i32, size })
+    }
+
     fn of_runs(domain: &Domain, runs: Vec<Run>) -> Self {
-        let (columns, rows) = extent(domain);
+        let (columns, rows) = extent(domain.size);
         let mut cells = vec![Cell::Water; columns * rows];
         for Run { row, start, end, .. } in &runs {
             let first = *row as usize * columns;
@@ -155,10 +173,10 @@ impl Grid {
     }
 }
 
-/// How many columns and rows of cells cover a domain.
-fn extent(domain: &Domain) -> (usize, usize) {
+/// How many columns and rows of cells cover a domain of a size.
+fn extent(size: Vec2) -> (usize, usize) {
     let count = |length: f32| (length / CELL_SIZE).ceil() as usize;
-    (count(domain.size.x), count(domain.size.y))
+    (count(size.x), count(size.y))
 }
 
 /// How many cells are looked at together.

@@ -12,7 +12,7 @@ use crate::work;
 const TILE: usize = 8;
 
 /// The obstacles of a grid, in tiles: few enough that all of them stay in the cache.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Obstacles {
     /// Of every tile its cells, row by row from the lowest bit.
     cells: Vec<u64>,

@@ -88,6 +88,27 @@ impl Land {
         Self { coast_distance, grid, regions, ridges, rivers: Vec::new(), borders, hides }
     }
 
+    /// Its cells as stretches of one kind, row after row: of each the kind, and how many cells there are.
+    pub(crate) fn stretches(&self) -> Vec<u32> {
+        let stretches = self.grid.cells.chunk_by(|a, b| a == b);
+        stretches.flat_map(|stretch| [stretch[0] as u32, stretch.len() as u32]).collect()
+    }
+
+    /// The land of such stretches, as something to look at: where rivers may run on it is not known. `None` if that is not as many cells
+    /// as cover a domain of this size.
+    #[cfg(feature = "names")]
+    pub(crate) fn of_stretches(
+        size: Vec2,
+        coast_distance: CoastDistance,
+        stretches: &[u32],
+        ridges: Vec<Vec<Vec2>>,
+    ) -> Option<Self> {
+        let grid = Grid::of_stretches(size, stretches)?;
+        let regions = regions_of(&grid.runs);
+        let (rivers, borders) = (Vec::new(), Obstacles::default());
+        Some(Self { coast_distance, grid, regions, ridges, rivers, borders, hides: Hides::Nothing })
+    }
+
     /// The height of every point.
     pub fn coast_distance(&self) -> &CoastDistance {
         &self.coast_distance

@@ -109,7 +109,8 @@ pub(super) fn regions_of(runs: &[Run]) -> Vec<Region> {
     gather(runs, &mut joined)
 }
 
-fn runs(cells: &[Cell], kind: Cell, columns: usize) -> Vec<Run> {
+/// The stretches of a row that cells of a kind make, row by row.
+pub(super) fn runs(cells: &[Cell], kind: Cell, columns: usize) -> Vec<Run> {
     let mut runs = Vec::new();
     for (row, cells) in (0..).zip(cells.chunks(columns.max(1))) {
         let mut start = 0;

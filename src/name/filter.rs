@@ -2,6 +2,7 @@
 //! by `www/scripts/words.mjs` from two open lists, of those fragments that names have been seen to hold.
 
 use super::kinds::is_winding_word;
+use super::word::CAPITALS;
 
 /// Hashes of folded fragments of four letters and more, ascending: a line of eight hexadecimal digits each.
 const REFUSED: &[u8] = include_bytes!("refused.txt");
@@ -41,7 +42,11 @@ pub(super) fn is_refused(word: &str) -> bool {
 /// Lower-case ASCII letters as they are read: without accents.
 fn folded(word: &str) -> Vec<u8> {
     let mut folded = Vec::new();
-    for c in word.chars().flat_map(char::to_lowercase) {
+    let small = |letter: char| {
+        let other = CAPITALS.iter().find(|(_, capital)| *capital == letter);
+        other.map_or(letter.to_ascii_lowercase(), |(small, _)| *small)
+    };
+    for c in word.chars().map(small) {
         match c {
             'á' | 'ā' | 'ä' => folded.push(b'a'),
             'æ' => folded.extend(b"ae"),

@@ -65,9 +65,17 @@ fn permuted(language: &Language, number: u64, [initial, pairs]: [u32; 2]) -> u64
 const KEYS: u32 = 1 << 16;
 const INITIALS: u32 = SIZES[0] as u32;
 
+/// The capitals of small letters that no ASCII is: those that words of a language may have.
+pub(super) const CAPITALS: [(char, char); 9] =
+    [('á', 'Á'), ('ā', 'Ā'), ('ä', 'Ä'), ('æ', 'Æ'), ('š', 'Š'), ('č', 'Č'), ('ž', 'Ž'), ('ñ', 'Ñ'), ('þ', 'Þ')];
+
 fn capitalized(word: &str) -> String {
+    let capital = |letter: char| {
+        let other = CAPITALS.iter().find(|(small, _)| *small == letter);
+        other.map_or(letter.to_ascii_uppercase(), |(_, capital)| *capital)
+    };
     let mut letters = word.chars();
-    letters.next().into_iter().flat_map(char::to_uppercase).chain(letters).collect()
+    letters.next().map(capital).into_iter().chain(letters).collect()
 }
 
 #[cfg(test)]

@@ -71,17 +71,13 @@ fn courses(tree: &Tree) -> Network {
             parent: river_of.get(parent as usize).copied().unwrap_or(NONE),
             order: hydrology.order[lowest],
             magnitude: hydrology.magnitude[lowest],
-            #[cfg(feature = "names")]
             identity: identity(tree, &upstream),
-            #[cfg(not(feature = "names"))]
-            identity: 0,
         });
     }
     network
 }
 
 /// The number of the lowest of a river's nodes that grew, as a source always did.
-#[cfg(feature = "names")]
 fn identity(tree: &Tree, upstream: &[u32]) -> u32 {
     let identities = upstream.iter().map(|&node| tree.identity_of(node as usize));
     identities.into_iter().find(|&identity| identity != crate::tree::UNGROWN).unwrap_or(0)

@@ -38,7 +38,6 @@ pub use clearance::{ClearanceGrid, NearbyPair};
 pub use courses::Courses;
 #[doc(hidden)]
 pub use curvature::curvature;
-#[cfg(feature = "names")]
 pub use meander::Reach;
 pub use meander::{Meander, PastCourse, PastCourses, PastRound};
 pub use settings::NetworkSettings;
@@ -95,7 +94,7 @@ pub struct River {
     /// Shreve's magnitude at its end: the number of sources upstream.
     pub magnitude: u32,
     /// The number of its lowest node that grew (`identity` of its tree): no other river has it, and it stays whatever
-    /// becomes of its course. Without the feature `names` it is 0.
+    /// becomes of its course.
     pub identity: u32,
 }
 

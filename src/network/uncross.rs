@@ -11,7 +11,6 @@ use glam::Vec2;
 
 use super::NONE;
 use crate::geometry::{Segment, distance, height, meet, meeting};
-#[cfg(feature = "names")]
 use crate::tree::UNGROWN;
 use crate::tree::{NO_PARENT, Tree};
 use crate::work;
@@ -28,7 +27,6 @@ pub(super) fn uncross(tree: &Tree) -> Tree {
             Some(parent) if number[parent] == NONE => NONE,
             Some(parent) => planar.grow(tree.at[node], number[parent], tree.drained[node]).unwrap_or(NONE),
         };
-        #[cfg(feature = "names")]
         if let Some(identity) = planar.identity.get_mut(number[node] as usize) {
             *identity = tree.identity_of(node);
         }
@@ -41,7 +39,6 @@ struct Planar {
     at: Vec<Vec2>,
     parent: Vec<u32>,
     drained: Vec<u32>,
-    #[cfg(feature = "names")]
     identity: Vec<u32>,
     /// A list of steps for each cell: its first entry, and for each entry the step and the next entry.
     first: Vec<u32>,
@@ -69,7 +66,6 @@ impl Planar {
             at: Vec::with_capacity(capacity),
             parent: Vec::with_capacity(capacity),
             drained: Vec::with_capacity(capacity),
-            #[cfg(feature = "names")]
             identity: Vec::with_capacity(capacity),
             first: vec![NONE; columns * rows],
             entries: Vec::with_capacity(2 * capacity),
@@ -88,7 +84,6 @@ impl Planar {
         self.at.push(at);
         self.parent.push(parent);
         self.drained.push(drained);
-        #[cfg(feature = "names")]
         self.identity.push(UNGROWN);
         if parent != NO_PARENT {
             self.enter(node);
@@ -234,7 +229,6 @@ impl Planar {
             at: order.iter().map(|&node| self.at[node as usize]).collect(),
             parent: order.iter().map(|&node| parent(node)).collect(),
             drained: order.iter().map(|&node| self.drained[node as usize]).collect(),
-            #[cfg(feature = "names")]
             identity: order.iter().map(|&node| self.identity[node as usize]).collect(),
             tick_starts: vec![0, count as u32],
             ..Tree::default()

@@ -1,90 +1,153 @@
-//! Labels: a halo that takes rivers away, so that the ground shows around letters as it is, and letters in a colour of their own.
+//! A chart over a picture: where rivers give way to letters, and letters in a colour of their own.
+//!
+//! What a chart adds are masks, for a picture of one size and whatever style: so another wasm module may make them
+//! (`letters.rs`), and the painter knows neither names nor type.
 
-use glam::Vec2;
+use std::sync::Arc;
+
 use tiny_skia::Pixmap;
 
-use super::coverage::{Coverage, Covered, Rect};
+use super::coverage::{Coverage, Covered};
 use super::palette::over;
 use super::styles::labels::LabelLook;
-use super::view::View;
-use crate::chart::{Kind, Label, Placed};
-use crate::glyph::Fill;
 
-/// How far the halo reaches around the middle of a space between words, in ems: a river that showed there would be taken for a hyphen.
-pub(crate) const SPACE: f32 = 0.33;
-
-/// Takes rivers away around all letters. Returns the halo, if it has a colour of its own.
-pub(super) fn halo(rivers: &mut Coverage, view: &View, labels: &[Label], look: LabelLook) -> Option<Coverage> {
-    if labels.is_empty() {
-        return None;
-    }
-    let mut mask = Coverage::new(view.width, view.height)?;
-    for label in labels.iter().filter(|label| label.kind != Kind::Water) {
-        let radius = SPACE * label.em * view.scale;
-        for [from, to] in label.spaces().map(|ends| ends.map(|end| view.pixel(end))) {
-            mask.capsule(from, radius, to, radius);
-        }
-    }
-    for (label, letter) in letters_of(labels) {
-        let radius = label.kind.halo() * label.em * view.scale;
-        let Some(pixels) = pixels(label, letter, view, radius + 1.0) else { continue };
-        // Most letters stand on bare ground, where there is nothing to take away.
-        if (look.halo.is_some() && label.kind != Kind::Water) || rivers.is_drawn_on(pixels) {
-            outline(label, letter, view, |from, to| mask.capsule(from, radius, to, radius));
-        }
-    }
-    let touched = mask.take_touched();
-    rivers.take_away(&mask, &touched);
-    look.halo.map(|_| mask)
+/// Masks of a chart's layers, for a picture of one size.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct ChartMasks {
+    /// Around letters: where rivers give way, and the ground is evened out if the style wants that.
+    pub halo: SparseMask,
+    /// The letters.
+    pub letters: SparseMask,
 }
 
-/// Lays letters over the picture.
-pub(super) fn letters(pixmap: &mut Pixmap, view: &View, labels: &[Label], look: LabelLook, halo: Option<Coverage>) {
-    if let Some((halo, (colour, strength))) = halo.zip(look.halo) {
-        let picture = pixmap.data_mut().as_chunks_mut::<4>().0;
-        for (i, covered) in Covered::by(halo.mask().data()) {
-            let [red, green, blue, _] = picture[i];
-            picture[i] = over([red, green, blue], colour, (f32::from(covered) * strength + 0.5) as u32);
+/// A mask that is mostly empty.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct SparseMask {
+    /// The first pixel of each stretch that is not empty, and how many there are.
+    runs: Vec<[u32; 2]>,
+    /// How much of each of their pixels is covered, in 255ths.
+    shares: Vec<u8>,
+}
+
+impl SparseMask {
+    /// What a mask, row by row, covers.
+    pub fn of(mask: &[u8]) -> Self {
+        let mut this = Self::default();
+        for (pixel, share) in Covered::by(mask) {
+            let pixel = pixel as u32;
+            match this.runs.last_mut() {
+                Some([first, count]) if *first + *count == pixel => *count += 1,
+                _ => this.runs.push([pixel, 1]),
+            }
+            this.shares.push(share);
         }
+        this
     }
-    let (mut fill, width) = (Fill::default(), pixmap.width() as usize);
-    for (label, letter) in letters_of(labels) {
-        let Some(Rect { left, top, right, bottom }) = pixels(label, letter, view, 0.0) else { continue };
-        fill.clear([left as i32, top as i32], (right - left) as usize, (bottom - top) as usize);
-        fill.add(letter.glyph, |at| view.pixel(letter.place(at, label.em)));
+
+    /// Whether it covers nothing.
+    pub fn is_empty(&self) -> bool {
+        self.shares.is_empty()
+    }
+
+    /// The pixels that it covers, each with how much, in 255ths.
+    pub fn pixels(&self) -> impl Iterator<Item = (usize, u8)> {
+        let pixels = self.runs.iter().flat_map(|&[first, count]| first as usize..first as usize + count as usize);
+        pixels.zip(self.shares.iter().copied())
+    }
+
+    fn write(&self, bytes: &mut Vec<u8>) {
+        let word = |bytes: &mut Vec<u8>, word: u32| bytes.extend(word.to_le_bytes());
+        word(bytes, self.runs.len() as u32);
+        word(bytes, self.shares.len() as u32);
+        self.runs.as_flattened().iter().for_each(|&number| word(bytes, number));
+        bytes.extend_from_slice(&self.shares);
+    }
+
+    /// Reads what was written, and takes it off the bytes.
+    fn read(bytes: &mut &[u8]) -> Option<Self> {
+        let mut word = || Some(u32::from_le_bytes(*bytes.split_off(..4)?.first_chunk()?));
+        let (runs, shares) = (word()? as usize, word()? as usize);
+        let runs = bytes.split_off(..runs.checked_mul(8)?)?.as_chunks::<4>().0;
+        let numbers: Vec<u32> = runs.iter().map(|number| u32::from_le_bytes(*number)).collect();
+        Some(Self { runs: numbers.as_chunks().0.to_vec(), shares: bytes.split_off(..shares)?.to_vec() })
+    }
+}
+
+impl ChartMasks {
+    /// All layers, to be handed to another module.
+    pub fn to_bytes(&self) -> Vec<u8> {
+        let mut bytes = Vec::new();
+        [&self.halo, &self.letters].into_iter().for_each(|layer| layer.write(&mut bytes));
+        bytes
+    }
+
+    /// The layers of these bytes; `None` if they are something else.
+    pub fn from_bytes(mut bytes: &[u8]) -> Option<Self> {
+        let mut layer = || SparseMask::read(&mut bytes);
+        Some(Self { halo: layer()?, letters: layer()? })
+    }
+}
+
+/// Whether two charts are the very same, or both are none.
+pub(super) fn is_same(chart: Option<&Arc<ChartMasks>>, other: Option<&Arc<ChartMasks>>) -> bool {
+    chart.map(Arc::as_ptr) == other.map(Arc::as_ptr)
+}
+
+/// Takes rivers away around letters.
+pub(super) fn take_away(rivers: &mut Coverage, chart: &ChartMasks) {
+    rivers.take_away(chart.halo.pixels());
+}
+
+/// Lays halo and letters over the picture.
+pub(super) fn lay(pixmap: &mut Pixmap, chart: &ChartMasks, look: LabelLook) {
+    let mut lay = |layer: &SparseMask, colour, strength: f32| {
         let picture = pixmap.data_mut().as_chunks_mut::<4>().0;
-        for (row, shares) in (top as usize..).zip(fill.rows()) {
-            let pixels = picture[row * width + left as usize..].iter_mut().zip(shares);
-            // Most of a letter's box is bare.
-            for (pixel, share) in pixels.filter(|(_, share)| *share > 0.0) {
-                let [red, green, blue, _] = *pixel;
-                *pixel = over([red, green, blue], look.ink, (share * 255.0 + 0.5) as u32);
+        for (i, share) in layer.pixels() {
+            let Some(pixel) = picture.get_mut(i) else { return };
+            let [red, green, blue, _] = *pixel;
+            *pixel = over([red, green, blue], colour, (f32::from(share) * strength + 0.5) as u32);
+        }
+    };
+    if let Some((colour, strength)) = look.halo {
+        lay(&chart.halo, colour, strength);
+    }
+    lay(&chart.letters, look.ink, 1.0);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    use crate::property::cases;
+
+    fn mask() -> impl Strategy<Value = Vec<u8>> {
+        proptest::collection::vec(prop_oneof![4 => Just(0u8), 1 => any::<u8>()], 0..300)
+    }
+
+    proptest! {
+        #![proptest_config(cases(256))]
+
+        #[test]
+        fn layers_come_out_as_they_were_put_in(halo in mask(), letters in mask()) {
+            let chart = ChartMasks { halo: SparseMask::of(&halo), letters: SparseMask::of(&letters) };
+            for (layer, mask) in [(&chart.halo, &halo), (&chart.letters, &letters)] {
+                let mut filled = vec![0; mask.len()];
+                layer.pixels().for_each(|(pixel, share)| filled[pixel] = share);
+                prop_assert_eq!(&filled, mask);
+            }
+            prop_assert_eq!(ChartMasks::from_bytes(&chart.to_bytes()), Some(chart));
+        }
+
+        #[test]
+        fn other_bytes_are_no_chart_and_no_panic(bytes in proptest::collection::vec(any::<u8>(), 0..200)) {
+            if let Some(chart) = ChartMasks::from_bytes(&bytes) {
+                prop_assert!(chart.letters.pixels().count() <= bytes.len());
+                let mut pixmap = Pixmap::new(5, 5).unwrap();
+                let look = LabelLook { ink: [0; 3], halo: Some(([9; 3], 0.5)) };
+                lay(&mut pixmap, &chart, look);
+                take_away(&mut Coverage::new(5, 5).unwrap(), &chart);
             }
         }
     }
-}
-
-fn letters_of(labels: &[Label]) -> impl Iterator<Item = (&Label, &Placed)> {
-    labels.iter().flat_map(|label| label.letters.iter().map(move |letter| (label, letter)))
-}
-
-/// The pixels of a letter's box with a margin; `None` if it shows on none.
-fn pixels(label: &Label, letter: &Placed, view: &View, margin: f32) -> Option<Rect> {
-    let corners = letter.around(label.em).corners().map(|corner| view.pixel(corner));
-    let (least, most) =
-        (corners.into_iter().reduce(Vec2::min)? - margin, corners.into_iter().reduce(Vec2::max)? + margin);
-    // A conversion makes 0 of what is below.
-    let rect = Rect {
-        left: (least.x as u32).min(view.width),
-        top: (least.y as u32).min(view.height),
-        right: (most.x as u32).saturating_add(1).min(view.width),
-        bottom: (most.y as u32).saturating_add(1).min(view.height),
-    };
-    (rect.left < rect.right && rect.top < rect.bottom && most.min_element() >= 0.0).then_some(rect)
-}
-
-/// Hands out the straight pieces of a letter's outline, in pixels.
-fn outline(label: &Label, letter: &Placed, view: &View, piece: impl FnMut(Vec2, Vec2)) {
-    const TOLERANCE_PX: f32 = 0.3;
-    letter.glyph.outline(|at| view.pixel(letter.place(at, label.em)), TOLERANCE_PX, piece);
 }

@@ -85,25 +85,12 @@ impl Coverage {
         rects
     }
 
-    /// Whether there is anything in a rectangle.
-    #[cfg(feature = "names")]
-    pub fn is_drawn_on(&self, rect: Rect) -> bool {
-        let row = |row: u32| row as usize * self.mask.width() as usize;
-        let mut rows = (rect.top..rect.bottom)
-            .map(|y| &self.mask.data()[row(y) + rect.left as usize..row(y) + rect.right as usize]);
-        rows.any(|row| row.iter().any(|&coverage| coverage > 0))
-    }
-
-    /// Takes away as much as another mask covers, in some rectangles of it.
-    #[cfg(feature = "names")]
-    pub fn take_away(&mut self, other: &Self, rects: &[Rect]) {
-        let width = self.mask.width() as usize;
-        for (rect, row) in rects.iter().flat_map(|rect| (rect.top..rect.bottom).map(move |row| (rect, row as usize))) {
-            let (start, end) = (row * width + rect.left as usize, row * width + rect.right as usize);
-            let pixels = self.mask.data_mut()[start..end].iter_mut().zip(&other.mask.data()[start..end]);
-            for (pixel, &away) in pixels.filter(|(_, away)| **away > 0) {
-                *pixel = ((u32::from(*pixel) * (255 - u32::from(away)) + 127) / 255) as u8;
-            }
+    /// Takes away as much of some pixels as is said, in 255ths.
+    pub fn take_away(&mut self, pixels: impl Iterator<Item = (usize, u8)>) {
+        let mask = self.mask.data_mut();
+        for (i, away) in pixels {
+            let Some(pixel) = mask.get_mut(i) else { return };
+            *pixel = ((u32::from(*pixel) * (255 - u32::from(away)) + 127) / 255) as u8;
         }
     }
 

@@ -7,8 +7,7 @@
 //! Units here are pixels; a [`View`] is the only thing that knows how many there are to a unit of the domain.
 
 pub(crate) mod beds;
-#[cfg(feature = "names")]
-pub(crate) mod chart;
+mod chart;
 mod coverage;
 mod flat;
 mod flow;
@@ -16,6 +15,8 @@ pub(crate) mod grid;
 pub(crate) mod ground;
 mod ground_cache;
 mod ink;
+#[cfg(feature = "names")]
+pub(crate) mod letters;
 mod painter;
 pub(crate) mod palette;
 mod paper;
@@ -28,6 +29,8 @@ mod strokes;
 mod styles;
 mod view;
 
+#[doc(hidden)]
+pub use chart::{ChartMasks, SparseMask};
 #[doc(hidden)]
 pub use coverage::Coverage;
 pub use coverage::Rect;

@@ -6,19 +6,15 @@
 
 use std::sync::Arc;
 
-#[cfg(feature = "names")]
-use glam::Vec2;
 use tiny_skia::Pixmap;
 
-#[cfg(feature = "names")]
-use super::chart;
+use super::chart::{self, ChartMasks};
 use super::coverage::{Coverage, Rect};
 use super::flow::Flow;
 use super::ground_cache::GroundCache;
 use super::palette::Lines;
 use super::rivers::{Rivers, draw_network};
 use super::strokes::{Pen, Widths};
-#[cfg(feature = "names")]
 use super::styles::labels::label_look;
 use super::styles::palette;
 use super::view::{PaintError, View};
@@ -90,8 +86,8 @@ pub struct Painter {
     round: Option<u32>,
     /// The relief of the finished rivers that the mask shows, which has but these, and the lines; `None` if it shows anything else.
     drawn_rivers: Option<(Arc<Relief>, Lines)>,
-    /// How many labels the picture shows.
-    labels: usize,
+    /// The chart that the picture shows.
+    chart: Option<Arc<ChartMasks>>,
 }
 
 impl Painter {
@@ -122,7 +118,7 @@ impl Painter {
             is_finished: false,
             round: None,
             drawn_rivers: None,
-            labels: 0,
+            chart: None,
         })
     }
 
@@ -153,16 +149,9 @@ impl Painter {
         self.drawn_rivers = None;
     }
 
-    /// The part of the domain that the picture shows: its north-western and its south-eastern corner.
-    #[cfg(feature = "names")]
-    pub(crate) fn frame(&self) -> [Vec2; 2] {
-        [Vec2::ZERO, Vec2::new(self.view.width as f32, self.view.height as f32)].map(|corner| self.view.point(corner))
-    }
-
-    /// Pixels to a unit.
-    #[cfg(feature = "names")]
-    pub(crate) fn scale(&self) -> f32 {
-        self.view.scale
+    /// How the domain lies on the picture.
+    pub fn view(&self) -> &View {
+        &self.view
     }
 
     /// Whether the picture shows a relief.
@@ -199,8 +188,8 @@ impl Painter {
 
     /// Does a part of painting rivers, in place of the tree that they were. The picture changes with the last part.
     pub fn paint_rivers(&mut self, rivers: &Rivers<'_>) -> Painted {
-        let is_labelled = self.labels == rivers.label_count();
-        if self.round == Some(rivers.rounds) && self.ground.shows(rivers.relief) && is_labelled {
+        let has_chart = chart::is_same(self.chart.as_ref(), rivers.chart);
+        if self.round == Some(rivers.rounds) && self.ground.shows(rivers.relief) && has_chart {
             return Painted::Whole(None);
         }
         if self.ground.advance(&self.view, rivers) {
@@ -208,24 +197,18 @@ impl Painter {
         }
         self.round = Some(rivers.rounds);
         self.is_finished = true;
-        self.labels = rivers.label_count();
+        self.chart = rivers.chart.cloned();
         self.draw_rivers(rivers);
-        #[cfg(feature = "names")]
-        let halo = self.draw_halo(rivers);
-        self.coverage.touch_all();
-        let changed = self.compose(rivers.style);
-        #[cfg(feature = "names")]
-        chart::letters(&mut self.pixmap, &self.view, rivers.labels, label_look(rivers.style), halo);
-        Painted::Whole(changed)
-    }
-
-    /// Takes rivers away around letters. Returns the halo, if it has a colour of its own.
-    #[cfg(feature = "names")]
-    fn draw_halo(&mut self, rivers: &Rivers<'_>) -> Option<Coverage> {
-        if !rivers.labels.is_empty() {
+        if let Some(chart) = rivers.chart {
+            chart::take_away(&mut self.coverage, chart);
             self.drawn_rivers = None;
         }
-        chart::halo(&mut self.coverage, &self.view, rivers.labels, label_look(rivers.style))
+        self.coverage.touch_all();
+        let changed = self.compose(rivers.style);
+        if let Some(chart) = rivers.chart {
+            chart::lay(&mut self.pixmap, chart, label_look(rivers.style));
+        }
+        Painted::Whole(changed)
     }
 
     /// Draws rivers, unless it is they that the mask shows: a style may have changed alone.

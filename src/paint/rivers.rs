@@ -5,13 +5,12 @@
 
 use std::sync::Arc;
 
+use super::chart::ChartMasks;
 use super::coverage::Coverage;
 use super::palette::Lines;
 use super::skeleton;
 use super::strokes::{Vertex, middle, parabola, step};
 use super::view::View;
-#[cfg(feature = "names")]
-use crate::chart::Label;
 use crate::land::Land;
 use crate::network::{self, Network, PastCourses, Place};
 use crate::recipe::{CourseShape, Style};
@@ -35,21 +34,10 @@ pub struct Rivers<'a> {
     pub land: Option<&'a Land>,
     /// The relief, and by how much its slopes are exaggerated; `None` while there is none.
     pub relief: Option<Exaggerated<'a>>,
-    /// The labels.
-    #[cfg(feature = "names")]
-    pub labels: &'a [Label],
+    /// What a chart lays over them.
+    pub chart: Option<&'a Arc<ChartMasks>>,
     /// The style.
     pub style: Style,
-}
-
-impl Rivers<'_> {
-    /// How many labels there are.
-    pub(super) fn label_count(&self) -> usize {
-        #[cfg(feature = "names")]
-        return self.labels.len();
-        #[cfg(not(feature = "names"))]
-        0
-    }
 }
 
 /// The margin that is added to each bank, in pixels, so that a brook can be seen.

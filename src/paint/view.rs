@@ -80,6 +80,11 @@ impl View {
         ((height as f32 * domain.size.x / domain.size.y).round() as u32).max(1)
     }
 
+    /// The part of the domain that is seen: its north-western and its south-eastern corner.
+    pub fn frame(&self) -> [Vec2; 2] {
+        [Vec2::ZERO, Vec2::new(self.width as f32, self.height as f32)].map(|corner| self.point(corner))
+    }
+
     /// How many pixels it has.
     pub(super) fn pixels(&self) -> usize {
         self.width as usize * self.height as usize

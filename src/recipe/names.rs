@@ -156,6 +156,19 @@ impl OwnNames {
         Ok(())
     }
 
+    /// These with another name for something; without one of its own if there is none.
+    ///
+    /// # Errors
+    /// If that name is too long, or it is one too many, or no mark.
+    pub fn with(&self, mark: &str, name: Option<&str>) -> Result<Self, NamesError> {
+        let wrong = || NamesError::Mark { mark: super::error::shown(mark) };
+        let mark = Mark::parse(mark).ok_or_else(wrong)?;
+        let others = Self { entries: self.entries.iter().filter(|(named, _)| *named != mark).cloned().collect() };
+        let entry = name.map(|name| format!("{mark}.{}", name.replace('_', " ")));
+        let entries: Vec<String> = [others.to_string()].into_iter().chain(entry).collect();
+        Self::parse(&entries.join("_"))
+    }
+
     /// The name that is given to something; an empty one takes its name away.
     pub fn get(&self, mark: Mark) -> Option<&str> {
         self.entries.iter().find(|(named, _)| *named == mark).map(|(_, name)| name.as_str())
@@ -231,5 +244,18 @@ mod tests {
         assert_eq!(names.to_string(), "1.ab_t.Home");
         let many = (0..99).map(|i| format!("{i}.a_")).collect::<String>();
         assert_eq!(OwnNames::readable(&many).marks().count(), MOST);
+    }
+
+    #[test]
+    fn one_name_is_changed_added_or_taken_away_and_the_others_stay() {
+        let own = OwnNames::readable("0.Silver Water_t.Home");
+        let with = |mark: &str, name: Option<&str>| own.with(mark, name).map(|own| own.to_string());
+        assert_eq!(with("0", Some("Old_Man")).as_deref(), Ok("t.Home_0.Old Man"));
+        assert_eq!(with("m0", Some("")).as_deref(), Ok("0.Silver Water_t.Home_m0."));
+        assert_eq!(with("t", None).as_deref(), Ok("0.Silver Water"));
+        assert_eq!(OwnNames::default().with("5", None).map(|own| own.to_string()).as_deref(), Ok(""));
+        assert!(matches!(with("x1", Some("a")), Err(NamesError::Mark { .. })));
+        assert!(matches!(with("1", Some(&"a".repeat(41))), Err(NamesError::LongName { .. })));
+        assert_eq!(with("1", Some("a\u{202e}b")), Err(NamesError::NotText));
     }
 }

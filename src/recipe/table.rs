@@ -595,8 +595,7 @@ pub static TABLE: [Parameter; COUNT] = {
 const fn explained(mut rows: [Parameter; COUNT]) -> [Parameter; COUNT] {
     let mut row = 0;
     while row < COUNT {
-        let is_named = matches!(rows[row].stage, Stage::Name);
-        if !cfg!(feature = "controls") || is_named && !cfg!(feature = "names") {
+        if !cfg!(feature = "controls") {
             (rows[row].label, rows[row].help, rows[row].group) = ("", "", "");
         }
         row += 1;

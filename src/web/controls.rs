@@ -9,7 +9,7 @@ use super::rivers::pair;
 use crate::dice;
 use crate::recipe::preset::{PRESETS, Preset};
 use crate::recipe::table::TABLE;
-use crate::recipe::{Decimal, GridPoint, Key, Kind, LONGEST_OUTLINE, Outline, Parameter, Stage};
+use crate::recipe::{Decimal, GridPoint, Key, Kind, LONGEST_OUTLINE, Outline, Parameter};
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
@@ -50,10 +50,10 @@ export interface Lines {
 }
 "#;
 
-/// The parameter table, but for names where they are only kept in links.
+/// The parameter table.
 #[wasm_bindgen(unchecked_return_type = "Parameter[]")]
 pub fn parameters() -> Array {
-    TABLE.iter().filter(|row| cfg!(feature = "names") || row.stage != Stage::Name).map(row).collect()
+    TABLE.iter().map(row).collect()
 }
 
 /// All presets.

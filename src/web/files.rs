@@ -9,7 +9,9 @@ use super::objects::coded;
 use super::rivers::{River, paint_error, session_error};
 use crate::digest::{self, DigestError};
 use crate::export::rasters::{Layer, Rasters, Values};
+use crate::export::svg::ChartText;
 use crate::export::{ExportError, Json, geojson, json, pack, svg};
+use crate::name::Names;
 use crate::recipe::link;
 
 /// The digest of a recipe: what proves that two browsers draw and write the same. The link is read strictly.
@@ -39,22 +41,24 @@ impl River {
         self.session.raise_relief().map_err(|error| session_error(&error))
     }
 
-    /// The map as it is, as the text of an SVG file. Throws an Error, as long as the tree grows.
-    pub fn svg(&self) -> Result<String, JsValue> {
-        svg::svg(&self.session).map_err(|error| export_error(&error))
+    /// The map as it is, as the text of an SVG file, with what the `svg` of a `Chart` says, if anything. Throws an Error, as long as the
+    /// tree grows.
+    pub fn svg(&self, chart: Vec<String>) -> Result<String, JsValue> {
+        let [halo, labels] = <[String; 2]>::try_from(chart).unwrap_or_default();
+        svg::charted(&self.session, &ChartText { halo, labels }).map_err(|error| export_error(&error))
     }
 
-    /// The rivers as they are, as GeoJSON. Throws an Error, as long as the tree grows.
+    /// The rivers as they are, as GeoJSON, with the `names` of a `Chart`. Throws an Error, as long as the tree grows.
     #[wasm_bindgen(unchecked_return_type = "object")]
-    pub fn geojson(&self) -> Result<JsValue, JsValue> {
-        geojson::collection(&self.session).map_err(|error| export_error(&error)).and_then(|file| to_js(&file))
+    pub fn geojson(&self, names: &[u32]) -> Result<JsValue, JsValue> {
+        geojson::named(&self.session, named(names)).map_err(|error| export_error(&error)).and_then(|file| to_js(&file))
     }
 
-    /// Recipe, nodes and rivers as they are: what the command line writes as JSON. Throws an Error, as long as the tree
-    /// grows.
+    /// Recipe, nodes and rivers as they are, with the `names` of a `Chart`: what the command line writes as JSON. Throws an Error, as long
+    /// as the tree grows.
     #[wasm_bindgen(unchecked_return_type = "object")]
-    pub fn network(&self) -> Result<JsValue, JsValue> {
-        json::network(&self.session, false).map_err(|error| export_error(&error)).and_then(|file| to_js(&file))
+    pub fn network(&self, names: &[u32]) -> Result<JsValue, JsValue> {
+        json::named(&self.session, named(names)).map_err(|error| export_error(&error)).and_then(|file| to_js(&file))
     }
 }
 
@@ -109,6 +113,11 @@ impl Cells {
         let texts = Layer::ALL.get(number).map(|&layer| self.0.texts(layer)).unwrap_or_default();
         texts.into_iter().flat_map(|(keyword, text)| [keyword.into(), text]).collect()
     }
+}
+
+/// The names of a chart; none if it has none.
+fn named(words: &[u32]) -> Names {
+    Names::from_words(words).unwrap_or_default()
 }
 
 fn export_error(error: &ExportError) -> JsValue {

@@ -1,10 +1,12 @@
 //! The only place that knows JavaScript. What of it a wasm package has is said by its features.
 
+#[cfg(feature = "charts")]
+mod charts;
 #[cfg(all(feature = "rivers", feature = "controls"))]
 mod controls;
 #[cfg(all(feature = "rivers", feature = "files"))]
 mod files;
-#[cfg(any(feature = "rivers", feature = "tracing"))]
+#[cfg(any(feature = "rivers", feature = "tracing", feature = "charts"))]
 mod objects;
 #[cfg(feature = "rivers")]
 mod rivers;
@@ -14,7 +16,7 @@ mod tracing;
 use wasm_bindgen::prelude::*;
 
 /// Half as large as the one that Rust brings along.
-#[cfg(any(feature = "rivers", feature = "tracing"))]
+#[cfg(any(feature = "rivers", feature = "tracing", feature = "charts"))]
 #[global_allocator]
 static ALLOCATOR: talc::wasm::WasmDynamicTalc = talc::wasm::new_wasm_dynamic_allocator();
 

@@ -6,12 +6,13 @@ use wasm_bindgen::prelude::*;
 use super::objects::{coded, object};
 use crate::grow::Ending;
 use crate::land::Land;
-use crate::paint::{PaintError, Painted, Rect};
-use crate::picture::Picture;
+use crate::paint::{ChartMasks, PaintError, Painted, Rect};
+use crate::picture::{Picture, is_to_be_charted};
 use crate::recipe::link::{self, Notice};
 use crate::recipe::reading::{self, ReadOptions, Reading};
 use crate::recipe::table::TABLE;
 use crate::recipe::{Key, Parameter, Stage, Value};
+use crate::river_map::{RiverMap, words};
 use crate::session::{Phase, Session, SessionError, Shortfall};
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -195,6 +196,28 @@ impl River {
         let painted = self.picture.as_mut().map(|picture| picture.paint_part(&self.session));
         self.dirty = painted.and_then(Painted::changed);
         painted == Some(Painted::Part)
+    }
+
+    /// Whether its rivers are finished, and its recipe wants a chart of them that its picture, if there is one, has not got.
+    #[wasm_bindgen(js_name = wantsChart)]
+    pub fn wants_chart(&self) -> bool {
+        let has_none = |picture: &Picture| picture.wants_chart(&self.session);
+        self.picture.as_ref().map_or_else(|| is_to_be_charted(&self.session), has_none)
+    }
+
+    /// What a `Chart` is made of; nothing as long as it grows.
+    #[wasm_bindgen(js_name = mapWords)]
+    pub fn map_words(&self) -> Vec<u32> {
+        RiverMap::of(&self.session).map_or_else(Vec::new, |map| words::write(&map))
+    }
+
+    /// Takes the chart of its rivers as they are, the `masks` of a `Chart` for a picture of its size, which is then painted with it. Other
+    /// bytes are an empty chart.
+    #[wasm_bindgen(js_name = takeChart)]
+    pub fn take_chart(&mut self, masks: &[u8]) {
+        if let Some(picture) = &mut self.picture {
+            picture.take_chart(&self.session, ChartMasks::from_bytes(masks).unwrap_or_default());
+        }
     }
 
     /// What the last `paint` changed: x, y, width, height.

@@ -3,9 +3,9 @@
 use std::io::{self, Write};
 
 use clap::ArgMatches;
-use riverseed::name::{Names, PlaceKind};
+use riverseed::name::Names;
 use riverseed::recipe::{Key, Mark};
-use riverseed::{Network, Session};
+use riverseed::{Network, River, Session};
 
 use super::Failure;
 use super::grow::{grow, progress};
@@ -20,9 +20,9 @@ pub fn names(matches: &ArgMatches) -> Result<(), Failure> {
     progress.finish_and_clear();
     let names = Names::of(&session);
     say_what_is_unused(&session);
+    let network = session.network().unwrap_or(Network::EMPTY);
     let mut rows = vec![["mark", "name", "order", "length"].map(String::from)];
-    rows.extend(rivers(session.network().unwrap_or(Network::EMPTY), &names));
-    rows.extend(others(&names));
+    rows.extend(names.marked(network).into_iter().map(|(mark, name)| row(network, mark, name)));
     Ok(writeln!(io::stdout().lock(), "{}", table(&rows))?)
 }
 
@@ -36,30 +36,14 @@ pub fn say_what_is_unused(session: &Session) {
     }
 }
 
-fn rivers(network: &Network, names: &Names) -> Vec<[String; 4]> {
-    let mut numbers: Vec<usize> = (0..network.rivers.len()).collect();
-    numbers.sort_by_key(|&i| u32::MAX - network.discharge(&network.rivers[i]));
-    let row = |i: usize| {
-        let (river, named) = (&network.rivers[i], &names.rivers[i]);
-        let length = format!("{:.0}", network.length(river));
-        [Mark::River(named.identity).to_string(), named.name.clone(), river.order.to_string(), length]
-    };
-    numbers.into_iter().map(row).collect()
-}
-
-/// What else has a name.
-fn others(names: &Names) -> Vec<[String; 4]> {
-    let row = |mark: Mark, name: &str| [mark.to_string(), name.into(), String::new(), String::new()];
-    let reaches = names.reaches.iter().map(|reach| row(Mark::Reach(reach.identity), &reach.name));
-    let places = names.places.iter().map(|place| {
-        let mark = match place.kind {
-            PlaceKind::Sea => Mark::Sea(place.number),
-            PlaceKind::Lake => Mark::Lake(place.number),
-            PlaceKind::Island => Mark::Island(place.number),
-        };
-        row(mark, &place.name)
+/// Of a river its order and its length, too.
+fn row(network: &Network, mark: Mark, name: &str) -> [String; 4] {
+    let is_it = |river: &&River| Mark::River(river.identity) == mark;
+    let river = network.rivers.iter().find(is_it);
+    let [order, length] = river.map_or([String::new(), String::new()], |river| {
+        [river.order.to_string(), format!("{:.0}", network.length(river))]
     });
-    reaches.chain(places).chain([row(Mark::Title, &names.title)]).collect()
+    [mark.to_string(), name.into(), order, length]
 }
 
 /// A line for each row: marks, orders and lengths to the right.

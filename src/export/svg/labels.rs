@@ -3,21 +3,30 @@
 
 use glam::Vec2;
 
+use super::ChartText;
 use super::path::Path;
 use super::text::Text;
 use crate::chart::{Kind, Label, Placed};
-use crate::paint::LabelLook;
-use crate::paint::chart::SPACE;
+use crate::domain::Domain;
+use crate::labels::labels;
+use crate::paint::letters::SPACE;
+use crate::paint::{LabelLook, label_look};
+use crate::river_map::RiverMap;
 
-/// The end of a group's attributes that the halo masks.
-pub(super) fn masked(clip: &str) -> &'static str {
-    if clip.is_empty() { "\" mask=\"url(#halo)" } else { "\" clip-path=\"url(#shore)\" mask=\"url(#halo)" }
+/// The labels of a map as they are written, with the halo that is taken out of its rivers.
+pub(crate) fn chart(map: &RiverMap<'_>) -> ChartText {
+    let size = Domain::with_aspect(map.wishes.aspect).size;
+    let placed = labels(map, [Vec2::ZERO, size], 1.0);
+    let [mut halo, mut letters] = [Text::default(), Text::default()];
+    draw_halo(&mut halo, size, &placed);
+    draw(&mut letters, &placed, label_look(map.wishes.style));
+    ChartText { halo: halo.0, labels: letters.0 }
 }
 
-/// Writes the mask that leaves rivers out around letters. Returns whether there is one.
-pub(super) fn draw_halo(out: &mut Text, size: Vec2, labels: &[Label]) -> bool {
+/// Writes the mask that leaves rivers out around letters.
+fn draw_halo(out: &mut Text, size: Vec2, labels: &[Label]) {
     if labels.is_empty() {
-        return false;
+        return;
     }
     out.text("<mask id=\"halo\" maskUnits=\"userSpaceOnUse\" x=\"0\" y=\"0\"").sized(size);
     out.text(">\n<rect fill=\"#fff\"").sized(size).text("/>\n");
@@ -36,11 +45,10 @@ pub(super) fn draw_halo(out: &mut Text, size: Vec2, labels: &[Label]) -> bool {
         }
     }
     out.text("</g>\n</mask>\n");
-    true
 }
 
 /// Writes the labels, the greatest river's first.
-pub(super) fn draw(out: &mut Text, labels: &[Label], look: LabelLook) {
+fn draw(out: &mut Text, labels: &[Label], look: LabelLook) {
     if labels.is_empty() {
         return;
     }

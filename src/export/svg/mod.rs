@@ -8,15 +8,12 @@
 mod beds;
 mod ground;
 #[cfg(feature = "names")]
-mod labels;
+pub(crate) mod labels;
 mod light;
 mod path;
 mod text;
 
 use std::sync::Arc;
-
-#[cfg(feature = "names")]
-use glam::Vec2;
 
 use self::ground::Raised;
 use self::path::Path;
@@ -24,12 +21,12 @@ use self::text::Text;
 use super::banks::{Banks, Width};
 use super::{ExportError, rivers};
 use crate::network::{NONE, Network, River};
-#[cfg(feature = "names")]
-use crate::paint::label_look;
 use crate::paint::palette::{BasinColours, Palette};
 use crate::paint::relief::Basins;
 use crate::paint::{Lines, palette_of};
 use crate::recipe::{CourseShape, Key, link};
+#[cfg(feature = "names")]
+use crate::river_map::RiverMap;
 use crate::session::Session;
 
 /// The map of a session's rivers as they are: the text of an SVG file.
@@ -37,6 +34,31 @@ use crate::session::Session;
 /// # Errors
 /// If there are no rivers yet, or there is not enough memory.
 pub fn svg(session: &Session) -> Result<String, ExportError> {
+    charted(session, &chart_of(session))
+}
+
+/// What a chart adds to the file.
+#[derive(Debug, Default)]
+pub(crate) struct ChartText {
+    /// A mask that leaves rivers out around letters; nothing without letters.
+    pub halo: String,
+    /// The letters.
+    pub labels: String,
+}
+
+/// The chart of a session's map; an empty one where there is nothing that makes charts.
+fn chart_of(session: &Session) -> ChartText {
+    #[cfg(feature = "names")]
+    return RiverMap::of(session).map_or_else(ChartText::default, |map| labels::chart(&map));
+    #[cfg(not(feature = "names"))]
+    {
+        let _ = session;
+        ChartText::default()
+    }
+}
+
+/// The same with a chart that was made elsewhere.
+pub(crate) fn charted(session: &Session, chart: &ChartText) -> Result<String, ExportError> {
     /// Two banks of about a dozen characters a point, in a text that grows by doubling.
     const BYTES_A_VERTEX: usize = 80;
     let network = rivers(session, BYTES_A_VERTEX)?;
@@ -65,10 +87,8 @@ pub fn svg(session: &Session) -> Result<String, ExportError> {
         beds::draw_past(&mut out, past, look, courses);
         out.text("</g>\n");
     }
-    #[cfg(feature = "names")]
-    let labels = crate::labels::labels(session, [Vec2::ZERO, size], 1.0);
-    #[cfg(feature = "names")]
-    let clip = if labels::draw_halo(&mut out, size, &labels) { labels::masked(clip) } else { clip };
+    out.text(&chart.halo);
+    let clip = if chart.halo.is_empty() { clip } else { masked(clip) };
     out.text("<g id=\"rivers").text(clip).text("\" fill=\"").colour(palette.river).text("\">\n");
     draw_rivers(&mut out, network, basins.as_ref(), width(palette.lines), courses);
     if let Some((past, look)) = past {
@@ -80,10 +100,14 @@ pub fn svg(session: &Session) -> Result<String, ExportError> {
         draw_lakes(&mut out, network, basins.as_ref());
     }
     out.text("</g>\n");
-    #[cfg(feature = "names")]
-    labels::draw(&mut out, &labels, label_look(recipe.get()));
+    out.text(&chart.labels);
     out.text("</g>\n</svg>");
     Ok(out.0)
+}
+
+/// The end of a group's attributes that the halo masks.
+fn masked(clip: &str) -> &'static str {
+    if clip.is_empty() { "\" mask=\"url(#halo)" } else { "\" clip-path=\"url(#shore)\" mask=\"url(#halo)" }
 }
 
 /// The margin that is added to each bank, in units, so that a brook can be seen: as in a picture with one pixel per unit.

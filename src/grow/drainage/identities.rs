@@ -1,8 +1,6 @@
 //! The numbers by which the nodes of a drainage tree are known: those of places in the plane, since a node's place in the list changes
 //! with every round, and with every change of the coast.
 
-use std::collections::BTreeMap;
-
 use glam::Vec2;
 
 use super::parcels::Parcels;
@@ -28,7 +26,8 @@ pub(super) fn assign(tree: &mut Tree, parcels: &Parcels, node: &[u32], middle: V
             *identity = 3 * number_of_cell(cell.map(|i| i as i32)) + 2;
         }
     }
-    let mut before = BTreeMap::new();
+    // How many of a kind a square has so far.
+    let mut before = [[0; SQUARES as usize]; 2];
     for node in sort::argsort(hydrology.discharge.iter().map(|&discharge| !discharge)) {
         let kind = match tree.parent_of(node) {
             None => 0,
@@ -37,7 +36,7 @@ pub(super) fn assign(tree: &mut Tree, parcels: &Parcels, node: &[u32], middle: V
         };
         let square = ((tree.at[node] - middle) / SQUARE).round();
         let square = number_of_cell([square.x as i32, square.y as i32]);
-        let before = before.entry((kind, square)).or_insert(0);
+        let Some(before) = before[kind as usize].get_mut(square as usize) else { continue };
         tree.identity[node] = 3 * (square + SQUARES * *before) + kind;
         *before += 1;
     }

@@ -11,7 +11,6 @@ mod captures;
 mod directions;
 mod folds;
 mod heights;
-#[cfg(feature = "names")]
 mod identities;
 mod invasion;
 mod lattice;
@@ -165,7 +164,6 @@ impl Drainage {
         let is_last = self.rounds > self.settings.drainage.captures;
         if is_last {
             self.raise(&directions, &areas);
-            #[cfg(feature = "names")]
             identities::assign(&mut self.tree, &self.parcels, &self.node, self.settings.domain.size / 2.0);
             self.largest_basin = areas.iter().copied().max();
             self.ending = Some(Ending::Complete);

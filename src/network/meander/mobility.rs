@@ -78,6 +78,7 @@ pub(super) fn ease_off(network: &mut Network, spacing: f32) {
 }
 
 /// Which vertices count as flat: the flattest share of all courses, whose vertices lie evenly.
+#[inline(never)] // two copies weigh more than a call
 fn flat_vertices(network: &Network, settings: &NetworkSettings) -> Vec<bool> {
     let slopes = slopes(network, settings.total_discharge);
     let by_slope = sort::argsort(slopes.iter().map(|&slope| sort::key(slope)));
@@ -131,7 +132,6 @@ fn holds(network: &Network) -> Vec<f32> {
 
 /// The longest stretch of a great river that is flat, told by what it drains there: that grows all along a river, however the vertices are
 /// spaced.
-#[cfg(feature = "names")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Reach {
     /// The river's number.
@@ -143,13 +143,11 @@ pub struct Reach {
 }
 
 /// The longest flat stretch of each great river.
-#[cfg(feature = "names")]
 pub(super) fn reaches(network: &Network, great: &[u32], settings: &NetworkSettings) -> Vec<Reach> {
     let is_flat = flat_vertices(network, settings);
     great.iter().map(|&river| reach(network, river, &is_flat)).collect()
 }
 
-#[cfg(feature = "names")]
 fn reach(network: &Network, river: u32, is_flat: &[bool]) -> Reach {
     let (mut longest, mut start) = (0..0, 0);
     let own = network.rivers[river as usize].vertex_range();

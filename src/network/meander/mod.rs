@@ -27,7 +27,6 @@ use crate::domain::Domain;
 use crate::geometry::{fast_max, length};
 use crate::recipe::MeanderModel;
 
-#[cfg(feature = "names")]
 pub use mobility::Reach;
 pub use past::{PastCourse, PastCourses, PastRound};
 
@@ -51,7 +50,6 @@ pub struct Meander {
     guard: ClearanceGrid,
     round: u32,
     past: PastCourses,
-    #[cfg(feature = "names")]
     reaches: Vec<Reach>,
     /// Whether anything was stopped by the frame of the map in the last round.
     has_stopped: bool,
@@ -62,14 +60,8 @@ impl Meander {
     pub(super) fn along(mut network: Network, settings: NetworkSettings) -> Self {
         widen(&mut network, &settings);
         let great = mobility::assign(&mut network, &settings);
-        #[cfg(feature = "names")]
         let reaches = mobility::reaches(&network, &great, &settings);
-        Self {
-            past: PastCourses::of(great),
-            #[cfg(feature = "names")]
-            reaches,
-            ..Self::of(network, settings)
-        }
+        Self { past: PastCourses::of(great), reaches, ..Self::of(network, settings) }
     }
 
     /// Goes on with a network that has its widths and mobility already, wherever it comes from. None of its rivers counts as great.
@@ -81,7 +73,6 @@ impl Meander {
             guard,
             round: 0,
             past: PastCourses::default(),
-            #[cfg(feature = "names")]
             reaches: Vec::new(),
             has_stopped: false,
         }
@@ -103,7 +94,6 @@ impl Meander {
     }
 
     /// Where the great rivers are flat, and meander fully.
-    #[cfg(feature = "names")]
     pub fn reaches(&self) -> &[Reach] {
         &self.reaches
     }

@@ -6,7 +6,6 @@ mod blueprint;
 mod dark;
 mod ink;
 mod ink_wash;
-#[cfg(feature = "names")]
 pub(crate) mod labels;
 mod night;
 mod orbit;

@@ -5,6 +5,11 @@ export interface Size {
   height: number;
 }
 
+/** A canvas's own size, and how many of its pixels are one CSS pixel. */
+export interface CanvasSize extends Size {
+  ratio: number;
+}
+
 /** A place on the page, in CSS pixels. */
 export interface Box extends Size {
   x: number;

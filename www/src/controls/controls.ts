@@ -26,11 +26,19 @@ export function isAdjustable(parameter: Parameter): boolean {
   return parameter.key !== "seed" && parameter.kind !== "outline" && !(range && range.min === range.max);
 }
 
-export function controls(table: readonly Parameter[], change: Change, disclosures: Disclosures): Controls {
+/** `own` has, by key, controls that are made elsewhere. */
+export function controls(
+  table: readonly Parameter[],
+  change: Change,
+  disclosures: Disclosures,
+  own: ReadonlyMap<string, Control> = new Map(),
+): Controls {
   const made = new Map<string, Control>();
   const groups: Group[] = [];
   for (const [heading, parameters] of grouped(table.filter(isAdjustable))) {
-    for (const parameter of parameters) made.set(parameter.key, control(parameter, change));
+    for (const parameter of parameters) {
+      made.set(parameter.key, own.get(parameter.key) ?? control(parameter, change));
+    }
     groups.push(group(heading, parameters, made, disclosures));
   }
   return {

@@ -57,6 +57,11 @@ const ADVICE: Record<Code, Advice> = {
     text: "The part that traces pictures could not be downloaded. Check the connection and try again.",
     reload: true,
   },
+  "no-chart": {
+    title: "A part of Riverseed did not arrive",
+    text: "The part that names rivers could not be downloaded. Check the connection and reload the page.",
+    reload: true,
+  },
   "bad-params": {
     title: "This recipe could not be read",
     text: "The river engine does not know one of its values. Start from a new river, then change one thing at a time.",

@@ -11,6 +11,7 @@ export const CODES = [
   "wasm-timeout",
   "no-files",
   "no-tracing",
+  "no-chart",
   "bad-params",
   "too-large",
   "no-memory",
@@ -50,6 +51,7 @@ export function named(thrown: unknown): PageError {
 const RECOVERABLE: ReadonlySet<Code> = new Set([
   "no-files",
   "no-tracing",
+  "no-chart",
   "bad-params",
   "too-large",
   "no-land",

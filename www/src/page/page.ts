@@ -25,12 +25,16 @@ import { Downloads } from "../share/downloads.ts";
 import { copy } from "../share/share.ts";
 import { ShareDialog } from "../share/share-dialog.ts";
 import { elements } from "./elements.ts";
+import { type Named, NameList, namedOf } from "./name-list.ts";
 import { Announcer, showFailure, showNotices, undoable } from "./status.ts";
 import { Transport } from "./transport.ts";
-import { RiverViewport } from "./viewport.ts";
+import { lateCharts, RiverViewport } from "./viewport.ts";
 
 const prefersStill = window.matchMedia("(prefers-reduced-motion: reduce)");
 const prefersDark = window.matchMedia(DARK_PAGES);
+
+/** How many rivers have their names in the panel. */
+const NAMED_RIVERS = 12;
 
 class Page {
   readonly #table: readonly Parameter[];
@@ -42,6 +46,10 @@ class Page {
   readonly #transport: Transport;
   readonly #drawing: Drawing;
   readonly #address = new AddressBar(replaceAddress);
+  readonly #nameList = new NameList({
+    names: () => this.#names(),
+    rename: (mark, name) => void this.#rename(mark, name),
+  });
   readonly #announcer = new Announcer(elements.announcement);
   /** What the last presets changed unasked, and the recipe from before them, to which Undo leads back. */
   #presetUndo: { message: string; link: string; values: ReadonlyMap<string, string> } | undefined;
@@ -55,7 +63,12 @@ class Page {
     );
     this.#recipe.open(linkOf(location));
     const disclosures = new Disclosures(() => localStorage);
-    this.#controls = controls(this.#table, (key, text) => this.#choose(key, text), disclosures);
+    this.#controls = controls(
+      this.#table,
+      (key, text) => this.#choose(key, text),
+      disclosures,
+      new Map([["names", this.#nameList]]),
+    );
     this.#presets = presets(engine.presets(), (preset) => this.#press(preset));
     this.#seedBox = new SeedBox(elements.seedForm, elements.seed, (seed) => this.#set([["seed", seed]], "watch"));
     describeSeed(this.#table);
@@ -97,7 +110,7 @@ class Page {
     elements.dice.addEventListener("click", () => this.#throwDice());
     elements.reset.addEventListener("click", () => this.#open(`seed=${encodeURIComponent(this.#recipe.seed)}`));
     const downloads = new Downloads(elements, this.#recipe, {
-      make: (link, format) => fileOf(this.#viewport.copy(link), this.core, format),
+      make: (link, format) => fileOf(this.#viewport.copy(link), { ...this.core, loadCharts: lateCharts }, format),
       failed: (error) => this.#fail(error),
     });
     new ShareDialog(elements.sharing, this.#recipe, (say) => void downloads.save("png", say));
@@ -122,6 +135,27 @@ class Page {
       const error = named(thrown);
       if (isRecoverable(error)) this.#note(error.message);
       else this.#fail(error);
+    }
+  }
+
+  /** The names of the finished map, those of great rivers first; none if it cannot be had. */
+  async #names(): Promise<Named[]> {
+    try {
+      return namedOf((await this.#viewport.charted((chart) => chart.greatest(NAMED_RIVERS))) ?? []);
+    } catch (thrown) {
+      this.#note(named(thrown).message);
+      return [];
+    }
+  }
+
+  /** A name of the visitor's own for something on the map, or its usual one. */
+  async #rename(mark: string, name: string | undefined): Promise<void> {
+    try {
+      const names = await this.#viewport.charted((chart) => chart.renamed(mark, name));
+      if (names !== undefined) this.#set([["names", names]], "settle");
+    } catch (thrown) {
+      this.#note(named(thrown).message);
+      void this.#nameList.refresh();
     }
   }
 
@@ -243,8 +277,23 @@ class Page {
       setText(elements.caption.children[i], line);
     });
     elements.canvas.setAttribute("aria-label", alternative(this.#recipe.seed, phase, summary, count));
-    if (state === "finished") this.#announcer.say(`Finished: ${sentence(summary)}`);
+    if (state === "finished") this.#finished(phase, summary);
     else this.#announcer.hush();
+  }
+
+  #finished(phase: Phase, summary: Summary): void {
+    this.#announcer.say(`Finished: ${sentence(summary)}`);
+    void this.#nameList.refresh();
+    if (this.#recipe.values.get("labels") !== "none") void this.#tellOfNames(phase, summary);
+  }
+
+  /** Whoever does not see the labels is told the greatest. */
+  async #tellOfNames(phase: Phase, summary: Summary): Promise<void> {
+    const { link, seed } = this.#recipe;
+    const names = (await this.#names()).filter(({ mark, name }) => /^\d/.test(mark) && name !== "").slice(0, 3);
+    if (link !== this.#recipe.link || names.length === 0) return;
+    const told = `${alternative(seed, phase, summary, count)} Its greatest rivers: ${names.map(({ name }) => name).join(", ")}.`;
+    elements.canvas.setAttribute("aria-label", told);
   }
 
   #fail(thrown: unknown): void {

@@ -1,11 +1,16 @@
 /** The viewport: the picture's place on the page, which has the river's shape and follows the window. */
 
-import { backingSize, observeSize, RESIZE_PAUSE_MS, type Size } from "../browser/canvas.ts";
+import { backingSize, type CanvasSize, observeSize, RESIZE_PAUSE_MS } from "../browser/canvas.ts";
+import type { Charts } from "../engine/charts.ts";
 import type { FullCore, FullRiver } from "../engine/full.ts";
 import type { Phase, Summary } from "../engine/types.ts";
+import { charted } from "../player/charter.ts";
 import type { State } from "../player/frame-loop.ts";
 import { RiverPlayer, type ShowMode } from "../player/river-player.ts";
 import { displayFrames } from "../player/scheduler.ts";
+
+/** Most maps have no labels. */
+export const lateCharts = async (): Promise<Charts> => (await import("../engine/charts.ts")).loadCharts();
 
 export interface ViewportElements {
   /** Holds the picture and what stands under it; takes on the river's shape. */
@@ -33,10 +38,16 @@ export class RiverViewport {
     link: string,
     events: ViewportEvents,
   ) {
-    this.#player = new RiverPlayer(core, elements.canvas, { text: link }, displayFrames, {
-      ...events,
-      sizeFor: (aspect) => this.#sizeFor(aspect),
-    });
+    this.#player = new RiverPlayer(
+      { ...core, loadCharts: lateCharts },
+      elements.canvas,
+      { text: link },
+      displayFrames,
+      {
+        ...events,
+        sizeFor: (aspect) => this.#sizeFor(aspect),
+      },
+    );
     observeSize(this.#observer, elements.frame);
     document.addEventListener("visibilitychange", () => this.#followVisibility());
   }
@@ -57,6 +68,12 @@ export class RiverViewport {
       river.free();
       throw error;
     }
+  }
+
+  /** What a chart of the river on the viewport says; nothing while that is not finished. */
+  async charted<Said>(ask: (chart: InstanceType<Charts["Chart"]>) => Said): Promise<Said | undefined> {
+    const river = this.#player.river;
+    return river && this.state === "finished" ? charted(river, lateCharts, ask) : undefined;
   }
 
   get state(): State {
@@ -92,9 +109,11 @@ export class RiverViewport {
   }
 
   /** Makes the frame the river's shape, and the picture the frame's size. */
-  #sizeFor(aspect: number): Size {
+  #sizeFor(aspect: number): CanvasSize {
     this.elements.sheet.style.setProperty("--aspect", String(aspect));
-    return backingSize(this.elements.frame.getBoundingClientRect(), window.devicePixelRatio);
+    const box = this.elements.frame.getBoundingClientRect();
+    const size = backingSize(box, window.devicePixelRatio);
+    return { ...size, ratio: box.width > 0 ? size.width / box.width : 1 };
   }
 
   #resizeSoon(): void {

@@ -4,6 +4,7 @@ import type { Size } from "../browser/canvas.ts";
 import type { FullRiver } from "../engine/full.ts";
 import type { River } from "../engine/types.ts";
 import { Blitter } from "./blit.ts";
+import { charted, type LoadCharts } from "./charter.ts";
 import { type Canvas, contextOf } from "./river-player.ts";
 
 /** Pixels on the long side of a PNG: a full page in print, and on any screen more than there is. */
@@ -11,23 +12,23 @@ export const LONG_SIDE_PX = 3000;
 /** What growing for a file may take at a time, so that the page goes on answering. */
 const SLICE_MS = 12;
 
+/** What pictures are taken out of, and what makes charts of them. */
+export interface Painting {
+  readonly memory: WebAssembly.Memory;
+  readonly loadCharts: LoadCharts;
+}
+
 /** Its picture, `size` pixels on the long side. Reports when it begins to paint, which is one step. */
-export async function pngOf(
-  river: River,
-  memory: WebAssembly.Memory,
-  longSide: number,
-  painting: () => void = () => {},
-): Promise<Blob> {
-  const canvas = await finished(river, () => {
-    painting();
-    return drawn(river, memory, longSide);
-  });
-  return encoded(canvas);
+export async function pngOf(river: River, core: Painting, longSide: number, painting?: () => void): Promise<Blob> {
+  return encoded(await finished(river, () => drawn(river, core, longSide, painting)));
 }
 
 /** Its shapes. */
-export function svgOf(river: FullRiver): Promise<Blob> {
-  return finished(river, () => new Blob([river.svg()], { type: "image/svg+xml" }));
+export function svgOf(river: FullRiver, loadCharts: LoadCharts): Promise<Blob> {
+  return finished(river, async () => {
+    const chart = river.wantsChart() ? await charted(river, loadCharts, (chart) => chart.svg()) : [];
+    return new Blob([river.svg(chart)], { type: "image/svg+xml" });
+  });
 }
 
 /** Makes something of a river when it has come to its end. */
@@ -55,9 +56,19 @@ function stepsFor(milliseconds: number, step: () => boolean): boolean {
 }
 
 /** Painted for the file rather than enlarged from the screen. */
-export function drawn(river: River, memory: WebAssembly.Memory, longSide: number): Canvas {
+export async function drawn(
+  river: River,
+  { memory, loadCharts }: Painting,
+  longSide: number,
+  painting: () => void = () => {},
+): Promise<Canvas> {
   const { width, height } = sizeFor(river.aspect, longSide);
   river.resize(width, height);
+  if (river.wantsChart()) {
+    const masks = await charted(river, loadCharts, (chart) => chart.masks(width, height, 1));
+    river.takeChart(masks);
+  }
+  painting();
   while (river.paint());
   const canvas = bareCanvas(width, height);
   new Blitter(contextOf(canvas), memory).blit(river);

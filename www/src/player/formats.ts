@@ -1,14 +1,20 @@
 /** Finished rivers in every format that the page offers. A module of its own: widgets need not load what writes archives. */
 
 import type { FullCore, FullRiver } from "../engine/full.ts";
-import { drawn, encoded, finished, inSlices, LONG_SIDE_PX, pngOf, svgOf } from "./files.ts";
+import { charted } from "./charter.ts";
+import { drawn, encoded, finished, inSlices, LONG_SIDE_PX, type Painting, pngOf, svgOf } from "./files.ts";
 import { contentsOf, packed } from "./game-pack.ts";
 
+/** The full engine, with what makes charts: all files of data have names. */
+export type FileCore = FullCore & Painting;
+
 const FORMATS = {
-  png: (river: FullRiver, { memory }: FullCore) => pngOf(river, memory, LONG_SIDE_PX),
-  svg: svgOf,
-  geojson: (river: FullRiver) => raised(river, () => text(river.geojson(), "application/geo+json")),
-  json: (river: FullRiver) => finished(river, () => text(river.network(), "application/json")),
+  png: (river: FullRiver, core: FileCore) => pngOf(river, core, LONG_SIDE_PX),
+  svg: (river: FullRiver, { loadCharts }: FileCore) => svgOf(river, loadCharts),
+  geojson: (river: FullRiver, core: FileCore) =>
+    raised(river, async () => text(river.geojson(await namesOf(river, core)), "application/geo+json")),
+  json: (river: FullRiver, core: FileCore) =>
+    finished(river, async () => text(river.network(await namesOf(river, core)), "application/json")),
   zip: packOf,
 };
 
@@ -20,16 +26,16 @@ export function isFormat(name: string | undefined): name is Format {
 }
 
 /** Takes a river, which nobody else has, to its end and makes a file of it. It is gone afterwards. */
-export function fileOf(river: FullRiver, core: FullCore, format: Format): Promise<Blob> {
+export function fileOf(river: FullRiver, core: FileCore, format: Format): Promise<Blob> {
   return FORMATS[format](river, core);
 }
 
 /** All that games need, and the picture. */
-async function packOf(river: FullRiver, { memory }: FullCore): Promise<Blob> {
-  const [contents, canvas] = await raised(
-    river,
-    () => [contentsOf(river), drawn(river, memory, LONG_SIDE_PX)] as const,
-  );
+async function packOf(river: FullRiver, core: FileCore): Promise<Blob> {
+  const [contents, canvas] = await raised(river, async () => {
+    const contents = contentsOf(river, await namesOf(river, core));
+    return [contents, await drawn(river, core, LONG_SIDE_PX)] as const;
+  });
   return packed(contents, await (await encoded(canvas)).arrayBuffer());
 }
 
@@ -39,6 +45,10 @@ function raised<Made>(river: FullRiver, make: () => Made | Promise<Made>): Promi
     await inSlices(() => river.raiseRelief());
     return make();
   });
+}
+
+function namesOf(river: FullRiver, { loadCharts }: FileCore): Promise<Uint32Array> {
+  return charted(river, loadCharts, (chart) => chart.names());
 }
 
 function text(value: object, type: string): Blob {

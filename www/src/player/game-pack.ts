@@ -19,7 +19,7 @@ interface Raster {
   texts: Record<string, string>;
 }
 
-export function contentsOf(river: FullRiver): Contents {
+export function contentsOf(river: FullRiver, names: Uint32Array): Contents {
   const cells = river.cells();
   try {
     const { columns, rows } = cells;
@@ -27,7 +27,7 @@ export function contentsOf(river: FullRiver): Contents {
       const values = cells.values(number);
       return values ? [{ name, values, texts: paired(cells.texts(number)) }] : [];
     });
-    return { readme: cells.readme(), geojson: JSON.stringify(river.geojson()), columns, rows, rasters };
+    return { readme: cells.readme(), geojson: JSON.stringify(river.geojson(names)), columns, rows, rasters };
   } finally {
     cells.free();
   }

@@ -2,9 +2,10 @@
  * A river on a canvas: grows and draws it, and says how far it is. It knows no document, so that it works in a worker as well.
  */
 
-import type { Size } from "../browser/canvas.ts";
+import type { CanvasSize } from "../browser/canvas.ts";
 import type { Phase, ReadOptions, River, Summary } from "../engine/types.ts";
 import { Blitter } from "./blit.ts";
+import { Charter, type LoadCharts } from "./charter.ts";
 import { FrameLoop, type Frames, type State } from "./frame-loop.ts";
 
 export type Canvas = HTMLCanvasElement | OffscreenCanvas;
@@ -23,7 +24,7 @@ export interface LinkToRead {
 
 export interface PlayerEvents {
   /** The canvas is about to hold a river of this shape: how many pixels should it have? None if it is not shown. */
-  sizeFor(aspect: number): Size;
+  sizeFor(aspect: number): CanvasSize;
   /** The river is of another link from now on. */
   planted?(river: River): void;
   /** Something of the picture changed: the state, or in it the river. */
@@ -38,6 +39,8 @@ const COUNT_EVERY_MS = 250;
 interface Planter<Planted> {
   readonly engine: { readonly River: new (text: string, options?: ReadOptions) => Planted };
   readonly memory: WebAssembly.Memory;
+  /** Fetches what makes charts of its rivers. */
+  readonly loadCharts: LoadCharts;
 }
 
 export class RiverPlayer<Planted extends River = River> {
@@ -47,9 +50,11 @@ export class RiverPlayer<Planted extends River = River> {
   #counted = Number.NEGATIVE_INFINITY;
   #told: Phase | undefined;
   #canRun = true;
+  #ratio = 1;
   readonly #river: Planted;
   readonly #loop: FrameLoop;
   readonly #blitter: Blitter;
+  readonly #charter: Charter;
 
   /** Puts a river on the canvas at tick 0. Throws what the core throws. */
   constructor(
@@ -62,6 +67,10 @@ export class RiverPlayer<Planted extends River = River> {
     this.#blitter = new Blitter(contextOf(canvas), core.memory);
     this.#river = new core.engine.River(text, options);
     this.#tellOfLink();
+    this.#charter = new Charter(core.loadCharts, {
+      arrived: () => this.#attempt(() => this.#loop.redraw()),
+      failed: (error) => this.#attempt(() => events.failed(error)),
+    });
     this.#loop = new FrameLoop(this.#river, frames, {
       draw: () => this.#draw(),
       ready: () => this.#followWish(),
@@ -187,12 +196,17 @@ export class RiverPlayer<Planted extends River = River> {
   }
 
   #draw(): boolean {
-    if (this.#river.paint()) return true;
+    if (this.#paint()) return true;
     this.#blitter.blit(this.#river);
     const still = this.state === "finished" || this.state === "paused";
     const isNews = still || this.#told !== this.#river.phase;
     if (isNews || this.frames.now() - this.#counted >= COUNT_EVERY_MS) this.#tell();
     return false;
+  }
+
+  /** Does a part of painting. Returns whether there is more to do. */
+  #paint(): boolean {
+    return this.#charter.lay(this.#river, this.#ratio) || this.#river.paint();
   }
 
   #tell(): void {
@@ -209,15 +223,16 @@ export class RiverPlayer<Planted extends River = River> {
   #fit(): void {
     const { canvas } = this;
     const river = this.#river;
-    const { width, height } = this.events.sizeFor(river.aspect);
+    const { width, height, ratio } = this.events.sizeFor(river.aspect);
     if (width === 0 || height === 0) return;
     const same = width === river.width && height === river.height;
     if (same && width === canvas.width && height === canvas.height) return;
     river.resize(width, height);
+    this.#ratio = ratio;
     // Setting its size empties a canvas, so it is filled again before the browser can show that.
     canvas.width = width;
     canvas.height = height;
-    while (river.paint());
+    while (this.#paint());
     this.#blitter.blit(river);
   }
 

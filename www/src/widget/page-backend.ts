@@ -10,7 +10,7 @@ import { Renderer } from "./renderer.ts";
 export { advice } from "../engine/advice.ts";
 
 export async function open(tell: (report: Report) => void, wasmUrl: string | undefined): Promise<Backend> {
-  const renderer = new Renderer(await load(wasmUrl), tell);
+  const renderer = new Renderer(await load(wasmUrl), wasmUrl, tell);
   // The engine is the one that the page's script holds: it stays.
   return { isReplaceable: false, take: (command) => renderer.take(command), close: () => {} };
 }

@@ -3,7 +3,7 @@
  * back; every widget has a number.
  */
 
-import type { Size } from "../browser/canvas.ts";
+import type { CanvasSize } from "../browser/canvas.ts";
 import type { Code } from "../engine/errors.ts";
 import type { Notice, Phase, Summary } from "../engine/types.ts";
 import type { State } from "../player/frame-loop.ts";
@@ -37,9 +37,9 @@ export interface FileRequest {
 }
 
 export type Command = { id: number } & (
-  | { do: "open"; canvas: Canvas; request: RiverRequest; how: ShowMode; size: Size }
-  | { do: "show"; request: RiverRequest; how: ShowMode; size: Size }
-  | { do: "resize"; size: Size }
+  | { do: "open"; canvas: Canvas; request: RiverRequest; how: ShowMode; size: CanvasSize }
+  | { do: "show"; request: RiverRequest; how: ShowMode; size: CanvasSize }
+  | { do: "resize"; size: CanvasSize }
   | { do: "play" | "pause" | "replay" | "finish" | "rest" | "wake" | "close" }
   | ({ do: "file"; request: RiverRequest } & FileRequest)
 );

@@ -1,29 +1,31 @@
 /** Where the rivers of all widgets are grown and drawn, each on its canvas: in a worker, or on the page itself. */
 
-import { named, PageError } from "../engine/errors.ts";
-import type { FullCore } from "../engine/full.ts";
-import { limited, SCRIPT_MS } from "../engine/time-limits.ts";
+import { named } from "../engine/errors.ts";
 import type { Core } from "../engine/wasm.ts";
+import type { LoadCharts } from "../player/charter.ts";
 import { pngOf, svgOf } from "../player/files.ts";
 import type { LinkToRead } from "../player/river-player.ts";
 import { displayFrames, SharedScheduler } from "../player/scheduler.ts";
+import { loadCharts, loadFull } from "./late.ts";
 import type { Command, FileRequest, Report, RiverRequest } from "./protocol.ts";
 import { linkToRead, Scene } from "./scene.ts";
-
-/** The full engine's wasm module, as the package has it. */
-const FULL = "riverseed_full_bg.wasm";
 
 export class Renderer {
   readonly #scenes = new Map<number, Scene>();
   readonly #scheduler = new SharedScheduler(displayFrames);
+  readonly #loadCharts: LoadCharts;
   #filesInTheMaking = 0;
 
   constructor(
     private readonly core: Core,
+    /** Where the engine is, if not beside the script. */
+    wasmUrl: string | undefined,
     private readonly tell: (report: Report) => void,
     /** A picture for a file is about to be painted, in one step. */
     private readonly painting: () => void = () => {},
-  ) {}
+  ) {
+    this.#loadCharts = () => loadCharts(wasmUrl);
+  }
 
   /** Whether there will be a report without another command. */
   get isAtWork(): boolean {
@@ -33,7 +35,8 @@ export class Renderer {
   take(command: Command): void {
     const { id } = command;
     if (command.do === "file") void this.#file(id, command.request, command);
-    else if (command.do === "open") this.#scenes.set(id, new Scene(this.core, this.#scheduler, command, this.tell));
+    else if (command.do === "open")
+      this.#scenes.set(id, new Scene(this.core, this.#loadCharts, this.#scheduler, command, this.tell));
     else this.#scenes.get(id)?.take(command);
     if (command.do === "close") this.#scenes.delete(id);
   }
@@ -42,7 +45,7 @@ export class Renderer {
     this.#filesInTheMaking++;
     try {
       const link = linkToRead(request);
-      const blob = await (format === "svg" ? svgOfLink(link, wasmUrl) : this.#png(link, longSide));
+      const blob = await (format === "svg" ? svgOfLink(link, wasmUrl, this.#loadCharts) : this.#png(link, longSide));
       this.tell({ id, is: "file", blob });
     } catch (thrown) {
       const { code, message } = named(thrown);
@@ -54,26 +57,16 @@ export class Renderer {
 
   #png({ text, options }: LinkToRead, longSide: number): Promise<Blob> {
     const { engine, memory } = this.core;
-    return pngOf(new engine.River(text, options), memory, longSide, this.painting);
+    return pngOf(new engine.River(text, options), { memory, loadCharts: this.#loadCharts }, longSide, this.painting);
   }
 }
 
 /** The lean engine writes no files. */
-async function svgOfLink({ text, options }: LinkToRead, wasmUrl: string | undefined): Promise<Blob> {
-  const { engine } = await loadFull(wasmUrl && new URL(FULL, wasmUrl).href);
-  return svgOf(new engine.River(text, options));
-}
-
-/** Most readers never ask for a file. */
-async function loadFull(url: string | undefined): Promise<FullCore> {
-  try {
-    const full = await limited(SCRIPT_MS, "its script", () => import("../engine/full.ts"));
-    return await full.loadFull(url);
-  } catch (thrown) {
-    const { code, message } = named(thrown);
-    throw new PageError(
-      "no-files",
-      `the part of Riverseed that does this did not arrive (${code}: ${message}). Check the connection and try again.`,
-    );
-  }
+async function svgOfLink(
+  { text, options }: LinkToRead,
+  wasmUrl: string | undefined,
+  loadCharts: LoadCharts,
+): Promise<Blob> {
+  const { engine } = await loadFull(wasmUrl);
+  return svgOf(new engine.River(text, options), loadCharts);
 }

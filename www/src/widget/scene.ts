@@ -1,8 +1,9 @@
 /** One widget's river on its canvas, wherever that is drawn. */
 
-import type { Size } from "../browser/canvas.ts";
+import type { CanvasSize } from "../browser/canvas.ts";
 import { isRecoverable, named } from "../engine/errors.ts";
 import type { Core } from "../engine/wasm.ts";
+import type { LoadCharts } from "../player/charter.ts";
 import type { Frames } from "../player/frame-loop.ts";
 import { type LinkToRead, RiverPlayer } from "../player/river-player.ts";
 import type { Command, Reading, Report, RiverRequest } from "./protocol.ts";
@@ -10,7 +11,7 @@ import type { Command, Reading, Report, RiverRequest } from "./protocol.ts";
 type Opening = Extract<Command, { do: "open" }>;
 
 export class Scene {
-  #size: Size;
+  #size: CanvasSize;
   #player: RiverPlayer | undefined;
   /** Of the river on the canvas. */
   #reading: Reading | undefined;
@@ -20,6 +21,7 @@ export class Scene {
 
   constructor(
     private readonly core: Core,
+    private readonly loadCharts: LoadCharts,
     private readonly frames: Frames,
     private readonly opening: Opening,
     private readonly tell: (report: Report) => void,
@@ -39,7 +41,8 @@ export class Scene {
   #open(): void {
     if (this.#isOver) return;
     const { canvas, request, how } = this.opening;
-    const player = new RiverPlayer(this.core, canvas, linkToRead(request), this.frames, {
+    const planter = { ...this.core, loadCharts: this.loadCharts };
+    const player = new RiverPlayer(planter, canvas, linkToRead(request), this.frames, {
       sizeFor: () => this.#size,
       planted: ({ link, seed, aspect, notices }) => {
         this.#reading = { link, seed, aspect, notices };

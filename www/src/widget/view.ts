@@ -1,6 +1,6 @@
 /** What is to be seen of a widget: what its author put there until there is a river, the canvas, the button, and announcements. */
 
-import { type Fit, fitOf, type Size } from "../browser/canvas.ts";
+import { type CanvasSize, type Fit, fitOf, type Size } from "../browser/canvas.ts";
 import { el, setText } from "../browser/dom.ts";
 import { sharedSheet } from "./sheet.ts";
 
@@ -45,11 +45,11 @@ export class View {
   }
 
   /** Lays the canvas out so that it shows pixel for pixel, and says how many it is to have. */
-  fit(): Size {
+  fit(): CanvasSize {
     const { pixels, css } = this.#measure();
     this.#layout = `canvas { width: ${css.width}px; height: ${css.height}px }`;
     this.#applyRules();
-    return pixels;
+    return { ...pixels, ratio: css.width > 0 ? pixels.width / css.width : 1 };
   }
 
   /** A canvas for another river, unseen as yet. */

@@ -15,7 +15,7 @@ async function open({ wasmUrl }: Init): Promise<void> {
     const coming = (): void => post({ is: "coming" });
     coming();
     const painting = (): void => post({ id: 0, is: "alive", isAtWork: true, silenceMs: PAINTING_SILENCE_MS });
-    const renderer = new Renderer(await load(wasmUrl, coming), post, painting);
+    const renderer = new Renderer(await load(wasmUrl, coming), wasmUrl, post, painting);
     self.addEventListener("message", ({ data }: MessageEvent<Command | Ping>) => {
       if (data.do === "ping") post({ id: data.id, is: "alive", isAtWork: renderer.isAtWork });
       else renderer.take(data);

@@ -1,6 +1,7 @@
 import { expect, type Page, test } from "@playwright/test";
 import { decode } from "fast-png";
 import { strFromU8, unzipSync } from "fflate";
+import { namesOf } from "../charts.ts";
 import { pictureOf } from "../core.ts";
 import { full } from "../full.ts";
 import { complaints, countCalls, openFinished, openStopped, ownClock, stopClock } from "./riverpage.ts";
@@ -73,7 +74,7 @@ for (const style of ["ink", "dark", "atlas", "night", "skeleton"]) {
 function written(link: string): { network: object; geojson: object } {
   const river = new full.River(link);
   while (river.advance(1000));
-  const [network, geojson] = [river.network(), river.geojson()];
+  const [network, geojson] = [river.network(namesOf(river)), river.geojson(namesOf(river))];
   river.free();
   return { network: plain(network), geojson: plain(geojson) };
 }

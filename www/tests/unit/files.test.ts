@@ -1,9 +1,12 @@
-import { expect, test } from "vitest";
+import { expect, test, vi } from "vitest";
+import { drawn } from "../../src/player/files.ts";
 import { fileOf } from "../../src/player/formats.ts";
+import { loadCharts } from "../charts.ts";
+import { differing, pixelsOf } from "../core.ts";
 import { full, memory } from "../full.ts";
 
 const LINK = "seed=kauri&attractors=300&meander-rounds=5";
-const core = { engine: full, memory };
+const core = { engine: full, memory, loadCharts };
 
 function grown(steps: number): full.River {
   const river = new full.River(LINK);
@@ -50,4 +53,43 @@ test("a river is gone once it is a file, and also if it could not be made one", 
   });
   await expect(fileOf(unlucky, core, "svg")).rejects.toThrow("no room");
   expect(gone(unlucky)).toBeInstanceOf(Error);
+});
+
+const LABELLED = "seed=kauri&land=island&growth=drainage&attractors=1500&labels=many";
+
+test("files of data have names, labels or not, and a shape has labels if they are asked for", async () => {
+  const data = async (format: "json" | "geojson"): Promise<string> =>
+    (await fileOf(new full.River(LINK), core, format)).text();
+  const network = JSON.parse(await data("json"));
+  expect(network.names[0]).toMatchObject({ kind: "title", text: expect.stringMatching(/\w/) });
+  expect(network.rivers[0]).toMatchObject({ identity: expect.any(Number), name: expect.stringMatching(/\w/) });
+  const rivers = JSON.parse(await data("geojson")).features.filter(
+    ({ properties }: { properties: { kind: string } }) => properties.kind === "river",
+  );
+  expect(rivers[0].properties.name).toBe(network.rivers[0].name);
+  const shape = async (link: string): Promise<string> => (await fileOf(new full.River(link), core, "svg")).text();
+  expect(await shape(LINK)).not.toContain('id="labels"');
+  const labelled = await shape(LABELLED);
+  expect(labelled).toMatch(/<mask id="halo"[\s\S]*mask="url\(#halo\)[\s\S]*<g id="labels"[\s\S]*<title>\w/);
+});
+
+test("a picture for a file has its labels, and what makes them is fetched for none without", async () => {
+  const counted = { ...core, loadCharts: vi.fn(loadCharts) };
+  const [bare, labelled] = [LABELLED.replace("labels=many", "labels=none"), LABELLED].map(async (link) => {
+    const river = new full.River(link);
+    while (river.advance(1000));
+    const canvas = await drawn(river, counted, 300).catch((error: Error) => error);
+    expect(String(canvas)).toMatch(/document/); // Node has no canvas; by then it is painted.
+    return pixelsOf(river);
+  });
+  expect(differing((await bare) as Uint8Array, (await labelled) as Uint8Array)).toBeGreaterThan(200);
+  expect(counted.loadCharts).toHaveBeenCalledTimes(1);
+});
+
+test("a file that should have names is none without what makes them", async () => {
+  const offline = { ...core, loadCharts: () => Promise.reject(new TypeError("offline")) };
+  for (const format of ["json", "geojson", "zip"] as const)
+    await expect(fileOf(new full.River(LINK), offline, format)).rejects.toMatchObject({ code: "no-files" });
+  await expect(fileOf(new full.River(LABELLED), offline, "svg")).rejects.toMatchObject({ code: "no-files" });
+  expect((await fileOf(new full.River(LINK), offline, "svg")).size).toBeGreaterThan(1000);
 });

@@ -1,9 +1,10 @@
 import { expect, test, vi } from "vitest";
 import { type Canvas, RiverPlayer } from "../../src/player/river-player.ts";
+import { charts } from "../charts.ts";
 import { engine, memory, pixelsOf } from "../core.ts";
 import { Display, Image } from "../display.ts";
 
-const SIZE = { width: 320, height: 300 };
+const SIZE = { width: 320, height: 300, ratio: 1 };
 
 /** A player on a canvas without pixels, and its display. */
 function player(text: string): [RiverPlayer<engine.River>, Display] {
@@ -17,7 +18,10 @@ function player(text: string): [RiverPlayer<engine.River>, Display] {
       throw error;
     },
   };
-  return [new RiverPlayer({ engine, memory }, canvas, { text }, display, events), display];
+  return [
+    new RiverPlayer({ engine, memory, loadCharts: () => Promise.resolve(charts) }, canvas, { text }, display, events),
+    display,
+  ];
 }
 
 function frames(display: Display): void {

@@ -1,6 +1,7 @@
 import { readFileSync } from "node:fs";
 import { Ajv2020 } from "ajv/dist/2020.js";
 import { expect, test } from "vitest";
+import { namesOf } from "../charts.ts";
 import { full } from "../full.ts";
 
 const schema = JSON.parse(readFileSync(new URL("../../../src/export/network.schema.json", import.meta.url), "utf8"));
@@ -13,7 +14,7 @@ type Network = any;
 function written(link: string): Network {
   const river = new full.River(link);
   while (river.advance(1000));
-  const network = river.network();
+  const network = river.network(namesOf(river));
   river.free();
   return JSON.parse(JSON.stringify(network));
 }

@@ -3,6 +3,7 @@ import type { Frames } from "../../../src/player/frame-loop.ts";
 import type { Canvas } from "../../../src/player/river-player.ts";
 import type { Report } from "../../../src/widget/protocol.ts";
 import { Scene } from "../../../src/widget/scene.ts";
+import { charts } from "../../charts.ts";
 import { engine, memory } from "../../core.ts";
 import { Image } from "../../display.ts";
 
@@ -43,9 +44,15 @@ test("what is told of a river is told of that river, though another waits to tak
   const display = new Display();
   const reports: Report[] = [];
   const request = (seed: string) => ({ text: `seed=${seed}&attractors=300`, isDark: false });
-  const [how, size] = ["watch", { width: 20, height: 20 }] as const;
+  const [how, size] = ["watch", { width: 20, height: 20, ratio: 1 }] as const;
   const opening = { id: 1, do: "open", canvas: canvas(), request: request("one"), how, size } as const;
-  const scene = new Scene({ engine, memory }, display, opening, (told) => reports.push(told));
+  const scene = new Scene(
+    { engine, memory },
+    () => Promise.resolve(charts),
+    display,
+    opening,
+    (told) => reports.push(told),
+  );
   for (let i = 0; i < 3; i++) display.frame();
   scene.take({ id: 1, do: "show", request: request("two"), how, size });
   for (let i = 0; i < 3; i++) display.frame();

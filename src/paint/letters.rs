@@ -1,0 +1,87 @@
+//! Letters and the halo around them as masks: what a chart lays over a picture of one size.
+
+use glam::Vec2;
+
+use super::chart::{ChartMasks, SparseMask};
+use super::coverage::{Coverage, Rect};
+use super::view::View;
+use crate::chart::{Kind, Label, Placed};
+use crate::glyph::Fill;
+use crate::memory;
+
+/// How far the halo reaches around the middle of a space between words, in ems: a river that showed there would be taken for a hyphen.
+pub(crate) const SPACE: f32 = 0.33;
+
+/// The masks of labels; nothing if there are none, or not enough memory.
+pub(crate) fn masks(view: &View, labels: &[Label]) -> ChartMasks {
+    /// Of the halo, and of letters.
+    const BYTES_A_PIXEL: usize = 2;
+    if labels.is_empty() || !memory::can_allocate(BYTES_A_PIXEL * view.pixels()) {
+        return ChartMasks::default();
+    }
+    // Letters on water keep so far from the coast that there are no rivers to take away, and no ground to even out.
+    let on_land = labels.iter().filter(|label| label.kind != Kind::Water);
+    ChartMasks { halo: halo(view, on_land), letters: letters(view, labels) }
+}
+
+/// What lies around letters.
+fn halo<'a>(view: &View, labels: impl Iterator<Item = &'a Label>) -> SparseMask {
+    let Some(mut mask) = Coverage::new(view.width, view.height) else { return SparseMask::default() };
+    for label in labels {
+        let radius = SPACE * label.em * view.scale;
+        for [from, to] in label.spaces().map(|ends| ends.map(|end| view.pixel(end))) {
+            mask.capsule(from, radius, to, radius);
+        }
+        let radius = label.kind.halo() * label.em * view.scale;
+        for letter in &label.letters {
+            if pixels(label, letter, view, radius + 1.0).is_some() {
+                outline(label, letter, view, |from, to| mask.capsule(from, radius, to, radius));
+            }
+        }
+    }
+    SparseMask::of(mask.mask().data())
+}
+
+fn letters(view: &View, labels: &[Label]) -> SparseMask {
+    let (mut fill, width) = (Fill::default(), view.width as usize);
+    let mut mask = vec![0; view.pixels()];
+    for (label, letter) in labels.iter().flat_map(|label| label.letters.iter().map(move |letter| (label, letter))) {
+        let Some(Rect { left, top, right, bottom }) = pixels(label, letter, view, 0.0) else { continue };
+        fill.clear([left as i32, top as i32], (right - left) as usize, (bottom - top) as usize);
+        fill.add(letter.glyph, |at| view.pixel(letter.place(at, label.em)));
+        for (row, shares) in (top as usize..).zip(fill.rows()) {
+            let pixels = mask[row * width + left as usize..].iter_mut().zip(shares);
+            // Most of a letter's box is bare.
+            for (pixel, share) in pixels.filter(|(_, share)| *share > 0.0) {
+                *pixel = both(*pixel, (share * 255.0 + 0.5) as u8);
+            }
+        }
+    }
+    SparseMask::of(&mask)
+}
+
+/// How much two letters cover together of a pixel on which they meet.
+fn both(one: u8, other: u8) -> u8 {
+    let bare = (255 - u32::from(one)) * (255 - u32::from(other));
+    (255 - (bare + 127) / 255) as u8
+}
+/// The pixels of a letter's box with a margin; `None` if it shows on none.
+fn pixels(label: &Label, letter: &Placed, view: &View, margin: f32) -> Option<Rect> {
+    let corners = letter.around(label.em).corners().map(|corner| view.pixel(corner));
+    let (least, most) =
+        (corners.into_iter().reduce(Vec2::min)? - margin, corners.into_iter().reduce(Vec2::max)? + margin);
+    // A conversion makes 0 of what is below.
+    let rect = Rect {
+        left: (least.x as u32).min(view.width),
+        top: (least.y as u32).min(view.height),
+        right: (most.x as u32).saturating_add(1).min(view.width),
+        bottom: (most.y as u32).saturating_add(1).min(view.height),
+    };
+    (rect.left < rect.right && rect.top < rect.bottom && most.min_element() >= 0.0).then_some(rect)
+}
+
+/// Hands out the straight pieces of a letter's outline, in pixels.
+fn outline(label: &Label, letter: &Placed, view: &View, piece: impl FnMut(Vec2, Vec2)) {
+    const TOLERANCE_PX: f32 = 0.3;
+    letter.glyph.outline(|at| view.pixel(letter.place(at, label.em)), TOLERANCE_PX, piece);
+}

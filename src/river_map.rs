@@ -1,0 +1,84 @@
+//! A map as names and labels are made of it: rivers as they are, and the land that they run on, but nothing of how that came about.
+//!
+//! A session has one. So has a wasm module that knows no sessions (`own_map.rs`): it reads the words that another module writes (`words.rs`).
+
+#[cfg(feature = "names")]
+mod own_map;
+pub mod words;
+
+#[cfg(feature = "names")]
+pub use own_map::OwnMap;
+
+use crate::land::Land;
+use crate::network::{Network, Reach};
+use crate::recipe::{Key, Labels, Recipe, Style};
+use crate::session::{Phase, Session};
+use crate::tree::Tree;
+
+/// What of a recipe names and labels are made by.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ChartWishes {
+    /// The seed.
+    pub seed: String,
+    /// The number of the language of names; 0 for the seed's own.
+    pub language: u32,
+    /// Names of one's own, as links have them.
+    pub names: String,
+    /// How many labels there are to be.
+    pub labels: Labels,
+    /// What sizes of letters are multiplied by.
+    pub label_size: f32,
+    /// The map's width over its height.
+    pub aspect: f32,
+    /// The style.
+    pub style: Style,
+}
+
+impl ChartWishes {
+    /// Those of a recipe.
+    pub fn of(recipe: &Recipe) -> Self {
+        Self {
+            seed: recipe.seed().into(),
+            language: recipe.integer(Key::Language),
+            names: Key::Names.parameter().text_of(recipe.value(Key::Names)),
+            labels: recipe.get(),
+            label_size: recipe.number(Key::LabelSize),
+            aspect: recipe.number(Key::Aspect),
+            style: recipe.get(),
+        }
+    }
+}
+
+/// Rivers as they are, and what lies around them.
+#[derive(Clone, Debug)]
+pub struct RiverMap<'a> {
+    /// What names and labels are made by.
+    pub wishes: ChartWishes,
+    /// The untrimmed tree.
+    pub tree: &'a Tree,
+    /// The discharge that would be everything a river can drain.
+    pub total_discharge: u32,
+    /// The rivers.
+    pub network: &'a Network,
+    /// Where the great ones are flat.
+    pub reaches: &'a [Reach],
+    /// The land; `None` if all of the domain is.
+    pub land: Option<&'a Land>,
+    /// Whether the rivers will not change any more.
+    pub is_finished: bool,
+}
+
+impl<'a> RiverMap<'a> {
+    /// The map of a session; `None` while there are no rivers.
+    pub fn of(session: &'a Session) -> Option<Self> {
+        Some(Self {
+            wishes: ChartWishes::of(session.recipe()),
+            tree: session.tree(),
+            total_discharge: session.growth().total_discharge(),
+            network: session.network()?,
+            reaches: session.reaches(),
+            land: session.land().map(AsRef::as_ref),
+            is_finished: matches!(session.phase(), Phase::Relief | Phase::Finished),
+        })
+    }
+}

@@ -1,0 +1,102 @@
+//! A map that has come from another wasm module, as words (`words.rs`).
+
+use super::{ChartWishes, RiverMap};
+use crate::land::{CoastDistance, Land};
+use crate::network::{Network, Oxbow, Reach, River, Vertex};
+use crate::recipe::{Choice, Labels, Style};
+use crate::tree::Tree;
+use crate::words::{Reader, point};
+
+/// A map with all that it is made of. Of vertices it knows place, discharge and width; of its land not what rivers cannot cross.
+#[derive(Clone, Debug)]
+pub struct OwnMap {
+    wishes: ChartWishes,
+    tree: Tree,
+    total_discharge: u32,
+    network: Network,
+    reaches: Vec<Reach>,
+    land: Option<Land>,
+    is_finished: bool,
+}
+
+impl OwnMap {
+    /// The map of these words; `None` if they describe none.
+    pub fn read(words: &[u32]) -> Option<Self> {
+        let mut words = Reader(words);
+        let wishes = words.wishes()?;
+        let [total_discharge, is_finished] = words.some()?;
+        let tree = words.tree()?;
+        let network = words.network()?;
+        let reach =
+            |&[river, least_discharge, most_discharge]: &[u32; 3]| Reach { river, least_discharge, most_discharge };
+        let reaches = words.items()?.iter().map(reach).collect();
+        let land = if words.some()? == [0] { None } else { Some(words.land()?) };
+        let is_finished = is_finished != 0;
+        Some(Self { wishes, tree, total_discharge, network, reaches, land, is_finished })
+    }
+
+    /// The map.
+    pub fn map(&self) -> RiverMap<'_> {
+        RiverMap {
+            wishes: self.wishes.clone(),
+            tree: &self.tree,
+            total_discharge: self.total_discharge,
+            network: &self.network,
+            reaches: &self.reaches,
+            land: self.land.as_ref(),
+            is_finished: self.is_finished,
+        }
+    }
+}
+
+impl Reader<'_> {
+    fn wishes(&mut self) -> Option<ChartWishes> {
+        let ([language, labels, style], sizes) = (self.some()?, self.some()?);
+        let [label_size, aspect] = sizes.map(f32::from_bits);
+        let (labels, style) = (*Labels::ALL.get(labels as usize)?, *Style::ALL.get(style as usize)?);
+        let (seed, names) = (self.text()?, self.text()?);
+        Some(ChartWishes { seed, language, names, labels, label_size, aspect, style })
+    }
+
+    fn tree(&mut self) -> Option<Tree> {
+        let (at, parent, drained, identity) = (self.points()?, self.list()?, self.list()?, self.list()?);
+        let is_tree = (0..).zip(&parent).all(|(node, &parent)| parent < node || parent == crate::tree::NO_PARENT);
+        let is_whole = parent.len() == at.len() && drained.len() == at.len();
+        (is_tree && is_whole).then_some(Tree { at, parent, drained, identity, ..Tree::default() })
+    }
+
+    fn network(&mut self) -> Option<Network> {
+        let vertices = self.vertices()?;
+        let river = |&[start, end, junction, parent, order, magnitude, identity]: &[u32; 7]| {
+            let is_run = start <= end && end as usize <= vertices.len();
+            is_run.then_some(River { start, end, junction, parent, order: order as u8, magnitude, identity })
+        };
+        let rivers = self.items()?.iter().map(river).collect::<Option<_>>()?;
+        let [count] = self.some()?;
+        let mut oxbow = |_| {
+            let [river, born, silt] = self.some()?;
+            Some(Oxbow { river, born, silt: f32::from_bits(silt), vertices: self.vertices()? })
+        };
+        let oxbows = (0..count).map(&mut oxbow).collect::<Option<_>>()?;
+        Some(Network { vertices, rivers, oxbows })
+    }
+
+    fn vertices(&mut self) -> Option<Vec<Vertex>> {
+        let vertex = |&[x, y, discharge, left, right]: &[u32; 5]| {
+            let [left, right] = [left, right].map(f32::from_bits);
+            Vertex { at: point([x, y]), discharge, left, right, ..Vertex::default() }
+        };
+        Some(self.items()?.iter().map(vertex).collect())
+    }
+
+    fn land(&mut self) -> Option<Land> {
+        let size = point(self.some()?);
+        let [spacing] = self.some()?.map(f32::from_bits);
+        let heights = self.items::<1>()?.iter().map(|[height]| f32::from_bits(*height)).collect();
+        let coast_distance = CoastDistance::of_heights(size, spacing, heights)?;
+        let stretches = self.list()?;
+        let [ridges] = self.some()?;
+        let ridges = (0..ridges).map(|_| self.points()).collect::<Option<_>>()?;
+        Land::of_stretches(size, coast_distance, &stretches, ridges)
+    }
+}

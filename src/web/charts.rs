@@ -1,0 +1,72 @@
+//! A chart: a wasm package of its own, which knows names and type, and of rivers only what `River.mapWords` says.
+
+use wasm_bindgen::prelude::*;
+
+use super::objects::coded;
+use crate::domain::Domain;
+use crate::export::svg::ChartText;
+use crate::export::svg::labels::chart;
+use crate::labels;
+use crate::name::Names;
+use crate::paint::View;
+use crate::recipe::OwnNames;
+use crate::river_map::OwnMap;
+
+/// Of what there is in screens, and more.
+const LEAST_RATIO: f32 = 0.25;
+const MOST_RATIO: f32 = 8.0;
+
+/// What stands on a map besides its rivers, which another module has.
+#[wasm_bindgen]
+pub struct Chart(OwnMap);
+
+#[wasm_bindgen]
+impl Chart {
+    /// The chart of what a river's `mapWords` says. Throws an Error if that is no map.
+    #[wasm_bindgen(constructor)]
+    pub fn new(words: &[u32]) -> Result<Self, JsValue> {
+        OwnMap::read(words).map(Self).ok_or_else(|| coded("bad-params", "These words are of no map."))
+    }
+
+    /// The greatest names: of each in turn its mark, by which `names` in a link knows it, the name, and whether that is one's own, `own` or
+    /// nothing.
+    pub fn greatest(&self, rivers: usize) -> Vec<String> {
+        let map = self.0.map();
+        let (names, own) = (Names::of_map(&map), OwnNames::readable(&map.wishes.names));
+        let marked = names.marked(map.network);
+        let (first, rest) = marked.split_at(map.network.rivers.len().min(marked.len()));
+        let some = first.iter().take(rivers).chain(rest);
+        some.flat_map(|(mark, name)| {
+            let own = if own.get(*mark).is_some() { "own" } else { "" };
+            [mark.to_string(), (*name).into(), own.into()]
+        })
+        .collect()
+    }
+
+    /// The text of `names` in a link with which what a mark stands for has another name, or its usual one again. Throws an Error if there
+    /// would be too many, or the name is too long.
+    pub fn renamed(&self, mark: &str, name: Option<String>) -> Result<String, JsValue> {
+        let own = OwnNames::readable(&self.0.map().wishes.names).with(mark, name.as_deref());
+        own.map(|own| own.to_string()).map_err(|error| coded("bad-params", &error.to_string()))
+    }
+
+    /// All names, for the files of `River`.
+    pub fn names(&self) -> Vec<u32> {
+        Names::of_map(&self.0.map()).to_words()
+    }
+
+    /// What it adds to an SVG file, for `River.svg`.
+    pub fn svg(&self) -> Vec<String> {
+        let ChartText { halo, labels } = chart(&self.0.map());
+        vec![halo, labels]
+    }
+
+    /// What it lays over a picture of this size, for `River.takeChart`. So many of its pixels are one CSS pixel: letters have 11 of these at
+    /// least.
+    pub fn masks(&self, width_px: u32, height_px: u32, ratio: f32) -> Result<Vec<u8>, JsValue> {
+        let map = self.0.map();
+        let view = View::new(&Domain::with_aspect(map.wishes.aspect), width_px, height_px);
+        let view = view.map_err(|_| coded("bad-params", "A picture has no such size."))?;
+        Ok(labels::masks(&map, &view, ratio.clamp(LEAST_RATIO, MOST_RATIO)).to_bytes())
+    }
+}
