@@ -2,12 +2,12 @@
 
 use glam::Vec2;
 
-use crate::chart::{Input, Label, Raster, Reach, River, place};
+use crate::chart::{Area, AreaKind, Input, Label, Raster, Reach, River, Strip, place};
 use crate::domain::AREA;
 use crate::geometry::distance;
-use crate::land::{CELL_SIZE, Land};
+use crate::land::{CELL_SIZE, Land, Run};
 use crate::memory;
-use crate::name::{Names, PlaceKind, ReachName};
+use crate::name::{Names, PlaceKind, PlaceName, ReachName};
 use crate::network::{NONE, Network, Oxbow, Place};
 use crate::recipe::{Key, Labels};
 use crate::session::{Phase, Session};
@@ -31,17 +31,17 @@ pub fn input(session: &Session, frame: [Vec2; 2], scale: f32) -> Option<Input<'_
     if !memory::can_allocate(Raster::BYTES + network.vertices.len() * BYTES_A_VERTEX) {
         return None;
     }
-    let names = Names::of(session);
+    let mut names = Names::of(session);
     let reach = |reach: &ReachName| reach_of(network, reach);
-    let water = names.places.iter().find(|place| matches!(place.kind, PlaceKind::Sea | PlaceKind::Lake));
+    let land_area = land.map_or(AREA, |land| area(land));
     Some(Input {
         frame,
         least_em: LEAST_EM / scale,
         label_size: recipe.number(Key::LabelSize),
-        most_area: share * land.map_or(AREA, |land| area(land)),
+        most_area: [land_area, AREA - land_area].map(|area| share * area),
         total_discharge: total_discharge(network),
         reaches: names.reaches.iter().filter_map(reach).collect(),
-        water: water.map(|water| forms(&water.name)),
+        areas: std::mem::take(&mut names.places).into_iter().map(area_of).collect(),
         rivers: rivers(network, names),
         lakes: network.oxbows.iter().map(Oxbow::middle).collect(),
         ridges: land.map_or_else(Vec::new, |land| ridges(land)),
@@ -62,6 +62,20 @@ fn share_of_land(labels: Labels) -> Option<f32> {
 /// How large a land is, in square units.
 fn area(land: &Land) -> f32 {
     land.regions().iter().map(|region| region.cells as f32).sum::<f32>() * CELL_SIZE * CELL_SIZE
+}
+
+/// A sea, a lake or an island with its name.
+fn area_of(place: PlaceName) -> Area {
+    let kind = match place.kind {
+        PlaceKind::Sea => AreaKind::Sea,
+        PlaceKind::Lake => AreaKind::Lake,
+        PlaceKind::Island => AreaKind::Island,
+    };
+    let strip = |run: &Run| {
+        let [top, left, right] = [run.row, run.start, run.end].map(|cell| cell as f32 * CELL_SIZE);
+        Strip { top, left, right }
+    };
+    Area { kind, name: forms(&place.name), midst: place.at, strips: place.region.runs.iter().map(strip).collect() }
 }
 
 fn total_discharge(network: &Network) -> u32 {

@@ -9,7 +9,9 @@ use common::property::{cases, large};
 use common::random_link;
 use geo::{Distance, Euclidean, Intersects};
 use proptest::prelude::*;
-use riverseed::chart::{Box, Ground, Ink, Input, Kind, Label, Piece, Placed, Raster, cell_middle, place};
+use riverseed::chart::{
+    Area, AreaKind, Box, Ground, Ink, Input, Kind, Label, Piece, Placed, Raster, Strip, cell_middle, place,
+};
 use riverseed::glam::Vec2;
 use riverseed::labels;
 use riverseed::recipe::link;
@@ -75,7 +77,7 @@ fn check(session: &Session, width: f32) -> Result<usize, TestCaseError> {
         check_shape(label)?;
         match label.river {
             Some(river) => check_place(label, river, &input)?,
-            None => check_water(label, &input)?,
+            None => check_area(label, &input)?,
         }
     }
     for (i, label) in labels.iter().enumerate() {
@@ -102,12 +104,45 @@ fn check_shape(label: &Label) -> Result<(), TestCaseError> {
     Ok(())
 }
 
-/// On water.
-fn check_water(label: &Label, input: &Input<'_>) -> Result<(), TestCaseError> {
-    let corners = boxes(label).into_iter().flat_map(|around| around.corners());
-    let depth = |at: Vec2| input.coast.map_or(0.0, |coast| -coast.height(at));
-    let least = corners.map(depth).fold(f32::MAX, f32::min);
-    prop_assert!(least > 0.7 * label.em, "{} is {least} from the coast", label.text);
+/// In its own water, climbing by 20 degrees at most; or on its island, or level on the water beside it.
+fn check_area(label: &Label, input: &Input<'_>) -> Result<(), TestCaseError> {
+    let area = input.areas.iter().find(|area| area.name.contains(&label.text)).unwrap();
+    let (is_island, is_in) = (area.kind == AreaKind::Island, label.kind != Kind::Offshore);
+    prop_assert_eq!(is_island, label.kind != Kind::Water);
+    for letter in &label.letters {
+        let angle = degrees(letter.along);
+        prop_assert!(angle.abs() < if is_island { 0.1 } else { 20.01 }, "{} climbs by {angle} degrees", label.text);
+    }
+    for around in boxes(label) {
+        prop_assert_eq!(area.contains(around.middle), is_in, "{}", label.text);
+        for corner in around.corners() {
+            prop_assert!(corner.cmpge(input.frame[0]).all() && corner.cmple(input.frame[1]).all(), "{}", label.text);
+            let inland = input.coast.unwrap().height(corner);
+            let room = if label.kind == Kind::Island { inland } else { -inland };
+            let least = if label.kind == Kind::Water { 0.7 } else { 0.15 };
+            prop_assert!(room > least * label.em, "{} is {room} from the coast", label.text);
+        }
+    }
+    if label.kind == Kind::Offshore {
+        check_belonging(label, area, input)?;
+    }
+    Ok(())
+}
+
+/// Nearer to its island than to any other, on average.
+fn check_belonging(label: &Label, own: &Area, input: &Input<'_>) -> Result<(), TestCaseError> {
+    let away = |area: &Area| -> f32 {
+        let off = |strip: &Strip, at: Vec2| {
+            let [least, most] = [Vec2::new(strip.left, strip.top), Vec2::new(strip.right, strip.top + Area::ROW)];
+            at.clamp(least, most).distance(at)
+        };
+        let from = |at: Vec2| area.strips.iter().map(|strip| off(strip, at)).fold(f32::MAX, f32::min);
+        boxes(label).iter().map(|around| from(around.middle)).sum::<f32>() / label.letters.len() as f32
+    };
+    let others = input.areas.iter().filter(|area| area.kind == AreaKind::Island && *area != own);
+    for other in others {
+        prop_assert!(away(own) < 1.35 * away(other) + 0.4 * label.em, "{} seems to name {:?}", label.text, other.name);
+    }
     Ok(())
 }
 
@@ -182,6 +217,59 @@ proptest! {
             prop_assert!(picture.pixmap().data() == painted(&finished(&other)), "{}", labels);
         }
         prop_assert!(picture.pixmap().data() == bare);
+    }
+}
+
+#[test]
+fn islands_and_lakes_have_names_too() {
+    let counts = |link: &str| {
+        let session = finished(link);
+        let (labels, input) = placed(&session, 1400.0);
+        check(&session, 1400.0).unwrap();
+        let islands = input.areas.iter().filter(|area| area.kind == AreaKind::Island).count();
+        let count = |kind: Kind| labels.iter().filter(|label| label.kind == kind).count();
+        (islands, [Kind::Island, Kind::Offshore, Kind::Water].map(count))
+    };
+    let mut all = [0; 4];
+    for seed in ["kea", "moa", "tui", "skye", "lofoten", "kauri"] {
+        let (islands, [inside, beside, water]) =
+            counts(&format!("seed={seed}&land=archipelago&sea=0.65&roughness=1&attractors=4000&labels=many"));
+        println!("{seed}: {islands} islands, {inside} named on them, {beside} beside them, {water} waters");
+        all = [all[0] + islands, all[1] + inside, all[2] + beside, all[3] + water];
+    }
+    let [islands, inside, beside, water] = all;
+    assert!(inside > 3 && beside > 12 && 10 * (inside + beside) >= 8 * islands && water >= 6, "{all:?}");
+    // A land drawn by hand, with two lakes and an island in one of them.
+    let (islands, [inside, beside, water]) =
+        counts(&format!("land=drawn&roughness=0.6&attractors=2000&labels=some&outline={LAKES}"));
+    assert_eq!((islands, inside + beside, water), (1, 1, 3));
+}
+
+const LAKES: &str = ".9bgA7Mqx0zz6rQ6AgA8JUv6ALMz6EzqxCkgAEzVOLMMFUvF_f_D2rQF_0zMF7MVO.bhczZFhUTMjMNUhUK4czNUYRTMWZZFYR.zMmZw8qerhsKmFqej1mZmFiUrhgow8iU.VHczTyeoRpd7RpbrTya-";
+
+/// On maps where there is a place for it.
+#[test]
+fn the_greatest_river_has_its_name_however_few_have_and_however_many_others_wind() {
+    for seed in [8, 38, 51, 58] {
+        let link =
+            "land=continent&attractors=2000&great-rivers=8&flat-share=0.6&meander-rounds=40&labels=few&label-size=1.5";
+        let session = finished(&format!("{link}&seed={seed}"));
+        let (labels, input) = placed(&session, 1400.0);
+        let greatest = (0..input.rivers.len()).max_by_key(|&river| input.rivers[river].discharge).unwrap();
+        let has_name = |label: &Label| label.river == Some(greatest as u32) && label.kind == Kind::River;
+        assert!(labels.iter().any(has_name), "{seed}");
+    }
+}
+
+#[test]
+fn no_letter_of_a_sea_climbs_by_more_than_20_degrees() {
+    for (seed, land) in (0..24).flat_map(|seed| ["island", "continent"].map(|land| (seed, land))) {
+        let session = finished(&format!("seed={seed}&land={land}&attractors=500&labels=few"));
+        let (labels, _) = placed(&session, 1400.0);
+        let waters = labels.iter().filter(|label| label.kind == Kind::Water);
+        let angles = waters.flat_map(|label| &label.letters).map(|letter| degrees(letter.along).abs());
+        let steepest = angles.fold(0.0, f64::max);
+        assert!(steepest <= 20.01, "{seed}, {land}: {steepest}");
     }
 }
 

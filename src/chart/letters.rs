@@ -16,22 +16,31 @@ pub enum Kind {
     Reach,
     /// The sea or a lake.
     Water,
+    /// An island, on it.
+    Island,
+    /// An island, on the water beside it.
+    Offshore,
 }
 
 impl Kind {
     /// What is between letters besides their advance, in ems.
     pub fn tracking(self) -> f32 {
         match self {
-            Self::River => 0.08,
+            Self::River | Self::Island | Self::Offshore => 0.08,
             Self::Reach => 0.16,
             Self::Water => 0.3,
         }
     }
 
+    /// Whether it stands on open water, where there is nothing to take away around it.
+    pub fn is_afloat(self) -> bool {
+        matches!(self, Self::Water | Self::Offshore)
+    }
+
     /// How far its halo reaches around outlines, in ems.
     pub fn halo(self) -> f32 {
         match self {
-            Self::River | Self::Water => 0.13,
+            Self::River | Self::Water | Self::Island | Self::Offshore => 0.13,
             Self::Reach => 0.2,
         }
     }
@@ -111,6 +120,11 @@ impl Placed {
     #[inline]
     pub fn place(&self, point: Vec2, em: f32) -> Vec2 {
         self.at + (self.along * point.x + self.along.perp() * point.y) * em
+    }
+
+    /// A letter of a level line that begins at a place.
+    pub fn level(letter: &Letter, from: Vec2, em: f32) -> Self {
+        Self { glyph: letter.glyph, at: from + Vec2::new(letter.at * em, 0.0), along: Vec2::X }
     }
 
     /// The box around it.

@@ -13,13 +13,14 @@ mod baseline;
 mod costs;
 mod ground;
 mod input;
+mod islands;
 mod letters;
 mod place;
 mod raster;
 mod search;
 
 pub use ground::{Ground, Ink, Piece, cell_middle};
-pub use input::{Input, Reach, River};
+pub use input::{Area, AreaKind, Input, Reach, River, Strip};
 pub use letters::{Box, Kind, Label, Placed};
 pub use place::place;
 pub use raster::Raster;

@@ -166,7 +166,7 @@ impl<G: Ground> Search<'_, G> {
         let below = if line.is_above { 0.0 } else { 0.35 };
         Some(match self.kind {
             Kind::River => turns.cost() + 1.6 * steepness(along) + 2.6 * off_middle * off_middle + 0.9 * thin + below,
-            Kind::Reach | Kind::Water => 1.1 * turns.sum + 1.6 * steepness(along) + 3.0 * off_middle.abs(),
+            _ => 1.1 * turns.sum + 1.6 * steepness(along) + 3.0 * off_middle.abs(),
         })
     }
 
@@ -180,7 +180,7 @@ impl<G: Ground> Search<'_, G> {
     fn ink(&self, letters: &[Placed], width: f32) -> Option<f32> {
         let most = match self.kind {
             Kind::River => (0.55 * width).clamp(1.6, 3.2),
-            Kind::Reach | Kind::Water => (0.8 * self.thick).clamp(1.6, 3.2),
+            _ => (0.8 * self.thick).clamp(1.6, 3.2),
         };
         let (mut others, mut own) = (Under::default(), Under::default());
         for letter in letters {
@@ -201,9 +201,7 @@ impl<G: Ground> Search<'_, G> {
         let samples = (others.samples + own.samples).max(1.0);
         Some(match self.kind {
             Kind::River => 1.5 * (0.5 * others.hits + others.width + others.hits) / samples,
-            Kind::Reach | Kind::Water => {
-                (1.2 * (0.5 * others.hits + others.width) + 4.0 * own.width / self.thick + 1.1 * own.hits) / samples
-            }
+            _ => (1.2 * (0.5 * others.hits + others.width) + 4.0 * own.width / self.thick + 1.1 * own.hits) / samples,
         })
     }
 

@@ -18,7 +18,7 @@ mod word;
 
 use glam::Vec2;
 
-use crate::land::Land;
+use crate::land::{Land, Region};
 use crate::network::Network;
 use crate::recipe::{Key, Mark, OwnNames, Recipe};
 use crate::session::Session;
@@ -86,6 +86,8 @@ pub struct PlaceName {
     pub name: String,
     /// A place in the midst of it.
     pub at: Vec2,
+    /// The cells that it has.
+    pub(crate) region: Region,
 }
 
 /// All names of a map.
@@ -235,14 +237,14 @@ impl Namer {
         let manner = self.language.manner;
         let [seas, lakes, islands] = regions::pieces(land);
         let place = |kind, least: f32, piece: regions::Piece| {
-            let regions::Piece { number, area, .. } = piece;
+            let (number, area) = (piece.number, piece.area);
             let word = || self.place_word(kind, number);
             let name = match kind {
                 PlaceKind::Sea => self.name(Mark::Sea(number), || kinds::sea(&word(), area, manner)),
                 PlaceKind::Lake => self.name(Mark::Lake(number), || kinds::lake(&word(), area)),
                 PlaceKind::Island => self.name(Mark::Island(number), || kinds::island(&word(), area)),
             };
-            (area >= least).then(|| PlaceName { kind, number, name, at: piece.midst(land) })
+            (area >= least).then(|| PlaceName { kind, number, name, at: piece.midst(land), region: piece.region })
         };
         let seas = seas.into_iter().filter_map(|piece| place(PlaceKind::Sea, LEAST_SEA, piece));
         let lakes = lakes.into_iter().filter_map(|piece| place(PlaceKind::Lake, LEAST_LAKE, piece));

@@ -10,7 +10,7 @@ pub(super) struct Piece {
     pub number: u32,
     /// In square units.
     pub area: f32,
-    region: Region,
+    pub region: Region,
 }
 
 /// The seas, which reach the frame of the map; the lakes, which do not; and the islands, the main land first.

@@ -7,7 +7,7 @@ use super::coverage::{Coverage, Covered, Rect};
 use super::palette::over;
 use super::styles::labels::LabelLook;
 use super::view::View;
-use crate::chart::{Kind, Label, Placed};
+use crate::chart::{Label, Placed};
 use crate::glyph::Fill;
 
 /// How far the halo reaches around the middle of a space between words, in ems: a river that showed there would be taken for a hyphen.
@@ -19,7 +19,7 @@ pub(super) fn halo(rivers: &mut Coverage, view: &View, labels: &[Label], look: L
         return None;
     }
     let mut mask = Coverage::new(view.width, view.height)?;
-    for label in labels.iter().filter(|label| label.kind != Kind::Water) {
+    for label in labels.iter().filter(|label| !label.kind.is_afloat()) {
         let radius = SPACE * label.em * view.scale;
         for [from, to] in label.spaces().map(|ends| ends.map(|end| view.pixel(end))) {
             mask.capsule(from, radius, to, radius);
@@ -29,7 +29,7 @@ pub(super) fn halo(rivers: &mut Coverage, view: &View, labels: &[Label], look: L
         let radius = label.kind.halo() * label.em * view.scale;
         let Some(pixels) = pixels(label, letter, view, radius + 1.0) else { continue };
         // Most letters stand on bare ground, where there is nothing to take away.
-        if (look.halo.is_some() && label.kind != Kind::Water) || rivers.is_drawn_on(pixels) {
+        if (look.halo.is_some() && !label.kind.is_afloat()) || rivers.is_drawn_on(pixels) {
             outline(label, letter, view, |from, to| mask.capsule(from, radius, to, radius));
         }
     }

@@ -5,7 +5,7 @@ use glam::Vec2;
 
 use super::path::Path;
 use super::text::Text;
-use crate::chart::{Kind, Label, Placed};
+use crate::chart::{Label, Placed};
 use crate::paint::LabelLook;
 use crate::paint::chart::SPACE;
 
@@ -21,7 +21,7 @@ pub(super) fn draw_halo(out: &mut Text, size: Vec2, labels: &[Label]) -> bool {
     }
     out.text("<mask id=\"halo\" maskUnits=\"userSpaceOnUse\" x=\"0\" y=\"0\"").sized(size);
     out.text(">\n<rect fill=\"#fff\"").sized(size).text("/>\n");
-    for label in labels.iter().filter(|label| label.kind != Kind::Water) {
+    for label in labels.iter().filter(|label| !label.kind.is_afloat()) {
         out.text("<path stroke=\"#000\" stroke-linejoin=\"round\" stroke-width=\"")
             .units(2.0 * label.kind.halo() * label.em);
         out.text("\" d=\"").text(outlines(label).data()).text("\"/>\n");
@@ -51,7 +51,7 @@ pub(super) fn draw(out: &mut Text, labels: &[Label], look: LabelLook) {
             out.text(" data-river=\"").whole(river).text("\"");
         }
         out.text("><title>").escaped(&label.text).text("</title><path");
-        if let Some((colour, strength)) = look.halo.filter(|_| label.kind != Kind::Water) {
+        if let Some((colour, strength)) = look.halo.filter(|_| !label.kind.is_afloat()) {
             out.text(" paint-order=\"stroke\" stroke=\"").colour(colour).text("\" stroke-opacity=\"").units(strength);
             out.text("\" stroke-linejoin=\"round\" stroke-width=\"")
                 .units(2.0 * label.kind.halo() * label.em)
