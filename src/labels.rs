@@ -2,14 +2,14 @@
 
 use glam::Vec2;
 
-use crate::chart::{Area, AreaKind, Input, Label, Raster, Reach, River, Strip, place};
+use crate::chart::{Area, AreaKind, Cartouche, Input, Label, Raster, Reach, River, Strip, place};
 use crate::domain::AREA;
 use crate::geometry::distance;
 use crate::land::{CELL_SIZE, Land, Run};
 use crate::memory;
 use crate::name::{Names, PlaceKind, PlaceName, ReachName};
 use crate::network::{NONE, Network, Oxbow, Place};
-use crate::recipe::{Key, Labels};
+use crate::recipe::{self, Key, Labels};
 use crate::session::{Phase, Session};
 
 /// The smallest letters that can be read: their em in pixels.
@@ -26,7 +26,10 @@ pub fn input(session: &Session, frame: [Vec2; 2], scale: f32) -> Option<Input<'_
     /// A course's places, its pieces, their numbers in squares, and names.
     const BYTES_A_VERTEX: usize = 120;
     let (recipe, land) = (session.recipe(), session.land());
-    let share = share_of_land(recipe.get())?;
+    let (share, cartouche) = (share_of_land(recipe.get()), recipe.get::<recipe::Cartouche>());
+    if share == 0.0 && cartouche == recipe::Cartouche::None {
+        return None;
+    }
     let network = session.network().filter(|_| matches!(session.phase(), Phase::Relief | Phase::Finished))?;
     if !memory::can_allocate(Raster::BYTES + network.vertices.len() * BYTES_A_VERTEX) {
         return None;
@@ -41,6 +44,11 @@ pub fn input(session: &Session, frame: [Vec2; 2], scale: f32) -> Option<Input<'_
         most_area: [land_area, AREA - land_area].map(|area| share * area),
         total_discharge: total_discharge(network),
         reaches: names.reaches.iter().filter_map(reach).collect(),
+        cartouche: (cartouche != recipe::Cartouche::None).then(|| Cartouche {
+            title: std::mem::take(&mut names.title),
+            seed: recipe.seed().into(),
+            is_framed: cartouche == recipe::Cartouche::Framed,
+        }),
         areas: std::mem::take(&mut names.places).into_iter().map(area_of).collect(),
         rivers: rivers(network, names),
         lakes: network.oxbows.iter().map(Oxbow::middle).collect(),
@@ -49,13 +57,13 @@ pub fn input(session: &Session, frame: [Vec2; 2], scale: f32) -> Option<Input<'_
     })
 }
 
-/// The share of the land that labels may cover; `None` if there are to be none.
-fn share_of_land(labels: Labels) -> Option<f32> {
+/// The share of the land that labels may cover; 0 if there are to be none.
+fn share_of_land(labels: Labels) -> f32 {
     match labels {
-        Labels::None => None,
-        Labels::Few => Some(0.02),
-        Labels::Some => Some(0.05),
-        Labels::Many => Some(0.1),
+        Labels::None => 0.0,
+        Labels::Few => 0.02,
+        Labels::Some => 0.05,
+        Labels::Many => 0.1,
     }
 }
 

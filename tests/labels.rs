@@ -14,7 +14,7 @@ use riverseed::chart::{
 };
 use riverseed::glam::Vec2;
 use riverseed::labels;
-use riverseed::recipe::link;
+use riverseed::recipe::{Key, link};
 use riverseed::{Picture, Session};
 
 /// The ground without anything prepared.
@@ -77,6 +77,7 @@ fn check(session: &Session, width: f32) -> Result<usize, TestCaseError> {
         check_shape(label)?;
         match label.river {
             Some(river) => check_place(label, river, &input)?,
+            None if label.kind.is_of_cartouche() => check_cartouche(label, &labels, &input)?,
             None => check_area(label, &input)?,
         }
     }
@@ -101,6 +102,32 @@ fn check_shape(label: &Label) -> Result<(), TestCaseError> {
     let end = last.place(Vec2::new(last.glyph.advance, 0.0), label.em);
     let direction = degrees(end - first.at);
     prop_assert!((-100.5..80.5).contains(&direction), "{} runs at {direction} degrees", label.text);
+    Ok(())
+}
+
+/// In the frame, off other labels, and at sea where a corner of the map is.
+fn check_cartouche(label: &Label, labels: &[Label], input: &Input<'_>) -> Result<(), TestCaseError> {
+    let [least, most] = input.frame;
+    let is_in = |at: Vec2| at.cmpge(least).all() && at.cmple(most).all();
+    let corners = boxes(label).into_iter().flat_map(|around| around.corners());
+    let ends = label.strokes.iter().flat_map(|stroke| stroke.ends);
+    prop_assert!(corners.chain(ends.clone()).all(is_in), "{} leaves the map", label.text);
+    let Some((from, to)) = ends.map(|at| (at, at)).reduce(|a, b| (a.0.min(b.0), a.1.max(b.1))) else { return Ok(()) };
+    for other in labels.iter().filter(|other| !other.kind.is_of_cartouche()) {
+        let mut corners = boxes(other).into_iter().flat_map(|around| around.corners());
+        let is_around = |at: Vec2| at.cmpgt(from).all() && at.cmplt(to).all();
+        prop_assert!(!corners.any(is_around), "{} stands in the cartouche", other.text);
+    }
+    let depth = |at: Vec2| input.coast.map_or(-1.0, |coast| -coast.height(at));
+    let is_sea = |from: Vec2, least: f32| {
+        let mut points = (0..=40).flat_map(|x| (0..=20).map(move |y| Vec2::new(x as f32 / 40.0, y as f32 / 20.0)));
+        points.all(|share| depth(from + share * (to - from)) >= least)
+    };
+    prop_assert_eq!(label.cleared.is_empty(), is_sea(from, 0.0), "{}", &label.text);
+    let margin = (from - least).min(most - to).min_element();
+    let (first, last) = (least + margin, most - margin - (to - from));
+    let mut others = [first, Vec2::new(last.x, first.y), Vec2::new(first.x, last.y), last].into_iter();
+    prop_assert!(label.cleared.is_empty() || !others.any(|at| is_sea(at, label.em)), "there is a corner at sea");
     Ok(())
 }
 
@@ -338,9 +365,60 @@ fn svg_has_each_label_as_a_group_with_its_text_and_a_mask_for_rivers() {
     assert_eq!(titles, texts);
     assert_eq!(by_id("rivers").unwrap().attribute("mask"), Some("url(#halo)"));
     assert!(by_id("halo").unwrap().descendants().count() > titles.len());
+    let titled = finished("land=island&attractors=500&style=atlas&seed=%3Ckea%3E&names=t.A%26B&cartouche=framed");
+    let text = riverseed::export::svg::svg(&titled).unwrap();
+    let document = roxmltree::Document::parse(&text).unwrap();
+    let cartouche = document.descendants().find(|node| node.attribute("id") == Some("cartouche")).unwrap();
+    assert_eq!(cartouche.attribute("aria-label"), Some("A&B, <kea>"));
+    assert_eq!(cartouche.descendants().filter(|node| node.has_tag_name("title")).count(), 2);
+    assert!(!text.contains("id=\"labels\""));
     let bare = finished("land=island&attractors=4000&seed=kauri&style=atlas");
     let bare = riverseed::export::svg::svg(&bare).unwrap();
     assert!(!bare.contains("labels") && !bare.contains("mask"));
+}
+
+/// Seeds as they come: wide, long, from right to left, in letters that the type has not, and with what is no letter.
+fn any_seed() -> impl Strategy<Value = String> {
+    prop_oneof![
+        Just("W".repeat(64)),
+        Just("\u{5e9}\u{5dc}\u{5d5}\u{5dd} kea".into()),
+        Just("\u{6771}\u{4eac}".into()),
+        "[A-Za-z ]{1,64}",
+        "\\PC{1,64}"
+    ]
+}
+
+proptest! {
+    #![proptest_config(large(100))]
+
+    #[test]
+    fn a_cartouche_stands_in_a_corner_at_sea_if_there_is_one_and_off_all_labels(
+        link in random_link(1000), seed in any_seed(), aspect in 0.3f64..4.0, size in 0.5f64..2.0, width in 200.0f32..2000.0,
+    ) {
+        let mut recipe = link::read(&format!("{link}&labels=some&cartouche=framed&label-size={size:.2}")).unwrap();
+        recipe.set(Key::Aspect, &format!("{aspect:.2}")).unwrap();
+        prop_assume!(recipe.set(Key::Seed, &seed).is_ok());
+        let mut session = Session::new(recipe).unwrap();
+        session.finish().unwrap();
+        check(&session, width)?;
+    }
+}
+
+#[test]
+fn a_seed_that_is_too_long_or_in_other_letters_is_left_out_of_the_cartouche() {
+    let texts = |seed: &str| -> Vec<String> {
+        let link = format!("land=island&attractors=500&cartouche=framed&names=t.Home&seed={seed}");
+        let session = finished(&link);
+        placed(&session, 1200.0).0.into_iter().map(|label| label.text).collect()
+    };
+    assert_eq!(texts("kea"), ["Home", "kea"]);
+    assert_eq!(texts("a long seed of some letters"), ["Home", "a long seed of some letters"]);
+    for seed in [&"W".repeat(64), "\u{5e9}\u{5dc}\u{5d5}\u{5dd}", "\u{6771}\u{4eac}"] {
+        assert_eq!(texts(seed), ["Home"]);
+    }
+    // Without a title there is no cartouche.
+    let session = finished("land=island&attractors=500&cartouche=plain&names=t.");
+    assert!(placed(&session, 1200.0).0.is_empty());
 }
 
 #[test]

@@ -92,7 +92,7 @@ impl Search<'_> {
             }
         }
         self.lay(best?.1, &mut letters)?;
-        Some(Label { kind: Kind::Water, river: None, text: text.into(), em: self.em, letters })
+        Some(Label::new(Kind::Water, None, text, self.em, letters))
     }
 
     /// Puts letters along an arc. Returns how far the nearest is from the coast, in ems; `None` if that is too near.

@@ -87,6 +87,17 @@ impl Area {
     }
 }
 
+/// The title of a map.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Cartouche {
+    /// What the map is called.
+    pub title: String,
+    /// What it has grown from.
+    pub seed: String,
+    /// Whether there is a double line around them.
+    pub is_framed: bool,
+}
+
 /// A map that labels are wanted for. Lengths are units.
 #[derive(Clone, Debug)]
 pub struct Input<'a> {
@@ -109,6 +120,8 @@ pub struct Input<'a> {
     pub lakes: Vec<Vec<Place>>,
     /// Ridges, which no letter may touch.
     pub ridges: Vec<Vec<Place>>,
+    /// The title; `None` if it is to have none.
+    pub cartouche: Option<Cartouche>,
     /// Seas, lakes and islands.
     pub areas: Vec<Area>,
     /// How far inland each point lies; `None` if there is no sea.

@@ -49,7 +49,7 @@ pub fn island<G: Ground>(input: &Input<'_>, ground: &G, area: &Area, taken: &[(u
             let text = Text::new(name, Kind::Island);
             let search = Search { input, ground, coast, area, corners, taken, em, text };
             let (kind, letters) = search.letters()?;
-            Some(Label { kind, river: None, text: name.clone(), em, letters })
+            Some(Label::new(kind, None, name, em, letters))
         })
     };
     sizes.into_iter().filter(|em| size.sqrt() >= LEAST_SIDE * em).find_map(label)

@@ -10,6 +10,7 @@
 
 mod areas;
 mod baseline;
+mod cartouche;
 mod costs;
 mod ground;
 mod input;
@@ -20,7 +21,7 @@ mod raster;
 mod search;
 
 pub use ground::{Ground, Ink, Piece, cell_middle};
-pub use input::{Area, AreaKind, Input, Reach, River, Strip};
-pub use letters::{Box, Kind, Label, Placed};
+pub use input::{Area, AreaKind, Cartouche, Input, Reach, River, Strip};
+pub use letters::{Box, Kind, Label, Placed, Stroke};
 pub use place::place;
 pub use raster::Raster;

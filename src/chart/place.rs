@@ -7,7 +7,7 @@ use super::ground::{Ground, NONE};
 use super::input::{Area, AreaKind, Input, Reach, River};
 use super::letters::{Box, Kind, Label, Text};
 use super::search::Search;
-use super::{areas, islands};
+use super::{areas, cartouche, islands};
 use crate::geometry::distance;
 use crate::sort;
 
@@ -30,11 +30,16 @@ const APART: f32 = 2.2;
 const MOST_RIVERS: usize = 400;
 
 /// The labels of a map, the most important first: of the greatest river, of stretches where rivers wind, of all other rivers, of lakes and
-/// islands, of seas.
+/// islands, of seas; and the title.
 pub fn place<G: Ground>(input: &Input<'_>, ground: &G) -> Vec<Label> {
     let mut map = Map { input, ground, labels: Vec::new(), boxes: Vec::new(), area: 0.0 };
+    let cartouche = input.cartouche.as_ref().and_then(|cartouche| cartouche::set(input, ground, cartouche));
+    let (cartouche, around) = cartouche.map_or((Vec::new(), None), |set| (set.labels, Some((NONE, set.around))));
+    // Everything else keeps off its corner.
+    map.boxes.extend(around);
     map.label_rivers();
     map.label_areas();
+    map.labels.extend(cartouche);
     map.labels
 }
 

@@ -69,7 +69,7 @@ impl<G: Ground> Search<'_, G> {
         let candidate = self.best()?;
         let mut letters = Vec::new();
         self.lay(candidate.line, candidate.start, &mut letters)?;
-        Some(Label { kind: self.kind, river: Some(self.river), text: text.into(), em: self.em, letters })
+        Some(Label::new(self.kind, Some(self.river), text, self.em, letters))
     }
 
     /// The cheapest candidate that nothing forbids; the earlier of equals.

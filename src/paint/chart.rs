@@ -4,10 +4,10 @@ use glam::Vec2;
 use tiny_skia::Pixmap;
 
 use super::coverage::{Coverage, Covered, Rect};
-use super::palette::over;
+use super::palette::{Colour, over};
 use super::styles::labels::LabelLook;
 use super::view::View;
-use crate::chart::{Label, Placed};
+use crate::chart::{Label, Placed, Stroke};
 use crate::glyph::Fill;
 
 /// How far the halo reaches around the middle of a space between words, in ems: a river that showed there would be taken for a hyphen.
@@ -33,6 +33,7 @@ pub(super) fn halo(rivers: &mut Coverage, view: &View, labels: &[Label], look: L
             outline(label, letter, view, |from, to| mask.capsule(from, radius, to, radius));
         }
     }
+    draw(&mut mask, view, labels.iter().flat_map(|label| &label.cleared));
     let touched = mask.take_touched();
     rivers.take_away(&mask, &touched);
     look.halo.map(|_| mask)
@@ -41,11 +42,14 @@ pub(super) fn halo(rivers: &mut Coverage, view: &View, labels: &[Label], look: L
 /// Lays letters over the picture.
 pub(super) fn letters(pixmap: &mut Pixmap, view: &View, labels: &[Label], look: LabelLook, halo: Option<Coverage>) {
     if let Some((halo, (colour, strength))) = halo.zip(look.halo) {
-        let picture = pixmap.data_mut().as_chunks_mut::<4>().0;
-        for (i, covered) in Covered::by(halo.mask().data()) {
-            let [red, green, blue, _] = picture[i];
-            picture[i] = over([red, green, blue], colour, (f32::from(covered) * strength + 0.5) as u32);
-        }
+        lay(pixmap, &halo, colour, strength);
+    }
+    let (panel, framed) = (look.under(true), labels.iter().filter(|label| !label.strokes.is_empty()));
+    if let Some((mask, (colour, strength))) = drawn(view, framed.flat_map(|label| &label.cleared)).zip(panel) {
+        lay(pixmap, &mask, colour, strength);
+    }
+    if let Some(mask) = drawn(view, labels.iter().flat_map(|label| &label.strokes)) {
+        lay(pixmap, &mask, look.ink, 1.0);
     }
     let (mut fill, width) = (Fill::default(), pixmap.width() as usize);
     for (label, letter) in letters_of(labels) {
@@ -61,6 +65,31 @@ pub(super) fn letters(pixmap: &mut Pixmap, view: &View, labels: &[Label], look: 
                 *pixel = over([red, green, blue], look.ink, (share * 255.0 + 0.5) as u32);
             }
         }
+    }
+}
+
+/// A mask of lines; `None` if there are none.
+fn drawn<'a>(view: &View, strokes: impl Iterator<Item = &'a Stroke>) -> Option<Coverage> {
+    let mut strokes = strokes.peekable();
+    strokes.peek()?;
+    let mut mask = Coverage::new(view.width, view.height)?;
+    draw(&mut mask, view, strokes);
+    Some(mask)
+}
+
+fn draw<'a>(mask: &mut Coverage, view: &View, strokes: impl Iterator<Item = &'a Stroke>) {
+    for Stroke { ends, half } in strokes {
+        let [from, to] = ends.map(|end| view.pixel(end));
+        mask.capsule(from, half * view.scale, to, half * view.scale);
+    }
+}
+
+/// Lays a colour over the picture where a mask covers it.
+fn lay(pixmap: &mut Pixmap, mask: &Coverage, colour: Colour, strength: f32) {
+    let picture = pixmap.data_mut().as_chunks_mut::<4>().0;
+    for (i, covered) in Covered::by(mask.mask().data()) {
+        let [red, green, blue, _] = picture[i];
+        picture[i] = over([red, green, blue], colour, (f32::from(covered) * strength + 0.5) as u32);
     }
 }
 

@@ -5,7 +5,7 @@ use glam::Vec2;
 
 use super::path::Path;
 use super::text::Text;
-use crate::chart::{Label, Placed};
+use crate::chart::{Label, Placed, Stroke};
 use crate::paint::LabelLook;
 use crate::paint::chart::SPACE;
 
@@ -27,7 +27,7 @@ pub(super) fn draw_halo(out: &mut Text, size: Vec2, labels: &[Label]) -> bool {
         out.text("\" d=\"").text(outlines(label).data()).text("\"/>\n");
     }
     out.text("<g stroke=\"#000\" stroke-linecap=\"round\">\n");
-    for label in labels {
+    for label in labels.iter().filter(|label| !label.kind.is_of_cartouche()) {
         let mut path = Path::default();
         label.spaces().for_each(|ends| path.line(&ends));
         if !path.data().is_empty() {
@@ -35,16 +35,53 @@ pub(super) fn draw_halo(out: &mut Text, size: Vec2, labels: &[Label]) -> bool {
             out.text("\" d=\"").text(path.data()).text("\"/>\n");
         }
     }
+    for label in labels.iter().filter(|label| !label.cleared.is_empty()) {
+        draw_strokes(out, &label.cleared);
+    }
     out.text("</g>\n</mask>\n");
     true
 }
 
-/// Writes the labels, the greatest river's first.
+/// Writes the labels, the greatest river's first, and the cartouche.
 pub(super) fn draw(out: &mut Text, labels: &[Label], look: LabelLook) {
-    if labels.is_empty() {
-        return;
+    let (cartouche, others): (Vec<&Label>, Vec<&Label>) = labels.iter().partition(|label| label.kind.is_of_cartouche());
+    if !others.is_empty() {
+        out.text("<g id=\"labels\" fill=\"").colour(look.ink).text("\">\n");
+        draw_each(out, &others, look);
+        out.text("</g>\n");
     }
-    out.text("<g id=\"labels\" fill=\"").colour(look.ink).text("\">\n");
+    if let Some((title, seed)) = cartouche.split_first() {
+        out.text("<g id=\"cartouche\" role=\"img\" aria-label=\"").escaped(&title.text);
+        for seed in seed {
+            out.text(", ").escaped(&seed.text);
+        }
+        out.text("\" fill=\"").colour(look.ink).text("\">\n");
+        let is_panel = !title.strokes.is_empty();
+        if let Some((colour, strength)) = look.under(is_panel).filter(|_| !title.cleared.is_empty()) {
+            out.text("<g stroke-linecap=\"round\" stroke=\"").colour(colour).text("\" stroke-opacity=\"");
+            out.units(strength).text("\">\n");
+            draw_strokes(out, &title.cleared);
+            out.text("</g>\n");
+        }
+        if !title.strokes.is_empty() {
+            out.text("<g stroke-linecap=\"round\" stroke=\"").colour(look.ink).text("\">\n");
+            title.strokes.chunk_by(|a, b| a.half == b.half).for_each(|strokes| draw_strokes(out, strokes));
+            out.text("</g>\n");
+        }
+        draw_each(out, &cartouche, look);
+        out.text("</g>\n");
+    }
+}
+
+/// Lines of one width.
+fn draw_strokes(out: &mut Text, strokes: &[Stroke]) {
+    let mut path = Path::default();
+    strokes.iter().for_each(|stroke| path.line(&stroke.ends));
+    out.text("<path stroke-width=\"").units(strokes.first().map_or(0.0, |stroke| 2.0 * stroke.half));
+    out.text("\" d=\"").text(path.data()).text("\"/>\n");
+}
+
+fn draw_each(out: &mut Text, labels: &[&Label], look: LabelLook) {
     for label in labels {
         out.text("<g role=\"img\"");
         if let Some(river) = label.river {
@@ -59,7 +96,6 @@ pub(super) fn draw(out: &mut Text, labels: &[Label], look: LabelLook) {
         }
         out.text(" d=\"").text(outlines(label).data()).text("\"/></g>\n");
     }
-    out.text("</g>\n");
 }
 
 /// The outlines of all letters.
