@@ -10,7 +10,7 @@ use common::random_link;
 use geo::{Distance, Euclidean, Intersects};
 use proptest::prelude::*;
 use riverseed::chart::{
-    Area, AreaKind, Box, Ground, Ink, Input, Kind, Label, Piece, Placed, Raster, Strip, cell_middle, place,
+    Area, AreaKind, Background, Box, Ink, Input, Kind, Label, Piece, Placed, Raster, Strip, cell_middle, place,
 };
 use riverseed::glam::Vec2;
 use riverseed::labels;
@@ -20,7 +20,7 @@ use riverseed::{Picture, Session};
 /// The ground without anything prepared.
 struct Literal(Vec<Piece>);
 
-impl Ground for Literal {
+impl Background for Literal {
     const STOPS_EARLY: bool = false;
 
     fn ink(&self, at: Vec2) -> Ink {

@@ -2,7 +2,7 @@
 
 use glam::Vec2;
 
-use super::ground::Ground;
+use super::background::Background;
 use super::input::{Cartouche, Input};
 use super::letters::{Box, Kind, Label, Placed, Stroke, Text};
 use crate::glyph::lacking;
@@ -11,8 +11,9 @@ use crate::glyph::lacking;
 const SIZES: [f32; 5] = [30.0, 26.0, 22.0, 19.0, 16.0];
 const OVER_LEAST: f32 = 1.25;
 const LEAST: f32 = 11.0;
-/// The size that is taken where no corner is all sea.
+/// The size that is taken where no corner is all sea, and by which share smaller ones have to be more so.
 const ON_LAND: usize = 2;
+const MORE_SEA: f32 = 0.1;
 /// How large the seed's letters are, over those of the title.
 const SEED: [f32; 3] = [0.56, 0.48, 0.4];
 /// How much wider than the title the seed may be, or than a title of so many ems.
@@ -46,7 +47,7 @@ pub struct Set {
 
 /// Puts the title into the corner with the most sea, and of those with the least ink. Smaller letters, and two lines, are tried where that keeps
 /// it off land. `None` if there is no room.
-pub fn set<G: Ground>(input: &Input<'_>, ground: &G, cartouche: &Cartouche) -> Option<Set> {
+pub fn set<G: Background>(input: &Input<'_>, background: &G, cartouche: &Cartouche) -> Option<Set> {
     let sizes = SIZES.map(|size| size.max(OVER_LEAST * input.least_em) * input.label_size);
     let blocks = sizes.into_iter().flat_map(|em| [1, 2].map(|lines| Block::new(input, cartouche, em, lines)));
     let mut blocks: Vec<Option<Block>> = blocks.collect();
@@ -54,13 +55,15 @@ pub fn set<G: Ground>(input: &Input<'_>, ground: &G, cartouche: &Cartouche) -> O
     let least = input.least_em.max(LEAST) * input.label_size;
     blocks.extend([1, 2].map(|lines| Block::new(input, cartouche, least, lines)));
     let at_sea = blocks.iter().flatten().find_map(|block| {
-        let corner = block.corner(input, ground);
+        let corner = block.corner(input, background);
         (corner.sea == 1.0).then_some((block, corner))
     });
-    let (block, corner) = at_sea.or_else(|| {
-        let block = blocks[2 * ON_LAND..].iter().flatten().next()?;
-        Some((block, block.corner(input, ground)))
-    })?;
+    // Else smaller ones if that makes a difference.
+    let mostly_at_sea = || {
+        let placed = blocks[2 * ON_LAND..].iter().flatten().map(|block| (block, block.corner(input, background)));
+        placed.reduce(|best, next| if next.1.sea > best.1.sea + MORE_SEA { next } else { best })
+    };
+    let (block, corner) = at_sea.or_else(mostly_at_sea)?;
     Some(block.set(cartouche, &corner))
 }
 
@@ -124,16 +127,16 @@ impl Block {
     }
 
     /// The best of the four corners.
-    fn corner<G: Ground>(&self, input: &Input<'_>, ground: &G) -> Corner {
+    fn corner<G: Background>(&self, input: &Input<'_>, background: &G) -> Corner {
         let ([least, most], margin) = (input.frame, FROM_FRAME * self.em);
         let (least, most) = (least + margin, most - margin - self.size);
         let corners = [least, Vec2::new(most.x, least.y), Vec2::new(least.x, most.y), most];
-        let [first, others @ ..] = corners.map(|at| self.judged(input, ground, at));
+        let [first, others @ ..] = corners.map(|at| self.judged(input, background, at));
         others.into_iter().fold(first, |best, corner| if corner.is_better_than(&best) { corner } else { best })
     }
 
     /// What lies under the block in a place, by points an em apart or less.
-    fn judged<G: Ground>(&self, input: &Input<'_>, ground: &G, at: Vec2) -> Corner {
+    fn judged<G: Background>(&self, input: &Input<'_>, background: &G, at: Vec2) -> Corner {
         const FAR: f32 = 4.0;
         let counts = (self.size / (0.8 * self.em)).ceil();
         let (mut sea, mut ink, mut off) = (0.0, 0.0, 0.0);
@@ -144,7 +147,7 @@ impl Block {
             let depth = input.coast.map_or(f32::MIN, |coast| -coast.height(point) / self.em);
             sea += if depth >= FROM_COAST { 1.0 } else { 0.0 };
             off += depth.clamp(0.0, FAR);
-            let width = ground.ink(point).width;
+            let width = background.ink(point).width;
             ink += if width > 0.0 { 1.0 + width.min(20.0) } else { 0.0 };
         }
         let points = (counts.x + 1.0) * (counts.y + 1.0);

@@ -2,7 +2,7 @@
 
 use glam::Vec2;
 
-use super::ground::{Ground, LAKE, RIDGE};
+use super::background::{Background, LAKE, RIDGE};
 use super::input::{Area, Input, Strip};
 use super::letters::{Box, Kind, Label, Placed, Text};
 use crate::geometry::length;
@@ -38,7 +38,7 @@ const NEARER: f32 = 1.3;
 const NEARER_EM: f32 = 0.3;
 
 /// The label of an island, off the boxes that are taken; `None` if there is no room.
-pub fn island<G: Ground>(input: &Input<'_>, ground: &G, area: &Area, taken: &[(u32, Box)]) -> Option<Label> {
+pub fn island<G: Background>(input: &Input<'_>, background: &G, area: &Area, taken: &[(u32, Box)]) -> Option<Label> {
     let coast = input.coast?;
     let (size, corners) = (area.size(), area.corners());
     let usual = SIZES.iter().find(|(least, _)| size >= *least).map_or(0.0, |(_, em)| *em);
@@ -47,7 +47,7 @@ pub fn island<G: Ground>(input: &Input<'_>, ground: &G, area: &Area, taken: &[(u
     let label = |em: f32| {
         area.name.iter().find_map(|name| {
             let text = Text::new(name, Kind::Island);
-            let search = Search { input, ground, coast, area, corners, taken, em, text };
+            let search = Search { input, background, coast, area, corners, taken, em, text };
             let (kind, letters) = search.letters()?;
             Some(Label::new(kind, None, name, em, letters))
         })
@@ -57,7 +57,7 @@ pub fn island<G: Ground>(input: &Input<'_>, ground: &G, area: &Area, taken: &[(u
 
 struct Search<'a, G> {
     input: &'a Input<'a>,
-    ground: &'a G,
+    background: &'a G,
     coast: &'a CoastDistance,
     area: &'a Area,
     /// Of the box around the island.
@@ -70,7 +70,7 @@ struct Search<'a, G> {
 /// The cheapest place so far, and what it costs.
 type Best = Option<(f32, Vec<Placed>)>;
 
-impl<G: Ground> Search<'_, G> {
+impl<G: Background> Search<'_, G> {
     /// The letters on the island, or beside it.
     fn letters(&self) -> Option<(Kind, Vec<Placed>)> {
         if self.text.letters.is_empty() {
@@ -106,7 +106,7 @@ impl<G: Ground> Search<'_, G> {
                 return None;
             }
             for sample in around.samples() {
-                let under = self.ground.ink(sample);
+                let under = self.background.ink(sample);
                 if under.river == RIDGE || under.river == LAKE || under.width > WIDEST_UNDER {
                     return None;
                 }

@@ -2,8 +2,8 @@
 
 use glam::Vec2;
 
+use super::background::{Background, NONE};
 use super::baseline::{Course, Line};
-use super::ground::{Ground, NONE};
 use super::input::{Area, AreaKind, Input, Reach, River};
 use super::letters::{Box, Kind, Label, Text};
 use super::search::Search;
@@ -31,9 +31,9 @@ const MOST_RIVERS: usize = 400;
 
 /// The labels of a map, the most important first: of the greatest river, of stretches where rivers wind, of all other rivers, of lakes and
 /// islands, of seas; and the title.
-pub fn place<G: Ground>(input: &Input<'_>, ground: &G) -> Vec<Label> {
-    let mut map = Map { input, ground, labels: Vec::new(), boxes: Vec::new(), area: 0.0 };
-    let cartouche = input.cartouche.as_ref().and_then(|cartouche| cartouche::set(input, ground, cartouche));
+pub fn place<G: Background>(input: &Input<'_>, background: &G) -> Vec<Label> {
+    let mut map = Map { input, background, labels: Vec::new(), boxes: Vec::new(), area: 0.0 };
+    let cartouche = input.cartouche.as_ref().and_then(|cartouche| cartouche::set(input, background, cartouche));
     let (cartouche, around) = cartouche.map_or((Vec::new(), None), |set| (set.labels, Some((NONE, set.around))));
     // Everything else keeps off its corner.
     map.boxes.extend(around);
@@ -62,14 +62,14 @@ struct Subject<'a> {
 /// A map with the labels that it has so far.
 struct Map<'a, G> {
     input: &'a Input<'a>,
-    ground: &'a G,
+    background: &'a G,
     labels: Vec<Label>,
     boxes: Vec<(u32, Box)>,
     /// What they cover, in square units.
     area: f32,
 }
 
-impl<G: Ground> Map<'_, G> {
+impl<G: Background> Map<'_, G> {
     /// Labels rivers, the greatest first, until they cover as much land as they may.
     fn label_rivers(&mut self) {
         let Input { reaches, rivers, most_area: [most, _], .. } = self.input;
@@ -107,7 +107,7 @@ impl<G: Ground> Map<'_, G> {
                 break;
             }
             let label = match area.kind {
-                AreaKind::Island => islands::island(self.input, self.ground, area, &self.boxes),
+                AreaKind::Island => islands::island(self.input, self.background, area, &self.boxes),
                 AreaKind::Lake | AreaKind::Sea => areas::water(self.input, area, &self.boxes),
             };
             label.into_iter().for_each(|label| self.take(NONE, label));
@@ -200,7 +200,7 @@ impl<G: Ground> Map<'_, G> {
         forms.iter().filter(|form| !form.is_empty() && !is_another_s(form)).find_map(|form| {
             let search = Search {
                 input: self.input,
-                ground: self.ground,
+                background: self.background,
                 taken: &self.boxes,
                 river: *river,
                 kind: *kind,

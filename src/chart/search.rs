@@ -2,9 +2,9 @@
 
 use glam::Vec2;
 
+use super::background::{Background, LAKE, RIDGE};
 use super::baseline::{Line, is_upright};
 use super::costs::{Turns, Under, steepness};
-use super::ground::{Ground, LAKE, RIDGE};
 use super::input::Input;
 use super::letters::{Box, Kind, Label, MIDDLE, Placed, Text, between, walk_from};
 use crate::geometry::direction;
@@ -40,7 +40,7 @@ const RIVALS_AWAY: f32 = 1.6;
 /// What is known of one river and one text.
 pub struct Search<'a, G> {
     pub input: &'a Input<'a>,
-    pub ground: &'a G,
+    pub background: &'a G,
     /// The boxes of the labels that there are, with the numbers of their rivers.
     pub taken: &'a [(u32, Box)],
     pub river: u32,
@@ -63,7 +63,7 @@ struct Candidate {
     start: f32,
 }
 
-impl<G: Ground> Search<'_, G> {
+impl<G: Background> Search<'_, G> {
     /// The label in the best place; `None` if there is none.
     pub fn label(&self, text: &str) -> Option<Label> {
         let candidate = self.best()?;
@@ -189,7 +189,7 @@ impl<G: Ground> Search<'_, G> {
                 return None;
             }
             for sample in around.samples() {
-                let under = self.ground.ink(sample);
+                let under = self.background.ink(sample);
                 let is_own = under.river == self.river || under.river == LAKE;
                 if under.river == RIDGE || (is_own && self.kind == Kind::River) || (!is_own && under.width > most) {
                     return None;
@@ -215,7 +215,7 @@ impl<G: Ground> Search<'_, G> {
         let (mut own_sum, mut squares, mut rival_sum, mut missing) = (0.0, 0.0, 0.0, 0.0);
         for letter in letters {
             let middle = letter.place(Vec2::new(letter.glyph.advance * 0.5, MIDDLE), self.em);
-            let both = self.ground.distances(middle, self.river, RIVAL * width, FARTHEST * self.em);
+            let both = self.background.distances(middle, self.river, RIVAL * width, FARTHEST * self.em);
             let [own, rival] = both.map(|distance| distance / self.em);
             if own >= FARTHEST && self.kind == Kind::River {
                 return None;

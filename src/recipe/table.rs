@@ -548,7 +548,7 @@ pub static TABLE: [Parameter; COUNT] = {
             key: Key::Labels,
             name: "labels",
             label: "Labels",
-            help: "How many rivers have their name on the map, the greatest first.",
+            help: "How much of the land names may cover. The greatest rivers have theirs first.",
             unit: "",
             group: "Names",
             stage: Name,

@@ -17,7 +17,7 @@ use riverseed::session::Session;
 use super::Failure;
 use super::form::Form;
 use super::grow::{grow, progress};
-use super::names::say_what_is_unused;
+use super::names::{say_what_has_no_letters, say_what_is_unused};
 use super::order::Order;
 use super::output::Output;
 
@@ -46,6 +46,9 @@ pub fn render(matches: &ArgMatches) -> Result<(), Failure> {
         Rasters::grid(&Domain::of(&order.recipe), size).map_err(Failure::RasterSize)?;
     }
     order.say_what_is_idle(matches!(form, Form::Png | Form::Svg));
+    if matches!(form, Form::Png | Form::Svg | Form::Pack) {
+        say_what_has_no_letters(&order.recipe);
+    }
     let output = Output::open(output)?;
     match form {
         Form::Png => write_picture(output, order, size),
