@@ -38,6 +38,9 @@ pub struct Picture {
     /// The labels of finished rivers, and the generation that they belong to.
     #[cfg(feature = "names")]
     labels: Option<(Generation, Vec<Label>)>,
+    /// Pixels of the picture to one of those that letters are measured by.
+    #[cfg(feature = "names")]
+    ratio: f32,
 }
 
 impl Picture {
@@ -52,7 +55,20 @@ impl Picture {
             rivers_of: None,
             #[cfg(feature = "names")]
             labels: None,
+            #[cfg(feature = "names")]
+            ratio: 1.0,
         })
+    }
+
+    /// The same picture for a screen with so many pixels to a CSS pixel, from 0.5 to 4 in quarters, to the nearest of which it comes: no letter is
+    /// smaller than 11 CSS pixels, times the recipe's `label-size`.
+    #[cfg(feature = "names")]
+    #[must_use]
+    pub fn with_ratio(mut self, ratio: f32) -> Self {
+        self.ratio = ((ratio * 4.0).round() / 4.0).clamp(0.5, 4.0);
+        self.labels = None;
+        self.painter.reset();
+        self
     }
 
     /// Brings the picture up to date with its session, however that has changed. Where their aspects differ, the map's edges
@@ -122,7 +138,7 @@ impl Picture {
         if !matches!(session.phase(), Phase::Relief | Phase::Finished) {
             self.labels = None;
         } else if !are_placed {
-            self.labels = Some((generation, labels(session, self.painter.frame(), self.painter.scale())));
+            self.labels = Some((generation, labels(session, self.painter.frame(), self.painter.scale() / self.ratio)));
         }
     }
 
@@ -180,6 +196,20 @@ mod tests {
         let refused = with_lists_up_to(2_000_000, || Picture::new(500, 500)).map(drop).unwrap_err();
         assert_eq!(refused, PaintError::OutOfMemory { width: 500, height: 500, megabytes: 12 });
         assert_eq!(Picture::new(0, 70).map(drop).unwrap_err(), PaintError::Size { width: 0, height: 70 });
+    }
+
+    #[cfg(feature = "names")]
+    #[test]
+    fn letters_are_as_large_on_a_dense_screen_as_in_half_the_picture_on_another() {
+        let session = finished(&format!("{SMALL}&labels=many"));
+        let labels = |width: u32, ratio: f32| {
+            let mut picture = Picture::new(width, width / 2).unwrap().with_ratio(ratio);
+            picture.paint(&session);
+            picture.labels.unwrap().1
+        };
+        assert_eq!(labels(400, 2.0), labels(200, 1.0));
+        assert_eq!(labels(400, 2.1), labels(200, 1.0));
+        assert!(labels(400, 2.0) != labels(400, 1.0));
     }
 
     #[test]

@@ -372,6 +372,21 @@ fn svg_has_each_label_as_a_group_with_its_text_and_a_mask_for_rivers() {
     assert_eq!(cartouche.attribute("aria-label"), Some("A&B, <kea>"));
     assert_eq!(cartouche.descendants().filter(|node| node.has_tag_name("title")).count(), 2);
     assert!(!text.contains("id=\"labels\""));
+    // As text on paths, a line each, all letters included.
+    let session =
+        finished("land=island&attractors=4000&seed=kauri&style=atlas&labels=some&cartouche=plain&names=t.A+B");
+    let texts: Vec<String> = placed(&session, session.domain().size.x).0.into_iter().map(|label| label.text).collect();
+    let text = riverseed::export::svg::svg_with_text(&session).unwrap();
+    let document = roxmltree::Document::parse(&text).unwrap();
+    let paths = document.descendants().filter(|node| node.has_tag_name("textPath"));
+    let on_path = |path: roxmltree::Node<'_, '_>| {
+        let id = path.attribute("href").unwrap().strip_prefix('#').unwrap().to_owned();
+        let baselines = document.descendants().filter(|node| node.attribute("id") == Some(id.as_str()));
+        assert_eq!(baselines.filter(|node| node.attribute("d").is_some()).count(), 1, "{id}");
+        assert!(path.attribute("textLength").unwrap().parse::<f32>().unwrap() > 5.0);
+        path.text().unwrap().to_owned()
+    };
+    assert_eq!(paths.map(on_path).collect::<Vec<_>>(), texts);
     let bare = finished("land=island&attractors=4000&seed=kauri&style=atlas");
     let bare = riverseed::export::svg::svg(&bare).unwrap();
     assert!(!bare.contains("labels") && !bare.contains("mask"));

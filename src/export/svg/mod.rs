@@ -37,6 +37,20 @@ use crate::session::Session;
 /// # Errors
 /// If there are no rivers yet, or there is not enough memory.
 pub fn svg(session: &Session) -> Result<String, ExportError> {
+    written(session, false)
+}
+
+/// The same with labels as text on paths: for readers that have EB Garamond, or another face of this kind.
+///
+/// # Errors
+/// As [`svg`].
+#[cfg(feature = "names")]
+pub fn svg_with_text(session: &Session) -> Result<String, ExportError> {
+    written(session, true)
+}
+
+#[cfg_attr(not(feature = "names"), expect(unused_variables, reason = "there are no labels"))]
+fn written(session: &Session, is_text: bool) -> Result<String, ExportError> {
     /// Two banks of about a dozen characters a point, in a text that grows by doubling.
     const BYTES_A_VERTEX: usize = 80;
     let network = rivers(session, BYTES_A_VERTEX)?;
@@ -81,7 +95,7 @@ pub fn svg(session: &Session) -> Result<String, ExportError> {
     }
     out.text("</g>\n");
     #[cfg(feature = "names")]
-    labels::draw(&mut out, &labels, label_look(recipe.get()));
+    labels::draw(&mut out, &labels, label_look(recipe.get()), is_text);
     out.text("</g>\n</svg>");
     Ok(out.0)
 }
