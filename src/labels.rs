@@ -2,22 +2,23 @@
 
 use glam::Vec2;
 
-use crate::chart::{Input, Label, Raster, Reach, River, place};
+use crate::chart::{Area, AreaKind, Cartouche, Input, Label, Raster, Reach, River, Strip, place};
 use crate::domain::AREA;
 use crate::geometry::distance;
-use crate::land::{CELL_SIZE, Land};
+use crate::land::{CELL_SIZE, Land, Run};
 use crate::memory;
-use crate::name::{Names, PlaceKind, ReachName};
+use crate::name::{Names, PlaceKind, PlaceName, ReachName};
 use crate::network::{NONE, Network, Oxbow, Place};
 use crate::paint::{ChartMasks, View, letters};
-use crate::recipe::Labels;
+use crate::recipe::{self, Labels};
 use crate::river_map::RiverMap;
 
 /// The smallest letters that can be read: their em in pixels.
 const LEAST_EM: f32 = 11.0;
 
-/// The labels of a picture as masks, so many of whose pixels are one of those by which small letters can just be read.
+/// The labels of a picture as masks, so many of whose pixels are one CSS pixel, from 0.5 to 4 in quarters, to the nearest of which it comes.
 pub fn masks(map: &RiverMap<'_>, view: &View, ratio: f32) -> ChartMasks {
+    let ratio = ((ratio * 4.0).round() / 4.0).clamp(0.5, 4.0);
     letters::masks(view, &labels(map, view.frame(), view.scale / ratio))
 }
 
@@ -32,21 +33,29 @@ pub fn input<'a>(map: &RiverMap<'a>, frame: [Vec2; 2], scale: f32) -> Option<Inp
     /// A course's places, its pieces, their numbers in squares, and names.
     const BYTES_A_VERTEX: usize = 120;
     let RiverMap { wishes, network, land, .. } = map;
-    let share = share_of_land(wishes.labels)?;
+    let (share, cartouche) = (share_of_land(wishes.labels), wishes.cartouche);
+    if share == 0.0 && cartouche == recipe::Cartouche::None {
+        return None;
+    }
     if !map.is_finished || !memory::can_allocate(Raster::BYTES + network.vertices.len() * BYTES_A_VERTEX) {
         return None;
     }
-    let names = Names::of_map(map);
+    let mut names = Names::of_map(map);
     let reach = |reach: &ReachName| reach_of(network, reach);
-    let water = names.places.iter().find(|place| matches!(place.kind, PlaceKind::Sea | PlaceKind::Lake));
+    let land_area = land.map_or(AREA, area);
     Some(Input {
         frame,
         least_em: LEAST_EM / scale,
         label_size: wishes.label_size,
-        most_area: share * land.map_or(AREA, area),
+        most_area: [land_area, AREA - land_area].map(|area| share * area),
         total_discharge: total_discharge(network),
         reaches: names.reaches.iter().filter_map(reach).collect(),
-        water: water.map(|water| forms(&water.name)),
+        cartouche: (cartouche != recipe::Cartouche::None).then(|| Cartouche {
+            title: std::mem::take(&mut names.title),
+            seed: wishes.seed.clone(),
+            is_framed: cartouche == recipe::Cartouche::Framed,
+        }),
+        areas: std::mem::take(&mut names.places).into_iter().map(area_of).collect(),
         rivers: rivers(network, names),
         lakes: network.oxbows.iter().map(Oxbow::middle).collect(),
         ridges: land.map_or_else(Vec::new, ridges),
@@ -54,19 +63,33 @@ pub fn input<'a>(map: &RiverMap<'a>, frame: [Vec2; 2], scale: f32) -> Option<Inp
     })
 }
 
-/// The share of the land that labels may cover; `None` if there are to be none.
-fn share_of_land(labels: Labels) -> Option<f32> {
+/// The share of the land that labels may cover; 0 if there are to be none.
+fn share_of_land(labels: Labels) -> f32 {
     match labels {
-        Labels::None => None,
-        Labels::Few => Some(0.02),
-        Labels::Some => Some(0.05),
-        Labels::Many => Some(0.1),
+        Labels::None => 0.0,
+        Labels::Few => 0.02,
+        Labels::Some => 0.05,
+        Labels::Many => 0.1,
     }
 }
 
 /// How large a land is, in square units.
 fn area(land: &Land) -> f32 {
     land.regions().iter().map(|region| region.cells as f32).sum::<f32>() * CELL_SIZE * CELL_SIZE
+}
+
+/// A sea, a lake or an island with its name.
+fn area_of(place: PlaceName) -> Area {
+    let kind = match place.kind {
+        PlaceKind::Sea => AreaKind::Sea,
+        PlaceKind::Lake => AreaKind::Lake,
+        PlaceKind::Island => AreaKind::Island,
+    };
+    let strip = |run: &Run| {
+        let [top, left, right] = [run.row, run.start, run.end].map(|cell| cell as f32 * CELL_SIZE);
+        Strip { top, left, right }
+    };
+    Area { kind, name: forms(&place.name), midst: place.at, strips: place.region.runs.iter().map(strip).collect() }
 }
 
 fn total_discharge(network: &Network) -> u32 {

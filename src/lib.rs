@@ -42,7 +42,8 @@ pub use land::Land;
 pub use network::{Network, Oxbow, River, Vertex};
 pub use picture::Picture;
 pub use recipe::{
-    CourseShape, GrowthMethod, Key, Labels, LandKind, MeanderModel, Recipe, RecipeError, Scatter, Sides, Style, Value,
+    Cartouche, CourseShape, GrowthMethod, Key, Labels, LandKind, MeanderModel, Recipe, RecipeError, Scatter, Sides,
+    Style, Value,
 };
 pub use session::{Phase, Session, SessionError, Shortfall, Summary};
 pub use tree::Tree;

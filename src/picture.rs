@@ -9,7 +9,7 @@ use crate::domain::Domain;
 use crate::labels;
 use crate::land::Land;
 use crate::paint::{ChartMasks, PaintError, Painted, Painter, Progress, Rect, Rivers, View};
-use crate::recipe::{Key, Labels};
+use crate::recipe::{Cartouche, Key, Labels};
 #[cfg(feature = "names")]
 use crate::river_map::RiverMap;
 use crate::session::{Generation, Phase, Session};
@@ -37,6 +37,9 @@ pub struct Picture {
     rivers_of: Option<Generation>,
     /// What a chart lays over finished rivers, and the generation that it belongs to.
     chart: Option<(Generation, Arc<ChartMasks>)>,
+    /// Pixels of the picture to one of those that letters are measured by.
+    #[cfg(feature = "names")]
+    ratio: f32,
 }
 
 impl Picture {
@@ -50,7 +53,20 @@ impl Picture {
             shown: None,
             rivers_of: None,
             chart: None,
+            #[cfg(feature = "names")]
+            ratio: 1.0,
         })
+    }
+
+    /// The same picture for a screen with so many pixels to a CSS pixel, from 0.5 to 4 in quarters, to the nearest of which it comes: no letter is
+    /// smaller than 11 CSS pixels, times the recipe's `label-size`.
+    #[cfg(feature = "names")]
+    #[must_use]
+    pub fn with_ratio(mut self, ratio: f32) -> Self {
+        self.ratio = ratio;
+        self.chart = None;
+        self.painter.reset();
+        self
     }
 
     /// Brings the picture up to date with its session, however that has changed. Where their aspects differ, the map's edges
@@ -125,7 +141,7 @@ impl Picture {
         }
         #[cfg(feature = "names")]
         if let Some(map) = RiverMap::of(session).filter(|_| self.wants_chart(session)) {
-            self.take_chart(session, labels::masks(&map, self.view(), 1.0));
+            self.take_chart(session, labels::masks(&map, self.view(), self.ratio));
         }
     }
 
@@ -152,7 +168,8 @@ impl Picture {
 /// Whether the rivers of a session are finished, and its recipe wants a chart of them.
 pub(crate) fn is_to_be_charted(session: &Session) -> bool {
     let is_finished = matches!(session.phase(), Phase::Relief | Phase::Finished);
-    is_finished && session.recipe().get::<Labels>() != Labels::None
+    let recipe = session.recipe();
+    is_finished && (recipe.get::<Labels>() != Labels::None || recipe.get::<Cartouche>() != Cartouche::None)
 }
 
 /// Whether land is the very same, shaped once.

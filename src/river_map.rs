@@ -11,7 +11,7 @@ pub use own_map::OwnMap;
 
 use crate::land::Land;
 use crate::network::{Network, Reach};
-use crate::recipe::{Key, Labels, Recipe, Style};
+use crate::recipe::{Cartouche, Key, Labels, Recipe, Style};
 use crate::session::{Phase, Session};
 use crate::tree::Tree;
 
@@ -26,6 +26,8 @@ pub struct ChartWishes {
     pub names: String,
     /// How many labels there are to be.
     pub labels: Labels,
+    /// Whether the map's name stands in a corner.
+    pub cartouche: Cartouche,
     /// What sizes of letters are multiplied by.
     pub label_size: f32,
     /// The map's width over its height.
@@ -42,6 +44,7 @@ impl ChartWishes {
             language: recipe.integer(Key::Language),
             names: Key::Names.parameter().text_of(recipe.value(Key::Names)),
             labels: recipe.get(),
+            cartouche: recipe.get(),
             label_size: recipe.number(Key::LabelSize),
             aspect: recipe.number(Key::Aspect),
             style: recipe.get(),

@@ -193,6 +193,26 @@ fn names_are_printed_greatest_first_with_their_marks() {
     let (named, complaints) = printed(&["--names", &format!("{mark}.Silver Water_l77.Nowhere")]);
     assert!(named[1].contains(&format!("{mark}  Silver Water")), "{}", named[1]);
     assert_eq!(complaints, "riverseed: 'names' has no effect on 'l77': there is no such thing on this map\n");
+    let complaints = |link: &str| {
+        let path = scratch("letters.png");
+        let output = riverseed(&["render", "-o", path.to_str().unwrap(), "--size", "40", link]);
+        String::from_utf8(output.stderr).unwrap()
+    };
+    let small = "attractors=300&labels=few&cartouche=plain";
+    assert_eq!(complaints(&format!("{small}&seed=kea&names=t.Home")), "");
+    assert_eq!(
+        complaints(&format!("{small}&seed=\u{6771}&names=t.\u{5d0}x\u{5d0}")),
+        "riverseed: 'names' is drawn without '\u{5d0}': the type has no such letters\n\
+         riverseed: the cartouche is drawn without the seed: the type has no '\u{6771}'\n"
+    );
+    let refused = |options: &[&str]| refusal(&[&["render", small], options].concat());
+    let message = |option: &str, ending: &str| (2, format!("riverseed: {option} does not go with {ending}\n"));
+    assert_eq!(refused(&["-o", "x.svg", "--ratio", "2"]), message("--ratio", ".svg"));
+    assert_eq!(refused(&["-o", "x.png", "--svg-text"]), message("--svg-text", ".png"));
+    for ratio in ["0.25", "1.3", "5", "NaN", "x"] {
+        let (code, complaint) = refused(&["-o", "x.png", "--ratio", ratio]);
+        assert!(code == 2 && complaint.contains("from 0.5 to 4, in quarters"), "{complaint}");
+    }
     let (code, complaint) = refusal(&["names", "--names", "x3.y"]);
     assert!(code == 2 && complaint.contains("names: 'x3' is no mark"), "{complaint}");
 }

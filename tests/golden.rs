@@ -73,6 +73,11 @@ const PICTURES: &[(&str, &str)] = &[
         "growth=colonize&valleys=0.2&land=continent&attractors=2000&mouths=0&style=ink&labels=some&label-size=0.7",
     ),
     ("labels-dark", "growth=brownian&sensitivity=32&trim=50&land=archipelago&style=dark&labels=few"),
+    (
+        "cartouche",
+        "growth=drainage&land=continent&seed=moa&attractors=3000&trim=24&channel-area=4&mouths=0&style=parchment&cartouche=framed&label-size=0.6",
+    ),
+    ("cartouche-plain", "land=rectangle&attractors=1000&style=ink&cartouche=plain&label-size=0.7"),
     ("original", "preset=original&attractors=1500"),
     ("momentum", "preset=momentum&attractors=1500"),
     ("curl", "preset=curl&attractors=1500"),

@@ -9,19 +9,21 @@ use common::property::{cases, large};
 use common::random_link;
 use geo::{Distance, Euclidean, Intersects};
 use proptest::prelude::*;
-use riverseed::chart::{Box, Ground, Ink, Input, Kind, Label, Piece, Placed, Raster, cell_middle, place};
+use riverseed::chart::{
+    Area, AreaKind, Background, Box, Ink, Input, Kind, Label, Piece, Placed, Raster, Strip, cell_middle, place,
+};
 use riverseed::glam::Vec2;
 use riverseed::labels;
 use riverseed::name::Names;
 use riverseed::paint::View;
-use riverseed::recipe::link;
+use riverseed::recipe::{Key, link};
 use riverseed::river_map::{OwnMap, RiverMap, words};
 use riverseed::{Picture, Session};
 
 /// The ground without anything prepared.
 struct Literal(Vec<Piece>);
 
-impl Ground for Literal {
+impl Background for Literal {
     const STOPS_EARLY: bool = false;
 
     fn ink(&self, at: Vec2) -> Ink {
@@ -78,7 +80,8 @@ fn check(session: &Session, width: f32) -> Result<usize, TestCaseError> {
         check_shape(label)?;
         match label.river {
             Some(river) => check_place(label, river, &input)?,
-            None => check_water(label, &input)?,
+            None if label.kind.is_of_cartouche() => check_cartouche(label, &labels, &input)?,
+            None => check_area(label, &input)?,
         }
     }
     for (i, label) in labels.iter().enumerate() {
@@ -105,12 +108,71 @@ fn check_shape(label: &Label) -> Result<(), TestCaseError> {
     Ok(())
 }
 
-/// On water.
-fn check_water(label: &Label, input: &Input<'_>) -> Result<(), TestCaseError> {
+/// In the frame, off other labels, and at sea where a corner of the map is.
+fn check_cartouche(label: &Label, labels: &[Label], input: &Input<'_>) -> Result<(), TestCaseError> {
+    let [least, most] = input.frame;
+    let is_in = |at: Vec2| at.cmpge(least).all() && at.cmple(most).all();
     let corners = boxes(label).into_iter().flat_map(|around| around.corners());
-    let depth = |at: Vec2| input.coast.map_or(0.0, |coast| -coast.height(at));
-    let least = corners.map(depth).fold(f32::MAX, f32::min);
-    prop_assert!(least > 0.7 * label.em, "{} is {least} from the coast", label.text);
+    let ends = label.strokes.iter().flat_map(|stroke| stroke.ends);
+    prop_assert!(corners.chain(ends.clone()).all(is_in), "{} leaves the map", label.text);
+    let Some((from, to)) = ends.map(|at| (at, at)).reduce(|a, b| (a.0.min(b.0), a.1.max(b.1))) else { return Ok(()) };
+    for other in labels.iter().filter(|other| !other.kind.is_of_cartouche()) {
+        let mut corners = boxes(other).into_iter().flat_map(|around| around.corners());
+        let is_around = |at: Vec2| at.cmpgt(from).all() && at.cmplt(to).all();
+        prop_assert!(!corners.any(is_around), "{} stands in the cartouche", other.text);
+    }
+    let depth = |at: Vec2| input.coast.map_or(-1.0, |coast| -coast.height(at));
+    let is_sea = |from: Vec2, least: f32| {
+        let mut points = (0..=40).flat_map(|x| (0..=20).map(move |y| Vec2::new(x as f32 / 40.0, y as f32 / 20.0)));
+        points.all(|share| depth(from + share * (to - from)) >= least)
+    };
+    prop_assert_eq!(label.cleared.is_empty(), is_sea(from, 0.0), "{}", &label.text);
+    let margin = (from - least).min(most - to).min_element();
+    let (first, last) = (least + margin, most - margin - (to - from));
+    let mut others = [first, Vec2::new(last.x, first.y), Vec2::new(first.x, last.y), last].into_iter();
+    prop_assert!(label.cleared.is_empty() || !others.any(|at| is_sea(at, label.em)), "there is a corner at sea");
+    Ok(())
+}
+
+/// In its own water, climbing by 20 degrees at most; or on its island, or level on the water beside it.
+fn check_area(label: &Label, input: &Input<'_>) -> Result<(), TestCaseError> {
+    let area = input.areas.iter().find(|area| area.name.contains(&label.text)).unwrap();
+    let (is_island, is_in) = (area.kind == AreaKind::Island, label.kind != Kind::Offshore);
+    prop_assert_eq!(is_island, label.kind != Kind::Water);
+    for letter in &label.letters {
+        let angle = degrees(letter.along);
+        prop_assert!(angle.abs() < if is_island { 0.1 } else { 20.01 }, "{} climbs by {angle} degrees", label.text);
+    }
+    for around in boxes(label) {
+        prop_assert_eq!(area.contains(around.middle), is_in, "{}", label.text);
+        for corner in around.corners() {
+            prop_assert!(corner.cmpge(input.frame[0]).all() && corner.cmple(input.frame[1]).all(), "{}", label.text);
+            let inland = input.coast.unwrap().height(corner);
+            let room = if label.kind == Kind::Island { inland } else { -inland };
+            let least = if label.kind == Kind::Water { 0.7 } else { 0.15 };
+            prop_assert!(room > least * label.em, "{} is {room} from the coast", label.text);
+        }
+    }
+    if label.kind == Kind::Offshore {
+        check_belonging(label, area, input)?;
+    }
+    Ok(())
+}
+
+/// Nearer to its island than to any other, on average.
+fn check_belonging(label: &Label, own: &Area, input: &Input<'_>) -> Result<(), TestCaseError> {
+    let away = |area: &Area| -> f32 {
+        let off = |strip: &Strip, at: Vec2| {
+            let [least, most] = [Vec2::new(strip.left, strip.top), Vec2::new(strip.right, strip.top + Area::ROW)];
+            at.clamp(least, most).distance(at)
+        };
+        let from = |at: Vec2| area.strips.iter().map(|strip| off(strip, at)).fold(f32::MAX, f32::min);
+        boxes(label).iter().map(|around| from(around.middle)).sum::<f32>() / label.letters.len() as f32
+    };
+    let others = input.areas.iter().filter(|area| area.kind == AreaKind::Island && *area != own);
+    for other in others {
+        prop_assert!(away(own) < 1.35 * away(other) + 0.4 * label.em, "{} seems to name {:?}", label.text, other.name);
+    }
     Ok(())
 }
 
@@ -188,6 +250,59 @@ proptest! {
     }
 }
 
+#[test]
+fn islands_and_lakes_have_names_too() {
+    let counts = |link: &str| {
+        let session = finished(link);
+        let (labels, input) = placed(&session, 1400.0);
+        check(&session, 1400.0).unwrap();
+        let islands = input.areas.iter().filter(|area| area.kind == AreaKind::Island).count();
+        let count = |kind: Kind| labels.iter().filter(|label| label.kind == kind).count();
+        (islands, [Kind::Island, Kind::Offshore, Kind::Water].map(count))
+    };
+    let mut all = [0; 4];
+    for seed in ["kea", "moa", "tui", "skye", "lofoten", "kauri"] {
+        let (islands, [inside, beside, water]) =
+            counts(&format!("seed={seed}&land=archipelago&sea=0.65&roughness=1&attractors=4000&labels=many"));
+        println!("{seed}: {islands} islands, {inside} named on them, {beside} beside them, {water} waters");
+        all = [all[0] + islands, all[1] + inside, all[2] + beside, all[3] + water];
+    }
+    let [islands, inside, beside, water] = all;
+    assert!(inside > 3 && beside > 12 && 10 * (inside + beside) >= 8 * islands && water >= 6, "{all:?}");
+    // A land drawn by hand, with two lakes and an island in one of them.
+    let (islands, [inside, beside, water]) =
+        counts(&format!("land=drawn&roughness=0.6&attractors=2000&labels=some&outline={LAKES}"));
+    assert_eq!((islands, inside + beside, water), (1, 1, 3));
+}
+
+const LAKES: &str = ".9bgA7Mqx0zz6rQ6AgA8JUv6ALMz6EzqxCkgAEzVOLMMFUvF_f_D2rQF_0zMF7MVO.bhczZFhUTMjMNUhUK4czNUYRTMWZZFYR.zMmZw8qerhsKmFqej1mZmFiUrhgow8iU.VHczTyeoRpd7RpbrTya-";
+
+/// On maps where there is a place for it.
+#[test]
+fn the_greatest_river_has_its_name_however_few_have_and_however_many_others_wind() {
+    for seed in [8, 38, 51, 58] {
+        let link =
+            "land=continent&attractors=2000&great-rivers=8&flat-share=0.6&meander-rounds=40&labels=few&label-size=1.5";
+        let session = finished(&format!("{link}&seed={seed}"));
+        let (labels, input) = placed(&session, 1400.0);
+        let greatest = (0..input.rivers.len()).max_by_key(|&river| input.rivers[river].discharge).unwrap();
+        let has_name = |label: &Label| label.river == Some(greatest as u32) && label.kind == Kind::River;
+        assert!(labels.iter().any(has_name), "{seed}");
+    }
+}
+
+#[test]
+fn no_letter_of_a_sea_climbs_by_more_than_20_degrees() {
+    for (seed, land) in (0..24).flat_map(|seed| ["island", "continent"].map(|land| (seed, land))) {
+        let session = finished(&format!("seed={seed}&land={land}&attractors=500&labels=few"));
+        let (labels, _) = placed(&session, 1400.0);
+        let waters = labels.iter().filter(|label| label.kind == Kind::Water);
+        let angles = waters.flat_map(|label| &label.letters).map(|letter| degrees(letter.along).abs());
+        let steepest = angles.fold(0.0, f64::max);
+        assert!(steepest <= 20.01, "{seed}, {land}: {steepest}");
+    }
+}
+
 /// Where rivers lie close together, and labels would often be nearer to another.
 #[test]
 fn labels_belong_to_their_rivers_on_a_dense_map_too() {
@@ -254,9 +369,75 @@ fn svg_has_each_label_as_a_group_with_its_text_and_a_mask_for_rivers() {
     assert_eq!(titles, texts);
     assert_eq!(by_id("rivers").unwrap().attribute("mask"), Some("url(#halo)"));
     assert!(by_id("halo").unwrap().descendants().count() > titles.len());
+    let titled = finished("land=island&attractors=500&style=atlas&seed=%3Ckea%3E&names=t.A%26B&cartouche=framed");
+    let text = riverseed::export::svg::svg(&titled).unwrap();
+    let document = roxmltree::Document::parse(&text).unwrap();
+    let cartouche = document.descendants().find(|node| node.attribute("id") == Some("cartouche")).unwrap();
+    assert_eq!(cartouche.attribute("aria-label"), Some("A&B, <kea>"));
+    assert_eq!(cartouche.descendants().filter(|node| node.has_tag_name("title")).count(), 2);
+    assert!(!text.contains("id=\"labels\""));
+    // As text on paths, a line each, all letters included.
+    let session =
+        finished("land=island&attractors=4000&seed=kauri&style=atlas&labels=some&cartouche=plain&names=t.A+B");
+    let texts: Vec<String> = placed(&session, session.domain().size.x).0.into_iter().map(|label| label.text).collect();
+    let text = riverseed::export::svg::svg_with_text(&session).unwrap();
+    let document = roxmltree::Document::parse(&text).unwrap();
+    let paths = document.descendants().filter(|node| node.has_tag_name("textPath"));
+    let on_path = |path: roxmltree::Node<'_, '_>| {
+        let id = path.attribute("href").unwrap().strip_prefix('#').unwrap().to_owned();
+        let baselines = document.descendants().filter(|node| node.attribute("id") == Some(id.as_str()));
+        assert_eq!(baselines.filter(|node| node.attribute("d").is_some()).count(), 1, "{id}");
+        assert!(path.attribute("textLength").unwrap().parse::<f32>().unwrap() > 5.0);
+        path.text().unwrap().to_owned()
+    };
+    assert_eq!(paths.map(on_path).collect::<Vec<_>>(), texts);
     let bare = finished("land=island&attractors=4000&seed=kauri&style=atlas");
     let bare = riverseed::export::svg::svg(&bare).unwrap();
     assert!(!bare.contains("labels") && !bare.contains("mask"));
+}
+
+/// Seeds as they come: wide, long, from right to left, in letters that the type has not, and with what is no letter.
+fn any_seed() -> impl Strategy<Value = String> {
+    prop_oneof![
+        Just("W".repeat(64)),
+        Just("\u{5e9}\u{5dc}\u{5d5}\u{5dd} kea".into()),
+        Just("\u{6771}\u{4eac}".into()),
+        "[A-Za-z ]{1,64}",
+        "\\PC{1,64}"
+    ]
+}
+
+proptest! {
+    #![proptest_config(large(100))]
+
+    #[test]
+    fn a_cartouche_stands_in_a_corner_at_sea_if_there_is_one_and_off_all_labels(
+        link in random_link(1000), seed in any_seed(), aspect in 0.3f64..4.0, size in 0.5f64..2.0, width in 200.0f32..2000.0,
+    ) {
+        let mut recipe = link::read(&format!("{link}&labels=some&cartouche=framed&label-size={size:.2}")).unwrap();
+        recipe.set(Key::Aspect, &format!("{aspect:.2}")).unwrap();
+        prop_assume!(recipe.set(Key::Seed, &seed).is_ok());
+        let mut session = Session::new(recipe).unwrap();
+        session.finish().unwrap();
+        check(&session, width)?;
+    }
+}
+
+#[test]
+fn a_seed_that_is_too_long_or_in_other_letters_is_left_out_of_the_cartouche() {
+    let texts = |seed: &str| -> Vec<String> {
+        let link = format!("land=island&attractors=500&cartouche=framed&names=t.Home&seed={seed}");
+        let session = finished(&link);
+        placed(&session, 1200.0).0.into_iter().map(|label| label.text).collect()
+    };
+    assert_eq!(texts("kea"), ["Home", "kea"]);
+    assert_eq!(texts("a long seed of some letters"), ["Home", "a long seed of some letters"]);
+    for seed in [&"W".repeat(64), "\u{5e9}\u{5dc}\u{5d5}\u{5dd}", "\u{6771}\u{4eac}"] {
+        assert_eq!(texts(seed), ["Home"]);
+    }
+    // Without a title there is no cartouche.
+    let session = finished("land=island&attractors=500&cartouche=plain&names=t.");
+    assert!(placed(&session, 1200.0).0.is_empty());
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use glam::Vec2;
 
-use crate::land::CoastDistance;
+use crate::land::{CELL_SIZE, CoastDistance};
 use crate::network::Place;
 
 /// A river that may have a label.
@@ -27,6 +27,77 @@ pub struct Reach {
     pub name: [String; 2],
 }
 
+/// What an area of land or water is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum AreaKind {
+    /// Water that reaches the frame of the map.
+    Sea,
+    /// Water that does not.
+    Lake,
+    /// Land with water around it.
+    Island,
+}
+
+/// A part of a row that belongs to an area; [`Area::ROW`] high. Lengths are units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Strip {
+    /// Its northern side.
+    pub top: f32,
+    /// Its western side.
+    pub left: f32,
+    /// Its eastern side.
+    pub right: f32,
+}
+
+/// A sea, a lake or an island.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Area {
+    /// What it is.
+    pub kind: AreaKind,
+    /// Its name in full, and in short.
+    pub name: [String; 2],
+    /// A place in the midst of it, in units.
+    pub midst: Vec2,
+    /// Where it lies, row by row, each from west to east.
+    pub strips: Vec<Strip>,
+}
+
+impl Area {
+    /// The height of a row, in units.
+    pub const ROW: f32 = CELL_SIZE;
+
+    /// How large it is, in square units.
+    pub fn size(&self) -> f32 {
+        self.strips.iter().map(|strip| (strip.right - strip.left) * Self::ROW).sum()
+    }
+
+    /// Whether a place lies in it.
+    pub fn contains(&self, at: Vec2) -> bool {
+        let next = self
+            .strips
+            .partition_point(|strip| strip.top + Self::ROW <= at.y || (strip.top <= at.y && strip.right <= at.x));
+        self.strips.get(next).is_some_and(|strip| strip.top <= at.y && strip.left <= at.x)
+    }
+
+    /// The north-western and the south-eastern corner of the box around it.
+    pub fn corners(&self) -> [Vec2; 2] {
+        let ends = |strip: &Strip| [Vec2::new(strip.left, strip.top), Vec2::new(strip.right, strip.top + Self::ROW)];
+        let around = |all: [Vec2; 2], one: [Vec2; 2]| [all[0].min(one[0]), all[1].max(one[1])];
+        self.strips.iter().map(ends).reduce(around).unwrap_or([self.midst; 2])
+    }
+}
+
+/// The title of a map.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Cartouche {
+    /// What the map is called.
+    pub title: String,
+    /// What it has grown from.
+    pub seed: String,
+    /// Whether there is a double line around them.
+    pub is_framed: bool,
+}
+
 /// A map that labels are wanted for. Lengths are units.
 #[derive(Clone, Debug)]
 pub struct Input<'a> {
@@ -36,8 +107,9 @@ pub struct Input<'a> {
     pub least_em: f32,
     /// What sizes of letters are multiplied by.
     pub label_size: f32,
-    /// Labels end when they cover so much of the map, in square units.
-    pub most_area: f32,
+    /// Labels of rivers end when they cover so much of the land, in square units, and those of lakes and islands when they cover so much
+    /// of the water. Where labels may cover no land there are none.
+    pub most_area: [f32; 2],
     /// What all rivers together bring to the sea, in the unit of their discharge.
     pub total_discharge: u32,
     /// The rivers.
@@ -48,8 +120,27 @@ pub struct Input<'a> {
     pub lakes: Vec<Vec<Place>>,
     /// Ridges, which no letter may touch.
     pub ridges: Vec<Vec<Place>>,
-    /// The name of the sea, or of the lake that there is instead, in full and in short; `None` if it is to have none.
-    pub water: Option<[String; 2]>,
+    /// The title; `None` if it is to have none.
+    pub cartouche: Option<Cartouche>,
+    /// Seas, lakes and islands.
+    pub areas: Vec<Area>,
     /// How far inland each point lies; `None` if there is no sea.
     pub coast: Option<&'a CoastDistance>,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_area_holds_what_its_strips_do() {
+        let strip = |top: f32, left: f32, right: f32| Strip { top, left, right };
+        let strips = vec![strip(3.0, 5.0, 7.0), strip(3.0, 9.0, 10.0), strip(4.0, 5.0, 10.0)];
+        let area = Area { kind: AreaKind::Lake, name: Default::default(), midst: Vec2::ONE, strips };
+        let holds = |x: f32, y: f32| area.contains(Vec2::new(x, y));
+        assert!(holds(5.0, 3.0) && holds(6.9, 3.9) && holds(9.5, 3.5) && holds(8.0, 4.5));
+        assert!(!holds(8.0, 3.5) && !holds(4.9, 4.5) && !holds(6.0, 2.9) && !holds(6.0, 5.0) && !holds(10.0, 4.5));
+        assert_eq!(area.size(), 8.0);
+        assert_eq!(area.corners(), [Vec2::new(5.0, 3.0), Vec2::new(10.0, 5.0)]);
+    }
 }

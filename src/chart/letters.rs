@@ -16,23 +16,42 @@ pub enum Kind {
     Reach,
     /// The sea or a lake.
     Water,
+    /// An island, on it.
+    Island,
+    /// An island, on the water beside it.
+    Offshore,
+    /// The map.
+    Title,
+    /// What the map has grown from.
+    Seed,
 }
 
 impl Kind {
     /// What is between letters besides their advance, in ems.
     pub fn tracking(self) -> f32 {
         match self {
-            Self::River => 0.08,
+            Self::River | Self::Island | Self::Offshore | Self::Seed => 0.08,
+            Self::Title => 0.05,
             Self::Reach => 0.16,
             Self::Water => 0.3,
         }
     }
 
+    /// Whether nothing is taken away around its letters: it stands on open water, or says itself what is cleared.
+    pub fn is_afloat(self) -> bool {
+        matches!(self, Self::Water | Self::Offshore | Self::Title | Self::Seed)
+    }
+
+    /// Whether it is a part of the cartouche.
+    pub fn is_of_cartouche(self) -> bool {
+        matches!(self, Self::Title | Self::Seed)
+    }
+
     /// How far its halo reaches around outlines, in ems.
     pub fn halo(self) -> f32 {
         match self {
-            Self::River | Self::Water => 0.13,
             Self::Reach => 0.2,
+            _ => 0.13,
         }
     }
 }
@@ -64,6 +83,26 @@ pub struct Label {
     pub em: f32,
     /// Its letters; spaces are left out.
     pub letters: Vec<Placed>,
+    /// Lines that belong to it, in its colour.
+    pub strokes: Vec<Stroke>,
+    /// Lines under it that rivers are taken away from, all of one width.
+    pub cleared: Vec<Stroke>,
+}
+
+/// A straight line with round ends.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stroke {
+    /// Its ends, in units.
+    pub ends: [Vec2; 2],
+    /// Half its width, in units.
+    pub half: f32,
+}
+
+impl Label {
+    /// A label of letters alone.
+    pub fn new(kind: Kind, river: Option<u32>, text: &str, em: f32, letters: Vec<Placed>) -> Self {
+        Self { kind, river, text: text.into(), em, letters, strokes: Vec::new(), cleared: Vec::new() }
+    }
 }
 
 impl Label {
@@ -111,6 +150,11 @@ impl Placed {
     #[inline]
     pub fn place(&self, point: Vec2, em: f32) -> Vec2 {
         self.at + (self.along * point.x + self.along.perp() * point.y) * em
+    }
+
+    /// A letter of a level line that begins at a place.
+    pub fn level(letter: &Letter, from: Vec2, em: f32) -> Self {
+        Self { glyph: letter.glyph, at: from + Vec2::new(letter.at * em, 0.0), along: Vec2::X }
     }
 
     /// The box around it.

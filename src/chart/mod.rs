@@ -9,17 +9,19 @@
 //! ```
 
 mod areas;
+mod background;
 mod baseline;
+mod cartouche;
 mod costs;
-mod ground;
 mod input;
+mod islands;
 mod letters;
 mod place;
 mod raster;
 mod search;
 
-pub use ground::{Ground, Ink, Piece, cell_middle};
-pub use input::{Input, Reach, River};
-pub use letters::{Box, Kind, Label, Placed};
+pub use background::{Background, Ink, Piece, cell_middle};
+pub use input::{Area, AreaKind, Cartouche, Input, Reach, River, Strip};
+pub use letters::{Box, Kind, Label, Placed, Stroke};
 pub use place::place;
 pub use raster::Raster;

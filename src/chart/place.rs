@@ -2,12 +2,12 @@
 
 use glam::Vec2;
 
-use super::areas;
+use super::background::{Background, NONE};
 use super::baseline::{Course, Line};
-use super::ground::Ground;
-use super::input::{Input, Reach, River};
+use super::input::{Area, AreaKind, Input, Reach, River};
 use super::letters::{Box, Kind, Label, Text};
 use super::search::Search;
+use super::{areas, cartouche, islands};
 use crate::geometry::distance;
 use crate::sort;
 
@@ -29,23 +29,17 @@ const APART: f32 = 2.2;
 /// How many rivers are tried, however many there are.
 const MOST_RIVERS: usize = 400;
 
-/// The labels of a map's rivers, the most important first.
-pub fn place<G: Ground>(input: &Input<'_>, ground: &G) -> Vec<Label> {
-    let mut map = Map { input, ground, labels: Vec::new(), boxes: Vec::new(), area: 0.0 };
-    for reach in &input.reaches {
-        if map.area >= input.most_area {
-            break;
-        }
-        map.label_with_reach(reach);
-    }
-    let is_new = |number: &usize| input.reaches.iter().all(|reach| reach.river as usize != *number);
-    for number in by_importance(&input.rivers).into_iter().take(MOST_RIVERS).filter(is_new) {
-        if map.area >= input.most_area {
-            break;
-        }
-        map.label(number);
-    }
-    map.labels.extend(areas::water(input));
+/// The labels of a map, the most important first: of the greatest river, of stretches where rivers wind, of all other rivers, of lakes and
+/// islands, of seas; and the title.
+pub fn place<G: Background>(input: &Input<'_>, background: &G) -> Vec<Label> {
+    let mut map = Map { input, background, labels: Vec::new(), boxes: Vec::new(), area: 0.0 };
+    let cartouche = input.cartouche.as_ref().and_then(|cartouche| cartouche::set(input, background, cartouche));
+    let (cartouche, around) = cartouche.map_or((Vec::new(), None), |set| (set.labels, Some((NONE, set.around))));
+    // Everything else keeps off its corner.
+    map.boxes.extend(around);
+    map.label_rivers();
+    map.label_areas();
+    map.labels.extend(cartouche);
     map.labels
 }
 
@@ -68,14 +62,62 @@ struct Subject<'a> {
 /// A map with the labels that it has so far.
 struct Map<'a, G> {
     input: &'a Input<'a>,
-    ground: &'a G,
+    background: &'a G,
     labels: Vec<Label>,
     boxes: Vec<(u32, Box)>,
     /// What they cover, in square units.
     area: f32,
 }
 
-impl<G: Ground> Map<'_, G> {
+impl<G: Background> Map<'_, G> {
+    /// Labels rivers, the greatest first, until they cover as much land as they may.
+    fn label_rivers(&mut self) {
+        let Input { reaches, rivers, most_area: [most, _], .. } = self.input;
+        let mut order = by_importance(rivers);
+        order.truncate(MOST_RIVERS);
+        let reach_of = |number: usize| reaches.iter().find(|reach| reach.river as usize == number);
+        // It has its name even if stretches of others would use up all that labels may cover.
+        let greatest = order.iter().copied().min_by_key(|&number| u32::MAX - rivers[number].discharge);
+        let firsts = greatest.into_iter().chain(reaches.iter().map(|reach| reach.river as usize));
+        let mut is_done = vec![false; rivers.len()];
+        for number in firsts.chain(order.iter().copied()) {
+            if self.area >= *most {
+                break;
+            }
+            if !std::mem::replace(&mut is_done[number], true) {
+                match reach_of(number) {
+                    Some(reach) => self.label_with_reach(reach),
+                    None => self.label(number),
+                }
+            }
+        }
+    }
+
+    /// Labels lakes and islands, the largest first, until they cover as much water as they may, and seas.
+    fn label_areas(&mut self) {
+        let Input { areas, most_area: [most_land, most], .. } = self.input;
+        if *most_land <= 0.0 {
+            return;
+        }
+        let (seas, mut others): (Vec<&Area>, Vec<&Area>) = areas.iter().partition(|area| area.kind == AreaKind::Sea);
+        others.sort_by(|a, b| b.size().total_cmp(&a.size()));
+        self.area = 0.0;
+        for area in others {
+            if self.area >= *most {
+                break;
+            }
+            let label = match area.kind {
+                AreaKind::Island => islands::island(self.input, self.background, area, &self.boxes),
+                AreaKind::Lake | AreaKind::Sea => areas::water(self.input, area, &self.boxes),
+            };
+            label.into_iter().for_each(|label| self.take(NONE, label));
+        }
+        for sea in seas {
+            let label = areas::water(self.input, sea, &self.boxes);
+            label.into_iter().for_each(|label| self.take(NONE, label));
+        }
+    }
+
     /// Labels a stretch on which a river winds, and the river; the river first, if that leaves it no room.
     fn label_with_reach(&mut self, reach: &Reach) {
         let before = (self.labels.len(), self.boxes.len(), self.area);
@@ -158,7 +200,7 @@ impl<G: Ground> Map<'_, G> {
         forms.iter().filter(|form| !form.is_empty() && !is_another_s(form)).find_map(|form| {
             let search = Search {
                 input: self.input,
-                ground: self.ground,
+                background: self.background,
                 taken: &self.boxes,
                 river: *river,
                 kind: *kind,

@@ -1,8 +1,8 @@
-//! The ground, prepared: ink cell by cell, and pieces of rivers by where they lie. It answers as going through all pieces would, to the bit.
+//! The background, prepared: ink cell by cell, and pieces of rivers by where they lie. It answers as going through all pieces would, to the bit.
 
 use glam::Vec2;
 
-use super::ground::{CELL, Ground, Ink, Piece, cell_middle};
+use super::background::{Background, CELL, Ink, Piece, cell_middle};
 use super::input::Input;
 
 /// The side of the squares that pieces are sorted into, in units.
@@ -67,7 +67,7 @@ impl Raster {
     }
 }
 
-impl Ground for Raster {
+impl Background for Raster {
     const STOPS_EARLY: bool = true;
 
     #[inline]

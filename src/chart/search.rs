@@ -2,9 +2,9 @@
 
 use glam::Vec2;
 
+use super::background::{Background, LAKE, RIDGE};
 use super::baseline::{Line, is_upright};
 use super::costs::{Turns, Under, steepness};
-use super::ground::{Ground, LAKE, RIDGE};
 use super::input::Input;
 use super::letters::{Box, Kind, Label, MIDDLE, Placed, Text, between, walk_from};
 use crate::geometry::direction;
@@ -40,7 +40,7 @@ const RIVALS_AWAY: f32 = 1.6;
 /// What is known of one river and one text.
 pub struct Search<'a, G> {
     pub input: &'a Input<'a>,
-    pub ground: &'a G,
+    pub background: &'a G,
     /// The boxes of the labels that there are, with the numbers of their rivers.
     pub taken: &'a [(u32, Box)],
     pub river: u32,
@@ -63,13 +63,13 @@ struct Candidate {
     start: f32,
 }
 
-impl<G: Ground> Search<'_, G> {
+impl<G: Background> Search<'_, G> {
     /// The label in the best place; `None` if there is none.
     pub fn label(&self, text: &str) -> Option<Label> {
         let candidate = self.best()?;
         let mut letters = Vec::new();
         self.lay(candidate.line, candidate.start, &mut letters)?;
-        Some(Label { kind: self.kind, river: Some(self.river), text: text.into(), em: self.em, letters })
+        Some(Label::new(self.kind, Some(self.river), text, self.em, letters))
     }
 
     /// The cheapest candidate that nothing forbids; the earlier of equals.
@@ -166,7 +166,7 @@ impl<G: Ground> Search<'_, G> {
         let below = if line.is_above { 0.0 } else { 0.35 };
         Some(match self.kind {
             Kind::River => turns.cost() + 1.6 * steepness(along) + 2.6 * off_middle * off_middle + 0.9 * thin + below,
-            Kind::Reach | Kind::Water => 1.1 * turns.sum + 1.6 * steepness(along) + 3.0 * off_middle.abs(),
+            _ => 1.1 * turns.sum + 1.6 * steepness(along) + 3.0 * off_middle.abs(),
         })
     }
 
@@ -180,7 +180,7 @@ impl<G: Ground> Search<'_, G> {
     fn ink(&self, letters: &[Placed], width: f32) -> Option<f32> {
         let most = match self.kind {
             Kind::River => (0.55 * width).clamp(1.6, 3.2),
-            Kind::Reach | Kind::Water => (0.8 * self.thick).clamp(1.6, 3.2),
+            _ => (0.8 * self.thick).clamp(1.6, 3.2),
         };
         let (mut others, mut own) = (Under::default(), Under::default());
         for letter in letters {
@@ -189,7 +189,7 @@ impl<G: Ground> Search<'_, G> {
                 return None;
             }
             for sample in around.samples() {
-                let under = self.ground.ink(sample);
+                let under = self.background.ink(sample);
                 let is_own = under.river == self.river || under.river == LAKE;
                 if under.river == RIDGE || (is_own && self.kind == Kind::River) || (!is_own && under.width > most) {
                     return None;
@@ -201,9 +201,7 @@ impl<G: Ground> Search<'_, G> {
         let samples = (others.samples + own.samples).max(1.0);
         Some(match self.kind {
             Kind::River => 1.5 * (0.5 * others.hits + others.width + others.hits) / samples,
-            Kind::Reach | Kind::Water => {
-                (1.2 * (0.5 * others.hits + others.width) + 4.0 * own.width / self.thick + 1.1 * own.hits) / samples
-            }
+            _ => (1.2 * (0.5 * others.hits + others.width) + 4.0 * own.width / self.thick + 1.1 * own.hits) / samples,
         })
     }
 
@@ -217,7 +215,7 @@ impl<G: Ground> Search<'_, G> {
         let (mut own_sum, mut squares, mut rival_sum, mut missing) = (0.0, 0.0, 0.0, 0.0);
         for letter in letters {
             let middle = letter.place(Vec2::new(letter.glyph.advance * 0.5, MIDDLE), self.em);
-            let both = self.ground.distances(middle, self.river, RIVAL * width, FARTHEST * self.em);
+            let both = self.background.distances(middle, self.river, RIVAL * width, FARTHEST * self.em);
             let [own, rival] = both.map(|distance| distance / self.em);
             if own >= FARTHEST && self.kind == Kind::River {
                 return None;

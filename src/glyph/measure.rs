@@ -25,6 +25,12 @@ pub fn line_of(text: &str, tracking: f32) -> (Vec<Letter>, f32) {
     (letters, end)
 }
 
+/// The characters of a text that there is no letter for, as often as they are in it.
+pub fn lacking(text: &str) -> impl Iterator<Item = char> {
+    let face = Typeface::garamond();
+    text.chars().filter(|&letter| face.glyph(letter.into()).is_none())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -10,5 +10,5 @@ mod measure;
 mod table;
 
 pub use fill::Fill;
-pub use measure::{Letter, line_of};
+pub use measure::{Letter, lacking, line_of};
 pub use table::{Curve, Glyph, Typeface};

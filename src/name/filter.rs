@@ -2,7 +2,7 @@
 //! by `www/scripts/words.mjs` from two open lists, of those fragments that names have been seen to hold.
 
 use super::kinds::is_winding_word;
-use super::word::CAPITALS;
+use super::language::CAPITALS;
 
 /// Hashes of folded fragments of four letters and more, ascending: a line of eight hexadecimal digits each.
 const REFUSED: &[u8] = include_bytes!("refused.txt");

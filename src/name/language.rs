@@ -39,6 +39,10 @@ const HABITS: [[&str; 3]; 10] = [
     ["w", "v", "w"],
 ];
 
+/// The capitals of small letters that no ASCII is: those that words of a language may have.
+pub(super) const CAPITALS: [(char, char); 9] =
+    [('á', 'Á'), ('ā', 'Ā'), ('ä', 'Ä'), ('æ', 'Æ'), ('š', 'Š'), ('č', 'Č'), ('ž', 'Ž'), ('ñ', 'Ñ'), ('þ', 'Þ')];
+
 /// A language: the entries that its words are made of, and how it puts names together.
 #[derive(Clone, Debug)]
 pub(super) struct Language {

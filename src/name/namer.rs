@@ -160,21 +160,21 @@ impl Namer {
         const LEAST_LAKE: f32 = 400.0;
         const LEAST_ISLAND: f32 = 150.0;
         let manner = self.language.manner;
-        let [seas, lakes, islands] = regions::pieces(land);
-        let place = |kind, least: f32, piece: regions::Piece| {
-            let regions::Piece { number, area, .. } = piece;
+        let [seas, lakes, islands] = regions::tracts(land);
+        let place = |kind, least: f32, tract: regions::Tract| {
+            let (number, area) = (tract.number, tract.area);
             let word = || self.place_word(kind, number);
             let name = match kind {
                 PlaceKind::Sea => self.name(Mark::Sea(number), || kinds::sea(&word(), area, manner)),
                 PlaceKind::Lake => self.name(Mark::Lake(number), || kinds::lake(&word(), area)),
                 PlaceKind::Island => self.name(Mark::Island(number), || kinds::island(&word(), area)),
             };
-            (area >= least).then(|| PlaceName { kind, number, name, at: piece.midst(land) })
+            (area >= least).then(|| PlaceName { kind, number, name, at: tract.midst(land), region: tract.region })
         };
-        let seas = seas.into_iter().filter_map(|piece| place(PlaceKind::Sea, LEAST_SEA, piece));
-        let lakes = lakes.into_iter().filter_map(|piece| place(PlaceKind::Lake, LEAST_LAKE, piece));
+        let seas = seas.into_iter().filter_map(|tract| place(PlaceKind::Sea, LEAST_SEA, tract));
+        let lakes = lakes.into_iter().filter_map(|tract| place(PlaceKind::Lake, LEAST_LAKE, tract));
         // The main land gives the map its name.
-        let islands = islands.into_iter().skip(1).filter_map(|piece| place(PlaceKind::Island, LEAST_ISLAND, piece));
+        let islands = islands.into_iter().skip(1).filter_map(|tract| place(PlaceKind::Island, LEAST_ISLAND, tract));
         seas.chain(lakes).chain(islands).collect()
     }
 

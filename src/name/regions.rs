@@ -1,28 +1,28 @@
-//! The pieces of land and water that have names, and a place in the midst of each.
+//! The tracts of land and water that have names, and a place in the midst of each.
 
 use glam::Vec2;
 
 use crate::land::{CELL_SIZE, Land, Region};
 
 /// A sea, a lake or an island.
-pub(super) struct Piece {
+pub(super) struct Tract {
     /// Its place among its kind, the largest first.
     pub number: u32,
     /// In square units.
     pub area: f32,
-    region: Region,
+    pub region: Region,
 }
 
 /// The seas, which reach the frame of the map; the lakes, which do not; and the islands, the main land first.
-pub(super) fn pieces(land: &Land) -> [Vec<Piece>; 3] {
+pub(super) fn tracts(land: &Land) -> [Vec<Tract>; 3] {
     let (seas, lakes): (Vec<Region>, Vec<Region>) =
         land.waters().into_iter().partition(|water| reaches_frame(land, water));
-    let piece =
-        |(number, region): (u32, Region)| Piece { number, area: region.cells as f32 * (CELL_SIZE * CELL_SIZE), region };
-    [seas, lakes, land.islands()].map(|regions| (0..).zip(regions).map(piece).collect())
+    let tract =
+        |(number, region): (u32, Region)| Tract { number, area: region.cells as f32 * (CELL_SIZE * CELL_SIZE), region };
+    [seas, lakes, land.islands()].map(|regions| (0..).zip(regions).map(tract).collect())
 }
 
-impl Piece {
+impl Tract {
     /// A place in the midst of it: the middle of the cell that is farthest from the coast.
     pub fn midst(&self, land: &Land) -> Vec2 {
         /// The distance from the coast rises by no more than this along a row, by the unit.
@@ -60,13 +60,13 @@ mod tests {
         for kind in lands_with_a_coast() {
             let land = Land::of(&link::read(&format!("aspect=1.5&{kind}&seed=kea")).unwrap()).unwrap();
             let from_coast = |at: Vec2| land.coast_distance().height(at).abs();
-            for piece in pieces(&land).iter().flatten() {
+            for tract in tracts(&land).iter().flatten() {
                 let cells =
-                    piece.region.runs.iter().flat_map(|run| (run.start..run.end).map(|column| (column, run.row)));
+                    tract.region.runs.iter().flat_map(|run| (run.start..run.end).map(|column| (column, run.row)));
                 let farthest = cells
                     .map(|(column, row)| from_coast(land.point(column, row, Vec2::splat(0.5))))
                     .fold(-1.0, f32::max);
-                assert_eq!(from_coast(piece.midst(&land)), farthest, "{kind}");
+                assert_eq!(from_coast(tract.midst(&land)), farthest, "{kind}");
             }
         }
     }

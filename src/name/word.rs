@@ -3,7 +3,7 @@
 //! which others there are.
 
 use super::filter::is_refused;
-use super::language::{Language, SIZES};
+use super::language::{CAPITALS, Language, SIZES};
 
 /// The word of a number: 15,840 words with two vowels come first, then those with three, then four. One that nobody wants to
 /// read is replaced by that of the same number with a vowel more. The numbers that are due that many vowels anyhow begin where those of
@@ -64,10 +64,6 @@ fn permuted(language: &Language, number: u64, [initial, pairs]: [u32; 2]) -> u64
 /// Items from here on are those of words.
 const KEYS: u32 = 1 << 16;
 const INITIALS: u32 = SIZES[0] as u32;
-
-/// The capitals of small letters that no ASCII is: those that words of a language may have.
-pub(super) const CAPITALS: [(char, char); 9] =
-    [('á', 'Á'), ('ā', 'Ā'), ('ä', 'Ä'), ('æ', 'Æ'), ('š', 'Š'), ('č', 'Č'), ('ž', 'Ž'), ('ñ', 'Ñ'), ('þ', 'Þ')];
 
 fn capitalized(word: &str) -> String {
     let capital = |letter: char| {

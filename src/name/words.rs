@@ -1,10 +1,11 @@
 //! Names as words: the wasm module that makes names hands them to the one that writes files.
 
 use super::{Names, PlaceKind, PlaceName, ReachName, RiverName};
+use crate::land::Region;
 use crate::words::{Reader, Writer, point};
 
 impl Names {
-    /// All names, to be handed to another module.
+    /// All names, to be handed to another module, which is not told what cells places have.
     pub fn to_words(&self) -> Vec<u32> {
         let mut words = Writer::default();
         words.count(self.rivers.len());
@@ -19,7 +20,7 @@ impl Names {
             words.points(course);
         }
         words.count(self.places.len());
-        for PlaceName { kind, number, name, at } in &self.places {
+        for PlaceName { kind, number, name, at, .. } in &self.places {
             words.some(&[*kind as u32, *number, at.x.to_bits(), at.y.to_bits()]);
             words.text(name);
         }
@@ -41,7 +42,7 @@ impl Names {
         let places = list(words, |words| {
             let ([kind, number, x, y], name) = (words.some()?, words.text()?);
             let kind = *[PlaceKind::Sea, PlaceKind::Lake, PlaceKind::Island].get(kind as usize)?;
-            Some(PlaceName { kind, number, name, at: point([x, y]) })
+            Some(PlaceName { kind, number, name, at: point([x, y]), region: Region::default() })
         })?;
         Some(Self { rivers, reaches, places, title: words.text()? })
     }

@@ -23,22 +23,22 @@ impl GroundWithBeds {
     /// Between two calls only rounds of meandering may have changed rivers.
     pub fn advance(&mut self, look: &Beds, view: &View, rivers: &Rivers<'_>, ground: &[[u8; 4]]) -> bool {
         let Some(mask) = Coverage::new(view.width, view.height) else { return false };
-        let mut sheet = Sheet { view, courses: rivers.courses, mask, ground };
+        let mut drawing = Drawing { view, courses: rivers.courses, mask, ground };
         if self.settled.is_empty() {
             self.settled = ground.to_vec();
         }
         // What is cut off from now on still belongs to the last.
         if self.bands + 1 < rivers.past.rounds().len() {
-            sheet.band(look, rivers.past, self.bands, &mut self.settled);
+            drawing.band(look, rivers.past, self.bands, &mut self.settled);
             self.bands += 1;
             return true;
         }
         self.pixels.clone_from(&self.settled);
-        sheet.band(look, rivers.past, self.bands, &mut self.pixels);
+        drawing.band(look, rivers.past, self.bands, &mut self.pixels);
         let now = [&great_rivers(rivers.network, rivers.past)[..], &[]];
-        sheet.draw(now, Beds::BANK, look.bank, 1.0, &mut self.pixels);
-        sheet.hide(&mut self.pixels);
-        sheet.draw(now, 0.0, look.water, 1.0, &mut self.pixels);
+        drawing.draw(now, Beds::BANK, look.bank, 1.0, &mut self.pixels);
+        drawing.hide(&mut self.pixels);
+        drawing.draw(now, 0.0, look.water, 1.0, &mut self.pixels);
         false
     }
 }
@@ -73,7 +73,7 @@ pub(crate) fn great_rivers(network: &Network, past: &PastCourses) -> Vec<PastCou
     great.map(|(id, river)| PastCourse { river: id, line: network.middle(river) }).collect()
 }
 
-struct Sheet<'a> {
+struct Drawing<'a> {
     view: &'a View,
     courses: CourseShape,
     mask: Coverage,
@@ -81,7 +81,7 @@ struct Sheet<'a> {
     ground: &'a [[u8; 4]],
 }
 
-impl Sheet<'_> {
+impl Drawing<'_> {
     /// Lays the beds of a round, if it is kept.
     fn band(&mut self, look: &Beds, past: &PastCourses, band: usize, pixels: &mut [[u8; 4]]) {
         let Some(round) = past.rounds().get(band) else { return };

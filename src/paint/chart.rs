@@ -16,7 +16,11 @@ use super::styles::labels::LabelLook;
 pub struct ChartMasks {
     /// Around letters: where rivers give way, and the ground is evened out if the style wants that.
     pub halo: SparseMask,
-    /// The letters.
+    /// Around letters that stand at sea if they can: where nothing but rivers gives way.
+    pub cleared: SparseMask,
+    /// Within a frame around type: where the ground is nearly hidden.
+    pub panel: SparseMask,
+    /// Letters, and the lines around them.
     pub letters: SparseMask,
 }
 
@@ -77,14 +81,14 @@ impl ChartMasks {
     /// All layers, to be handed to another module.
     pub fn to_bytes(&self) -> Vec<u8> {
         let mut bytes = Vec::new();
-        [&self.halo, &self.letters].into_iter().for_each(|layer| layer.write(&mut bytes));
+        [&self.halo, &self.cleared, &self.panel, &self.letters].into_iter().for_each(|layer| layer.write(&mut bytes));
         bytes
     }
 
     /// The layers of these bytes; `None` if they are something else.
     pub fn from_bytes(mut bytes: &[u8]) -> Option<Self> {
         let mut layer = || SparseMask::read(&mut bytes);
-        Some(Self { halo: layer()?, letters: layer()? })
+        Some(Self { halo: layer()?, cleared: layer()?, panel: layer()?, letters: layer()? })
     }
 }
 
@@ -96,6 +100,7 @@ pub(super) fn is_same(chart: Option<&Arc<ChartMasks>>, other: Option<&Arc<ChartM
 /// Takes rivers away around letters.
 pub(super) fn take_away(rivers: &mut Coverage, chart: &ChartMasks) {
     rivers.take_away(chart.halo.pixels());
+    rivers.take_away(chart.cleared.pixels());
 }
 
 /// Lays halo and letters over the picture.
@@ -108,8 +113,10 @@ pub(super) fn lay(pixmap: &mut Pixmap, chart: &ChartMasks, look: LabelLook) {
             *pixel = over([red, green, blue], colour, (f32::from(share) * strength + 0.5) as u32);
         }
     };
-    if let Some((colour, strength)) = look.halo {
-        lay(&chart.halo, colour, strength);
+    for (layer, under) in [(&chart.halo, look.under(false)), (&chart.panel, look.under(true))] {
+        if let Some((colour, strength)) = under {
+            lay(layer, colour, strength);
+        }
     }
     lay(&chart.letters, look.ink, 1.0);
 }
@@ -129,9 +136,10 @@ mod tests {
         #![proptest_config(cases(256))]
 
         #[test]
-        fn layers_come_out_as_they_were_put_in(halo in mask(), letters in mask()) {
-            let chart = ChartMasks { halo: SparseMask::of(&halo), letters: SparseMask::of(&letters) };
-            for (layer, mask) in [(&chart.halo, &halo), (&chart.letters, &letters)] {
+        fn layers_come_out_as_they_were_put_in(halo in mask(), panel in mask(), letters in mask()) {
+            let [a, b, c] = [&halo, &panel, &letters].map(|mask| SparseMask::of(mask));
+            let chart = ChartMasks { halo: a.clone(), cleared: a, panel: b, letters: c };
+            for (layer, mask) in [(&chart.cleared, &halo), (&chart.panel, &panel), (&chart.letters, &letters)] {
                 let mut filled = vec![0; mask.len()];
                 layer.pixels().for_each(|(pixel, share)| filled[pixel] = share);
                 prop_assert_eq!(&filled, mask);
@@ -144,7 +152,7 @@ mod tests {
             if let Some(chart) = ChartMasks::from_bytes(&bytes) {
                 prop_assert!(chart.letters.pixels().count() <= bytes.len());
                 let mut pixmap = Pixmap::new(5, 5).unwrap();
-                let look = LabelLook { ink: [0; 3], halo: Some(([9; 3], 0.5)) };
+                let look = LabelLook { ink: [0; 3], halo: Some(([9; 3], 0.5)), panel: [7; 3] };
                 lay(&mut pixmap, &chart, look);
                 take_away(&mut Coverage::new(5, 5).unwrap(), &chart);
             }

@@ -5,7 +5,7 @@ use glam::Vec2;
 use super::chart::{ChartMasks, SparseMask};
 use super::coverage::{Coverage, Rect};
 use super::view::View;
-use crate::chart::{Kind, Label, Placed};
+use crate::chart::{Label, Placed, Stroke};
 use crate::glyph::Fill;
 use crate::memory;
 
@@ -19,14 +19,26 @@ pub(crate) fn masks(view: &View, labels: &[Label]) -> ChartMasks {
     if labels.is_empty() || !memory::can_allocate(BYTES_A_PIXEL * view.pixels()) {
         return ChartMasks::default();
     }
-    // Letters on water keep so far from the coast that there are no rivers to take away, and no ground to even out.
-    let on_land = labels.iter().filter(|label| label.kind != Kind::Water);
-    ChartMasks { halo: halo(view, on_land), letters: letters(view, labels) }
+    // Names on water keep so far from the coast that there are no rivers to take away, and no ground to even out.
+    let on_land = labels.iter().filter(|label| !label.kind.is_afloat());
+    let cartouche = labels.iter().filter(|label| label.kind.is_of_cartouche());
+    let framed = labels.iter().filter(|label| !label.strokes.is_empty());
+    ChartMasks {
+        halo: halo(view, labels.iter().flat_map(|label| &label.cleared), on_land),
+        cleared: halo(view, [].iter(), cartouche),
+        panel: lines(view, framed.flat_map(|label| &label.cleared)),
+        letters: letters(view, labels),
+    }
 }
 
-/// What lies around letters.
-fn halo<'a>(view: &View, labels: impl Iterator<Item = &'a Label>) -> SparseMask {
+/// Strokes, and what lies around the letters of some labels.
+fn halo<'a>(
+    view: &View,
+    strokes: impl Iterator<Item = &'a Stroke>,
+    labels: impl Iterator<Item = &'a Label>,
+) -> SparseMask {
     let Some(mut mask) = Coverage::new(view.width, view.height) else { return SparseMask::default() };
+    draw(&mut mask, view, strokes);
     for label in labels {
         let radius = SPACE * label.em * view.scale;
         for [from, to] in label.spaces().map(|ends| ends.map(|end| view.pixel(end))) {
@@ -42,9 +54,30 @@ fn halo<'a>(view: &View, labels: impl Iterator<Item = &'a Label>) -> SparseMask 
     SparseMask::of(mask.mask().data())
 }
 
+/// Lines of some strokes.
+fn lines<'a>(view: &View, strokes: impl Iterator<Item = &'a Stroke>) -> SparseMask {
+    let mut strokes = strokes.peekable();
+    if strokes.peek().is_none() {
+        return SparseMask::default();
+    }
+    let Some(mut mask) = Coverage::new(view.width, view.height) else { return SparseMask::default() };
+    draw(&mut mask, view, strokes);
+    SparseMask::of(mask.mask().data())
+}
+
+fn draw<'a>(mask: &mut Coverage, view: &View, strokes: impl Iterator<Item = &'a Stroke>) {
+    for Stroke { ends, half } in strokes {
+        let [from, to] = ends.map(|end| view.pixel(end));
+        mask.capsule(from, half * view.scale, to, half * view.scale);
+    }
+}
+
+/// Letters, and the lines around them.
 fn letters(view: &View, labels: &[Label]) -> SparseMask {
     let (mut fill, width) = (Fill::default(), view.width as usize);
     let mut mask = vec![0; view.pixels()];
+    let strokes = labels.iter().flat_map(|label| &label.strokes);
+    lines(view, strokes).pixels().for_each(|(pixel, share)| mask[pixel] = share);
     for (label, letter) in labels.iter().flat_map(|label| label.letters.iter().map(move |letter| (label, letter))) {
         let Some(Rect { left, top, right, bottom }) = pixels(label, letter, view, 0.0) else { continue };
         fill.clear([left as i32, top as i32], (right - left) as usize, (bottom - top) as usize);

@@ -126,6 +126,16 @@ choices! {
         Many = "many", "many";
     }
 
+    /// How a map's title stands in its corner.
+    Cartouche of Cartouche {
+        /// No title.
+        None = "none", "none";
+        /// The title, and the seed under it.
+        Plain = "plain", "plain";
+        /// The same in a double line.
+        Framed = "framed", "framed";
+    }
+
     /// How a picture is painted.
     Style of Style {
         /// Ink on paper, rivers as wide as their discharge asks.
@@ -190,6 +200,7 @@ mod tests {
             check::<CourseShape>(),
             check::<MeanderModel>(),
             check::<Labels>(),
+            check::<Cartouche>(),
             check::<Style>(),
         ];
         let choices = TABLE.iter().filter(|row| matches!(row.kind, Kind::Choice { .. }));

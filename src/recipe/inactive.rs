@@ -1,6 +1,6 @@
 //! Which parameters have no effect in a recipe, and why: the one place where that is decided.
 
-use super::choice::{CourseShape, GrowthMethod, Labels, LandKind, MeanderModel, Style};
+use super::choice::{Cartouche, CourseShape, GrowthMethod, Labels, LandKind, MeanderModel, Style};
 use super::key::Key;
 use super::{Decimal, Recipe, Value};
 
@@ -62,7 +62,7 @@ impl Given<'_> {
             Key::Mountains | Key::Plains => self.heights_only_in_files(),
             Key::Shade => self.no_relief(),
             Key::LabelSize => self.no_labels(),
-            Key::Style | Key::Labels | Key::Language | Key::Names => None,
+            Key::Style | Key::Labels | Key::Language | Key::Names | Key::Cartouche => None,
         }
     }
 
@@ -148,7 +148,8 @@ impl Given<'_> {
     }
 
     fn no_labels(&self) -> Reason {
-        (self.recipe.get::<Labels>() == Labels::None).then_some("there are no labels")
+        let has_none = self.recipe.get::<Labels>() == Labels::None && self.recipe.get::<Cartouche>() == Cartouche::None;
+        has_none.then_some("there are no labels")
     }
 
     fn as_grown(&self) -> Reason {
@@ -221,6 +222,7 @@ mod tests {
             ("growth=drainage&hardness=0.1", Key::HardnessScale),
             ("growth=drainage&land=island", Key::MouthSpacing),
             ("labels=none", Key::Labels),
+            ("cartouche=plain", Key::LabelSize),
         ] {
             assert_eq!(reason(link, key), None, "{link}");
         }

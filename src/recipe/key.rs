@@ -56,7 +56,8 @@ pub enum Key {
     LabelSize,
     Language,
     Names,
+    Cartouche,
 }
 
 /// How many parameters there are.
-pub(super) const COUNT: usize = Key::Names as usize + 1;
+pub(super) const COUNT: usize = Key::Cartouche as usize + 1;

@@ -22,7 +22,7 @@ pub mod reading;
 pub mod table;
 mod value;
 
-pub use choice::{Choice, CourseShape, GrowthMethod, Labels, LandKind, MeanderModel, Scatter, Style, Word};
+pub use choice::{Cartouche, Choice, CourseShape, GrowthMethod, Labels, LandKind, MeanderModel, Scatter, Style, Word};
 pub use error::RecipeError;
 pub use key::Key;
 #[cfg(feature = "names")]

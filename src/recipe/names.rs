@@ -193,11 +193,11 @@ fn entries(text: &str) -> impl Iterator<Item = &str> {
     text.split('_').map(str::trim).filter(|entry| !entry.is_empty())
 }
 
-/// Whether a character would not be seen, but change what is: control characters, and those that separate lines, join letters or turn the direction
-/// of writing.
+/// Whether a character would not be seen, but change what is: control characters, tags, what is no character, and those that separate lines, join
+/// or divide letters or turn the direction of writing.
 fn is_hidden(c: char) -> bool {
-    let is_directional = matches!(c, '\u{61c}' | '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2060}'..='\u{206f}' | '\u{feff}');
-    c.is_control() || is_directional || c == char::REPLACEMENT_CHARACTER
+    let is_unseen = matches!(c, '\u{ad}' | '\u{34f}' | '\u{61c}' | '\u{180e}' | '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2060}'..='\u{206f}' | '\u{feff}' | '\u{fffd}'..='\u{ffff}' | '\u{e0000}'..='\u{e007f}');
+    c.is_control() || is_unseen
 }
 
 #[cfg(test)]
@@ -233,7 +233,8 @@ mod tests {
             error(&(0..13).map(|i| format!("{i}.a_")).collect::<String>()),
             "there are 13 names, at most 12 are allowed"
         );
-        for hidden in ['\0', '\u{202e}', '\u{2067}', '\u{fffd}', '\u{2028}'] {
+        let unseen = ['\u{ad}', '\u{34f}', '\u{180e}', '\u{fffe}', '\u{ffff}', '\u{e0000}', '\u{e0041}', '\u{e007f}'];
+        for hidden in unseen.into_iter().chain(['\0', '\u{202e}', '\u{2067}', '\u{fffd}', '\u{2028}']) {
             assert_eq!(error(&format!("1.a{hidden}b")), "the text holds a character that cannot be shown");
         }
     }

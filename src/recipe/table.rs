@@ -3,7 +3,7 @@
 //! Links, attributes, command-line options, JSON, the page's controls and `docs/parameters.md` all come from here.
 //! Keys are added freely and never renamed: a shared link holds them.
 
-use super::choice::{Choice, CourseShape, GrowthMethod, Labels, LandKind, MeanderModel, Scatter, Style};
+use super::choice::{Cartouche, Choice, CourseShape, GrowthMethod, Labels, LandKind, MeanderModel, Scatter, Style};
 use super::key::{COUNT, Key};
 use super::parameter::{Kind, Parameter, Stage};
 use super::value::{Decimal, Sides};
@@ -548,7 +548,7 @@ pub static TABLE: [Parameter; COUNT] = {
             key: Key::Labels,
             name: "labels",
             label: "Labels",
-            help: "How many rivers have their name on the map, the greatest first.",
+            help: "How much of the land names may cover. The greatest rivers have theirs first.",
             unit: "",
             group: "Names",
             stage: Name,
@@ -587,6 +587,17 @@ pub static TABLE: [Parameter; COUNT] = {
             stage: Name,
             logarithmic: false,
             kind: Kind::Text { longest: 400, default: "" },
+        },
+        Parameter {
+            key: Key::Cartouche,
+            name: "cartouche",
+            label: "Cartouche",
+            help: "The map's title in a corner, with the seed under it.",
+            unit: "",
+            group: "Names",
+            stage: Name,
+            logarithmic: false,
+            kind: Kind::Choice { choices: Cartouche::WORDS },
         },
     ])
 };

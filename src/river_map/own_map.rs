@@ -3,7 +3,7 @@
 use super::{ChartWishes, RiverMap};
 use crate::land::{CoastDistance, Land};
 use crate::network::{Network, Oxbow, Reach, River, Vertex};
-use crate::recipe::{Choice, Labels, Style};
+use crate::recipe::{Cartouche, Choice, Labels, Style};
 use crate::tree::Tree;
 use crate::words::{Reader, point};
 
@@ -51,11 +51,12 @@ impl OwnMap {
 
 impl Reader<'_> {
     fn wishes(&mut self) -> Option<ChartWishes> {
-        let ([language, labels, style], sizes) = (self.some()?, self.some()?);
+        let ([language, labels, cartouche, style], sizes) = (self.some()?, self.some()?);
         let [label_size, aspect] = sizes.map(f32::from_bits);
         let (labels, style) = (*Labels::ALL.get(labels as usize)?, *Style::ALL.get(style as usize)?);
+        let cartouche = *Cartouche::ALL.get(cartouche as usize)?;
         let (seed, names) = (self.text()?, self.text()?);
-        Some(ChartWishes { seed, language, names, labels, label_size, aspect, style })
+        Some(ChartWishes { seed, language, names, labels, cartouche, label_size, aspect, style })
     }
 
     fn tree(&mut self) -> Option<Tree> {

@@ -15,7 +15,7 @@ pub fn write(map: &RiverMap<'_>) -> Vec<u32> {
     }
     let wishes = &map.wishes;
     let mut words = Writer::default();
-    words.some(&[wishes.language, wishes.labels as u32, wishes.style as u32]);
+    words.some(&[wishes.language, wishes.labels as u32, wishes.cartouche as u32, wishes.style as u32]);
     words.some(&[wishes.label_size, wishes.aspect].map(f32::to_bits));
     words.text(&wishes.seed);
     words.text(&wishes.names);

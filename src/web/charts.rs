@@ -12,10 +12,6 @@ use crate::paint::View;
 use crate::recipe::OwnNames;
 use crate::river_map::OwnMap;
 
-/// Of what there is in screens, and more.
-const LEAST_RATIO: f32 = 0.25;
-const MOST_RATIO: f32 = 8.0;
-
 /// What stands on a map besides its rivers, which another module has.
 #[wasm_bindgen]
 pub struct Chart(OwnMap);
@@ -57,7 +53,7 @@ impl Chart {
 
     /// What it adds to an SVG file, for `River.svg`.
     pub fn svg(&self) -> Vec<String> {
-        let ChartText { halo, labels } = chart(&self.0.map());
+        let ChartText { halo, labels } = chart(&self.0.map(), false);
         vec![halo, labels]
     }
 
@@ -67,6 +63,6 @@ impl Chart {
         let map = self.0.map();
         let view = View::new(&Domain::with_aspect(map.wishes.aspect), width_px, height_px);
         let view = view.map_err(|_| coded("bad-params", "A picture has no such size."))?;
-        Ok(labels::masks(&map, &view, ratio.clamp(LEAST_RATIO, MOST_RATIO)).to_bytes())
+        Ok(labels::masks(&map, &view, ratio).to_bytes())
     }
 }

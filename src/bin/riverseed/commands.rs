@@ -51,7 +51,25 @@ fn render_command() -> Command {
                 .help("The longer side of rasters, alone or in a ZIP: at most 4096; at least, and by default, a pixel for 2 units of the map, which is 500 on a square map")
                 .value_parser(value_parser!(u32)),
         )
+        .arg(
+            Arg::new("ratio")
+                .long("ratio")
+                .value_name("RATIO")
+                .help("Pixels of the screen to a CSS pixel, from 0.5 to 4 in quarters: letters in a PNG are at least 11 CSS pixels large [default: 1]")
+                .value_parser(ratio),
+        )
+        .arg(
+            Arg::new("svg-text")
+                .long("svg-text")
+                .action(ArgAction::SetTrue)
+                .help("Write labels in SVG as text on paths, for readers that have EB Garamond, and not as outlines"),
+        )
         .args(TABLE.iter().map(render_option))
+}
+
+fn ratio(text: &str) -> Result<f32, String> {
+    let ratio = text.parse::<f32>().ok().filter(|ratio| (0.5..=4.0).contains(ratio) && (ratio * 4.0).fract() == 0.0);
+    ratio.ok_or_else(|| "it has to be from 0.5 to 4, in quarters".into())
 }
 
 fn measure_command() -> Command {

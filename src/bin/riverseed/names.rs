@@ -1,10 +1,12 @@
 //! `riverseed names`: the names on a recipe's map, with the marks by which `names` gives others.
 
+use std::collections::BTreeSet;
 use std::io::{self, Write};
 
 use clap::ArgMatches;
+use riverseed::glyph::lacking;
 use riverseed::name::Names;
-use riverseed::recipe::{Key, Mark};
+use riverseed::recipe::{Cartouche, Key, Labels, Mark, OwnNames, Recipe};
 use riverseed::{Network, River, Session};
 
 use super::Failure;
@@ -34,6 +36,29 @@ pub fn say_what_is_unused(session: &Session) {
     for mark in Names::of(session).unused(session.recipe()) {
         eprintln!("riverseed: 'names' has no effect on '{mark}': there is no such thing on this map");
     }
+}
+
+/// Warns of letters that the type has not, in names of one's own and in the seed of a cartouche.
+pub fn say_what_has_no_letters(recipe: &Recipe) {
+    let has_cartouche = recipe.get::<Cartouche>() != Cartouche::None;
+    if recipe.get::<Labels>() == Labels::None && !has_cartouche {
+        return;
+    }
+    let own = OwnNames::readable(&Key::Names.parameter().text_of(recipe.value(Key::Names)));
+    let names: String = own.marks().filter_map(|mark| own.get(mark)).collect();
+    if let Some(letters) = listed(&names) {
+        eprintln!("riverseed: 'names' is drawn without {letters}: the type has no such letters");
+    }
+    if let Some(letters) = listed(recipe.seed()).filter(|_| has_cartouche) {
+        eprintln!("riverseed: the cartouche is drawn without the seed: the type has no {letters}");
+    }
+}
+
+/// The characters of a text that the type has no letters for, each once.
+fn listed(text: &str) -> Option<String> {
+    let letters: BTreeSet<char> = lacking(text).collect();
+    let letters: Vec<String> = letters.into_iter().map(|letter| format!("'{}'", letter.escape_debug())).collect();
+    (!letters.is_empty()).then(|| letters.join(", "))
 }
 
 /// Of a river its order and its length, too.

@@ -17,7 +17,7 @@ use riverseed::session::Session;
 use super::Failure;
 use super::form::Form;
 use super::grow::{grow, progress};
-use super::names::say_what_is_unused;
+use super::names::{say_what_has_no_letters, say_what_is_unused};
 use super::order::Order;
 use super::output::Output;
 
@@ -37,6 +37,15 @@ pub fn render(matches: &ArgMatches) -> Result<(), Failure> {
     if wants_size && !matches!(form, Form::Png | Form::Pack) {
         return Err(Failure::Mismatch { option: "--size", ending });
     }
+    let ratio = matches.get_one::<f32>("ratio").copied();
+    if ratio.is_some() && !matches!(form, Form::Png | Form::Pack) {
+        return Err(Failure::Mismatch { option: "--ratio", ending });
+    }
+    let is_text = matches.get_flag("svg-text");
+    if is_text && form != Form::Svg {
+        return Err(Failure::Mismatch { option: "--svg-text", ending });
+    }
+    let size = (size, ratio.unwrap_or(1.0));
     let raster_size = matches.get_one::<u32>("raster-size").copied();
     if raster_size.is_some() && !matches!(form, Form::Raster(_) | Form::Pack) {
         return Err(Failure::Mismatch { option: "--raster-size", ending });
@@ -46,18 +55,22 @@ pub fn render(matches: &ArgMatches) -> Result<(), Failure> {
         Rasters::grid(&Domain::of(&order.recipe), size).map_err(Failure::RasterSize)?;
     }
     order.say_what_is_idle(matches!(form, Form::Png | Form::Svg));
+    if matches!(form, Form::Png | Form::Svg | Form::Pack) {
+        say_what_has_no_letters(&order.recipe);
+    }
     let output = Output::open(output)?;
     match form {
         Form::Png => write_picture(output, order, size),
         Form::Pack => write_pack(output, order, size, raster_size),
         Form::Raster(layer) => write_raster(output, order, layer, raster_size),
+        Form::Svg => write_svg(output, order, is_text),
         _ => write_network(output, order, form, wants_attractors),
     }
 }
 
-fn write_picture(output: Output, order: Order, size: u32) -> Result<(), Failure> {
+fn write_picture(output: Output, order: Order, (size, ratio): (u32, f32)) -> Result<(), Failure> {
     let progress = progress(&order.recipe, size);
-    let mut picture = picture(&order.recipe, size)?;
+    let mut picture = picture(&order.recipe, size)?.with_ratio(ratio);
     let session = grow(order, &progress)?;
     progress.set_message("painting");
     picture.paint(&session);
@@ -69,9 +82,14 @@ fn write_picture(output: Output, order: Order, size: u32) -> Result<(), Failure>
 }
 
 /// Writes the picture with all that games need.
-fn write_pack(output: Output, order: Order, size: u32, raster_size: Option<u32>) -> Result<(), Failure> {
+fn write_pack(
+    output: Output,
+    order: Order,
+    (size, ratio): (u32, f32),
+    raster_size: Option<u32>,
+) -> Result<(), Failure> {
     let progress = progress(&order.recipe, size.max(raster_size.unwrap_or(0)));
-    let mut picture = picture(&order.recipe, size)?;
+    let mut picture = picture(&order.recipe, size)?.with_ratio(ratio);
     let mut session = grow(order, &progress)?;
     // Once, for all files of the pack.
     while session.raise_relief()? {}
@@ -108,16 +126,26 @@ fn rasters(session: &Session, size: Option<u32>, progress: &ProgressBar) -> Resu
     Ok(rasters.map_err(io::Error::other)?)
 }
 
+fn write_svg(output: Output, order: Order, is_text: bool) -> Result<(), Failure> {
+    let progress = progress(&order.recipe, 0);
+    let session = grow(order, &progress)?;
+    progress.set_message("writing");
+    let svg = if is_text { export::svg::svg_with_text } else { export::svg::svg };
+    output.write(|out| {
+        out.write_all(svg(&session).map_err(io::Error::other)?.as_bytes())?;
+        Ok(writeln!(out)?)
+    })?;
+    progress.finish_and_clear();
+    Ok(())
+}
+
 fn write_network(output: Output, order: Order, form: Form, with_attractors: bool) -> Result<(), Failure> {
     let progress = progress(&order.recipe, 0);
     let session = grow(order, &progress)?;
-    if form != Form::Svg {
-        say_what_is_unused(&session);
-    }
+    say_what_is_unused(&session);
     progress.set_message("writing");
     output.write(|out| {
         match form {
-            Form::Svg => out.write_all(export::svg::svg(&session).map_err(io::Error::other)?.as_bytes())?,
             Form::GeoJson => export::geojson::write(&mut *out, &session)?,
             _ => export::json::write(&mut *out, &session, with_attractors)?,
         }

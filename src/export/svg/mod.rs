@@ -34,7 +34,16 @@ use crate::session::Session;
 /// # Errors
 /// If there are no rivers yet, or there is not enough memory.
 pub fn svg(session: &Session) -> Result<String, ExportError> {
-    charted(session, &chart_of(session))
+    charted(session, &chart_of(session, false))
+}
+
+/// The same with labels as text on paths: for readers that have EB Garamond, or another face of this kind.
+///
+/// # Errors
+/// As [`svg`].
+#[cfg(feature = "names")]
+pub fn svg_with_text(session: &Session) -> Result<String, ExportError> {
+    charted(session, &chart_of(session, true))
 }
 
 /// What a chart adds to the file.
@@ -47,17 +56,15 @@ pub(crate) struct ChartText {
 }
 
 /// The chart of a session's map; an empty one where there is nothing that makes charts.
-fn chart_of(session: &Session) -> ChartText {
+#[cfg_attr(not(feature = "names"), expect(unused_variables, reason = "there are no labels"))]
+fn chart_of(session: &Session, is_text: bool) -> ChartText {
     #[cfg(feature = "names")]
-    return RiverMap::of(session).map_or_else(ChartText::default, |map| labels::chart(&map));
+    return RiverMap::of(session).map_or_else(ChartText::default, |map| labels::chart(&map, is_text));
     #[cfg(not(feature = "names"))]
-    {
-        let _ = session;
-        ChartText::default()
-    }
+    ChartText::default()
 }
 
-/// The same with a chart that was made elsewhere.
+/// The map with a chart that was made elsewhere.
 pub(crate) fn charted(session: &Session, chart: &ChartText) -> Result<String, ExportError> {
     /// Two banks of about a dozen characters a point, in a text that grows by doubling.
     const BYTES_A_VERTEX: usize = 80;

@@ -10,12 +10,22 @@ pub(crate) struct LabelLook {
     pub ink: Colour,
     /// What lies around letters on land, and how much it covers, where the ground is too uneven for letters of one colour.
     pub halo: Option<(Colour, f32)>,
+    /// What lies under type in a frame on land.
+    pub panel: Colour,
+}
+
+impl LabelLook {
+    /// What lies under type on land, and how much it covers; in a frame nearly all.
+    pub fn under(self, is_panel: bool) -> Option<(Colour, f32)> {
+        const PANEL: f32 = 0.88;
+        if is_panel { Some((self.panel, PANEL)) } else { self.halo }
+    }
 }
 
 /// How a style draws letters.
 pub(crate) fn label_look(style: Style) -> LabelLook {
-    let on = |ink: Colour, halo: Colour, strength: f32| LabelLook { ink, halo: Some((halo, strength)) };
-    let bare = |ink: Colour| LabelLook { ink, halo: None };
+    let on = |ink: Colour, halo: Colour, strength: f32| LabelLook { ink, halo: Some((halo, strength)), panel: halo };
+    let bare = |ink: Colour| LabelLook { ink, halo: None, panel: palette(style).plain };
     match style {
         Style::Ink | Style::Dark => bare(palette(style).river),
         Style::Skeleton => bare([0xd0; 3]),

@@ -32,7 +32,7 @@ impl Ink {
 }
 
 /// What letters stand on.
-pub trait Ground {
+pub trait Background {
     /// Whether candidates that cannot be the best any more are left alone.
     const STOPS_EARLY: bool;
 
