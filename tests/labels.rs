@@ -424,6 +424,16 @@ proptest! {
 }
 
 #[test]
+fn a_cartouche_is_at_sea_on_islands_and_coasts() {
+    for land in ["island", "continent", "archipelago", "valley"] {
+        for (seed, width) in (0..4).zip([1400.0, 700.0, 1000.0, 500.0]) {
+            let link = format!("land={land}&attractors=500&seed={seed}&labels=few&cartouche=framed");
+            check(&finished(&link), width).unwrap();
+        }
+    }
+}
+
+#[test]
 fn a_seed_that_is_too_long_or_in_other_letters_is_left_out_of_the_cartouche() {
     let texts = |seed: &str| -> Vec<String> {
         let link = format!("land=island&attractors=500&cartouche=framed&names=t.Home&seed={seed}");

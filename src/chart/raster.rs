@@ -79,8 +79,13 @@ impl Background for Raster {
     }
 
     fn distances(&self, at: Vec2, river: u32, least_width: f32, reach: f32) -> [f32; 2] {
+        const ROUNDING: f32 = 0.01;
         let mut nearest = [reach; 2];
-        self.squares.around(at - self.corner, reach, |pieces| {
+        self.squares.around(at - self.corner, reach, |pieces, away| {
+            // Nothing in a square is nearer than that.
+            if away > nearest[0].max(nearest[1]) + ROUNDING {
+                return;
+            }
             for piece in pieces.iter().map(|&piece| &self.pieces[piece as usize]) {
                 let is_other = piece.river != river;
                 if !piece.is_river() || (is_other && !piece.is_as_wide_as(least_width)) {
@@ -132,10 +137,17 @@ impl Squares {
         rows.flat_map(move |row| (left..=right).map(move |column| row * columns + column))
     }
 
-    /// Hands out the pieces of all squares within a distance of a place.
-    fn around(&self, at: Vec2, distance: f32, mut look: impl FnMut(&[u32])) {
-        for square in self.squares(at - distance, at + distance) {
-            look(&self.pieces[self.starts[square] as usize..self.starts[square + 1] as usize]);
+    /// Hands out the pieces of all squares within a distance of a place, and how far each square is from that; its own square's first.
+    fn around(&self, at: Vec2, distance: f32, mut look: impl FnMut(&[u32], f32)) {
+        let pieces = |square: usize| &self.pieces[self.starts[square] as usize..self.starts[square + 1] as usize];
+        let own = self.squares(at, at).next();
+        if let Some(own) = own {
+            look(pieces(own), 0.0);
+        }
+        for square in self.squares(at - distance, at + distance).filter(|square| Some(*square) != own) {
+            let corner = Vec2::new((square % self.columns) as f32, (square / self.columns) as f32) * SQUARE;
+            let off = (corner - at).max(at - corner - SQUARE).max(Vec2::ZERO);
+            look(pieces(square), off.length_squared().sqrt());
         }
     }
 }
