@@ -64,7 +64,7 @@ fn area(land: &Land) -> f32 {
     land.regions().iter().map(|region| region.cells as f32).sum::<f32>() * CELL_SIZE * CELL_SIZE
 }
 
-fn total_discharge(network: &Network) -> u32 {
+pub(crate) fn total_discharge(network: &Network) -> u32 {
     let mouths = network.rivers.iter().filter(|river| river.parent == NONE);
     mouths.map(|river| network.discharge(river)).fold(0, u32::saturating_add)
 }
@@ -96,7 +96,7 @@ fn forms(name: &str) -> [String; 2] {
     [name.into(), name.strip_prefix("The ").unwrap_or(name).into()]
 }
 
-fn ridges(land: &Land) -> Vec<Vec<Place>> {
+pub(crate) fn ridges(land: &Land) -> Vec<Vec<Place>> {
     /// How wide a ridge's strokes are on either side, in units.
     const HALF: f32 = 3.0;
     land.ridges().iter().map(|ridge| ridge.iter().map(|&at| Place { at, half: HALF }).collect()).collect()

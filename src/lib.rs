@@ -90,6 +90,9 @@ mod queue;
 pub mod random;
 pub mod recipe;
 pub mod relief;
+#[cfg(feature = "names")]
+#[doc(hidden)]
+pub mod scenery;
 pub mod session;
 mod simplify;
 mod skeletonize;

@@ -5,13 +5,15 @@ use std::sync::Arc;
 use tiny_skia::Pixmap;
 
 #[cfg(feature = "names")]
-use crate::chart::Label;
+use crate::chart::{Label, Scenery};
 use crate::domain::Domain;
 #[cfg(feature = "names")]
 use crate::labels::labels;
 use crate::land::Land;
 use crate::paint::{PaintError, Painted, Painter, Progress, Rect, Rivers};
 use crate::recipe::Key;
+#[cfg(feature = "names")]
+use crate::scenery;
 use crate::session::{Generation, Phase, Session};
 
 /// The picture of a session.
@@ -38,6 +40,9 @@ pub struct Picture {
     /// The labels of finished rivers, and the generation that they belong to.
     #[cfg(feature = "names")]
     labels: Option<(Generation, Vec<Label>)>,
+    /// Trees and hills, likewise, and whether there are more to come.
+    #[cfg(feature = "names")]
+    scenery: Option<(Generation, Scenery, bool)>,
 }
 
 impl Picture {
@@ -52,6 +57,8 @@ impl Picture {
             rivers_of: None,
             #[cfg(feature = "names")]
             labels: None,
+            #[cfg(feature = "names")]
+            scenery: None,
         })
     }
 
@@ -84,9 +91,13 @@ impl Picture {
         let (recipe, land) = (session.recipe(), session.land().map(Arc::as_ref));
         let (courses, style) = (recipe.get(), recipe.get());
         #[cfg(feature = "names")]
-        self.place_labels(session);
+        if self.place_labels(session) || self.advance_scenery(session) {
+            return Painted::Part;
+        }
         #[cfg(feature = "names")]
         let labels = self.labels.as_ref().map_or(&[][..], |(_, labels)| labels);
+        #[cfg(feature = "names")]
+        let scenery = self.scenery.as_ref().map_or(&[][..], |(_, scenery, _)| scenery.placed());
         if let Some(((network, rounds), past)) = session.network().zip(session.rounds()).zip(session.past()) {
             let relief = session.relief().map(|relief| (relief, recipe.number(Key::Shade)));
             return self.painter.paint_rivers(&Rivers {
@@ -98,6 +109,8 @@ impl Picture {
                 relief,
                 #[cfg(feature = "names")]
                 labels,
+                #[cfg(feature = "names")]
+                scenery,
                 style,
             });
         }
@@ -114,16 +127,40 @@ impl Picture {
         }))
     }
 
-    /// Places labels, once for as long as the rivers are the same; none while they change.
+    /// Places labels, once for as long as the rivers are the same; none while they change. Returns whether that took time, and scenery
+    /// comes next.
     #[cfg(feature = "names")]
-    fn place_labels(&mut self, session: &Session) {
+    fn place_labels(&mut self, session: &Session) -> bool {
         let generation = session.generation();
         let are_placed = self.labels.as_ref().is_some_and(|(of, _)| *of == generation);
         if !matches!(session.phase(), Phase::Relief | Phase::Finished) {
             self.labels = None;
         } else if !are_placed {
-            self.labels = Some((generation, labels(session, self.painter.frame(), self.painter.scale())));
+            let placed = labels(session, self.painter.frame(), self.painter.scale());
+            let is_long = !placed.is_empty();
+            self.labels = Some((generation, placed));
+            return is_long;
         }
+        false
+    }
+
+    /// Places a part of the trees and hills, if there are to be any and they are not placed. Returns whether there is more to do.
+    #[cfg(feature = "names")]
+    fn advance_scenery(&mut self, session: &Session) -> bool {
+        let generation = session.generation();
+        if session.phase() != Phase::Finished {
+            self.scenery = None;
+            return false;
+        }
+        if self.scenery.as_ref().is_none_or(|(of, ..)| *of != generation) {
+            self.scenery = Some((generation, Scenery::default(), true));
+        }
+        let Some((_, scenery, has_more)) = self.scenery.as_mut().filter(|(.., has_more)| *has_more) else {
+            return false;
+        };
+        let labels = self.labels.as_ref().map_or(&[][..], |(_, labels)| labels);
+        *has_more = scenery::input(session, labels).is_some_and(|input| scenery.advance(&input));
+        *has_more
     }
 
     fn forget_what_is_over(&mut self, session: &Session) {

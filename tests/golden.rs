@@ -73,6 +73,18 @@ const PICTURES: &[(&str, &str)] = &[
         "growth=colonize&valleys=0.2&land=continent&attractors=2000&mouths=0&style=ink&labels=some&label-size=0.7",
     ),
     ("labels-dark", "growth=brownian&sensitivity=32&trim=50&land=archipelago&style=dark&labels=few"),
+    (
+        "scenery-ink",
+        "growth=drainage&land=island&seed=kauri&attractors=3000&trim=30&channel-area=4&mouths=0&style=ink&labels=few&label-size=0.7&woods=0.5&hills=0.8",
+    ),
+    (
+        "scenery-parchment",
+        "growth=drainage&land=valley&seed=moa&attractors=3000&trim=30&channel-area=4&mouths=0&style=parchment&woods=0.6",
+    ),
+    (
+        "scenery-basins",
+        "growth=colonize&land=continent&seed=kea&attractors=1500&trim=39&mouths=0&style=basins&woods=0.4&hills=1",
+    ),
     ("original", "preset=original&attractors=1500"),
     ("momentum", "preset=momentum&attractors=1500"),
     ("curl", "preset=curl&attractors=1500"),

@@ -21,7 +21,7 @@ pub struct Raster {
 
 /// Which pieces come near each square.
 #[derive(Clone, Debug)]
-struct Squares {
+pub(super) struct Squares {
     columns: usize,
     rows: usize,
     /// Where those of each square begin in the list, and where the last end.
@@ -99,7 +99,7 @@ impl Ground for Raster {
 }
 
 impl Squares {
-    fn new(size: Vec2, corner: Vec2, pieces: &[Piece]) -> Self {
+    pub fn new(size: Vec2, corner: Vec2, pieces: &[Piece]) -> Self {
         let [columns, rows] = [size.x, size.y].map(|length| (length / SQUARE) as usize + 1);
         let mut this = Self { columns, rows, starts: vec![0; columns * rows + 1], pieces: Vec::new() };
         let squares_of = |piece: &Piece, this: &Self| {
@@ -133,7 +133,7 @@ impl Squares {
     }
 
     /// Hands out the pieces of all squares within a distance of a place.
-    fn around(&self, at: Vec2, distance: f32, mut look: impl FnMut(&[u32])) {
+    pub fn around(&self, at: Vec2, distance: f32, mut look: impl FnMut(&[u32])) {
         for square in self.squares(at - distance, at + distance) {
             look(&self.pieces[self.starts[square] as usize..self.starts[square + 1] as usize]);
         }

@@ -23,6 +23,8 @@ mod raised;
 pub(crate) mod relief;
 pub(crate) mod ridges;
 mod rivers;
+#[cfg(feature = "names")]
+pub(crate) mod scenery;
 mod skeleton;
 mod strokes;
 mod styles;
@@ -46,3 +48,5 @@ pub(crate) use palette::Lines;
 pub(crate) use styles::labels::{LabelLook, label_look};
 #[cfg(feature = "files")]
 pub(crate) use styles::palette as palette_of;
+#[cfg(feature = "names")]
+pub(crate) use styles::scenery::{SceneryLook, scenery_look};

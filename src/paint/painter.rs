@@ -17,10 +17,14 @@ use super::flow::Flow;
 use super::ground_cache::GroundCache;
 use super::palette::Lines;
 use super::rivers::{Rivers, draw_network};
+#[cfg(feature = "names")]
+use super::scenery::{self, Sheet};
 use super::strokes::{Pen, Widths};
 #[cfg(feature = "names")]
 use super::styles::labels::label_look;
 use super::styles::palette;
+#[cfg(feature = "names")]
+use super::styles::scenery::scenery_look;
 use super::view::{PaintError, View};
 use super::{ink, skeleton};
 use crate::domain::Domain;
@@ -90,8 +94,11 @@ pub struct Painter {
     round: Option<u32>,
     /// The relief of the finished rivers that the mask shows, which has but these, and the lines; `None` if it shows anything else.
     drawn_rivers: Option<(Arc<Relief>, Lines)>,
-    /// How many labels the picture shows.
-    labels: usize,
+    /// How many labels the picture shows, and how many trees and hills.
+    chart_size: [usize; 2],
+    /// The trees and hills that are being drawn.
+    #[cfg(feature = "names")]
+    sheet: Option<Sheet>,
 }
 
 impl Painter {
@@ -122,7 +129,9 @@ impl Painter {
             is_finished: false,
             round: None,
             drawn_rivers: None,
-            labels: 0,
+            chart_size: [0; 2],
+            #[cfg(feature = "names")]
+            sheet: None,
         })
     }
 
@@ -143,6 +152,8 @@ impl Painter {
         self.is_blank = true;
         self.is_finished = false;
         self.round = None;
+        #[cfg(feature = "names")]
+        self.forget_scenery();
     }
 
     /// Forgets what of a tree or of rivers has been drawn.
@@ -199,24 +210,54 @@ impl Painter {
 
     /// Does a part of painting rivers, in place of the tree that they were. The picture changes with the last part.
     pub fn paint_rivers(&mut self, rivers: &Rivers<'_>) -> Painted {
-        let is_labelled = self.labels == rivers.label_count();
-        if self.round == Some(rivers.rounds) && self.ground.shows(rivers.relief) && is_labelled {
+        let has_chart = self.chart_size == rivers.chart_size();
+        if self.round == Some(rivers.rounds) && self.ground.shows(rivers.relief) && has_chart {
             return Painted::Whole(None);
         }
         if self.ground.advance(&self.view, rivers) {
             return Painted::Part;
         }
+        #[cfg(feature = "names")]
+        if self.advance_scenery(rivers) {
+            return Painted::Part;
+        }
         self.round = Some(rivers.rounds);
         self.is_finished = true;
-        self.labels = rivers.label_count();
+        self.chart_size = rivers.chart_size();
         self.draw_rivers(rivers);
         #[cfg(feature = "names")]
         let halo = self.draw_halo(rivers);
         self.coverage.touch_all();
         let changed = self.compose(rivers.style);
         #[cfg(feature = "names")]
+        self.lay_scenery(rivers.style);
+        #[cfg(feature = "names")]
         chart::letters(&mut self.pixmap, &self.view, rivers.labels, label_look(rivers.style), halo);
         Painted::Whole(changed)
+    }
+
+    /// Draws some trees and hills. Returns whether there are more.
+    #[cfg(feature = "names")]
+    fn advance_scenery(&mut self, rivers: &Rivers<'_>) -> bool {
+        let Some(look) = scenery_look(rivers.style).filter(|_| !rivers.scenery.is_empty()) else { return false };
+        if self.sheet.is_none() {
+            self.sheet = Sheet::new(&self.view, look);
+        }
+        self.sheet.as_mut().is_some_and(|sheet| sheet.advance(&self.view, rivers.scenery, look))
+    }
+
+    /// Lays trees and hills over the picture.
+    #[cfg(feature = "names")]
+    fn lay_scenery(&mut self, style: Style) {
+        if let Some((sheet, look)) = self.sheet.take().zip(scenery_look(style)) {
+            scenery::lay(&mut self.pixmap, &sheet, look);
+        }
+    }
+
+    /// Forgets what is drawn of trees and hills: there will be others.
+    #[cfg(feature = "names")]
+    fn forget_scenery(&mut self) {
+        self.sheet = None;
     }
 
     /// Takes rivers away around letters. Returns the halo, if it has a colour of its own.

@@ -11,7 +11,7 @@ use super::skeleton;
 use super::strokes::{Vertex, middle, parabola, step};
 use super::view::View;
 #[cfg(feature = "names")]
-use crate::chart::Label;
+use crate::chart::{Label, Standing};
 use crate::land::Land;
 use crate::network::{self, Network, PastCourses, Place};
 use crate::recipe::{CourseShape, Style};
@@ -38,17 +38,20 @@ pub struct Rivers<'a> {
     /// The labels.
     #[cfg(feature = "names")]
     pub labels: &'a [Label],
+    /// Trees and hills, what is behind first.
+    #[cfg(feature = "names")]
+    pub scenery: &'a [Standing],
     /// The style.
     pub style: Style,
 }
 
 impl Rivers<'_> {
-    /// How many labels there are.
-    pub(super) fn label_count(&self) -> usize {
+    /// How many labels there are, and how many trees and hills.
+    pub(super) fn chart_size(&self) -> [usize; 2] {
         #[cfg(feature = "names")]
-        return self.labels.len();
+        return [self.labels.len(), self.scenery.len()];
         #[cfg(not(feature = "names"))]
-        0
+        [0; 2]
     }
 }
 

@@ -56,7 +56,9 @@ pub enum Key {
     LabelSize,
     Language,
     Names,
+    Woods,
+    Hills,
 }
 
 /// How many parameters there are.
-pub(super) const COUNT: usize = Key::Names as usize + 1;
+pub(super) const COUNT: usize = Key::Hills as usize + 1;

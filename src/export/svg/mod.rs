@@ -3,7 +3,7 @@
 //! Lengths are domain units, y runs down, numbers are rounded to a hundredth. Rivers stand in a group for each of
 //! Strahler's orders (`order-3`), each with its number (`river-12`) and, as data, its parent, order, magnitude and discharge; lakes
 //! are `oxbow-3`, and former beds of great rivers as they were after so many rounds of meandering `round-3`. The link of the recipe is
-//! in the file's metadata.
+//! in the file's metadata. Trees stand in the group `woods`, hills in `hills`.
 
 mod beds;
 mod ground;
@@ -11,6 +11,8 @@ mod ground;
 mod labels;
 mod light;
 mod path;
+#[cfg(feature = "names")]
+mod scenery;
 mod text;
 
 use std::sync::Arc;
@@ -24,11 +26,11 @@ use self::text::Text;
 use super::banks::{Banks, Width};
 use super::{ExportError, rivers};
 use crate::network::{NONE, Network, River};
-#[cfg(feature = "names")]
-use crate::paint::label_look;
 use crate::paint::palette::{BasinColours, Palette};
 use crate::paint::relief::Basins;
 use crate::paint::{Lines, palette_of};
+#[cfg(feature = "names")]
+use crate::paint::{label_look, scenery_look};
 use crate::recipe::{CourseShape, Key, link};
 use crate::session::Session;
 
@@ -80,6 +82,10 @@ pub fn svg(session: &Session) -> Result<String, ExportError> {
         draw_lakes(&mut out, network, basins.as_ref());
     }
     out.text("</g>\n");
+    #[cfg(feature = "names")]
+    if let Some(look) = scenery_look(recipe.get()) {
+        scenery::draw(&mut out, size, &crate::scenery::scenery(session, &labels), look);
+    }
     #[cfg(feature = "names")]
     labels::draw(&mut out, &labels, label_look(recipe.get()));
     out.text("</g>\n</svg>");
