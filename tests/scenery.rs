@@ -12,7 +12,8 @@ use common::random_link;
 use geo::{Distance, Euclidean};
 use proptest::prelude::*;
 use riverseed::chart::{
-    Box, FOOT_FROM_BANKS, FROM_BANKS, FROM_LETTERS, Feature, Raster, Scenery, SceneryInput, Standing, Stroke, place,
+    Box, FOOT_FROM_BANKS, FROM_BANKS, FROM_COAST, FROM_LETTERS, Feature, Raster, Scenery, SceneryInput, Standing,
+    Stroke, place,
 };
 use riverseed::glam::Vec2;
 use riverseed::network::Place;
@@ -129,7 +130,7 @@ fn check_coast_and_letters(one: &Standing, input: &SceneryInput<'_>) -> Result<(
     if let Some(coast) = input.coast {
         for at in strokes.iter().flat_map(|stroke| stroke.coords()) {
             let inland = coast.height(Vec2::new(at.x as f32, at.y as f32));
-            prop_assert!(inland > 2.0, "{one:?} is {inland} inland");
+            prop_assert!(inland > FROM_COAST - 0.5, "{one:?} is {inland} inland");
         }
     }
     let is_near = |letter: &&Box| letter.middle.distance(one.foot) < 60.0;

@@ -50,7 +50,7 @@ impl Sheet {
     pub fn advance(&mut self, view: &View, all: &[Standing], look: SceneryLook) -> bool {
         /// Square pixels, of which each glyph has so many besides its own.
         const AREA: f32 = 600_000.0;
-        const BESIDES: f32 = 600.0;
+        const BESIDES: f32 = 3000.0;
         let mut area = 0.0;
         while let Some(one) = all.get(self.drawn).filter(|_| area < AREA) {
             self.drawn += 1;
