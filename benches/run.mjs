@@ -30,6 +30,7 @@ const GROUPS = {
   "Rivers of a default map, and their rounds of meandering": rivers,
   "The relief of a default map, and other styles at 1024² when it is there": relief,
   "Labels of a map at 1024², from the link to the finished picture": labels,
+  "Woods and hills of a map at 1024², from the link to the finished picture": woods,
   "Bends of the great rivers of 20 maps; in nature wavelength 11 widths, radius 2 to 3": bends,
   "The page at 1024², while 100,000 attractors grow, then while the rivers of 6,000 meander": page,
   "A widget in a post, grown in a worker, then on the page itself": widget,
@@ -250,6 +251,12 @@ async function labels() {
   const [bare, labelled] = await inTurn(15, [native, "labelled none"], [native, "labelled some"]);
   row("native: with labels / without", median(ratios(labelled, bare)), "×", atMost(1.2, 1.12));
   guide("with labels", median(labelled), "ms");
+}
+
+async function woods() {
+  const [bare, wooded] = await inTurn(15, [native, "wooded 0"], [native, "wooded 1"]);
+  row("native: with woods and hills / without", median(ratios(wooded, bare)), "×", atMost(1.25, 1.15));
+  guide("with woods and hills", median(wooded), "ms");
 }
 
 function page() {

@@ -86,6 +86,7 @@ fn repetition(task: &str) -> Option<Repetition> {
         ["restyle", land, style] => repaint(land, &restyled(style), true),
         ["restyle-less-painting", land, style] => repaint(land, &restyled(style), false),
         ["reshade", land] => repaint(land, &["style=atlas", "style=atlas&shade=1"].map(String::from), true),
+        ["wooded", woods] => pictured(link::read(&format!("land=island&style=ink&woods={woods}&hills={woods}")).ok()?),
         ["labelled", labels] => pictured(link::read(&format!("land=island&style=ink&labels={labels}")).ok()?),
         ["pen"] => changes("roughness=0.5", "roughness=0.51", 6000, DRAWN),
         ["differing"] => Some(Box::new(|| differing_bytes().unwrap_or(u32::MAX))),

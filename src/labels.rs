@@ -9,18 +9,11 @@ use crate::land::{CELL_SIZE, Land, Run};
 use crate::memory;
 use crate::name::{Names, PlaceKind, PlaceName, ReachName};
 use crate::network::{NONE, Network, Oxbow, Place};
-use crate::paint::{ChartMasks, View, letters};
 use crate::recipe::{self, Labels};
 use crate::river_map::RiverMap;
 
 /// The smallest letters that can be read: their em in pixels.
 const LEAST_EM: f32 = 11.0;
-
-/// The labels of a picture as masks, so many of whose pixels are one CSS pixel, from 0.5 to 4 in quarters, to the nearest of which it comes.
-pub fn masks(map: &RiverMap<'_>, view: &View, ratio: f32) -> ChartMasks {
-    let ratio = ((ratio * 4.0).round() / 4.0).clamp(0.5, 4.0);
-    letters::masks(view, &labels(map, view.frame(), view.scale / ratio))
-}
 
 /// The labels of a picture that shows a part of the map, its north-western and its south-eastern corner, with so many pixels to a unit:
 /// the greatest rivers first. None if the recipe wants none, if rivers are not finished, or if there is not enough memory.
@@ -92,7 +85,7 @@ fn area_of(place: PlaceName) -> Area {
     Area { kind, name: forms(&place.name), midst: place.at, strips: place.region.runs.iter().map(strip).collect() }
 }
 
-fn total_discharge(network: &Network) -> u32 {
+pub(crate) fn total_discharge(network: &Network) -> u32 {
     let mouths = network.rivers.iter().filter(|river| river.parent == NONE);
     mouths.map(|river| network.discharge(river)).fold(0, u32::saturating_add)
 }
@@ -124,7 +117,7 @@ fn forms(name: &str) -> [String; 2] {
     [name.into(), name.strip_prefix("The ").unwrap_or(name).into()]
 }
 
-fn ridges(land: &Land) -> Vec<Vec<Place>> {
+pub(crate) fn ridges(land: &Land) -> Vec<Vec<Place>> {
     /// How wide a ridge's strokes are on either side, in units.
     const HALF: f32 = 3.0;
     land.ridges().iter().map(|ridge| ridge.iter().map(|&at| Place { at, half: HALF }).collect()).collect()

@@ -55,6 +55,9 @@ extern crate self as riverseed;
 #[cfg(feature = "names")]
 #[doc(hidden)]
 pub mod chart;
+#[cfg(feature = "names")]
+#[doc(hidden)]
+pub mod charting;
 #[doc(hidden)]
 pub mod dice;
 #[cfg(feature = "files")]
@@ -92,6 +95,9 @@ pub mod recipe;
 pub mod relief;
 #[doc(hidden)]
 pub mod river_map;
+#[cfg(feature = "names")]
+#[doc(hidden)]
+pub mod scenery;
 pub mod session;
 mod simplify;
 mod skeletonize;

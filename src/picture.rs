@@ -4,12 +4,13 @@ use std::sync::Arc;
 
 use tiny_skia::Pixmap;
 
-use crate::domain::Domain;
 #[cfg(feature = "names")]
-use crate::labels;
+use crate::charting::Charting;
+use crate::domain::Domain;
 use crate::land::Land;
 use crate::paint::{ChartMasks, PaintError, Painted, Painter, Progress, Rect, Rivers, View};
-use crate::recipe::{Cartouche, Key, Labels};
+use crate::recipe::{Key, Style};
+use crate::river_map::ChartWishes;
 #[cfg(feature = "names")]
 use crate::river_map::RiverMap;
 use crate::session::{Generation, Phase, Session};
@@ -35,8 +36,11 @@ pub struct Picture {
     shown: Option<(Generation, Domain, Option<Arc<Land>>)>,
     /// The trimmed tree whose rivers it shows; `None` if it shows none.
     rivers_of: Option<Generation>,
-    /// What a chart lays over finished rivers, and the generation that it belongs to.
-    chart: Option<(Generation, Arc<ChartMasks>)>,
+    /// What a chart lays over a finished map, and what it is of.
+    chart: Option<(Charted, Arc<ChartMasks>)>,
+    /// The next one, in the making.
+    #[cfg(feature = "names")]
+    charting: Option<(Charted, Charting)>,
     /// Pixels of the picture to one of those that letters are measured by.
     #[cfg(feature = "names")]
     ratio: f32,
@@ -54,6 +58,8 @@ impl Picture {
             rivers_of: None,
             chart: None,
             #[cfg(feature = "names")]
+            charting: None,
+            #[cfg(feature = "names")]
             ratio: 1.0,
         })
     }
@@ -64,7 +70,7 @@ impl Picture {
     #[must_use]
     pub fn with_ratio(mut self, ratio: f32) -> Self {
         self.ratio = ratio;
-        self.chart = None;
+        (self.chart, self.charting) = (None, None);
         self.painter.reset();
         self
     }
@@ -97,7 +103,9 @@ impl Picture {
         self.rivers_of = tree.filter(|_| session.network().is_some());
         let (recipe, land) = (session.recipe(), session.land().map(Arc::as_ref));
         let (courses, style) = (recipe.get(), recipe.get());
-        self.bring_chart_up_to_date(session);
+        if self.advance_chart(session) {
+            return Painted::Part;
+        }
         let chart = self.chart.as_ref().map(|(_, chart)| chart);
         if let Some(((network, rounds), past)) = session.network().zip(session.rounds()).zip(session.past()) {
             let relief = session.relief().map(|relief| (relief, recipe.number(Key::Shade)));
@@ -116,16 +124,16 @@ impl Picture {
         }))
     }
 
-    /// Whether the recipe of a session, whose rivers are finished, wants a chart over this picture that it has not got.
+    /// Whether the recipe of a session, which is finished, wants a chart over this picture that it has not got.
     pub fn wants_chart(&self, session: &Session) -> bool {
-        let has_one = self.chart.as_ref().is_some_and(|(of, _)| *of == session.map_generation());
+        let has_one = self.chart.as_ref().is_some_and(|(of, _)| *of == Charted::of(session));
         is_to_be_charted(session) && !has_one
     }
 
-    /// Takes a chart for the rivers of a session as they are, and for a picture of this size. It is seen when next this is painted, for as
-    /// long as these rivers stay.
+    /// Takes a chart for a session as it is, and for a picture of this size. It is seen when next this is painted, for as long as the
+    /// session stays so.
     pub fn take_chart(&mut self, session: &Session, chart: ChartMasks) {
-        self.chart = Some((session.map_generation(), Arc::new(chart)));
+        self.chart = Some((Charted::of(session), Arc::new(chart)));
     }
 
     /// How the domain lies on the picture.
@@ -133,16 +141,26 @@ impl Picture {
         self.painter.view()
     }
 
-    /// Drops a chart of other rivers, and makes one of these if that can be done here.
-    fn bring_chart_up_to_date(&mut self, session: &Session) {
-        let is_old = |(of, _): &(Generation, Arc<ChartMasks>)| *of != session.map_generation();
-        if self.chart.as_ref().is_some_and(is_old) {
+    /// Drops a chart of another map, and does a part of making one of this, if that can be done here. Returns whether it did.
+    fn advance_chart(&mut self, session: &Session) -> bool {
+        let now = Charted::of(session);
+        if self.chart.as_ref().is_some_and(|(of, _)| *of != now) {
             self.chart = None;
         }
         #[cfg(feature = "names")]
         if let Some(map) = RiverMap::of(session).filter(|_| self.wants_chart(session)) {
-            self.take_chart(session, labels::masks(&map, self.view(), self.ratio));
+            let (view, ratio) = (*self.view(), self.ratio);
+            if self.charting.as_ref().is_none_or(|(of, _)| *of != now) {
+                self.charting = Some((now, Charting::default()));
+            }
+            let chart = self.charting.as_mut().and_then(|(_, charting)| charting.advance(&map, &view, ratio));
+            if let Some(chart) = chart {
+                self.charting = None;
+                self.take_chart(session, chart);
+            }
+            return true;
         }
+        false
     }
 
     fn forget_what_is_over(&mut self, session: &Session) {
@@ -165,11 +183,23 @@ impl Picture {
     }
 }
 
-/// Whether the rivers of a session are finished, and its recipe wants a chart of them.
+/// What a chart is of: woods and hills of one style are none for another.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Charted {
+    generation: Generation,
+    style: Option<Style>,
+}
+
+impl Charted {
+    fn of(session: &Session) -> Self {
+        let wishes = ChartWishes::of(session.recipe());
+        Self { generation: session.map_generation(), style: wishes.has_scenery().then_some(wishes.style) }
+    }
+}
+
+/// Whether a session is finished, and its recipe wants a chart.
 pub(crate) fn is_to_be_charted(session: &Session) -> bool {
-    let is_finished = matches!(session.phase(), Phase::Relief | Phase::Finished);
-    let recipe = session.recipe();
-    is_finished && (recipe.get::<Labels>() != Labels::None || recipe.get::<Cartouche>() != Cartouche::None)
+    session.phase() == Phase::Finished && ChartWishes::of(session.recipe()).any()
 }
 
 /// Whether land is the very same, shaped once.

@@ -37,6 +37,8 @@ pub enum Purpose {
     Relief = 8,
     /// The language of names.
     Names = 9,
+    /// Where trees and hills stand.
+    Scenery = 10,
 }
 
 impl Seed {

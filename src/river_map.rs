@@ -10,8 +10,9 @@ pub mod words;
 pub use own_map::OwnMap;
 
 use crate::land::Land;
-use crate::network::{Network, Reach};
+use crate::network::{Network, PastCourses, Place, Reach};
 use crate::recipe::{Cartouche, Key, Labels, Recipe, Style};
+use crate::relief::Relief;
 use crate::session::{Phase, Session};
 use crate::tree::Tree;
 
@@ -34,6 +35,10 @@ pub struct ChartWishes {
     pub aspect: f32,
     /// The style.
     pub style: Style,
+    /// How much of the land is to be wooded, from 0 to 1.
+    pub woods: f32,
+    /// How thickly hills are to stand, from 0 to 1.
+    pub hills: f32,
 }
 
 impl ChartWishes {
@@ -48,7 +53,25 @@ impl ChartWishes {
             label_size: recipe.number(Key::LabelSize),
             aspect: recipe.number(Key::Aspect),
             style: recipe.get(),
+            woods: recipe.number(Key::Woods),
+            hills: recipe.number(Key::Hills),
         }
+    }
+
+    /// How much there is to be of woods and of hills, in a style that may show none.
+    pub fn scenery(&self) -> [f32; 2] {
+        let shown = |amount: f32, is_shown: bool| if is_shown { amount } else { 0.0 };
+        [shown(self.woods, self.style.has_woods()), shown(self.hills, self.style.has_hills())]
+    }
+
+    /// Whether the style, too, decides what there is on the map: woods and hills.
+    pub fn has_scenery(&self) -> bool {
+        self.scenery() != [0.0; 2]
+    }
+
+    /// Whether there is to be anything.
+    pub fn any(&self) -> bool {
+        self.labels != Labels::None || self.cartouche != Cartouche::None || self.has_scenery()
     }
 }
 
@@ -67,21 +90,35 @@ pub struct RiverMap<'a> {
     pub reaches: &'a [Reach],
     /// The land; `None` if all of the domain is.
     pub land: Option<&'a Land>,
-    /// Whether the rivers will not change any more.
+    /// Its heights, if the style shows them, and there is to be scenery.
+    pub relief: Option<&'a Relief>,
+    /// The beds in which great rivers ran before, likewise.
+    pub beds: Vec<Vec<Place>>,
+    /// Whether there is nothing more to do: neither rivers nor heights will change.
     pub is_finished: bool,
 }
 
 impl<'a> RiverMap<'a> {
     /// The map of a session; `None` while there are no rivers.
     pub fn of(session: &'a Session) -> Option<Self> {
+        let wishes = ChartWishes::of(session.recipe());
+        let has_scenery = wishes.has_scenery();
         Some(Self {
-            wishes: ChartWishes::of(session.recipe()),
+            relief: session.relief().filter(|_| has_scenery && wishes.style.has_relief()).map(AsRef::as_ref),
+            beds: if has_scenery && wishes.style == Style::PastCourses { beds(session) } else { Vec::new() },
+            wishes,
             tree: session.tree(),
             total_discharge: session.growth().total_discharge(),
             network: session.network()?,
             reaches: session.reaches(),
             land: session.land().map(AsRef::as_ref),
-            is_finished: matches!(session.phase(), Phase::Relief | Phase::Finished),
+            is_finished: session.phase() == Phase::Finished,
         })
     }
+}
+
+/// The beds in which great rivers ran before.
+fn beds(session: &Session) -> Vec<Vec<Place>> {
+    let rounds = session.past().map_or(&[][..], PastCourses::rounds);
+    rounds.iter().flat_map(|round| round.courses.iter().chain(&round.loops)).map(|bed| bed.line.clone()).collect()
 }

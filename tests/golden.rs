@@ -78,6 +78,18 @@ const PICTURES: &[(&str, &str)] = &[
         "growth=drainage&land=continent&seed=moa&attractors=3000&trim=24&channel-area=4&mouths=0&style=parchment&cartouche=framed&label-size=0.6",
     ),
     ("cartouche-plain", "land=rectangle&attractors=1000&style=ink&cartouche=plain&label-size=0.7"),
+    (
+        "scenery-ink",
+        "growth=drainage&land=island&seed=kauri&attractors=3000&trim=30&channel-area=4&mouths=0&style=ink&labels=few&label-size=0.7&woods=0.5&hills=0.8",
+    ),
+    (
+        "scenery-parchment",
+        "growth=drainage&land=valley&seed=moa&attractors=3000&trim=30&channel-area=4&mouths=0&style=parchment&woods=0.6",
+    ),
+    (
+        "scenery-basins",
+        "growth=colonize&land=continent&seed=kea&attractors=1500&trim=39&mouths=0&style=basins&woods=0.4&hills=1",
+    ),
     ("original", "preset=original&attractors=1500"),
     ("momentum", "preset=momentum&attractors=1500"),
     ("curl", "preset=curl&attractors=1500"),

@@ -12,6 +12,7 @@ use proptest::prelude::*;
 use riverseed::chart::{
     Area, AreaKind, Background, Box, Ink, Input, Kind, Label, Piece, Placed, Raster, Strip, cell_middle, place,
 };
+use riverseed::charting::Charting;
 use riverseed::glam::Vec2;
 use riverseed::labels;
 use riverseed::name::Names;
@@ -483,8 +484,8 @@ fn a_map_that_is_handed_over_as_words_has_the_same_names_and_labels() {
         let own = OwnMap::read(&words::write(&map)).unwrap();
         assert_eq!(Names::of_map(&own.map()), Names::of(&session), "{link}");
         let view = View::new(&session.domain(), 500, 400).unwrap();
-        let masks = labels::masks(&own.map(), &view, 1.0);
-        assert!(masks == labels::masks(&map, &view, 1.0) && !masks.letters.is_empty(), "{link}");
+        let masks = Charting::whole(&own.map(), &view, 1.0);
+        assert!(masks == Charting::whole(&map, &view, 1.0) && !masks.letters.is_empty(), "{link}");
     }
 }
 

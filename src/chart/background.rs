@@ -55,12 +55,14 @@ pub struct Piece {
 impl Piece {
     /// All pieces of a map, river by river.
     pub fn all(input: &Input<'_>) -> Vec<Self> {
-        let pieces = |river: u32, line: &[Place]| -> Vec<Self> {
-            line.windows(2).map(|pair| Self { river, ends: [pair[0], pair[1]] }).collect()
-        };
-        let rivers = (0..).zip(&input.rivers).flat_map(|(number, river)| pieces(number, &river.course));
-        let lakes = input.lakes.iter().flat_map(|line| pieces(LAKE, line));
-        rivers.chain(lakes).chain(input.ridges.iter().flat_map(|line| pieces(RIDGE, line))).collect()
+        let rivers = (0..).zip(&input.rivers).flat_map(|(number, river)| Self::along(number, &river.course));
+        let lakes = input.lakes.iter().flat_map(|line| Self::along(LAKE, line));
+        rivers.chain(lakes).chain(input.ridges.iter().flat_map(|line| Self::along(RIDGE, line))).collect()
+    }
+
+    /// The pieces of a line.
+    pub(super) fn along(river: u32, line: &[Place]) -> impl Iterator<Item = Self> + '_ {
+        line.windows(2).map(move |pair| Self { river, ends: [pair[0], pair[1]] })
     }
 
     /// How far a point lies from the middle line, and half the width there.

@@ -187,7 +187,7 @@ impl Box {
     }
 
     /// How far it is from a straight piece; 0 if they meet.
-    fn gap(&self, ends: [Vec2; 2]) -> f32 {
+    pub fn gap(&self, ends: [Vec2; 2]) -> f32 {
         let corners = self.corners();
         let sides = [0, 1, 2, 3].map(|i| (corners[i], corners[(i + 1) % 4]));
         let is_within = |at: Vec2| {

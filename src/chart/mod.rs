@@ -1,4 +1,5 @@
-//! The chart: what stands on a map besides rivers. Labels, so far: words set along courses, letter by letter, and on the sea.
+//! The chart: what stands on a map besides rivers. Labels, words set along courses, letter by letter, and on the sea; and scenery, woods and
+//! hills on the land between.
 //!
 //! Input is plain arrays, so is the result, and neither knows what pixels or files are. After Wolff, Knipping, van Kreveld, Strijk and
 //! Agarwal, *A simple and efficient algorithm for high-quality line labeling*: lines of type that bend little, at a small and even distance
@@ -6,22 +7,36 @@
 //!
 //! ```text
 //! courses ─► copies of them, smoothed ─► baselines beside those ─► candidates ─► the cheapest that nothing forbids
+//! points, evenly scattered ─► those that are clear of rivers, coasts and letters ─► hills on divides, trees in woods
 //! ```
 
 mod areas;
 mod background;
+mod banks;
 mod baseline;
 mod cartouche;
 mod costs;
+mod divides;
+mod free;
+mod hills;
 mod input;
 mod islands;
 mod letters;
 mod place;
 mod raster;
+mod scatter;
+mod scenery;
 mod search;
+mod shapes;
+mod standing;
+mod woods;
 
 pub use background::{Background, Ink, Piece, cell_middle};
-pub use input::{Area, AreaKind, Cartouche, Input, Reach, River, Strip};
+pub use free::{FOOT_FROM_BANKS, FROM_BANKS, FROM_COAST, FROM_LETTERS};
+pub use input::{Area, AreaKind, Cartouche, Heights, Input, Reach, River, SceneryInput, Stream, Strip};
 pub use letters::{Box, Kind, Label, Placed, Stroke};
 pub use place::place;
 pub use raster::Raster;
+pub use scenery::Scenery;
+pub use shapes::{Feature, PenStroke, SHAPES, Shape};
+pub use standing::Standing;

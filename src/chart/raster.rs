@@ -21,7 +21,7 @@ pub struct Raster {
 
 /// Which pieces come near each square.
 #[derive(Clone, Debug)]
-struct Squares {
+pub(super) struct Squares {
     columns: usize,
     rows: usize,
     /// Where those of each square begin in the list, and where the last end.
@@ -104,7 +104,7 @@ impl Background for Raster {
 }
 
 impl Squares {
-    fn new(size: Vec2, corner: Vec2, pieces: &[Piece]) -> Self {
+    pub fn new(size: Vec2, corner: Vec2, pieces: &[Piece]) -> Self {
         let [columns, rows] = [size.x, size.y].map(|length| (length / SQUARE) as usize + 1);
         let mut this = Self { columns, rows, starts: vec![0; columns * rows + 1], pieces: Vec::new() };
         let squares_of = |piece: &Piece, this: &Self| {
@@ -138,7 +138,7 @@ impl Squares {
     }
 
     /// Hands out the pieces of all squares within a distance of a place, and how far each square is from that; its own square's first.
-    fn around(&self, at: Vec2, distance: f32, mut look: impl FnMut(&[u32], f32)) {
+    pub fn around(&self, at: Vec2, distance: f32, mut look: impl FnMut(&[u32], f32)) {
         let pieces = |square: usize| &self.pieces[self.starts[square] as usize..self.starts[square + 1] as usize];
         let own = self.squares(at, at).next();
         if let Some(own) = own {

@@ -39,6 +39,18 @@ impl Fill {
         }
     }
 
+    /// Adds what lies between a line of curves whose points are in pixels and the straight way from its end to its start.
+    pub fn add_line(&mut self, start: Vec2, curves: &[Curve], place: impl Fn(Vec2) -> Vec2) {
+        let corner = Vec2::new(self.corner[0] as f32, self.corner[1] as f32);
+        let place = |at: Vec2| place(at) - corner;
+        let mut end = place(start);
+        flatten(end, curves, place, TOLERANCE, |from, to| {
+            self.piece(from, to);
+            end = to;
+        });
+        self.piece(end, place(start));
+    }
+
     /// The rows of the rectangle, with how much of each pixel is filled, from 0 to 1.
     pub fn rows(&self) -> impl Iterator<Item = impl Iterator<Item = f32>> {
         let sum = |sum: &mut f32, area: &f32| {
@@ -132,6 +144,17 @@ fn flatten(
             from = to;
         }
     }
+}
+
+/// Hands out the straight pieces of a line of curves, likewise.
+pub fn pieces_of(
+    start: Vec2,
+    curves: &[Curve],
+    place: impl Fn(Vec2) -> Vec2,
+    tolerance: f32,
+    piece: impl FnMut(Vec2, Vec2),
+) {
+    flatten(place(start), curves, place, tolerance, piece);
 }
 
 impl Glyph {

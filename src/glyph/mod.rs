@@ -9,6 +9,6 @@ mod fill;
 mod measure;
 mod table;
 
-pub use fill::Fill;
+pub use fill::{Fill, pieces_of};
 pub use measure::{Letter, lacking, line_of};
 pub use table::{Curve, Glyph, Typeface};

@@ -9,11 +9,17 @@ use tiny_skia::Pixmap;
 
 use super::coverage::{Coverage, Covered};
 use super::palette::over;
-use super::styles::labels::LabelLook;
+use super::styles::labels::label_look;
+use super::styles::scenery::scenery_look;
+use crate::recipe::Style;
 
 /// Masks of a chart's layers, for a picture of one size.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct ChartMasks {
+    /// Within trees and hills: where the ground is evened out if the style wants that.
+    pub bodies: SparseMask,
+    /// The strokes that trees and hills are drawn in.
+    pub strokes: SparseMask,
     /// Around letters: where rivers give way, and the ground is evened out if the style wants that.
     pub halo: SparseMask,
     /// Around letters that stand at sea if they can: where nothing but rivers gives way.
@@ -81,14 +87,16 @@ impl ChartMasks {
     /// All layers, to be handed to another module.
     pub fn to_bytes(&self) -> Vec<u8> {
         let mut bytes = Vec::new();
-        [&self.halo, &self.cleared, &self.panel, &self.letters].into_iter().for_each(|layer| layer.write(&mut bytes));
+        let layers = [&self.bodies, &self.strokes, &self.halo, &self.cleared, &self.panel, &self.letters];
+        layers.into_iter().for_each(|layer| layer.write(&mut bytes));
         bytes
     }
 
     /// The layers of these bytes; `None` if they are something else.
     pub fn from_bytes(mut bytes: &[u8]) -> Option<Self> {
         let mut layer = || SparseMask::read(&mut bytes);
-        Some(Self { halo: layer()?, cleared: layer()?, panel: layer()?, letters: layer()? })
+        let (bodies, strokes, halo) = (layer()?, layer()?, layer()?);
+        Some(Self { bodies, strokes, halo, cleared: layer()?, panel: layer()?, letters: layer()? })
     }
 }
 
@@ -103,8 +111,8 @@ pub(super) fn take_away(rivers: &mut Coverage, chart: &ChartMasks) {
     rivers.take_away(chart.cleared.pixels());
 }
 
-/// Lays halo and letters over the picture.
-pub(super) fn lay(pixmap: &mut Pixmap, chart: &ChartMasks, look: LabelLook) {
+/// Lays trees and hills, halo and letters over the picture.
+pub(super) fn lay(pixmap: &mut Pixmap, chart: &ChartMasks, style: Style) {
     let mut lay = |layer: &SparseMask, colour, strength: f32| {
         let picture = pixmap.data_mut().as_chunks_mut::<4>().0;
         for (i, share) in layer.pixels() {
@@ -113,12 +121,19 @@ pub(super) fn lay(pixmap: &mut Pixmap, chart: &ChartMasks, look: LabelLook) {
             *pixel = over([red, green, blue], colour, (f32::from(share) * strength + 0.5) as u32);
         }
     };
-    for (layer, under) in [(&chart.halo, look.under(false)), (&chart.panel, look.under(true))] {
+    if let Some(scenery) = scenery_look(style) {
+        if let Some((colour, strength)) = scenery.body {
+            lay(&chart.bodies, colour, strength);
+        }
+        lay(&chart.strokes, scenery.ink, 1.0);
+    }
+    let letters = label_look(style);
+    for (layer, under) in [(&chart.halo, letters.under(false)), (&chart.panel, letters.under(true))] {
         if let Some((colour, strength)) = under {
             lay(layer, colour, strength);
         }
     }
-    lay(&chart.letters, look.ink, 1.0);
+    lay(&chart.letters, letters.ink, 1.0);
 }
 
 #[cfg(test)]
@@ -138,7 +153,7 @@ mod tests {
         #[test]
         fn layers_come_out_as_they_were_put_in(halo in mask(), panel in mask(), letters in mask()) {
             let [a, b, c] = [&halo, &panel, &letters].map(|mask| SparseMask::of(mask));
-            let chart = ChartMasks { halo: a.clone(), cleared: a, panel: b, letters: c };
+            let chart = ChartMasks { bodies: b.clone(), strokes: c.clone(), halo: a.clone(), cleared: a, panel: b, letters: c };
             for (layer, mask) in [(&chart.cleared, &halo), (&chart.panel, &panel), (&chart.letters, &letters)] {
                 let mut filled = vec![0; mask.len()];
                 layer.pixels().for_each(|(pixel, share)| filled[pixel] = share);
@@ -152,8 +167,7 @@ mod tests {
             if let Some(chart) = ChartMasks::from_bytes(&bytes) {
                 prop_assert!(chart.letters.pixels().count() <= bytes.len());
                 let mut pixmap = Pixmap::new(5, 5).unwrap();
-                let look = LabelLook { ink: [0; 3], halo: Some(([9; 3], 0.5)), panel: [7; 3] };
-                lay(&mut pixmap, &chart, look);
+                lay(&mut pixmap, &chart, Style::Survey);
                 take_away(&mut Coverage::new(5, 5).unwrap(), &chart);
             }
         }

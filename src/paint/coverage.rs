@@ -94,6 +94,30 @@ impl Coverage {
         }
     }
 
+    /// Takes away shares of what is in a rectangle, row by row.
+    #[cfg(feature = "names")]
+    pub fn take_away_shares(&mut self, rect: Rect, rows: impl Iterator<Item = impl Iterator<Item = f32>>) {
+        let width = self.mask.width() as usize;
+        for (row, shares) in (rect.top as usize..).zip(rows) {
+            let pixels = &mut self.mask.data_mut()[row * width + rect.left as usize..row * width + rect.right as usize];
+            for (pixel, share) in pixels.iter_mut().zip(shares).filter(|(pixel, share)| **pixel > 0 && *share > 0.0) {
+                *pixel = (f32::from(*pixel) * (1.0 - share) + 0.5) as u8;
+            }
+        }
+    }
+
+    /// Covers shares of what is in a rectangle, row by row, where it is covered less.
+    #[cfg(feature = "names")]
+    pub fn add_shares(&mut self, rect: Rect, rows: impl Iterator<Item = impl Iterator<Item = f32>>) {
+        let width = self.mask.width() as usize;
+        for (row, shares) in (rect.top as usize..).zip(rows) {
+            let pixels = &mut self.mask.data_mut()[row * width + rect.left as usize..row * width + rect.right as usize];
+            for (pixel, share) in pixels.iter_mut().zip(shares).filter(|(_, share)| *share > 0.0) {
+                *pixel = (*pixel).max((share * 255.0 + 0.5) as u8);
+            }
+        }
+    }
+
     /// Counts everything as touched.
     pub fn touch_all(&mut self) {
         self.touched.tiles.fill(true);

@@ -28,6 +28,7 @@ pub(crate) fn masks(view: &View, labels: &[Label]) -> ChartMasks {
         cleared: halo(view, [].iter(), cartouche),
         panel: lines(view, framed.flat_map(|label| &label.cleared)),
         letters: letters(view, labels),
+        ..ChartMasks::default()
     }
 }
 

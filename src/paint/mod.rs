@@ -24,6 +24,8 @@ mod raised;
 pub(crate) mod relief;
 pub(crate) mod ridges;
 mod rivers;
+#[cfg(feature = "names")]
+pub(crate) mod scenery;
 mod skeleton;
 mod strokes;
 mod styles;
@@ -45,7 +47,11 @@ pub use view::{LONGEST_SIDE, PaintError, View};
 
 #[cfg(feature = "files")]
 pub(crate) use palette::Lines;
+#[cfg(feature = "names")]
+pub(crate) use scenery::Sheet;
 #[cfg(all(feature = "files", feature = "names"))]
 pub(crate) use styles::labels::{LabelLook, label_look};
 #[cfg(feature = "files")]
 pub(crate) use styles::palette as palette_of;
+#[cfg(feature = "names")]
+pub(crate) use styles::scenery::{SceneryLook, scenery_look};

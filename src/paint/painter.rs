@@ -15,7 +15,6 @@ use super::ground_cache::GroundCache;
 use super::palette::Lines;
 use super::rivers::{Rivers, draw_network};
 use super::strokes::{Pen, Widths};
-use super::styles::labels::label_look;
 use super::styles::palette;
 use super::view::{PaintError, View};
 use super::{ink, skeleton};
@@ -206,7 +205,7 @@ impl Painter {
         self.coverage.touch_all();
         let changed = self.compose(rivers.style);
         if let Some(chart) = rivers.chart {
-            chart::lay(&mut self.pixmap, chart, label_look(rivers.style));
+            chart::lay(&mut self.pixmap, chart, rivers.style);
         }
         Painted::Whole(changed)
     }

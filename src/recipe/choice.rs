@@ -170,6 +170,16 @@ impl Style {
     pub fn has_relief(self) -> bool {
         !matches!(self, Self::Ink | Self::Skeleton | Self::PastCourses | Self::Dark)
     }
+
+    /// Whether woods can be drawn in it.
+    pub fn has_woods(self) -> bool {
+        !matches!(self, Self::Skeleton | Self::Orbit)
+    }
+
+    /// Whether hills can be drawn in it: others have their relief for that.
+    pub fn has_hills(self) -> bool {
+        matches!(self, Self::Ink | Self::Dark | Self::Basins | Self::PastCourses)
+    }
 }
 
 #[cfg(test)]

@@ -62,6 +62,8 @@ impl Given<'_> {
             Key::Mountains | Key::Plains => self.heights_only_in_files(),
             Key::Shade => self.no_relief(),
             Key::LabelSize => self.no_labels(),
+            Key::Woods => self.no_woods(),
+            Key::Hills => self.no_hills(),
             Key::Style | Key::Labels | Key::Language | Key::Names | Key::Cartouche => None,
         }
     }
@@ -147,6 +149,14 @@ impl Given<'_> {
         (!self.recipe.get::<Style>().has_relief()).then_some("this style shows no relief")
     }
 
+    fn no_woods(&self) -> Reason {
+        (!self.recipe.get::<Style>().has_woods()).then_some("this style shows no woods")
+    }
+
+    fn no_hills(&self) -> Reason {
+        (!self.recipe.get::<Style>().has_hills()).then_some("this style shows no hills")
+    }
+
     fn no_labels(&self) -> Reason {
         let has_none = self.recipe.get::<Labels>() == Labels::None && self.recipe.get::<Cartouche>() == Cartouche::None;
         has_none.then_some("there are no labels")
@@ -223,13 +233,16 @@ mod tests {
             ("growth=drainage&land=island", Key::MouthSpacing),
             ("labels=none", Key::Labels),
             ("cartouche=plain", Key::LabelSize),
+            ("style=ink&land=rectangle", Key::Woods),
+            ("style=ink&land=rectangle", Key::Hills),
+            ("style=survey", Key::Woods),
         ] {
             assert_eq!(reason(link, key), None, "{link}");
         }
     }
 
     /// A recipe in which next to everything does something, whatever the defaults are.
-    const LIVELY: &str = "land=rectangle&growth=colonize&valleys=0.3&curl=0.5&courses=smooth&meander=bend&meander-rounds=60&meander-strength=0.5&great-rivers=3&meander-elsewhere=0.3&labels=some&style=atlas";
+    const LIVELY: &str = "land=rectangle&growth=colonize&valleys=0.3&curl=0.5&courses=smooth&meander=bend&meander-rounds=60&meander-strength=0.5&great-rivers=3&meander-elsewhere=0.3&labels=some&style=basins";
 
     const NO_COAST: (&str, &str) =
         ("sea roughness mouth-spacing shores", "the whole rectangle is land, so there is no coast");
@@ -247,6 +260,8 @@ mod tests {
     const NO_RELIEF: (&str, &str) = ("shade", "this style shows no relief");
     const NO_HEIGHTS: (&str, &str) =
         ("mountains plains", "this style shows no relief, though files of heights have it");
+    const NO_WOODS: (&str, &str) = ("woods", "this style shows no woods");
+    const NO_HILLS: (&str, &str) = ("hills", "this style shows no hills");
     const RECTANGULAR: &[(&str, &str)] = &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS];
 
     /// What is set over the lively recipe, and all keys that do nothing then, each with its reason.
@@ -377,10 +392,17 @@ mod tests {
                 ("width bank-variation", "the skeleton is one pixel wide everywhere"),
                 NO_RELIEF,
                 NO_HEIGHTS,
+                NO_WOODS,
+                NO_HILLS,
             ],
         ),
         ("style=ink", &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS, NO_RELIEF, NO_HEIGHTS]),
-        ("style=skeleton", &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS, NO_RELIEF, NO_HEIGHTS]),
+        (
+            "style=skeleton",
+            &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS, NO_RELIEF, NO_HEIGHTS, NO_WOODS, NO_HILLS],
+        ),
+        ("style=atlas", &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS, NO_HILLS]),
+        ("style=orbit", &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS, NO_WOODS, NO_HILLS]),
         (
             "style=skeleton&meander-rounds=0",
             &[
@@ -393,6 +415,8 @@ mod tests {
                 ("width bank-variation", "the skeleton is one pixel wide everywhere"),
                 NO_RELIEF,
                 NO_HEIGHTS,
+                NO_WOODS,
+                NO_HILLS,
             ],
         ),
         (
@@ -410,6 +434,8 @@ mod tests {
                 ("width bank-variation", "the skeleton is one pixel wide everywhere"),
                 NO_RELIEF,
                 NO_HEIGHTS,
+                NO_WOODS,
+                NO_HILLS,
             ],
         ),
         ("growth=drainage", &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_COLONIZING]),

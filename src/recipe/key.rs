@@ -57,7 +57,9 @@ pub enum Key {
     Language,
     Names,
     Cartouche,
+    Woods,
+    Hills,
 }
 
 /// How many parameters there are.
-pub(super) const COUNT: usize = Key::Cartouche as usize + 1;
+pub(super) const COUNT: usize = Key::Hills as usize + 1;

@@ -599,6 +599,28 @@ pub static TABLE: [Parameter; COUNT] = {
             logarithmic: false,
             kind: Kind::Choice { choices: Cartouche::WORDS },
         },
+        Parameter {
+            key: Key::Woods,
+            name: "woods",
+            label: "Woods",
+            help: "How much of the land is wooded. Trees keep off rivers and names.",
+            unit: "",
+            group: "Scenery",
+            stage: Name,
+            logarithmic: false,
+            kind: number(0.0, 1.0, 0.01, 0.0),
+        },
+        Parameter {
+            key: Key::Hills,
+            name: "hills",
+            label: "Hills",
+            help: "How thickly hills stand on divides, and on high land where a style shows how high it is.",
+            unit: "",
+            group: "Scenery",
+            stage: Name,
+            logarithmic: false,
+            kind: number(0.0, 1.0, 0.01, 0.0),
+        },
     ])
 };
 

@@ -28,6 +28,8 @@ mod tests;
 
 use glam::Vec2;
 
+#[cfg(feature = "names")]
+use crate::domain::Domain;
 use crate::sort::quantile;
 
 #[cfg(feature = "files")]
@@ -50,6 +52,13 @@ pub struct Relief {
 }
 
 impl Relief {
+    /// The relief of a map with these heights; `None` if that is not one for each of its own cells.
+    #[cfg(feature = "names")]
+    pub(crate) fn of_heights(domain: &Domain, heights: Vec<f32>) -> Option<Self> {
+        let grid = Grid::of(domain);
+        (heights.len() == grid.columns * grid.rows).then_some(Self { grid, heights })
+    }
+
     /// How many cells lie side by side. The last may reach over the map's border.
     pub fn columns(&self) -> usize {
         self.grid.columns

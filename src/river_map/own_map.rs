@@ -1,9 +1,11 @@
 //! A map that has come from another wasm module, as words (`words.rs`).
 
 use super::{ChartWishes, RiverMap};
+use crate::domain::Domain;
 use crate::land::{CoastDistance, Land};
-use crate::network::{Network, Oxbow, Reach, River, Vertex};
+use crate::network::{Network, Oxbow, Place, Reach, River, Vertex};
 use crate::recipe::{Cartouche, Choice, Labels, Style};
+use crate::relief::Relief;
 use crate::tree::Tree;
 use crate::words::{Reader, point};
 
@@ -16,6 +18,8 @@ pub struct OwnMap {
     network: Network,
     reaches: Vec<Reach>,
     land: Option<Land>,
+    relief: Option<Relief>,
+    beds: Vec<Vec<Place>>,
     is_finished: bool,
 }
 
@@ -32,7 +36,10 @@ impl OwnMap {
         let reaches = words.items()?.iter().map(reach).collect();
         let land = if words.some()? == [0] { None } else { Some(words.land()?) };
         let is_finished = is_finished != 0;
-        Some(Self { wishes, tree, total_discharge, network, reaches, land, is_finished })
+        let domain = Domain::with_aspect(wishes.aspect);
+        let relief = if words.some()? == [0] { None } else { Some(Relief::of_heights(&domain, words.heights()?)?) };
+        let beds = words.beds()?;
+        Some(Self { wishes, tree, total_discharge, network, reaches, land, relief, beds, is_finished })
     }
 
     /// The map.
@@ -44,6 +51,8 @@ impl OwnMap {
             network: &self.network,
             reaches: &self.reaches,
             land: self.land.as_ref(),
+            relief: self.relief.as_ref(),
+            beds: self.beds.clone(),
             is_finished: self.is_finished,
         }
     }
@@ -52,11 +61,11 @@ impl OwnMap {
 impl Reader<'_> {
     fn wishes(&mut self) -> Option<ChartWishes> {
         let ([language, labels, cartouche, style], sizes) = (self.some()?, self.some()?);
-        let [label_size, aspect] = sizes.map(f32::from_bits);
+        let [label_size, aspect, woods, hills] = sizes.map(f32::from_bits);
         let (labels, style) = (*Labels::ALL.get(labels as usize)?, *Style::ALL.get(style as usize)?);
         let cartouche = *Cartouche::ALL.get(cartouche as usize)?;
         let (seed, names) = (self.text()?, self.text()?);
-        Some(ChartWishes { seed, language, names, labels, cartouche, label_size, aspect, style })
+        Some(ChartWishes { seed, language, names, labels, cartouche, label_size, aspect, style, woods, hills })
     }
 
     fn tree(&mut self) -> Option<Tree> {
@@ -90,11 +99,20 @@ impl Reader<'_> {
         Some(self.items()?.iter().map(vertex).collect())
     }
 
+    fn heights(&mut self) -> Option<Vec<f32>> {
+        Some(self.items::<1>()?.iter().map(|[height]| f32::from_bits(*height)).collect())
+    }
+
+    fn beds(&mut self) -> Option<Vec<Vec<Place>>> {
+        let place = |[x, y, half]: &[u32; 3]| Place { at: point([*x, *y]), half: f32::from_bits(*half) };
+        let [count] = self.some()?;
+        (0..count).map(|_| Some(self.items()?.iter().map(place).collect())).collect()
+    }
+
     fn land(&mut self) -> Option<Land> {
         let size = point(self.some()?);
         let [spacing] = self.some()?.map(f32::from_bits);
-        let heights = self.items::<1>()?.iter().map(|[height]| f32::from_bits(*height)).collect();
-        let coast_distance = CoastDistance::of_heights(size, spacing, heights)?;
+        let coast_distance = CoastDistance::of_heights(size, spacing, self.heights()?)?;
         let stretches = self.list()?;
         let [ridges] = self.some()?;
         let ridges = (0..ridges).map(|_| self.points()).collect::<Option<_>>()?;

@@ -7,7 +7,7 @@ use crate::words::Writer;
 
 /// All of a map; nothing if there is not enough memory.
 pub fn write(map: &RiverMap<'_>) -> Vec<u32> {
-    /// Five words each, in a list that grows by doubling; and what lands take at most.
+    /// Five words each, in a list that grows by doubling; and what a land and its heights take at most.
     const BYTES: usize = 40;
     const BYTES_OF_LAND: usize = 8_000_000;
     if !memory::can_allocate((map.tree.len() + map.network.vertices.len()) * BYTES + BYTES_OF_LAND) {
@@ -16,7 +16,7 @@ pub fn write(map: &RiverMap<'_>) -> Vec<u32> {
     let wishes = &map.wishes;
     let mut words = Writer::default();
     words.some(&[wishes.language, wishes.labels as u32, wishes.cartouche as u32, wishes.style as u32]);
-    words.some(&[wishes.label_size, wishes.aspect].map(f32::to_bits));
+    words.some(&[wishes.label_size, wishes.aspect, wishes.woods, wishes.hills].map(f32::to_bits));
     words.text(&wishes.seed);
     words.text(&wishes.names);
     words.some(&[map.total_discharge, map.is_finished.into()]);
@@ -37,6 +37,15 @@ pub fn write(map: &RiverMap<'_>) -> Vec<u32> {
         words.list(&land.stretches());
         words.count(land.ridges().len());
         land.ridges().iter().for_each(|ridge| words.points(ridge));
+    }
+    words.count(map.relief.is_some().into());
+    if let Some(relief) = map.relief {
+        words.numbers(relief.heights());
+    }
+    words.count(map.beds.len());
+    for bed in &map.beds {
+        words.count(bed.len());
+        bed.iter().for_each(|place| words.some(&[place.at.x, place.at.y, place.half].map(f32::to_bits)));
     }
     words.0
 }

@@ -3,10 +3,10 @@
 use wasm_bindgen::prelude::*;
 
 use super::objects::coded;
+use crate::charting::Charting;
 use crate::domain::Domain;
 use crate::export::svg::ChartText;
 use crate::export::svg::labels::chart;
-use crate::labels;
 use crate::name::Names;
 use crate::paint::View;
 use crate::recipe::OwnNames;
@@ -63,6 +63,6 @@ impl Chart {
         let map = self.0.map();
         let view = View::new(&Domain::with_aspect(map.wishes.aspect), width_px, height_px);
         let view = view.map_err(|_| coded("bad-params", "A picture has no such size."))?;
-        Ok(labels::masks(&map, &view, ratio).to_bytes())
+        Ok(Charting::whole(&map, &view, ratio).to_bytes())
     }
 }

@@ -5,6 +5,7 @@ use glam::Vec2;
 
 use super::ChartText;
 use super::path::Path;
+use super::scenery;
 use super::text::Text;
 use crate::chart::{Label, Placed, Stroke};
 use crate::domain::Domain;
@@ -12,7 +13,7 @@ use crate::geometry::distance;
 use crate::glyph::Typeface;
 use crate::labels::labels;
 use crate::paint::letters::SPACE;
-use crate::paint::{LabelLook, label_look};
+use crate::paint::{LabelLook, label_look, scenery_look};
 use crate::river_map::RiverMap;
 
 /// The labels of a map as they are written, with the halo that is taken out of its rivers.
@@ -21,6 +22,9 @@ pub(crate) fn chart(map: &RiverMap<'_>, is_text: bool) -> ChartText {
     let placed = labels(map, [Vec2::ZERO, size], 1.0);
     let [mut halo, mut letters] = [Text::default(), Text::default()];
     draw_halo(&mut halo, size, &placed);
+    if let Some(look) = scenery_look(map.wishes.style) {
+        scenery::draw(&mut letters, size, &crate::scenery::scenery(map, &placed), look);
+    }
     draw(&mut letters, &placed, label_look(map.wishes.style), is_text);
     ChartText { halo: halo.0, labels: letters.0 }
 }

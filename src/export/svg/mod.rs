@@ -3,7 +3,7 @@
 //! Lengths are domain units, y runs down, numbers are rounded to a hundredth. Rivers stand in a group for each of
 //! Strahler's orders (`order-3`), each with its number (`river-12`) and, as data, its parent, order, magnitude and discharge; lakes
 //! are `oxbow-3`, and former beds of great rivers as they were after so many rounds of meandering `round-3`. The link of the recipe is
-//! in the file's metadata.
+//! in the file's metadata. Trees stand in the group `woods`, hills in `hills`.
 
 mod beds;
 mod ground;
@@ -11,6 +11,8 @@ mod ground;
 pub(crate) mod labels;
 mod light;
 mod path;
+#[cfg(feature = "names")]
+mod scenery;
 mod text;
 
 use std::sync::Arc;
@@ -51,7 +53,7 @@ pub fn svg_with_text(session: &Session) -> Result<String, ExportError> {
 pub(crate) struct ChartText {
     /// A mask that leaves rivers out around letters; nothing without letters.
     pub halo: String,
-    /// The letters.
+    /// Trees and hills, and the letters.
     pub labels: String,
 }
 

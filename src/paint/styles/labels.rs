@@ -43,34 +43,16 @@ pub(crate) fn label_look(style: Style) -> LabelLook {
 
 #[cfg(test)]
 mod tests {
+    use super::super::contrast::{contrast, grounds};
     use super::*;
     use crate::paint::palette::mix;
     use crate::recipe::Choice;
-
-    /// The contrast of two colours as WCAG 2 has it, from 1 to 21.
-    fn contrast(a: Colour, b: Colour) -> f64 {
-        let luminance = |colour: Colour| {
-            let linear = |channel: u8| {
-                let share = f64::from(channel) / 255.0;
-                if share <= 0.040_45 { share / 12.92 } else { libm::pow((share + 0.055) / 1.055, 2.4) }
-            };
-            let [red, green, blue] = colour.map(linear);
-            0.2126 * red + 0.7152 * green + 0.0722 * blue + 0.05
-        };
-        let (a, b) = (luminance(a), luminance(b));
-        a.max(b) / a.min(b)
-    }
 
     #[test]
     fn letters_stand_out_from_land_and_sea_of_their_style() {
         for &style in Style::ALL {
             let (look, palette) = (label_look(style), palette(style));
-            let relief = palette.relief.iter().flat_map(|relief| {
-                let basins =
-                    relief.basins.iter().flat_map(|look| (0..=look.colours.len()).map(|number| look.tint(number)));
-                relief.tints.stops.iter().map(|stop| stop.1).chain(basins)
-            });
-            for ground in [palette.lowland, palette.inland, palette.plain].into_iter().chain(relief) {
+            for ground in grounds(palette) {
                 let under = look.halo.map_or(ground, |(colour, strength)| mix(ground, colour, strength));
                 let contrast = contrast(look.ink, under);
                 assert!(contrast >= 4.5, "{style:?}: {contrast:.1} : 1 on {ground:x?}");

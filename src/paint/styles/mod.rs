@@ -3,6 +3,8 @@
 mod atlas;
 mod basins;
 mod blueprint;
+#[cfg(all(test, feature = "names"))]
+mod contrast;
 mod dark;
 mod ink;
 mod ink_wash;
@@ -11,6 +13,7 @@ mod night;
 mod orbit;
 mod parchment;
 mod past_courses;
+pub(crate) mod scenery;
 mod skeleton;
 mod survey;
 

@@ -1,0 +1,54 @@
+//! A chart in the making, part by part: labels, woods and hills, and the masks that these lay over a picture.
+
+use crate::chart::{Label, Scenery};
+use crate::labels::labels;
+use crate::paint::{ChartMasks, Sheet, View, letters, scenery_look};
+use crate::river_map::RiverMap;
+use crate::scenery;
+
+/// What has been made of a chart.
+#[derive(Clone, Debug, Default)]
+pub struct Charting {
+    labels: Option<Vec<Label>>,
+    scenery: Scenery,
+    is_placed: bool,
+    sheet: Option<Sheet>,
+}
+
+impl Charting {
+    /// All of a chart at once: of a map, for a picture so many of whose pixels are one CSS pixel, from 0.5 to 4 in quarters, to the nearest of
+    /// which it comes.
+    pub fn whole(map: &RiverMap<'_>, view: &View, ratio: f32) -> ChartMasks {
+        let mut this = Self::default();
+        loop {
+            if let Some(masks) = this.advance(map, view, ratio) {
+                return masks;
+            }
+        }
+    }
+
+    /// Does a part of that, which takes some milliseconds, of the same map and for the same picture each time. Returns the chart with the last.
+    pub fn advance(&mut self, map: &RiverMap<'_>, view: &View, ratio: f32) -> Option<ChartMasks> {
+        let Some(labels) = &self.labels else {
+            let ratio = ((ratio * 4.0).round() / 4.0).clamp(0.5, 4.0);
+            self.labels = Some(labels(map, view.frame(), view.scale / ratio));
+            return None;
+        };
+        if !self.is_placed {
+            self.is_placed = !scenery::input(map, labels).is_some_and(|input| self.scenery.advance(&input));
+            return None;
+        }
+        let Some(look) = scenery_look(map.wishes.style).filter(|_| !self.scenery.placed().is_empty()) else {
+            return Some(letters::masks(view, labels));
+        };
+        if self.sheet.is_none() {
+            self.sheet = Sheet::new(view, look);
+        }
+        let has_more = |sheet: &mut Sheet| sheet.advance(view, self.scenery.placed(), look);
+        if self.sheet.as_mut().is_some_and(has_more) {
+            return None;
+        }
+        let [bodies, strokes] = self.sheet.take().map(Sheet::into_masks).unwrap_or_default();
+        Some(ChartMasks { bodies, strokes, ..letters::masks(view, labels) })
+    }
+}

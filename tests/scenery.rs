@@ -1,0 +1,314 @@
+//! What woods and hills promise: off the water, by true banks and exactly; off letters and the coast; trees that stay where they are whatever
+//! moves around them; and the same picture however it is painted.
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+#![cfg(feature = "names")]
+
+mod common;
+
+use std::collections::BTreeMap;
+
+use common::property::{cases, large};
+use common::random_link;
+use geo::{Distance, Euclidean};
+use proptest::prelude::*;
+use riverseed::chart::{
+    Box, FOOT_FROM_BANKS, FROM_BANKS, FROM_COAST, FROM_LETTERS, Feature, PenStroke, Raster, Scenery, SceneryInput,
+    Standing, place,
+};
+use riverseed::glam::Vec2;
+use riverseed::network::Place;
+use riverseed::paint::Painted;
+use riverseed::recipe::link;
+use riverseed::river_map::RiverMap;
+use riverseed::{Key, Picture, Session, labels, scenery};
+
+/// A session whose rivers are finished.
+fn finished(link: &str) -> Session {
+    let mut session = Session::new(link::read(link).unwrap()).unwrap();
+    session.finish().unwrap();
+    session
+}
+
+/// The same with other values of some parameters.
+fn finished_with(link: &str, more: &[(Key, &str)]) -> Session {
+    let mut recipe = link::read(link).unwrap();
+    more.iter().for_each(|(key, text)| recipe.set(*key, text).unwrap());
+    let mut session = Session::new(recipe).unwrap();
+    session.finish().unwrap();
+    session
+}
+
+/// What stands on a map, and what it is placed by, on a picture so many pixels wide.
+fn placed(session: &Session, width: f32) -> (Vec<Standing>, SceneryInput<'_>) {
+    let size = session.domain().size;
+    let map = RiverMap::of(session).unwrap();
+    let labels = labels::input(&map, [Vec2::ZERO, size], width / size.x)
+        .map_or_else(Vec::new, |input| place(&input, &Raster::new(&input)));
+    let input = scenery::input(&map, &labels).unwrap();
+    (Scenery::whole(&input), input)
+}
+
+fn coord(at: Vec2) -> geo::Coord<f64> {
+    geo::coord! { x: f64::from(at.x), y: f64::from(at.y) }
+}
+
+/// A stroke of a glyph on the map, as many straight pieces.
+fn line(stroke: &PenStroke, one: &Standing) -> geo::LineString<f64> {
+    const PIECES: u32 = 12;
+    let (mut from, mut points) = (stroke.start, vec![stroke.start]);
+    for &[control, end] in stroke.curves {
+        let at = |t: f32| from * ((1.0 - t) * (1.0 - t)) + control * (2.0 * t * (1.0 - t)) + end * (t * t);
+        points.extend((1..=PIECES).map(|i| at(i as f32 / PIECES as f32)));
+        from = end;
+    }
+    points.into_iter().map(|at| coord(one.foot + at * one.size)).collect()
+}
+
+/// A glyph's silhouette, and all of its strokes.
+fn shapes(one: &Standing) -> (geo::Polygon<f64>, Vec<geo::LineString<f64>>) {
+    let shape = one.shape();
+    let strokes = shape.outline.iter().chain(shape.shade).map(|stroke| line(stroke, one)).collect();
+    (geo::Polygon::new(line(&shape.silhouette, one), vec![]), strokes)
+}
+
+/// How far a glyph is from the banks of some lines, by discs along those.
+fn clearance(one: &Standing, lines: &[&[Place]]) -> f64 {
+    let (silhouette, strokes) = shapes(one);
+    let mut nearest = f64::MAX;
+    for disc in discs_near(one.foot, 1.5 * one.size + 12.0, lines) {
+        let middle = geo::Point(coord(disc.at));
+        let apart = strokes.iter().map(|stroke| Euclidean.distance(&middle, stroke));
+        let apart = apart.fold(Euclidean.distance(&middle, &silhouette), f64::min);
+        nearest = nearest.min(apart - f64::from(disc.half));
+    }
+    nearest
+}
+
+/// The discs that some lines are made of, so dense that they leave out next to nothing, as far as they come near.
+fn discs_near(at: Vec2, reach: f32, lines: &[&[Place]]) -> Vec<Place> {
+    const DISCS: u32 = 16;
+    let is_near = |pair: &&[Place]| {
+        let [least, most] = [pair[0].at.min(pair[1].at), pair[0].at.max(pair[1].at)];
+        (least - at).max(at - most).max_element() < reach + pair[0].half.max(pair[1].half)
+    };
+    let discs = |pair: &[Place]| {
+        let (from, to) = (pair[0], pair[1]);
+        (0..=DISCS).map(move |i| {
+            let t = i as f32 / DISCS as f32;
+            Place { at: from.at.lerp(to.at, t), half: from.half + (to.half - from.half) * t }
+        })
+    };
+    lines.iter().flat_map(|line| line.windows(2)).filter(is_near).flat_map(discs).collect()
+}
+
+fn water<'a>(input: &'a SceneryInput<'_>) -> Vec<&'a [Place]> {
+    input.streams.iter().map(|stream| &stream.course[..]).chain(input.lakes.iter().map(|lake| &lake[..])).collect()
+}
+
+fn polygon(around: &Box) -> geo::Polygon<f64> {
+    geo::Polygon::new(geo::LineString::from(around.corners().map(coord).to_vec()), vec![])
+}
+
+/// More than rounding to 32 bits and the gaps between discs are off.
+const SLACK: f64 = 0.01;
+
+fn check(session: &Session, width: f32) -> Result<usize, TestCaseError> {
+    let (all, input) = placed(session, width);
+    let water = water(&input);
+    for one in &all {
+        let clear = clearance(one, &water);
+        prop_assert!(clear >= f64::from(FROM_BANKS) - SLACK, "{one:?} is {clear} from a bank");
+        let foot = discs_near(one.foot, 20.0, &water).into_iter().map(|disc| one.foot.distance(disc.at) - disc.half);
+        let foot = foot.fold(f32::MAX, f32::min);
+        prop_assert!(!one.is_tree() || foot >= FOOT_FROM_BANKS - 0.01, "{one:?} has its foot {foot} from a bank");
+        check_coast_and_letters(one, &input)?;
+    }
+    prop_assert!(all.windows(2).all(|pair| pair[0].foot.y <= pair[1].foot.y), "the nearest come last");
+    Ok(all.len())
+}
+
+fn check_coast_and_letters(one: &Standing, input: &SceneryInput<'_>) -> Result<(), TestCaseError> {
+    let (silhouette, strokes) = shapes(one);
+    if let Some(coast) = input.coast {
+        for at in strokes.iter().flat_map(|stroke| stroke.coords()) {
+            let inland = coast.height(Vec2::new(at.x as f32, at.y as f32));
+            prop_assert!(inland > FROM_COAST - 0.5, "{one:?} is {inland} inland");
+        }
+    }
+    let is_near = |letter: &&Box| letter.middle.distance(one.foot) < 60.0;
+    for letter in input.letters.iter().filter(is_near).map(polygon) {
+        let apart = strokes.iter().map(|stroke| Euclidean.distance(&letter, stroke));
+        let apart = apart.fold(Euclidean.distance(&letter, &silhouette), f64::min);
+        prop_assert!(apart >= f64::from(FROM_LETTERS) - SLACK, "{one:?} is {apart} from a letter");
+    }
+    Ok(())
+}
+
+proptest! {
+    #![proptest_config(large(500))]
+
+    #[test]
+    fn nothing_stands_in_water_on_letters_or_nearer_to_a_bank_than_said(
+        link in random_link(1500), rounds in 0u32..200, style in prop::sample::select(vec!["ink", "basins", "parchment", "past-courses"]),
+    ) {
+        let rounds = rounds.to_string();
+        let more = [(Key::MeanderRounds, &*rounds), (Key::GreatRivers, "5"), (Key::Style, style), (Key::Labels, "some")];
+        let session = finished_with(&format!("{link}&woods=1&hills=1"), &more);
+        check(&session, 1400.0)?;
+    }
+}
+
+proptest! {
+    #![proptest_config(large(50))]
+
+    #[test]
+    fn trees_stay_where_they_are_when_rivers_move(link in random_link(800), one in 0u32..50, other in 50u32..=100) {
+        let session = |strength: u32| {
+            let strength = (f64::from(strength) / 100.0).to_string();
+            finished_with(&format!("{link}&woods=1"), &[(Key::MeanderStrength, &strength), (Key::Style, "ink")])
+        };
+        let sessions = [session(one), session(other)];
+        let [before, after] = [&sessions[0], &sessions[1]].map(|session| placed(session, 1400.0));
+        for (here, there) in [(&before, &after), (&after, &before)] {
+            let trees: BTreeMap<u32, &Standing> = there.0.iter().map(|tree| (tree.number, tree)).collect();
+            for tree in &here.0 {
+                match trees.get(&tree.number) {
+                    Some(same) => prop_assert_eq!(tree, *same),
+                    // A disc that holds a part of a tree is larger than that by less than this.
+                    None => {
+                        let clear = clearance(tree, &water(&there.1));
+                        prop_assert!(clear < f64::from(FROM_BANKS) + 2.5, "{tree:?} is gone, {clear} from a bank");
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn more_woods_are_the_same_trees_and_more(link in random_link(300), few in 0u32..90) {
+        let trees = |woods: u32| {
+            let session = finished_with(&link, &[(Key::Woods, &(f64::from(woods) / 100.0).to_string()), (Key::Style, "atlas")]);
+            let all = if woods == 0 { Vec::new() } else { placed(&session, 1400.0).0 };
+            all.into_iter().map(|tree| (tree.number, tree)).collect::<BTreeMap<_, _>>().into_values().collect::<Vec<_>>()
+        };
+        let [few, more] = [few, few + 10].map(trees);
+        prop_assert!(few.iter().all(|tree| more.binary_search_by_key(&tree.number, |tree| tree.number).is_ok()));
+    }
+}
+
+/// What becomes of a finished map: woods and hills in tenths, the style, and after how many parts its picture is given up for another.
+type Change = (u32, u32, &'static str, u32);
+
+proptest! {
+    #![proptest_config(cases(10))]
+
+    #[test]
+    fn a_picture_painted_in_parts_is_that_of_a_fresh_one(
+        link in random_link(300), labels in any::<bool>(), changes in prop::collection::vec(
+            (0u32..=10, 0u32..=10, prop::sample::select(vec!["ink", "dark", "basins", "survey", "skeleton"]), 0u32..30), 2..6),
+    ) {
+        let recipe = |&(woods, hills, style, _): &Change| {
+            let [woods, hills] = [woods, hills].map(|tenths| (f64::from(tenths) / 10.0).to_string());
+            let labels = if labels { "some" } else { "none" };
+            let mut recipe = link::read(&link).unwrap();
+            for (key, text) in [(Key::Woods, &*woods), (Key::Hills, &hills), (Key::Style, style), (Key::Labels, labels)] {
+                recipe.set(key, text).unwrap();
+            }
+            recipe
+        };
+        let picture = || Picture::new(360, 300).unwrap();
+        let (mut session, mut kept) = (Session::new(recipe(&(0, 0, "ink", 0))).unwrap(), picture());
+        session.finish().unwrap();
+        kept.paint(&session);
+        let bare = kept.pixmap().data().to_vec();
+        for change in &changes {
+            session.change(recipe(change)).unwrap();
+            session.finish().unwrap();
+            let before = kept.pixmap().data().to_vec();
+            for _ in 0..change.3 {
+                if kept.paint_part(&session) != Painted::Part {
+                    break;
+                }
+                prop_assert!(kept.pixmap().data() == before, "a part is not to be seen");
+            }
+        }
+        kept.paint(&session);
+        let mut fresh = picture();
+        fresh.paint(&session);
+        prop_assert!(kept.pixmap().data() == fresh.pixmap().data());
+        prop_assert_eq!(kept.paint_part(&session), Painted::Whole(None));
+        session.change(recipe(&(0, 0, "ink", 0))).unwrap();
+        session.finish().unwrap();
+        kept.paint(&session);
+        prop_assert!(kept.pixmap().data() == bare);
+    }
+}
+
+const MAP: &str = "land=island&attractors=3000&seed=kauri";
+
+#[test]
+fn woods_and_hills_are_on_the_map_as_much_as_is_asked_for() {
+    let count = |more: &str| {
+        let session = finished(&format!("{MAP}&{more}"));
+        let map = RiverMap::of(&session).unwrap();
+        let all = scenery::input(&map, &[]).map_or_else(Vec::new, |input| Scenery::whole(&input));
+        let trees = all.iter().filter(|one| one.is_tree()).count();
+        (trees, all.len() - trees)
+    };
+    let trees = ["woods=0", "woods=0.2", "woods=0.5", "woods=1"].map(|woods| count(woods).0);
+    assert!(trees[0] == 0 && trees[1] > 100 && trees[3] > 2500 && trees.is_sorted_by(|a, b| a < b), "{trees:?}");
+    let hills = ["hills=0", "hills=0.3", "hills=1"].map(|hills| count(hills).1);
+    assert!(hills[0] == 0 && hills[1] > 30 && hills[2] > 120 && hills.is_sorted_by(|a, b| a < b), "{hills:?}");
+    assert_eq!(count("woods=0.5&hills=1&style=skeleton"), (0, 0));
+    assert!(count("woods=0.5&hills=1&style=survey").1 == 0 && count("woods=0.5&hills=1&style=survey").0 > 100);
+    let growing = Session::new(link::read(&format!("{MAP}&woods=1")).unwrap()).unwrap();
+    assert!(RiverMap::of(&growing).is_none());
+}
+
+#[test]
+fn hills_are_higher_where_the_land_is() {
+    let session = finished(&format!("{MAP}&style=basins&hills=1"));
+    let (hills, input) = placed(&session, 1400.0);
+    let height = |one: &Standing| session.relief().unwrap().at(one.foot);
+    let mean = |feature: Feature| {
+        let heights: Vec<f32> = hills.iter().filter(|one| one.feature() == feature).map(height).collect();
+        assert!(heights.len() > 10, "{} of {feature:?}", heights.len());
+        heights.iter().sum::<f32>() / heights.len() as f32
+    };
+    let highest = input.heights.unwrap().highest;
+    let [hill, mountain] = [Feature::Hill, Feature::Mountain].map(mean);
+    assert!(hill > 0.2 * highest && mountain > 0.6 * highest, "{hill} and {mountain} of {highest}");
+}
+
+#[test]
+fn scenery_does_not_depend_on_how_large_a_picture_is() {
+    let session = finished(&format!("{MAP}&woods=0.6&hills=0.6"));
+    assert_eq!(placed(&session, 300.0).0, placed(&session, 2000.0).0);
+}
+
+#[test]
+#[cfg(feature = "files")]
+fn svg_has_each_tree_and_hill_once_in_the_order_in_which_they_hide_each_other() {
+    let svg = |more: &str| riverseed::export::svg::svg(&finished(&format!("{MAP}&{more}"))).unwrap();
+    let session = finished(&format!("{MAP}&woods=0.6&hills=0.6&labels=some"));
+    let (all, _) = placed(&session, session.domain().size.x);
+    let text = riverseed::export::svg::svg(&session).unwrap();
+    let document = roxmltree::Document::parse(&text).unwrap();
+    let ids: BTreeMap<&str, roxmltree::Node<'_, '_>> =
+        document.descendants().filter_map(|node| Some((node.attribute("id")?, node))).collect();
+    for (group, is_wood) in [("woods", true), ("hills", false)] {
+        let expected: Vec<String> = all
+            .iter()
+            .filter(|one| one.is_tree() == is_wood)
+            .map(|one| format!("#{}-{}", if is_wood { "tree" } else { "hill" }, one.shape))
+            .collect();
+        let uses: Vec<&str> = ids[group].children().filter_map(|node| node.attribute("href")).collect();
+        assert_eq!(uses, expected, "{group}");
+        assert!(uses.iter().all(|href| ids[&href[1..]].has_tag_name("symbol")), "{group}");
+    }
+    assert_eq!(ids["scenery"].attribute("mask"), Some("url(#strokes)"));
+    assert!(svg("woods=0.5&style=survey").contains("url(#bodies)") && !svg("woods=0.5&style=survey").contains("hill"));
+    assert!(!svg("hills=0.5").contains("\"woods\""));
+    let bare = svg("labels=none");
+    assert!(!bare.contains("<use") && !bare.contains("scenery") && !bare.contains("<mask"));
+}
