@@ -6,7 +6,7 @@ use super::background::Piece;
 use super::input::{SceneryInput, Stream};
 
 /// The side of the cells that know their nearest river, in units.
-const CELL: f32 = 4.0;
+const CELL: f32 = 5.0;
 /// Rivers with less of all water than this are part of the one that they join.
 const GREAT: f32 = 0.03;
 const NONE: u32 = u32::MAX;
@@ -74,8 +74,15 @@ impl Divides {
         let piece = |this: &Self, column: usize, row: usize| this.nearest[row * this.columns + column].0;
         if let Some(other) = other {
             for column in 0..self.columns {
-                for beside in [column.saturating_sub(1), column, (column + 1).min(self.columns - 1)] {
-                    self.propose(column, row, piece(self, beside, other));
+                let beside = [column.saturating_sub(1), column, (column + 1).min(self.columns - 1)];
+                let [west, middle, east] = beside.map(|beside| piece(self, beside, other));
+                self.propose(column, row, west);
+                // Neighbours often know the same piece.
+                if middle != west {
+                    self.propose(column, row, middle);
+                }
+                if east != middle {
+                    self.propose(column, row, east);
                 }
             }
         }

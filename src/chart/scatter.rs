@@ -12,7 +12,7 @@ use crate::random::{Purpose, Seed};
 pub const APART: f32 = 6.6;
 
 /// How many candidates a cell has.
-const CANDIDATES: u32 = 4;
+const CANDIDATES: u32 = 3;
 /// How many cells lie within reach of one, to each side.
 const REACH: usize = 2;
 /// No point: farther from all others than can be squared.
@@ -28,7 +28,8 @@ pub fn scatter(size: Vec2, seed: Seed) -> Vec<Vec2> {
     let chance = seed.item_hash(Purpose::Scenery);
     for candidate in 0..CANDIDATES {
         for cell in evenly(columns * rows) {
-            let (column, row) = (cell % columns, cell / columns);
+            let (column, row) = (cell as u32 % columns as u32, cell as u32 / columns as u32);
+            let (column, row) = (column as usize, row as usize);
             let place = (row + REACH) * stride + column + REACH;
             if cells[place] != NOTHING {
                 continue;
@@ -50,7 +51,8 @@ pub fn scatter(size: Vec2, seed: Seed) -> Vec<Vec2> {
 fn is_free(cells: &[Vec2], place: usize, stride: usize, at: Vec2) -> bool {
     let is_far = |other: &Vec2| at.distance_squared(*other) >= APART * APART;
     let first = place - REACH * stride - REACH;
-    (0..=2 * REACH).all(|row| cells[first + row * stride..][..=2 * REACH].iter().all(is_far))
+    // Those beside it are the likeliest to be too near.
+    [2, 1, 3, 0, 4].into_iter().all(|row| cells[first + row * stride..][..=2 * REACH].iter().all(is_far))
 }
 
 /// All numbers below one, in steps of the golden section of it: any run of them is spread evenly.
@@ -60,7 +62,9 @@ fn evenly(count: usize) -> impl Iterator<Item = usize> {
     while greatest_divisor(step, count) > 1 {
         step += 1;
     }
-    (0..count).map(move |i| (i * step) % count)
+    // A remainder for each would take as long as all else.
+    let next = move |number: &usize| Some(if number + step < count { number + step } else { number + step - count });
+    std::iter::successors(Some(0), next).take(count)
 }
 
 fn greatest_divisor(a: usize, b: usize) -> usize {

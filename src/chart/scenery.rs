@@ -15,7 +15,7 @@ use crate::sort;
 #[derive(Clone, Debug, Default)]
 pub struct Scenery {
     points: Option<Vec<Vec2>>,
-    ground: Option<(FreeGround, Divides)>,
+    ground: Option<(FreeGround, Option<Divides>)>,
     hills: Option<Vec<Standing>>,
     all: Option<Vec<Standing>>,
 }
@@ -38,11 +38,11 @@ impl Scenery {
             return true;
         };
         let Some((ground, divides)) = &self.ground else {
-            self.ground = Some((FreeGround::new(input), Divides::new(input)));
+            self.ground = Some((FreeGround::new(input), (input.hills > 0.0).then(|| Divides::new(input))));
             return true;
         };
         let Some(placed) = &self.hills else {
-            let wanted = if input.hills > 0.0 { hills(input, points, ground, divides) } else { Vec::new() };
+            let wanted = divides.as_ref().map_or_else(Vec::new, |divides| hills(input, points, ground, divides));
             self.hills = Some(wanted);
             return true;
         };

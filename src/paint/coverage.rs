@@ -85,6 +85,15 @@ impl Coverage {
         rects
     }
 
+    /// Whether there is anything in a rectangle.
+    #[cfg(feature = "names")]
+    pub fn is_drawn_on(&self, rect: Rect) -> bool {
+        let row = |row: u32| row as usize * self.mask.width() as usize;
+        let mut rows = (rect.top..rect.bottom)
+            .map(|y| &self.mask.data()[row(y) + rect.left as usize..row(y) + rect.right as usize]);
+        rows.any(|row| row.iter().any(|&coverage| coverage > 0))
+    }
+
     /// Takes away as much of some pixels as is said, in 255ths.
     pub fn take_away(&mut self, pixels: impl Iterator<Item = (usize, u8)>) {
         let mask = self.mask.data_mut();

@@ -89,7 +89,8 @@ impl Sheet {
 
     /// Takes away what stands behind a silhouette.
     fn empty(&mut self, view: &View, silhouette: &PenStroke, foot: Vec2, size: f32) {
-        let (least, most) = (foot - Vec2::new(1.1, 1.4) * size, foot + Vec2::new(1.1, 0.2) * size);
+        let (least, most) = silhouette_box(silhouette);
+        let (least, most) = (foot + least * size, foot + most * size);
         // A conversion makes 0 of what is below.
         let rect = Rect {
             left: (least.x as u32).min(view.width),
@@ -97,7 +98,11 @@ impl Sheet {
             right: (most.x as u32).saturating_add(1).min(view.width),
             bottom: (most.y as u32).saturating_add(1).min(view.height),
         };
-        if rect.left >= rect.right || rect.top >= rect.bottom || most.min_element() < 0.0 {
+        if rect.left >= rect.right
+            || rect.top >= rect.bottom
+            || most.min_element() < 0.0
+            || (self.bodies.is_none() && !self.mask.is_drawn_on(rect))
+        {
             return;
         }
         self.fill.clear(
@@ -114,6 +119,12 @@ impl Sheet {
 }
 
 const TOLERANCE_PX: f32 = 0.15;
+
+/// The corners of a box around a line: a parabola lies between its ends and its control point.
+fn silhouette_box(silhouette: &PenStroke) -> (Vec2, Vec2) {
+    let start = (silhouette.start, silhouette.start);
+    silhouette.curves.iter().flatten().fold(start, |(least, most), at| (least.min(*at), most.max(*at)))
+}
 
 /// How strong the strokes of a glyph of a size are, in pixels: so few pixels that all of them are ink would be blots.
 fn paleness(size: f32) -> f32 {
