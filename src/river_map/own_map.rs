@@ -1,13 +1,20 @@
 //! A map that has come from another wasm module, as words (`words.rs`).
 
+use std::ops::RangeInclusive;
+
+use glam::Vec2;
+
 use super::{ChartWishes, RiverMap};
 use crate::domain::Domain;
 use crate::land::{CoastDistance, Land};
-use crate::network::{Network, Oxbow, Place, Reach, River, Vertex};
+use crate::network::{NONE, Network, Oxbow, Place, Reach, River, Vertex};
 use crate::recipe::{Cartouche, Choice, Labels, Style};
 use crate::relief::Relief;
 use crate::tree::Tree;
 use crate::words::{Reader, point};
+
+/// What maps' widths over their heights may be.
+const ASPECTS: RangeInclusive<f32> = 0.25..=4.0;
 
 /// A map with all that it is made of. Of vertices it knows place, discharge and width; of its land not what rivers cannot cross.
 #[derive(Clone, Debug)]
@@ -24,19 +31,19 @@ pub struct OwnMap {
 }
 
 impl OwnMap {
-    /// The map of these words; `None` if they describe none.
+    /// The map of these words, which another module of the same build has written; `None` if they describe none.
     pub fn read(words: &[u32]) -> Option<Self> {
         let mut words = Reader(words);
         let wishes = words.wishes()?;
+        let domain = Domain::with_aspect(wishes.aspect);
         let [total_discharge, is_finished] = words.some()?;
         let tree = words.tree()?;
         let network = words.network()?;
         let reach =
             |&[river, least_discharge, most_discharge]: &[u32; 3]| Reach { river, least_discharge, most_discharge };
         let reaches = words.items()?.iter().map(reach).collect();
-        let land = if words.some()? == [0] { None } else { Some(words.land()?) };
+        let land = if words.some()? == [0] { None } else { Some(words.land(domain.size)?) };
         let is_finished = is_finished != 0;
-        let domain = Domain::with_aspect(wishes.aspect);
         let relief = if words.some()? == [0] { None } else { Some(Relief::of_heights(&domain, words.heights()?)?) };
         let beds = words.beds()?;
         Some(Self { wishes, tree, total_discharge, network, reaches, land, relief, beds, is_finished })
@@ -62,6 +69,9 @@ impl Reader<'_> {
     fn wishes(&mut self) -> Option<ChartWishes> {
         let ([language, labels, cartouche, style], sizes) = (self.some()?, self.some()?);
         let [label_size, aspect, woods, hills] = sizes.map(f32::from_bits);
+        if !ASPECTS.contains(&aspect) {
+            return None;
+        }
         let (labels, style) = (*Labels::ALL.get(labels as usize)?, *Style::ALL.get(style as usize)?);
         let cartouche = *Cartouche::ALL.get(cartouche as usize)?;
         let (seed, names) = (self.text()?, self.text()?);
@@ -79,9 +89,13 @@ impl Reader<'_> {
         let vertices = self.vertices()?;
         let river = |&[start, end, junction, parent, order, magnitude, identity]: &[u32; 7]| {
             let is_run = start <= end && end as usize <= vertices.len();
-            is_run.then_some(River { start, end, junction, parent, order: order as u8, magnitude, identity })
+            let joins = (junction as usize) < vertices.len() || junction == NONE;
+            (is_run && joins).then_some(River { start, end, junction, parent, order: order as u8, magnitude, identity })
         };
-        let rivers = self.items()?.iter().map(river).collect::<Option<_>>()?;
+        let rivers: Vec<River> = self.items()?.iter().map(river).collect::<Option<_>>()?;
+        if rivers.iter().any(|river| river.parent as usize >= rivers.len() && river.parent != NONE) {
+            return None;
+        }
         let [count] = self.some()?;
         let mut oxbow = |_| {
             let [river, born, silt] = self.some()?;
@@ -109,8 +123,7 @@ impl Reader<'_> {
         (0..count).map(|_| Some(self.items()?.iter().map(place).collect())).collect()
     }
 
-    fn land(&mut self) -> Option<Land> {
-        let size = point(self.some()?);
+    fn land(&mut self, size: Vec2) -> Option<Land> {
         let [spacing] = self.some()?.map(f32::from_bits);
         let coast_distance = CoastDistance::of_heights(size, spacing, self.heights()?)?;
         let stretches = self.list()?;

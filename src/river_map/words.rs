@@ -31,8 +31,8 @@ pub fn write(map: &RiverMap<'_>) -> Vec<u32> {
     }
     words.count(map.land.is_some().into());
     if let Some(land) = map.land {
-        let (coast, size) = (land.coast_distance(), land.size());
-        words.some(&[size.x, size.y, coast.spacing()].map(f32::to_bits));
+        let coast = land.coast_distance();
+        words.some(&[coast.spacing().to_bits()]);
         words.numbers(coast.heights());
         words.list(&land.stretches());
         words.count(land.ridges().len());

@@ -9,7 +9,7 @@ use crate::export::svg::ChartText;
 use crate::export::svg::labels::chart;
 use crate::name::Names;
 use crate::paint::View;
-use crate::recipe::OwnNames;
+use crate::recipe::{Mark, OwnNames};
 use crate::river_map::OwnMap;
 
 /// What stands on a map besides its rivers, which another module has.
@@ -24,25 +24,27 @@ impl Chart {
         OwnMap::read(words).map(Self).ok_or_else(|| coded("bad-params", "These words are of no map."))
     }
 
-    /// The greatest names: of each in turn its mark, by which `names` in a link knows it, the name, and whether that is one's own, `own` or
-    /// nothing.
+    /// Names: of so many of the greatest rivers, of what has one's own, and of all that is no river; of each in turn its mark, by which `names`
+    /// in a link knows it, the name, and `own` or nothing. Names of one's own that are of nothing on this map come last.
     pub fn greatest(&self, rivers: usize) -> Vec<String> {
         let map = self.0.map();
         let (names, own) = (Names::of_map(&map), OwnNames::readable(&map.wishes.names));
         let marked = names.marked(map.network);
-        let (first, rest) = marked.split_at(map.network.rivers.len().min(marked.len()));
-        let some = first.iter().take(rivers).chain(rest);
-        some.flat_map(|(mark, name)| {
-            let own = if own.get(*mark).is_some() { "own" } else { "" };
-            [mark.to_string(), (*name).into(), own.into()]
-        })
-        .collect()
+        let is_great = |i: usize| i < rivers || i >= map.network.rivers.len();
+        let shown = marked.iter().enumerate().filter(|(i, (mark, _))| is_great(*i) || own.get(*mark).is_some());
+        let unused = own.marks().filter(|mark| marked.iter().all(|(known, _)| known != mark));
+        let unused = unused.map(|mark| (mark, own.get(mark).unwrap_or_default()));
+        let entry = |(mark, name): (Mark, &str)| {
+            let is_own = if own.get(mark).is_some() { "own" } else { "" };
+            [mark.to_string(), name.into(), is_own.into()]
+        };
+        shown.map(|(_, named)| *named).chain(unused).flat_map(entry).collect()
     }
 
-    /// The text of `names` in a link with which what a mark stands for has another name, or its usual one again. Throws an Error if there
-    /// would be too many, or the name is too long.
-    pub fn renamed(&self, mark: &str, name: Option<String>) -> Result<String, JsValue> {
-        let own = OwnNames::readable(&self.0.map().wishes.names).with(mark, name.as_deref());
+    /// A text of `names` in a link with another name for what a mark stands for, or its usual one again. Throws an Error if there would be
+    /// too many, or the name is too long.
+    pub fn renamed(names: &str, mark: &str, name: Option<String>) -> Result<String, JsValue> {
+        let own = OwnNames::readable(names).with(mark, name.as_deref());
         own.map(|own| own.to_string()).map_err(|error| coded("bad-params", &error.to_string()))
     }
 

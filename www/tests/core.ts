@@ -1,6 +1,8 @@
 /** The real core in Node, to say what the page should show. */
 
 import { createHash } from "node:crypto";
+import { layChart } from "../src/player/charter.ts";
+import { charts } from "./charts.ts";
 import { full as engine, memory } from "./full.ts";
 
 export { engine, memory };
@@ -16,6 +18,7 @@ export function pictureOf(link: string, width: number, height: number): Picture 
   const river = new engine.River(engine.readLink(link).link);
   river.resize(width, height);
   while (river.advance(1000));
+  if (river.wantsChart()) layChart(river, charts);
   while (river.paint());
   const bytes = new Uint8Array(memory.buffer, river.pixelsPointer(), river.pixelsLength());
   const sha256 = createHash("sha256").update(bytes).digest("hex");

@@ -9,6 +9,7 @@ use crate::recipe::Style;
 pub(crate) struct SceneryLook {
     pub ink: Colour,
     /// How much fainter strokes cover, those on the dark side.
+    #[cfg_attr(not(feature = "names"), expect(dead_code, reason = "the module that draws them asks"))]
     pub shade: f32,
     /// What covers the ground behind them, and how much, where that is too uneven for strokes alone.
     pub body: Option<(Colour, f32)>,

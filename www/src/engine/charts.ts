@@ -1,4 +1,4 @@
-/** Charts, the names and labels of a map: a wasm module of its own, fetched when the first finished river wants one. */
+/** Charts, what a map has besides its rivers: names, labels, woods and hills. A wasm module of its own, fetched when one is first wanted. */
 
 import init, { Chart } from "../../pkg-chart/riverseed_chart.js";
 import wasmUrl from "../../pkg-chart/riverseed_chart_bg.wasm?url";

@@ -18,76 +18,103 @@ export interface NameListEvents {
 }
 
 const KINDS: Record<string, string> = { t: "Map", s: "Sea", l: "Lake", i: "Island", m: "Meanders" };
+const HELP = "help-names";
 
 interface Row {
   readonly element: HTMLElement;
-  show(named: Named): void;
+  readonly field: HTMLInputElement;
+  /** Shows a name; a field in which somebody types keeps what is typed. */
+  show(named: Named, kind: string): void;
+  restore(): void;
 }
 
 export class NameList implements Control {
   readonly element: HTMLElement;
   readonly #list = el("ul", { class: "names" });
   readonly #rows = new Map<string, Row>();
-  #asked = 0;
+  #isSeen = false;
 
   constructor(private readonly events: NameListEvents) {
-    const help = el("p", { class: "help" }, "Type over a name to give one of your own; empty, it is not shown.");
+    const help = "Type over a name to give one of your own; empty, it is not shown.";
     this.element = el("div", { class: "control", "data-key": "names", role: "group", "aria-label": "Names" });
-    this.element.append(this.#list, help);
-    // Made of rivers each time, so not while nobody looks.
+    this.element.append(this.#list, el("p", { class: "help", id: HELP }, help));
+    // Names are made each time, so not while nobody looks.
     new IntersectionObserver((entries) => {
-      if (entries.some((entry) => entry.isIntersecting)) void this.refresh();
+      this.#isSeen = entries.at(-1)?.isIntersecting ?? false;
+      if (this.#isSeen) void this.#ask();
     }).observe(this.element);
+  }
+
+  /** Whether anybody can look at it. */
+  get isShown(): boolean {
+    return this.#isSeen;
   }
 
   /** The recipe has other values: its names follow when its rivers are finished. */
   show(): void {}
 
-  /** The rivers are finished. */
-  async refresh(): Promise<void> {
-    const asked = ++this.#asked;
-    if (!this.element.checkVisibility()) return;
-    const names = await this.events.names();
-    if (asked === this.#asked) this.#show(names);
+  /** Rivers are on their way: until they are there, names stay as they are. */
+  hold(): void {
+    for (const { field } of this.#rows.values()) field.readOnly = true;
   }
 
-  #show(names: readonly Named[]): void {
-    for (const mark of this.#rows.keys()) {
+  /** The rivers are finished. */
+  refresh(names: readonly Named[]): void {
+    // The map has a name always: without it, nothing is known.
+    if (names.length === 0) return;
+    for (const [mark, { element }] of this.#rows) {
       if (names.some((named) => named.mark === mark)) continue;
-      this.#rows.get(mark)?.element.remove();
+      element.remove();
       this.#rows.delete(mark);
     }
+    let rivers = 0;
     names.forEach((named, i) => {
       const row = this.#rows.get(named.mark) ?? this.#row(named.mark);
       this.#rows.set(named.mark, row);
-      row.show(named);
+      row.show(named, KINDS[named.mark.charAt(0)] ?? `River ${++rivers}`);
       // Moved only if it must be: that would take the focus.
       if (this.#list.children[i] !== row.element) this.#list.insertBefore(row.element, this.#list.children[i] ?? null);
     });
   }
 
+  /** What is typed cannot be a name: back to what is one. */
+  restore(): void {
+    for (const row of this.#rows.values()) row.restore();
+  }
+
+  async #ask(): Promise<void> {
+    this.refresh(await this.events.names());
+  }
+
   #row(mark: string): Row {
-    const kind = KINDS[mark.charAt(0)] ?? "River";
-    const field = el("input", { type: "text", maxlength: 40, spellcheck: false, "aria-label": kind });
+    const kind = el("span", { "aria-hidden": "true" });
+    const field = el("input", { type: "text", maxlength: 40, spellcheck: "false", "aria-describedby": HELP });
     const reset = el("button", { type: "button", class: "reset" }, "reset");
     let name = "";
+    const restore = (): void => setValue(field, name);
     field.addEventListener("change", () => {
       if (field.value.trim() !== name) this.events.rename(mark, field.value.trim());
     });
     field.addEventListener("keydown", ({ key }) => {
-      if (key === "Escape") setValue(field, name);
+      if (key === "Escape") restore();
     });
     reset.addEventListener("click", () => {
       this.events.rename(mark, undefined);
       field.focus();
     });
     return {
-      element: el("li", {}, el("span", { "aria-hidden": "true" }, kind), field, reset),
-      show(named) {
+      element: el("li", {}, kind, field, reset),
+      field,
+      restore,
+      show(named, word) {
+        const isTyping = document.activeElement === field && field.value !== name && field.value !== named.name;
         name = named.name;
-        setValue(field, name);
+        if (!isTyping) restore();
+        field.readOnly = false;
+        field.setAttribute("aria-label", word);
+        kind.textContent = word;
         reset.hidden = !named.isOwn;
-        reset.setAttribute("aria-label", `The usual name in place of ${name === "" ? "none" : name}`);
+        reset.setAttribute("aria-label", `Reset ${name === "" ? word : name}`);
       },
     };
   }

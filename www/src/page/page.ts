@@ -138,12 +138,11 @@ class Page {
     }
   }
 
-  /** The names of the finished map, those of great rivers first; none if it cannot be had. */
+  /** The names of the finished map, those of great rivers first; none if they cannot be had, as the viewport then says. */
   async #names(): Promise<Named[]> {
     try {
       return namedOf((await this.#viewport.charted((chart) => chart.greatest(NAMED_RIVERS))) ?? []);
-    } catch (thrown) {
-      this.#note(named(thrown).message);
+    } catch {
       return [];
     }
   }
@@ -151,11 +150,11 @@ class Page {
   /** A name of the visitor's own for something on the map, or its usual one. */
   async #rename(mark: string, name: string | undefined): Promise<void> {
     try {
-      const names = await this.#viewport.charted((chart) => chart.renamed(mark, name));
-      if (names !== undefined) this.#set([["names", names]], "settle");
+      const { Chart } = await lateCharts();
+      this.#set([["names", Chart.renamed(this.#recipe.values.get("names") ?? "", mark, name)]], "settle");
     } catch (thrown) {
       this.#note(named(thrown).message);
-      void this.#nameList.refresh();
+      this.#nameList.restore();
     }
   }
 
@@ -277,28 +276,33 @@ class Page {
       setText(elements.caption.children[i], line);
     });
     elements.canvas.setAttribute("aria-label", alternative(this.#recipe.seed, phase, summary, count));
-    if (state === "finished") this.#finished(phase, summary);
-    else this.#announcer.hush();
+    if (state === "finished") void this.#finished(phase, summary);
+    else {
+      this.#announcer.hush();
+      this.#nameList.hold();
+    }
   }
 
-  #finished(phase: Phase, summary: Summary): void {
+  async #finished(phase: Phase, summary: Summary): Promise<void> {
     this.#announcer.say(`Finished: ${sentence(summary)}`);
-    void this.#nameList.refresh();
-    if (this.#recipe.values.get("labels") !== "none") void this.#tellOfNames(phase, summary);
-  }
-
-  /** Whoever does not see the labels is told the greatest. */
-  async #tellOfNames(phase: Phase, summary: Summary): Promise<void> {
+    const isLabelled = this.#recipe.values.get("labels") !== "none";
+    if (!isLabelled && !this.#nameList.isShown) return;
     const { link, seed } = this.#recipe;
-    const names = (await this.#names()).filter(({ mark, name }) => /^\d/.test(mark) && name !== "").slice(0, 3);
-    if (link !== this.#recipe.link || names.length === 0) return;
-    const told = `${alternative(seed, phase, summary, count)} Its greatest rivers: ${names.map(({ name }) => name).join(", ")}.`;
+    const names = await this.#names();
+    if (link !== this.#recipe.link || this.#viewport.state !== "finished") return;
+    this.#nameList.refresh(names);
+    // Whoever does not see the labels is told the greatest.
+    const rivers = names.filter(({ mark, name }) => /^\d/.test(mark) && name !== "").slice(0, 3);
+    if (!isLabelled || rivers.length === 0) return;
+    const greatest = rivers.map(({ name }) => name).join(", ");
+    const told = `${alternative(seed, phase, summary, count)} Its greatest rivers: ${greatest}.`;
     elements.canvas.setAttribute("aria-label", told);
   }
 
   #fail(thrown: unknown): void {
     const error = named(thrown);
-    if (isRecoverable(error)) {
+    if (error.code === "no-chart") this.#note(error.message);
+    else if (isRecoverable(error)) {
       // The core kept the river it had, so the page goes back to that one's values.
       this.#recipe.restore(this.#viewport.link);
       this.#showRecipe();

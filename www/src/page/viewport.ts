@@ -72,6 +72,8 @@ export class RiverViewport {
 
   /** What a chart of the river on the viewport says; nothing while that is not finished. */
   async charted<Said>(ask: (chart: InstanceType<Charts["Chart"]>) => Said): Promise<Said | undefined> {
+    await lateCharts();
+    // Until then there may be another, or none.
     const river = this.#player.river;
     return river && this.state === "finished" ? charted(river, lateCharts, ask) : undefined;
   }

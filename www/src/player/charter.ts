@@ -65,7 +65,8 @@ export async function charted<Said>(
   load: LoadCharts,
   ask: (chart: InstanceType<Charts["Chart"]>) => Said,
 ): Promise<Said> {
-  const chart = new (await forFile(load)).Chart(river.mapWords());
+  const { Chart } = await forFile(load);
+  const chart = new Chart(river.mapWords());
   try {
     return ask(chart);
   } finally {
@@ -99,6 +100,6 @@ function unlabelled(error: unknown): PageError {
   const { code, message } = named(error);
   return new PageError(
     "no-chart",
-    `The part of Riverseed that names rivers did not arrive (${code}: ${message}). The map is shown without names.`,
+    `The part of Riverseed that names rivers cannot be had (${code}: ${message}). The map is shown without names.`,
   );
 }

@@ -65,10 +65,12 @@ export async function drawn(
   const { width, height } = sizeFor(river.aspect, longSide);
   river.resize(width, height);
   if (river.wantsChart()) {
-    const masks = await charted(river, loadCharts, (chart) => chart.masks(width, height, 1));
+    const masks = await charted(river, loadCharts, (chart) => {
+      painting();
+      return chart.masks(width, height, 1);
+    });
     river.takeChart(masks);
-  }
-  painting();
+  } else painting();
   while (river.paint());
   const canvas = bareCanvas(width, height);
   new Blitter(contextOf(canvas), memory).blit(river);

@@ -225,7 +225,9 @@ export class RiverPlayer<Planted extends River = River> {
     const river = this.#river;
     const { width, height, ratio } = this.events.sizeFor(river.aspect);
     if (width === 0 || height === 0) return;
-    const same = width === river.width && height === river.height;
+    // As finely as letters are measured.
+    const isAsDense = Math.round(ratio * 4) === Math.round(this.#ratio * 4);
+    const same = width === river.width && height === river.height && isAsDense;
     if (same && width === canvas.width && height === canvas.height) return;
     river.resize(width, height);
     this.#ratio = ratio;

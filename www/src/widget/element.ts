@@ -316,7 +316,8 @@ export class RiverSeed extends Base {
   }
 
   #fail(error: PageError): void {
-    if (!isRecoverable(error) || !this.#isShown) {
+    // Without names a map is a map, though the word of that may come before it.
+    if (error.code !== "no-chart" && (!isRecoverable(error) || !this.#isShown)) {
       this.#hasFailed = true;
       this.#status = undefined;
       this.#close();

@@ -29,7 +29,15 @@ function golden(name: string): { link: string; width: number; height: number; da
   return { link, width, height, data };
 }
 
-test.each(["labels-atlas", "labels-ink", "labels-dark"])("%s has its golden pixels through two modules", (name) => {
+test.each([
+  "labels-atlas",
+  "labels-ink",
+  "labels-dark",
+  "cartouche",
+  "cartouche-plain",
+  "scenery-ink",
+  "scenery-basins",
+])("%s has its golden pixels through two modules", (name) => {
   const { link, width, height, data } = golden(name);
   const river = finished(link, { width, height, ratio: 1 });
   layChart(river, charts);
@@ -59,15 +67,16 @@ test("a chart is wanted by finished rivers whose recipe asks for labels, once", 
   expect(river.wantsChart()).toBe(false);
 });
 
-test("letters are as large on a dense screen, so that there are fewer", () => {
-  const letters = (ratio: number): number => {
-    const river = finished(LINK);
+test("letters are as large on a dense screen, so that the map has fewer of them", () => {
+  const [usual, dense] = [1, 2].map((ratio) => {
+    const river = finished(LINK, { width: 1000, height: 800, ratio });
     const bare = pixelsOf(river);
     layChart(river, charts, ratio);
     return differing(bare, pixelsOf(river));
-  };
-  expect(letters(0.5)).not.toBe(letters(1));
-  expect(letters(Number.NaN)).toBeGreaterThanOrEqual(0);
+  });
+  expect(usual).toBeGreaterThan(500);
+  expect(dense).toBeGreaterThan(0);
+  expect(dense).not.toBe(usual);
 });
 
 /** A player on a canvas without pixels, with its display, what it failed with, and how often charts were fetched. */

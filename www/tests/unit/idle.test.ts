@@ -49,6 +49,8 @@ const CLOSE = merged(
 const keys = engine
   .parameters()
   .filter(isAdjustable)
+  // What charts are made by shows on larger maps than these, or in files only: `charter.test.ts` and tests of the core look at it.
+  .filter(({ stage }) => stage !== "name")
   .map(({ key }) => key);
 
 /** The ends of a key's range, or all its choices; the number of attractors within reason. */

@@ -235,3 +235,31 @@ test("an author's style sheet has the last word", async ({ page, blog }) => {
   });
   await expect(page.locator("river-seed")).toBeHidden();
 });
+
+test.describe("labels", () => {
+  const LABELLED = "seed=kauri&land=island&growth=drainage&attractors=1500&meander-rounds=5&labels=many";
+
+  for (const place of ["a worker", "the page"]) {
+    test(`come with a module of their own, and only if they are asked for: ${place}`, async ({ page, blog }) => {
+      if (place === "the page") blog.headers = { "content-security-policy": "worker-src 'none'" };
+      const events = await listen(page);
+      const attributes = 'seed="kauri" land="island" growth="drainage" attractors="1500" meander-rounds="5"';
+      blog.answer("/", { body: post(`<river-seed ${attributes}></river-seed>`) });
+      await page.goto(blog.origin);
+      await heard(events, "complete");
+      expect(blog.asked).not.toContain("/widget/riverseed_chart_bg.wasm");
+      const picture = () =>
+        page.locator("river-seed").evaluate(async (river: HTMLElementTagNameMap["river-seed"]) => {
+          const blob = await river.toBlob({ longSide: 300 });
+          return [...new Uint8Array(await blob.arrayBuffer())].length;
+        });
+      const bare = await picture();
+      await page.locator("river-seed").evaluate((river) => river.setAttribute("labels", "many"));
+      await expect.poll(() => blog.asked).toContain("/widget/riverseed_chart_bg.wasm");
+      await expect.poll(picture).not.toBe(bare);
+      expect(await page.locator("river-seed").evaluate((river) => (river as HTMLElement & { link: string }).link)).toBe(
+        canonical(LABELLED),
+      );
+    });
+  }
+});
