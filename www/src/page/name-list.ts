@@ -91,8 +91,14 @@ export class NameList implements Control {
     const field = el("input", { type: "text", maxlength: 40, spellcheck: "false", "aria-describedby": HELP });
     const reset = el("button", { type: "button", class: "reset" }, "reset");
     let name = "";
-    const restore = (): void => setValue(field, name);
+    // What the field had when it was last shown, or said.
+    let said = "";
+    const restore = (): void => {
+      said = name;
+      setValue(field, name);
+    };
     field.addEventListener("change", () => {
+      said = field.value;
       if (field.value.trim() !== name) this.events.rename(mark, field.value.trim());
     });
     field.addEventListener("keydown", ({ key }) => {
@@ -107,7 +113,7 @@ export class NameList implements Control {
       field,
       restore,
       show(named, word) {
-        const isTyping = document.activeElement === field && field.value !== name && field.value !== named.name;
+        const isTyping = document.activeElement === field && field.value !== said;
         name = named.name;
         if (!isTyping) restore();
         field.readOnly = false;

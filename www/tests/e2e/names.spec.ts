@@ -72,6 +72,6 @@ test("names on the map are listed, can be typed over, and are in the link", asyn
 test("offline, the map has no labels, and a note says so", async ({ page }) => {
   await page.route(CHARTS, (route) => route.abort());
   await openFinished(page, `${LINK}&labels=some`);
-  await expect(page.locator("#notices")).toContainText("names rivers did not arrive");
+  await expect(page.locator("#notices")).toContainText("The map is shown without names");
   await expect(page.locator("#frame")).toHaveAttribute("data-state", "finished");
 });
