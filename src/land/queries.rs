@@ -10,9 +10,9 @@ use super::grid::Grid;
 use super::kinds::Shape;
 use super::obstacles::Obstacles;
 use super::outline::Drawing;
-#[cfg(feature = "names")]
-use super::regions::regions;
 use super::regions::{Region, regions_of};
+#[cfg(feature = "names")]
+use super::regions::{between, regions};
 use super::walk::walk;
 use crate::domain::Domain;
 use crate::geometry::length;
@@ -127,12 +127,24 @@ impl Land {
     /// Connected components of water, the largest first.
     #[cfg(feature = "names")]
     pub(crate) fn waters(&self) -> Vec<Region> {
-        regions(&self.grid.cells, Cell::Water, self.grid.columns as usize)
+        if self.has_ridges() {
+            return regions(&self.grid.cells, Cell::Water, self.grid.columns as usize);
+        }
+        regions_of(&between(&self.grid.runs, self.grid.columns as u32, self.grid.rows as u32))
+    }
+
+    /// Whether any of its cells is a ridge; else all that is no water is a region's.
+    #[cfg(feature = "names")]
+    fn has_ridges(&self) -> bool {
+        !self.ridges.is_empty()
     }
 
     /// Connected components of what is no water, ridges or not, the largest first.
     #[cfg(feature = "names")]
     pub(crate) fn islands(&self) -> Vec<Region> {
+        if !self.has_ridges() {
+            return regions_of(&self.grid.runs);
+        }
         let is_land = |cell: &Cell| if *cell == Cell::Water { Cell::Water } else { Cell::Land };
         regions(&self.grid.cells.iter().map(is_land).collect::<Vec<_>>(), Cell::Land, self.grid.columns as usize)
     }
@@ -278,6 +290,22 @@ mod tests {
                 // Ponds are filled.
                 assert!((share - sea).abs() < 0.06, "{kind}: {share} is not {sea}");
             }
+        }
+    }
+
+    #[test]
+    #[cfg(feature = "names")]
+    fn islands_and_waters_are_the_connected_components_of_cells() {
+        const RIDGE: &str = ".MzMzzMMzzMzMMzzM..M1M1zKM1zKzKM1zKM1M1..M4M4zHM4zHzHM4zHM4M4";
+        let mut links = crate::lands::lands_with_a_coast();
+        links.push(format!("land=drawn&outline={RIDGE}"));
+        for link in links {
+            let land = land(&format!("{link}&seed=kea"));
+            let (cells, columns) = (&land.grid.cells, land.grid.columns as usize);
+            let dry = |cell: &Cell| if *cell == Cell::Water { Cell::Water } else { Cell::Land };
+            let dry: Vec<Cell> = cells.iter().map(dry).collect();
+            assert!(land.waters() == regions(cells, Cell::Water, columns), "{link}");
+            assert!(land.islands() == regions(&dry, Cell::Land, columns), "{link}");
         }
     }
 

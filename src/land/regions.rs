@@ -109,6 +109,21 @@ pub(super) fn regions_of(runs: &[Run]) -> Vec<Region> {
     gather(runs, &mut joined)
 }
 
+/// The stretches between some, row by row, which come row by row and do not touch in their rows.
+#[cfg(feature = "names")]
+pub(super) fn between(runs: &[Run], columns: u32, rows: u32) -> Vec<Run> {
+    let (mut gaps, mut runs) = (Vec::new(), runs.iter().peekable());
+    for row in 0..rows {
+        let mut start = 0;
+        while let Some(run) = runs.next_if(|run| run.row == row) {
+            gaps.extend((start < run.start).then_some(Run { row, start, end: run.start, before: 0 }));
+            start = run.end;
+        }
+        gaps.extend((start < columns).then_some(Run { row, start, end: columns, before: 0 }));
+    }
+    gaps
+}
+
 /// The stretches of a row that cells of a kind make, row by row.
 pub(super) fn runs(cells: &[Cell], kind: Cell, columns: usize) -> Vec<Run> {
     let mut runs = Vec::new();

@@ -38,6 +38,10 @@ fn halo<'a>(
     strokes: impl Iterator<Item = &'a Stroke>,
     labels: impl Iterator<Item = &'a Label>,
 ) -> SparseMask {
+    let mut labels = labels.peekable();
+    if labels.peek().is_none() {
+        return lines(view, strokes);
+    }
     let Some(mut mask) = Coverage::new(view.width, view.height) else { return SparseMask::default() };
     draw(&mut mask, view, strokes);
     for label in labels {
