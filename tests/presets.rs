@@ -9,7 +9,7 @@ use riverseed::recipe::{Key, Recipe, link, table::TABLE};
 use riverseed::tree::Hydrology;
 
 /// What a preset leaves to its user: the land, its mouths, how fine the network is, and how it looks.
-const LEFT: [Key; 19] = [
+const LEFT: [Key; 20] = [
     Key::Seed,
     Key::Edition,
     Key::Aspect,
@@ -22,6 +22,7 @@ const LEFT: [Key; 19] = [
     Key::LabelSize,
     Key::Language,
     Key::Names,
+    Key::Cartouche,
     Key::Woods,
     Key::Hills,
     Key::Shores,
