@@ -16,7 +16,7 @@ pack() { run on_machine "$checkout/scripts/crate.sh" "${1-pack}"; }
 @test "a crate that is small and has its papers is packed" {
   pack
   succeeded
-  said "bytes of 680000"
+  said "bytes of 720000"
   called 1 "cargo package --offline --no-verify"
 }
 
@@ -48,7 +48,7 @@ pack() { run on_machine "$checkout/scripts/crate.sh" "${1-pack}"; }
 }
 
 @test "a crate that is too large is refused" {
-  head -c 681000 /dev/urandom >"$packed/golden.png"
+  head -c 721000 /dev/urandom >"$packed/golden.png"
   pack
   ((status == 1))
   said "TOO LARGE"
