@@ -56,8 +56,10 @@ function declarations() {
   for (const name of readdirSync("package").filter((name) => name.endsWith(".d.ts"))) {
     cpSync(join("package", name), join(types, name));
   }
-  mkdirSync(join(types, "pkg"));
-  cpSync("pkg/riverseed.d.ts", join(types, "pkg/riverseed.d.ts"));
+  for (const declared of ["pkg/riverseed.d.ts", "pkg-chart/riverseed_chart.d.ts"]) {
+    mkdirSync(dirname(join(types, declared)));
+    cpSync(declared, join(types, declared));
+  }
   writeFileSync(join(types, "markup.d.ts"), markupTypes(own, table));
   const all = readdirSync(types, { recursive: true }).filter((name) => name.endsWith(".d.ts"));
   for (const file of all) nameScripts(join(types, file));
