@@ -24,6 +24,12 @@ const DRAINED = "seed=kauri&attractors=3000&edition=1";
 
 const adjustable = engine.parameters().filter(isAdjustable);
 
+/** Those with a control of the table's own: names are a list (`names.spec.ts`). */
+const controlled = adjustable.filter(({ key }) => key !== "names");
+
+/** Those that a picture of a few attractors shows at once: charts come later, and want room. */
+const drawn = controlled.filter(({ stage }) => stage !== "name");
+
 function reasonIn(link: string, key: string): string | undefined {
   return new Map(engine.readLink(link).idle).get(key);
 }
@@ -64,7 +70,7 @@ for (const link of CONTEXTS) {
   }) => {
     await openUnfolded(page, link);
     await expect(page.locator("[data-key]")).toHaveCount(adjustable.length);
-    for (const { key, label, help } of adjustable) {
+    for (const { key, label, help } of controlled) {
       const reason = reasonIn(link, key);
       await expect(row(page, key)).toContainText(label);
       await expect(row(page, key).locator(".help")).toHaveText(reason === undefined ? help : `No effect: ${reason}.`);
@@ -124,7 +130,7 @@ test("a preset is a way of space colonization, and goes back to it", async ({ pa
   await expectPictureOfAddress(page);
 });
 
-for (const { key, label, stage, max, default: value } of adjustable.filter(({ min }) => min !== undefined)) {
+for (const { key, label, stage, max, default: value } of drawn.filter(({ min }) => min !== undefined)) {
   test(`the slider of ${key} changes the picture, and reset brings it back`, async ({ page }) => {
     const states = await recordStates(page);
     const phases = await recordPhases(page);
@@ -190,7 +196,7 @@ test("a slider of meanders that is dragged shows rivers on the way and grows not
   expect((await phases()).slice(began)).not.toContain("growing");
 });
 
-for (const { key, choices } of adjustable.filter(({ kind }) => kind === "choice")) {
+for (const { key, choices } of drawn.filter(({ kind }) => kind === "choice")) {
   test(`the choices of ${key} change the picture`, async ({ page }) => {
     await openUnfolded(page, contextOf(key));
     const before = await shown(page);
@@ -304,7 +310,7 @@ test("everything can be reached and used by keyboard alone", async ({ page }) =>
   for (const id of ["play", "restart", "speed", "seed", "dice", "download", "copy", "reset"])
     expect(order).toContain(id);
   for (const { label } of engine.presets()) expect(order).toContain(label);
-  for (const { key, kind } of adjustable) {
+  for (const { key, kind } of controlled) {
     if (kind === "sides") continue;
     if (reasonIn(SMALL, key) === undefined) expect(order).toContain(`field-${key}`);
     else expect(order).not.toContain(`field-${key}`);
