@@ -9,7 +9,7 @@ function group(page: Page, heading: string): Locator {
 
 test("at first all headings stand in the panel, and one group is open", async ({ page }) => {
   await openFinished(page, SMALL);
-  await expect(page.locator(".group > summary")).toHaveCount(8);
+  await expect(page.locator(".group > summary")).toHaveCount(10);
   await expect(page.locator(".group[open]")).toHaveCount(1);
   await expect(page.getByRole("slider", { name: "Curl" })).toHaveCount(0);
 });
