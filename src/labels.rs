@@ -25,8 +25,8 @@ pub(crate) fn labels(map: &RiverMap<'_>, frame: [Vec2; 2], scale: f32) -> Vec<La
 pub fn input<'a>(map: &RiverMap<'a>, frame: [Vec2; 2], scale: f32) -> Option<Input<'a>> {
     /// A course's places, its pieces, their numbers in squares, and names.
     const BYTES_A_VERTEX: usize = 120;
-    let RiverMap { wishes, network, land, .. } = map;
-    let (share, cartouche) = (share_of_land(wishes.labels), wishes.cartouche);
+    let RiverMap { options, network, land, .. } = map;
+    let (share, cartouche) = (share_of_land(options.labels), options.cartouche);
     if share == 0.0 && cartouche == recipe::Cartouche::None {
         return None;
     }
@@ -39,13 +39,13 @@ pub fn input<'a>(map: &RiverMap<'a>, frame: [Vec2; 2], scale: f32) -> Option<Inp
     Some(Input {
         frame,
         least_em: LEAST_EM / scale,
-        label_size: wishes.label_size,
+        label_size: options.label_size,
         most_area: [land_area, AREA - land_area].map(|area| share * area),
         total_discharge: total_discharge(network),
         reaches: names.reaches.iter().filter_map(reach).collect(),
         cartouche: (cartouche != recipe::Cartouche::None).then(|| Cartouche {
             title: std::mem::take(&mut names.title),
-            seed: wishes.seed.clone(),
+            seed: options.seed.clone(),
             is_framed: cartouche == recipe::Cartouche::Framed,
         }),
         areas: std::mem::take(&mut names.places).into_iter().map(area_of).collect(),

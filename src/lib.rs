@@ -57,7 +57,7 @@ extern crate self as riverseed;
 pub mod chart;
 #[cfg(feature = "names")]
 #[doc(hidden)]
-pub mod charting;
+pub mod chart_builder;
 #[doc(hidden)]
 pub mod dice;
 #[cfg(feature = "files")]
@@ -105,7 +105,7 @@ mod sort;
 pub mod tree;
 #[cfg(target_arch = "wasm32")]
 mod web;
-mod words;
+mod wire;
 #[doc(hidden)]
 pub mod work;
 

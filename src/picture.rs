@@ -5,12 +5,12 @@ use std::sync::Arc;
 use tiny_skia::Pixmap;
 
 #[cfg(feature = "names")]
-use crate::charting::Charting;
+use crate::chart_builder::ChartBuilder;
 use crate::domain::Domain;
 use crate::land::Land;
 use crate::paint::{ChartMasks, PaintError, Painted, Painter, Progress, Rect, Rivers, View};
 use crate::recipe::{Key, Style};
-use crate::river_map::ChartWishes;
+use crate::river_map::ChartOptions;
 #[cfg(feature = "names")]
 use crate::river_map::RiverMap;
 use crate::session::{Generation, Phase, Session};
@@ -37,10 +37,10 @@ pub struct Picture {
     /// The trimmed tree whose rivers it shows; `None` if it shows none.
     rivers_of: Option<Generation>,
     /// What a chart lays over a finished map, and what it is of.
-    chart: Option<(Charted, Arc<ChartMasks>)>,
+    chart: Option<(ChartKey, Arc<ChartMasks>)>,
     /// The next one, in the making.
     #[cfg(feature = "names")]
-    charting: Option<(Charted, Charting)>,
+    builder: Option<(ChartKey, ChartBuilder)>,
     /// Pixels of the picture to one of those that letters are measured by.
     #[cfg(feature = "names")]
     ratio: f32,
@@ -58,7 +58,7 @@ impl Picture {
             rivers_of: None,
             chart: None,
             #[cfg(feature = "names")]
-            charting: None,
+            builder: None,
             #[cfg(feature = "names")]
             ratio: 1.0,
         })
@@ -70,7 +70,7 @@ impl Picture {
     #[must_use]
     pub fn with_ratio(mut self, ratio: f32) -> Self {
         self.ratio = ratio;
-        (self.chart, self.charting) = (None, None);
+        (self.chart, self.builder) = (None, None);
         self.painter.reset();
         self
     }
@@ -126,14 +126,14 @@ impl Picture {
 
     /// Whether the recipe of a session, which is finished, wants a chart over this picture that it has not got.
     pub fn wants_chart(&self, session: &Session) -> bool {
-        let has_one = self.chart.as_ref().is_some_and(|(of, _)| *of == Charted::of(session));
+        let has_one = self.chart.as_ref().is_some_and(|(of, _)| *of == ChartKey::of(session));
         is_to_be_charted(session) && !has_one
     }
 
     /// Takes a chart for a session as it is, and for a picture of this size. It is seen when next this is painted, for as long as the
     /// session stays so.
     pub fn take_chart(&mut self, session: &Session, chart: ChartMasks) {
-        self.chart = Some((Charted::of(session), Arc::new(chart)));
+        self.chart = Some((ChartKey::of(session), Arc::new(chart)));
     }
 
     /// How the domain lies on the picture.
@@ -143,19 +143,24 @@ impl Picture {
 
     /// Drops a chart of another map, and does a part of making one of this, if that can be done here. Returns whether it did.
     fn advance_chart(&mut self, session: &Session) -> bool {
-        let now = Charted::of(session);
+        if self.chart.is_none() && !is_to_be_charted(session) {
+            return false;
+        }
+        let now = ChartKey::of(session);
         if self.chart.as_ref().is_some_and(|(of, _)| *of != now) {
             self.chart = None;
         }
         #[cfg(feature = "names")]
-        if let Some(map) = RiverMap::of(session).filter(|_| self.wants_chart(session)) {
+        if self.wants_chart(session)
+            && let Some(map) = RiverMap::of(session)
+        {
             let (view, ratio) = (*self.view(), self.ratio);
-            if self.charting.as_ref().is_none_or(|(of, _)| *of != now) {
-                self.charting = Some((now, Charting::default()));
+            if self.builder.as_ref().is_none_or(|(of, _)| *of != now) {
+                self.builder = Some((now, ChartBuilder::default()));
             }
-            let chart = self.charting.as_mut().and_then(|(_, charting)| charting.advance(&map, &view, ratio));
+            let chart = self.builder.as_mut().and_then(|(_, builder)| builder.advance(&map, &view, ratio));
             if let Some(chart) = chart {
-                self.charting = None;
+                self.builder = None;
                 self.take_chart(session, chart);
             }
             return true;
@@ -185,21 +190,21 @@ impl Picture {
 
 /// What a chart is of: woods and hills of one style are none for another.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Charted {
+struct ChartKey {
     generation: Generation,
     style: Option<Style>,
 }
 
-impl Charted {
+impl ChartKey {
     fn of(session: &Session) -> Self {
-        let wishes = ChartWishes::of(session.recipe());
-        Self { generation: session.map_generation(), style: wishes.has_scenery().then_some(wishes.style) }
+        let options = ChartOptions::of(session.recipe());
+        Self { generation: session.map_generation(), style: options.has_scenery().then_some(options.style) }
     }
 }
 
 /// Whether a session is finished, and its recipe wants a chart.
 pub(crate) fn is_to_be_charted(session: &Session) -> bool {
-    session.phase() == Phase::Finished && ChartWishes::of(session.recipe()).any()
+    session.phase() == Phase::Finished && ChartOptions::of(session.recipe()).any()
 }
 
 /// Whether land is the very same, shaped once.

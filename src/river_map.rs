@@ -1,10 +1,10 @@
-//! A map as names and labels are made of it: rivers as they are, and the land that they run on, but nothing of how that came about.
+//! A map as a chart is made of it: rivers as they are, and the land that they run on, but nothing of how that came about.
 //!
-//! A session has one. So has a wasm module that knows no sessions (`own_map.rs`): it reads the words that another module writes (`words.rs`).
+//! A session has one. So has a wasm module that knows no sessions (`own_map.rs`): it reads what another module writes (`wire.rs`).
 
 #[cfg(feature = "names")]
 mod own_map;
-pub mod words;
+pub mod wire;
 
 #[cfg(feature = "names")]
 pub use own_map::OwnMap;
@@ -16,9 +16,9 @@ use crate::relief::Relief;
 use crate::session::{Phase, Session};
 use crate::tree::Tree;
 
-/// What of a recipe names and labels are made by.
+/// What of a recipe a chart is made by: names, labels, woods and hills.
 #[derive(Clone, Debug, PartialEq)]
-pub struct ChartWishes {
+pub struct ChartOptions {
     /// The seed.
     pub seed: String,
     /// The number of the language of names; 0 for the seed's own.
@@ -41,7 +41,7 @@ pub struct ChartWishes {
     pub hills: f32,
 }
 
-impl ChartWishes {
+impl ChartOptions {
     /// Those of a recipe.
     pub fn of(recipe: &Recipe) -> Self {
         Self {
@@ -78,8 +78,8 @@ impl ChartWishes {
 /// Rivers as they are, and what lies around them.
 #[derive(Clone, Debug)]
 pub struct RiverMap<'a> {
-    /// What names and labels are made by.
-    pub wishes: ChartWishes,
+    /// What its chart is made by.
+    pub options: ChartOptions,
     /// The untrimmed tree.
     pub tree: &'a Tree,
     /// The discharge that would be everything a river can drain.
@@ -101,12 +101,12 @@ pub struct RiverMap<'a> {
 impl<'a> RiverMap<'a> {
     /// The map of a session; `None` while there are no rivers.
     pub fn of(session: &'a Session) -> Option<Self> {
-        let wishes = ChartWishes::of(session.recipe());
-        let has_scenery = wishes.has_scenery();
+        let options = ChartOptions::of(session.recipe());
+        let has_scenery = options.has_scenery();
         Some(Self {
-            relief: session.relief().filter(|_| has_scenery && wishes.style.has_relief()).map(AsRef::as_ref),
-            beds: if has_scenery && wishes.style == Style::PastCourses { beds(session) } else { Vec::new() },
-            wishes,
+            relief: session.relief().filter(|_| has_scenery && options.style.has_relief()).map(AsRef::as_ref),
+            beds: if has_scenery && options.style == Style::PastCourses { beds(session) } else { Vec::new() },
+            options,
             tree: session.tree(),
             total_discharge: session.growth().total_discharge(),
             network: session.network()?,

@@ -20,8 +20,8 @@ pub(crate) fn scenery(map: &RiverMap<'_>, labels: &[Label]) -> Vec<Standing> {
 pub fn input<'a>(map: &RiverMap<'a>, labels: &[Label]) -> Option<SceneryInput<'a>> {
     /// Two lists of a course's pieces, their numbers in squares, and its places.
     const BYTES_A_VERTEX: usize = 90;
-    let RiverMap { wishes, network, land, .. } = map;
-    let [woods, hills] = wishes.scenery();
+    let RiverMap { options, network, land, .. } = map;
+    let [woods, hills] = options.scenery();
     if !map.is_finished || woods + hills == 0.0 {
         return None;
     }
@@ -29,8 +29,8 @@ pub fn input<'a>(map: &RiverMap<'a>, labels: &[Label]) -> Option<SceneryInput<'a
         return None;
     }
     Some(SceneryInput {
-        size: Domain::with_aspect(wishes.aspect).size,
-        seed: Seed::from_text(&wishes.seed),
+        size: Domain::with_aspect(options.aspect).size,
+        seed: Seed::from_text(&options.seed),
         woods,
         hills,
         total_discharge: total_discharge(network),

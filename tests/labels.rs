@@ -12,13 +12,13 @@ use proptest::prelude::*;
 use riverseed::chart::{
     Area, AreaKind, Background, Box, Ink, Input, Kind, Label, Piece, Placed, Raster, Strip, cell_middle, place,
 };
-use riverseed::charting::Charting;
+use riverseed::chart_builder::ChartBuilder;
 use riverseed::glam::Vec2;
 use riverseed::labels;
 use riverseed::name::Names;
 use riverseed::paint::View;
 use riverseed::recipe::{Key, link};
-use riverseed::river_map::{OwnMap, RiverMap, words};
+use riverseed::river_map::{OwnMap, RiverMap, wire};
 use riverseed::{Picture, Session};
 
 /// The ground without anything prepared.
@@ -471,7 +471,7 @@ fn a_name_that_is_taken_away_is_on_no_map_and_one_s_own_is() {
 }
 
 #[test]
-fn a_map_that_is_handed_over_as_words_has_the_same_names_and_labels() {
+fn a_map_that_is_handed_over_has_the_same_names_and_labels() {
     for link in [
         "land=island&growth=drainage&attractors=3000",
         "land=archipelago&growth=colonize&attractors=4000&curl=0.8&meander-rounds=60&great-rivers=4",
@@ -481,11 +481,11 @@ fn a_map_that_is_handed_over_as_words_has_the_same_names_and_labels() {
     ] {
         let session = finished(&format!("{link}&seed=kauri&labels=many"));
         let map = RiverMap::of(&session).unwrap();
-        let own = OwnMap::read(&words::write(&map)).unwrap();
+        let own = OwnMap::read(&wire::write(&map)).unwrap();
         assert_eq!(Names::of_map(&own.map()), Names::of(&session), "{link}");
         let view = View::new(&session.domain(), 500, 400).unwrap();
-        let masks = Charting::whole(&own.map(), &view, 1.0);
-        assert!(masks == Charting::whole(&map, &view, 1.0) && !masks.letters.is_empty(), "{link}");
+        let masks = ChartBuilder::whole(&own.map(), &view, 1.0);
+        assert!(masks == ChartBuilder::whole(&map, &view, 1.0) && !masks.letters.is_empty(), "{link}");
     }
 }
 
@@ -493,12 +493,12 @@ proptest! {
     #![proptest_config(cases(200))]
 
     #[test]
-    fn words_that_are_cut_off_are_no_map_and_altered_ones_are_read_without_a_panic(at in 0usize..60_000, word in any::<u32>(), cut in any::<bool>()) {
+    fn a_message_that_is_cut_off_is_no_map_and_an_altered_one_is_read_without_a_panic(at in 0usize..60_000, word in any::<u32>(), cut in any::<bool>()) {
         let session = finished("land=island&growth=drainage&attractors=300&seed=kauri&labels=many");
-        let mut words = words::write(&RiverMap::of(&session).unwrap());
-        let at = at % words.len();
-        if cut { words.truncate(at) } else { words[at] = word }
-        let read = OwnMap::read(&words);
+        let mut data = wire::write(&RiverMap::of(&session).unwrap());
+        let at = at % data.len();
+        if cut { data.truncate(at) } else { data[at] = word }
+        let read = OwnMap::read(&data);
         prop_assert!(read.is_none() || !cut);
     }
 }

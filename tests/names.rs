@@ -253,16 +253,16 @@ fn files_have_the_names() {
 }
 
 #[test]
-fn names_come_out_of_words_as_they_went_in() {
+fn names_are_read_as_they_were_handed_over() {
     for link in [MANY_REACHES, "land=archipelago&attractors=600&names=t.Hom%C4%93_i1.", "land=rectangle&attractors=300"]
     {
         let names = Names::of(&finished(link, ""));
-        let words = names.to_words();
-        let read = Names::from_words(&words).unwrap();
+        let data = names.to_wire();
+        let read = Names::from_wire(&data).unwrap();
         assert_eq!((&read.rivers, &read.reaches, &read.title), (&names.rivers, &names.reaches, &names.title), "{link}");
-        assert_eq!(read.to_words(), words, "{link}");
-        for cut in [0, 1, words.len() / 2, words.len() - 1] {
-            assert_eq!(Names::from_words(&words[..cut]), None, "{cut}");
+        assert_eq!(read.to_wire(), data, "{link}");
+        for cut in [0, 1, data.len() / 2, data.len() - 1] {
+            assert_eq!(Names::from_wire(&data[..cut]), None, "{cut}");
         }
     }
 }

@@ -3,11 +3,11 @@
 
 mod common;
 
+use common::parts::paint_in_parts;
 use common::plain::plain;
 use common::property::cases;
 use common::random_link;
 use proptest::prelude::*;
-use riverseed::paint::Painted;
 use riverseed::picture::Picture;
 use riverseed::recipe::{Choice, Key, Recipe, Style, link};
 use riverseed::session::{Phase, Session};
@@ -255,22 +255,6 @@ proptest! {
         };
         // Several bands of rows.
         let picture = || Picture::new(420, 330).unwrap();
-        let (mut session, mut kept) = (Session::new(start.clone()).unwrap(), picture());
-        for change in &changes {
-            session.change(recipe(change)).unwrap();
-            session.finish().unwrap();
-            let before = kept.pixmap().data().to_vec();
-            for _ in 0..change.3 {
-                if kept.paint_part(&session) != Painted::Part {
-                    break;
-                }
-                prop_assert!(kept.pixmap().data() == before, "a part is not to be seen");
-            }
-        }
-        kept.paint(&session);
-        let mut fresh = picture();
-        fresh.paint(&session);
-        prop_assert!(kept.pixmap().data() == fresh.pixmap().data());
-        prop_assert_eq!(kept.paint_part(&session), Painted::Whole(None));
+        paint_in_parts(start.clone(), changes.iter().map(|change| (recipe(change), change.3)), picture)?;
     }
 }

@@ -28,14 +28,9 @@ pub(crate) fn unnamed(session: &Session, with_attractors: bool) -> Result<Json<'
     compose(session, with_attractors, None)
 }
 
-/// The same with names that were made elsewhere.
-#[cfg(all(target_arch = "wasm32", feature = "rivers"))]
-pub(crate) fn named(session: &Session, names: Names) -> Result<Json<'_>, ExportError> {
-    compose(session, false, Some(names))
-}
-
+/// The same with names that were made elsewhere; without, what they are made of is left out, too.
 #[inline(never)] // one copy is enough
-fn compose(session: &Session, with_attractors: bool, names: Option<Names>) -> Result<Json<'_>, ExportError> {
+pub(crate) fn compose(session: &Session, with_attractors: bool, names: Option<Names>) -> Result<Json<'_>, ExportError> {
     /// Of the nodes' columns, about two nodes a vertex.
     const BYTES_A_VERTEX: usize = 64;
     let network = rivers(session, BYTES_A_VERTEX)?;

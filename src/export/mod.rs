@@ -25,14 +25,12 @@ use crate::network::Network;
 use crate::session::Session;
 
 /// The names of a session's map; none where there is nothing that makes names.
+#[cfg_attr(not(feature = "names"), expect(unused_variables, reason = "there are no names"))]
 fn names_of(session: &Session) -> Names {
     #[cfg(feature = "names")]
     return Names::of(session);
     #[cfg(not(feature = "names"))]
-    {
-        let _ = session;
-        Names::default()
-    }
+    Names::default()
 }
 
 /// Why a file cannot be written.

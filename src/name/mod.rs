@@ -22,9 +22,9 @@ mod namer;
 mod reaches;
 #[cfg(feature = "names")]
 mod regions;
+mod wire;
 #[cfg(feature = "names")]
 mod word;
-mod words;
 
 #[cfg(feature = "names")]
 #[doc(hidden)]

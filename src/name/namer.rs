@@ -9,7 +9,7 @@ use super::{Names, PlaceKind, PlaceName, ReachName, RiverName, reaches, regions,
 use crate::land::Land;
 use crate::network::{Network, Reach};
 use crate::recipe::{Mark, OwnNames, Recipe};
-use crate::river_map::{ChartWishes, RiverMap};
+use crate::river_map::{ChartOptions, RiverMap};
 use crate::session::Session;
 use crate::sort;
 use crate::tree::Tree;
@@ -23,7 +23,7 @@ impl Names {
     /// The names of a map.
     pub fn of_map(map: &RiverMap<'_>) -> Self {
         let RiverMap { network, land, .. } = *map;
-        let namer = Namer::new(&map.wishes);
+        let namer = Namer::new(&map.options);
         let rivers = namer.rivers(network, map.tree, map.total_discharge);
         let water =
             |reach: &Reach| network.rivers.get(reach.river as usize).map_or(0, |river| network.discharge(river));
@@ -64,7 +64,7 @@ impl Names {
             Mark::Island(number) => number == 0 || is_place(PlaceKind::Island, number),
             Mark::Title => true,
         };
-        OwnNames::readable(&ChartWishes::of(recipe).names).marks().filter(|mark| !is_used(mark)).collect()
+        OwnNames::readable(&ChartOptions::of(recipe).names).marks().filter(|mark| !is_used(mark)).collect()
     }
 }
 
@@ -82,9 +82,9 @@ struct Namer {
 }
 
 impl Namer {
-    fn new(wishes: &ChartWishes) -> Self {
-        let language = Language::new(&wishes.seed, wishes.language);
-        Self { language, own: OwnNames::readable(&wishes.names) }
+    fn new(options: &ChartOptions) -> Self {
+        let language = Language::new(&options.seed, options.language);
+        Self { language, own: OwnNames::readable(&options.names) }
     }
 
     /// One's own name for something, or another.

@@ -22,6 +22,19 @@ pub struct Rect {
 }
 
 impl Rect {
+    /// The pixels of a picture of a size that lie between two corners, the least and the most; `None` if none does.
+    pub(super) fn between([least, most]: [Vec2; 2], width: u32, height: u32) -> Option<Self> {
+        // A conversion makes 0 of what is below.
+        let clamp = |x: f32, end: u32| (x as u32).min(end);
+        let rect = Self {
+            left: clamp(least.x, width),
+            top: clamp(least.y, height),
+            right: clamp(most.x + 1.0, width),
+            bottom: clamp(most.y + 1.0, height),
+        };
+        (rect.left < rect.right && rect.top < rect.bottom).then_some(rect)
+    }
+
     /// The smallest rectangle around two.
     pub fn union(self, other: Self) -> Self {
         Self {
@@ -152,7 +165,10 @@ impl Coverage {
     /// Thinner than a pixel, a line keeps its width and pales instead.
     pub fn capsule(&mut self, a: Vec2, radius_a: f32, b: Vec2, radius_b: f32) {
         let margin = rim(larger(radius_a, radius_b));
-        let Some(rect) = self.pixels_between(a.min(b) - margin, a.max(b) + margin) else { return };
+        let Some(rect) = Rect::between([a.min(b) - margin, a.max(b) + margin], self.mask.width(), self.mask.height())
+        else {
+            return;
+        };
         self.touch(rect);
         let stroke = Stroke::new(a, radius_a, b, radius_b, self.strength);
         let width = self.mask.width() as usize;
@@ -169,19 +185,6 @@ impl Coverage {
                 self.touched.tiles[(row * self.touched.columns + column) as usize] = true;
             }
         }
-    }
-
-    /// The pixels whose centres lie between two corners.
-    fn pixels_between(&self, least: Vec2, most: Vec2) -> Option<Rect> {
-        // A conversion makes 0 of what is below.
-        let clamp = |x: f32, end: u32| (x as u32).min(end);
-        let rect = Rect {
-            left: clamp(least.x, self.mask.width()),
-            top: clamp(least.y, self.mask.height()),
-            right: clamp(most.x + 1.0, self.mask.width()),
-            bottom: clamp(most.y + 1.0, self.mask.height()),
-        };
-        (rect.left < rect.right && rect.top < rect.bottom).then_some(rect)
     }
 }
 

@@ -103,19 +103,13 @@ fn both(one: u8, other: u8) -> u8 {
     let bare = (255 - u32::from(one)) * (255 - u32::from(other));
     (255 - (bare + 127) / 255) as u8
 }
+
 /// The pixels of a letter's box with a margin; `None` if it shows on none.
 fn pixels(label: &Label, letter: &Placed, view: &View, margin: f32) -> Option<Rect> {
     let corners = letter.around(label.em).corners().map(|corner| view.pixel(corner));
     let (least, most) =
         (corners.into_iter().reduce(Vec2::min)? - margin, corners.into_iter().reduce(Vec2::max)? + margin);
-    // A conversion makes 0 of what is below.
-    let rect = Rect {
-        left: (least.x as u32).min(view.width),
-        top: (least.y as u32).min(view.height),
-        right: (most.x as u32).saturating_add(1).min(view.width),
-        bottom: (most.y as u32).saturating_add(1).min(view.height),
-    };
-    (rect.left < rect.right && rect.top < rect.bottom && most.min_element() >= 0.0).then_some(rect)
+    Rect::between([least, most], view.width, view.height)
 }
 
 /// Hands out the straight pieces of a letter's outline, in pixels.

@@ -48,7 +48,7 @@ pub use view::{LONGEST_SIDE, PaintError, View};
 #[cfg(feature = "files")]
 pub(crate) use palette::Lines;
 #[cfg(feature = "names")]
-pub(crate) use scenery::Sheet;
+pub(crate) use scenery::SceneryPainter;
 #[cfg(all(feature = "files", feature = "names"))]
 pub(crate) use styles::labels::{LabelLook, label_look};
 #[cfg(feature = "files")]

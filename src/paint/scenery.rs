@@ -22,7 +22,7 @@ const SHADED_PX: f32 = 4.0;
 
 /// The mask of a picture's scenery in the making.
 #[derive(Clone, Debug)]
-pub(crate) struct Sheet {
+pub(crate) struct SceneryPainter {
     mask: Coverage,
     /// What lies within silhouettes, if that is covered.
     bodies: Option<Coverage>,
@@ -31,7 +31,7 @@ pub(crate) struct Sheet {
     drawn: usize,
 }
 
-impl Sheet {
+impl SceneryPainter {
     /// An empty one; `None` if there is not enough memory.
     pub fn new(view: &View, look: SceneryLook) -> Option<Self> {
         /// A byte a pixel, and what remembers where.
@@ -91,18 +91,8 @@ impl Sheet {
     fn empty(&mut self, view: &View, silhouette: &PenStroke, foot: Vec2, size: f32) {
         let (least, most) = silhouette_box(silhouette);
         let (least, most) = (foot + least * size, foot + most * size);
-        // A conversion makes 0 of what is below.
-        let rect = Rect {
-            left: (least.x as u32).min(view.width),
-            top: (least.y as u32).min(view.height),
-            right: (most.x as u32).saturating_add(1).min(view.width),
-            bottom: (most.y as u32).saturating_add(1).min(view.height),
-        };
-        if rect.left >= rect.right
-            || rect.top >= rect.bottom
-            || most.min_element() < 0.0
-            || (self.bodies.is_none() && !self.mask.is_drawn_on(rect))
-        {
+        let Some(rect) = Rect::between([least, most], view.width, view.height) else { return };
+        if self.bodies.is_none() && !self.mask.is_drawn_on(rect) {
             return;
         }
         self.fill.clear(
@@ -150,15 +140,15 @@ mod tests {
         Standing { shape, number, foot, size }
     }
 
-    fn drawn(all: &[Standing], style: Style) -> Sheet {
+    fn drawn(all: &[Standing], style: Style) -> SceneryPainter {
         let view = View::new(&Domain::with_aspect(1.0), 200, 200).unwrap();
         let look = scenery_look(style).unwrap();
-        let mut sheet = Sheet::new(&view, look).unwrap();
+        let mut sheet = SceneryPainter::new(&view, look).unwrap();
         while sheet.advance(&view, all, look) {}
         sheet
     }
 
-    fn ink(sheet: &Sheet) -> u64 {
+    fn ink(sheet: &SceneryPainter) -> u64 {
         sheet.mask.mask().data().iter().map(|&covered| u64::from(covered)).sum()
     }
 
@@ -207,6 +197,6 @@ mod tests {
         drawn(&beyond.map(|foot| standing(9, 0, foot, 60.0)), Style::Survey);
         let view = View::new(&Domain::with_aspect(1.0), 2000, 2000).unwrap();
         let look = scenery_look(Style::Ink).unwrap();
-        assert!(with_lists_up_to(3_000_000, || Sheet::new(&view, look)).is_none());
+        assert!(with_lists_up_to(3_000_000, || SceneryPainter::new(&view, look)).is_none());
     }
 }

@@ -1,17 +1,17 @@
-//! A map that has come from another wasm module, as words (`words.rs`).
+//! A map that has come from another wasm module (`wire.rs`).
 
 use std::ops::RangeInclusive;
 
 use glam::Vec2;
 
-use super::{ChartWishes, RiverMap};
+use super::{ChartOptions, RiverMap};
 use crate::domain::Domain;
 use crate::land::{CoastDistance, Land};
 use crate::network::{NONE, Network, Oxbow, Place, Reach, River, Vertex};
 use crate::recipe::{Cartouche, Choice, Labels, Style};
 use crate::relief::Relief;
 use crate::tree::Tree;
-use crate::words::{Reader, point};
+use crate::wire::{Reader, point};
 
 /// What maps' widths over their heights may be.
 const ASPECTS: RangeInclusive<f32> = 0.25..=4.0;
@@ -19,7 +19,7 @@ const ASPECTS: RangeInclusive<f32> = 0.25..=4.0;
 /// A map with all that it is made of. Of vertices it knows place, discharge and width; of its land not what rivers cannot cross.
 #[derive(Clone, Debug)]
 pub struct OwnMap {
-    wishes: ChartWishes,
+    options: ChartOptions,
     tree: Tree,
     total_discharge: u32,
     network: Network,
@@ -31,28 +31,28 @@ pub struct OwnMap {
 }
 
 impl OwnMap {
-    /// The map of these words, which another module of the same build has written; `None` if they describe none.
-    pub fn read(words: &[u32]) -> Option<Self> {
-        let mut words = Reader(words);
-        let wishes = words.wishes()?;
-        let domain = Domain::with_aspect(wishes.aspect);
-        let [total_discharge, is_finished] = words.some()?;
-        let tree = words.tree()?;
-        let network = words.network()?;
+    /// The map of a message that another module of the same build has written; `None` if it is of none.
+    pub fn read(data: &[u32]) -> Option<Self> {
+        let mut data = Reader(data);
+        let options = data.options()?;
+        let domain = Domain::with_aspect(options.aspect);
+        let [total_discharge, is_finished] = data.take()?;
+        let tree = data.tree()?;
+        let network = data.network()?;
         let reach =
             |&[river, least_discharge, most_discharge]: &[u32; 3]| Reach { river, least_discharge, most_discharge };
-        let reaches = words.items()?.iter().map(reach).collect();
-        let land = if words.some()? == [0] { None } else { Some(words.land(domain.size)?) };
+        let reaches = data.items()?.iter().map(reach).collect();
+        let land = if data.take()? == [0] { None } else { Some(data.land(domain.size)?) };
         let is_finished = is_finished != 0;
-        let relief = if words.some()? == [0] { None } else { Some(Relief::of_heights(&domain, words.heights()?)?) };
-        let beds = words.beds()?;
-        Some(Self { wishes, tree, total_discharge, network, reaches, land, relief, beds, is_finished })
+        let relief = if data.take()? == [0] { None } else { Some(Relief::of_heights(&domain, data.heights()?)?) };
+        let beds = data.beds()?;
+        Some(Self { options, tree, total_discharge, network, reaches, land, relief, beds, is_finished })
     }
 
     /// The map.
     pub fn map(&self) -> RiverMap<'_> {
         RiverMap {
-            wishes: self.wishes.clone(),
+            options: self.options.clone(),
             tree: &self.tree,
             total_discharge: self.total_discharge,
             network: &self.network,
@@ -66,8 +66,8 @@ impl OwnMap {
 }
 
 impl Reader<'_> {
-    fn wishes(&mut self) -> Option<ChartWishes> {
-        let ([language, labels, cartouche, style], sizes) = (self.some()?, self.some()?);
+    fn options(&mut self) -> Option<ChartOptions> {
+        let ([language, labels, cartouche, style], sizes) = (self.take()?, self.take()?);
         let [label_size, aspect, woods, hills] = sizes.map(f32::from_bits);
         if !ASPECTS.contains(&aspect) {
             return None;
@@ -75,7 +75,7 @@ impl Reader<'_> {
         let (labels, style) = (*Labels::ALL.get(labels as usize)?, *Style::ALL.get(style as usize)?);
         let cartouche = *Cartouche::ALL.get(cartouche as usize)?;
         let (seed, names) = (self.text()?, self.text()?);
-        Some(ChartWishes { seed, language, names, labels, cartouche, label_size, aspect, style, woods, hills })
+        Some(ChartOptions { seed, language, names, labels, cartouche, label_size, aspect, style, woods, hills })
     }
 
     fn tree(&mut self) -> Option<Tree> {
@@ -96,9 +96,9 @@ impl Reader<'_> {
         if rivers.iter().any(|river| river.parent as usize >= rivers.len() && river.parent != NONE) {
             return None;
         }
-        let [count] = self.some()?;
+        let [count] = self.take()?;
         let mut oxbow = |_| {
-            let [river, born, silt] = self.some()?;
+            let [river, born, silt] = self.take()?;
             Some(Oxbow { river, born, silt: f32::from_bits(silt), vertices: self.vertices()? })
         };
         let oxbows = (0..count).map(&mut oxbow).collect::<Option<_>>()?;
@@ -119,15 +119,15 @@ impl Reader<'_> {
 
     fn beds(&mut self) -> Option<Vec<Vec<Place>>> {
         let place = |[x, y, half]: &[u32; 3]| Place { at: point([*x, *y]), half: f32::from_bits(*half) };
-        let [count] = self.some()?;
+        let [count] = self.take()?;
         (0..count).map(|_| Some(self.items()?.iter().map(place).collect())).collect()
     }
 
     fn land(&mut self, size: Vec2) -> Option<Land> {
-        let [spacing] = self.some()?.map(f32::from_bits);
+        let [spacing] = self.take()?.map(f32::from_bits);
         let coast_distance = CoastDistance::of_heights(size, spacing, self.heights()?)?;
         let stretches = self.list()?;
-        let [ridges] = self.some()?;
+        let [ridges] = self.take()?;
         let ridges = (0..ridges).map(|_| self.points()).collect::<Option<_>>()?;
         Land::of_stretches(size, coast_distance, &stretches, ridges)
     }

@@ -1,9 +1,9 @@
-//! A chart: a wasm package of its own, which knows names and type, and of rivers only what `River.mapWords` says.
+//! A chart: a wasm package of its own, which knows names and type, and of rivers only what `River.mapData` says.
 
 use wasm_bindgen::prelude::*;
 
 use super::objects::coded;
-use crate::charting::Charting;
+use crate::chart_builder::ChartBuilder;
 use crate::domain::Domain;
 use crate::export::svg::ChartText;
 use crate::export::svg::labels::chart;
@@ -18,17 +18,17 @@ pub struct Chart(OwnMap);
 
 #[wasm_bindgen]
 impl Chart {
-    /// The chart of what a river's `mapWords` says. Throws an Error if that is no map.
+    /// The chart of what a river's `mapData` says. Throws an Error if that is no map.
     #[wasm_bindgen(constructor)]
-    pub fn new(words: &[u32]) -> Result<Self, JsValue> {
-        OwnMap::read(words).map(Self).ok_or_else(|| coded("bad-params", "These words are of no map."))
+    pub fn new(data: &[u32]) -> Result<Self, JsValue> {
+        OwnMap::read(data).map(Self).ok_or_else(|| coded("bad-params", "This data is of no map."))
     }
 
     /// Names: of so many of the greatest rivers, of what has one's own, and of all that is no river; of each in turn its mark, by which `names`
     /// in a link knows it, the name, and `own` or nothing. Names of one's own that are of nothing on this map come last.
     pub fn greatest(&self, rivers: usize) -> Vec<String> {
         let map = self.0.map();
-        let (names, own) = (Names::of_map(&map), OwnNames::readable(&map.wishes.names));
+        let (names, own) = (Names::of_map(&map), OwnNames::readable(&map.options.names));
         let marked = names.marked(map.network);
         let is_great = |i: usize| i < rivers || i >= map.network.rivers.len();
         let shown = marked.iter().enumerate().filter(|(i, (mark, _))| is_great(*i) || own.get(*mark).is_some());
@@ -50,7 +50,7 @@ impl Chart {
 
     /// All names, for the files of `River`.
     pub fn names(&self) -> Vec<u32> {
-        Names::of_map(&self.0.map()).to_words()
+        Names::of_map(&self.0.map()).to_wire()
     }
 
     /// What it adds to an SVG file, for `River.svg`.
@@ -63,8 +63,8 @@ impl Chart {
     /// least.
     pub fn masks(&self, width_px: u32, height_px: u32, ratio: f32) -> Result<Vec<u8>, JsValue> {
         let map = self.0.map();
-        let view = View::new(&Domain::with_aspect(map.wishes.aspect), width_px, height_px);
+        let view = View::new(&Domain::with_aspect(map.options.aspect), width_px, height_px);
         let view = view.map_err(|_| coded("bad-params", "A picture has no such size."))?;
-        Ok(Charting::whole(&map, &view, ratio).to_bytes())
+        Ok(ChartBuilder::whole(&map, &view, ratio).to_bytes())
     }
 }

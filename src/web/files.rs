@@ -45,20 +45,24 @@ impl River {
     /// tree grows.
     pub fn svg(&self, chart: Vec<String>) -> Result<String, JsValue> {
         let [halo, labels] = <[String; 2]>::try_from(chart).unwrap_or_default();
-        svg::charted(&self.session, &ChartText { halo, labels }).map_err(|error| export_error(&error))
+        svg::with_chart(&self.session, &ChartText { halo, labels }).map_err(|error| export_error(&error))
     }
 
     /// The rivers as they are, as GeoJSON, with the `names` of a `Chart`. Throws an Error, as long as the tree grows.
     #[wasm_bindgen(unchecked_return_type = "object")]
     pub fn geojson(&self, names: &[u32]) -> Result<JsValue, JsValue> {
-        geojson::named(&self.session, named(names)).map_err(|error| export_error(&error)).and_then(|file| to_js(&file))
+        geojson::compose(&self.session, false, Some(named(names)))
+            .map_err(|error| export_error(&error))
+            .and_then(|file| to_js(&file))
     }
 
     /// Recipe, nodes and rivers as they are, with the `names` of a `Chart`: what the command line writes as JSON. Throws an Error, as long
     /// as the tree grows.
     #[wasm_bindgen(unchecked_return_type = "object")]
     pub fn network(&self, names: &[u32]) -> Result<JsValue, JsValue> {
-        json::named(&self.session, named(names)).map_err(|error| export_error(&error)).and_then(|file| to_js(&file))
+        json::compose(&self.session, false, Some(named(names)))
+            .map_err(|error| export_error(&error))
+            .and_then(|file| to_js(&file))
     }
 }
 
@@ -116,8 +120,8 @@ impl Cells {
 }
 
 /// The names of a chart; none if it has none.
-fn named(words: &[u32]) -> Names {
-    Names::from_words(words).unwrap_or_default()
+fn named(data: &[u32]) -> Names {
+    Names::from_wire(data).unwrap_or_default()
 }
 
 fn export_error(error: &ExportError) -> JsValue {

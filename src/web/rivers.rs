@@ -12,7 +12,7 @@ use crate::recipe::link::{self, Notice};
 use crate::recipe::reading::{self, ReadOptions, Reading};
 use crate::recipe::table::TABLE;
 use crate::recipe::{Key, Parameter, Stage, Value};
-use crate::river_map::{RiverMap, words};
+use crate::river_map::{RiverMap, wire};
 use crate::session::{Phase, Session, SessionError, Shortfall};
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -206,9 +206,9 @@ impl River {
     }
 
     /// What a `Chart` is made of; nothing as long as it grows.
-    #[wasm_bindgen(js_name = mapWords)]
-    pub fn map_words(&self) -> Vec<u32> {
-        RiverMap::of(&self.session).map_or_else(Vec::new, |map| words::write(&map))
+    #[wasm_bindgen(js_name = mapData)]
+    pub fn map_data(&self) -> Vec<u32> {
+        RiverMap::of(&self.session).map_or_else(Vec::new, |map| wire::write(&map))
     }
 
     /// Takes the chart of its rivers as they are, the `masks` of a `Chart` for a picture of its size, which is then painted with it. Other

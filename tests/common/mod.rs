@@ -5,6 +5,7 @@
 pub mod lands;
 pub mod literal;
 pub mod pairs;
+pub mod parts;
 pub mod plain;
 pub mod property;
 pub mod twin;

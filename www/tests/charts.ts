@@ -3,7 +3,7 @@
 import { readFileSync } from "node:fs";
 import { Chart, initSync } from "../pkg-chart/riverseed_chart.js";
 import type { Charts } from "../src/engine/charts.ts";
-import type { Charted } from "../src/player/charter.ts";
+import type { Chartable } from "../src/player/chart-maker.ts";
 
 initSync({ module: readFileSync(new URL("../pkg-chart/riverseed_chart_bg.wasm", import.meta.url)) });
 
@@ -12,8 +12,8 @@ export const charts: Charts = { Chart };
 export const loadCharts = (): Promise<Charts> => Promise.resolve(charts);
 
 /** The names of a finished river's map, for its files. */
-export function namesOf(river: Charted): Uint32Array {
-  const chart = new Chart(river.mapWords());
+export function namesOf(river: Chartable): Uint32Array {
+  const chart = new Chart(river.mapData());
   const names = chart.names();
   chart.free();
   return names;

@@ -1,7 +1,7 @@
 /** The real core in Node, to say what the page should show. */
 
 import { createHash } from "node:crypto";
-import { layChart } from "../src/player/charter.ts";
+import { layChart } from "../src/player/chart-maker.ts";
 import { charts } from "./charts.ts";
 import { full as engine, memory } from "./full.ts";
 

@@ -18,14 +18,14 @@ use crate::river_map::RiverMap;
 
 /// The labels of a map as they are written, with the halo that is taken out of its rivers.
 pub(crate) fn chart(map: &RiverMap<'_>, is_text: bool) -> ChartText {
-    let size = Domain::with_aspect(map.wishes.aspect).size;
+    let size = Domain::with_aspect(map.options.aspect).size;
     let placed = labels(map, [Vec2::ZERO, size], 1.0);
     let [mut halo, mut letters] = [Text::default(), Text::default()];
     draw_halo(&mut halo, size, &placed);
-    if let Some(look) = scenery_look(map.wishes.style) {
+    if let Some(look) = scenery_look(map.options.style) {
         scenery::draw(&mut letters, size, &crate::scenery::scenery(map, &placed), look);
     }
-    draw(&mut letters, &placed, label_look(map.wishes.style), is_text);
+    draw(&mut letters, &placed, label_look(map.options.style), is_text);
     ChartText { halo: halo.0, labels: letters.0 }
 }
 

@@ -36,7 +36,7 @@ use crate::session::Session;
 /// # Errors
 /// If there are no rivers yet, or there is not enough memory.
 pub fn svg(session: &Session) -> Result<String, ExportError> {
-    charted(session, &chart_of(session, false))
+    with_chart(session, &chart_of(session, false))
 }
 
 /// The same with labels as text on paths: for readers that have EB Garamond, or another face of this kind.
@@ -45,7 +45,7 @@ pub fn svg(session: &Session) -> Result<String, ExportError> {
 /// As [`svg`].
 #[cfg(feature = "names")]
 pub fn svg_with_text(session: &Session) -> Result<String, ExportError> {
-    charted(session, &chart_of(session, true))
+    with_chart(session, &chart_of(session, true))
 }
 
 /// What a chart adds to the file.
@@ -67,7 +67,7 @@ fn chart_of(session: &Session, is_text: bool) -> ChartText {
 }
 
 /// The map with a chart that was made elsewhere.
-pub(crate) fn charted(session: &Session, chart: &ChartText) -> Result<String, ExportError> {
+pub(crate) fn with_chart(session: &Session, chart: &ChartText) -> Result<String, ExportError> {
     /// Two banks of about a dozen characters a point, in a text that grows by doubling.
     const BYTES_A_VERTEX: usize = 80;
     let network = rivers(session, BYTES_A_VERTEX)?;

@@ -141,7 +141,7 @@ class Page {
   /** The names of the finished map, those of great rivers first; none if they cannot be had, as the viewport then says. */
   async #names(): Promise<Named[]> {
     try {
-      return namedOf((await this.#viewport.charted((chart) => chart.greatest(NAMED_RIVERS))) ?? []);
+      return namedOf((await this.#viewport.askChart((chart) => chart.greatest(NAMED_RIVERS))) ?? []);
     } catch {
       return [];
     }

@@ -4,7 +4,7 @@ import { backingSize, type CanvasSize, observeSize, RESIZE_PAUSE_MS } from "../b
 import type { Charts } from "../engine/charts.ts";
 import type { FullCore, FullRiver } from "../engine/full.ts";
 import type { Phase, Summary } from "../engine/types.ts";
-import { charted } from "../player/charter.ts";
+import { askChart } from "../player/chart-maker.ts";
 import type { State } from "../player/frame-loop.ts";
 import { RiverPlayer, type ShowMode } from "../player/river-player.ts";
 import { displayFrames } from "../player/scheduler.ts";
@@ -71,11 +71,11 @@ export class RiverViewport {
   }
 
   /** What a chart of the river on the viewport says; nothing while that is not finished. */
-  async charted<Said>(ask: (chart: InstanceType<Charts["Chart"]>) => Said): Promise<Said | undefined> {
-    await lateCharts();
-    // Until then there may be another, or none.
+  async askChart<Said>(ask: Parameters<typeof askChart<Said>>[2]): Promise<Said | undefined> {
+    const charts = await lateCharts();
+    // By now there may be another, or none.
     const river = this.#player.river;
-    return river && this.state === "finished" ? charted(river, lateCharts, ask) : undefined;
+    return river && this.state === "finished" ? askChart(river, charts, ask) : undefined;
   }
 
   get state(): State {

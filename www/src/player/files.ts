@@ -4,7 +4,7 @@ import type { Size } from "../browser/canvas.ts";
 import type { FullRiver } from "../engine/full.ts";
 import type { River } from "../engine/types.ts";
 import { Blitter } from "./blit.ts";
-import { charted, type LoadCharts } from "./charter.ts";
+import { askChartForFile, type LoadCharts } from "./chart-maker.ts";
 import { type Canvas, contextOf } from "./river-player.ts";
 
 /** Pixels on the long side of a PNG: a full page in print, and on any screen more than there is. */
@@ -26,7 +26,7 @@ export async function pngOf(river: River, core: Painting, longSide: number, pain
 /** Its shapes. */
 export function svgOf(river: FullRiver, loadCharts: LoadCharts): Promise<Blob> {
   return finished(river, async () => {
-    const chart = river.wantsChart() ? await charted(river, loadCharts, (chart) => chart.svg()) : [];
+    const chart = river.wantsChart() ? await askChartForFile(river, loadCharts, (chart) => chart.svg()) : [];
     return new Blob([river.svg(chart)], { type: "image/svg+xml" });
   });
 }
@@ -65,7 +65,7 @@ export async function drawn(
   const { width, height } = sizeFor(river.aspect, longSide);
   river.resize(width, height);
   if (river.wantsChart()) {
-    const masks = await charted(river, loadCharts, (chart) => {
+    const masks = await askChartForFile(river, loadCharts, (chart) => {
       painting();
       return chart.masks(width, height, 1);
     });

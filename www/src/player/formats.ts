@@ -1,7 +1,7 @@
 /** Finished rivers in every format that the page offers. A module of its own: widgets need not load what writes archives. */
 
 import type { FullCore, FullRiver } from "../engine/full.ts";
-import { charted } from "./charter.ts";
+import { askChartForFile } from "./chart-maker.ts";
 import { drawn, encoded, finished, inSlices, LONG_SIDE_PX, type Painting, pngOf, svgOf } from "./files.ts";
 import { contentsOf, packed } from "./game-pack.ts";
 
@@ -48,7 +48,7 @@ function raised<Made>(river: FullRiver, make: () => Made | Promise<Made>): Promi
 }
 
 function namesOf(river: FullRiver, { loadCharts }: FileCore): Promise<Uint32Array> {
-  return charted(river, loadCharts, (chart) => chart.names());
+  return askChartForFile(river, loadCharts, (chart) => chart.names());
 }
 
 function text(value: object, type: string): Blob {

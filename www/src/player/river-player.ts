@@ -5,7 +5,7 @@
 import type { CanvasSize } from "../browser/canvas.ts";
 import type { Phase, ReadOptions, River, Summary } from "../engine/types.ts";
 import { Blitter } from "./blit.ts";
-import { Charter, type LoadCharts } from "./charter.ts";
+import { ChartMaker, type LoadCharts } from "./chart-maker.ts";
 import { FrameLoop, type Frames, type State } from "./frame-loop.ts";
 
 export type Canvas = HTMLCanvasElement | OffscreenCanvas;
@@ -54,7 +54,7 @@ export class RiverPlayer<Planted extends River = River> {
   readonly #river: Planted;
   readonly #loop: FrameLoop;
   readonly #blitter: Blitter;
-  readonly #charter: Charter;
+  readonly #chartMaker: ChartMaker;
 
   /** Puts a river on the canvas at tick 0. Throws what the core throws. */
   constructor(
@@ -67,7 +67,7 @@ export class RiverPlayer<Planted extends River = River> {
     this.#blitter = new Blitter(contextOf(canvas), core.memory);
     this.#river = new core.engine.River(text, options);
     this.#tellOfLink();
-    this.#charter = new Charter(core.loadCharts, {
+    this.#chartMaker = new ChartMaker(core.loadCharts, {
       arrived: () => this.#attempt(() => this.#loop.redraw()),
       failed: (error) => this.#attempt(() => events.failed(error)),
     });
@@ -206,7 +206,7 @@ export class RiverPlayer<Planted extends River = River> {
 
   /** Does a part of painting. Returns whether there is more to do. */
   #paint(): boolean {
-    return this.#charter.lay(this.#river, this.#ratio) || this.#river.paint();
+    return this.#chartMaker.lay(this.#river, this.#ratio) || this.#river.paint();
   }
 
   #tell(): void {

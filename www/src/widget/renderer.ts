@@ -2,7 +2,7 @@
 
 import { named } from "../engine/errors.ts";
 import type { Core } from "../engine/wasm.ts";
-import type { LoadCharts } from "../player/charter.ts";
+import type { LoadCharts } from "../player/chart-maker.ts";
 import { pngOf, svgOf } from "../player/files.ts";
 import type { LinkToRead } from "../player/river-player.ts";
 import { displayFrames, SharedScheduler } from "../player/scheduler.ts";

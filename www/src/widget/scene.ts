@@ -3,7 +3,7 @@
 import type { CanvasSize } from "../browser/canvas.ts";
 import { isRecoverable, named } from "../engine/errors.ts";
 import type { Core } from "../engine/wasm.ts";
-import type { LoadCharts } from "../player/charter.ts";
+import type { LoadCharts } from "../player/chart-maker.ts";
 import type { Frames } from "../player/frame-loop.ts";
 import { type LinkToRead, RiverPlayer } from "../player/river-player.ts";
 import type { Command, Reading, Report, RiverRequest } from "./protocol.ts";

@@ -10,7 +10,7 @@ const CHARTS = /riverseed_chart_bg.*\.wasm/;
 function greatest(link: string): string[][] {
   const river = new full.River(link);
   while (river.advance(1000));
-  const chart = new charts.Chart(river.mapWords());
+  const chart = new charts.Chart(river.mapData());
   const texts = chart.greatest(12);
   return texts.flatMap((mark, i) => (i % 3 === 0 ? [[mark, texts[i + 1] ?? ""]] : []));
 }

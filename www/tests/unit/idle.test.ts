@@ -49,7 +49,7 @@ const CLOSE = merged(
 const keys = engine
   .parameters()
   .filter(isAdjustable)
-  // What charts are made by shows on larger maps than these, or in files only: `charter.test.ts` and tests of the core look at it.
+  // What charts are made by shows on larger maps than these, or in files only: `chart-maker.test.ts` and tests of the core look at it.
   .filter(({ stage }) => stage !== "name")
   .map(({ key }) => key);
 

@@ -4,38 +4,40 @@ import type { Charts } from "../engine/charts.ts";
 import { named, PageError } from "../engine/errors.ts";
 import type { River } from "../engine/types.ts";
 
+type Chart = InstanceType<Charts["Chart"]>;
+
 export type LoadCharts = () => Promise<Charts>;
 
 /** What of a river a chart is made of, and laid over. */
-export type Charted = Pick<River, "wantsChart" | "mapWords" | "takeChart" | "width" | "height">;
+export type Chartable = Pick<River, "wantsChart" | "mapData" | "takeChart" | "width" | "height">;
 
-export interface CharterEvents {
+export interface ChartMakerEvents {
   /** What makes charts has come: a picture may be painted with one. */
   arrived(): void;
   failed(error: PageError): void;
 }
 
-export class Charter {
+export class ChartMaker {
   #charts: Charts | undefined;
   #isAsked = false;
 
   constructor(
     private readonly load: LoadCharts,
-    private readonly events: CharterEvents,
+    private readonly events: ChartMakerEvents,
   ) {}
 
   /**
    * Lays a chart over a picture that wants one, whose pixels are so many to a CSS pixel, if what makes it is there. Returns whether it
    * did: the picture is then to be painted again.
    */
-  lay(river: Charted, ratio: number): boolean {
+  lay(river: Chartable, ratio: number): boolean {
     if (!river.wantsChart()) return false;
     if (this.#charts) return this.#lay(river, this.#charts, ratio);
     void this.#ask();
     return false;
   }
 
-  #lay(river: Charted, charts: Charts, ratio: number): boolean {
+  #lay(river: Chartable, charts: Charts, ratio: number): boolean {
     try {
       layChart(river, charts, ratio);
     } catch (error) {
@@ -59,19 +61,23 @@ export class Charter {
   }
 }
 
-/** What a chart of a river, for a file, says. */
-export async function charted<Said>(
-  river: Charted,
-  load: LoadCharts,
-  ask: (chart: InstanceType<Charts["Chart"]>) => Said,
-): Promise<Said> {
-  const { Chart } = await forFile(load);
-  const chart = new Chart(river.mapWords());
+/** What a chart of a river says. */
+export function askChart<Said>(river: Chartable, { Chart }: Charts, ask: (chart: Chart) => Said): Said {
+  const chart = new Chart(river.mapData());
   try {
     return ask(chart);
   } finally {
     chart.free();
   }
+}
+
+/** The same for a file, of a module that may have to be fetched. */
+export async function askChartForFile<Said>(
+  river: Chartable,
+  load: LoadCharts,
+  ask: (chart: Chart) => Said,
+): Promise<Said> {
+  return askChart(river, await forFile(load), ask);
 }
 
 /** A file without the names that it should have is none. */
@@ -87,13 +93,8 @@ async function forFile(load: LoadCharts): Promise<Charts> {
   }
 }
 
-export function layChart(river: Charted, { Chart }: Charts, ratio = 1): void {
-  const chart = new Chart(river.mapWords());
-  try {
-    river.takeChart(chart.masks(river.width, river.height, ratio));
-  } finally {
-    chart.free();
-  }
+export function layChart(river: Chartable, charts: Charts, ratio = 1): void {
+  river.takeChart(askChart(river, charts, (chart) => chart.masks(river.width, river.height, ratio)));
 }
 
 function unlabelled(error: unknown): PageError {

@@ -1,24 +1,24 @@
-//! Data as words of 32 bits, in which one wasm module hands it to another. Both are built from one source, so that forms have no version.
+//! The wire format in which one wasm module hands data to another: numbers of 32 bits. Both are built from one source, so it has no version.
 
 use glam::Vec2;
 
-/// Words as they are written. Lists have their length before them, texts are lists of letters.
+/// A message as it is written. Lists have their length before them, texts are lists of letters.
 #[derive(Debug, Default)]
 pub(crate) struct Writer(pub Vec<u32>);
 
 impl Writer {
     #[inline(never)]
-    pub fn some(&mut self, words: &[u32]) {
-        self.0.extend_from_slice(words);
+    pub fn push(&mut self, data: &[u32]) {
+        self.0.extend_from_slice(data);
     }
 
     pub fn count(&mut self, count: usize) {
-        self.some(&[count as u32]);
+        self.push(&[count as u32]);
     }
 
-    pub fn list(&mut self, words: &[u32]) {
-        self.count(words.len());
-        self.some(words);
+    pub fn list(&mut self, data: &[u32]) {
+        self.count(data.len());
+        self.push(data);
     }
 
     pub fn text(&mut self, text: &str) {
@@ -35,21 +35,21 @@ impl Writer {
     #[inline(never)]
     pub fn points(&mut self, points: &[Vec2]) {
         self.count(points.len());
-        points.iter().for_each(|at| self.some(&at.to_array().map(f32::to_bits)));
+        points.iter().for_each(|at| self.push(&at.to_array().map(f32::to_bits)));
     }
 }
 
-/// The words that have not been read.
+/// The part of a message that has not been read.
 #[derive(Debug)]
 pub(crate) struct Reader<'a>(pub &'a [u32]);
 
 impl<'a> Reader<'a> {
-    pub fn some<const N: usize>(&mut self) -> Option<[u32; N]> {
+    pub fn take<const N: usize>(&mut self) -> Option<[u32; N]> {
         self.0.split_off(..N)?.first_chunk().copied()
     }
 
     pub fn items<const N: usize>(&mut self) -> Option<&'a [[u32; N]]> {
-        let [count] = self.some()?;
+        let [count] = self.take()?;
         Some(self.0.split_off(..(count as usize).checked_mul(N)?)?.as_chunks().0)
     }
 
@@ -67,7 +67,7 @@ impl<'a> Reader<'a> {
     }
 }
 
-/// A point of two words.
+/// A point of two numbers.
 pub(crate) fn point(at: [u32; 2]) -> Vec2 {
     Vec2::from_array(at.map(f32::from_bits))
 }

@@ -2,20 +2,23 @@
 
 use crate::chart::{Label, Scenery};
 use crate::labels::labels;
-use crate::paint::{ChartMasks, Sheet, View, letters, scenery_look};
+use crate::paint::{ChartMasks, SceneryPainter, View, letters, scenery_look};
 use crate::river_map::RiverMap;
 use crate::scenery;
 
 /// What has been made of a chart.
 #[derive(Clone, Debug, Default)]
-pub struct Charting {
+pub struct ChartBuilder {
+    /// Once they are placed.
     labels: Option<Vec<Label>>,
     scenery: Scenery,
+    /// Whether all of the scenery is placed.
     is_placed: bool,
-    sheet: Option<Sheet>,
+    /// While that is drawn.
+    painter: Option<SceneryPainter>,
 }
 
-impl Charting {
+impl ChartBuilder {
     /// All of a chart at once: of a map, for a picture so many of whose pixels are one CSS pixel, from 0.5 to 4 in quarters, to the nearest of
     /// which it comes.
     pub fn whole(map: &RiverMap<'_>, view: &View, ratio: f32) -> ChartMasks {
@@ -38,17 +41,17 @@ impl Charting {
             self.is_placed = !scenery::input(map, labels).is_some_and(|input| self.scenery.advance(&input));
             return None;
         }
-        let Some(look) = scenery_look(map.wishes.style).filter(|_| !self.scenery.placed().is_empty()) else {
+        let Some(look) = scenery_look(map.options.style).filter(|_| !self.scenery.placed().is_empty()) else {
             return Some(letters::masks(view, labels));
         };
-        if self.sheet.is_none() {
-            self.sheet = Sheet::new(view, look);
+        if self.painter.is_none() {
+            self.painter = SceneryPainter::new(view, look);
         }
-        let has_more = |sheet: &mut Sheet| sheet.advance(view, self.scenery.placed(), look);
-        if self.sheet.as_mut().is_some_and(has_more) {
+        let has_more = |painter: &mut SceneryPainter| painter.advance(view, self.scenery.placed(), look);
+        if self.painter.as_mut().is_some_and(has_more) {
             return None;
         }
-        let [bodies, strokes] = self.sheet.take().map(Sheet::into_masks).unwrap_or_default();
+        let [bodies, strokes] = self.painter.take().map(SceneryPainter::into_masks).unwrap_or_default();
         Some(ChartMasks { bodies, strokes, ..letters::masks(view, labels) })
     }
 }

@@ -2,7 +2,7 @@ import { readFileSync } from "node:fs";
 import { decode } from "fast-png";
 import { afterEach, expect, test, vi } from "vitest";
 import type { PageError } from "../../src/engine/errors.ts";
-import { layChart } from "../../src/player/charter.ts";
+import { layChart } from "../../src/player/chart-maker.ts";
 import { type Canvas, RiverPlayer } from "../../src/player/river-player.ts";
 import { charts } from "../charts.ts";
 import { differing, engine, memory, pixelsOf } from "../core.ts";
