@@ -6,7 +6,7 @@ use super::coverage::Coverage;
 use super::flat::plain;
 use super::ground::Ground;
 use super::palette::{LAND_ONLY, Palette, ReliefLook};
-use super::relief::{Inks, Prepared, SceneryPainter};
+use super::relief::{Inks, Prepared, Sheet};
 use super::rivers::{Exaggerated, Rivers, draw_network};
 use super::styles::palette;
 use super::view::View;
@@ -110,7 +110,7 @@ impl RaisedGround {
             Some(flat) => self.pixels.extend_from_slice(&flat[range.clone()]),
             None => self.pixels.resize(range.end, plain(self.palette)),
         }
-        let sheet = SceneryPainter { view, plain: self.palette.plain, land, rivers: rivers.mask().data() };
+        let sheet = Sheet { view, plain: self.palette.plain, land, rivers: rivers.mask().data() };
         prepared.lay(inks, &sheet, rows.clone(), &mut self.pixels[range]);
         self.making.take_if(|_| rows.end == view.height);
         self.making.is_some()

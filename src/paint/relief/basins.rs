@@ -2,7 +2,7 @@
 
 use glam::Vec2;
 
-use super::SceneryPainter;
+use super::Sheet;
 #[cfg(feature = "files")]
 use super::field::Field;
 use super::field::{Place, places};
@@ -106,7 +106,7 @@ impl BasinPixels {
     }
 
     /// Lays the colours over the land of some rows of a ground, with a gap along divides.
-    pub fn lay(&mut self, look: &BasinColours, sheet: &SceneryPainter<'_>, rows: Rows, pixels: &mut [[u8; 4]]) {
+    pub fn lay(&mut self, look: &BasinColours, sheet: &Sheet<'_>, rows: Rows, pixels: &mut [[u8; 4]]) {
         let range = sheet.view.range(rows.clone());
         if self.numbers.len() == range.start {
             rows.for_each(|y| self.look_at(sheet, y));
@@ -127,7 +127,7 @@ impl BasinPixels {
     }
 
     /// Looks at the pixels of a row.
-    fn look_at(&mut self, sheet: &SceneryPainter<'_>, y: u32) {
+    fn look_at(&mut self, sheet: &Sheet<'_>, y: u32) {
         let (basins, full) = (&self.basins, full_share(sheet.view.scale));
         let (row, down) = nearest(sheet.view.point(Vec2::splat(y as f32 + 0.5)).y / CELL_SIZE - 0.5, basins.rows);
         let range = sheet.view.range(y..y + 1);

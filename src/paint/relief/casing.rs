@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::SceneryPainter;
+use super::Sheet;
 use crate::paint::coverage::{Coverage, Covered, Rect};
 use crate::paint::palette::{Casing, mix};
 use crate::paint::view::{Rows, View};
@@ -36,13 +36,7 @@ impl Blurred {
 }
 
 /// Lays a casing or a glow around the rivers of some rows.
-pub(super) fn lay(
-    casing: &Casing,
-    blurred: Option<&Blurred>,
-    sheet: &SceneryPainter<'_>,
-    rows: Rows,
-    pixels: &mut [[u8; 4]],
-) {
+pub(super) fn lay(casing: &Casing, blurred: Option<&Blurred>, sheet: &Sheet<'_>, rows: Rows, pixels: &mut [[u8; 4]]) {
     let first = sheet.view.range(rows.clone());
     let Some(Blurred { rect, mask }) = blurred else {
         return lay_mask(casing, 1.0, &sheet.rivers[first], pixels);
@@ -134,7 +128,7 @@ mod tests {
         }
         let casing = Casing { colour: [255; 3], strength: 1.0, margin: 0.0, blur: 2.0, gain: 2.5 };
         let blurred = Blurred::new(&casing, &mut mask, &view);
-        let sheet = SceneryPainter { view: &view, plain: [0; 3], land: &[], rivers: mask.mask().data() };
+        let sheet = Sheet { view: &view, plain: [0; 3], land: &[], rivers: mask.mask().data() };
         let mut pixels = vec![[0, 0, 0, 255]; view.pixels()];
         for top in (0..side).step_by(100) {
             let rows = top..(top + 100).min(side);

@@ -4,7 +4,7 @@
 
 use glam::Vec2;
 
-use super::SceneryPainter;
+use super::Sheet;
 use super::field::{Field, Place, places};
 use crate::paint::palette::{Contours, mix};
 use crate::paint::view::{Rows, View};
@@ -63,7 +63,7 @@ impl ContourLines {
     }
 
     /// Lays the lines over some rows of a ground, broken where rivers run.
-    pub fn lay(&mut self, sheet: &SceneryPainter<'_>, rows: Rows, pixels: &mut [[u8; 4]]) {
+    pub fn lay(&mut self, sheet: &Sheet<'_>, rows: Rows, pixels: &mut [[u8; 4]]) {
         let range = sheet.view.range(rows.clone());
         if self.found == range.start {
             rows.for_each(|y| self.find(sheet, y));
@@ -83,7 +83,7 @@ impl ContourLines {
     }
 
     /// Finds the lines of a row.
-    fn find(&mut self, sheet: &SceneryPainter<'_>, y: u32) {
+    fn find(&mut self, sheet: &Sheet<'_>, y: u32) {
         let Some(field) = &self.levels else { return };
         let at = sheet.view.point(Vec2::splat(y as f32 + 0.5)).y;
         let (heights, rises) = (field.line(at, false), field.line(at, true));

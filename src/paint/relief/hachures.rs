@@ -3,7 +3,7 @@
 
 use glam::Vec2;
 
-use super::SceneryPainter;
+use super::Sheet;
 use super::field::Field;
 use crate::paint::coverage::Coverage;
 use crate::paint::ground::{draw, lay_mask};
@@ -87,13 +87,7 @@ impl StrokeMask {
 }
 
 /// Lays strokes over the land of some rows of a ground, broken where rivers run.
-pub(super) fn lay(
-    look: &Hachures,
-    strokes: &StrokeMask,
-    sheet: &SceneryPainter<'_>,
-    rows: Rows,
-    pixels: &mut [[u8; 4]],
-) {
+pub(super) fn lay(look: &Hachures, strokes: &StrokeMask, sheet: &Sheet<'_>, rows: Rows, pixels: &mut [[u8; 4]]) {
     let range = sheet.view.range(rows);
     let (land, rivers) = (&sheet.land[range.clone()], &sheet.rivers[range.clone()]);
     let open = |i: usize| f32::from(land[i]) * f32::from(255 - rivers[i]) * (look.strength / (255.0 * 255.0));

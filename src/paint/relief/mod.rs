@@ -28,7 +28,7 @@ pub(crate) use hachures::{Stroke, strokes};
 pub(crate) use shade::light_of;
 
 /// The ground that relief is laid on.
-pub(super) struct SceneryPainter<'a> {
+pub(super) struct Sheet<'a> {
     pub view: &'a View,
     /// The colour of land without relief.
     pub plain: Colour,
@@ -38,7 +38,7 @@ pub(super) struct SceneryPainter<'a> {
     pub rivers: &'a [u8],
 }
 
-impl SceneryPainter<'_> {
+impl Sheet<'_> {
     /// Gives a share of a pixel another colour than that of land without relief.
     #[inline]
     fn shift(&self, pixel: &mut [u8; 4], colour: Colour, share: u8) {
@@ -101,7 +101,7 @@ impl Prepared {
     }
 
     /// Lays the relief over some rows of a ground, once all is prepared.
-    pub fn lay(&mut self, inks: &Inks, sheet: &SceneryPainter<'_>, rows: Rows, pixels: &mut [[u8; 4]]) {
+    pub fn lay(&mut self, inks: &Inks, sheet: &Sheet<'_>, rows: Rows, pixels: &mut [[u8; 4]]) {
         let look = inks.look;
         if let Some(shading) = &mut self.shading {
             shading.lay(sheet, &inks.colours, rows.clone(), pixels);

@@ -2,7 +2,7 @@
 
 use glam::{Vec2, Vec3};
 
-use super::SceneryPainter;
+use super::Sheet;
 use super::field::{Field, Place, places};
 use crate::land::beside;
 use crate::paint::palette::{Colour, Tints, mix};
@@ -55,7 +55,7 @@ impl Shading {
     }
 
     /// Lays colours over the land of some rows of a ground.
-    pub fn lay(&mut self, sheet: &SceneryPainter<'_>, colours: &Colours, rows: Rows, pixels: &mut [[u8; 4]]) {
+    pub fn lay(&mut self, sheet: &Sheet<'_>, colours: &Colours, rows: Rows, pixels: &mut [[u8; 4]]) {
         let range = sheet.view.range(rows.clone());
         if self.numbers.len() == range.start {
             rows.for_each(|y| self.look_at(sheet, y));
@@ -70,7 +70,7 @@ impl Shading {
     }
 
     /// Looks at the pixels of a row.
-    fn look_at(&mut self, sheet: &SceneryPainter<'_>, y: u32) {
+    fn look_at(&mut self, sheet: &Sheet<'_>, y: u32) {
         let Some(Surface { height, light }) = &self.surface else { return };
         let at = sheet.view.point(Vec2::splat(y as f32 + 0.5)).y;
         let (height, light, land) =
