@@ -34,7 +34,7 @@ impl ChartBuilder {
     pub fn advance(&mut self, map: &RiverMap<'_>, view: &View, ratio: f32) -> Option<ChartMasks> {
         let Some(labels) = &self.labels else {
             let ratio = ((ratio * 4.0).round() / 4.0).clamp(0.5, 4.0);
-            self.labels = Some(labels(map, view.frame(), view.scale / ratio));
+            self.labels = Some(labels(map, view.uncovered(), view.scale / ratio));
             return None;
         };
         if !self.is_placed {

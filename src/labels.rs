@@ -3,7 +3,7 @@
 use glam::Vec2;
 
 use crate::chart::{Area, AreaKind, Cartouche, Input, Label, Raster, Reach, River, Strip, place};
-use crate::domain::AREA;
+use crate::domain::{AREA, Domain};
 use crate::geometry::distance;
 use crate::land::{CELL_SIZE, Land, Run};
 use crate::memory;
@@ -36,11 +36,14 @@ pub fn input<'a>(map: &RiverMap<'a>, frame: [Vec2; 2], scale: f32) -> Option<Inp
     let mut names = Names::of_map(map);
     let reach = |reach: &ReachName| reach_of(network, reach);
     let land_area = land.map_or(AREA, area);
+    let shown = share_shown(&Domain::with_aspect(options.aspect), frame);
+    // Of a part, letters are larger than on the whole map, but not as much as all else: there is room for more of them.
+    let side = shown.sqrt();
     Some(Input {
         frame,
         least_em: LEAST_EM / scale,
-        label_size: options.label_size,
-        most_area: [land_area, AREA - land_area].map(|area| share * area),
+        label_size: options.label_size * side.sqrt() * side.sqrt().sqrt(),
+        most_area: [land_area, AREA - land_area].map(|area| share * shown * area),
         total_discharge: total_discharge(network),
         reaches: names.reaches.iter().filter_map(reach).collect(),
         cartouche: (cartouche != recipe::Cartouche::None).then(|| Cartouche {
@@ -54,6 +57,12 @@ pub fn input<'a>(map: &RiverMap<'a>, frame: [Vec2; 2], scale: f32) -> Option<Inp
         ridges: land.map_or_else(Vec::new, ridges),
         coast: land.map(Land::coast_distance),
     })
+}
+
+/// How much of a map is seen in a frame.
+fn share_shown(domain: &Domain, [least, most]: [Vec2; 2]) -> f32 {
+    let seen = (most.min(domain.size) - least.max(Vec2::ZERO)).max(Vec2::ZERO);
+    (seen.x * seen.y / AREA).min(1.0)
 }
 
 /// The share of the land that labels may cover; 0 if there are to be none.

@@ -8,7 +8,7 @@ use tiny_skia::Pixmap;
 use crate::chart_builder::ChartBuilder;
 use crate::domain::Domain;
 use crate::land::Land;
-use crate::paint::{ChartMasks, PaintError, Painted, Painter, Progress, Rect, Rivers, View};
+use crate::paint::{ChartMasks, Framing, PaintError, Painted, Painter, Progress, Rect, Rivers, View};
 use crate::recipe::{Key, Style};
 use crate::river_map::ChartOptions;
 #[cfg(feature = "names")]
@@ -62,6 +62,20 @@ impl Picture {
             #[cfg(feature = "names")]
             ratio: 1.0,
         })
+    }
+
+    /// Shows another part of the map, or what lies around it; all that covers the picture, if no part is named. A chart stays with the part
+    /// that it was made for.
+    pub fn frame(&mut self, session: &Session, framing: Option<Framing>) {
+        let before = *self.view();
+        self.painter.frame(&session.domain(), framing);
+        if *self.view() != before {
+            self.chart = None;
+            #[cfg(feature = "names")]
+            {
+                self.builder = None;
+            }
+        }
     }
 
     /// The same picture for a screen with so many pixels to a CSS pixel, from 0.5 to 4 in quarters, to the nearest of which it comes: no letter is

@@ -4,6 +4,8 @@
 //! smooths what it is given, so heights are sharpened before, near a coast: there it must stay where rivers end. Far from
 //! any coast they are blurred, for a distance has a crease wherever two coasts are equally near.
 
+use glam::Vec2;
+
 use super::CoastDistance;
 
 /// Control points of the heights, in units: positive on land, negative at sea.
@@ -14,6 +16,8 @@ pub struct SmoothedDistance {
     rows: usize,
     /// The distance between control points, in units.
     spacing: f32,
+    /// How many columns and rows lie before those of the domain.
+    margin: usize,
 }
 
 /// Over how many units at most distances are smoothed at a time.
@@ -24,12 +28,27 @@ impl SmoothedDistance {
     pub fn of(coast_distance: &CoastDistance) -> Self {
         let (columns, rows) = coast_distance.size();
         let spacing = coast_distance.spacing();
-        let mut this = Self { heights: coast_distance.heights().to_vec(), columns, rows, spacing };
+        let mut this = Self { heights: coast_distance.heights().to_vec(), columns, rows, spacing, margin: 0 };
         let most = (FARTHEST_STRIDE / spacing) as usize;
         std::iter::successors(Some(1), |stride| Some(2 * stride))
             .take_while(|stride| *stride <= most)
             .for_each(|stride| this.soften(stride));
         this
+    }
+
+    /// Goes on beyond the domain, for so many units: what is sea there is the farther from any coast the farther out it is; land goes on.
+    #[must_use]
+    pub(crate) fn widened(&self, units: f32) -> Self {
+        let margin = (units / self.spacing) as usize;
+        let (columns, rows) = (self.columns + 2 * margin, self.rows + 2 * margin);
+        let height = |i: usize| {
+            let (at, last) = ([i % columns, i / columns], [self.columns - 1, self.rows - 1]);
+            let inside = [0, 1].map(|axis| at[axis].saturating_sub(margin).min(last[axis]));
+            let beyond = [0, 1].map(|axis| at[axis].abs_diff(inside[axis] + margin) as f32 * self.spacing);
+            let height = self.heights[inside[1] * self.columns + inside[0]];
+            if height < 0.0 { height - Vec2::from(beyond).length() } else { height }
+        };
+        Self { heights: (0..columns * rows).map(height).collect(), columns, rows, margin, spacing: self.spacing }
     }
 
     /// Moves each corner towards the mean of those a stride to the west, east, north and south: half of the way where the
@@ -79,7 +98,7 @@ impl SmoothedDistance {
 
     /// The distances of one y.
     pub(crate) fn across(&self, y: f32) -> Across<'_> {
-        let (row, t) = nearest(y / self.spacing, self.rows);
+        let (row, t) = nearest(y / self.spacing + self.margin as f32, self.rows);
         let rows = beside(row, self.rows).map(|row| &self.heights[row * self.columns..][..self.columns]);
         let controls = rows[0].iter().zip(rows[1]).zip(rows[2]);
         let heights = controls.map(|((&north, &here), &south)| Parabola::of([north, here, south]).at(t)).collect();
@@ -88,7 +107,7 @@ impl SmoothedDistance {
 
     /// Where an x lies: the nearest column, and how far beyond it, in intervals, from -0.5 to 0.5.
     pub(crate) fn column(&self, x: f32) -> (usize, f32) {
-        nearest(x / self.spacing, self.columns)
+        nearest(x / self.spacing + self.margin as f32, self.columns)
     }
 }
 

@@ -1,5 +1,6 @@
 //! Flat ground in a style: land and sea, or plain land, on paper, under a grid. It is painted some rows at a time.
 
+use super::beyond;
 use super::grid;
 use super::ground::Ground;
 use super::palette::Palette;
@@ -23,7 +24,7 @@ impl FlatGround {
     pub fn new(view: &View, style: Style, land: Option<&Land>, shown: Option<&SmoothedDistance>) -> Self {
         let palette = palette(style);
         let coast = land.zip(shown).map(|(land, shown)| Ground::new(view, land, shown, palette));
-        let is_plain = coast.is_none() && palette.paper.is_none() && palette.grids.is_empty();
+        let is_plain = coast.is_none() && palette.paper.is_none() && palette.grids.is_empty() && !view.shows_beyond();
         Self { style, coast, pixels: (!is_plain).then(|| Vec::with_capacity(view.pixels())) }
     }
 
@@ -33,7 +34,7 @@ impl FlatGround {
     }
 
     /// Paints some more rows, if any are left. Returns whether there are more.
-    pub fn advance(&mut self, view: &View, shown: Option<&SmoothedDistance>) -> bool {
+    pub fn advance(&mut self, view: &View, land: Option<&Land>, shown: Option<&SmoothedDistance>) -> bool {
         let Some(pixels) = &mut self.pixels else { return false };
         let rows = view.next_rows(pixels.len());
         if rows.is_empty() {
@@ -43,6 +44,9 @@ impl FlatGround {
         match (&mut self.coast, shown) {
             (Some(coast), Some(shown)) => coast.paint(view, shown, rows.clone(), pixels),
             _ => pixels.resize(range.end, plain(palette)),
+        }
+        if view.shows_beyond() {
+            beyond::lay(view, land, palette, rows.clone(), &mut pixels[range.clone()]);
         }
         if let Some(paper) = palette.paper {
             paper::lay(view, paper, rows.clone(), &mut pixels[range]);

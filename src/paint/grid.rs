@@ -10,22 +10,24 @@ use super::view::View;
 /// Lays a grid over a ground, land and sea.
 pub(super) fn lay(view: &View, grid: &Grid, pixels: &mut [[u8; 4]]) {
     let Some(mut mask) = Coverage::new(view.width, view.height) else { return };
-    let corner = view.point(Vec2::new(view.width as f32, view.height as f32));
     let half = Grid::WIDTH * 0.5 * view.scale;
-    for [from, to] in lines(grid, corner) {
+    for [from, to] in lines(grid, view.frame()) {
         mask.capsule(view.pixel(from), half, view.pixel(to), half);
     }
     lay_mask(mask.mask().data(), grid.colour, &|_| grid.strength, pixels);
 }
 
-/// The lines of a grid as far as a corner, in units.
-pub(crate) fn lines(grid: &Grid, corner: Vec2) -> Vec<[Vec2; 2]> {
+/// The lines of a grid in a frame, between its two corners, in units.
+pub(crate) fn lines(grid: &Grid, [first, last]: [Vec2; 2]) -> Vec<[Vec2; 2]> {
     let mut lines = Vec::new();
     for axis in [Vec2::X, Vec2::Y] {
-        let (mut start, across) = (axis * grid.every, corner * axis.yx());
-        while (corner - start).min_element() > 0.0 {
-            lines.push([start, start + across]);
-            start += axis * grid.every;
+        let aside = axis.yx();
+        let (from, to) = (first * aside, last * aside);
+        let mut number = (first.dot(axis) / grid.every).floor();
+        while number * grid.every < last.dot(axis) {
+            let at = axis * (number * grid.every);
+            lines.push([at + from, at + to]);
+            number += 1.0;
         }
     }
     lines

@@ -3,6 +3,7 @@
 //! decides for as long as that lasts.
 
 use super::beds::GroundWithBeds;
+use super::beyond;
 use super::flat::FlatGround;
 use super::raised::{LandShares, RaisedGround};
 use super::relief::Prepared;
@@ -83,7 +84,10 @@ impl GroundCache {
 
     fn advance_flat(&mut self, view: &View, land: Option<&Land>, style: Style) -> bool {
         if let Some(land) = land {
-            self.shown.get_or_insert_with(|| SmoothedDistance::of(land.coast_distance()));
+            self.shown.get_or_insert_with(|| {
+                let shown = SmoothedDistance::of(land.coast_distance());
+                if view.shows_beyond() { shown.widened(beyond::WIDENED) } else { shown }
+            });
         }
         if self.flat.as_ref().is_none_or(|flat| flat.style != style) {
             self.forget_rivers();
@@ -92,7 +96,7 @@ impl GroundCache {
         }
         let shown = self.shown.as_ref();
         let flat = self.flat.get_or_insert_with(|| FlatGround::new(view, style, land, shown));
-        flat.advance(view, shown)
+        flat.advance(view, land, shown)
     }
 
     /// Raises a relief on flat ground, with casings along the rivers; or lowers it.

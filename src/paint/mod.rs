@@ -7,6 +7,7 @@
 //! Units here are pixels; a [`View`] is the only thing that knows how many there are to a unit of the domain.
 
 pub(crate) mod beds;
+mod beyond;
 mod chart;
 mod coverage;
 mod flat;
@@ -43,7 +44,7 @@ pub use painter::{Painter, Progress};
 pub use rivers::Rivers;
 #[doc(hidden)]
 pub use strokes::{Pen, Widths};
-pub use view::{LONGEST_SIDE, PaintError, View};
+pub use view::{Framing, LONGEST_SIDE, PaintError, View};
 
 #[cfg(feature = "files")]
 pub(crate) use palette::Lines;

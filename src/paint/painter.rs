@@ -16,7 +16,7 @@ use super::palette::Lines;
 use super::rivers::{Rivers, draw_network};
 use super::strokes::{Pen, Widths};
 use super::styles::palette;
-use super::view::{PaintError, View};
+use super::view::{Framing, PaintError, View};
 use super::{ink, skeleton};
 use crate::domain::Domain;
 use crate::land::Land;
@@ -130,6 +130,17 @@ impl Painter {
     pub fn invalidate_ground(&mut self, next: &Domain) {
         self.view = self.view.of(next);
         self.ground = GroundCache::default();
+    }
+
+    /// Shows another part of the domain; all of it, if no part is named.
+    pub fn frame(&mut self, domain: &Domain, framing: Option<Framing>) {
+        let view = self.view.framed(domain, framing);
+        if view != self.view {
+            self.view = view;
+            self.ground = GroundCache::default();
+            self.forget_drawing();
+            self.reset();
+        }
     }
 
     /// Forgets the picture: another tree, trim, width or style comes next.

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use super::beyond;
 use super::coverage::Coverage;
 use super::flat::plain;
 use super::ground::Ground;
@@ -24,7 +25,10 @@ pub(super) struct LandShares {
 impl LandShares {
     pub fn new(view: &View, land: Option<&Land>, shown: Option<&SmoothedDistance>) -> Self {
         let coast = land.zip(shown).map(|(land, shown)| Ground::new(view, land, shown, &LAND_ONLY));
-        let shares = if coast.is_some() { Vec::with_capacity(view.pixels()) } else { vec![255; view.pixels()] };
+        let mut shares = if coast.is_some() { Vec::with_capacity(view.pixels()) } else { vec![255; view.pixels()] };
+        if coast.is_none() && view.shows_beyond() {
+            beyond::for_each(view, 0..view.height, &mut shares, |share, _| *share = 0);
+        }
         Self { coast, shares }
     }
 
@@ -34,6 +38,9 @@ impl LandShares {
         let (rows, mut pixels) = (view.next_rows(self.shares.len()), Vec::new());
         coast.paint(view, shown, rows.clone(), &mut pixels);
         self.shares.extend(pixels.into_iter().map(|[share, ..]| share));
+        if view.shows_beyond() {
+            beyond::for_each(view, rows.clone(), &mut self.shares[view.range(rows.clone())], |share, _| *share = 0);
+        }
         self.coast.take_if(|_| rows.end == view.height);
         self.coast.is_some()
     }

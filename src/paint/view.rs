@@ -1,6 +1,6 @@
 //! How the domain lies on the pixels.
 
-use std::ops::Range;
+use std::ops::{Range, RangeInclusive};
 
 use glam::Vec2;
 use thiserror::Error;
@@ -37,6 +37,46 @@ pub enum PaintError {
 /// Some rows of a picture, which lie one below the other.
 pub(super) type Rows = Range<u32>;
 
+/// Whether anybody frames pictures: where not, what that takes is left out of the program.
+const IS_FRAMED: bool = cfg!(any(feature = "controls", feature = "names"));
+
+/// What part of a map a picture shows, and how much of what lies beyond it, in widths of the map.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Framing {
+    left: f32,
+    top: f32,
+    across: f32,
+    /// What is covered by other things along its western, northern, eastern and southern edges: no letters stand there.
+    covered: [f32; 4],
+}
+
+impl Framing {
+    /// The least and the most that a picture is across, in widths of the map.
+    pub const ACROSS: RangeInclusive<f32> = 0.05..=20.0;
+
+    /// How far the picture's western edge lies east of the map's, how far its northern edge lies south of the map's, and how wide the picture
+    /// is. `None` if it is too large or too small, or no part of it can be on a map.
+    pub fn new(left: f32, top: f32, across: f32) -> Option<Self> {
+        const FARTHEST: f32 = 40.0;
+        let is_near = left.abs() <= FARTHEST && top.abs() <= FARTHEST;
+        (is_near && Self::ACROSS.contains(&across)).then_some(Self { left, top, across, covered: [0.0; 4] })
+    }
+
+    /// Of three numbers, in the order of `new`, and perhaps four more: how much other things cover of its western, northern, eastern and southern
+    /// edge. `None` if it is another number of them.
+    pub fn of(numbers: &[f32]) -> Option<Self> {
+        match *numbers {
+            [left, top, across] => Self::new(left, top, across),
+            [left, top, across, ref covered @ ..] => {
+                let covered = <[f32; 4]>::try_from(covered).ok()?;
+                let is_less = covered.iter().all(|depth| (0.0..=across).contains(depth));
+                Self::new(left, top, across).filter(|_| is_less).map(|this| Self { covered, ..this })
+            }
+            _ => None,
+        }
+    }
+}
+
 /// A picture's size, and the map from domain units to pixels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
@@ -48,6 +88,10 @@ pub struct View {
     pub scale: f32,
     /// Where the domain's north-western corner lies, in pixels.
     offset: Vec2,
+    /// What it shows of any domain; `None` if it covers itself with it.
+    framing: Option<Framing>,
+    /// The domain's sides, in units.
+    domain: Vec2,
 }
 
 impl View {
@@ -60,14 +104,28 @@ impl View {
         if !allowed.contains(&width) || !allowed.contains(&height) {
             return Err(PaintError::Size { width, height });
         }
-        Ok(Self { width, height, scale: 1.0, offset: Vec2::ZERO }.of(domain))
+        Ok(Self { width, height, scale: 1.0, offset: Vec2::ZERO, framing: None, domain: domain.size }.of(domain))
     }
 
-    /// Covers the same picture with another domain.
+    /// The same picture of another domain.
     pub fn of(self, domain: &Domain) -> Self {
         let size = Vec2::new(self.width as f32, self.height as f32);
-        let scale = (size / domain.size).max_element();
-        Self { scale, offset: (size - domain.size * scale) / 2.0, ..self }
+        match self.framing.filter(|_| IS_FRAMED) {
+            None => {
+                let scale = (size / domain.size).max_element();
+                Self { scale, offset: (size - domain.size * scale) / 2.0, domain: domain.size, ..self }
+            }
+            Some(Framing { left, top, across, .. }) => {
+                let scale = size.x / (across * domain.size.x);
+                Self { scale, offset: Vec2::new(left, top) * (-domain.size.x * scale), domain: domain.size, ..self }
+            }
+        }
+    }
+
+    /// The same picture with a part of a domain; with all that covers it, if no part is named.
+    #[must_use]
+    pub fn framed(self, domain: &Domain, framing: Option<Framing>) -> Self {
+        Self { framing, ..self }.of(domain)
     }
 
     /// The height that a picture of this width has if it shows the domain whole.
@@ -80,9 +138,29 @@ impl View {
         ((height as f32 * domain.size.x / domain.size.y).round() as u32).max(1)
     }
 
-    /// The part of the domain that is seen: its north-western and its south-eastern corner.
+    /// What is seen: the north-western and the south-eastern corner, in units. They may lie beyond the domain.
     pub fn frame(&self) -> [Vec2; 2] {
         [Vec2::ZERO, Vec2::new(self.width as f32, self.height as f32)].map(|corner| self.point(corner))
+    }
+
+    /// What is seen and not covered, likewise: where letters may stand.
+    #[cfg(feature = "names")]
+    pub fn uncovered(&self) -> [Vec2; 2] {
+        let [least, most] = self.frame();
+        let [west, north, east, south] = self.framing.map_or([0.0; 4], |framing| framing.covered);
+        [least + Vec2::new(west, north) * self.domain.x, most - Vec2::new(east, south) * self.domain.x]
+    }
+
+    /// Whether it shows anything beyond the domain.
+    pub(super) fn shows_beyond(&self) -> bool {
+        let [least, most] = self.frame();
+        IS_FRAMED && self.framing.is_some() && (least.min_element() < 0.0 || most.cmpgt(self.domain).any())
+    }
+
+    /// The point of the domain that is nearest to a point beyond it; `None` for one of its own.
+    pub(super) fn border_near(&self, point: Vec2) -> Option<Vec2> {
+        let nearest = point.max(Vec2::ZERO).min(self.domain);
+        (nearest != point).then_some(nearest)
     }
 
     /// How many pixels it has.

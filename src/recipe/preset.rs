@@ -79,6 +79,109 @@ pub static PRESETS: &[Preset] = &explained([
     },
 ]);
 
+/// A kind of country: its land, and how rivers lie on it. It names all that others of its kind name, so that one follows on another without a
+/// trace.
+#[cfg(feature = "controls")]
+const fn country(land: [Text; 5], growth: [Text; 4], rivers: [Text; 3]) -> [(Key, Text); 12] {
+    let ([aspect, land, sea, roughness, sides], [growth, attractors, sensitivity, channel_area]) = (land, growth);
+    let [mouths, width, rounds] = rivers;
+    [
+        (Key::Aspect, aspect),
+        (Key::Land, land),
+        (Key::Sea, sea),
+        (Key::Roughness, roughness),
+        (Key::Sides, sides),
+        (Key::Growth, growth),
+        (Key::Attractors, attractors),
+        (Key::Sensitivity, sensitivity),
+        (Key::ChannelArea, channel_area),
+        (Key::Mouths, mouths),
+        (Key::Width, width),
+        (Key::MeanderRounds, rounds),
+    ]
+}
+
+/// Countries to begin with, on a page.
+#[cfg(feature = "controls")]
+pub static COUNTRIES: &[Preset] = &[
+    Preset {
+        name: "island",
+        label: "Island",
+        help: "One island with bays and islets, all its rivers on their way to the sea.",
+        values: &country(["1.6", "island", "0.55", "1", "s"], ["drainage", "20000", "16", "6"], ["0", "16", "18"]),
+    },
+    Preset {
+        name: "archipelago",
+        label: "Archipelago",
+        help: "Many islands, each with rivers of its own.",
+        values: &country(["1.6", "archipelago", "0.65", "1", "s"], ["drainage", "26000", "16", "5"], ["0", "14", "18"]),
+    },
+    Preset {
+        name: "coast",
+        label: "Coast",
+        help: "Land with the sea to the south and west.",
+        values: &country(["1.6", "continent", "0.4", "0.9", "sw"], ["drainage", "20000", "16", "6"], ["0", "18", "30"]),
+    },
+    Preset {
+        name: "great-valley",
+        label: "Great valley",
+        help: "A broad valley between two ridges, and one great river.",
+        values: &country(["1.3", "valley", "0.15", "0.7", "s"], ["drainage", "18000", "16", "8"], ["0", "20", "40"]),
+    },
+    Preset {
+        name: "lakeland",
+        label: "Lakeland",
+        help: "A lake in the middle, and rivers that run inward.",
+        values: &country(["1.3", "basin", "0.25", "1", "s"], ["drainage", "18000", "16", "6"], ["0", "16", "24"]),
+    },
+    Preset {
+        name: "banner",
+        label: "Banner",
+        help: "A coast three times as wide as it is high, for the head of a page.",
+        values: &country(["3", "continent", "0.35", "0.8", "s"], ["drainage", "20000", "16", "6"], ["0", "16", "24"]),
+    },
+    Preset {
+        name: "poster",
+        label: "Poster",
+        help: "An island on end, for a wall or a phone.",
+        values: &country(["0.7", "island", "0.5", "1", "s"], ["drainage", "30000", "16", "5"], ["0", "16", "24"]),
+    },
+    Preset {
+        name: "old-river",
+        label: "Old river",
+        help: "Few rivers, wide and old: loops, cut necks and oxbow lakes.",
+        values: &country(["2", "valley", "0.15", "0.5", "s"], ["drainage", "5000", "16", "20"], ["0", "26", "120"]),
+    },
+    Preset {
+        name: "marsh",
+        label: "Marsh",
+        help: "A Brownian tree: streams that wander everywhere.",
+        values: &country(["1.6", "island", "0.45", "0.6", "s"], ["brownian", "20000", "11", "6"], ["0", "18", "18"]),
+    },
+    Preset {
+        name: "desert",
+        label: "Desert",
+        help: "Few rivers, far apart.",
+        values: &country(
+            ["1.6", "continent", "0.35", "0.8", "s"],
+            ["drainage", "12000", "16", "40"],
+            ["0", "12", "40"],
+        ),
+    },
+    Preset {
+        name: "rainforest",
+        label: "Rainforest",
+        help: "Water everywhere: the finest network.",
+        values: &country(["1.6", "continent", "0.3", "0.8", "e"], ["drainage", "60000", "16", "3"], ["0", "24", "40"]),
+    },
+    Preset {
+        name: "skerries",
+        label: "Skerries",
+        help: "More sea than land: islets and rocks with short streams.",
+        values: &country(["1.6", "archipelago", "0.8", "1", "s"], ["drainage", "30000", "16", "4"], ["0", "10", "12"]),
+    },
+];
+
 /// The presets, without the words that only a page of controls shows where there is none.
 const fn explained<const COUNT: usize>(mut presets: [Preset; COUNT]) -> [Preset; COUNT] {
     let mut i = 0;
@@ -100,7 +203,7 @@ mod tests {
 
     #[test]
     fn every_preset_holds_valid_values() {
-        for preset in PRESETS {
+        for preset in PRESETS.iter().chain(COUNTRIES) {
             for (key, text) in preset.values {
                 assert!(key.parameter().parse(text).is_ok(), "{}: {key:?}", preset.name);
             }

@@ -8,7 +8,7 @@ use crate::domain::Domain;
 use crate::export::svg::ChartText;
 use crate::export::svg::labels::chart;
 use crate::name::Names;
-use crate::paint::View;
+use crate::paint::{Framing, View};
 use crate::recipe::{Mark, OwnNames};
 use crate::river_map::OwnMap;
 
@@ -60,11 +60,13 @@ impl Chart {
     }
 
     /// What it lays over a picture of this size, for `River.takeChart`. So many of its pixels are one CSS pixel: letters have 11 of these at
-    /// least.
-    pub fn masks(&self, width_px: u32, height_px: u32, ratio: f32) -> Result<Vec<u8>, JsValue> {
+    /// least. The framing is what the picture's `frame` was given, or nothing.
+    pub fn masks(&self, width_px: u32, height_px: u32, ratio: f32, framing: &[f32]) -> Result<Vec<u8>, JsValue> {
         let map = self.0.map();
-        let view = View::new(&Domain::with_aspect(map.options.aspect), width_px, height_px);
+        let domain = Domain::with_aspect(map.options.aspect);
+        let view = View::new(&domain, width_px, height_px);
         let view = view.map_err(|_| coded("bad-params", "A picture has no such size."))?;
+        let view = view.framed(&domain, Framing::of(framing));
         Ok(ChartBuilder::whole(&map, &view, ratio).to_bytes())
     }
 }

@@ -5,9 +5,10 @@ use js_sys::{Array, Float32Array, Object};
 use wasm_bindgen::prelude::*;
 
 use super::objects::{coded, object, set};
-use super::rivers::pair;
+use super::rivers::{River, pair};
 use crate::dice;
-use crate::recipe::preset::{PRESETS, Preset};
+use crate::paint::Framing;
+use crate::recipe::preset::{COUNTRIES, PRESETS, Preset};
 use crate::recipe::table::TABLE;
 use crate::recipe::{Decimal, GridPoint, Key, Kind, LONGEST_OUTLINE, Outline, Parameter};
 
@@ -50,15 +51,38 @@ export interface Lines {
 }
 "#;
 
+#[wasm_bindgen]
+impl River {
+    /// Shows another part of the map, or what lies around it: how far the picture's western edge lies east of the map's and its northern
+    /// edge south of the map's, and how wide the picture is, all in widths of the map. Four more say how much other things cover of its
+    /// western, northern, eastern and southern edge. Another number of them, and what is too large, too small or too far away, is all that
+    /// covers the picture.
+    pub fn frame(&mut self, framing: &[f32]) {
+        if let Some(picture) = &mut self.picture {
+            picture.frame(&self.session, Framing::of(framing));
+        }
+    }
+}
+
 /// The parameter table.
 #[wasm_bindgen(unchecked_return_type = "Parameter[]")]
 pub fn parameters() -> Array {
     TABLE.iter().map(row).collect()
 }
 
-/// All presets.
+/// The presets of links.
 #[wasm_bindgen(unchecked_return_type = "Preset[]")]
 pub fn presets() -> Array {
+    list(PRESETS)
+}
+
+/// Countries to begin with. Links do not know them.
+#[wasm_bindgen(unchecked_return_type = "Preset[]")]
+pub fn countries() -> Array {
+    list(COUNTRIES)
+}
+
+fn list(presets: &[Preset]) -> Array {
     let values = |preset: &Preset| -> Array {
         let canonical = |(key, text): &(Key, &str)| pair(key.parameter().name, &canonical(key.parameter(), text));
         preset.values.iter().map(canonical).collect()
@@ -71,7 +95,7 @@ pub fn presets() -> Array {
             ("values", values(preset).into()),
         ])
     };
-    PRESETS.iter().map(view).collect()
+    presets.iter().map(view).collect()
 }
 
 /// A new seed, a word that can be said aloud.

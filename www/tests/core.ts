@@ -1,6 +1,7 @@
 /** The real core in Node, to say what the page should show. */
 
 import { createHash } from "node:crypto";
+import type { Framing } from "../src/browser/canvas.ts";
 import { layChart } from "../src/player/chart-maker.ts";
 import { charts } from "./charts.ts";
 import { full as engine, memory } from "./full.ts";
@@ -13,12 +14,13 @@ export interface Picture {
   summary: engine.Summary;
 }
 
-/** The finished river of a link, as the River class draws it at a size. */
-export function pictureOf(link: string, width: number, height: number): Picture {
+/** The finished river of a link, as the River class draws it at a size: what a framing shows of it, or all that covers the picture. */
+export function pictureOf(link: string, width: number, height: number, framing?: Framing): Picture {
   const river = new engine.River(engine.readLink(link).link);
   river.resize(width, height);
+  if (framing) river.frame(new Float32Array(framing));
   while (river.advance(1000));
-  if (river.wantsChart()) layChart(river, charts);
+  if (river.wantsChart()) layChart(river, charts, 1, framing);
   while (river.paint());
   const bytes = new Uint8Array(memory.buffer, river.pixelsPointer(), river.pixelsLength());
   const sha256 = createHash("sha256").update(bytes).digest("hex");

@@ -69,7 +69,7 @@ pub(super) fn ground(out: &mut Text, size: Vec2, land: Option<&Land>, relief: Op
 fn grid(out: &mut Text, size: Vec2, palette: &Palette) {
     for look in palette.grids {
         let mut path = Path::default();
-        lines(look, size).iter().for_each(|ends| path.line(ends));
+        lines(look, [Vec2::ZERO, size]).iter().for_each(|ends| path.line(ends));
         out.text("<path class=\"grid\" fill=\"none\" stroke-opacity=\"").units(look.strength).text("\"");
         line(out, look.colour, Grid::WIDTH, path.data());
     }

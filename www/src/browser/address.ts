@@ -22,13 +22,14 @@ export function addressOf(link: string, page: string): string {
 /** Writes links at a bounded rate: the first at once, then the latest when the time is up. */
 export class AddressBar {
   #lastWrite = Number.NEGATIVE_INFINITY;
-  #waiting: string | undefined;
+  #waiting: { link: string; isStep: boolean } | undefined;
   #timer: ReturnType<typeof setTimeout> | undefined;
 
-  constructor(private readonly write: (link: string) => void) {}
+  constructor(private readonly write: (link: string, isStep: boolean) => void) {}
 
-  show(link: string): void {
-    this.#waiting = link;
+  /** A link is on show; with it, perhaps, another step of what can be undone. */
+  show(link: string, isStep = false): void {
+    this.#waiting = { link, isStep: isStep || (this.#waiting?.isStep ?? false) };
     const wait = this.#lastWrite + WRITE_EVERY_MS - performance.now();
     if (wait <= 0) this.flush();
     else this.#timer ??= setTimeout(() => this.flush(), wait);
@@ -39,18 +40,9 @@ export class AddressBar {
     clearTimeout(this.#timer);
     this.#timer = undefined;
     if (this.#waiting === undefined) return;
-    const link = this.#waiting;
+    const { link, isStep } = this.#waiting;
     this.#waiting = undefined;
     this.#lastWrite = performance.now();
-    this.write(link);
-  }
-}
-
-/** Replaces, and never pushes: Back leaves the page, as people expect, and not one slider step of many. */
-export function replaceAddress(link: string): void {
-  try {
-    history.replaceState(history.state, "", addressOf(link, location.href));
-  } catch {
-    // A sandboxed frame may not touch its address; the picture is no worse for it, and "Copy link" still works.
+    this.write(link, isStep);
   }
 }

@@ -8,7 +8,15 @@ export interface Size {
 /** A canvas's own size, and how many of its pixels are one CSS pixel. */
 export interface CanvasSize extends Size {
   ratio: number;
+  /** All that covers the canvas, without one. */
+  framing?: Framing;
 }
+
+/**
+ * What part of a map a picture shows: how far its western edge lies east of the map's and its northern edge south of the map's, and how wide it
+ * is; and how much other things cover of its western, northern, eastern and southern edge. All in widths of the map.
+ */
+export type Framing = readonly [left: number, top: number, across: number, ...covered: number[]];
 
 /** A place on the page, in CSS pixels. */
 export interface Box extends Size {

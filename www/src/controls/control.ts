@@ -27,6 +27,7 @@ export function control(parameter: Parameter, change: Change): Control {
     role: "none",
     class: `control control-${parameter.kind}`,
     "data-key": parameter.key,
+    title: parameter.help,
   });
   field.element.classList.add("field");
   element.append(head, field.element, help);

@@ -10,6 +10,8 @@ import { rangeOf } from "./values.ts";
 
 export interface Controls {
   readonly element: HTMLElement;
+  /** The keys whose values stay when something sets many. */
+  readonly kept: ReadonlySet<string>;
   show(values: Values): void;
 }
 
@@ -34,15 +36,30 @@ export function controls(
   own: ReadonlyMap<string, Control> = new Map(),
 ): Controls {
   const made = new Map<string, Control>();
+  const kept = new Set<string>();
   const groups: Group[] = [];
-  for (const [heading, parameters] of grouped(table.filter(isAdjustable))) {
-    for (const parameter of parameters) {
-      made.set(parameter.key, own.get(parameter.key) ?? control(parameter, change));
-    }
+  const make = (parameter: Parameter): Control => {
+    const one = own.get(parameter.key) ?? control(parameter, change);
+    made.set(parameter.key, one);
+    return one;
+  };
+  const adjustable = table.filter(isAdjustable);
+  const front = FRONT.flatMap(([key, label]) => {
+    const parameter = adjustable.find((parameter) => parameter.key === key);
+    return parameter ? withKeep(make({ ...parameter, label }).element, key, label, kept) : [];
+  });
+  for (const [heading, parameters] of grouped(adjustable.filter(({ key }) => !made.has(key)))) {
+    parameters.forEach(make);
     groups.push(group(heading, parameters, made, disclosures));
   }
   return {
-    element: el("div", { class: "groups" }, ...groups.map(({ element }) => element)),
+    kept,
+    element: el(
+      "div",
+      { class: "groups" },
+      el("div", { class: "front members" }, ...front),
+      ...groups.map(({ element }) => element),
+    ),
     show({ values, defaults, idle }) {
       for (const [key, one] of made) {
         const text = values.get(key);
@@ -51,6 +68,34 @@ export function controls(
       for (const one of groups) one.show(values, defaults);
     },
   };
+}
+
+/** What shapes a map most, in the words of whoever wants one; all else stands under its heading. */
+const FRONT = [
+  ["land", "Land"],
+  ["sea", "How much sea"],
+  ["roughness", "How wild a coast"],
+  ["mouths", "How many rivers"],
+  ["attractors", "How fine"],
+  ["meander-rounds", "How winding"],
+  ["width", "How wide"],
+] as const;
+
+/** A control with a switch that keeps its value whatever sets many at a time. */
+function withKeep(control: HTMLElement, key: string, label: string, kept: Set<string>): HTMLElement {
+  const title = "Keep it when a country or a pattern is chosen";
+  const name = `Keep ${label}`;
+  const keep = el(
+    "button",
+    { type: "button", class: "keep", "aria-pressed": "false", "aria-label": name, title },
+    "keep",
+  );
+  keep.addEventListener("click", () => {
+    if (!kept.delete(key)) kept.add(key);
+    keep.setAttribute("aria-pressed", String(kept.has(key)));
+  });
+  control.querySelector(".control-head label")?.after(keep);
+  return control;
 }
 
 /** What applies however rivers grow, then what the default way uses; the others follow in the table's order. */

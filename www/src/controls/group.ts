@@ -5,9 +5,6 @@ import type { Parameter } from "../engine/full.ts";
 import type { Control } from "./control.ts";
 import type { Disclosures } from "./disclosure.ts";
 
-/** Open until somebody says otherwise: the panel begins so short that all its headings are seen, and some of its controls. */
-const OPEN_AT_FIRST = new Set(["Meanders"]);
-
 /** Seldom wanted: these stand under “More” at the end of their group. */
 const RARE = new Set(["flat-share", "neck", "clearance", "taper"]);
 
@@ -29,7 +26,7 @@ export function group(
   const [rare, usual] = [true, false].map((is) => controlsOf(parameters.filter(({ key }) => RARE.has(key) === is)));
   const members = el("div", { class: "members" }, ...(usual ?? []));
   if (rare && rare.length > 0) members.append(more(heading, rare, disclosures));
-  const element = disclosures.details(heading, OPEN_AT_FIRST.has(heading), { class: "group" }, summary, members);
+  const element = disclosures.details(heading, false, { class: "group" }, summary, members);
   return {
     element,
     show(values, defaults) {

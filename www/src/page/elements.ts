@@ -3,7 +3,10 @@
 import { find } from "../browser/dom.ts";
 
 export const elements = {
-  sheet: find("#sheet", HTMLElement),
+  mapPlace: find("#map-place", HTMLElement),
+  masthead: find(".masthead", HTMLElement),
+  bar: find(".bar", HTMLElement),
+  styles: find("#styles", HTMLElement),
   frame: find("#frame", HTMLElement),
   canvas: find("#canvas", HTMLCanvasElement),
   facade: find("#facade", HTMLElement),
@@ -30,7 +33,6 @@ export const elements = {
   seedHelp: find("#seed-help", HTMLElement),
   transport: {
     play: find("#play", HTMLButtonElement),
-    restart: find("#restart", HTMLButtonElement),
     speed: find("#speed", HTMLInputElement),
     speedShown: find("#speed-shown", HTMLElement),
   },
@@ -43,12 +45,31 @@ export const elements = {
     coast: find("#tool-coast", HTMLButtonElement),
     ridge: find("#tool-ridge", HTMLButtonElement),
     river: find("#tool-river", HTMLButtonElement),
-    undo: find("#undo", HTMLButtonElement),
+    undo: find("#undo-line", HTMLButtonElement),
     clear: find("#clear", HTMLButtonElement),
     import: find("#import", HTMLButtonElement),
     picture: find("#picture", HTMLInputElement),
     done: find("#done", HTMLButtonElement),
   },
+  undo: {
+    undo: find("#undo", HTMLButtonElement),
+    redo: find("#redo", HTMLButtonElement),
+  },
+  trail: {
+    previous: find("#previous", HTMLButtonElement),
+    next: find("#next", HTMLButtonElement),
+  },
+  zoom: {
+    closer: find("#zoom-in", HTMLButtonElement),
+    farther: find("#zoom-out", HTMLButtonElement),
+    all: find("#zoom-all", HTMLButtonElement),
+  },
+  panel: {
+    panel: find("#panel", HTMLElement),
+    open: find("#shape", HTMLButtonElement),
+    close: find("#panel-close", HTMLButtonElement),
+  },
+  countries: find("#countries", HTMLElement),
   presets: find("#presets", HTMLElement),
   controls: find("#controls", HTMLElement),
 };

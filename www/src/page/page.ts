@@ -1,11 +1,12 @@
 /** The page: puts the parts together. The recipe says what is shown; everything else follows it. */
 
 import "../style/page.css";
-import { AddressBar, addressOf, linkOf, replaceAddress } from "../browser/address.ts";
+import { AddressBar, addressOf, linkOf } from "../browser/address.ts";
 import { count } from "../browser/count.ts";
 import { DARK_PAGES } from "../browser/dark-pages.ts";
-import { setText } from "../browser/dom.ts";
+import { el, setText } from "../browser/dom.ts";
 import { type Controls, controls } from "../controls/controls.ts";
+import { type Countries, countries } from "../controls/countries.ts";
 import { Disclosures } from "../controls/disclosure.ts";
 import { type Presets, presets, unaskedChanges } from "../controls/presets.ts";
 import { SeedBox } from "../controls/seed.ts";
@@ -21,17 +22,33 @@ import { fileOf } from "../player/formats.ts";
 import type { State } from "../player/frame-loop.ts";
 import type { ShowMode } from "../player/river-player.ts";
 import { alternative, caption, sentence } from "../player/summary-text.ts";
+import type { Thumbnail } from "../player/thumbnails.ts";
 import { Downloads } from "../share/downloads.ts";
 import { copy } from "../share/share.ts";
 import { ShareDialog } from "../share/share-dialog.ts";
+import type { Insets } from "./camera.ts";
 import { elements } from "./elements.ts";
 import { type Named, NameList, namedOf } from "./name-list.ts";
+import { Panel } from "./panel.ts";
+import { SeedTrail } from "./seed-trail.ts";
 import { Announcer, showFailure, showNotices, undoable } from "./status.ts";
+import { StyleStrip } from "./style-strip.ts";
 import { Transport } from "./transport.ts";
+import { Undo } from "./undo.ts";
 import { lateCharts, RiverViewport } from "./viewport.ts";
 
 const prefersStill = window.matchMedia("(prefers-reduced-motion: reduce)");
 const prefersDark = window.matchMedia(DARK_PAGES);
+
+/** What a visit without a link begins with: the map at its best, by day and by night, in the window's shape. */
+function firstLink(): string {
+  const style = prefersDark.matches ? "night" : "atlas";
+  const shape = innerWidth < innerHeight ? "&aspect=0.75" : "";
+  return `style=${style}&labels=some${shape}`;
+}
+
+/** What stays free around the map, in CSS pixels. */
+const MARGIN_PX = 16;
 
 /** How many rivers have their names in the panel. */
 const NAMED_RIVERS = 12;
@@ -41,11 +58,17 @@ class Page {
   readonly #recipe: Recipe;
   readonly #controls: Controls;
   readonly #presets: Presets;
+  readonly #countries: Countries;
   readonly #seedBox: SeedBox;
   readonly #viewport: RiverViewport;
   readonly #transport: Transport;
   readonly #drawing: Drawing;
-  readonly #address = new AddressBar(replaceAddress);
+  readonly #undo = new Undo(elements.undo, () => this.#address.flush());
+  readonly #address = new AddressBar((link, isStep) => this.#undo.write(link, isStep));
+  readonly #trail = new SeedTrail(elements.trail, (seed) => this.#goToSeed(seed));
+  readonly #strip: StyleStrip;
+  /** The map that the small pictures are of. */
+  #thumbnailsOf: string | undefined;
   readonly #nameList = new NameList({
     names: () => this.#names(),
     rename: (mark, name) => void this.#rename(mark, name),
@@ -61,7 +84,7 @@ class Page {
       (text, options) => engine.readLink(text, options),
       () => prefersDark.matches,
     );
-    this.#recipe.open(linkOf(location));
+    this.#recipe.open(linkOf(location) || firstLink());
     const disclosures = new Disclosures(() => localStorage);
     this.#controls = controls(
       this.#table,
@@ -70,9 +93,16 @@ class Page {
       new Map([["names", this.#nameList]]),
     );
     this.#presets = presets(engine.presets(), (preset) => this.#press(preset));
+    this.#countries = countries(engine.countries(), (country) => this.#set(this.#unkept(country), "watch"));
     this.#seedBox = new SeedBox(elements.seedForm, elements.seed, (seed) => this.#set([["seed", seed]], "watch"));
     describeSeed(this.#table);
+    this.#strip = new StyleStrip(
+      elements.styles,
+      this.#table.find(({ key }) => key === "style"),
+      (style) => this.#choose("style", style),
+    );
     this.#viewport = new RiverViewport(core, elements, this.#recipe.shown, {
+      covered: () => covered(),
       changed: (state, phase, summary) => this.#follow(state, phase, summary),
       failed: (error) => this.#fail(error),
     });
@@ -81,7 +111,15 @@ class Page {
       drawn: (outline) => this.#set(drawn(outline), "settle"),
       failed: (error) => this.#fail(error),
     });
-    elements.presets.replaceChildren(this.#presets.element);
+    elements.countries.replaceChildren(this.#countries.element);
+    const paper = disclosures.details(
+      "For the curious",
+      false,
+      { class: "group" },
+      forTheCurious(),
+      this.#presets.element,
+    );
+    elements.presets.replaceChildren(paper);
     elements.controls.replaceChildren(this.#controls.element);
     this.#listen();
   }
@@ -90,8 +128,9 @@ class Page {
   start(): void {
     elements.facade.hidden = true;
     this.#transport.enable();
-    const { dice, download, copy, reset, sharing, drawing } = elements;
-    for (const button of [dice, download, sharing.open, copy, reset, drawing.draw]) button.disabled = false;
+    const { dice, download, copy, reset, sharing, drawing, panel, zoom } = elements;
+    for (const button of [dice, download, sharing.open, copy, reset, drawing.draw, panel.open, zoom.closer])
+      button.disabled = false;
     this.#showRecipe();
     this.#viewport.start(this.#how("watch"));
   }
@@ -99,7 +138,6 @@ class Page {
   #makeTransport(): Transport {
     return new Transport(elements.transport, {
       toggle: () => this.#viewport.toggle(),
-      restart: () => this.#viewport.replay(),
       speed: (speed) => {
         this.#viewport.speed = speed;
       },
@@ -109,6 +147,11 @@ class Page {
   #listen(): void {
     elements.dice.addEventListener("click", () => this.#throwDice());
     elements.reset.addEventListener("click", () => this.#open(`seed=${encodeURIComponent(this.#recipe.seed)}`));
+    new Panel(
+      elements.panel,
+      () => localStorage,
+      () => this.#viewport.refit(),
+    );
     const downloads = new Downloads(elements, this.#recipe, {
       make: (link, format) => fileOf(this.#viewport.copy(link), { ...this.core, loadCharts: lateCharts }, format),
       failed: (error) => this.#fail(error),
@@ -175,9 +218,14 @@ class Page {
     const { engine } = this.core;
     const before = this.#presetUndo ?? { link: this.#recipe.link, values: this.#recipe.values };
     const message = unaskedChanges(preset, engine.presets(), this.#table, before.values);
-    this.#set(preset.values, "watch");
+    this.#set(this.#unkept(preset), "watch");
     this.#presetUndo = message === undefined ? undefined : { ...before, message };
     this.#showNotices();
+  }
+
+  /** What a preset sets, but for what is kept as it is. */
+  #unkept({ values }: Preset): Preset["values"] {
+    return values.filter(([key]) => !this.#controls.kept.has(key));
   }
 
   /** Back to the recipe from before the presets. */
@@ -194,22 +242,28 @@ class Page {
     });
   }
 
-  /** Changes some values of what is shown. */
+  #goToSeed(seed: string): void {
+    this.#seedBox.replace(seed);
+    this.#set([["seed", seed]], "watch");
+  }
+
+  /** Changes some values of what is shown: a step that can be undone, or a part of one. */
   #set(values: Iterable<readonly [key: string, value: string]>, how: ShowMode): void {
     this.#attempt(() => {
+      const changes = [...values];
       this.#presetUndo = undefined;
-      this.#recipe.set(values);
-      this.#show(how);
+      this.#recipe.set(changes);
+      this.#show(how, this.#undo.isStep(changes.map(([key]) => key).join()));
     });
   }
 
-  /** Shows another link in place of everything. */
-  #open(link: string): void {
+  /** Shows another link in place of everything; as a step that can be undone, unless it is where one led. */
+  #open(link: string, isStep = true): void {
     this.#attempt(() => {
       this.#presetUndo = undefined;
       this.#recipe.open(link);
       this.#seedBox.replace(this.#recipe.seed);
-      this.#show("watch");
+      this.#show("watch", isStep);
     });
   }
 
@@ -225,7 +279,8 @@ class Page {
   /** The address changed under the page: somebody pasted a link over it, or went back to one. */
   #followAddress(): void {
     const link = linkOf(location);
-    if (link !== this.#recipe.link) this.#open(link);
+    this.#undo.arrived();
+    if (link !== this.#recipe.link) this.#open(link, false);
   }
 
   /** The reader's pages have become dark, or light. */
@@ -236,8 +291,8 @@ class Page {
     });
   }
 
-  #show(how: ShowMode): void {
-    this.#showRecipe();
+  #show(how: ShowMode, isStep = false): void {
+    this.#showRecipe(isStep);
     this.#viewport.show(this.#recipe.shown, this.#how(how));
   }
 
@@ -245,11 +300,14 @@ class Page {
     return prefersStill.matches ? "still" : how;
   }
 
-  #showRecipe(): void {
+  #showRecipe(isStep = false): void {
     const { link, values, idle, defaults, seed } = this.#recipe;
-    this.#address.show(link);
+    this.#address.show(link, isStep);
+    this.#trail.show(seed);
+    this.#strip.show(values.get("style") ?? "");
     this.#controls.show({ values, idle, defaults });
     this.#presets.show(values);
+    this.#countries.show(values);
     this.#seedBox.show(seed);
     this.#drawing.show(values.get("outline") ?? "");
     elements.title.textContent = seed;
@@ -285,6 +343,7 @@ class Page {
 
   async #finished(phase: Phase, summary: Summary): Promise<void> {
     this.#announcer.say(`Finished: ${sentence(summary)}`);
+    this.#drawThumbnails();
     const isLabelled = this.#recipe.values.get("labels") !== "none";
     if (!isLabelled && !this.#nameList.isShown) return;
     const { link, seed } = this.#recipe;
@@ -297,6 +356,18 @@ class Page {
     const greatest = rivers.map(({ name }) => name).join(", ");
     const told = `${alternative(seed, phase, summary, count)} Its greatest rivers: ${greatest}.`;
     elements.canvas.setAttribute("aria-label", told);
+  }
+
+  /** Unless they are of these very rivers: the style alone may have changed. */
+  #drawThumbnails(): void {
+    const map = unstyled(this.#recipe.link);
+    if (map === this.#thumbnailsOf || elements.styles.checkVisibility() === false) return;
+    this.#thumbnailsOf = map;
+    const { styles, size } = this.#strip;
+    const draw = (thumbnail: Thumbnail): void => {
+      if (unstyled(this.#recipe.link) === map) this.#strip.draw(thumbnail);
+    };
+    this.#viewport.drawThumbnails(styles, size, draw).catch((error) => this.#fail(error));
   }
 
   #fail(thrown: unknown): void {
@@ -324,12 +395,44 @@ class Page {
   }
 }
 
+/** What of the picture's place the name of the page, the bar, the styles and the panel cover. */
+function covered(): Insets {
+  const { bar, styles, panel, masthead } = elements;
+  document.documentElement.style.setProperty("--bar-height", `${bar.offsetHeight}px`);
+  const edge = (element: HTMLElement): DOMRect | undefined =>
+    element.hidden || element.getClientRects().length === 0 ? undefined : element.getBoundingClientRect();
+  const insets = {
+    left: MARGIN_PX,
+    top: masthead.offsetTop + masthead.offsetHeight,
+    right: MARGIN_PX,
+    bottom: MARGIN_PX,
+  };
+  for (const box of [edge(bar), edge(styles), edge(panel.panel)]) {
+    if (!box) continue;
+    // What is wider than high lies below the map; the rest beside it.
+    if (box.width > box.height) insets.bottom = Math.max(insets.bottom, innerHeight - box.top + MARGIN_PX);
+    else insets.right = Math.max(insets.right, innerWidth - box.left + MARGIN_PX);
+  }
+  return insets;
+}
+
+/** A link but for its style. */
+function unstyled(link: string): string {
+  const values = new URLSearchParams(link);
+  values.delete("style");
+  return values.toString();
+}
+
 /** The values of a drawn land. */
 function drawn(outline: string): [key: string, value: string][] {
   return [
     ["land", "drawn"],
     ["outline", outline],
   ];
+}
+
+function forTheCurious(): HTMLElement {
+  return el("summary", {}, el("h2", {}, "For the curious"));
 }
 
 /** What the table says of the seed, for the box that index.html has. */

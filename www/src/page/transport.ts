@@ -1,4 +1,4 @@
-/** Play, pause, again, and how fast. */
+/** Play and pause, again when it is finished, and how fast. */
 
 import { setText, setValue } from "../browser/dom.ts";
 import type { State } from "../player/frame-loop.ts";
@@ -21,14 +21,12 @@ const LABELS: Record<State, string> = { growing: "Pause", settling: "Pause", pau
 
 export interface TransportElements {
   play: HTMLButtonElement;
-  restart: HTMLButtonElement;
   speed: HTMLInputElement;
   speedShown: HTMLElement;
 }
 
 export interface TransportEvents {
   toggle(): void;
-  restart(): void;
   speed(speed: number): void;
 }
 
@@ -40,7 +38,6 @@ export class Transport {
     elements.speed.max = String(SPEEDS.length - 1);
     setValue(elements.speed, String(ORDINARY));
     elements.play.addEventListener("click", () => events.toggle());
-    elements.restart.addEventListener("click", () => events.restart());
     elements.speed.addEventListener("input", () => this.#setSpeed());
     document.addEventListener("keydown", (event) => this.#onKey(event));
     this.#setSpeed();
@@ -54,7 +51,7 @@ export class Transport {
   }
 
   enable(): void {
-    for (const element of [this.elements.play, this.elements.restart, this.elements.speed]) element.disabled = false;
+    for (const element of [this.elements.play, this.elements.speed]) element.disabled = false;
   }
 
   #setSpeed(): void {

@@ -1,5 +1,6 @@
 /** Charts over rivers: once rivers that want names or labels are finished, the module that makes these is fetched, once. */
 
+import type { Framing } from "../browser/canvas.ts";
 import type { Charts } from "../engine/charts.ts";
 import { named, PageError } from "../engine/errors.ts";
 import type { River } from "../engine/types.ts";
@@ -30,16 +31,16 @@ export class ChartMaker {
    * Lays a chart over a picture that wants one, whose pixels are so many to a CSS pixel, if what makes it is there. Returns whether it
    * did: the picture is then to be painted again.
    */
-  lay(river: Chartable, ratio: number): boolean {
+  lay(river: Chartable, ratio: number, framing?: Framing): boolean {
     if (!river.wantsChart()) return false;
-    if (this.#charts) return this.#lay(river, this.#charts, ratio);
+    if (this.#charts) return this.#lay(river, this.#charts, ratio, framing);
     void this.#ask();
     return false;
   }
 
-  #lay(river: Chartable, charts: Charts, ratio: number): boolean {
+  #lay(river: Chartable, charts: Charts, ratio: number, framing: Framing | undefined): boolean {
     try {
-      layChart(river, charts, ratio);
+      layChart(river, charts, ratio, framing);
     } catch (error) {
       // None, so that it is not tried again and again.
       river.takeChart(new Uint8Array());
@@ -93,8 +94,9 @@ async function forFile(load: LoadCharts): Promise<Charts> {
   }
 }
 
-export function layChart(river: Chartable, charts: Charts, ratio = 1): void {
-  river.takeChart(askChart(river, charts, (chart) => chart.masks(river.width, river.height, ratio)));
+export function layChart(river: Chartable, charts: Charts, ratio = 1, framing?: Framing): void {
+  const shown = new Float32Array(framing ?? []);
+  river.takeChart(askChart(river, charts, (chart) => chart.masks(river.width, river.height, ratio, shown)));
 }
 
 function unlabelled(error: unknown): PageError {

@@ -67,7 +67,7 @@ export async function drawn(
   if (river.wantsChart()) {
     const masks = await askChartForFile(river, loadCharts, (chart) => {
       painting();
-      return chart.masks(width, height, 1);
+      return chart.masks(width, height, 1, new Float32Array());
     });
     river.takeChart(masks);
   } else painting();

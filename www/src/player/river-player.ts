@@ -2,7 +2,7 @@
  * A river on a canvas: grows and draws it, and says how far it is. It knows no document, so that it works in a worker as well.
  */
 
-import type { CanvasSize } from "../browser/canvas.ts";
+import type { CanvasSize, Framing } from "../browser/canvas.ts";
 import type { Phase, ReadOptions, River, Summary } from "../engine/types.ts";
 import { Blitter } from "./blit.ts";
 import { ChartMaker, type LoadCharts } from "./chart-maker.ts";
@@ -35,6 +35,11 @@ export interface PlayerEvents {
 /** While the river grows or meanders its numbers are read this often: counting all its sources is not free, and nobody reads faster. */
 const COUNT_EVERY_MS = 250;
 
+/** A river that can show a part of its map, as those of the full engine can. */
+interface Framed {
+  frame(framing: Float32Array): void;
+}
+
 /** What of an engine plants rivers: a lean one, or a full one. */
 interface Planter<Planted> {
   readonly engine: { readonly River: new (text: string, options?: ReadOptions) => Planted };
@@ -43,7 +48,7 @@ interface Planter<Planted> {
   readonly loadCharts: LoadCharts;
 }
 
-export class RiverPlayer<Planted extends River = River> {
+export class RiverPlayer<Planted extends River & Partial<Framed> = River> {
   #wanted: { link: LinkToRead; how: ShowMode } | undefined;
   #link = "";
   #applying: number | undefined;
@@ -51,6 +56,7 @@ export class RiverPlayer<Planted extends River = River> {
   #told: Phase | undefined;
   #canRun = true;
   #ratio = 1;
+  #framing: Framing | undefined;
   readonly #river: Planted;
   readonly #loop: FrameLoop;
   readonly #blitter: Blitter;
@@ -206,7 +212,7 @@ export class RiverPlayer<Planted extends River = River> {
 
   /** Does a part of painting. Returns whether there is more to do. */
   #paint(): boolean {
-    return this.#chartMaker.lay(this.#river, this.#ratio) || this.#river.paint();
+    return this.#chartMaker.lay(this.#river, this.#ratio, this.#framing) || this.#river.paint();
   }
 
   #tell(): void {
@@ -223,14 +229,17 @@ export class RiverPlayer<Planted extends River = River> {
   #fit(): void {
     const { canvas } = this;
     const river = this.#river;
-    const { width, height, ratio } = this.events.sizeFor(river.aspect);
+    const { width, height, ratio, framing } = this.events.sizeFor(river.aspect);
     if (width === 0 || height === 0) return;
     // As finely as letters are measured.
     const isAsDense = Math.round(ratio * 4) === Math.round(this.#ratio * 4);
-    const same = width === river.width && height === river.height && isAsDense;
-    if (same && width === canvas.width && height === canvas.height) return;
-    river.resize(width, height);
+    const isAsLarge = width === river.width && height === river.height && isAsDense;
+    const isFramed = `${framing}` === `${this.#framing}`;
+    if (isAsLarge && isFramed && width === canvas.width && height === canvas.height) return;
+    if (!isAsLarge) river.resize(width, height);
+    river.frame?.(new Float32Array(framing ?? []));
     this.#ratio = ratio;
+    this.#framing = framing;
     // Setting its size empties a canvas, so it is filled again before the browser can show that.
     canvas.width = width;
     canvas.height = height;

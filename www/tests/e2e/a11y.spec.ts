@@ -1,6 +1,6 @@
 import { expect, test } from "@playwright/test";
 import { violations } from "./axe.ts";
-import { finished, openFinished, openStopped, openUnfolded, unfold } from "./riverpage.ts";
+import { finished, openFinished, openPanel, openStopped, openUnfolded, unfold } from "./riverpage.ts";
 
 for (const colorScheme of ["light", "dark"] as const) {
   for (const width of [1440, 820, 390]) {
@@ -8,10 +8,12 @@ for (const colorScheme of ["light", "dark"] as const) {
       await page.emulateMedia({ colorScheme });
       await page.setViewportSize({ width, height: 900 });
       await openFinished(page, "preset=trimmed-curl&attractors=300&mouths=900");
+      expect(await violations(page)).toEqual([]);
+      await openPanel(page);
       await page.getByText("Keyboard", { exact: true }).click();
       expect(await violations(page)).toEqual([]);
       await unfold(page);
-      await page.getByRole("button", { name: "Download" }).click();
+      await page.getByRole("button", { name: "Save" }).click();
       await expect(page.getByRole("menu")).toBeVisible();
       expect(await violations(page)).toEqual([]);
       await page.getByRole("button", { name: "Share" }).click();

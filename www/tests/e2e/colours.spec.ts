@@ -1,5 +1,5 @@
 import { type CDPSession, expect, type Page, test } from "@playwright/test";
-import { openFinished } from "./riverpage.ts";
+import { openUnfolded } from "./riverpage.ts";
 import { OPENED, openFailed } from "./states.ts";
 
 /** What a button can be in; the browser is told, so that no pointer has to be moved to each. */
@@ -91,7 +91,7 @@ for (const colorScheme of ["light", "dark"] as const) {
 
     test("at rest, under the pointer, with the focus, while it is pressed, and when it stays so", async ({ page }) => {
       // A pressed preset, and notices.
-      await openFinished(page, "preset=trimmed-curl&attractors=300&depth=3");
+      await openUnfolded(page, "preset=trimmed-curl&attractors=300&depth=3");
       await expect(page.getByRole("button", { pressed: true })).toHaveCount(1);
       for (const [where, open] of Object.entries(OPENED)) {
         await open(page);
@@ -108,7 +108,7 @@ for (const colorScheme of ["light", "dark"] as const) {
     });
 
     test("and seen when it can do nothing", async ({ page }) => {
-      await openFinished(page, "preset=trimmed-curl&attractors=300&depth=3");
+      await openUnfolded(page, "preset=trimmed-curl&attractors=300&depth=3");
       await page.evaluate(() => {
         for (const button of document.querySelectorAll("button")) button.disabled = true;
       });

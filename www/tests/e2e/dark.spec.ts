@@ -7,8 +7,8 @@ const LINK = "seed=rimu&attractors=300";
 /** Waits until the page shows what the core draws of a link. */
 async function expectPicture(page: Page, link: string): Promise<void> {
   const isShown = async (): Promise<boolean> => {
-    const { width, height, sha256 } = await shown(page);
-    return sha256 === pictureOf(link, width, height).sha256;
+    const { width, height, sha256, framing } = await shown(page);
+    return sha256 === pictureOf(link, width, height, framing).sha256;
   };
   await expect.poll(isShown).toBe(true);
 }

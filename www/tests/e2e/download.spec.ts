@@ -17,7 +17,7 @@ interface Feature {
 
 /** Chooses a format from the menu; the file with its name. */
 async function download(page: Page, format: string): Promise<{ name: string; bytes: Buffer }> {
-  await page.getByRole("button", { name: "Download" }).click();
+  await page.getByRole("button", { name: "Save" }).click();
   const [download] = await Promise.all([
     page.waitForEvent("download"),
     page.getByRole("menuitem", { name: new RegExp(`^${format} `) }).click(),
@@ -146,7 +146,7 @@ test("a file can be had before the picture is finished, and is of the finished r
   await openFinished(page, LINK);
   const { bytes } = await download(page, "GeoJSON");
   await stopClock(page);
-  await page.getByRole("button", { name: "Restart" }).click();
+  await page.getByRole("button", { name: "Replay" }).click();
   await page.getByRole("button", { name: "Pause" }).click();
   await page.clock.resume();
   await expect(page.locator("#frame")).toHaveAttribute("data-state", "paused");
@@ -184,7 +184,7 @@ test("a file is of what the page showed when it was asked for, whatever is on th
   await seed.fill("rimu");
   await seed.press("Enter");
   await expect(page.locator("#title")).toHaveText("rimu");
-  await page.getByRole("button", { name: "Download" }).click();
+  await page.getByRole("button", { name: "Save" }).click();
   const coming = page.waitForEvent("download");
   await page.getByRole("menuitem", { name: /^JSON / }).click();
   await seed.fill("miro");
@@ -200,7 +200,7 @@ test("a file is of what the page showed when it was asked for, whatever is on th
 
 test("the menu is used by keys, and gives the focus back", async ({ page }) => {
   await openFinished(page, LINK);
-  const button = page.getByRole("button", { name: "Download" });
+  const button = page.getByRole("button", { name: "Save" });
   const item = (name: string) => page.getByRole("menuitem", { name: new RegExp(`^${name} `) });
   await button.focus();
   await page.keyboard.press("Enter");

@@ -187,11 +187,11 @@ test("ridges, undo and clear change the link, and escape ends drawing", async ({
   await expect.poll(() => linesIn(page).ridges.length).toBe(0);
   await page.getByRole("button", { name: "Clear" }).click();
   await expectAddress(page, "outline", null);
-  await page.getByRole("button", { name: "Undo" }).click();
+  await page.getByRole("button", { name: "Undo line" }).click();
   await expect.poll(() => linesIn(page).coasts.length).toBe(1);
-  await page.getByRole("button", { name: "Undo" }).click();
+  await page.getByRole("button", { name: "Undo line" }).click();
   await expectAddress(page, "outline", null);
-  await expect(page.getByRole("button", { name: "Undo" })).toBeDisabled();
+  await expect(page.getByRole("button", { name: "Undo line" })).toBeDisabled();
   await page.keyboard.press("Escape");
   await expect(page.getByRole("group", { name: "Drawing a land" })).toBeHidden();
   await expect(page.getByRole("button", { name: "Draw", exact: true })).toBeFocused();
@@ -245,7 +245,7 @@ test("Clear and Undo by keyboard keep the focus among the tools", async ({ page 
   await page.keyboard.press("Enter");
   await expect(clear).toBeDisabled();
   await expect(page.getByRole("button", { name: "Coast" })).toBeFocused();
-  const undo = page.getByRole("button", { name: "Undo" });
+  const undo = page.getByRole("button", { name: "Undo line" });
   await undo.focus();
   await page.keyboard.press("Enter");
   await expect(undo).toBeFocused();

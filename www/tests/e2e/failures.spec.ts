@@ -174,13 +174,13 @@ async function panicOnASlider(page: Page): Promise<void> {
 test("a panic on a slider's change leaves advice, not a frozen page", async ({ page }) => {
   await panicOnASlider(page);
   await page.getByRole("slider", { name: "Trim" }).press("ArrowRight");
-  await page.getByRole("button", { name: "Restart" }).click();
+  await page.getByRole("button", { name: "Replay" }).click();
   await expectFailure(page, "panic", /report the link/);
 });
 
 test("after a panic the rivers can still be had as a file", async ({ page }) => {
   await panicOnASlider(page);
-  await page.getByRole("button", { name: "Download" }).click();
+  await page.getByRole("button", { name: "Save" }).click();
   await page.getByRole("menuitem", { name: /^SVG / }).click();
   await expect(page.locator("#shared")).toContainText(".svg is in your downloads");
 });

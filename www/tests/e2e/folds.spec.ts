@@ -1,5 +1,5 @@
 import { expect, type Locator, type Page, test } from "@playwright/test";
-import { openFinished } from "./riverpage.ts";
+import { openWithPanel } from "./riverpage.ts";
 
 const SMALL = "seed=kauri&growth=colonize&attractors=300";
 
@@ -7,19 +7,22 @@ function group(page: Page, heading: string): Locator {
   return page.locator(".group").filter({ has: page.getByRole("heading", { name: heading, exact: true }) });
 }
 
-test("at first all headings stand in the panel, and one group is open", async ({ page }) => {
-  await openFinished(page, SMALL);
-  await expect(page.locator(".group > summary")).toHaveCount(10);
-  await expect(page.locator(".group[open]")).toHaveCount(1);
+test("at first what shapes a map most stands in the panel, and all else under headings, folded", async ({ page }) => {
+  await openWithPanel(page, SMALL);
+  await expect(page.locator(".front .control")).toHaveCount(7);
+  await expect(page.locator(".group > summary")).toHaveCount(11);
+  await expect(page.locator(".group[open]")).toHaveCount(0);
   await expect(page.getByRole("slider", { name: "Curl" })).toHaveCount(0);
 });
 
 test("groups fold and unfold by mouse and keys, and are so again next time", async ({ page }) => {
-  await openFinished(page, SMALL);
+  await openWithPanel(page, SMALL);
   await group(page, "Bends").locator("summary").click();
   await expect(page.getByRole("slider", { name: "Curl" })).toBeVisible();
   await group(page, "Meanders").locator("summary").first().focus();
   await page.keyboard.press("Enter");
+  await expect(page.getByRole("slider", { name: "Strength" })).toBeVisible();
+  await group(page, "Meanders").locator("summary").first().click();
   await expect(page.getByRole("slider", { name: "Strength" })).toHaveCount(0);
   await page.reload();
   await expect(group(page, "Bends")).toHaveAttribute("open");
@@ -28,14 +31,15 @@ test("groups fold and unfold by mouse and keys, and are so again next time", asy
 });
 
 test("what is seldom wanted stands under More", async ({ page }) => {
-  await openFinished(page, SMALL);
+  await openWithPanel(page, SMALL);
   await expect(page.getByRole("slider", { name: "Neck" })).toHaveCount(0);
+  await group(page, "Meanders").locator("summary").first().click();
   await page.getByText("More of Meanders").click();
   await expect(page.getByRole("slider", { name: "Neck" })).toBeVisible();
 });
 
 test("a folded group says how many of its values are changed", async ({ page }) => {
-  await openFinished(page, `${SMALL}&curl=0.4&momentum=0.1`);
+  await openWithPanel(page, `${SMALL}&curl=0.4&momentum=0.1`);
   await expect(group(page, "Bends").locator("summary")).toContainText("2 changed");
   await expect(group(page, "Growth").locator("summary")).toContainText("2 changed");
   await page.getByRole("button", { name: "Reset all" }).click();
@@ -50,7 +54,7 @@ test("a page that may keep nothing works all the same", async ({ page }) => {
       },
     });
   });
-  await openFinished(page, SMALL);
+  await openWithPanel(page, SMALL);
   await group(page, "Bends").locator("summary").click();
   await expect(page.getByRole("slider", { name: "Curl" })).toBeVisible();
 });

@@ -23,8 +23,8 @@ for (const link of [
 ]) {
   test(`opening ?${link} shows the picture that the River class draws`, async ({ page }) => {
     await openFinished(page, link);
-    const { width, height, sha256 } = await shown(page);
-    const expected = pictureOf(link, width, height);
+    const { width, height, sha256, framing } = await shown(page);
+    const expected = pictureOf(link, width, height, framing);
     expect(sha256).toBe(expected.sha256);
     await expect(page.locator("#caption")).toContainText(`${expected.summary.unreached} of`);
     expect(new URL(page.url()).search.slice(1)).toBe(engine.readLink(link).link);
@@ -32,15 +32,17 @@ for (const link of [
   });
 }
 
-test("the address is replaced, never pushed, and at a bounded rate", async ({ page }) => {
+test("a slider that is dragged makes one entry of the history, and writes at a bounded rate", async ({ page }) => {
   await page.addInitScript(() => {
     const writes: number[] = [];
     Object.assign(globalThis, { writes });
-    const replace = history.replaceState.bind(history);
-    history.replaceState = (...given) => {
-      writes.push(performance.now());
-      replace(...given);
-    };
+    for (const name of ["replaceState", "pushState"] as const) {
+      const write = history[name].bind(history);
+      history[name] = (...given) => {
+        writes.push(performance.now());
+        write(...given);
+      };
+    }
   });
   await ownClock(page);
   await openUnfolded(page, "seed=kauri&growth=colonize&attractors=200");
@@ -53,7 +55,7 @@ test("the address is replaced, never pushed, and at a bounded rate", async ({ pa
   }
   await page.clock.runFor(WRITE_EVERY_MS);
   await expectAddress(page, "curl", "1.1");
-  expect(await page.evaluate(() => history.length)).toBe(before);
+  expect(await page.evaluate(() => history.length)).toBe(before + 1);
   const writes = await page.evaluate(() => (globalThis as unknown as { writes: number[] }).writes);
   const pauses = writes.slice(1).map((time, i) => time - (writes[i] ?? 0));
   expect(Math.min(...pauses)).toBeGreaterThanOrEqual(WRITE_EVERY_MS);
@@ -62,7 +64,7 @@ test("the address is replaced, never pushed, and at a bounded rate", async ({ pa
 
 test("loading the address bar's link again shows the same picture", async ({ page }) => {
   await fixChance(page);
-  await openFinished(page, "attractors=300");
+  await openUnfolded(page, "attractors=300");
   await page.getByRole("button", { name: "A new seed by chance" }).click();
   await page.getByRole("button", { name: "Trimmed curl" }).click();
   await expectAddress(page, "trim", "29");
@@ -79,8 +81,8 @@ test("what had to be corrected in a link is shown, can be dismissed, and a river
   await expect(notes.getByRole("listitem")).toHaveCount(3);
   await expect(notes).toContainText("curl: 99 is not between 0 and 2: 2 is used");
   await expect(notes).toContainText("depth");
-  const { width, height, sha256 } = await shown(page);
-  expect(sha256).toBe(pictureOf("seed=rimu&curl=2", width, height).sha256);
+  const { width, height, sha256, framing } = await shown(page);
+  expect(sha256).toBe(pictureOf("seed=rimu&curl=2", width, height, framing).sha256);
   await notes.getByRole("button", { name: "Dismiss" }).click();
   await expect(notes).toBeHidden();
 });
@@ -144,8 +146,8 @@ for (const link of ["land=archipelago&growth=brownian", "seed=kea&land=island&at
     await page.emulateMedia({ reducedMotion: "reduce" });
     await page.goto(`./#${link}`);
     await finished(page);
-    const { width, height, sha256 } = await shown(page);
-    const expected = pictureOf(link, width, height);
+    const { width, height, sha256, framing } = await shown(page);
+    const expected = pictureOf(link, width, height, framing);
     expect(sha256).toBe(expected.sha256);
     await expect(page.locator("#caption")).toContainText(`${expected.summary.mouths} rivers`);
     expect(new URL(page.url()).hash).toBe("");
@@ -177,7 +179,7 @@ test("a link in the fragment is opened once, however soon after another change",
 
 test("Copy link gives the whole address of what is shown, at once", async ({ page, context }) => {
   await context.grantPermissions(["clipboard-read", "clipboard-write"]);
-  await openFinished(page, "seed=kowhai&attractors=300");
+  await openUnfolded(page, "seed=kowhai&attractors=300");
   await page.getByRole("button", { name: "Momentum", exact: true }).click();
   await page.getByRole("button", { name: "Copy link" }).click();
   await expect(page.locator("#shared")).toHaveText("Link copied.");

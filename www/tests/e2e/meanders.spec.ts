@@ -37,8 +37,8 @@ test("rivers that have grown meander before one's eyes, and come to the end that
   await page.getByRole("button", { name: "Play", exact: true }).click();
   await page.clock.resume();
   await finished(page);
-  const { width, height, sha256 } = await shown(page);
-  expect(sha256).toBe(pictureOf(LINK, width, height).sha256);
+  const { width, height, sha256, framing } = await shown(page);
+  expect(sha256).toBe(pictureOf(LINK, width, height, framing).sha256);
   expect(sha256).not.toBe(second);
   expect((await phases()).filter((phase) => phase !== "shaping")).toEqual(["growing", "meandering", "finished"]);
 });
@@ -69,8 +69,8 @@ test("a change of meanders while rivers grow does not disturb them, and counts i
   await page.getByRole("button", { name: "Play", exact: true }).click();
   await page.clock.resume();
   await finished(page);
-  const { width, height, sha256 } = await shown(page);
-  expect(sha256).toBe(pictureOf("seed=kauri&attractors=3000&meander-strength=0.9", width, height).sha256);
+  const { width, height, sha256, framing } = await shown(page);
+  expect(sha256).toBe(pictureOf("seed=kauri&attractors=3000&meander-strength=0.9", width, height, framing).sha256);
 });
 
 test("a change of meanders while rivers meander shows what comes of it", async ({ page }) => {
@@ -81,15 +81,15 @@ test("a change of meanders while rivers meander shows what comes of it", async (
   await page.getByLabel("Strength, exact value").press("Enter");
   await page.clock.resume();
   await finished(page);
-  const { width, height, sha256 } = await shown(page);
-  expect(sha256).toBe(pictureOf(`${LINK}&meander-strength=0.9`, width, height).sha256);
+  const { width, height, sha256, framing } = await shown(page);
+  expect(sha256).toBe(pictureOf(`${LINK}&meander-strength=0.9`, width, height, framing).sha256);
 });
 
 test("rivers without meanders are finished when they are made", async ({ page }) => {
   await page.goto("./?seed=kauri&attractors=300&meander=none");
   await finished(page);
-  const { width, height, sha256 } = await shown(page);
-  expect(sha256).toBe(pictureOf("seed=kauri&attractors=300&meander=none", width, height).sha256);
+  const { width, height, sha256, framing } = await shown(page);
+  expect(sha256).toBe(pictureOf("seed=kauri&attractors=300&meander=none", width, height, framing).sha256);
 });
 
 test("oxbow lakes are counted in words", async ({ page }) => {

@@ -18,11 +18,12 @@ test("who prefers less motion sees finished rivers only, and can still play one"
 });
 
 test("the preference is followed when it changes", async ({ page }) => {
+  await fixChance(page);
   const states = await recordStates(page);
   await page.goto("./?attractors=300");
   await finished(page);
   expect(await states()).toEqual(["growing", "finished"]);
   await page.emulateMedia({ reducedMotion: "reduce" });
-  await page.getByRole("button", { name: "Trimmed curl" }).click();
+  await page.getByRole("button", { name: "A new seed by chance" }).click();
   await expect.poll(states).toEqual(["growing", "finished", "settling", "finished"]);
 });

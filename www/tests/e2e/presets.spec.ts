@@ -1,7 +1,7 @@
 import { expect, type Page, test } from "@playwright/test";
 import { engine } from "../core.ts";
 import { violations } from "./axe.ts";
-import { address, expectAddress, finished, openFinished } from "./riverpage.ts";
+import { address, expectAddress, finished, openUnfolded } from "./riverpage.ts";
 
 /** A map that somebody has chosen: what presets do not speak of, and what they change unasked. */
 const CHOSEN = "seed=kauri&land=island&attractors=300&simplify=12&meander=flow&curl=0.3";
@@ -11,7 +11,7 @@ function press(page: Page, name: string): Promise<void> {
 }
 
 test("what a preset changes unasked is said, and taken back by one click", async ({ page }) => {
-  await openFinished(page, CHOSEN);
+  await openUnfolded(page, CHOSEN);
   const notices = page.locator("#notices");
   await press(page, "Curl");
   await expect(notices).toHaveRole("status");
@@ -27,7 +27,7 @@ test("what a preset changes unasked is said, and taken back by one click", async
 });
 
 test("the way back leads before the first of several presets, and goes with the next change", async ({ page }) => {
-  await openFinished(page, CHOSEN);
+  await openUnfolded(page, CHOSEN);
   const notices = page.locator("#notices");
   await press(page, "Curl");
   await press(page, "Trimmed original");
@@ -42,7 +42,7 @@ test("the way back leads before the first of several presets, and goes with the 
 });
 
 test("a preset that changes nothing unasked says nothing", async ({ page }) => {
-  await openFinished(page, "preset=original&land=island&attractors=300");
+  await openUnfolded(page, "preset=original&land=island&attractors=300");
   await press(page, "Curl");
   await finished(page);
   await expect(page.locator("#notices")).toBeHidden();

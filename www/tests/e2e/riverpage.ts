@@ -2,6 +2,7 @@
 
 import { createHash } from "node:crypto";
 import { expect, type Page } from "@playwright/test";
+import type { Framing } from "../../src/browser/canvas.ts";
 import { pictureOf } from "../core.ts";
 
 /** Gives the page a clock that can be stopped. Call before `goto`. */
@@ -53,9 +54,20 @@ export async function openFinished(page: Page, link = ""): Promise<void> {
   await finished(page);
 }
 
+/** The same with the panel open. */
+export async function openWithPanel(page: Page, link = ""): Promise<void> {
+  await openFinished(page, link);
+  await openPanel(page);
+}
+
+export async function openPanel(page: Page): Promise<void> {
+  const button = page.getByRole("button", { name: "Shape…" });
+  if ((await button.getAttribute("aria-expanded")) === "false") await button.click();
+}
+
 /** The same with every group of controls unfolded. */
 export async function openUnfolded(page: Page, link = ""): Promise<void> {
-  await openFinished(page, link);
+  await openWithPanel(page, link);
   await unfold(page);
 }
 
@@ -72,6 +84,8 @@ export interface Shown {
   width: number;
   height: number;
   sha256: string;
+  /** What part of the map that is. */
+  framing: Framing;
 }
 
 /** The canvas's bytes as they are. */
@@ -84,7 +98,8 @@ export async function shown(page: Page): Promise<Shown> {
     return { width, height, base64: btoa(binary) };
   });
   const sha256 = createHash("sha256").update(Buffer.from(base64, "base64")).digest("hex");
-  return { width, height, sha256 };
+  const framing = (await page.locator("#frame").getAttribute("data-framing"))?.split(" ").map(Number);
+  return { width, height, sha256, framing: framing as unknown as Framing };
 }
 
 /** The link in the address bar, as it is now. */
@@ -102,8 +117,8 @@ export async function expectPictureOfAddress(page: Page): Promise<void> {
   await finished(page);
   await expect
     .poll(async () => {
-      const { width, height, sha256 } = await shown(page);
-      return sha256 === pictureOf(address(page).toString(), width, height).sha256;
+      const { width, height, sha256, framing } = await shown(page);
+      return sha256 === pictureOf(address(page).toString(), width, height, framing).sha256;
     })
     .toBe(true);
 }

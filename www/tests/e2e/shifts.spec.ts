@@ -2,8 +2,6 @@ import { readFile } from "node:fs/promises";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import type { Page } from "@playwright/test";
-import { linkOf } from "../../src/browser/address.ts";
-import { engine } from "../core.ts";
 import { finished } from "./riverpage.ts";
 import { openSlowly } from "./states.ts";
 import { expect, test } from "./widget/hosts.ts";
@@ -59,7 +57,7 @@ for (const [width, height] of [
     });
   }
 
-  for (const last of ['<div class="legend">', '<section class="panel"', '<dialog class="sharing"']) {
+  for (const last of ['<section class="bar"', '<section class="panel"', '<dialog class="sharing"']) {
     test(`next to nothing moves when the page comes in two parts, ${width} by ${height}, the second from ${last}`, async ({
       page,
       blog,
@@ -85,23 +83,4 @@ for (const [width, height] of [
       await expectNextToNoShift(page);
     });
   }
-}
-
-for (const link of [
-  "",
-  "?aspect=2.2",
-  "?aspect=0.4&fbclid=1",
-  "?aspect=0.4#utm_source=post",
-  "#aspect=3&seed=a",
-  "?aspect=99",
-  "?aspect=wide",
-]) {
-  test(`the picture's place has the river's shape before the engine has come: ${link}`, async ({ page }) => {
-    await page.route("**/*.wasm", () => {});
-    await page.goto(`./${link}`);
-    await expect(page.getByText("Preparing the rivers…")).toBeVisible();
-    const { width, height } = (await page.locator("#frame").boundingBox()) ?? { width: 0, height: 0 };
-    const aspect = new Map(engine.readLink(linkOf(new URL(link, "http://localhost/"))).values).get("aspect");
-    expect(width / height).toBeCloseTo(Number(aspect), 1);
-  });
 }

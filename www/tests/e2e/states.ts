@@ -1,7 +1,7 @@
 /** The states that the page can be in, for tests that hold in all of them. */
 
 import { expect, type Page } from "@playwright/test";
-import { finished, unfold } from "./riverpage.ts";
+import { finished, openPanel, unfold } from "./riverpage.ts";
 
 /** Seeds as long as seeds may be, without a place to break: letters, wide characters, and a script that runs from right to left. */
 export const LONG_SEEDS = { letters: "w".repeat(64), wide: "川".repeat(64), leftward: "נהר".repeat(22).slice(0, 64) };
@@ -9,12 +9,13 @@ export const LONG_SEEDS = { letters: "w".repeat(64), wide: "川".repeat(64), lef
 /** What can be opened on the page with a finished river; each from the one before it. */
 export const OPENED: Record<string, (page: Page) => Promise<void>> = {
   "at first": async () => {},
-  "with all folds open": async (page) => {
+  "with the panel and all its folds open": async (page) => {
+    await openPanel(page);
     await unfold(page);
     await page.getByText("Keyboard", { exact: true }).click();
   },
   "with its menu open": async (page) => {
-    await page.getByRole("button", { name: "Download" }).click();
+    await page.getByRole("button", { name: "Save" }).click();
     await expect(page.getByRole("menu")).toBeVisible();
   },
   "with the Share dialog open": async (page) => {

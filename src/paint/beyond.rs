@@ -1,0 +1,35 @@
+//! What a picture shows beyond its map: the sea goes on, land ends.
+
+use glam::Vec2;
+
+use super::palette::{Palette, mix};
+use super::view::{Rows, View};
+use crate::land::Land;
+
+/// How far beyond the map the sea deepens, in units: as far as from any coast.
+pub(super) const WIDENED: f32 = 160.0;
+
+/// Along a border that is so far from any coast, in units, nothing is to be seen of the map's end.
+const FAR: f32 = 60.0;
+
+/// Ends the map in some rows of a ground. `land` is `None` where all of the map is land.
+pub(super) fn lay(view: &View, land: Option<&Land>, palette: &Palette, rows: Rows, pixels: &mut [[u8; 4]]) {
+    for_each(view, rows, pixels, |pixel, border| {
+        let height = land.map_or(f32::MAX, |land| land.coast_distance().height(border));
+        let [r, g, b, _] = *pixel;
+        let [r, g, b] = mix(palette.deep, [r, g, b], (-height / FAR).clamp(0.0, 1.0));
+        *pixel = [r, g, b, 0];
+    });
+}
+
+/// Does something with all pixels of some rows that lie beyond the map, and the points of its border that are nearest to them.
+pub(super) fn for_each<Pixel>(view: &View, rows: Rows, pixels: &mut [Pixel], mut end: impl FnMut(&mut Pixel, Vec2)) {
+    for (y, row) in rows.zip(pixels.chunks_mut(view.width as usize)) {
+        for (x, pixel) in row.iter_mut().enumerate() {
+            let at = view.point(Vec2::new(x as f32, y as f32) + 0.5);
+            if let Some(border) = view.border_near(at) {
+                end(pixel, border);
+            }
+        }
+    }
+}

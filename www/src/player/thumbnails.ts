@@ -1,0 +1,59 @@
+/** Small pictures of one finished map in many styles, made a little at a time. */
+
+import type { FullRiver } from "../engine/full.ts";
+
+/** What may be done of them in one task. */
+const BUDGET_MS = 8;
+
+export interface Thumbnail {
+  style: string;
+  width: number;
+  height: number;
+  /** RGBA, row by row. */
+  pixels: Uint8ClampedArray<ArrayBuffer>;
+}
+
+/**
+ * Of a river that is the caller's to give away, in each of the styles; `pause` comes between tasks, and says whether to go on. A style that there is
+ * no memory for is left out.
+ */
+export async function* thumbnails(
+  river: FullRiver,
+  memory: WebAssembly.Memory,
+  styles: readonly string[],
+  { width, height }: { width: number; height: number },
+  pause: () => Promise<boolean>,
+): AsyncGenerator<Thumbnail> {
+  try {
+    river.resize(width, height);
+    for (const style of styles) {
+      if (!(await pause())) return;
+      river.change(inStyle(river.link, style));
+      if (!(await inSlices(() => river.advance(1), pause))) return;
+      if (!(await inSlices(() => river.paint(), pause))) return;
+      const pixels = new Uint8ClampedArray(memory.buffer, river.pixelsPointer(), river.pixelsLength());
+      yield { style, width, height, pixels: pixels.slice() };
+    }
+  } finally {
+    river.free();
+  }
+}
+
+/** Nothing of labels and scenery, which would not be seen. */
+function inStyle(link: string, style: string): string {
+  const values = new URLSearchParams(link);
+  values.set("style", style);
+  for (const key of ["labels", "cartouche", "woods", "hills"]) values.delete(key);
+  return values.toString();
+}
+
+/** Repeats a step until it says that there is no more to do. False if that was not to be. */
+async function inSlices(step: () => boolean, pause: () => Promise<boolean>): Promise<boolean> {
+  let end = performance.now() + BUDGET_MS;
+  while (step()) {
+    if (performance.now() < end) continue;
+    if (!(await pause())) return false;
+    end = performance.now() + BUDGET_MS;
+  }
+  return true;
+}

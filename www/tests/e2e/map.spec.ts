@@ -1,0 +1,207 @@
+/** The map as a place: moved, zoomed, and seen in other styles. */
+
+import { expect, type Page, test } from "@playwright/test";
+import type { Framing } from "../../src/browser/canvas.ts";
+import { pictureOf } from "../core.ts";
+import { expectAddress, expectPictureOfAddress, finished, openFinished, shown } from "./riverpage.ts";
+
+const LINK = "seed=rimu&attractors=900&style=atlas";
+
+/** Waits until the picture is painted for what it shows, and returns that. */
+async function painted(page: Page, before: Framing): Promise<Framing> {
+  await expect.poll(async () => `${(await shown(page)).framing}`).not.toBe(`${before}`);
+  await expect.poll(() => page.locator("#canvas").evaluate((canvas: HTMLElement) => canvas.style.transform)).toBe("");
+  await expectPictureOfAddress(page);
+  return (await shown(page)).framing;
+}
+
+test("the picture fills the window, and the map lies in what of it nothing covers", async ({ page }) => {
+  await page.setViewportSize({ width: 1440, height: 900 });
+  await openFinished(page, LINK);
+  expect(await page.locator("#canvas").boundingBox()).toEqual({ x: 0, y: 0, width: 1440, height: 900 });
+  const map = await page.locator("#map-place").boundingBox();
+  const bar = await page.locator(".bar").boundingBox();
+  const styles = await page.locator("#styles").boundingBox();
+  if (!map || !bar || !styles) throw new Error("no map");
+  expect(map.width / map.height).toBeCloseTo(1.6, 2);
+  expect(map.y + map.height).toBeLessThanOrEqual(bar.y);
+  expect(map.x + map.width).toBeLessThanOrEqual(styles.x);
+  await expectPictureOfAddress(page);
+});
+
+test("a wheel over the map brings what lies under it closer, sharp", async ({ page }) => {
+  await openFinished(page, LINK);
+  const first = (await shown(page)).framing;
+  const place = { x: 500, y: 300 };
+  const width = page.viewportSize()?.width ?? 0;
+  const under = ([left, top, across]: Framing): number[] =>
+    [left + (place.x / width) * across, top + (place.y / width) * across].map((share) => Number(share.toFixed(6)));
+  await page.mouse.move(place.x, place.y);
+  await page.mouse.wheel(0, -600);
+  const closer = await painted(page, first);
+  expect(closer[2]).toBeLessThan(first[2] / 2);
+  expect(under(closer)).toEqual(under(first));
+  await page.mouse.wheel(0, 6000);
+  expect(await painted(page, closer)).toEqual(first);
+});
+
+test("the map is dragged, and keys move and zoom it", async ({ page }) => {
+  await openFinished(page, LINK);
+  let last = (await shown(page)).framing;
+  await page.locator("#frame").focus();
+  for (const [key, expected] of [
+    ["+", (now: Framing, before: Framing) => now[2] < before[2]],
+    ["ArrowRight", (now: Framing, before: Framing) => now[0] > before[0]],
+    ["ArrowUp", (now: Framing, before: Framing) => now[1] < before[1]],
+    ["-", (now: Framing, before: Framing) => now[2] > before[2]],
+  ] as const) {
+    await page.keyboard.press(key);
+    const now = await painted(page, last);
+    expect(expected(now, last), key).toBe(true);
+    last = now;
+  }
+  await page.keyboard.press("+");
+  last = await painted(page, last);
+  await page.mouse.move(500, 300);
+  await page.mouse.down();
+  await page.mouse.move(600, 340, { steps: 5 });
+  await page.mouse.up();
+  const width = page.viewportSize()?.width ?? 0;
+  const dragged = await painted(page, last);
+  expect(dragged[0]).toBeCloseTo(last[0] - (100 / width) * last[2], 5);
+  expect(dragged[1]).toBeCloseTo(last[1] - (40 / width) * last[2], 5);
+});
+
+test("buttons zoom, and say when there is no farther", async ({ page }) => {
+  await openFinished(page, LINK);
+  const [closer, farther, all] = ["Zoom in", "Zoom out", "Show all of the map"].map((name) =>
+    page.getByRole("button", { name }),
+  );
+  if (!closer || !farther || !all) throw new Error("no buttons");
+  await expect(farther).toBeDisabled();
+  await expect(all).toBeDisabled();
+  const first = (await shown(page)).framing;
+  for (let i = 0; i < 12 && !(await closer.isDisabled()); i++) await closer.click();
+  await expect(closer).toBeDisabled();
+  await all.click();
+  await expect(all).toBeDisabled();
+  await expect.poll(async () => (await shown(page)).framing).toEqual(first);
+});
+
+test("a part of the map has labels of its own, as the engine places them", async ({ page }) => {
+  await openFinished(page, `${LINK}&labels=many`);
+  const first = (await shown(page)).framing;
+  await page.mouse.move(400, 300);
+  await page.mouse.wheel(0, -700);
+  const framing = await painted(page, first);
+  const { width, height, sha256 } = await shown(page);
+  expect(sha256).not.toBe(pictureOf(LINK, width, height, framing).sha256);
+});
+
+test("the strip shows this map in every style, and pressing one takes it", async ({ page }) => {
+  await openFinished(page, LINK);
+  const styles = page.getByRole("region", { name: "Style" }).getByRole("button");
+  await expect(page.getByRole("button", { name: "Atlas", exact: true })).toHaveAttribute("aria-pressed", "true");
+  const count = await styles.count();
+  expect(count).toBeGreaterThan(10);
+  // Each has its own picture, once it has one.
+  const pictures = (): Promise<number> =>
+    styles.locator("canvas").evaluateAll((all) => {
+      const drawn = (all as HTMLCanvasElement[]).map((canvas) => canvas.toDataURL());
+      return new Set(drawn).size;
+    });
+  await expect.poll(pictures).toBe(count);
+  await page.getByRole("button", { name: "Survey", exact: true }).click();
+  await expectAddress(page, "style", "survey");
+  await expect(page.getByRole("button", { name: "Survey", exact: true })).toHaveAttribute("aria-pressed", "true");
+  await expectPictureOfAddress(page);
+});
+
+test("undo and redo follow every change, and Back is undo", async ({ page }) => {
+  await openFinished(page, LINK);
+  const undo = page.getByRole("button", { name: "Undo", exact: true });
+  const redo = page.getByRole("button", { name: "Redo", exact: true });
+  await expect(undo).toBeDisabled();
+  await page.getByRole("button", { name: "Survey", exact: true }).click();
+  await expectAddress(page, "style", "survey");
+  await page.getByLabel("Seed", { exact: true }).fill("como");
+  await page.getByLabel("Seed", { exact: true }).press("Enter");
+  await expectAddress(page, "seed", "como");
+  await finished(page);
+  await undo.click();
+  await expectAddress(page, "seed", "rimu");
+  await expectAddress(page, "style", "survey");
+  await page.locator("#frame").focus();
+  await page.keyboard.press("Control+z");
+  await expectAddress(page, "style", "atlas");
+  await expect(undo).toBeDisabled();
+  await page.keyboard.press("Control+Shift+z");
+  await expectAddress(page, "style", "survey");
+  await redo.click();
+  await expectAddress(page, "seed", "como");
+  await expect(redo).toBeDisabled();
+  await page.goBack();
+  await expectAddress(page, "seed", "rimu");
+  await expectPictureOfAddress(page);
+});
+
+test("the seeds of a visit can be gone through", async ({ page }) => {
+  await openFinished(page, LINK);
+  const dice = page.getByRole("button", { name: "A new seed by chance" });
+  const [before, after] = [
+    page.getByRole("button", { name: "The seed before" }),
+    page.getByRole("button", { name: "The seed after" }),
+  ];
+  await expect(before).toBeDisabled();
+  await dice.click();
+  const second = await page.locator("#seed").inputValue();
+  await before.click();
+  await expectAddress(page, "seed", "rimu");
+  await after.click();
+  await expectAddress(page, "seed", second);
+  await expect(after).toBeDisabled();
+});
+
+test("a country sets land and growth, but for what is kept", async ({ page }) => {
+  await openFinished(page, LINK);
+  await page.getByRole("button", { name: "Shape…" }).click();
+  await page.getByRole("button", { name: "Keep How much sea" }).click();
+  const [sea] = [await page.locator("#exact-sea").inputValue()];
+  const country = page.getByRole("group", { name: "Countries" }).getByRole("button", { name: "Archipelago" });
+  await country.click();
+  await expectAddress(page, "land", "archipelago");
+  expect(await page.locator("#exact-sea").inputValue()).toBe(sea);
+  await page.getByRole("button", { name: "Keep How much sea" }).click();
+  await country.click();
+  await expectAddress(page, "sea", "0.65");
+  await expect(country).toHaveAttribute("aria-pressed", "true");
+});
+
+test("the panel opens beside the map, is remembered, and Escape closes it", async ({ page }) => {
+  await page.setViewportSize({ width: 1440, height: 900 });
+  await openFinished(page, LINK);
+  const panel = page.getByRole("region", { name: "Recipe" });
+  await expect(panel).toBeHidden();
+  const open = page.getByRole("button", { name: "Shape…" });
+  const wide = await page.locator("#map-place").boundingBox();
+  await open.click();
+  await expect(panel).toBeVisible();
+  await expect(open).toHaveAttribute("aria-expanded", "true");
+  await expect.poll(async () => (await page.locator("#map-place").boundingBox())?.width).toBeLessThan(wide?.width ?? 0);
+  const box = await page.locator("#map-place").boundingBox();
+  expect((box?.x ?? 0) + (box?.width ?? 0)).toBeLessThanOrEqual((await panel.boundingBox())?.x ?? 0);
+  await page.reload();
+  await finished(page);
+  await expect(panel).toBeVisible();
+  await page.locator("#exact-sea").focus();
+  await page.keyboard.press("Escape");
+  await expect(panel).toBeHidden();
+  await expect(open).toBeFocused();
+});
+
+test("a visit without a link begins with a country that has relief and names", async ({ page }) => {
+  await openFinished(page);
+  await expectAddress(page, "style", "atlas");
+  await expectAddress(page, "labels", "some");
+  await expectPictureOfAddress(page);
+});

@@ -1,0 +1,42 @@
+import { createHash } from "node:crypto";
+import { expect, it } from "vitest";
+import { type Thumbnail, thumbnails } from "../../src/player/thumbnails.ts";
+import { engine, memory, pictureOf } from "../core.ts";
+
+const LINK = "seed=rimu&attractors=300";
+const SIZE = { width: 112, height: 64 };
+const STYLES = ["atlas", "ink", "basins", "past-courses", "night"];
+
+/** A finished river, and how often it was given back. */
+function finished(text: string): { river: InstanceType<typeof engine.River>; freed: () => number } {
+  const river = new engine.River(text);
+  while (river.advance(1000));
+  const free = river.free.bind(river);
+  let count = 0;
+  river.free = () => {
+    count++;
+    free();
+  };
+  return { river, freed: () => count };
+}
+
+it("makes each small picture as the engine draws that map in that style, bare of labels", async () => {
+  const { river, freed } = finished(`${LINK}&labels=many&woods=0.5&style=survey`);
+  const made: Thumbnail[] = [];
+  for await (const one of thumbnails(river, memory, STYLES, SIZE, async () => true)) made.push(one);
+  expect(made.map(({ style }) => style)).toEqual(STYLES);
+  for (const { style, width, height, pixels } of made) {
+    const sha256 = createHash("sha256").update(pixels).digest("hex");
+    expect(sha256, style).toBe(pictureOf(`${LINK}&style=${style}`, width, height).sha256);
+  }
+  expect(freed()).toBe(1);
+});
+
+it("stops when it is not to go on, and gives the river back", async () => {
+  const { river, freed } = finished(LINK);
+  let pauses = 0;
+  const made: string[] = [];
+  for await (const { style } of thumbnails(river, memory, STYLES, SIZE, async () => ++pauses < 3)) made.push(style);
+  expect(made.length).toBeLessThan(STYLES.length);
+  expect(freed()).toBe(1);
+});
