@@ -101,8 +101,11 @@ export class NameList implements Control {
       said = field.value;
       if (field.value.trim() !== name) this.events.rename(mark, field.value.trim());
     });
-    field.addEventListener("keydown", ({ key }) => {
-      if (key === "Escape") restore();
+    field.addEventListener("keydown", (event) => {
+      if (event.key !== "Escape" || field.value === said) return;
+      // It takes back what is typed, and closes nothing.
+      event.preventDefault();
+      restore();
     });
     reset.addEventListener("click", () => {
       this.events.rename(mark, undefined);

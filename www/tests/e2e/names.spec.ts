@@ -1,7 +1,7 @@
 import { expect, type Page, test } from "@playwright/test";
 import { charts } from "../charts.ts";
 import { full } from "../full.ts";
-import { openFinished } from "./riverpage.ts";
+import { openWithPanel } from "./riverpage.ts";
 
 const LINK = "seed=kauri&land=island&growth=drainage&attractors=1500&meander-rounds=5&style=ink";
 const CHARTS = /riverseed_chart_bg.*\.wasm/;
@@ -30,7 +30,7 @@ test("a map without labels fetches nothing of what makes them, and one that gets
   page,
 }) => {
   const urls = asked(page);
-  await openFinished(page, LINK);
+  await openWithPanel(page, LINK);
   expect(urls.filter((url) => CHARTS.test(url))).toEqual([]);
   const bare = await picture(page);
   await page.getByRole("heading", { name: "Names" }).click();
@@ -45,7 +45,7 @@ test("a map without labels fetches nothing of what makes them, and one that gets
 });
 
 test("names on the map are listed, can be typed over, and are in the link", async ({ page }) => {
-  await openFinished(page, `${LINK}&labels=some`);
+  await openWithPanel(page, `${LINK}&labels=some`);
   await page.getByRole("heading", { name: "Names" }).click();
   const fields = page.locator(".names input");
   const names = greatest(LINK);
@@ -71,7 +71,7 @@ test("names on the map are listed, can be typed over, and are in the link", asyn
 
 test("offline, the map has no labels, and a note says so", async ({ page }) => {
   await page.route(CHARTS, (route) => route.abort());
-  await openFinished(page, `${LINK}&labels=some`);
+  await openWithPanel(page, `${LINK}&labels=some`);
   await expect(page.locator("#notices")).toContainText("The map is shown without names");
   await expect(page.locator("#frame")).toHaveAttribute("data-state", "finished");
 });
