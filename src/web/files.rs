@@ -51,7 +51,7 @@ impl River {
     /// The rivers as they are, as GeoJSON, with the `names` of a `Chart`. Throws an Error, as long as the tree grows.
     #[wasm_bindgen(unchecked_return_type = "object")]
     pub fn geojson(&self, names: &[u32]) -> Result<JsValue, JsValue> {
-        geojson::compose(&self.session, false, Some(named(names)))
+        geojson::named(&self.session, named(names))
             .map_err(|error| export_error(&error))
             .and_then(|file| to_js(&file))
     }
