@@ -108,6 +108,7 @@ export class RiverViewport {
 
   show(link: string, how: ShowMode): void {
     this.#wanted = { link, how };
+    this.#asked = undefined;
     if (this.#id === undefined) return;
     this.#heard = ++this.#links;
     this.elements.frame.dataset["pending"] = "";
@@ -204,8 +205,8 @@ export class RiverViewport {
   #fail({ code, message, links = 0 }: Extract<SceneReport, { is: "failed" }>): void {
     const error = new PageError(code, message);
     if (isRecoverable(error) && code !== "no-chart") {
-      // Another link is on its way, which may do.
-      if (links < this.#links) return;
+      // Another link is on its way, which may do; but without a first river nothing follows.
+      if (links < this.#links && this.#link !== "") return;
       // The river that was there stays, in its own shape.
       this.#heard = 0;
       this.#wanted.link = this.#link;

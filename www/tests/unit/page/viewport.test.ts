@@ -157,6 +157,14 @@ test("a failure is told of if nothing newer was asked for, and the river that wa
   expect(events.changed).toHaveBeenLastCalledWith("paused", "growing", SUMMARY);
 });
 
+test("a first river that fails is told of, whatever was asked for since: nothing follows it", async () => {
+  const { events, viewport, failed } = await opened();
+  viewport.show("seed=two", "settle");
+  failed(0);
+  expect(events.failed).toHaveBeenCalledTimes(1);
+  expect(viewport.link).toBe("");
+});
+
 test("a trap is told of whatever was asked for since, and so is that there are no names", async () => {
   const { events, viewport, failed } = await opened();
   viewport.show("seed=two", "settle");
@@ -201,6 +209,10 @@ test("what was asked of a renderer that answered no more is done in the next", a
   viewport.toggle();
   await moved(host);
   expect(host.done.at(-1)).toBe("pause");
+  // Once there is word of it, it is done.
+  shown("seed=one", 0, "finished");
+  await moved(host);
+  expect(host.last("open")).toMatchObject({ how: "still" });
   viewport.show("seed=two", "settle");
   await moved(host);
   expect(host.last("open")).toMatchObject({ link: { text: "seed=two" } });
