@@ -10,9 +10,10 @@ export default defineConfig({
   // Relative addresses: the built folder works on any static host, in any subfolder.
   base: "./",
   plugins: [
-    contentSecurityPolicy(),
     // Not embed.html: its engine is fetched by a worker, which does not see what its document has preloaded.
     preloadEngine("index.html"),
+    // After what writes scripts into pages.
+    contentSecurityPolicy(),
     wholeAddresses(process.env["RIVERSEED_SITE"]),
     widgetFiles(),
     licences(),

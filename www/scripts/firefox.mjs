@@ -46,7 +46,11 @@ async function growsToTheEnd() {
   await page.waitForSelector('#frame[data-state="growing"]');
   await page.waitForSelector('#frame[data-state="finished"]');
   const colours = await page.$eval("canvas", (canvas) => {
-    const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+    // Of a copy: a canvas in a worker's hands gives no context.
+    const { width, height } = canvas;
+    const context = Object.assign(document.createElement("canvas"), { width, height }).getContext("2d");
+    context.drawImage(canvas, 0, 0);
+    const { data } = context.getImageData(0, 0, width, height);
     return new Set(new Uint32Array(data.buffer)).size;
   });
   assert.ok(colours > 10, `the canvas has ${colours} colours`);

@@ -9,10 +9,17 @@ export type { Lines, Parameter, Preset, Reading, River as FullRiver } from "../.
 
 export type FullCore = Core<typeof engine>;
 
-/** From where it lies beside the script, unless its first caller knows better. */
-export const loadFull: (url?: string) => Promise<FullCore> = once((url = wasmUrl) =>
-  start(url, async (compiled) => {
-    const { memory } = await init({ module_or_path: compiled });
-    return { engine, memory };
-  }),
+/** From where it lies beside the script, unless its first caller knows better, who is also told of the module when that is compiled. */
+export const loadFull: (url?: string, compiled?: (module: WebAssembly.Module) => void) => Promise<FullCore> = once(
+  (url = wasmUrl, compiled) =>
+    start(url, (module) => {
+      compiled?.(module);
+      return linkFull(module);
+    }),
 );
+
+/** From a module that somebody else has compiled. */
+export async function linkFull(module: WebAssembly.Module): Promise<FullCore> {
+  const { memory } = await init({ module_or_path: module });
+  return { engine, memory };
+}

@@ -5,27 +5,27 @@ import { AddressBar, addressOf, linkOf } from "../browser/address.ts";
 import { count } from "../browser/count.ts";
 import { DARK_PAGES } from "../browser/dark-pages.ts";
 import { el, setText } from "../browser/dom.ts";
+import { turn } from "../browser/turn.ts";
 import { type Controls, controls } from "../controls/controls.ts";
 import { type Countries, countries } from "../controls/countries.ts";
 import { Disclosures } from "../controls/disclosure.ts";
 import { type Presets, presets, unaskedChanges } from "../controls/presets.ts";
 import { SeedBox } from "../controls/seed.ts";
 import { isRecoverable, named } from "../engine/errors.ts";
-import { type FullCore, loadFull, type Parameter, type Preset } from "../engine/full.ts";
+import type { FullCore, Parameter, Preset } from "../engine/full.ts";
 import { Recipe } from "../engine/recipe.ts";
 import { loadTracing } from "../engine/tracing.ts";
 import type { Phase, Summary } from "../engine/types.ts";
 import { Drawing } from "../land/drawing.ts";
 import { listenForImages } from "../land/image-drop.ts";
 import { pixelsOf } from "../land/image-file.ts";
-import { fileOf } from "../player/formats.ts";
 import type { State } from "../player/frame-loop.ts";
 import type { ShowMode } from "../player/river-player.ts";
 import { alternative, caption, sentence } from "../player/summary-text.ts";
-import type { Thumbnail } from "../player/thumbnails.ts";
 import { Downloads } from "../share/downloads.ts";
 import { copy } from "../share/share.ts";
 import { ShareDialog } from "../share/share-dialog.ts";
+import { type Engines, openEngines } from "./backend.ts";
 import type { Insets } from "./camera.ts";
 import { elements } from "./elements.ts";
 import { type Named, NameList, namedOf } from "./name-list.ts";
@@ -35,7 +35,7 @@ import { Announcer, showFailure, showNotices, undoable } from "./status.ts";
 import { StyleStrip } from "./style-strip.ts";
 import { Transport } from "./transport.ts";
 import { Undo } from "./undo.ts";
-import { lateCharts, RiverViewport } from "./viewport.ts";
+import { RiverViewport } from "./viewport.ts";
 
 const prefersStill = window.matchMedia("(prefers-reduced-motion: reduce)");
 const prefersDark = window.matchMedia(DARK_PAGES);
@@ -77,14 +77,15 @@ class Page {
   /** What the last presets changed unasked, and the recipe from before them, to which Undo leads back. */
   #presetUndo: { message: string; link: string; values: ReadonlyMap<string, string> } | undefined;
 
-  constructor(private readonly core: FullCore) {
+  constructor(
+    private readonly core: FullCore,
+    recipe: Recipe,
+    viewport: RiverViewport,
+  ) {
     const { engine } = core;
     this.#table = engine.parameters();
-    this.#recipe = new Recipe(
-      (text, options) => engine.readLink(text, options),
-      () => prefersDark.matches,
-    );
-    this.#recipe.open(linkOf(location) || firstLink());
+    this.#recipe = recipe;
+    this.#viewport = viewport;
     const disclosures = new Disclosures(() => localStorage);
     this.#controls = controls(
       this.#table,
@@ -101,11 +102,6 @@ class Page {
       this.#table.find(({ key }) => key === "style"),
       (style) => this.#choose("style", style),
     );
-    this.#viewport = new RiverViewport(core, elements, this.#recipe.shown, {
-      covered: () => covered(),
-      changed: (state, phase, summary) => this.#follow(state, phase, summary),
-      failed: (error) => this.#fail(error),
-    });
     this.#transport = this.#makeTransport();
     this.#drawing = new Drawing(elements.drawing, engine, {
       drawn: (outline) => this.#set(drawn(outline), "settle"),
@@ -124,15 +120,17 @@ class Page {
     this.#listen();
   }
 
-  /** Shows the first river. */
+  /** Goes with the first river. */
   start(): void {
-    elements.facade.hidden = true;
     this.#transport.enable();
     const { dice, download, copy, reset, sharing, drawing, panel, zoom } = elements;
     for (const button of [dice, download, sharing.open, copy, reset, drawing.draw, panel.open, zoom.closer])
       button.disabled = false;
     this.#showRecipe();
-    this.#viewport.start(this.#how("watch"));
+    this.#viewport.listen({
+      changed: (state, phase, summary) => this.#follow(state, phase, summary),
+      failed: (error) => this.#fail(error),
+    });
   }
 
   #makeTransport(): Transport {
@@ -153,7 +151,7 @@ class Page {
       () => this.#viewport.refit(),
     );
     const downloads = new Downloads(elements, this.#recipe, {
-      make: (link, format) => fileOf(this.#viewport.copy(link), { ...this.core, loadCharts: lateCharts }, format),
+      make: (link, format) => this.#viewport.file(link, format),
       failed: (error) => this.#fail(error),
     });
     new ShareDialog(elements.sharing, this.#recipe, (say) => void downloads.save("png", say));
@@ -184,7 +182,7 @@ class Page {
   /** The names of the finished map, those of great rivers first; none if they cannot be had, as the viewport then says. */
   async #names(): Promise<Named[]> {
     try {
-      return namedOf((await this.#viewport.askChart((chart) => chart.greatest(NAMED_RIVERS))) ?? []);
+      return namedOf(await this.#viewport.names(NAMED_RIVERS));
     } catch {
       return [];
     }
@@ -193,8 +191,8 @@ class Page {
   /** A name of the visitor's own for something on the map, or its usual one. */
   async #rename(mark: string, name: string | undefined): Promise<void> {
     try {
-      const { Chart } = await lateCharts();
-      this.#set([["names", Chart.renamed(this.#recipe.values.get("names") ?? "", mark, name)]], "settle");
+      const names = await this.#viewport.renamed(() => this.#recipe.values.get("names") ?? "", mark, name);
+      this.#set([["names", names]], "settle");
     } catch (thrown) {
       this.#note(named(thrown).message);
       this.#nameList.restore();
@@ -293,11 +291,7 @@ class Page {
 
   #show(how: ShowMode, isStep = false): void {
     this.#showRecipe(isStep);
-    this.#viewport.show(this.#recipe.shown, this.#how(how));
-  }
-
-  #how(how: ShowMode): ShowMode {
-    return prefersStill.matches ? "still" : how;
+    this.#viewport.show(this.#recipe.shown, howFor(how));
   }
 
   #showRecipe(isStep = false): void {
@@ -327,6 +321,7 @@ class Page {
 
   /** The viewport changed: the caption, the text alternative and the announcement follow. */
   #follow(state: State, phase: Phase, summary: Summary): void {
+    elements.facade.hidden = true;
     this.#transport.show(state);
     elements.frame.dataset["state"] = state;
     elements.frame.dataset["phase"] = phase;
@@ -343,7 +338,7 @@ class Page {
 
   async #finished(phase: Phase, summary: Summary): Promise<void> {
     this.#announcer.say(`Finished: ${sentence(summary)}`);
-    this.#drawThumbnails();
+    this.#drawThumbnails().catch((error) => this.#fail(error));
     const isLabelled = this.#recipe.values.get("labels") !== "none";
     if (!isLabelled && !this.#nameList.isShown) return;
     const { link, seed } = this.#recipe;
@@ -359,21 +354,19 @@ class Page {
   }
 
   /** Unless they are of these very rivers: the style alone may have changed. */
-  #drawThumbnails(): void {
+  async #drawThumbnails(): Promise<void> {
     const map = unstyled(this.#recipe.link);
-    if (map === this.#thumbnailsOf || elements.styles.checkVisibility() === false) return;
+    if (map === this.#thumbnailsOf || elements.styles.getClientRects().length === 0) return;
+    const made = await this.#viewport.thumbnails(this.#strip.styles, this.#strip.size);
+    if (made.length === 0 || unstyled(this.#recipe.link) !== map) return;
     this.#thumbnailsOf = map;
-    const { styles, size } = this.#strip;
-    const draw = (thumbnail: Thumbnail): void => {
-      if (unstyled(this.#recipe.link) === map) this.#strip.draw(thumbnail);
-    };
-    this.#viewport.drawThumbnails(styles, size, draw).catch((error) => this.#fail(error));
+    for (const thumbnail of made) this.#strip.draw(thumbnail);
   }
 
   #fail(thrown: unknown): void {
     const error = named(thrown);
     if (error.code === "no-chart") this.#note(error.message);
-    else if (isRecoverable(error)) {
+    else if (isRecoverable(error) && this.#viewport.link !== "") {
       // The core kept the river it had, so the page goes back to that one's values.
       this.#recipe.restore(this.#viewport.link);
       this.#showRecipe();
@@ -423,6 +416,10 @@ function unstyled(link: string): string {
   return values.toString();
 }
 
+function howFor(how: ShowMode): ShowMode {
+  return prefersStill.matches ? "still" : how;
+}
+
 /** The values of a drawn land. */
 function drawn(outline: string): [key: string, value: string][] {
   return [
@@ -451,6 +448,18 @@ function fail(thrown: unknown): void {
   showFailure(elements.failure, error);
 }
 
-loadFull()
-  .then((core) => new Page(core).start())
-  .catch(fail);
+/** The first river is on its way before the page is made, which takes as long as its first picture does. */
+async function begin({ core, renderHost }: Engines): Promise<void> {
+  const own = await core;
+  const recipe = new Recipe(
+    (text, options) => own.engine.readLink(text, options),
+    () => prefersDark.matches,
+  );
+  recipe.open(linkOf(location) || firstLink());
+  const viewport = new RiverViewport(renderHost, elements, recipe.shown, recipe.defaults.get("aspect") ?? "", covered);
+  viewport.start(howFor("watch"));
+  await turn();
+  new Page(own, recipe, viewport).start();
+}
+
+begin(openEngines()).catch(fail);

@@ -1,23 +1,25 @@
-/** The viewport: the picture's place on the page, which is the whole window, and the part of the map that is seen in it. */
+/**
+ * The viewport: the picture's place on the page, which is the whole window, and the part of the map that is seen in it. The river itself
+ * is in the renderer: commands go there, and reports of it come back.
+ */
 
 import { backingSize, type CanvasSize, type Framing, observeSize, RESIZE_PAUSE_MS } from "../browser/canvas.ts";
-import type { Charts } from "../engine/charts.ts";
-import type { FullCore, FullRiver } from "../engine/full.ts";
+import { isRecoverable, named, PageError } from "../engine/errors.ts";
 import type { Phase, Summary } from "../engine/types.ts";
-import { askChart } from "../player/chart-maker.ts";
+import type { Format } from "../player/format-names.ts";
 import type { State } from "../player/frame-loop.ts";
-import { RiverPlayer, type ShowMode } from "../player/river-player.ts";
-import { displayFrames } from "../player/scheduler.ts";
-import { type Thumbnail, thumbnails } from "../player/thumbnails.ts";
+import type { ShowMode } from "../player/river-player.ts";
+import type { Thumbnail } from "../player/thumbnails.ts";
+import type { Report } from "../renderer/protocol.ts";
+import type { PageRenderHost } from "./backend.ts";
 import { Camera, type Insets, type Point, type Stage, transformBetween } from "./camera.ts";
 import { Gestures, KEY_ZOOM } from "./gestures.ts";
-
-/** Most maps have no labels. */
-export const lateCharts = async (): Promise<Charts> => (await import("../engine/charts.ts")).loadCharts();
+import type { About, Answer, Answers, Question, QuestionAbout } from "./protocol.ts";
 
 export interface ViewportElements {
   /** The picture's place. */
   frame: HTMLElement;
+  /** Another one, after the renderer had to be replaced: a canvas that is handed over does not come back. */
   canvas: HTMLCanvasElement;
   /** Lies where the map does. */
   mapPlace: HTMLElement;
@@ -25,102 +27,100 @@ export interface ViewportElements {
 }
 
 export interface ViewportEvents {
-  /** What of the picture's place other things cover. */
-  covered(): Insets;
-  /** Something on the viewport changed: the state, or in it the river. */
+  /** Something on the viewport changed: the state, or in it the river. It is of the link that was shown last. */
   changed(state: State, phase: Phase, summary: Summary): void;
-  failed(error: unknown): void;
+  failed(error: PageError): void;
 }
 
+/** How another renderer takes a river over that was in a state, or was to be: not at the same step, but to the same end. */
+const HOW: Record<State, ShowMode> = { growing: "watch", paused: "watch", settling: "settle", finished: "still" };
+
+type SceneReport = Exclude<Report<Answer>, { is: "answer" }>;
+
 export class RiverViewport {
+  /** Its number at the render host, while it has a river there. */
+  #id: number | undefined;
+  /** What is to be shown, and of the river that is: its link and how it stands. */
+  #wanted: { link: string; how: ShowMode };
+  #link = "";
+  #state: State = "paused";
+  #speed = 1;
+  /** What was asked for, until there is word of it: it may be asked before there is a river, or of a worker that no longer answers. */
+  #asked: State | undefined;
+  #events: ViewportEvents | undefined;
+  /** What there was to be told before anybody listened. */
+  readonly #untold: ((events: ViewportEvents) => void)[] = [];
+  /** How many links were shown since the renderer has the canvas, and which of them is to be heard of. */
+  #links = 0;
+  #heard = 0;
+  /** The canvas that is not seen before there is something on it. */
+  #next: HTMLCanvasElement | undefined;
+  #isOver = false;
+  readonly #camera = new Camera();
+  /** What the picture shows, and what it will once there is a river of the link that was shown last. */
+  #framing: Framing | undefined;
+  #nextFraming: Framing | undefined;
   #resizing: ReturnType<typeof setTimeout> | undefined;
   readonly #observer = new ResizeObserver(() => this.#resizeSoon());
-  readonly #player: RiverPlayer<FullRiver>;
-  readonly #camera = new Camera();
-  #aspect = 1;
-  /** What the picture shows, until there is another. */
-  #shown: Framing | undefined;
+  readonly #client = { hear: (report: Report<Answer>) => this.#hear(report), moved: () => this.#move() };
 
-  /** Puts a river on the canvas at tick 0. Throws what the core throws. */
   constructor(
-    private readonly core: FullCore,
+    private readonly renderHost: PageRenderHost,
     private readonly elements: ViewportElements,
+    /** The first link. */
     link: string,
-    private readonly events: ViewportEvents,
+    /** The aspect of links that say none. */
+    private readonly ordinaryAspect: string,
+    /** What of the picture's place other things cover. */
+    private readonly covered: () => Insets,
   ) {
-    this.#player = new RiverPlayer(
-      { ...core, loadCharts: lateCharts },
-      elements.canvas,
-      { text: link },
-      displayFrames,
-      {
-        ...events,
-        sizeFor: (aspect) => this.#sizeFor(aspect),
-      },
-    );
+    this.#wanted = { link, how: "watch" };
+    this.#listenToHand();
     observeSize(this.#observer, elements.frame);
-    document.addEventListener("visibilitychange", () => this.#followVisibility());
-    this.#listenToZoom();
+    document.addEventListener("visibilitychange", () => this.#rest());
   }
 
-  /** The link of the river that is on the viewport. */
+  /** Tells somebody how it goes from now on, and how it went until now. */
+  listen(events: ViewportEvents): void {
+    this.#events = events;
+    for (const tell of this.#untold.splice(0)) tell(events);
+  }
+
+  /** The link of the river that is on the viewport; empty while there is none. */
   get link(): string {
-    return this.#player.link;
-  }
-
-  /** A river of a link, for a file: as far as the one on the viewport has come, and with a future of its own. */
-  copy(link: string): FullRiver {
-    const river = this.#player.river?.copy();
-    if (!river) return new this.core.engine.River(link);
-    try {
-      river.change(link);
-      return river;
-    } catch (error) {
-      river.free();
-      throw error;
-    }
-  }
-
-  /** What a chart of the river on the viewport says; nothing while that is not finished. */
-  async askChart<Said>(ask: Parameters<typeof askChart<Said>>[2]): Promise<Said | undefined> {
-    const charts = await lateCharts();
-    // By now there may be another, or none.
-    const river = this.#player.river;
-    return river && this.state === "finished" ? askChart(river, charts, ask) : undefined;
-  }
-
-  /** Small pictures of the river on the viewport, as long as it stays. */
-  async drawThumbnails(
-    styles: readonly string[],
-    size: { width: number; height: number },
-    draw: (thumbnail: Thumbnail) => void,
-  ): Promise<void> {
-    const { link } = this;
-    const isOver = (): boolean => this.link !== link || this.state !== "finished";
-    const pause = (): Promise<boolean> => new Promise((done) => setTimeout(() => done(!isOver())));
-    if (!(await pause())) return;
-    for await (const thumbnail of thumbnails(this.copy(link), this.core.memory, styles, size, pause)) draw(thumbnail);
+    return this.#link;
   }
 
   get state(): State {
-    return this.#player.state;
+    return this.#state;
   }
 
   set speed(speed: number) {
-    this.#player.speed = speed;
+    this.#speed = speed;
+    this.#send({ do: "speed", speed });
   }
 
   toggle(): void {
-    this.#player.toggle();
+    const state = this.#asked ?? this.#state;
+    this.#asked = state === "growing" || state === "settling" ? "paused" : "growing";
+    this.#send({ do: "toggle" });
   }
 
   /** Shows the first river. */
   start(how: ShowMode): void {
-    this.#player.start(how);
+    this.#wanted.how = how;
+    void this.#enter();
   }
 
   show(link: string, how: ShowMode): void {
-    this.#player.show({ text: link }, how);
+    this.#wanted = { link, how };
+    this.#asked = undefined;
+    if (this.#id === undefined) return;
+    this.#heard = ++this.#links;
+    this.elements.frame.dataset["pending"] = "";
+    const size = this.#sizeFor(link);
+    this.#nextFraming = size.framing;
+    this.#send({ do: "show", link: { text: link }, how, size });
   }
 
   /** Other things cover more or less of the picture's place. */
@@ -128,27 +128,141 @@ export class RiverViewport {
     this.#followCamera();
   }
 
+  /** Small pictures of the finished map on show in some styles, in their own pixels; none if another is shown before all are made. */
+  async thumbnails(styles: readonly string[], size: { width: number; height: number }): Promise<readonly Thumbnail[]> {
+    return (await this.#ask({ about: "thumbnails", of: this.#id, styles, size })) ?? [];
+  }
+
+  /** A link's finished rivers as a file, made from the river on show as far as that has come. */
+  file(link: string, format: Format): Promise<Blob> {
+    return this.#ask({ about: "file", of: this.#id, link, format });
+  }
+
+  /** The greatest names on the map, three texts each; none while it is not finished, or not the one that was shown last. */
+  async names(count: number): Promise<readonly string[]> {
+    const names = await this.#ask({ about: "names", of: this.#id, count });
+    return names?.link === this.#wanted.link ? names.texts : [];
+  }
+
+  /** The parameter `names`, as it is now, with another name for something, or its usual one. */
+  async renamed(now: () => string, mark: string, name: string | undefined): Promise<string> {
+    const names = now();
+    const renamed = await this.#ask({ about: "renamed", names, mark, name });
+    // Something else may have been given a name meanwhile.
+    return names === now() ? renamed : this.renamed(now, mark, name);
+  }
+
   /** After a failure that leaves the engine in an unknown state, nothing of it is called again. */
   close(): void {
-    this.#player.close();
+    this.#isOver = true;
+    if (this.#id !== undefined) this.renderHost.leave(this.#id);
+    this.#id = undefined;
     this.#observer.disconnect();
     clearTimeout(this.#resizing);
   }
 
-  #listenToZoom(): void {
+  // ---- what it says
+
+  #send(command: Parameters<PageRenderHost["send"]>[1]): void {
+    if (this.#id !== undefined) this.renderHost.send(this.#id, command);
+  }
+
+  async #ask<Key extends About>(question: QuestionAbout<Key>): Promise<Answers[Key]> {
+    // An answer is of the kind of its question.
+    return (await this.renderHost.ask(question as Question)) as Answers[Key];
+  }
+
+  async #enter(): Promise<void> {
+    try {
+      const id = await this.renderHost.enter(this.#client);
+      if (this.#isOver) this.renderHost.leave(id);
+      else this.#open(id);
+    } catch (thrown) {
+      if (!this.#isOver) this.#tell((events) => events.failed(named(thrown)));
+    }
+  }
+
+  #open(id: number): void {
+    const { link, how } = this.#wanted;
+    const state = this.#asked ?? (this.#link === link ? this.#state : undefined);
+    const canvas = this.#next ?? this.elements.canvas;
+    this.#id = id;
+    this.#links = this.#heard = 0;
+    const size = this.#sizeFor(link);
+    this.#nextFraming = size.framing;
+    this.#send({ do: "open", canvas, link: { text: link }, how: state ? HOW[state] : how, size });
+    this.#send({ do: "speed", speed: this.#speed });
+    if (state === "paused") this.#send({ do: "pause" });
+    if (document.hidden) this.#rest();
+  }
+
+  /** The renderer answers no more, and there is a new one: there it goes on with the same river. The old picture stays until then. */
+  #move(): void {
+    this.#id = undefined;
+    if (this.#isOver) return;
+    this.#next = this.elements.canvas.cloneNode() as HTMLCanvasElement;
+    void this.#enter();
+  }
+
+  // ---- what it hears
+
+  #hear(report: Report<Answer>): void {
+    if (report.is === "shown") this.#show(report);
+    if (report.is === "failed") this.#fail(report);
+  }
+
+  #show({ reading, state, phase, summary }: Extract<SceneReport, { is: "shown" }>): void {
+    this.#reveal();
+    this.#link = reading.link;
+    this.#state = state;
+    this.#asked = undefined;
+    // Of a river that another is to follow nothing is said any more.
+    if (reading.links < this.#heard) return;
+    delete this.elements.frame.dataset["pending"];
+    this.#becomeFramed(this.#nextFraming);
+    this.#nextFraming = undefined;
+    this.#tell((events) => events.changed(state, phase, summary));
+  }
+
+  #fail({ code, message, links = 0 }: Extract<SceneReport, { is: "failed" }>): void {
+    const error = new PageError(code, message);
+    if (isRecoverable(error) && code !== "no-chart") {
+      // Another link is on its way, which may do; but without a first river nothing follows.
+      if (links < this.#links && this.#link !== "") return;
+      // The river that was there stays, in its own shape.
+      this.#heard = 0;
+      this.#wanted.link = this.#link;
+      void this.#resize();
+      delete this.elements.frame.dataset["pending"];
+    }
+    this.#tell((events) => events.failed(error));
+  }
+
+  #tell(what: (events: ViewportEvents) => void): void {
+    if (this.#events) what(this.#events);
+    else this.#untold.push(what);
+  }
+
+  #reveal(): void {
+    const next = this.#next;
+    if (!next) return;
+    this.#next = undefined;
+    this.elements.canvas.replaceWith(next);
+    this.elements.canvas = next;
+  }
+
+  // ---- its place, and the part of the map that is seen there
+
+  #listenToHand(): void {
     const { frame, zoom } = this.elements;
-    const zoomBy = (factor: number, about?: Point): void => {
-      this.#camera.zoomBy(factor, about, this.#stage());
+    const follow = (move: (stage: Stage) => void): void => {
+      move(this.#stageFor(this.#wanted.link));
       this.#followCamera();
     };
-    const all = (): void => {
-      this.#camera.reset();
-      this.#followCamera();
-    };
-    const move = (dx: number, dy: number): void => {
-      this.#camera.moveBy(dx, dy, this.#stage());
-      this.#followCamera();
-    };
+    const zoomBy = (factor: number, about?: Point): void =>
+      follow((stage) => this.#camera.zoomBy(factor, about, stage));
+    const all = (): void => follow(() => this.#camera.reset());
+    const move = (dx: number, dy: number): void => follow((stage) => this.#camera.moveBy(dx, dy, stage));
     // Keys move the map where the focus is on it.
     frame.tabIndex = 0;
     new Gestures(frame, { move, zoom: zoomBy, all });
@@ -157,20 +271,17 @@ export class RiverViewport {
     zoom.all.addEventListener("click", all);
   }
 
-  #stage(): Stage {
+  #stageFor(link: string): Stage {
     const { width, height } = this.elements.frame.getBoundingClientRect();
-    return { width, height, insets: this.events.covered(), aspect: this.#aspect };
+    const aspect = Number(new URLSearchParams(link).get("aspect") ?? this.ordinaryAspect);
+    return { width, height, insets: this.covered(), aspect };
   }
 
   /** The picture is moved at once, and painted anew when the hand rests. */
   #followCamera(): void {
-    const stage = this.#stage();
-    if (!(stage.width > 0 && stage.height > 0)) return;
+    const stage = this.#stageFor(this.#wanted.link);
     this.#placeMap(stage);
-    if (this.#shown) {
-      const transform = transformBetween(this.#shown, this.#camera.framingOn(stage), stage.width);
-      this.elements.canvas.style.transform = transform;
-    }
+    this.#movePicture(stage);
     this.#resizeSoon();
   }
 
@@ -183,28 +294,48 @@ export class RiverViewport {
     zoom.farther.disabled = zoom.all.disabled = this.#camera.showsAll;
   }
 
-  /** How many pixels the picture has, and what it shows. */
-  #sizeFor(aspect: number): CanvasSize {
-    this.#aspect = aspect;
-    const { frame, canvas } = this.elements;
-    const size = backingSize(frame.getBoundingClientRect(), window.devicePixelRatio);
-    const stage = this.#stage();
+  /** Until it is painted for what is to be seen, the picture stands where that will be. */
+  #movePicture(stage: Stage): void {
+    if (!this.#framing) return;
+    const transform = transformBetween(this.#framing, this.#camera.framingOn(stage), stage.width);
+    this.elements.canvas.style.transform = transform;
+  }
+
+  /** The picture has been painted for something else. */
+  #becomeFramed(framing: Framing | undefined): void {
+    if (!framing || this.#isOver) return;
+    this.#framing = framing;
+    this.elements.frame.dataset["framing"] = framing.join(" ");
+    this.#movePicture(this.#stageFor(this.#wanted.link));
+  }
+
+  /** How many pixels a link's picture has, and what it shows. */
+  #sizeFor(link: string): CanvasSize {
+    const size = backingSize(this.elements.frame.getBoundingClientRect(), window.devicePixelRatio);
     if (size.width === 0 || size.height === 0) return { ...size, ratio: 1 };
+    const stage = this.#stageFor(link);
     this.#placeMap(stage);
-    const framing = this.#camera.framingOn(stage);
-    this.#shown = framing;
-    canvas.style.transform = "";
-    frame.dataset["framing"] = framing.join(" ");
-    return { ...size, ratio: size.width / stage.width, framing };
+    return { ...size, ratio: size.width / stage.width, framing: this.#camera.framingOn(stage) };
   }
 
   #resizeSoon(): void {
     clearTimeout(this.#resizing);
-    this.#resizing = setTimeout(() => this.#player.resize(), RESIZE_PAUSE_MS);
+    this.#resizing = setTimeout(() => void this.#resize(), RESIZE_PAUSE_MS);
   }
 
-  #followVisibility(): void {
-    if (document.hidden) this.#player.rest();
-    else this.#player.wake();
+  async #resize(): Promise<void> {
+    const of = this.#id;
+    const size = this.#sizeFor(this.#wanted.link);
+    if (of === undefined || size.width === 0) return;
+    // What is on its way gets the same.
+    if (this.#nextFraming) this.#nextFraming = size.framing;
+    this.#send({ do: "resize", size });
+    // Answered once that is done.
+    await this.#ask({ about: "now", of }).catch(() => {});
+    if (!this.#nextFraming) this.#becomeFramed(size.framing);
+  }
+
+  #rest(): void {
+    this.#send({ do: document.hidden ? "rest" : "wake" });
   }
 }

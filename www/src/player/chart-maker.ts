@@ -72,13 +72,22 @@ export function askChart<Said>(river: Chartable, { Chart }: Charts, ask: (chart:
   }
 }
 
-/** The same for a file, of a module that may have to be fetched. */
+/** What a file takes besides its river. */
+export interface FileMeans {
+  readonly loadCharts: LoadCharts;
+  /** Called before a step that takes long: what is painted or written for a file is, in one. */
+  holdOn(): void;
+}
+
+/** The same for a file, of a module that may have to be fetched. What follows at once may take as long. */
 export async function askChartForFile<Said>(
   river: Chartable,
-  load: LoadCharts,
+  { loadCharts, holdOn }: FileMeans,
   ask: (chart: Chart) => Said,
 ): Promise<Said> {
-  return askChart(river, await forFile(load), ask);
+  const charts = await forFile(loadCharts);
+  holdOn();
+  return askChart(river, charts, ask);
 }
 
 /** A file without the names that it should have is none. */

@@ -4,7 +4,7 @@ import type { Size } from "../browser/canvas.ts";
 import type { FullRiver } from "../engine/full.ts";
 import type { River } from "../engine/types.ts";
 import { Blitter } from "./blit.ts";
-import { askChartForFile, type LoadCharts } from "./chart-maker.ts";
+import { askChartForFile, type FileMeans } from "./chart-maker.ts";
 import { type Canvas, contextOf } from "./river-player.ts";
 
 /** Pixels on the long side of a PNG: a full page in print, and on any screen more than there is. */
@@ -12,21 +12,21 @@ export const LONG_SIDE_PX = 3000;
 /** What growing for a file may take at a time, so that the page goes on answering. */
 const SLICE_MS = 12;
 
-/** What pictures are taken out of, and what makes charts of them. */
-export interface Painting {
+/** What pictures are taken out of, and what their files take. */
+export interface Painting extends FileMeans {
   readonly memory: WebAssembly.Memory;
-  readonly loadCharts: LoadCharts;
 }
 
-/** Its picture, `size` pixels on the long side. Reports when it begins to paint, which is one step. */
-export async function pngOf(river: River, core: Painting, longSide: number, painting?: () => void): Promise<Blob> {
-  return encoded(await finished(river, () => drawn(river, core, longSide, painting)));
+/** Its picture, `longSide` pixels on the long side. */
+export async function pngOf(river: River, core: Painting, longSide: number): Promise<Blob> {
+  return encoded(await finished(river, () => drawn(river, core, longSide)));
 }
 
 /** Its shapes. */
-export function svgOf(river: FullRiver, loadCharts: LoadCharts): Promise<Blob> {
+export function svgOf(river: FullRiver, core: FileMeans): Promise<Blob> {
   return finished(river, async () => {
-    const chart = river.wantsChart() ? await askChartForFile(river, loadCharts, (chart) => chart.svg()) : [];
+    const chart = river.wantsChart() ? await askChartForFile(river, core, (chart) => chart.svg()) : [];
+    core.holdOn();
     return new Blob([river.svg(chart)], { type: "image/svg+xml" });
   });
 }
@@ -56,24 +56,16 @@ function stepsFor(milliseconds: number, step: () => boolean): boolean {
 }
 
 /** Painted for the file rather than enlarged from the screen. */
-export async function drawn(
-  river: River,
-  { memory, loadCharts }: Painting,
-  longSide: number,
-  painting: () => void = () => {},
-): Promise<Canvas> {
+export async function drawn(river: River, core: Painting, longSide: number): Promise<Canvas> {
   const { width, height } = sizeFor(river.aspect, longSide);
   river.resize(width, height);
   if (river.wantsChart()) {
-    const masks = await askChartForFile(river, loadCharts, (chart) => {
-      painting();
-      return chart.masks(width, height, 1, new Float32Array());
-    });
-    river.takeChart(masks);
-  } else painting();
+    river.takeChart(await askChartForFile(river, core, (chart) => chart.masks(width, height, 1, new Float32Array())));
+  }
+  core.holdOn();
   while (river.paint());
   const canvas = bareCanvas(width, height);
-  new Blitter(contextOf(canvas), memory).blit(river);
+  new Blitter(contextOf(canvas), core.memory).blit(river);
   return canvas;
 }
 

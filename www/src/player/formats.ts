@@ -3,27 +3,21 @@
 import type { FullCore, FullRiver } from "../engine/full.ts";
 import { askChartForFile } from "./chart-maker.ts";
 import { drawn, encoded, finished, inSlices, LONG_SIDE_PX, type Painting, pngOf, svgOf } from "./files.ts";
+import type { Format } from "./format-names.ts";
 import { contentsOf, packed } from "./game-pack.ts";
 
 /** The full engine, with what makes charts: all files of data have names. */
 export type FileCore = FullCore & Painting;
 
-const FORMATS = {
-  png: (river: FullRiver, core: FileCore) => pngOf(river, core, LONG_SIDE_PX),
-  svg: (river: FullRiver, { loadCharts }: FileCore) => svgOf(river, loadCharts),
-  geojson: (river: FullRiver, core: FileCore) =>
+const FORMATS: Record<Format, (river: FullRiver, core: FileCore) => Promise<Blob>> = {
+  png: (river, core) => pngOf(river, core, LONG_SIDE_PX),
+  svg: svgOf,
+  geojson: (river, core) =>
     raised(river, async () => text(river.geojson(await namesOf(river, core)), "application/geo+json")),
-  json: (river: FullRiver, core: FileCore) =>
+  json: (river, core) =>
     finished(river, async () => text(river.network(await namesOf(river, core)), "application/json")),
   zip: packOf,
 };
-
-/** The formats, each named as its files end. */
-export type Format = keyof typeof FORMATS;
-
-export function isFormat(name: string | undefined): name is Format {
-  return name !== undefined && Object.hasOwn(FORMATS, name);
-}
 
 /** Takes a river, which nobody else has, to its end and makes a file of it. It is gone afterwards. */
 export function fileOf(river: FullRiver, core: FileCore, format: Format): Promise<Blob> {
@@ -36,7 +30,9 @@ async function packOf(river: FullRiver, core: FileCore): Promise<Blob> {
     const contents = contentsOf(river, await namesOf(river, core));
     return [contents, await drawn(river, core, LONG_SIDE_PX)] as const;
   });
-  return packed(contents, await (await encoded(canvas)).arrayBuffer());
+  const picture = await (await encoded(canvas)).arrayBuffer();
+  core.holdOn();
+  return packed(contents, picture);
 }
 
 /** Makes something of a river and its relief, in a style that shows none too. */
@@ -47,8 +43,8 @@ function raised<Made>(river: FullRiver, make: () => Made | Promise<Made>): Promi
   });
 }
 
-function namesOf(river: FullRiver, { loadCharts }: FileCore): Promise<Uint32Array> {
-  return askChartForFile(river, loadCharts, (chart) => chart.names());
+function namesOf(river: FullRiver, core: FileCore): Promise<Uint32Array> {
+  return askChartForFile(river, core, (chart) => chart.names());
 }
 
 function text(value: object, type: string): Blob {

@@ -41,7 +41,7 @@ interface Framed {
 }
 
 /** What of an engine plants rivers: a lean one, or a full one. */
-interface Planter<Planted> {
+export interface Planter<Planted> {
   readonly engine: { readonly River: new (text: string, options?: ReadOptions) => Planted };
   readonly memory: WebAssembly.Memory;
   /** Fetches what makes charts of its rivers. */
@@ -181,7 +181,11 @@ export class RiverPlayer<Planted extends River & Partial<Framed> = River> {
     const { text, options } = wanted.link;
     const stage = this.#river.change(text, options);
     this.#tellOfLink();
-    if (stage === "none") return;
+    if (stage === "none") {
+      // The picture stays; that it is of this link is news.
+      this.#tell();
+      return;
+    }
     this.#fit();
     const { phase } = this.#river;
     // Of finished rivers a style may show a relief that none has shown before, and that is yet to be made.

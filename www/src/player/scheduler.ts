@@ -24,7 +24,10 @@ export class SharedScheduler implements Frames {
   #last = 0;
   #isAsked = false;
 
-  constructor(private readonly display: Frames) {}
+  constructor(
+    private readonly display: Frames,
+    private readonly shareMs = SHARE_MS,
+  ) {}
 
   now(): number {
     return this.display.now();
@@ -53,7 +56,7 @@ export class SharedScheduler implements Frames {
 
   #frame(now: number): void {
     this.#isAsked = false;
-    const end = this.now() + SHARE_MS;
+    const end = this.now() + this.shareMs;
     const last = this.#last;
     for (const [handle, callback] of this.#waiting) {
       // Whoever asks in this frame wants the next.

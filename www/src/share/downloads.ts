@@ -3,7 +3,7 @@
 import { Menu } from "../controls/menu.ts";
 import { named, type PageError } from "../engine/errors.ts";
 import type { Recipe } from "../engine/recipe.ts";
-import { type Format, isFormat } from "../player/formats.ts";
+import { type Format, isFormat } from "../player/format-names.ts";
 import { fileName, save } from "./share.ts";
 
 export interface DownloadElements {

@@ -8,11 +8,12 @@ import { DARK_PAGES } from "../browser/dark-pages.ts";
 import { isRecoverable, named, PageError } from "../engine/errors.ts";
 import type { State } from "../player/frame-loop.ts";
 import type { ShowMode } from "../player/river-player.ts";
+import type { Reading, Status } from "../renderer/protocol.ts";
+import type { Client } from "../renderer/render-host.ts";
 import { ASPECT, aspectOf, linkOf, OBSERVED, type Properties, reflect, upgrade } from "./attributes.ts";
-import { importPageBackend } from "./backend.ts";
+import { importPageBackend, renderHost } from "./backend.ts";
 import type { RiverSeedEventMap } from "./events.ts";
-import type { FileRequest, Reading, Report, RiverRequest, Status } from "./protocol.ts";
-import { type Client, renderHost } from "./render-host.ts";
+import { type FileRequest, linkToRead, type Report } from "./protocol.ts";
 import { countIn, ENGLISH, type Strings, type Told } from "./strings.ts";
 import { type Does, View } from "./view.ts";
 import { watch } from "./visibility.ts";
@@ -51,11 +52,11 @@ export class RiverSeed extends Base {
   #asked: "play" | "pause" | "still" | undefined;
   #resizing: ReturnType<typeof setTimeout> | undefined;
   #aspect = ASPECT.default;
-  #request: RiverRequest | undefined;
+  #link: ReturnType<typeof linkToRead> | undefined;
   #reading: Reading | undefined;
   #status: Status | undefined;
   readonly #view = new View(this.attachShadow({ mode: "open" }), () => this.#press());
-  readonly #client: Client = { hear: (report) => this.#hear(report), moved: () => this.#move() };
+  readonly #client: Client<Blob> = { hear: (report) => this.#hear(report), moved: () => this.#move() };
 
   connectedCallback(): void {
     // Somebody moved it.
@@ -145,8 +146,8 @@ export class RiverSeed extends Base {
     return matchMedia(DARK_PAGES).matches;
   }
 
-  get #requestNow(): RiverRequest {
-    return { text: linkOf(this), isDark: this.#isDark };
+  get #linkNow() {
+    return linkToRead(linkOf(this), this.#isDark);
   }
 
   /** A river that has been seen to its end is not grown before the reader's eyes again. */
@@ -154,8 +155,9 @@ export class RiverSeed extends Base {
     return this.#isStill || (this.#status?.state === "finished" && !this.#isShown) ? "still" : "watch";
   }
 
-  #file(file: Omit<FileRequest, "wasmUrl">): Promise<Blob> {
-    return renderHost.file(this.#requestNow, { ...file, wasmUrl: this.#wasmUrl });
+  #file(file: FileRequest): Promise<Blob> {
+    const wasmUrl = this.#wasmUrl;
+    return renderHost.ask({ ...file, link: this.#linkNow, wasmUrl }, wasmUrl);
   }
 
   // ---- its life
@@ -186,18 +188,18 @@ export class RiverSeed extends Base {
 
   /** Brings everything in line with the attributes. */
   #follow(): void {
-    const before = this.#request;
-    const request = this.#requestNow;
-    const isNew = request.text !== before?.text || request.isDark !== before.isDark;
-    this.#request = request;
+    const before = this.#link;
+    const link = this.#linkNow;
+    const isNew = link.text !== before?.text || link.options.dark !== before.options.dark;
+    this.#link = link;
     // What failed with one recipe may do with another.
     if (isNew && this.#hasFailed) this.#hasBegun = this.#hasFailed = false;
-    if (isNew) this.#shape(aspectOf(request.text));
+    if (isNew) this.#shape(aspectOf(link.text));
     this.#describe();
     // What stood there before is of another river.
     if (isNew && this.#id === undefined) this.#status = undefined;
     if (isNew && this.#id !== undefined) {
-      renderHost.send(this.#id, { do: "show", request, how: this.#how, size: this.#view.fit() });
+      renderHost.send(this.#id, { do: "show", link, how: this.#how, size: this.#view.fit() });
     }
     this.#finishIfStill();
     this.#beginIfDue();
@@ -229,7 +231,7 @@ export class RiverSeed extends Base {
     const canvas = this.#view.prepare();
     const size = this.#view.fit();
     const how = this.#asked === "play" ? "watch" : this.#asked === "still" ? "still" : this.#how;
-    renderHost.send(id, { do: "open", canvas, request: this.#requestNow, how, size });
+    renderHost.send(id, { do: "open", canvas, link: this.#linkNow, how, size });
     if (this.#asked === "pause") renderHost.send(id, { do: "pause" });
     this.#id = id;
     this.#rest();

@@ -4,13 +4,15 @@
  */
 
 import { load } from "../engine/wasm.ts";
-import type { Backend, Report } from "./protocol.ts";
-import { Renderer } from "./renderer.ts";
+import type { Backend } from "../renderer/protocol.ts";
+import { Renderer } from "../renderer/renderer.ts";
+import { meansOf } from "./means.ts";
+import type { Question, Report } from "./protocol.ts";
 
 export { advice } from "../engine/advice.ts";
 
-export async function open(tell: (report: Report) => void, wasmUrl: string | undefined): Promise<Backend> {
-  const renderer = new Renderer(await load(wasmUrl), wasmUrl, tell);
+export async function open(tell: (report: Report) => void, wasmUrl: string | undefined): Promise<Backend<Question>> {
+  const renderer = new Renderer(meansOf(await load(wasmUrl), wasmUrl), tell);
   // The engine is the one that the page's script holds: it stays.
   return { isReplaceable: false, take: (command) => renderer.take(command), close: () => {} };
 }

@@ -2,7 +2,7 @@
 
 import type { Count } from "../browser/count.ts";
 import { alternative, sizeOf } from "../player/summary-text.ts";
-import type { Status } from "./protocol.ts";
+import type { Status } from "../renderer/protocol.ts";
 
 /** A river as it stands, for a sentence about it. */
 export interface Told extends Status {

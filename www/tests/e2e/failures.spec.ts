@@ -1,5 +1,5 @@
 import { expect, type Page, test } from "@playwright/test";
-import { finished, openStopped, unfold } from "./riverpage.ts";
+import { beforehand, everywhere, finished, openStopped, unfold } from "./riverpage.ts";
 
 async function expectFailure(page: Page, code: string, advice: RegExp): Promise<void> {
   const failure = page.getByRole("alert");
@@ -114,8 +114,9 @@ test("a policy that forbids WebAssembly", async ({ page }) => {
 
 /** Makes a function of the engine fail once `globalThis.trap` is set: trap, as a panic does, or throw an error with a code. */
 async function trapOn(page: Page, name: string, code?: string): Promise<void> {
-  await page.addInitScript(
-    ([trapped = "", code]) => {
+  await beforehand(
+    page,
+    ([trapped = "", code]: readonly (string | undefined)[]) => {
       const instantiate = WebAssembly.instantiate;
       const trapping = async (...given: Parameters<typeof instantiate>) => {
         const instance = (await Reflect.apply(instantiate, WebAssembly, given)) as unknown as WebAssembly.Instance;
@@ -130,8 +131,13 @@ async function trapOn(page: Page, name: string, code?: string): Promise<void> {
       };
       WebAssembly.instantiate = trapping as unknown as typeof instantiate;
     },
-    [name, code] as const,
+    [name, ...(code === undefined ? [] : [code])],
   );
+}
+
+/** From now on it does, in the page and in its worker. */
+async function trap(page: Page): Promise<void> {
+  await everywhere(page, () => Object.assign(globalThis, { trap: true }) && undefined, undefined);
 }
 
 test("a panic while growing stops the river and says so, once", async ({ page }) => {
@@ -143,7 +149,7 @@ test("a panic while growing stops the river and says so, once", async ({ page })
   await openStopped(page);
   await page.clock.runFor(100);
   await expect(page.locator("#caption")).toContainText("Growing");
-  await page.evaluate(() => Object.assign(globalThis, { trap: true }));
+  await trap(page);
   await page.clock.resume();
   await expectFailure(page, "panic", /report the link/);
   expect(warnings).toHaveLength(1);
@@ -157,7 +163,7 @@ test("memory that runs out before the rivers are there is said, and no tree stan
   await trapOn(page, "river_advance", "no-memory");
   await page.goto("./");
   await expect(page.locator("#caption")).toContainText("Growing");
-  await page.evaluate(() => Object.assign(globalThis, { trap: true }));
+  await trap(page);
   await expectFailure(page, "no-memory", /fewer attractors/);
 });
 
@@ -166,7 +172,7 @@ async function panicOnASlider(page: Page): Promise<void> {
   await page.goto("./?growth=colonize&attractors=300");
   await finished(page);
   await unfold(page);
-  await page.evaluate(() => Object.assign(globalThis, { trap: true }));
+  await trap(page);
   await page.getByRole("slider", { name: "Curl" }).press("ArrowRight");
   await expectFailure(page, "panic", /report the link/);
 }
@@ -189,32 +195,19 @@ test("a panic while a link is read leaves advice, not a dead page", async ({ pag
   await trapOn(page, "readLink");
   await page.goto("./?attractors=300");
   await finished(page);
-  await page.evaluate(() => Object.assign(globalThis, { trap: true }));
+  await trap(page);
   await page.getByRole("button", { name: "Trimmed curl" }).click();
   await expectFailure(page, "panic", /report the link/);
 });
 
 test("a river too large for this device is refused and the last one stays", async ({ page }) => {
-  await page.addInitScript(() => {
-    const instantiate = WebAssembly.instantiate;
-    const refusing = async (...given: Parameters<typeof instantiate>) => {
-      const instance = (await Reflect.apply(instantiate, WebAssembly, given)) as unknown as WebAssembly.Instance;
-      const exports: Record<string, unknown> = { ...instance.exports };
-      const change = exports["river_change"] as (...args: unknown[]) => unknown;
-      exports["river_change"] = (...args: unknown[]) => {
-        if ("refuse" in globalThis) throw Object.assign(new Error("needs 3 GB"), { code: "too-large" });
-        return change(...args);
-      };
-      return Object.create(WebAssembly.Instance.prototype, { exports: { value: exports } });
-    };
-    WebAssembly.instantiate = refusing as unknown as typeof instantiate;
-  });
+  await trapOn(page, "river_change", "too-large");
   await page.goto("./?growth=colonize&attractors=300");
   await finished(page);
   await unfold(page);
-  await page.evaluate(() => Object.assign(globalThis, { refuse: true }));
+  await trap(page);
   await page.getByRole("slider", { name: "Curl" }).press("ArrowRight");
-  await expect(page.locator("#notices")).toContainText("needs 3 GB");
+  await expect(page.locator("#notices")).toContainText("no room");
   await expect(page.getByLabel("Curl, exact value")).toHaveValue("0.7");
   await expect.poll(() => new URL(page.url()).searchParams.has("curl")).toBe(false);
   await expect(page.locator("#failure")).toBeHidden();

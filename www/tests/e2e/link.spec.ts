@@ -164,7 +164,7 @@ test("a link in the fragment is opened once, however soon after another change",
     });
   });
   for (const seed of ["first", "second", "third"]) {
-    const before = await readings();
+    const { onPage: before } = await readings();
     // A canonical link would not be read again.
     const hash = `attractors=300&seed=${seed}&curl=0.50`;
     await page.evaluate((hash) => {
@@ -172,7 +172,7 @@ test("a link in the fragment is opened once, however soon after another change",
     }, hash);
     await expect(page.locator("body")).toHaveAttribute("data-followed", "yes");
     await expect(page.locator("#title")).toHaveText(seed);
-    expect((await readings()) - before).toBe(1);
+    expect((await readings()).onPage - before).toBe(1);
     await page.locator("body").evaluate((body) => body.removeAttribute("data-followed"));
   }
 });

@@ -1,7 +1,7 @@
 import { expect, type Page, test } from "@playwright/test";
 import { charts } from "../charts.ts";
 import { full } from "../full.ts";
-import { openWithPanel } from "./riverpage.ts";
+import { openWithPanel, shown } from "./riverpage.ts";
 
 const LINK = "seed=kauri&land=island&growth=drainage&attractors=1500&meander-rounds=5&style=ink";
 const CHARTS = /riverseed_chart_bg.*\.wasm/;
@@ -22,8 +22,8 @@ function asked(page: Page): string[] {
   return urls;
 }
 
-function picture(page: Page): Promise<string> {
-  return page.locator("#canvas").evaluate((canvas: HTMLCanvasElement) => canvas.toDataURL());
+async function picture(page: Page): Promise<string> {
+  return (await shown(page)).sha256;
 }
 
 test("a map without labels fetches nothing of what makes them, and one that gets them is told in words, too", async ({

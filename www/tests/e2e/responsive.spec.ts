@@ -81,14 +81,15 @@ for (const [width, height] of [
       const image = new Image();
       image.src = screen;
       await image.decode();
-      const copy = document.createElement("canvas");
       const { width, height } = canvas;
-      Object.assign(copy, { width, height });
-      const context = copy.getContext("2d");
+      const copied = (source: CanvasImageSource, left = 0, top = 0): Uint8ClampedArray => {
+        const context = Object.assign(document.createElement("canvas"), { width, height }).getContext("2d");
+        context?.drawImage(source, left, top);
+        return context?.getImageData(0, 0, width, height).data ?? new Uint8ClampedArray();
+      };
       const { left, top } = canvas.getBoundingClientRect();
-      context?.drawImage(image, -Math.round(left), -Math.round(top));
-      const seen = context?.getImageData(0, 0, width, height).data ?? [];
-      const own = canvas.getContext("2d")?.getImageData(0, 0, width, height).data ?? [];
+      const seen = copied(image, -Math.round(left), -Math.round(top));
+      const own = copied(canvas);
       return [...own].filter((byte, i) => byte !== seen[i]).length;
     }, screen);
     expect(different).toBe(0);

@@ -1,13 +1,45 @@
 /** What every browser test does with the page. */
 
-import { createHash } from "node:crypto";
 import { expect, type Page } from "@playwright/test";
 import type { Framing } from "../../src/browser/canvas.ts";
 import { pictureOf } from "../core.ts";
+import { type Pixels, pixelsOf } from "./pixels.ts";
 
-/** Gives the page a clock that can be stopped. Call before `goto`. */
+/** Gives the page a clock that can be stopped. A worker has one of its own, so the page draws itself. Call before `goto`. */
 export async function ownClock(page: Page): Promise<void> {
+  await drawOnPage(page);
   await page.clock.install({ time: 0 });
+}
+
+/** Has the page grow and paint its rivers itself, as in browsers that give workers no canvas. Call before `goto`. */
+export async function drawOnPage(page: Page): Promise<void> {
+  await page.addInitScript(() => Reflect.deleteProperty(HTMLCanvasElement.prototype, "transferControlToOffscreen"));
+}
+
+/** Scripts that run in the page's worker before its own. */
+const early = new WeakMap<Page, string[]>();
+
+/** Runs a function in the page, and in its worker, before their own scripts. Call before `goto`. */
+export async function beforehand<Given>(page: Page, work: (given: Given) => void, given: Given): Promise<void> {
+  // biome-ignore lint/suspicious/noExplicitAny: Playwright's own type is of what it can send
+  await page.addInitScript(work as any, given);
+  const scripts = early.get(page) ?? [];
+  scripts.push(`(${work})(${JSON.stringify(given)});`);
+  if (early.has(page)) return;
+  early.set(page, scripts);
+  await page.route(WORKER, async (route) => {
+    const response = await route.fetch();
+    await route.fulfill({ response, body: `${scripts.join("\n")}\n${await response.text()}` });
+  });
+}
+
+/** The script of the page's worker. */
+export const WORKER = /\/assets\/page-worker-[^/]*\.js$/;
+
+/** Asks the page and its workers the same. */
+export function everywhere<Given, Said>(page: Page, ask: (given: Given) => Said, given: Given): Promise<Said[]> {
+  const places = [page, ...page.workers()] as { evaluate(ask: (given: Given) => Said, given: Given): Promise<Said> }[];
+  return Promise.all(places.map((place) => place.evaluate(ask, given)));
 }
 
 /** Stops the page's own clock: from now on frames and timers come when a test asks for them, by `page.clock.runFor`. */
@@ -76,30 +108,21 @@ export async function unfold(page: Page): Promise<void> {
   while ((await folded.count()) > 0) await folded.first().click();
 }
 
+/** Waits until the rivers that were asked for last are finished. */
 export async function finished(page: Page): Promise<void> {
-  await expect(page.locator("#frame")).toHaveAttribute("data-state", "finished");
+  await expect(page.locator("#frame:not([data-pending])")).toHaveAttribute("data-state", "finished");
 }
 
-export interface Shown {
-  width: number;
-  height: number;
-  sha256: string;
+export interface Shown extends Pixels {
   /** What part of the map that is. */
   framing: Framing;
 }
 
 /** The canvas's bytes as they are. */
 export async function shown(page: Page): Promise<Shown> {
-  const { width, height, base64 } = await page.locator("canvas").evaluate((canvas: HTMLCanvasElement) => {
-    const { width, height } = canvas;
-    const { data } = canvas.getContext("2d")?.getImageData(0, 0, width, height) ?? { data: new Uint8ClampedArray() };
-    let binary = "";
-    for (let i = 0; i < data.length; i += 8192) binary += String.fromCharCode(...data.subarray(i, i + 8192));
-    return { width, height, base64: btoa(binary) };
-  });
-  const sha256 = createHash("sha256").update(Buffer.from(base64, "base64")).digest("hex");
+  const pixels = await pixelsOf(page.locator("#canvas"));
   const framing = (await page.locator("#frame").getAttribute("data-framing"))?.split(" ").map(Number);
-  return { width, height, sha256, framing: framing as unknown as Framing };
+  return { ...pixels, framing: framing as unknown as Framing };
 }
 
 /** The link in the address bar, as it is now. */
@@ -156,9 +179,9 @@ export function complaints(page: Page): string[] {
   return said;
 }
 
-/** Counts the calls of a function of the engine. Call before `goto`. */
-export async function countCalls(page: Page, name: string): Promise<() => Promise<number>> {
-  await page.addInitScript((counted) => {
+/** Counts the calls of a function of the engine, in the page and in its worker. Call before `goto`. */
+export async function countCalls(page: Page, name: string): Promise<() => Promise<Calls>> {
+  const count = (counted: string): void => {
     const count = { calls: 0 };
     Object.assign(globalThis, { [`calls of ${counted}`]: count });
     const instantiate = WebAssembly.instantiate;
@@ -173,6 +196,16 @@ export async function countCalls(page: Page, name: string): Promise<() => Promis
       return Object.create(WebAssembly.Instance.prototype, { exports: { value: exports } });
     };
     WebAssembly.instantiate = counting as unknown as typeof instantiate;
-  }, name);
-  return () => page.evaluate((counted) => Reflect.get(globalThis, `calls of ${counted}`).calls, name);
+  };
+  await beforehand(page, count, name);
+  return async () => {
+    const ask = (counted: string): number => Reflect.get(globalThis, `calls of ${counted}`).calls;
+    const [onPage = 0, ...inWorkers] = await everywhere(page, ask, name);
+    return { onPage, inWorker: inWorkers.reduce((sum, one) => sum + one, 0) };
+  };
+}
+
+export interface Calls {
+  onPage: number;
+  inWorker: number;
 }

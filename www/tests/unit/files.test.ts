@@ -6,7 +6,7 @@ import { differing, pixelsOf } from "../core.ts";
 import { full, memory } from "../full.ts";
 
 const LINK = "seed=kauri&attractors=300&meander-rounds=5";
-const core = { engine: full, memory, loadCharts };
+const core = { engine: full, memory, loadCharts, holdOn: () => {} };
 
 function grown(steps: number): full.River {
   const river = new full.River(LINK);

@@ -1,10 +1,10 @@
 /** A blog post with widgets in it, and what tests ask of them. */
 
-import { createHash } from "node:crypto";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import type { Page } from "@playwright/test";
 import { engine, pictureOf } from "../../core.ts";
+import { type Pixels, pixelsOf } from "../pixels.ts";
 import { BUILT, expect } from "./hosts.ts";
 
 /** A policy as a careful host sets it: nothing inline, nothing evaluated. */
@@ -50,27 +50,9 @@ export async function heard(events: () => Promise<Heard[]>, type: string, count 
   return last;
 }
 
-export interface Pixels {
-  width: number;
-  height: number;
-  sha256: string;
-}
-
-/** The bytes on the canvas that is seen of a widget, in a worker's hands or not. */
-export async function pixels(page: Page, selector = "river-seed"): Promise<Pixels> {
-  const { width, height, base64 } = await page
-    .locator(`${selector} canvas:not(.waits)`)
-    .evaluate((shown: HTMLCanvasElement) => {
-      const { width, height } = shown;
-      const canvas = Object.assign(document.createElement("canvas"), { width, height });
-      const context = canvas.getContext("2d", { willReadFrequently: true });
-      context?.drawImage(shown, 0, 0);
-      const { data } = context?.getImageData(0, 0, width, height) ?? { data: new Uint8ClampedArray() };
-      let binary = "";
-      for (let i = 0; i < data.length; i += 8192) binary += String.fromCharCode(...data.subarray(i, i + 8192));
-      return { width, height, base64: btoa(binary) };
-    });
-  return { width, height, sha256: createHash("sha256").update(Buffer.from(base64, "base64")).digest("hex") };
+/** The bytes on the canvas that is seen of a widget. */
+export function pixels(page: Page, selector = "river-seed"): Promise<Pixels> {
+  return pixelsOf(page.locator(`${selector} canvas:not(.waits)`));
 }
 
 /** The widget shows what the core draws of a link, byte for byte. */

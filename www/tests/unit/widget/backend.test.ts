@@ -1,7 +1,11 @@
 import { afterEach, beforeEach, expect, type Mock, test, vi } from "vitest";
 import { PAINTING_SILENCE_MS, WORKER_SILENCE_MS } from "../../../src/engine/time-limits.ts";
-import type { Listener } from "../../../src/widget/backend.ts";
-import type { Backend, Command } from "../../../src/widget/protocol.ts";
+import type { Backend as AnyBackend, Command } from "../../../src/renderer/protocol.ts";
+import type { Listener as AnyListener } from "../../../src/renderer/worker-backend.ts";
+import type { Question } from "../../../src/widget/protocol.ts";
+
+type Backend = AnyBackend<Question>;
+type Listener = AnyListener<Blob>;
 
 const HERE: Backend = { isReplaceable: false, take: () => {}, close: () => {} };
 vi.mock("../../../src/widget/page-backend.ts", () => ({ open: async () => HERE }));
@@ -53,7 +57,7 @@ afterEach(() => {
   vi.unstubAllGlobals();
 });
 
-const PAUSE: Command = { id: 1, do: "pause" };
+const PAUSE: Command<Question> = { id: 1, do: "pause" };
 
 function listener(): Record<keyof Listener, Mock<() => void>> {
   return { tell: vi.fn(), collapsed: vi.fn(), lost: vi.fn() };

@@ -1,10 +1,10 @@
 import { expect, test } from "vitest";
-import { linkToRead } from "../../../src/widget/scene.ts";
+import { linkToRead } from "../../../src/widget/protocol.ts";
 import { engine } from "../../core.ts";
 
 /** The river of what a widget asks for. */
 function planted(text: string, isDark = false): InstanceType<typeof engine.River> {
-  const asked = linkToRead({ text, isDark });
+  const asked = linkToRead(text, isDark);
   return new engine.River(asked.text, asked.options);
 }
 

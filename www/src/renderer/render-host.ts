@@ -1,32 +1,37 @@
 /**
- * One renderer for all widgets of a page: opened with the first of them, replaced when its engine stops or answers no more, left
+ * One renderer for all rivers of a page: opened with the first of them, replaced when its engine stops or answers no more, left
  * with the last.
  */
 
 import { PageError } from "../engine/errors.ts";
-import { openBackend } from "./backend.ts";
-import type { Backend, Command, FileRequest, Report, RiverRequest } from "./protocol.ts";
+import type { Backend, Command, Report } from "./protocol.ts";
+import type { Listener } from "./worker-backend.ts";
 
-/** A widget, as the render host knows it. */
-export interface Client {
-  hear(report: Report): void;
+/** Whoever shows a river, or asks a question, as the render host knows it. */
+export interface Client<Answer = unknown> {
+  hear(report: Report<Answer>): void;
   /** The renderer had to be replaced: everything has to be handed over again. */
   moved(): void;
 }
 
-/** An empty renderer is kept so long: pages that show one thing after another take widgets away and bring others. */
+/** An empty renderer is kept so long: pages that show one thing after another take rivers away and bring others. */
 export const EMPTY_MS = 5000;
 
 type Asked<Every> = Every extends unknown ? Omit<Every, "id"> : never;
 
-class RenderHost {
-  readonly #clients = new Map<number, Client>();
-  #backend: Promise<Backend> | undefined;
+export class RenderHost<Question, Answer> {
+  readonly #clients = new Map<number, Client<Answer>>();
+  #backend: Promise<Backend<Question>> | undefined;
   #last = 0;
   #leaving: ReturnType<typeof setTimeout> | undefined;
 
-  /** Takes a widget in, once there is a renderer; its number. The address counts for the first. */
-  async enter(client: Client, wasmUrl: string | undefined): Promise<number> {
+  /** How a renderer is opened, wherever; the address is that of the engine, if it is not beside the script. */
+  constructor(
+    private readonly open: (listener: Listener<Answer>, wasmUrl: string | undefined) => Promise<Backend<Question>>,
+  ) {}
+
+  /** Takes somebody in, once there is a renderer; their number. The address counts for the first. */
+  async enter(client: Client<Answer>, wasmUrl?: string): Promise<number> {
     clearTimeout(this.#leaving);
     const backend = this.#opened(wasmUrl);
     await backend;
@@ -36,24 +41,23 @@ class RenderHost {
     return this.#last;
   }
 
-  send(id: number, command: Asked<Command>): void {
+  send(id: number, command: Asked<Command<Question>>): void {
     void this.#backend?.then((backend) => backend.take({ ...command, id }));
   }
 
-  /** Makes a file of a finished river, which need not be shown anywhere. */
-  file(request: RiverRequest, file: FileRequest): Promise<Blob> {
+  /** Has a question answered, which is put anew to another renderer if the first is gone before that. */
+  ask(question: Question, wasmUrl?: string): Promise<Answer> {
     return new Promise((done, failed) => {
       let asked = 0;
       const ask = (): void => {
-        // A file may be what a worker dies of: of a third there is no hope, and the widgets need theirs.
-        if (++asked > 2) failed(new PageError("wasm-timeout", "the worker stopped twice while it made this file"));
-        else
-          void this.enter(client, file.wasmUrl).then((id) => this.send(id, { do: "file", request, ...file }), failed);
+        // A file may be what a worker dies of: of a third there is no hope, and the rivers need theirs.
+        if (++asked > 2) failed(new PageError("wasm-timeout", "the worker stopped twice at this"));
+        else void this.enter(client, wasmUrl).then((id) => this.send(id, { do: "ask", question }), failed);
       };
-      const client: Client = {
+      const client: Client<Answer> = {
         hear: (report) => {
           this.leave(report.id);
-          if (report.is === "file") done(report.blob);
+          if (report.is === "answer") done(report.answer);
           if (report.is === "failed") failed(new PageError(report.code, report.message));
         },
         moved: ask,
@@ -68,9 +72,9 @@ class RenderHost {
     if (this.#clients.size === 0) this.#leaving = setTimeout(() => this.#close(), EMPTY_MS);
   }
 
-  #opened(wasmUrl: string | undefined): Promise<Backend> {
+  #opened(wasmUrl: string | undefined): Promise<Backend<Question>> {
     if (this.#backend) return this.#backend;
-    const backend = openBackend(
+    const backend = this.open(
       {
         tell: (report) => this.#tell(report),
         collapsed: (message) => this.#collapse(message),
@@ -86,7 +90,7 @@ class RenderHost {
     return backend;
   }
 
-  #tell(report: Report): void {
+  #tell(report: Report<Answer>): void {
     const client = this.#clients.get(report.id);
     const isEnd = report.is === "failed" && report.code === "panic";
     if (isEnd) this.#clients.delete(report.id);
@@ -121,5 +125,3 @@ class RenderHost {
     this.#backend = undefined;
   }
 }
-
-export const renderHost = new RenderHost();

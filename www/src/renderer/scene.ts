@@ -1,37 +1,46 @@
-/** One widget's river on its canvas, wherever that is drawn. */
+/** One river on its canvas, wherever that is drawn. */
 
 import type { CanvasSize } from "../browser/canvas.ts";
 import { isRecoverable, named } from "../engine/errors.ts";
-import type { Core } from "../engine/wasm.ts";
-import type { LoadCharts } from "../player/chart-maker.ts";
+import type { River } from "../engine/types.ts";
 import type { Frames } from "../player/frame-loop.ts";
-import { type LinkToRead, RiverPlayer } from "../player/river-player.ts";
-import type { Command, Reading, Report, RiverRequest } from "./protocol.ts";
+import { type Planter, RiverPlayer } from "../player/river-player.ts";
+import type { Opening, Reading, Report, SceneCommand } from "./protocol.ts";
 
-type Opening = Extract<Command, { do: "open" }>;
+/** What is asked of a river while there is one. */
+type Request = Exclude<SceneCommand, { do: "close" }>;
 
-export class Scene {
+export class Scene<Planted extends River = River> {
   #size: CanvasSize;
-  #player: RiverPlayer | undefined;
+  #player: RiverPlayer<Planted> | undefined;
   /** Of the river on the canvas. */
   #reading: Reading | undefined;
+  /** How many links it has been asked to show after the first. */
+  #links = 0;
   /** What came before the river was planted. */
-  #early: Command[] = [];
+  #early: Request[] = [];
   #isOver = false;
 
   constructor(
-    private readonly core: Core,
-    private readonly loadCharts: LoadCharts,
+    private readonly planter: Planter<Planted>,
     private readonly frames: Frames,
     private readonly opening: Opening,
-    private readonly tell: (report: Report) => void,
+    private readonly tell: (report: Report<never>) => void,
   ) {
     this.#size = opening.size;
-    // In its turn: planting twenty rivers at once would hold up the page.
-    frames.request(() => this.#attempt(() => this.#open()));
   }
 
-  take(command: Command): void {
+  /** Plants the river and shows it. */
+  open(): void {
+    this.#attempt(() => this.#open());
+  }
+
+  /** What shows its river; nothing before the river is planted. */
+  get player(): RiverPlayer<Planted> | undefined {
+    return this.#player;
+  }
+
+  take(command: SceneCommand): void {
     const player = this.#player;
     if (command.do === "close") this.#close();
     else if (player) this.#attempt(() => this.#follow(command, player));
@@ -40,16 +49,15 @@ export class Scene {
 
   #open(): void {
     if (this.#isOver) return;
-    const { canvas, request, how } = this.opening;
-    const planter = { ...this.core, loadCharts: this.loadCharts };
-    const player = new RiverPlayer(planter, canvas, linkToRead(request), this.frames, {
+    const { id, canvas, link, how } = this.opening;
+    const player = new RiverPlayer(this.planter, canvas, link, this.frames, {
       sizeFor: () => this.#size,
       planted: ({ link, seed, aspect, notices }) => {
-        this.#reading = { link, seed, aspect, notices };
+        this.#reading = { link, seed, aspect, notices, links: this.#links };
       },
       changed: (state, phase, summary) => {
-        if (this.#reading)
-          this.tell({ id: this.opening.id, is: "shown", reading: this.#reading, state, phase, summary });
+        const reading = this.#reading;
+        if (reading) this.tell({ id, is: "shown", reading, state, phase, summary });
       },
       failed: (thrown) => this.#fail(thrown),
     });
@@ -59,22 +67,21 @@ export class Scene {
     this.#early = [];
   }
 
-  #follow(command: Command, player: RiverPlayer): void {
+  #follow(command: Request, player: RiverPlayer<Planted>): void {
     switch (command.do) {
       case "show":
+        this.#links++;
         this.#size = command.size;
-        player.show(linkToRead(command.request), command.how);
+        player.show(command.link, command.how);
         break;
       case "resize":
         this.#size = command.size;
         player.resize();
         break;
-      case "play":
-      case "pause":
-      case "replay":
-      case "finish":
-      case "rest":
-      case "wake":
+      case "speed":
+        player.speed = command.speed;
+        break;
+      default:
         player[command.do]();
     }
   }
@@ -91,16 +98,11 @@ export class Scene {
     const error = named(thrown);
     // After a trap nothing more is asked of the river, not even to go.
     if (!isRecoverable(error)) this.#player?.close();
-    this.tell({ id: this.opening.id, is: "failed", code: error.code, message: error.message });
+    this.tell({ id: this.opening.id, is: "failed", code: error.code, message: error.message, links: this.#links });
   }
 
   #close(): void {
     this.#isOver = true;
     this.#player?.free();
   }
-}
-
-/** What a widget asks for, as the core is to read it. */
-export function linkToRead({ text, isDark }: RiverRequest): LinkToRead {
-  return { text, options: { widget: true, dark: isDark } };
 }

@@ -1,0 +1,64 @@
+/** Where rivers are grown and drawn, each on its canvas, and questions about them answered: in a worker, or on the page itself. */
+
+import { named } from "../engine/errors.ts";
+import type { River } from "../engine/types.ts";
+import type { Planter, RiverPlayer } from "../player/river-player.ts";
+import { displayFrames, SharedScheduler } from "../player/scheduler.ts";
+import type { Command, Opening, Report } from "./protocol.ts";
+import { Scene } from "./scene.ts";
+
+/** What a renderer plants rivers with, and how it answers questions, given what shows the river of a number. */
+export interface Means<Planted extends River, Question, Answer> {
+  readonly planter: Planter<Planted>;
+  /** What all rivers together may take of a frame, if not what is usual: one river alone, which then waits for nothing, all. */
+  readonly shareMs?: number;
+  answer(question: Question, playerOf: (id: number) => RiverPlayer<Planted> | undefined): Promise<Answer>;
+}
+
+export class Renderer<Planted extends River, Question, Answer> {
+  readonly #scenes = new Map<number, Scene<Planted>>();
+  readonly #scheduler: SharedScheduler;
+  #unanswered = 0;
+
+  constructor(
+    private readonly means: Means<Planted, Question, Answer>,
+    private readonly tell: (report: Report<Answer>) => void,
+  ) {
+    this.#scheduler = new SharedScheduler(displayFrames, means.shareMs);
+  }
+
+  /** Whether there will be a report without another command. */
+  get isAtWork(): boolean {
+    return this.#scheduler.isAwaited || this.#unanswered > 0;
+  }
+
+  take(command: Command<Question>): void {
+    const { id } = command;
+    if (command.do === "ask") void this.#answer(id, command.question);
+    else if (command.do === "open") this.#open(command);
+    else this.#scenes.get(id)?.take(command);
+    if (command.do === "close") this.#scenes.delete(id);
+  }
+
+  #open(command: Opening): void {
+    const { planter, shareMs } = this.means;
+    const scene = new Scene(planter, this.#scheduler, command, this.tell);
+    this.#scenes.set(command.id, scene);
+    if (shareMs) scene.open();
+    // In its turn: planting twenty rivers at once would hold up the page.
+    else this.#scheduler.request(() => scene.open());
+  }
+
+  async #answer(id: number, question: Question): Promise<void> {
+    this.#unanswered++;
+    try {
+      const answer = await this.means.answer(question, (id) => this.#scenes.get(id)?.player);
+      this.tell({ id, is: "answer", answer });
+    } catch (thrown) {
+      const { code, message } = named(thrown);
+      this.tell({ id, is: "failed", code, message });
+    } finally {
+      this.#unanswered--;
+    }
+  }
+}

@@ -1,0 +1,94 @@
+/** A renderer in a worker, as the page sees it: opened, watched while an answer is due, and given up when none comes. */
+
+import { PageError } from "../engine/errors.ts";
+import { limited, type Watch, WORKER_SILENCE_MS, watch } from "../engine/time-limits.ts";
+import type { Backend, InitReply, Ping, Pong, Report } from "./protocol.ts";
+
+export interface Listener<Answer> {
+  tell(report: Report<Answer>): void;
+  /** The backend as a whole has failed. */
+  collapsed(message: string): void;
+  /** The backend no longer answers: it is to be closed, and another opened. */
+  lost(): void;
+}
+
+/** After this number of workers that did not answer, the page itself takes over: the next would hardly do better. */
+const MOST_LOST = 2;
+let lost = 0;
+
+/**
+ * A worker if the browser and the page's policy allow one with a canvas; once it has begun, the first message tells it where the engine
+ * is. Nothing if not: whatever the reason, the page itself is tried next and says what is wrong.
+ */
+export async function openWorker<Question, Answer>(
+  begin: () => Worker | Promise<Worker>,
+  init: object,
+  listener: Listener<Answer>,
+): Promise<Backend<Question> | undefined> {
+  if (lost >= MOST_LOST || !("transferControlToOffscreen" in HTMLCanvasElement.prototype)) return;
+  let worker: Worker | undefined;
+  try {
+    worker = await begin();
+    await handshake(worker, init);
+    return backendOf(worker, listener);
+  } catch (thrown) {
+    if (thrown instanceof PageError) lost++;
+    worker?.terminate();
+    return;
+  }
+}
+
+/**
+ * Waits until the worker has the engine. A refused worker says so by an error, an engine that does not arrive by an answer; an
+ * empty script, or one that hangs, says nothing at all.
+ */
+function handshake(worker: Worker, init: object): Promise<void> {
+  const opened = (heard: () => void): Promise<void> =>
+    new Promise((done, failed) => {
+      worker.onmessage = ({ data: { is } }: MessageEvent<InitReply>) =>
+        is === "coming" ? heard() : is === "open" ? done() : failed();
+      worker.onerror = failed;
+      worker.postMessage(init);
+    });
+  return limited(WORKER_SILENCE_MS, "the worker", opened);
+}
+
+/** What a worker says once it is open; of reports alone no silence follows. */
+type Said<Answer> = (Report<Answer> & { silenceMs?: undefined }) | Pong;
+
+/** A worker that has the engine, or is to have it. */
+export function backendOf<Question, Answer>(worker: Worker, listener: Listener<Answer>): Backend<Question> {
+  let commands = 0;
+  let watched: Watch | undefined;
+  const ping = (): void => worker.postMessage({ id: commands, do: "ping" } satisfies Ping);
+  const rest = (): void => {
+    watched?.end();
+    watched = undefined;
+  };
+  const lose = (): void => {
+    lost++;
+    listener.lost();
+  };
+  worker.onmessage = ({ data }: MessageEvent<Said<Answer>>) => {
+    watched?.heard(data.silenceMs);
+    if (data.is !== "alive") listener.tell(data);
+    else if (!data.isAtWork && data.id === commands) rest();
+  };
+  worker.onerror = ({ message }) => listener.collapsed(message);
+  return {
+    isReplaceable: true,
+    take(command) {
+      commands++;
+      // Only while an answer is due: a page whose rivers are finished lets its worker sleep.
+      watched ??= watch(WORKER_SILENCE_MS, lose, ping);
+      if (command.do === "open") {
+        const canvas = (command.canvas as HTMLCanvasElement).transferControlToOffscreen();
+        worker.postMessage({ ...command, canvas }, [canvas]);
+      } else worker.postMessage(command);
+    },
+    close() {
+      rest();
+      worker.terminate();
+    },
+  };
+}

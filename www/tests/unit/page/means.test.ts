@@ -1,0 +1,64 @@
+import { expect, test, vi } from "vitest";
+import { meansOf } from "../../../src/page/means.ts";
+import type { Answer, Question } from "../../../src/page/protocol.ts";
+import type { RiverPlayer } from "../../../src/player/river-player.ts";
+import { charts } from "../../charts.ts";
+import { full, memory } from "../../full.ts";
+
+vi.mock("../../../src/engine/charts.ts", async () => {
+  const { loadCharts } = await import("../../charts.ts");
+  return { loadCharts };
+});
+
+const LINK = "seed=kauri&attractors=300&meander-rounds=5";
+
+/** As much of a player as is asked: its river, and how that stands. */
+function player(river: full.River): RiverPlayer<full.River> {
+  const state = river.phase === "finished" ? "finished" : "growing";
+  return { river, link: river.link, state } as RiverPlayer<full.River>;
+}
+
+function river(steps: number): full.River {
+  const one = new full.River(LINK);
+  one.advance(steps);
+  return one;
+}
+
+function ask(question: Question, on?: full.River): Promise<Answer> {
+  return meansOf({ engine: full, memory }).answer(question, (id) => (id === 1 && on ? player(on) : undefined));
+}
+
+const json = async (question: Partial<Question>, on?: full.River): Promise<object> => {
+  const answer = await ask({ about: "file", of: 1, link: LINK, format: "json", ...question } as Question, on);
+  return JSON.parse(await (answer as Blob).text());
+};
+
+test("a file is made from the river on show as far as it has come, which stays as it is", async () => {
+  const fresh = await json({});
+  for (const steps of [1, 10, 100_000]) {
+    const one = river(steps);
+    const before = one.summary();
+    expect(await json({}, one)).toEqual(fresh);
+    expect(one.summary()).toEqual(before);
+  }
+});
+
+test("a file is of its own link, whatever is on show", async () => {
+  const other = "seed=rimu&attractors=100";
+  expect(await json({ link: other }, river(10))).toEqual(await json({ link: other }));
+});
+
+test("names are those of a finished map, and there are none before", async () => {
+  const one = river(100_000);
+  const chart = new charts.Chart(one.mapData());
+  const texts = chart.greatest(5);
+  expect(await ask({ about: "names", of: 1, count: 5 }, one)).toEqual({ link: one.link, texts });
+  expect(await ask({ about: "names", of: 1, count: 5 }, river(3))).toBe(undefined);
+  expect(await ask({ about: "names", of: undefined, count: 5 }, one)).toBe(undefined);
+});
+
+test("a name of one's own is added to those there are", async () => {
+  const names = await ask({ about: "renamed", names: "", mark: "12", name: "Home" });
+  expect(names).toBe(charts.Chart.renamed("", "12", "Home"));
+  expect(await ask({ about: "renamed", names: names as string, mark: "12", name: undefined })).toBe("");
+});
