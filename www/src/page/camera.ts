@@ -24,7 +24,7 @@ export interface Point {
 /** At 1 all of the map is seen; at the most a stream is as wide as a hand. */
 const MOST_ZOOM = 16;
 /** However much is covered, the map is no smaller than this share of its place. */
-const LEAST_SHARE = 1 / 12;
+const LEAST_SHARE = 1 / 18;
 
 export class Camera {
   #zoom = 1;

@@ -43,11 +43,11 @@ test("a visitor sees a river grow, and then its counts", async ({ page }) => {
 
 test("the finished river is announced once, and is the picture's alternative", async ({ page }) => {
   await openStopped(page, "seed=rimu&attractors=300");
-  await expect(page.locator("canvas")).toHaveAttribute("aria-label", /still growing/);
+  await expect(page.locator("#canvas")).toHaveAttribute("aria-label", /still growing/);
   await page.clock.resume();
   await finished(page);
   await expect(page.locator("#announcement")).toContainText(/^Finished: \d+ rivers?, /);
-  await expect(page.locator("canvas")).toHaveAttribute("aria-label", /^River network grown from the seed “rimu”: \d/);
+  await expect(page.locator("#canvas")).toHaveAttribute("aria-label", /^River network grown from the seed “rimu”: \d/);
 });
 
 test("the animated river ends as the one that is drawn at once", async ({ page }) => {
@@ -104,7 +104,7 @@ test("another window size shows the same river, drawn for that size", async ({ p
   await expect.poll(async () => (await shown(page)).width).not.toBe(before.width);
   const after = await shown(page);
   expect(after.sha256).toBe(pictureOf("seed=tawa&attractors=500", after.width, after.height, after.framing).sha256);
-  const { x, width } = (await page.locator("canvas").boundingBox()) ?? { x: 0, width: 0 };
+  const { x, width } = (await page.locator("#canvas").boundingBox()) ?? { x: 0, width: 0 };
   expect(Math.round(x + width) - Math.round(x)).toBe(after.width);
 });
 

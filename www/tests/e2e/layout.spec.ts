@@ -4,8 +4,7 @@ import { LONG_SEEDS, linkOfSeed, OPENED, openFailed } from "./states.ts";
 
 /** How much further than the window the page can be scrolled, and how far a wheel over the picture scrolls it. */
 async function scrolls(page: Page): Promise<[number, number]> {
-  const { x, y } = (await page.locator(".stage").boundingBox()) ?? { x: 0, y: 0 };
-  await page.mouse.move(x + 60, y + 200);
+  await page.mouse.move(60, 200);
   await page.mouse.wheel(0, 3000);
   await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
   return page.evaluate(() => [document.documentElement.scrollHeight - innerHeight, scrollY]);
@@ -43,7 +42,8 @@ function outside(page: Page): Promise<string[]> {
       element.checkVisibility({ visibilityProperty: true, opacityProperty: true }) &&
       getComputedStyle(element).clipPath === "none" &&
       element.getClientRects().length > 0;
-    const seen = [...document.querySelectorAll("body *")].filter(isSeen);
+    // The row of styles is there to be scrolled.
+    const seen = [...document.querySelectorAll("body *:not(#styles, #styles *)")].filter(isSeen);
     const sideways = seen.filter((element) => {
       const { left, right } = element.getBoundingClientRect();
       return left < -0.5 || right > innerWidth + 0.5;

@@ -76,8 +76,11 @@ for (const [width, height] of [
   test(`the screen shows the picture's own pixels, not a stretched copy, ${width} by ${height}`, async ({ page }) => {
     await page.setViewportSize({ width, height });
     await openFinished(page, "land=island&attractors=300");
+    await page.addStyleTag({
+      content: "body *:not(:has(canvas), #canvas) { visibility: hidden; } .styles { display: none !important; }",
+    });
     const screen = `data:image/png;base64,${(await page.screenshot()).toString("base64")}`;
-    const different = await page.locator("canvas").evaluate(async (canvas: HTMLCanvasElement, screen) => {
+    const different = await page.locator("#canvas").evaluate(async (canvas: HTMLCanvasElement, screen) => {
       const image = new Image();
       image.src = screen;
       await image.decode();
@@ -104,7 +107,7 @@ test("a screen with fine pixels gets a fine picture, up to two to the CSS pixel"
   ] as const) {
     const page = await browser.newPage({ viewport: { width: 400, height: 800 }, deviceScaleFactor: ratio });
     await openFinished(page, "attractors=300");
-    const scale = await page.locator("canvas").evaluate((canvas: HTMLCanvasElement) => {
+    const scale = await page.locator("#canvas").evaluate((canvas: HTMLCanvasElement) => {
       return canvas.width / canvas.getBoundingClientRect().width;
     });
     expect(scale).toBeCloseTo(expected, 1);

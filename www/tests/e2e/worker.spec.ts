@@ -139,7 +139,7 @@ test("a worker that ends is replaced, and the river goes on in another, on a can
   await until(page, async () => page.workers().length === 1);
   await expect(page.getByRole("button", { name: "Replay" })).toBeVisible();
   await expectPicture(page, LINK);
-  await expect(page.locator("canvas")).toHaveCount(1);
+  await expect(page.locator("#canvas")).toHaveCount(1);
   await expect(page.getByRole("img", { name: /seed “kauri”: \d+ rivers/ })).toBeVisible();
   await page.getByLabel("Seed", { exact: true }).fill("rimu");
   await page.getByLabel("Seed", { exact: true }).press("Enter");
