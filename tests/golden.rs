@@ -83,7 +83,7 @@ const PICTURES: &[(&str, &str)] = &[
     ),
     (
         "labels-ink-wash",
-        "growth=drainage&land=island&seed=kauri+moa&attractors=3000&trim=24&channel-area=4&mouths=0&style=ink-wash&labels=few&label-size=0.6",
+        "growth=drainage&land=island&seed=kauri&attractors=3000&trim=24&channel-area=4&mouths=0&style=ink-wash&labels=few&label-size=0.6",
     ),
     (
         "cartouche",
