@@ -2,15 +2,22 @@
 
 use glam::Vec2;
 
-use crate::chart::{Area, AreaKind, Cartouche, Input, Label, Raster, Reach, River, Strip, place};
+use crate::chart::{
+    Area, AreaKind, Cartouche, Elevations, Heights, Input, Label, Legend, MARGIN, Marks, Raster, Reach, River,
+    RiverClass, Seal, SheetGrid, Strip, place,
+};
 use crate::domain::{AREA, Domain};
 use crate::geometry::distance;
+use crate::glyph::initials;
 use crate::land::{CELL_SIZE, Land, Run};
 use crate::memory;
 use crate::name::{Names, PlaceKind, PlaceName, ReachName};
 use crate::network::{NONE, Network, Oxbow, Place};
+use crate::paint::{self, label_look};
+use crate::random::Seed;
 use crate::recipe::{self, Labels};
-use crate::river_map::RiverMap;
+use crate::relief::{METRES, Relief};
+use crate::river_map::{ChartOptions, RiverMap};
 
 /// The smallest letters that can be read: their em in pixels.
 const LEAST_EM: f32 = 11.0;
@@ -34,14 +41,17 @@ pub fn input<'a>(map: &RiverMap<'a>, frame: [Vec2; 2], scale: f32) -> Option<Inp
         return None;
     }
     let mut names = Names::of_map(map);
+    let least_em = LEAST_EM / scale;
+    let marks = if share > 0.0 { marks(map, &names, frame, least_em) } else { Marks::default() };
+    let margin = marks.grid.map_or(0.0, |grid| MARGIN * grid.em);
     let reach = |reach: &ReachName| reach_of(network, reach);
     let land_area = land.map_or(AREA, area);
     let shown = share_shown(&Domain::with_aspect(options.aspect), frame);
     // Of a part, letters are larger than on the whole map, but not as much as all else: there is room for more of them.
     let side = shown.sqrt();
     Some(Input {
-        frame,
-        least_em: LEAST_EM / scale,
+        frame: [frame[0] + margin, frame[1] - margin],
+        least_em,
         label_size: options.label_size * side.sqrt() * side.sqrt().sqrt(),
         most_area: [land_area, AREA - land_area].map(|area| share * shown * area),
         total_discharge: total_discharge(network),
@@ -54,6 +64,7 @@ pub fn input<'a>(map: &RiverMap<'a>, frame: [Vec2; 2], scale: f32) -> Option<Inp
         areas: std::mem::take(&mut names.places).into_iter().map(area_of).collect(),
         rivers: rivers(network, names),
         lakes: network.oxbows.iter().map(Oxbow::middle).collect(),
+        marks,
         ridges: land.map_or_else(Vec::new, ridges),
         coast: land.map(Land::coast_distance),
     })
@@ -63,6 +74,67 @@ pub fn input<'a>(map: &RiverMap<'a>, frame: [Vec2; 2], scale: f32) -> Option<Inp
 fn share_shown(domain: &Domain, [least, most]: [Vec2; 2]) -> f32 {
     let seen = (most.min(domain.size) - least.max(Vec2::ZERO)).max(Vec2::ZERO);
     (seen.x * seen.y / AREA).min(1.0)
+}
+
+/// What the style has besides names.
+fn marks<'a>(map: &RiverMap<'a>, names: &Names, sheet: [Vec2; 2], least_em: f32) -> Marks<'a> {
+    let RiverMap { options, network, relief, .. } = map;
+    match label_look(options.style).marks {
+        paint::Marks::None => Marks::default(),
+        paint::Marks::SpotHeights { grid } => Marks {
+            elevations: relief.map(|relief| elevations(relief, options.labels)),
+            grid: sheet_grid(options, sheet, least_em, grid),
+            ..Marks::default()
+        },
+        paint::Marks::Legend => Marks { legend: Some(legend(options, network, names)), ..Marks::default() },
+        paint::Marks::Seal => Marks { seal: Some(seal(&options.seed, &names.title)), ..Marks::default() },
+    }
+}
+
+fn elevations(relief: &Relief, labels: Labels) -> Elevations<'_> {
+    let apart = match labels {
+        Labels::None | Labels::Few => 150.0,
+        Labels::Some => 105.0,
+        Labels::Many => 75.0,
+    };
+    Elevations { heights: heights(relief), metres: METRES, apart }
+}
+
+/// The grid's letters, in pictures that have room for them.
+fn sheet_grid(options: &ChartOptions, sheet: [Vec2; 2], least_em: f32, every: f32) -> Option<SheetGrid> {
+    /// The length of the em, in units, and the most of it, as a share of the grid.
+    const EM: f32 = 11.0;
+    const MOST: f32 = 0.25;
+    let em = EM.max(least_em) * options.label_size;
+    (em <= MOST * every).then_some(SheetGrid { sheet, every, em })
+}
+
+fn legend(options: &ChartOptions, network: &Network, names: &Names) -> Legend {
+    let has_heading = options.cartouche == recipe::Cartouche::None;
+    let highest = network.rivers.iter().map(|river| river.order).max().unwrap_or(0);
+    let class = |order: u8| {
+        let ends = || {
+            network
+                .rivers
+                .iter()
+                .filter(|river| river.order == order)
+                .filter_map(|river| network.middle(river).last().copied())
+        };
+        let count = ends().count();
+        RiverClass { order, count: count as u32, half: ends().map(|end| end.half).sum::<f32>() / count.max(1) as f32 }
+    };
+    Legend {
+        heading: has_heading.then(|| [names.title.clone(), options.seed.clone()]),
+        classes: (1..=highest).rev().map(class).filter(|class| class.count > 0).collect(),
+    }
+}
+
+/// The seal of a seed; of the map's name if the type has no letter of that.
+fn seal(seed: &str, title: &str) -> Seal {
+    let of_seed = initials(seed);
+    let name = title.strip_prefix("The Rivers of ").unwrap_or(title);
+    let of_name = || initials(name).chars().next().unwrap_or('R').into();
+    Seal { letters: if of_seed.is_empty() { of_name() } else { of_seed }, seed: Seed::from_text(seed) }
 }
 
 /// The share of the land that labels may cover; 0 if there are to be none.
@@ -92,6 +164,17 @@ fn area_of(place: PlaceName) -> Area {
         Strip { top, left, right }
     };
     Area { kind, name: forms(&place.name), midst: place.at, strips: place.region.runs.iter().map(strip).collect() }
+}
+
+pub(crate) fn heights(relief: &Relief) -> Heights<'_> {
+    /// The share of all land that lies below what counts as the highest: peaks alone would make all else low.
+    const HIGHEST: f32 = 0.995;
+    Heights {
+        heights: relief.heights(),
+        columns: relief.columns(),
+        cell_size: relief.cell_size(),
+        highest: relief.quantile(HIGHEST),
+    }
 }
 
 pub(crate) fn total_discharge(network: &Network) -> u32 {

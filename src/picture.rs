@@ -202,7 +202,7 @@ impl Picture {
     }
 }
 
-/// What a chart is of: woods and hills of one style are none for another.
+/// What a chart is of: woods, hills and marks of one style are none for another.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct ChartKey {
     generation: Generation,
@@ -211,8 +211,8 @@ struct ChartKey {
 
 impl ChartKey {
     fn of(session: &Session) -> Self {
-        let options = ChartOptions::of(session.recipe());
-        Self { generation: session.map_generation(), style: options.has_scenery().then_some(options.style) }
+        let style = ChartOptions::of(session.recipe()).deciding_style();
+        Self { generation: session.map_generation(), style }
     }
 }
 

@@ -64,9 +64,19 @@ impl ChartOptions {
         [shown(self.woods, self.style.has_woods()), shown(self.hills, self.style.has_hills())]
     }
 
-    /// Whether the style, too, decides what there is on the map: woods and hills.
+    /// Whether there are to be woods or hills.
     pub fn has_scenery(&self) -> bool {
         self.scenery() != [0.0; 2]
+    }
+
+    /// Whether labels are to be more than names, as the style has it.
+    pub fn has_marks(&self) -> bool {
+        self.labels != Labels::None && self.style.has_marks()
+    }
+
+    /// The style, if that, too, decides what there is on the map.
+    pub fn deciding_style(&self) -> Option<Style> {
+        (self.has_scenery() || self.has_marks()).then_some(self.style)
     }
 
     /// Whether there is to be anything.
@@ -90,9 +100,9 @@ pub struct RiverMap<'a> {
     pub reaches: &'a [Reach],
     /// The land; `None` if all of the domain is.
     pub land: Option<&'a Land>,
-    /// Its heights, if the style shows them, and there is to be scenery.
+    /// Its heights, if the style shows them, and there is to be scenery, or numbers that say them.
     pub relief: Option<&'a Relief>,
-    /// The beds in which great rivers ran before, likewise.
+    /// The beds in which great rivers ran before, if the style shows them, and there is to be scenery.
     pub beds: Vec<Vec<Place>>,
     /// Whether there is nothing more to do: neither rivers nor heights will change.
     pub is_finished: bool,
@@ -103,8 +113,10 @@ impl<'a> RiverMap<'a> {
     pub fn of(session: &'a Session) -> Option<Self> {
         let options = ChartOptions::of(session.recipe());
         let has_scenery = options.has_scenery();
+        let has_heights =
+            options.style.has_relief() && (has_scenery || (options.has_marks() && options.style.has_spot_heights()));
         Some(Self {
-            relief: session.relief().filter(|_| has_scenery && options.style.has_relief()).map(AsRef::as_ref),
+            relief: session.relief().filter(|_| has_heights).map(AsRef::as_ref),
             beds: if has_scenery && options.style == Style::PastCourses { beds(session) } else { Vec::new() },
             options,
             tree: session.tree(),

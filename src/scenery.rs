@@ -1,13 +1,12 @@
 //! The woods and hills of a map, and what they are placed by.
 
-use crate::chart::{Box, Heights, Label, Scenery, SceneryInput, Standing, Stream};
+use crate::chart::{Box, Kind, Label, Scenery, SceneryInput, Standing, Stream, Stroke};
 use crate::domain::Domain;
-use crate::labels::{ridges, total_discharge};
+use crate::labels::{heights, ridges, total_discharge};
 use crate::land::Land;
 use crate::memory;
 use crate::network::{Network, Oxbow};
 use crate::random::Seed;
-use crate::relief::Relief;
 use crate::river_map::RiverMap;
 
 /// The scenery of a map with these labels, what is behind first; none if the recipe wants none, or the style shows none.
@@ -52,18 +51,9 @@ fn streams(network: &Network) -> Vec<Stream> {
     network.rivers.iter().map(stream).collect()
 }
 
-fn heights(relief: &Relief) -> Heights<'_> {
-    /// The share of all land that lies below what counts as the highest: peaks alone would make all else low.
-    const HIGHEST: f32 = 0.995;
-    Heights {
-        heights: relief.heights(),
-        columns: relief.columns(),
-        cell_size: relief.cell_size(),
-        highest: relief.quantile(HIGHEST),
-    }
-}
-
-/// The boxes of all letters.
+/// The boxes of all letters, of what is cleared for them, and of the symbols of spot heights.
 fn boxes(labels: &[Label]) -> Vec<Box> {
-    labels.iter().flat_map(|label| label.letters.iter().map(|letter| letter.around(label.em))).collect()
+    let symbols = labels.iter().filter(|label| label.kind == Kind::SpotHeight).flat_map(|label| &label.strokes);
+    let strokes = labels.iter().flat_map(|label| &label.cleared).chain(symbols).map(Stroke::around);
+    labels.iter().flat_map(|label| label.letters.iter().map(|letter| letter.around(label.em))).chain(strokes).collect()
 }

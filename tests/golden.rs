@@ -74,6 +74,18 @@ const PICTURES: &[(&str, &str)] = &[
     ),
     ("labels-dark", "growth=brownian&sensitivity=32&trim=50&land=archipelago&style=dark&labels=few"),
     (
+        "labels-survey",
+        "growth=drainage&land=archipelago&seed=moa&attractors=3000&trim=24&channel-area=4&mouths=0&style=survey&labels=some&label-size=0.5",
+    ),
+    (
+        "labels-blueprint",
+        "growth=colonize&valleys=0.2&land=continent&seed=kea&attractors=1500&mouths=0&style=blueprint&labels=few&label-size=0.5",
+    ),
+    (
+        "labels-ink-wash",
+        "growth=drainage&land=island&seed=kauri&attractors=3000&trim=24&channel-area=4&mouths=0&style=ink-wash&labels=few&label-size=0.6",
+    ),
+    (
         "cartouche",
         "growth=drainage&land=continent&seed=moa&attractors=3000&trim=24&channel-area=4&mouths=0&style=parchment&cartouche=framed&label-size=0.6",
     ),

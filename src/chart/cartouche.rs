@@ -3,6 +3,7 @@
 use glam::Vec2;
 
 use super::background::Background;
+use super::corner::{self, Corner};
 use super::input::{Cartouche, Input};
 use super::letters::{Box, Kind, Label, Placed, Stroke, Text};
 use crate::glyph::lacking;
@@ -22,21 +23,14 @@ const SHORT: f32 = 8.0;
 
 /// The most that it takes up of the map's width and height.
 const MOST: Vec2 = Vec2::new(0.6, 0.4);
-/// How far it is from the frame, and how far other labels keep from its letters, in ems.
-const FROM_FRAME: f32 = 0.7;
+/// How far other labels keep from its letters, in ems.
 const AROUND: f32 = 0.6;
-/// How far it is from the coast where it is on the sea, in ems.
-const FROM_COAST: f32 = 0.3;
 
 /// How high capitals are, how deep letters reach under their line, and how far lines are apart, in ems.
 const CAPITAL: f32 = 0.66;
 const UNDER: f32 = 0.2;
 const LINE: f32 = 1.15;
 const TO_SEED: f32 = 1.2;
-
-/// Half the widths of the double line, outside and inside, and how far the inner is from the outer, in ems.
-const RULES: [f32; 2] = [0.035, 0.014];
-const BETWEEN_RULES: f32 = 0.14;
 
 /// A cartouche in its place.
 pub struct Set {
@@ -55,12 +49,13 @@ pub fn set<G: Background>(input: &Input<'_>, background: &G, cartouche: &Cartouc
     let least = input.least_em.max(LEAST) * input.label_size;
     blocks.extend([1, 2].map(|lines| Block::new(input, cartouche, least, lines)));
     let at_sea = blocks.iter().flatten().find_map(|block| {
-        let corner = block.corner(input, background);
+        let corner = block.corner(input, background)?;
         (corner.sea == 1.0).then_some((block, corner))
     });
     // Else smaller ones if that makes a difference.
     let mostly_at_sea = || {
-        let placed = blocks[2 * ON_LAND..].iter().flatten().map(|block| (block, block.corner(input, background)));
+        let placed =
+            blocks[2 * ON_LAND..].iter().flatten().filter_map(|block| Some((block, block.corner(input, background)?)));
         placed.reduce(|best, next| if next.1.sea > best.1.sea + MORE_SEA { next } else { best })
     };
     let (block, corner) = at_sea.or_else(mostly_at_sea)?;
@@ -83,25 +78,6 @@ struct Block {
     /// Of the letters and of what is around them, in units.
     size: Vec2,
     is_framed: bool,
-}
-
-/// A corner that a block may stand in.
-struct Corner {
-    /// Where the block's upper left corner is.
-    at: Vec2,
-    /// The share of the block that is sea.
-    sea: f32,
-    /// How much ink is under it.
-    ink: f32,
-    /// How far it is from the coast, on average, in ems.
-    off: f32,
-}
-
-impl Corner {
-    fn is_better_than(&self, other: &Self) -> bool {
-        let order = self.sea.total_cmp(&other.sea).then(other.ink.total_cmp(&self.ink));
-        order.then(self.off.total_cmp(&other.off)).is_gt()
-    }
 }
 
 impl Block {
@@ -127,31 +103,8 @@ impl Block {
     }
 
     /// The best of the four corners.
-    fn corner<G: Background>(&self, input: &Input<'_>, background: &G) -> Corner {
-        let ([least, most], margin) = (input.frame, FROM_FRAME * self.em);
-        let (least, most) = (least + margin, most - margin - self.size);
-        let corners = [least, Vec2::new(most.x, least.y), Vec2::new(least.x, most.y), most];
-        let [first, others @ ..] = corners.map(|at| self.judged(input, background, at));
-        others.into_iter().fold(first, |best, corner| if corner.is_better_than(&best) { corner } else { best })
-    }
-
-    /// What lies under the block in a place, by points an em apart or less.
-    fn judged<G: Background>(&self, input: &Input<'_>, background: &G, at: Vec2) -> Corner {
-        const FAR: f32 = 4.0;
-        let counts = (self.size / (0.8 * self.em)).ceil();
-        let (mut sea, mut ink, mut off) = (0.0, 0.0, 0.0);
-        for (row, column) in
-            (0..=counts.y as u32).flat_map(|row| (0..=counts.x as u32).map(move |column| (row, column)))
-        {
-            let point = at + Vec2::new(column as f32, row as f32) / counts * self.size;
-            let depth = input.coast.map_or(f32::MIN, |coast| -coast.height(point) / self.em);
-            sea += if depth >= FROM_COAST { 1.0 } else { 0.0 };
-            off += depth.clamp(0.0, FAR);
-            let width = background.ink(point).width;
-            ink += if width > 0.0 { 1.0 + width.min(20.0) } else { 0.0 };
-        }
-        let points = (counts.x + 1.0) * (counts.y + 1.0);
-        Corner { at, sea: sea / points, ink, off: off / points }
+    fn corner<G: Background>(&self, input: &Input<'_>, background: &G) -> Option<Corner> {
+        corner::best(input, background, self.size, self.em, &[])
     }
 
     /// The block in its corner: a label for the title, and one for the seed.
@@ -168,12 +121,10 @@ impl Block {
             }
         }
         if let Some(title) = labels.first_mut() {
-            title.strokes = if self.is_framed { self.rules(corner.at) } else { Vec::new() };
+            title.strokes = if self.is_framed { corner::rules(corner.at, self.size, self.em) } else { Vec::new() };
             title.cleared = if corner.sea < 1.0 { self.cleared(corner.at) } else { Vec::new() };
         }
-        let half = self.size * 0.5;
-        let around = Box { middle: corner.at + half, along: Vec2::new(half.x, 0.0), down: Vec2::new(0.0, half.y) };
-        Set { labels, around }
+        Set { labels, around: Box::level(corner.at, corner.at + self.size) }
     }
 
     fn letters(&self, line: &Line, at: Vec2) -> Vec<Placed> {
@@ -181,31 +132,18 @@ impl Block {
         line.text.letters.iter().map(|letter| Placed::level(letter, at + from, line.em)).collect()
     }
 
-    /// The double line around it.
-    fn rules(&self, at: Vec2) -> Vec<Stroke> {
-        let rule = |(half, inward): (f32, f32)| {
-            let [inward, half] = [inward, half].map(|ems| ems * self.em);
-            let (least, most) = (at + inward, at + self.size - inward);
-            let corners = [least, Vec2::new(most.x, least.y), most, Vec2::new(least.x, most.y)];
-            [0, 1, 2, 3].map(|i| Stroke { ends: [corners[i], corners[(i + 1) % 4]], half })
-        };
-        [(RULES[0], RULES[0]), (RULES[1], BETWEEN_RULES)].into_iter().flat_map(rule).collect()
-    }
-
     /// What is cleared for it on land: all within its frame, or the lines of type.
     fn cleared(&self, at: Vec2) -> Vec<Stroke> {
-        let half = if self.is_framed { 0.3 } else { 0.5 } * self.em;
-        let line = |left: f32, right: f32, y: f32| Stroke { ends: [left, right].map(|x| at + Vec2::new(x, y)), half };
-        if !self.is_framed {
-            let of_line = |of: &Line| {
-                let room = 0.5 * (self.size.x - of.text.length * of.em);
-                line(room, self.size.x - room, AROUND * self.em + of.down - 0.25 * of.em)
-            };
-            return self.lines.iter().map(of_line).collect();
+        if self.is_framed {
+            return corner::filled(at, self.size, 0.3 * self.em);
         }
-        let rows = ((self.size.y - 2.0 * half) / half).ceil().max(1.0);
-        let down = |row: u32| half + (self.size.y - 2.0 * half) * row as f32 / rows;
-        (0..=rows as u32).map(|row| line(half, self.size.x - half, down(row))).collect()
+        let of_line = |of: &Line| {
+            let room = 0.5 * (self.size.x - of.text.length * of.em);
+            let y = AROUND * self.em + of.down - 0.25 * of.em;
+            let ends = [room, self.size.x - room].map(|x| at + Vec2::new(x, y));
+            Stroke { ends, half: 0.5 * self.em }
+        };
+        self.lines.iter().map(of_line).collect()
     }
 }
 

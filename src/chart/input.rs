@@ -100,10 +100,74 @@ pub struct Cartouche {
     pub is_framed: bool,
 }
 
+/// The relief, and what its heights are in numbers.
+#[derive(Clone, Copy, Debug)]
+pub struct Elevations<'a> {
+    /// The relief.
+    pub heights: Heights<'a>,
+    /// How many metres a unit of height is.
+    pub metres: f32,
+    /// How far the places are apart whose heights are told, in units.
+    pub apart: f32,
+}
+
+/// The grid whose columns have letters along the map's edge, and its rows numbers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SheetGrid {
+    /// The part of the domain that is seen, the labels' frame and the margin around it: its north-western and its south-eastern corner.
+    pub sheet: [Vec2; 2],
+    /// How far lines are apart, in units; the first are the domain's western and northern side.
+    pub every: f32,
+    /// The length of its letters' em.
+    pub em: f32,
+}
+
+/// Rivers of one order.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RiverClass {
+    /// Strahler's order.
+    pub order: u8,
+    /// How many there are.
+    pub count: u32,
+    /// Half of their width at their ends, on average, in units.
+    pub half: f32,
+}
+
+/// What is said of a map in a box.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Legend {
+    /// What the map is called, and what it has grown from; nothing where the cartouche says that.
+    pub heading: Option<[String; 2]>,
+    /// Its rivers, those of the highest order first.
+    pub classes: Vec<RiverClass>,
+}
+
+/// A painter's seal.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Seal {
+    /// One letter or two.
+    pub letters: String,
+    /// What its edge is uneven by.
+    pub seed: Seed,
+}
+
+/// What a style has on its maps besides names.
+#[derive(Clone, Debug, Default)]
+pub struct Marks<'a> {
+    /// The relief; `None` if no heights are told.
+    pub elevations: Option<Elevations<'a>>,
+    /// The grid; `None` if it has no letters.
+    pub grid: Option<SheetGrid>,
+    /// The legend.
+    pub legend: Option<Legend>,
+    /// The seal.
+    pub seal: Option<Seal>,
+}
+
 /// A map that labels are wanted for. Lengths are units.
 #[derive(Clone, Debug)]
 pub struct Input<'a> {
-    /// The part of the domain that is seen: its north-western and its south-eastern corner.
+    /// The part of the domain that labels may stand in: its north-western and its south-eastern corner.
     pub frame: [Vec2; 2],
     /// The smallest letters that can be read, as the length of their em.
     pub least_em: f32,
@@ -126,8 +190,17 @@ pub struct Input<'a> {
     pub cartouche: Option<Cartouche>,
     /// Seas, lakes and islands.
     pub areas: Vec<Area>,
+    /// What there is besides names.
+    pub marks: Marks<'a>,
     /// How far inland each point lies; `None` if there is no sea.
     pub coast: Option<&'a CoastDistance>,
+}
+
+impl Input<'_> {
+    /// The part of the domain that is seen: its north-western and its south-eastern corner.
+    pub fn sheet(&self) -> [Vec2; 2] {
+        self.marks.grid.map_or(self.frame, |grid| grid.sheet)
+    }
 }
 
 /// A river that scenery keeps off.
@@ -177,7 +250,7 @@ pub struct SceneryInput<'a> {
     pub coast: Option<&'a CoastDistance>,
     /// The relief; `None` if it is not known.
     pub heights: Option<Heights<'a>>,
-    /// The boxes of all letters on the map.
+    /// The boxes of all letters on the map, and of what stands with them.
     pub letters: Vec<Box>,
 }
 

@@ -24,6 +24,16 @@ pub enum Kind {
     Title,
     /// What the map has grown from.
     Seed,
+    /// A line of the legend.
+    Legend,
+    /// The height of a summit or a saddle, beside it.
+    SpotHeight,
+    /// The letter of a column or the number of a row of the grid, in the map's margin.
+    GridLetter,
+    /// The margin, and the lines of the grid as far as they are drawn.
+    Grid,
+    /// The seal: letters that are left out of a square.
+    Seal,
 }
 
 impl Kind {
@@ -31,7 +41,8 @@ impl Kind {
     pub fn tracking(self) -> f32 {
         match self {
             Self::River | Self::Island | Self::Offshore | Self::Seed => 0.08,
-            Self::Title => 0.05,
+            Self::Title | Self::Legend => 0.05,
+            Self::SpotHeight | Self::GridLetter | Self::Grid | Self::Seal => 0.03,
             Self::Reach => 0.16,
             Self::Water => 0.3,
         }
@@ -39,12 +50,22 @@ impl Kind {
 
     /// Whether nothing is taken away around its letters: it stands on open water, or says itself what is cleared.
     pub fn is_afloat(self) -> bool {
-        matches!(self, Self::Water | Self::Offshore | Self::Title | Self::Seed)
+        self.is_block() || matches!(self, Self::Water | Self::Offshore | Self::GridLetter | Self::Grid | Self::Seal)
     }
 
     /// Whether it is a part of the cartouche.
     pub fn is_of_cartouche(self) -> bool {
         matches!(self, Self::Title | Self::Seed)
+    }
+
+    /// Whether it is a part of a block of lines in a corner: the cartouche or the legend.
+    pub fn is_block(self) -> bool {
+        self.is_of_cartouche() || self == Self::Legend
+    }
+
+    /// Whether it is a mark, in an ink of its own.
+    pub fn is_mark(self) -> bool {
+        matches!(self, Self::SpotHeight | Self::GridLetter | Self::Grid | Self::Seal)
     }
 
     /// How far its halo reaches around outlines, in ems.
@@ -96,6 +117,13 @@ pub struct Stroke {
     pub ends: [Vec2; 2],
     /// Half its width, in units.
     pub half: f32,
+}
+
+impl Stroke {
+    /// The box around it, if it is level or upright.
+    pub fn around(&self) -> Box {
+        Box::level(self.ends[0].min(self.ends[1]) - self.half, self.ends[0].max(self.ends[1]) + self.half)
+    }
 }
 
 impl Label {
@@ -168,6 +196,12 @@ impl Placed {
 }
 
 impl Box {
+    /// One from a north-western corner to a south-eastern one.
+    pub fn level(least: Vec2, most: Vec2) -> Self {
+        let half = (most - least) * 0.5;
+        Self { middle: least + half, along: Vec2::new(half.x, 0.0), down: Vec2::new(0.0, half.y) }
+    }
+
     /// Its corners, one after the other around it.
     pub fn corners(&self) -> [Vec2; 4] {
         let Self { middle, along, down } = *self;

@@ -1,5 +1,5 @@
-//! The chart: what stands on a map besides rivers. Labels, words set along courses, letter by letter, and on the sea; and scenery, woods and
-//! hills on the land between.
+//! The chart: what stands on a map besides rivers. Labels, words set along courses, letter by letter, and on the sea; marks, which some
+//! styles have besides: heights, a grid, a legend, a seal; and scenery, woods and hills on the land between.
 //!
 //! Input is plain arrays, so is the result, and neither knows what pixels or files are. After Wolff, Knipping, van Kreveld, Strijk and
 //! Agarwal, *A simple and efficient algorithm for high-quality line labeling*: lines of type that bend little, at a small and even distance
@@ -15,25 +15,34 @@ mod background;
 mod banks;
 mod baseline;
 mod cartouche;
+mod corner;
 mod costs;
 mod divides;
 mod free;
+mod grid_letters;
 mod hills;
 mod input;
 mod islands;
+mod legend;
 mod letters;
 mod place;
 mod raster;
 mod scatter;
 mod scenery;
+mod seal;
 mod search;
 mod shapes;
+mod spot_heights;
 mod standing;
 mod woods;
 
 pub use background::{Background, Ink, Piece, cell_middle};
 pub use free::{FOOT_FROM_BANKS, FROM_BANKS, FROM_COAST, FROM_LETTERS};
-pub use input::{Area, AreaKind, Cartouche, Heights, Input, Reach, River, SceneryInput, Stream, Strip};
+pub use grid_letters::MARGIN;
+pub use input::{
+    Area, AreaKind, Cartouche, Elevations, Heights, Input, Legend, Marks, Reach, River, RiverClass, SceneryInput, Seal,
+    SheetGrid, Stream, Strip,
+};
 pub use letters::{Box, Kind, Label, Placed, Stroke};
 pub use place::place;
 pub use raster::Raster;

@@ -4,10 +4,10 @@ use glam::Vec2;
 
 use super::background::{Background, NONE};
 use super::baseline::{Course, Line};
-use super::input::{Area, AreaKind, Input, Reach, River};
+use super::input::{Area, AreaKind, Input, Marks, Reach, River};
 use super::letters::{Box, Kind, Label, Text};
 use super::search::Search;
-use super::{areas, cartouche, islands};
+use super::{areas, cartouche, grid_letters, islands, legend, seal, spot_heights};
 use crate::geometry::distance;
 use crate::sort;
 
@@ -30,16 +30,18 @@ const APART: f32 = 2.2;
 const MOST_RIVERS: usize = 400;
 
 /// The labels of a map, the most important first: of the greatest river, of stretches where rivers wind, of all other rivers, of lakes and
-/// islands, of seas; and the title.
+/// islands, of seas; the title; and what the style has besides names.
 pub fn place<G: Background>(input: &Input<'_>, background: &G) -> Vec<Label> {
     let mut map = Map { input, background, labels: Vec::new(), boxes: Vec::new(), area: 0.0 };
     let cartouche = input.cartouche.as_ref().and_then(|cartouche| cartouche::set(input, background, cartouche));
     let (cartouche, around) = cartouche.map_or((Vec::new(), None), |set| (set.labels, Some((NONE, set.around))));
     // Everything else keeps off its corner.
     map.boxes.extend(around);
+    let corners = map.corner_marks();
     map.label_rivers();
     map.label_areas();
-    map.labels.extend(cartouche);
+    map.labels.extend(cartouche.into_iter().chain(corners));
+    map.survey_marks();
     map.labels
 }
 
@@ -70,6 +72,35 @@ struct Map<'a, G> {
 }
 
 impl<G: Background> Map<'_, G> {
+    /// The legend and the seal, whichever there is to be, in corners that all else keeps off.
+    fn corner_marks(&mut self) -> Vec<Label> {
+        let Marks { legend, seal, .. } = &self.input.marks;
+        let legend = legend.as_ref().and_then(|legend| legend::set(self.input, self.background, legend, &self.boxes));
+        let (mut labels, around) = legend.map_or((Vec::new(), None), |set| (set.labels, Some((NONE, set.around))));
+        self.boxes.extend(around);
+        let seal = seal.as_ref().and_then(|seal| seal::set(self.input, self.background, seal, &self.boxes));
+        if let Some((seal, around)) = seal {
+            self.boxes.push((NONE, around));
+            labels.push(seal);
+        }
+        labels
+    }
+
+    /// Heights where there is room for them, and the grid around it all.
+    fn survey_marks(&mut self) {
+        let Marks { elevations, grid, .. } = &self.input.marks;
+        if let Some(elevations) = elevations {
+            for (label, boxes) in spot_heights::labels(self.input, self.background, elevations, &self.boxes) {
+                self.boxes.extend(boxes.map(|around| (NONE, around)));
+                self.labels.push(label);
+            }
+        }
+        if let Some(grid) = grid {
+            self.labels.push(grid_letters::lines(self.input, self.background, grid, &self.boxes));
+            self.labels.extend(grid_letters::letters(self.input, grid));
+        }
+    }
+
     /// Labels rivers, the greatest first, until they cover as much land as they may.
     fn label_rivers(&mut self) {
         let Input { reaches, rivers, most_area: [most, _], .. } = self.input;

@@ -36,8 +36,9 @@ impl Raster {
     /// Of a map.
     pub fn new(input: &Input<'_>) -> Self {
         let pieces = Piece::all(input);
-        let corner = (input.frame[0] / CELL).floor() * CELL;
-        let size = input.frame[1] - corner;
+        let [least, most] = input.sheet();
+        let corner = (least / CELL).floor() * CELL;
+        let size = most - corner;
         let [columns, rows] = [size.x, size.y].map(|length| (length / CELL) as usize + 2);
         let mut this = Self {
             corner,

@@ -6,9 +6,11 @@
 //! Lengths are in ems; x runs along the line, y down from the baseline, as on a screen.
 
 mod fill;
+mod initials;
 mod measure;
 mod table;
 
 pub use fill::{Fill, pieces_of};
+pub use initials::initials;
 pub use measure::{Letter, lacking, line_of};
 pub use table::{Curve, Glyph, Typeface};

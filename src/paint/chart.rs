@@ -28,6 +28,8 @@ pub struct ChartMasks {
     pub panel: SparseMask,
     /// Letters, and the lines around them.
     pub letters: SparseMask,
+    /// What the style has besides names, in an ink of its own.
+    pub marks: SparseMask,
 }
 
 /// A mask that is mostly empty.
@@ -87,7 +89,7 @@ impl ChartMasks {
     /// All layers, to be handed to another module.
     pub fn to_bytes(&self) -> Vec<u8> {
         let mut bytes = Vec::new();
-        let layers = [&self.bodies, &self.strokes, &self.halo, &self.cleared, &self.panel, &self.letters];
+        let layers = [&self.bodies, &self.strokes, &self.halo, &self.cleared, &self.panel, &self.letters, &self.marks];
         layers.into_iter().for_each(|layer| layer.write(&mut bytes));
         bytes
     }
@@ -96,7 +98,7 @@ impl ChartMasks {
     pub fn from_bytes(mut bytes: &[u8]) -> Option<Self> {
         let mut layer = || SparseMask::read(&mut bytes);
         let (bodies, strokes, halo) = (layer()?, layer()?, layer()?);
-        Some(Self { bodies, strokes, halo, cleared: layer()?, panel: layer()?, letters: layer()? })
+        Some(Self { bodies, strokes, halo, cleared: layer()?, panel: layer()?, letters: layer()?, marks: layer()? })
     }
 }
 
@@ -134,6 +136,7 @@ pub(super) fn lay(pixmap: &mut Pixmap, chart: &ChartMasks, style: Style) {
         }
     }
     lay(&chart.letters, letters.ink, 1.0);
+    lay(&chart.marks, letters.mark, 1.0);
 }
 
 #[cfg(test)]
@@ -153,8 +156,10 @@ mod tests {
         #[test]
         fn layers_come_out_as_they_were_put_in(halo in mask(), panel in mask(), letters in mask()) {
             let [a, b, c] = [&halo, &panel, &letters].map(|mask| SparseMask::of(mask));
-            let chart = ChartMasks { bodies: b.clone(), strokes: c.clone(), halo: a.clone(), cleared: a, panel: b, letters: c };
-            for (layer, mask) in [(&chart.cleared, &halo), (&chart.panel, &panel), (&chart.letters, &letters)] {
+            let chart = ChartMasks {
+                bodies: b.clone(), strokes: c.clone(), halo: a.clone(), cleared: a.clone(), panel: b, letters: c, marks: a,
+            };
+            for (layer, mask) in [(&chart.marks, &halo), (&chart.panel, &panel), (&chart.letters, &letters)] {
                 let mut filled = vec![0; mask.len()];
                 layer.pixels().for_each(|(pixel, share)| filled[pixel] = share);
                 prop_assert_eq!(&filled, mask);

@@ -5,7 +5,7 @@ use glam::Vec2;
 use super::chart::{ChartMasks, SparseMask};
 use super::coverage::{Coverage, Rect};
 use super::view::View;
-use crate::chart::{Label, Placed, Stroke};
+use crate::chart::{Kind, Label, Placed, Stroke};
 use crate::glyph::Fill;
 use crate::memory;
 
@@ -21,13 +21,14 @@ pub(crate) fn masks(view: &View, labels: &[Label]) -> ChartMasks {
     }
     // Names on water keep so far from the coast that there are no rivers to take away, and no ground to even out.
     let on_land = labels.iter().filter(|label| !label.kind.is_afloat());
-    let cartouche = labels.iter().filter(|label| label.kind.is_of_cartouche());
+    let blocks = labels.iter().filter(|label| label.kind.is_block());
     let framed = labels.iter().filter(|label| !label.strokes.is_empty());
     ChartMasks {
         halo: halo(view, labels.iter().flat_map(|label| &label.cleared), on_land),
-        cleared: halo(view, [].iter(), cartouche),
+        cleared: halo(view, [].iter(), blocks),
         panel: lines(view, framed.flat_map(|label| &label.cleared)),
-        letters: letters(view, labels),
+        letters: letters(view, labels.iter().filter(|label| !label.kind.is_mark())),
+        marks: letters(view, labels.iter().filter(|label| label.kind.is_mark())),
         ..ChartMasks::default()
     }
 }
@@ -77,25 +78,34 @@ fn draw<'a>(mask: &mut Coverage, view: &View, strokes: impl Iterator<Item = &'a 
     }
 }
 
-/// Letters, and the lines around them.
-fn letters(view: &View, labels: &[Label]) -> SparseMask {
+/// Letters, and the lines around them; letters of a seal are left out of those.
+fn letters<'a>(view: &View, labels: impl Iterator<Item = &'a Label> + Clone) -> SparseMask {
+    if labels.clone().next().is_none() {
+        return SparseMask::default();
+    }
     let (mut fill, width) = (Fill::default(), view.width as usize);
     let mut mask = vec![0; view.pixels()];
-    let strokes = labels.iter().flat_map(|label| &label.strokes);
+    let strokes = labels.clone().flat_map(|label| &label.strokes);
     lines(view, strokes).pixels().for_each(|(pixel, share)| mask[pixel] = share);
-    for (label, letter) in labels.iter().flat_map(|label| label.letters.iter().map(move |letter| (label, letter))) {
+    for (label, letter) in labels.flat_map(|label| label.letters.iter().map(move |letter| (label, letter))) {
         let Some(Rect { left, top, right, bottom }) = pixels(label, letter, view, 0.0) else { continue };
         fill.clear([left as i32, top as i32], (right - left) as usize, (bottom - top) as usize);
         fill.add(letter.glyph, |at| view.pixel(letter.place(at, label.em)));
+        let lay = if label.kind == Kind::Seal { without } else { both };
         for (row, shares) in (top as usize..).zip(fill.rows()) {
             let pixels = mask[row * width + left as usize..].iter_mut().zip(shares);
             // Most of a letter's box is bare.
             for (pixel, share) in pixels.filter(|(_, share)| *share > 0.0) {
-                *pixel = both(*pixel, (share * 255.0 + 0.5) as u8);
+                *pixel = lay(*pixel, (share * 255.0 + 0.5) as u8);
             }
         }
     }
     SparseMask::of(&mask)
+}
+
+/// What is left of a pixel's cover where a letter is left out.
+fn without(cover: u8, letter: u8) -> u8 {
+    ((u32::from(cover) * (255 - u32::from(letter)) + 127) / 255) as u8
 }
 
 /// How much two letters cover together of a pixel on which they meet.

@@ -51,7 +51,9 @@ pub(crate) use palette::Lines;
 #[cfg(feature = "names")]
 pub(crate) use scenery::SceneryPainter;
 #[cfg(all(feature = "files", feature = "names"))]
-pub(crate) use styles::labels::{LabelLook, label_look};
+pub(crate) use styles::labels::LabelLook;
+#[cfg(feature = "names")]
+pub(crate) use styles::labels::{Marks, label_look};
 #[cfg(feature = "files")]
 pub(crate) use styles::palette as palette_of;
 #[cfg(feature = "names")]

@@ -180,6 +180,16 @@ impl Style {
     pub fn has_hills(self) -> bool {
         matches!(self, Self::Ink | Self::Dark | Self::Basins | Self::PastCourses)
     }
+
+    /// Whether its labels are more than names: spot heights and grid letters, a legend, or a seal.
+    pub fn has_marks(self) -> bool {
+        matches!(self, Self::Survey | Self::Blueprint | Self::InkWash)
+    }
+
+    /// Whether heights stand beside summits.
+    pub fn has_spot_heights(self) -> bool {
+        self == Self::Survey
+    }
 }
 
 #[cfg(test)]

@@ -548,7 +548,7 @@ pub static TABLE: [Parameter; COUNT] = {
             key: Key::Labels,
             name: "labels",
             label: "Labels",
-            help: "How much of the land names may cover. The greatest rivers have theirs first.",
+            help: "How much of the land names may cover. The greatest rivers have theirs first. Survey has spot heights and a grid with them, blueprint a legend, ink wash a seal.",
             unit: "",
             group: "Names",
             stage: Name,

@@ -4,6 +4,8 @@
 
 pub mod lands;
 pub mod literal;
+#[cfg(feature = "names")]
+pub mod literal_ground;
 pub mod pairs;
 pub mod parts;
 pub mod plain;

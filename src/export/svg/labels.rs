@@ -7,12 +7,13 @@ use super::ChartText;
 use super::path::Path;
 use super::scenery;
 use super::text::Text;
-use crate::chart::{Label, Placed, Stroke};
+use crate::chart::{Kind, Label, Placed, Stroke};
 use crate::domain::Domain;
 use crate::geometry::distance;
 use crate::glyph::Typeface;
 use crate::labels::labels;
 use crate::paint::letters::SPACE;
+use crate::paint::palette::Colour;
 use crate::paint::{LabelLook, label_look, scenery_look};
 use crate::river_map::RiverMap;
 
@@ -42,7 +43,7 @@ fn draw_halo(out: &mut Text, size: Vec2, labels: &[Label]) {
         out.text("\" d=\"").text(outlines(label).data()).text("\"/>\n");
     }
     out.text("<g stroke=\"#000\" stroke-linecap=\"round\">\n");
-    for label in labels.iter().filter(|label| !label.kind.is_of_cartouche()) {
+    for label in labels.iter().filter(|label| !label.kind.is_block()) {
         let mut path = Path::default();
         label.spaces().for_each(|ends| path.line(&ends));
         if !path.data().is_empty() {
@@ -56,35 +57,85 @@ fn draw_halo(out: &mut Text, size: Vec2, labels: &[Label]) {
     out.text("</g>\n</mask>\n");
 }
 
-/// Writes the labels, the greatest river's first, and the cartouche.
+/// Writes the labels, the greatest river's first, the blocks in corners, and what the style has besides names.
 ///
 /// As text they stand on paths, which lie with them; letters that the type lacks are in it, too.
 fn draw(out: &mut Text, labels: &[Label], look: LabelLook, is_text: bool) {
-    let (cartouche, others): (Vec<&Label>, Vec<&Label>) = labels.iter().partition(|label| label.kind.is_of_cartouche());
-    if !others.is_empty() {
+    let of = |is_one: &dyn Fn(Kind) -> bool| labels.iter().filter(|label| is_one(label.kind)).collect::<Vec<_>>();
+    let names = of(&|kind| !kind.is_block() && !kind.is_mark());
+    if !names.is_empty() {
         out.text("<g id=\"labels\" fill=\"").colour(look.ink).text("\">\n");
-        draw_each(out, &others, look, is_text, "baseline");
+        draw_each(out, &names, look, is_text, "baseline");
         out.text("</g>\n");
     }
-    if let Some((title, seed)) = cartouche.split_first() {
-        out.text("<g id=\"cartouche\" role=\"img\" aria-label=\"").escaped(&title.text);
-        for seed in seed {
-            out.text(", ").escaped(&seed.text);
-        }
-        out.text("\" fill=\"").colour(look.ink).text("\">\n");
-        let is_panel = !title.strokes.is_empty();
-        if let Some((colour, strength)) = look.under(is_panel).filter(|_| !title.cleared.is_empty()) {
-            out.text("<g stroke-linecap=\"round\" stroke=\"").colour(colour).text("\" stroke-opacity=\"");
-            out.units(strength).text("\">\n");
-            draw_strokes(out, &title.cleared);
-            out.text("</g>\n");
-        }
-        if !title.strokes.is_empty() {
-            out.text("<g stroke-linecap=\"round\" stroke=\"").colour(look.ink).text("\">\n");
-            title.strokes.chunk_by(|a, b| a.half == b.half).for_each(|strokes| draw_strokes(out, strokes));
-            out.text("</g>\n");
-        }
-        draw_each(out, &cartouche, look, is_text, "title");
+    draw_block(out, &of(&Kind::is_of_cartouche), look, is_text, ["cartouche", "title"]);
+    draw_block(out, &of(&|kind| kind == Kind::Legend), look, is_text, ["legend", "line"]);
+    draw_marks(out, &of(&|kind| kind.is_mark() && kind != Kind::Seal), look, is_text);
+    of(&|kind| kind == Kind::Seal).into_iter().for_each(|label| draw_seal(out, label, look));
+}
+
+/// The cartouche or the legend: the first of its labels has the lines of all.
+fn draw_block(out: &mut Text, labels: &[&Label], look: LabelLook, is_text: bool, [id, baseline]: [&str; 2]) {
+    let [first, others @ ..] = labels else { return };
+    out.text("<g id=\"").text(id).text("\" role=\"img\" aria-label=\"").escaped(&first.text);
+    for other in others {
+        out.text(", ").escaped(&other.text);
+    }
+    out.text("\" fill=\"").colour(look.ink).text("\">\n");
+    draw_ground(out, first, look);
+    draw_lines(out, &first.strokes, look.ink);
+    draw_each(out, labels, look, is_text, baseline);
+    out.text("</g>\n");
+}
+
+/// What is cleared for a label with lines around it, or for lines of type.
+fn draw_ground(out: &mut Text, label: &Label, look: LabelLook) {
+    let is_panel = !label.strokes.is_empty();
+    if let Some((colour, strength)) = look.under(is_panel).filter(|_| !label.cleared.is_empty()) {
+        out.text("<g stroke-linecap=\"round\" stroke=\"").colour(colour).text("\" stroke-opacity=\"");
+        out.units(strength).text("\">\n");
+        draw_strokes(out, &label.cleared);
+        out.text("</g>\n");
+    }
+}
+
+/// Spot heights and the grid, in an ink of their own.
+fn draw_marks(out: &mut Text, labels: &[&Label], look: LabelLook, is_text: bool) {
+    if labels.is_empty() {
+        return;
+    }
+    let look = LabelLook { ink: look.mark, ..look };
+    out.text("<g id=\"marks\" fill=\"").colour(look.ink).text("\">\n");
+    labels.iter().for_each(|label| draw_ground(out, label, look));
+    let strokes: Vec<Stroke> = labels.iter().flat_map(|label| &label.strokes).copied().collect();
+    draw_lines(out, &strokes, look.ink);
+    let labels: Vec<&Label> = labels.iter().copied().filter(|label| !label.letters.is_empty()).collect();
+    draw_each(out, &labels, look, is_text, "mark");
+    out.text("</g>\n");
+}
+
+/// A square in a mask that leaves out its letters.
+fn draw_seal(out: &mut Text, label: &Label, look: LabelLook) {
+    let ends = label.strokes.iter().flat_map(|stroke| stroke.ends.map(|end| [end - stroke.half, end + stroke.half]));
+    let Some([least, most]) = ends.reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])]) else { return };
+    let square = |out: &mut Text| {
+        out.text(" x=\"").units(least.x).text("\" y=\"").units(least.y).text("\"").sized(most - least);
+    };
+    out.text("<mask id=\"left-out\" maskUnits=\"userSpaceOnUse\"");
+    square(out);
+    out.text(">\n");
+    draw_lines(out, &label.strokes, [0xff; 3]);
+    out.text("<path d=\"").text(outlines(label).data()).text("\"/>\n</mask>\n<g id=\"seal\" role=\"img\"><title>");
+    out.escaped(&label.text).text("</title><rect mask=\"url(#left-out)\" fill=\"").colour(look.mark).text("\"");
+    square(out);
+    out.text("/></g>\n");
+}
+
+/// Lines of a colour.
+fn draw_lines(out: &mut Text, strokes: &[Stroke], colour: Colour) {
+    if !strokes.is_empty() {
+        out.text("<g stroke-linecap=\"round\" stroke=\"").colour(colour).text("\">\n");
+        strokes.chunk_by(|a, b| a.half == b.half).for_each(|strokes| draw_strokes(out, strokes));
         out.text("</g>\n");
     }
 }
