@@ -81,6 +81,26 @@ mod tests {
     use crate::recipe::Choice;
 
     #[test]
+    fn styles_have_the_marks_that_they_are_said_to_have() {
+        for &style in Style::ALL {
+            let marks = label_look(style).marks;
+            assert_eq!(style.has_marks(), marks != Marks::None, "{style:?}");
+            assert_eq!(style.has_spot_heights(), matches!(marks, Marks::SpotHeights { .. }), "{style:?}");
+        }
+    }
+
+    /// Figures on land, and letters in the margin.
+    #[test]
+    fn heights_stand_out_from_the_land_and_from_the_margin() {
+        let look = label_look(Style::Survey);
+        let (halo, strength) = look.halo.unwrap();
+        let under = grounds(palette(Style::Survey)).into_iter().map(|ground| mix(ground, halo, strength));
+        for ground in under.chain([look.panel]) {
+            assert!(contrast(look.mark, ground) >= 4.5, "{ground:x?}");
+        }
+    }
+
+    #[test]
     fn letters_stand_out_from_land_and_sea_of_their_style() {
         for &style in Style::ALL {
             let (look, palette) = (label_look(style), palette(style));
