@@ -11,7 +11,10 @@ use super::view::View;
 pub(super) fn lay(view: &View, grid: &Grid, pixels: &mut [[u8; 4]]) {
     let Some(mut mask) = Coverage::new(view.width, view.height) else { return };
     let half = Grid::WIDTH * 0.5 * view.scale;
-    for [from, to] in lines(grid, view.frame()) {
+    let [first, last] = view.frame();
+    // As exact as numbers are, unless a part is asked for.
+    let first = if view.is_framed() { first } else { Vec2::ZERO };
+    for [from, to] in lines(grid, [first, last]) {
         mask.capsule(view.pixel(from), half, view.pixel(to), half);
     }
     lay_mask(mask.mask().data(), grid.colour, &|_| grid.strength, pixels);

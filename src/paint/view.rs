@@ -151,10 +151,15 @@ impl View {
         [least + Vec2::new(west, north) * self.domain.x, most - Vec2::new(east, south) * self.domain.x]
     }
 
+    /// Whether it shows a part of its domain that somebody named.
+    pub(super) fn is_framed(&self) -> bool {
+        IS_FRAMED && self.framing.is_some()
+    }
+
     /// Whether it shows anything beyond the domain.
     pub(super) fn shows_beyond(&self) -> bool {
         let [least, most] = self.frame();
-        IS_FRAMED && self.framing.is_some() && (least.min_element() < 0.0 || most.cmpgt(self.domain).any())
+        self.is_framed() && (least.min_element() < 0.0 || most.cmpgt(self.domain).any())
     }
 
     /// The point of the domain that is nearest to a point beyond it; `None` for one of its own.
