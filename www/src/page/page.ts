@@ -402,8 +402,8 @@ function covered(): Insets {
   };
   for (const box of [edge(bar), edge(styles), edge(panel.panel)]) {
     if (!box) continue;
-    // What is wider than high lies below the map; the rest beside it.
-    if (box.width > box.height) insets.bottom = Math.max(insets.bottom, innerHeight - box.top + MARGIN_PX);
+    // What begins in the left half lies below the map; the rest beside it.
+    if (box.left < innerWidth / 2) insets.bottom = Math.max(insets.bottom, innerHeight - box.top + MARGIN_PX);
     else insets.right = Math.max(insets.right, innerWidth - box.left + MARGIN_PX);
   }
   return insets;

@@ -90,9 +90,9 @@ for (const colorScheme of ["light", "dark"] as const) {
     test.use({ colorScheme });
 
     test("at rest, under the pointer, with the focus, while it is pressed, and when it stays so", async ({ page }) => {
-      // A pressed preset, and notices.
+      // A pressed style, a pressed preset, and notices.
       await openUnfolded(page, "preset=trimmed-curl&attractors=300&depth=3");
-      await expect(page.getByRole("button", { pressed: true })).toHaveCount(1);
+      await expect(page.getByRole("button", { pressed: true })).toHaveCount(2);
       for (const [where, open] of Object.entries(OPENED)) {
         await open(page);
         await expectReadable(page, where);
