@@ -137,7 +137,8 @@ impl Block {
         let rivers = if class.count == 1 { "river" } else { "rivers" };
         let y =
             self.add(&format!("{} {rivers} of order {}", class.count, class.order), SAMPLE + BEHIND, 1.0) - ABOVE * em;
-        let half = class.half.clamp(HALF[0] * em, HALF[1] * em);
+        // (`clamp` could panic, and would bring all that prints floats into the page.)
+        let half = class.half.max(HALF[0] * em).min(HALF[1] * em);
         self.stroke([[left + half, y], [left + SAMPLE * em - half, y]], half);
     }
 
