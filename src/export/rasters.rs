@@ -120,7 +120,7 @@ impl Rasters {
     }
 
     /// The same with so many pixels on the longer side, from those of the map's own grid (500 of a square map) to [`Grid::MOST`]. Rivers
-    /// are as high as on that; hillsides are solved anew.
+    /// are as high as on that, but where they would stand on dams; hillsides are solved anew.
     ///
     /// # Errors
     /// If there are no rivers yet, rasters cannot be that long, or there is not enough memory: some 100 bytes a pixel.

@@ -105,6 +105,13 @@ impl Cells {
         [cell - 1, cell + 1, north - 1, north, north + 1, south - 1, south, south + 1]
     }
 
+    /// Whether two cells share a side or a corner.
+    #[cfg(feature = "files")]
+    pub fn touch(&self, one: usize, other: usize) -> bool {
+        let (row, column) = (one / self.columns, one % self.columns);
+        row.abs_diff(other / self.columns) <= 1 && column.abs_diff(other % self.columns) <= 1
+    }
+
     /// All cells of the map that are land, row by row.
     pub fn land(&self) -> impl Iterator<Item = usize> + '_ {
         (0..self.inland.len()).filter(|&cell| self.is_land(cell))

@@ -123,6 +123,20 @@ impl Channels {
         lowered
     }
 
+    /// Notes, for each cell of a river, how high that or the lowest of its banks is, of the heights of all cells. A bank that touches the
+    /// river's next cell does not count: water that runs over it comes back. `surface` has the rivers' cells, and is infinite elsewhere.
+    #[cfg(feature = "files")]
+    pub fn note_banks(&self, cells: &Cells, heights: &[f32], surface: &mut [f32]) {
+        work::count(9 * self.steps.len());
+        self.steps.iter().for_each(|&(cell, _)| surface[cell as usize] = heights[cell as usize]);
+        for pair in self.paths.iter().flat_map(|path| self.steps[path.range()].windows(2)) {
+            let (cell, next) = (pair[0].0 as usize, pair[1].0 as usize);
+            let is_bank = |&beside: &usize| surface[beside] == f32::INFINITY && cells.is_land(beside);
+            let banks = cells.around(cell).into_iter().filter(is_bank).filter(|&bank| !cells.touch(bank, next));
+            surface[cell] = banks.map(|bank| heights[bank]).fold(surface[cell], f32::min);
+        }
+    }
+
     /// Makes every river fall from each cell to the next, its end being where it joins another, or the sea.
     pub fn let_fall(&mut self, cells: &Cells) {
         work::count(self.steps.len());

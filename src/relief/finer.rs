@@ -1,4 +1,5 @@
-//! The relief on a finer grid, for files: rivers stay as high as they are on the map's own, and hillsides are solved anew.
+//! The relief on a finer grid, for files: rivers stay as high as they are on the map's own, but where they would stand on dams, and hillsides
+//! are solved anew.
 
 use glam::Vec2;
 
