@@ -125,7 +125,83 @@ impl Spots {
 
 #[cfg(test)]
 mod tests {
+    use super::super::input::Stream;
     use super::*;
+    use crate::land::CoastDistance;
+    use crate::network::Place;
+    use crate::random::Seed;
+
+    const FEATURES: [Feature; 4] = [Feature::Broadleaf, Feature::Conifer, Feature::Hill, Feature::Mountain];
+    const SIZE: Vec2 = Vec2::new(200.0, 120.0);
+    const STREAM: [Vec2; 2] = [Vec2::new(80.0, 20.0), Vec2::new(110.0, 50.0)];
+    const LAKE: [Vec2; 2] = [Vec2::new(70.0, 95.0), Vec2::new(85.0, 90.0)];
+    const RIDGE: [Vec2; 2] = [Vec2::new(150.0, 25.0), Vec2::new(155.0, 50.0)];
+    const LETTER: Box = Box { middle: Vec2::new(150.0, 90.0), along: Vec2::new(8.0, 4.0), down: Vec2::new(-1.5, 3.0) };
+
+    /// A line of one width.
+    fn line(ends: [Vec2; 2], half: f32) -> Vec<Place> {
+        ends.map(|at| Place { at, half }).to_vec()
+    }
+
+    fn to_segment(at: Vec2, [from, to]: [Vec2; 2]) -> f32 {
+        let way = to - from;
+        at.distance(from + way * ((at - from).dot(way) / way.length_squared()).clamp(0.0, 1.0))
+    }
+
+    fn to_letter(at: Vec2) -> f32 {
+        let outside = |half: Vec2| ((at - LETTER.middle).dot(half).abs() / half.length() - half.length()).max(0.0);
+        Vec2::new(outside(LETTER.along), outside(LETTER.down)).length()
+    }
+
+    /// By how much a glyph is clear of the coast, which lies along x = 20, of the stream, the lake, the ridge and the letter.
+    fn rooms(feature: Feature, foot: Vec2, size: f32) -> [f32; 5] {
+        let rooms = |(at, radius): Disc| {
+            let bank = |ends: [Vec2; 2], half: f32| to_segment(at, ends) - half - 2.4 - radius;
+            let (coast, letter) = (at.x - 20.0 - 4.0 - radius, to_letter(at) - 3.0 - radius);
+            [coast, bank(STREAM, 3.0), bank(LAKE, 5.0), bank(RIDGE, 0.5), letter]
+        };
+        discs_at(feature, foot, size)
+            .map(rooms)
+            .fold([f32::MAX; 5], |least, next| std::array::from_fn(|rule| least[rule].min(next[rule])))
+    }
+
+    #[test]
+    fn a_glyph_is_clear_where_all_of_it_is_far_enough_from_everything() {
+        // Inland by as much as x is over 20.
+        let inland = (0..12 * 8).map(|i| (i % 12) as f32 * 20.0 - 20.0).collect();
+        let coast = CoastDistance::of_heights(SIZE, 20.0, inland).unwrap();
+        let input = SceneryInput {
+            size: SIZE,
+            seed: Seed::from_text("kea"),
+            woods: 1.0,
+            hills: 1.0,
+            total_discharge: 1,
+            streams: vec![Stream { course: line(STREAM, 3.0), discharge: 1, parent: u32::MAX }],
+            lakes: vec![line(LAKE, 5.0)],
+            ridges: vec![line(RIDGE, 0.5)],
+            coast: Some(&coast),
+            heights: None,
+            letters: vec![LETTER],
+        };
+        let ground = FreeGround::new(&input);
+        // For each rule, how many glyphs only that one forbids, and by next to nothing.
+        let mut narrowly = [0; 5];
+        for (i, feature) in (0..250_000).zip(FEATURES.iter().cycle()) {
+            let foot = Vec2::new((i as f32 * 0.618_034).fract(), (i as f32 / 250_000.0 * 499.0).fract()) * SIZE;
+            let size = 6.2 + 2.6 * (i % 7) as f32 / 6.0;
+            let rooms = rooms(*feature, foot, size);
+            let least = rooms.into_iter().fold(f32::MAX, f32::min);
+            if least.abs() > 1e-3 {
+                let is_clear = ground.is_clear(&input, *feature, foot, size);
+                assert_eq!(is_clear, least > 0.0, "{feature:?} at {foot}, {size} large: {rooms:?}");
+            }
+            for rule in 0..5 {
+                let is_alone = (0..5).all(|other| (rooms[other] < 0.0) == (other == rule));
+                narrowly[rule] += usize::from(is_alone && rooms[rule] > -0.1);
+            }
+        }
+        assert!(narrowly.iter().all(|count| *count > 20), "{narrowly:?}");
+    }
 
     #[test]
     fn a_disc_is_free_if_it_overlaps_none_wherever_that_lies() {
