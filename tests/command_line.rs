@@ -205,6 +205,18 @@ fn names_are_printed_greatest_first_with_their_marks() {
         "riverseed: 'names' is drawn without '\u{5d0}': the type has no such letters\n\
          riverseed: the cartouche is drawn without the seed: the type has no '\u{6771}'\n"
     );
+    let written = |name: &str, options: &[&str]| {
+        let path = scratch(name);
+        let link = format!("{small}&land=island&seed=kea");
+        let output = riverseed(&[&["render", &link, "-o", path.to_str().unwrap()], options].concat());
+        assert!(output.status.success(), "{output:?}");
+        fs::read(path).unwrap()
+    };
+    let with_ratio = |ratio: &str| written("ratio.png", &["--size", "400", "--ratio", ratio]);
+    assert!(written("ratio.png", &["--size", "400"]) == with_ratio("1"));
+    assert!(with_ratio("1") != with_ratio("4"), "letters are as large");
+    let has_text = |options: &[&str]| String::from_utf8(written("text.svg", options)).unwrap().contains("<textPath");
+    assert!(has_text(&["--svg-text"]) && !has_text(&[]));
     let refused = |options: &[&str]| refusal(&[&["render", small], options].concat());
     let message = |option: &str, ending: &str| (2, format!("riverseed: {option} does not go with {ending}\n"));
     assert_eq!(refused(&["-o", "x.svg", "--ratio", "2"]), message("--ratio", ".svg"));

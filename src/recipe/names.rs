@@ -233,9 +233,15 @@ mod tests {
             error(&(0..13).map(|i| format!("{i}.a_")).collect::<String>()),
             "there are 13 names, at most 12 are allowed"
         );
-        let unseen = ['\u{ad}', '\u{34f}', '\u{180e}', '\u{fffe}', '\u{ffff}', '\u{e0000}', '\u{e0041}', '\u{e007f}'];
-        for hidden in unseen.into_iter().chain(['\0', '\u{202e}', '\u{2067}', '\u{fffd}', '\u{2028}']) {
+        let unseen = ['\u{ad}', '\u{34f}', '\u{61c}', '\u{180e}', '\u{feff}', '\u{fffd}', '\u{fffe}', '\u{ffff}'];
+        let ends = [('\0', '\u{1f}'), ('\u{7f}', '\u{9f}'), ('\u{200b}', '\u{200f}'), ('\u{2028}', '\u{202e}')];
+        let more = [('\u{2060}', '\u{206f}'), ('\u{e0000}', '\u{e007f}')];
+        let ranges = ends.into_iter().chain(more).flat_map(|(first, last)| first..=last);
+        for hidden in unseen.into_iter().chain(ranges) {
             assert_eq!(error(&format!("1.a{hidden}b")), "the text holds a character that cannot be shown");
+        }
+        for seen in ['\u{ac}', '\u{301}', '\u{200a}', '\u{2010}', '\u{2027}', '\u{2070}', '\u{fffc}', '\u{1f30a}'] {
+            assert!(OwnNames::parse(&format!("1.a{seen}b")).is_ok(), "{seen:?}");
         }
     }
 
