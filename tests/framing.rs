@@ -1,4 +1,6 @@
 //! Pictures of a part of a map, and of what lies around it.
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+#![cfg(feature = "names")]
 
 use riverseed::paint::Framing;
 use riverseed::{Picture, Recipe, Session};
