@@ -71,7 +71,7 @@ export function controls(
 }
 
 /** What shapes a map most, in the words of whoever wants one; all else stands under its heading. */
-const FRONT = [
+export const FRONT: readonly (readonly [key: string, label: string])[] = [
   ["land", "Land"],
   ["sea", "How much sea"],
   ["roughness", "How wild a coast"],
@@ -79,7 +79,7 @@ const FRONT = [
   ["attractors", "How fine"],
   ["meander-rounds", "How winding"],
   ["width", "How wide"],
-] as const;
+];
 
 /** A control with a switch that keeps its value whatever sets many at a time. */
 function withKeep(control: HTMLElement, key: string, label: string, kept: Set<string>): HTMLElement {

@@ -299,6 +299,7 @@ class Page {
     this.#address.show(link, isStep);
     this.#trail.show(seed);
     this.#strip.show(values.get("style") ?? "");
+    document.documentElement.dataset["style"] = values.get("style") ?? "";
     this.#controls.show({ values, idle, defaults });
     this.#presets.show(values);
     this.#countries.show(values);

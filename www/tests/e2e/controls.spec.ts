@@ -1,5 +1,5 @@
 import { expect, type Locator, type Page, test } from "@playwright/test";
-import { isAdjustable } from "../../src/controls/controls.ts";
+import { FRONT, isAdjustable } from "../../src/controls/controls.ts";
 import { engine } from "../core.ts";
 import {
   address,
@@ -22,7 +22,11 @@ const SMALL = "seed=kauri&growth=colonize&attractors=300&edition=1";
 /** As rivers grow unless a link says otherwise; with fewer parcels they hardly capture one another. */
 const DRAINED = "seed=kauri&attractors=3000&edition=1";
 
-const adjustable = engine.parameters().filter(isAdjustable);
+/** By the names that they have in the panel. */
+const adjustable = engine
+  .parameters()
+  .filter(isAdjustable)
+  .map((parameter) => ({ ...parameter, label: new Map(FRONT).get(parameter.key) ?? parameter.label }));
 
 /** Those with a control of the table's own: names are a list (`names.spec.ts`). */
 const controlled = adjustable.filter(({ key }) => key !== "names");
@@ -85,7 +89,7 @@ for (const link of CONTEXTS) {
 test("an idle control keeps its value and has it again", async ({ page }) => {
   await openUnfolded(page, `${SMALL}&land=island&sea=0.3`);
   const land = page.getByLabel("Land", { exact: true });
-  const sea = page.getByRole("slider", { name: "Sea", exact: true });
+  const sea = page.getByRole("slider", { name: "How much sea", exact: true });
   await expect(sea).toBeEnabled();
   await land.selectOption("rectangle");
   await expect(row(page, "sea")).toContainText("No effect: the whole rectangle is land, so there is no coast.");
@@ -307,7 +311,7 @@ test("everything can be reached and used by keyboard alone", async ({ page }) =>
     if (name === "") break;
     order.push(name);
   }
-  for (const id of ["play", "restart", "speed", "seed", "dice", "download", "copy", "reset"])
+  for (const id of ["play", "speed", "seed", "dice", "download", "copy", "reset", "shape", "draw", "share", "zoom-in"])
     expect(order).toContain(id);
   for (const { label } of engine.presets()) expect(order).toContain(label);
   for (const { key, kind } of controlled) {
