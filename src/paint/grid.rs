@@ -26,7 +26,7 @@ pub(crate) fn lines(grid: &Grid, [first, last]: [Vec2; 2]) -> Vec<[Vec2; 2]> {
     for axis in [Vec2::X, Vec2::Y] {
         let aside = axis.yx();
         let (from, to) = (first * aside, last * aside);
-        let mut number = (first.dot(axis) / grid.every).floor();
+        let mut number = (first.dot(axis) / grid.every).floor() + 1.0;
         while number * grid.every < last.dot(axis) {
             let at = axis * (number * grid.every);
             lines.push([at + from, at + to]);
