@@ -63,7 +63,11 @@ class Page {
   readonly #viewport: RiverViewport;
   readonly #transport: Transport;
   readonly #drawing: Drawing;
-  readonly #undo = new Undo(elements.undo, () => this.#address.flush());
+  readonly #undo = new Undo(
+    elements.undo,
+    () => this.#address.flush(),
+    () => this.#drawing.isOpen,
+  );
   readonly #address = new AddressBar((link, isStep) => this.#undo.write(link, isStep));
   readonly #trail = new SeedTrail(elements.trail, (seed) => this.#goToSeed(seed));
   readonly #strip: StyleStrip;

@@ -27,6 +27,8 @@ export class StyleStrip {
         el("span", {}, nameOf(value)),
       );
       button.addEventListener("click", () => choose(value));
+      // Browsers leave what is seen in part where it is.
+      button.addEventListener("focus", () => button.scrollIntoView({ block: "nearest", inline: "nearest" }));
       this.#buttons.set(value, { button, canvas });
       place.append(button);
     }

@@ -25,6 +25,8 @@ export class Undo {
     private readonly elements: UndoElements,
     /** Something is about to be taken back: what is still to be written down has to be now. */
     private readonly leaving: () => void,
+    /** Whether something open has an undo of its own. */
+    private readonly isElsewhere: () => boolean,
   ) {
     elements.undo.addEventListener("click", () => this.undo());
     elements.redo.addEventListener("click", () => this.redo());
@@ -73,7 +75,8 @@ export class Undo {
   }
 
   #onKey(event: KeyboardEvent): void {
-    if (event.defaultPrevented || !(event.ctrlKey || event.metaKey) || event.altKey || isTyping(event.target)) return;
+    if (event.defaultPrevented || !(event.ctrlKey || event.metaKey) || event.altKey) return;
+    if (isTyping(event.target) || this.isElsewhere()) return;
     const key = event.key.toLowerCase();
     if (key === "z" && !event.shiftKey) this.undo();
     else if (key === "y" || key === "z") this.redo();
