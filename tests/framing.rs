@@ -138,7 +138,8 @@ fn no_letter_stands_where_other_things_cover_the_picture() {
         lettered([0.0, 0.0, 1.0, west, north, east, south]).iter().filter(|at| place(at)).count()
     };
     // A width of the map is 800 pixels. No halo is wider than a few.
-    let sides: [(fn(&[usize; 2]) -> bool, [f32; 4]); 4] = [
+    type Place = fn(&[usize; 2]) -> bool;
+    let sides: [(Place, [f32; 4]); 4] = [
         (|at| at[0] < 390, [0.5, 0.0, 0.0, 0.0]),
         (|at| at[1] < 190, [0.0, 0.25, 0.0, 0.0]),
         (|at| at[0] > 410, [0.0, 0.0, 0.5, 0.0]),

@@ -196,7 +196,7 @@ test("a panic while a link is read leaves advice, not a dead page", async ({ pag
   await page.goto("./?attractors=300");
   await finished(page);
   await trap(page);
-  await page.getByRole("button", { name: "Trimmed curl" }).click();
+  await page.getByRole("button", { name: "A new seed by chance" }).click();
   await expectFailure(page, "panic", /report the link/);
 });
 

@@ -99,11 +99,12 @@ export async function openPanel(page: Page): Promise<void> {
 
 /** The same with every group of controls unfolded. */
 export async function openUnfolded(page: Page, link = ""): Promise<void> {
-  await openWithPanel(page, link);
+  await openFinished(page, link);
   await unfold(page);
 }
 
 export async function unfold(page: Page): Promise<void> {
+  await openPanel(page);
   const folded = page.locator("details:not([open]):is(.group, .more) > summary");
   while ((await folded.count()) > 0) await folded.first().click();
 }
