@@ -19,7 +19,7 @@ const LIMITS = [
   ["element and loader", ["river-seed.js"], 6_800],
   ["glue", withImports("core.js"), 5_000],
   ["whole embed", EMBED, 182_700],
-  ["whole embed, without a worker", EMBED_HERE, 182_700],
+  ["whole embed, without a worker", EMBED_HERE, 183_200],
 ];
 
 for (const [what, files, limit] of LIMITS) {
