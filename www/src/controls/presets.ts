@@ -37,29 +37,51 @@ export interface Presets {
   focus(): void;
 }
 
-export function presets(all: readonly Preset[], choose: (preset: Preset) => void): Presets {
-  let last: HTMLButtonElement | undefined;
-  const made = all.map((preset) => {
-    const attributes = { type: "button", class: "preset", "aria-pressed": "false", title: preset.help };
-    const button = el("button", attributes, preset.label);
-    button.addEventListener("click", () => {
-      last = button;
-      choose(preset);
+/** A button for each of some presets, of which one is pressed, if any is shown. */
+export class PresetButtons {
+  readonly element: HTMLElement;
+  readonly #made: { preset: Preset; button: HTMLButtonElement }[];
+  #last: HTMLButtonElement | undefined;
+
+  constructor(name: string, all: readonly Preset[], choose: (preset: Preset) => void) {
+    this.#made = all.map((preset) => {
+      const attributes = { type: "button", class: "preset", "aria-pressed": "false", title: preset.help };
+      const button = el("button", attributes, preset.label);
+      button.addEventListener("click", () => {
+        this.#last = button;
+        choose(preset);
+      });
+      return { preset, button };
     });
-    return { preset, button };
-  });
+    const buttons = el("div", { class: "preset-buttons" }, ...this.#made.map(({ button }) => button));
+    this.element = el("div", { class: "presets", role: "group", "aria-label": name }, buttons);
+  }
+
+  /** Shows which of them the values on show are. */
+  show(shown: ReadonlyMap<string, string>): Preset | undefined {
+    const current = this.#made.find(({ preset }) => isShown(preset, shown));
+    for (const one of this.#made) one.button.setAttribute("aria-pressed", String(one === current));
+    return current?.preset;
+  }
+
+  /** Puts the focus on the one that was pressed last. */
+  focus(): void {
+    this.#last?.focus({ preventScroll: true });
+  }
+}
+
+/** The presets of links, with what the one on show is for. */
+export function presets(all: readonly Preset[], choose: (preset: Preset) => void): Presets {
+  const buttons = new PresetButtons("Presets", all, choose);
   const help = el("p", { class: "help" });
-  const buttons = el("div", { class: "preset-buttons" }, ...made.map(({ button }) => button));
-  const element = el("div", { class: "presets", role: "group", "aria-label": "Presets" }, buttons, help);
+  buttons.element.append(help);
   return {
-    element,
+    element: buttons.element,
     show(shown) {
-      const current = made.find(({ preset }) => isShown(preset, shown));
-      for (const one of made) one.button.setAttribute("aria-pressed", String(one === current));
       help.textContent =
-        current?.preset.help ??
+        buttons.show(shown)?.help ??
         "Patterns of the river paper (space colonization): choose one, then change what you like.";
     },
-    focus: () => last?.focus({ preventScroll: true }),
+    focus: () => buttons.focus(),
   };
 }

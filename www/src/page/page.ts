@@ -7,9 +7,8 @@ import { DARK_PAGES } from "../browser/dark-pages.ts";
 import { el, setText } from "../browser/dom.ts";
 import { turn } from "../browser/turn.ts";
 import { type Controls, controls } from "../controls/controls.ts";
-import { type Countries, countries } from "../controls/countries.ts";
 import { Disclosures } from "../controls/disclosure.ts";
-import { type Presets, presets, unaskedChanges } from "../controls/presets.ts";
+import { PresetButtons, type Presets, presets, unaskedChanges } from "../controls/presets.ts";
 import { SeedBox } from "../controls/seed.ts";
 import { isRecoverable, named } from "../engine/errors.ts";
 import type { FullCore, Parameter, Preset } from "../engine/full.ts";
@@ -58,7 +57,7 @@ class Page {
   readonly #recipe: Recipe;
   readonly #controls: Controls;
   readonly #presets: Presets;
-  readonly #countries: Countries;
+  readonly #countries: PresetButtons;
   readonly #seedBox: SeedBox;
   readonly #viewport: RiverViewport;
   readonly #transport: Transport;
@@ -98,7 +97,9 @@ class Page {
       new Map([["names", this.#nameList]]),
     );
     this.#presets = presets(engine.presets(), (preset) => this.#press(preset));
-    this.#countries = countries(engine.countries(), (country) => this.#set(this.#unkept(country), "watch"));
+    this.#countries = new PresetButtons("Countries", engine.countries(), (country) =>
+      this.#set(this.#unkept(country), "watch"),
+    );
     this.#seedBox = new SeedBox(elements.seedForm, elements.seed, (seed) => this.#set([["seed", seed]], "watch"));
     describeSeed(this.#table);
     this.#strip = new StyleStrip(
@@ -121,6 +122,7 @@ class Page {
     );
     elements.presets.replaceChildren(paper);
     elements.controls.replaceChildren(this.#controls.element);
+    new Panel(elements.panel, disclosures, () => this.#viewport.refit());
     this.#listen();
   }
 
@@ -149,17 +151,17 @@ class Page {
   #listen(): void {
     elements.dice.addEventListener("click", () => this.#throwDice());
     elements.reset.addEventListener("click", () => this.#open(`seed=${encodeURIComponent(this.#recipe.seed)}`));
-    new Panel(
-      elements.panel,
-      () => localStorage,
-      () => this.#viewport.refit(),
-    );
     const downloads = new Downloads(elements, this.#recipe, {
       make: (link, format) => this.#viewport.file(link, format),
       failed: (error) => this.#fail(error),
     });
     new ShareDialog(elements.sharing, this.#recipe, (say) => void downloads.save("png", say));
     elements.copy.addEventListener("click", () => void this.#copyLink());
+    // What stands over the bar begins where it ends.
+    new ResizeObserver(() => {
+      document.documentElement.style.setProperty("--bar-height", `${elements.bar.offsetHeight}px`);
+      this.#viewport.refit();
+    }).observe(elements.bar);
     elements.drawing.draw.addEventListener("click", () => this.#showDrawing());
     listenForImages(elements.drawing, (file) => void this.#trace(file));
     // Not hashchange as well: it follows the popstate of another fragment, whose link would be opened twice.
@@ -396,7 +398,6 @@ class Page {
 /** What of the picture's place the name of the page, the bar, the styles and the panel cover. */
 function covered(): Insets {
   const { bar, styles, panel, masthead } = elements;
-  document.documentElement.style.setProperty("--bar-height", `${bar.offsetHeight}px`);
   const edge = (element: HTMLElement): DOMRect | undefined =>
     element.hidden || element.getClientRects().length === 0 ? undefined : element.getBoundingClientRect();
   const insets = {

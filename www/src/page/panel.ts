@@ -1,17 +1,19 @@
 /** The panel: opened and closed by a button, and remembered. It lies beside the map, not over it. */
 
+import type { Disclosures } from "../controls/disclosure.ts";
+
 export interface PanelElements {
   panel: HTMLElement;
   open: HTMLButtonElement;
   close: HTMLButtonElement;
 }
 
-const KEPT = "riverseed panel";
+const NAME = "Panel";
 
 export class Panel {
   constructor(
     private readonly elements: PanelElements,
-    private readonly storage: () => Storage,
+    private readonly disclosures: Disclosures,
     /** It covers more or less of the page. */
     private readonly changed: () => void,
   ) {
@@ -21,7 +23,7 @@ export class Panel {
       if (event.key === "Escape" && !event.defaultPrevented && elements.panel.contains(document.activeElement))
         this.#leave();
     });
-    this.#show(this.#wasOpen());
+    this.#show(disclosures.isOpen(NAME, false));
   }
 
   #leave(): void {
@@ -31,24 +33,12 @@ export class Panel {
 
   #become(isOpen: boolean): void {
     this.#show(isOpen);
-    try {
-      this.storage().setItem(KEPT, isOpen ? "open" : "closed");
-    } catch {
-      // Where nothing may be kept it begins closed the next time.
-    }
+    this.disclosures.set(NAME, isOpen);
     this.changed();
   }
 
   #show(isOpen: boolean): void {
     this.elements.panel.hidden = !isOpen;
     this.elements.open.setAttribute("aria-expanded", String(isOpen));
-  }
-
-  #wasOpen(): boolean {
-    try {
-      return this.storage().getItem(KEPT) === "open";
-    } catch {
-      return false;
-    }
   }
 }
