@@ -6,6 +6,8 @@ mod charts;
 mod controls;
 #[cfg(all(feature = "rivers", feature = "files"))]
 mod files;
+#[cfg(all(feature = "rivers", feature = "controls"))]
+mod measures;
 #[cfg(any(feature = "rivers", feature = "tracing", feature = "charts"))]
 mod objects;
 #[cfg(feature = "rivers")]

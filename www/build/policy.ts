@@ -32,6 +32,7 @@ export function policyFor(html: string): string {
     "default-src 'none'",
     `script-src 'self' 'wasm-unsafe-eval'${inline.join("")}`,
     "style-src 'self'",
+    "font-src 'self'",
     "img-src 'self' data: blob:",
     "connect-src 'self'",
     "base-uri 'none'",

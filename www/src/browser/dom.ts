@@ -15,6 +15,20 @@ export function el<Tag extends keyof HTMLElementTagNameMap>(
   return element;
 }
 
+const SVG = "http://www.w3.org/2000/svg";
+
+/** A drawing of 16 by 16 in the colour of the text, beside or in place of words that say the same. */
+export function icon(path: string): SVGElement {
+  const element = document.createElementNS(SVG, "svg");
+  element.setAttribute("class", "icon icon-stroke");
+  element.setAttribute("viewBox", "0 0 16 16");
+  element.setAttribute("aria-hidden", "true");
+  const line = document.createElementNS(SVG, "path");
+  line.setAttribute("d", path);
+  element.append(line);
+  return element;
+}
+
 /** An element that index.html promises. */
 export function find<Type extends Element>(selector: string, type: new () => Type): Type {
   const element = document.querySelector(selector);

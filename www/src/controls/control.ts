@@ -30,7 +30,8 @@ export function control(parameter: Parameter, change: Change): Control {
     title: parameter.help,
   });
   field.element.classList.add("field");
-  element.append(head, field.element, help);
+  const remark = field.remark === undefined ? [] : [el("p", { class: "remark" }, field.remark)];
+  element.append(head, field.element, ...remark, help);
   return {
     element,
     show(text, fallback, idle) {

@@ -1,11 +1,11 @@
 /** All controls of the recipe but the seed, generated from the parameter table, under the table's own headings. */
 
-import { el } from "../browser/dom.ts";
+import { el, icon } from "../browser/dom.ts";
 import type { Parameter } from "../engine/full.ts";
 import { type Control, control } from "./control.ts";
 import type { Disclosures } from "./disclosure.ts";
-import type { Change } from "./field.ts";
 import { type Group, group } from "./group.ts";
+import { keysOf, MACROS, macroControl } from "./macros.ts";
 import { rangeOf } from "./values.ts";
 
 export interface Controls {
@@ -28,10 +28,13 @@ export function isAdjustable(parameter: Parameter): boolean {
   return parameter.key !== "seed" && parameter.kind !== "outline" && !(range && range.min === range.max);
 }
 
+/** Told several keys and their new values as link text, which are one change. */
+export type ChangeOfMany = (values: readonly (readonly [key: string, text: string])[]) => void;
+
 /** `own` has, by key, controls that are made elsewhere. */
 export function controls(
   table: readonly Parameter[],
-  change: Change,
+  change: ChangeOfMany,
   disclosures: Disclosures,
   own: ReadonlyMap<string, Control> = new Map(),
 ): Controls {
@@ -39,14 +42,18 @@ export function controls(
   const kept = new Set<string>();
   const groups: Group[] = [];
   const make = (parameter: Parameter): Control => {
-    const one = own.get(parameter.key) ?? control(parameter, change);
+    const one = own.get(parameter.key) ?? control(parameter, (key, text) => change([[key, text]]));
     made.set(parameter.key, one);
     return one;
   };
   const adjustable = table.filter(isAdjustable);
+  const byKey = new Map(adjustable.map((parameter) => [parameter.key, parameter]));
+  const macros = new Map(MACROS.map((macro) => [macro.name, { macro, ...macroControl(macro, byKey, change) }]));
   const front = FRONT.flatMap(([key, label]) => {
-    const parameter = adjustable.find((parameter) => parameter.key === key);
-    return parameter ? withKeep(make({ ...parameter, label }).element, key, label, kept) : [];
+    const { macro, element } = macros.get(key) ?? {};
+    if (macro && element) return withKeep(element, keysOf(macro), macro.label, kept);
+    const parameter = byKey.get(key);
+    return parameter ? withKeep(make({ ...parameter, label }).element, [key], label, kept) : [];
   });
   for (const [heading, parameters] of grouped(adjustable.filter(({ key }) => !made.has(key)))) {
     parameters.forEach(make);
@@ -65,34 +72,38 @@ export function controls(
         const text = values.get(key);
         if (text !== undefined) one.show(text, defaults.get(key) ?? "", idle.get(key));
       }
+      for (const one of macros.values()) one.show(values, defaults);
       for (const one of groups) one.show(values, defaults);
     },
   };
 }
 
-/** What shapes a map most, in the words of whoever wants one; all else stands under its heading. */
-export const FRONT: readonly (readonly [key: string, label: string])[] = [
+/** What shapes a map most, in the words of whoever wants one: parameters and macros. All else stands under its heading. */
+export const FRONT: readonly (readonly [name: string, label: string])[] = [
   ["land", "Land"],
   ["sea", "How much sea"],
   ["roughness", "How wild a coast"],
-  ["mouths", "How many rivers"],
+  ["rivers", ""],
   ["attractors", "How fine"],
-  ["meander-rounds", "How winding"],
+  ["winding", ""],
   ["width", "How wide"],
 ];
 
-/** A control with a switch that keeps its value whatever sets many at a time. */
-function withKeep(control: HTMLElement, key: string, label: string, kept: Set<string>): HTMLElement {
+const PADLOCK = "M4.500 7.500h7v6h-7zM5.500 7.500V5.500a2.500 2.500 0 0 1 5 0v2";
+
+/** A control with a switch that keeps its values whatever sets many at a time. */
+function withKeep(control: HTMLElement, keys: readonly string[], label: string, kept: Set<string>): HTMLElement {
   const title = "Keep it when a country or a pattern is chosen";
   const name = `Keep ${label}`;
-  const keep = el(
-    "button",
-    { type: "button", class: "keep", "aria-pressed": "false", "aria-label": name, title },
-    "keep",
-  );
+  const attributes = { type: "button", class: "keep", "aria-pressed": "false", "aria-label": name, title };
+  const keep = el("button", attributes, icon(PADLOCK));
   keep.addEventListener("click", () => {
-    if (!kept.delete(key)) kept.add(key);
-    keep.setAttribute("aria-pressed", String(kept.has(key)));
+    const isKept = keep.getAttribute("aria-pressed") !== "true";
+    for (const key of keys) {
+      if (isKept) kept.add(key);
+      else kept.delete(key);
+    }
+    keep.setAttribute("aria-pressed", String(isKept));
   });
   control.querySelector(".control-head label")?.after(keep);
   return control;

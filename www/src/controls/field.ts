@@ -10,6 +10,8 @@ export interface Field {
   readonly element: HTMLElement;
   readonly label: HTMLElement;
   readonly aside?: HTMLElement;
+  /** What is to be known of it before it is moved. */
+  readonly remark?: string;
   /** Shows a value, given as link text. */
   show(text: string): void;
   focus(): void;

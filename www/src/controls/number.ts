@@ -3,7 +3,8 @@
 import { el, setValue } from "../browser/dom.ts";
 import type { Parameter } from "../engine/full.ts";
 import { type Change, type Field, fieldId, helpId } from "./field.ts";
-import { LOG_STEPS, logStep, position, type Range, share, spoken, textAt } from "./values.ts";
+import { LOG_STEPS, logStep, nearestText, position, type Range, share, spoken, textAt } from "./values.ts";
+import { stepByWheel } from "./wheel.ts";
 
 /** What one key press changes on a logarithmic slider. */
 const KEY_SHARE: Record<string, [direction: 1 | -1, share: number]> = {
@@ -15,6 +16,14 @@ const KEY_SHARE: Record<string, [direction: 1 | -1, share: number]> = {
   PageDown: [-1, 0.25],
 };
 
+/** What one notch of the wheel changes: a hundredth of the way, and one step at least. */
+const WHEEL_SHARE = 0.02;
+const WHEEL_NOTCHES = 100;
+
+/** Trees that look for their way grow otherwise with the least change of these: their sliders stop at so many places. */
+const RESHAPING: ReadonlySet<string> = new Set(["reach", "kill", "step", "momentum", "curl", "stretch", "sensitivity"]);
+const DETENTS = 20;
+
 export function numberControl(parameter: Parameter, range: Range, change: Change): Field {
   const slider = sliderFor(parameter, range);
   const exact = exactField(parameter);
@@ -23,12 +32,20 @@ export function numberControl(parameter: Parameter, range: Range, change: Change
 
   slider.addEventListener("input", () => commit(textAt(slider.valueAsNumber, range)));
   if (range.isLog) slider.addEventListener("keydown", (event) => stepByKey(event, Number(shown), range, commit));
+  stepByWheel(slider, (direction) => {
+    commit(
+      range.isLog
+        ? logStep(Number(shown), direction, WHEEL_SHARE, range)
+        : nearestText(Number(shown) + direction * wheelStep(range), range),
+    );
+  });
   exact.addEventListener("change", () => commit(exact.value));
 
   return {
     element: slider,
     label: el("label", { for: slider.id }, parameter.label),
     aside: unitAside(exact, parameter.unit),
+    ...(RESHAPING.has(parameter.key) ? { remark: "Each notch is another river." } : {}),
     show(text) {
       shown = text;
       setValue(exact, text);
@@ -39,7 +56,8 @@ export function numberControl(parameter: Parameter, range: Range, change: Change
 }
 
 function sliderFor(parameter: Parameter, range: Range): HTMLInputElement {
-  const [min, max, step] = range.isLog ? [0, LOG_STEPS, 1] : [range.min, range.max, range.step];
+  const [min, max, finest] = range.isLog ? [0, LOG_STEPS, 1] : [range.min, range.max, range.step];
+  const step = RESHAPING.has(parameter.key) ? Math.max(finest, (max - min) / DETENTS) : finest;
   return el("input", { type: "range", id: fieldId(parameter), min, max, step, "aria-describedby": helpId(parameter) });
 }
 
@@ -64,6 +82,10 @@ function showOnSlider(slider: HTMLInputElement, text: string, range: Range, unit
   if (textAt(slider.valueAsNumber, range) !== text) setValue(slider, String(position(value, range)));
   slider.style.setProperty("--share", String(share(value, range)));
   slider.setAttribute("aria-valuetext", spoken(text, unit));
+}
+
+function wheelStep({ min, max, step }: Range): number {
+  return Math.max(step, (max - min) / WHEEL_NOTCHES);
 }
 
 /** A step of a thousandth of the way is too little at the low end, where it would round to the value it came from. */

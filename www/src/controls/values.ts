@@ -29,7 +29,7 @@ export function position(value: number, range: Range): number {
 
 /** The value at a place on the slider, as text. */
 export function textAt(place: number, range: Range): string {
-  if (!range.isLog) return numberText(place, range.step);
+  if (!range.isLog) return nearestText(place, range);
   const value = range.min * (range.max / range.min) ** (place / LOG_STEPS);
   const grain = grainAt(value, range);
   return numberText(snap(Math.round(value / grain) * grain, range), range.step);
@@ -49,6 +49,11 @@ export function logStep(value: number, direction: 1 | -1, share: number, range: 
 function grainAt(value: number, { min, max, step }: Range): number {
   const pixel = (value * Math.log(max / min)) / 300;
   return Math.max(step, 10 ** Math.floor(Math.log10(pixel)));
+}
+
+/** The value nearest to another that a parameter can have, as text. */
+export function nearestText(value: number, range: Range): string {
+  return numberText(snap(value, range), range.step);
 }
 
 function snap(value: number, { min, max, step }: Range): number {

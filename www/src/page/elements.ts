@@ -64,6 +64,12 @@ export const elements = {
     farther: find("#zoom-out", HTMLButtonElement),
     all: find("#zoom-all", HTMLButtonElement),
   },
+  help: {
+    dialog: find("#helping", HTMLDialogElement),
+    open: find("#help", HTMLButtonElement),
+    close: find("#helping-close", HTMLButtonElement),
+    list: find("#keys", HTMLElement),
+  },
   panel: {
     panel: find("#panel", HTMLElement),
     open: find("#shape", HTMLButtonElement),

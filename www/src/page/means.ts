@@ -1,6 +1,6 @@
 /** What the page's renderer plants rivers with, and how it answers questions about them. */
 
-import type { FullCore, FullRiver } from "../engine/full.ts";
+import type { FullCore, FullRiver, Measure } from "../engine/full.ts";
 import { askChart } from "../player/chart-maker.ts";
 import { fileOf } from "../player/formats.ts";
 import type { RiverPlayer } from "../player/river-player.ts";
@@ -32,6 +32,8 @@ export function meansOf(core: FullCore, holdOn: () => void = () => {}): Means<Fu
         }
         case "thumbnails":
           return thumbnailsOf(playerIn(question.of, playerOf), core, question);
+        case "measures":
+          return measuresOf(playerIn(question.of, playerOf));
         case "now":
           return;
       }
@@ -68,6 +70,10 @@ async function namesOn(player: Player | undefined, count: number): Promise<Names
   const river = player?.river;
   if (!player || !river || player.state !== "finished") return;
   return { link: player.link, texts: askChart(river, charts, (chart) => chart.greatest(count)) };
+}
+
+function measuresOf(player: Player | undefined): readonly Measure[] | undefined {
+  return player?.state === "finished" ? player.river?.measures() : undefined;
 }
 
 /** While they are made, the river on show comes first. */

@@ -20,13 +20,15 @@ import { listenForImages } from "../land/image-drop.ts";
 import { pixelsOf } from "../land/image-file.ts";
 import type { State } from "../player/frame-loop.ts";
 import type { ShowMode } from "../player/river-player.ts";
-import { alternative, caption, sentence } from "../player/summary-text.ts";
+import { alternative, caption, remainderOf, sentence } from "../player/summary-text.ts";
 import { Downloads } from "../share/downloads.ts";
 import { copy } from "../share/share.ts";
 import { ShareDialog } from "../share/share-dialog.ts";
 import { type Engines, openEngines } from "./backend.ts";
 import type { Insets } from "./camera.ts";
 import { elements } from "./elements.ts";
+import { HelpSheet, type Shortcut } from "./help.ts";
+import { MeasuresView } from "./measures.ts";
 import { type Named, NameList, namedOf } from "./name-list.ts";
 import { Panel } from "./panel.ts";
 import { SeedTrail } from "./seed-trail.ts";
@@ -76,6 +78,9 @@ class Page {
     names: () => this.#names(),
     rename: (mark, name) => void this.#rename(mark, name),
   });
+  readonly #measures: MeasuresView;
+  /** What the caption says of the greatest river, once its name is known. */
+  #greatest = "";
   readonly #announcer = new Announcer(elements.announcement);
   /** What the last presets changed unasked, and the recipe from before them, to which Undo leads back. */
   #presetUndo: { message: string; link: string; values: ReadonlyMap<string, string> } | undefined;
@@ -92,7 +97,7 @@ class Page {
     const disclosures = new Disclosures(() => localStorage);
     this.#controls = controls(
       this.#table,
-      (key, text) => this.#choose(key, text),
+      (values) => this.#choose(values),
       disclosures,
       new Map([["names", this.#nameList]]),
     );
@@ -105,7 +110,7 @@ class Page {
     this.#strip = new StyleStrip(
       elements.styles,
       this.#table.find(({ key }) => key === "style"),
-      (style) => this.#choose("style", style),
+      (style) => this.#choose([["style", style]]),
     );
     this.#transport = this.#makeTransport();
     this.#drawing = new Drawing(elements.drawing, engine, {
@@ -120,8 +125,13 @@ class Page {
       forTheCurious(),
       this.#presets.element,
     );
-    elements.presets.replaceChildren(paper);
+    this.#measures = new MeasuresView(disclosures, {
+      measures: () => this.#viewport.measures(),
+      copy: (text) => this.#copy(text, "Measures copied.", text),
+    });
+    elements.presets.replaceChildren(paper, this.#measures.element);
     elements.controls.replaceChildren(this.#controls.element);
+    new HelpSheet(elements.help, shortcuts());
     new Panel(elements.panel, disclosures, () => this.#viewport.refit());
     this.#listen();
   }
@@ -211,10 +221,11 @@ class Page {
     if (outline !== "" && this.#recipe.values.get("land") !== "drawn") this.#set(drawn(outline), "settle");
   }
 
-  /** A control has another value. Whoever chooses a drawn land has to draw one. */
-  #choose(key: string, text: string): void {
-    this.#set([[key, text]], "settle");
-    if (key === "land" && text === "drawn" && this.#recipe.values.get("outline") === "") this.#drawing.open();
+  /** A control has other values. Whoever chooses a drawn land has to draw one. */
+  #choose(values: readonly (readonly [key: string, text: string])[]): void {
+    this.#set(values, "settle");
+    const asksForLine = values.some(([key, text]) => key === "land" && text === "drawn");
+    if (asksForLine && this.#recipe.values.get("outline") === "") this.#drawing.open();
   }
 
   /** A preset is pressed. A note says what it changes unasked, with the way back to before it, or to before the first of several. */
@@ -332,8 +343,9 @@ class Page {
     this.#transport.show(state);
     elements.frame.dataset["state"] = state;
     elements.frame.dataset["phase"] = phase;
+    if (state !== "finished") this.#greatest = "";
     caption(state, phase, summary).forEach((line, i) => {
-      setText(elements.caption.children[i], line);
+      setText(elements.caption.children[i], line === "" ? this.#greatest : line);
     });
     elements.canvas.setAttribute("aria-label", alternative(this.#recipe.seed, phase, summary, count));
     if (state === "finished") void this.#finished(phase, summary);
@@ -346,6 +358,7 @@ class Page {
   async #finished(phase: Phase, summary: Summary): Promise<void> {
     this.#announcer.say(`Finished: ${sentence(summary)}`);
     this.#drawThumbnails().catch((error) => this.#fail(error));
+    void this.#measures.refresh(remainderOf(summary));
     const isLabelled = this.#recipe.values.get("labels") !== "none";
     if (!isLabelled && !this.#nameList.isShown) return;
     const { link, seed } = this.#recipe;
@@ -355,6 +368,8 @@ class Page {
     // Whoever does not see the labels is told the greatest.
     const rivers = names.filter(({ mark, name }) => /^\d/.test(mark) && name !== "").slice(0, 3);
     if (!isLabelled || rivers.length === 0) return;
+    this.#greatest = `Greatest: ${rivers[0]?.name}`;
+    if (!summary.stopped) setText(elements.caption.children[1], this.#greatest);
     const greatest = rivers.map(({ name }) => name).join(", ");
     const told = `${alternative(seed, phase, summary, count)} Its greatest rivers: ${greatest}.`;
     elements.canvas.setAttribute("aria-label", told);
@@ -388,10 +403,14 @@ class Page {
     showNotices(elements.notices, [message], () => this.#showNotices());
   }
 
+  async #copy(text: string, done: string, instead: string): Promise<void> {
+    elements.shared.textContent = (await copy(text)) ? done : instead;
+  }
+
   async #copyLink(): Promise<void> {
     this.#address.flush();
     const address = addressOf(this.#recipe.link, location.href);
-    elements.shared.textContent = (await copy(address)) ? "Link copied." : `Copy this link: ${address}`;
+    await this.#copy(address, "Link copied.", `Copy this link: ${address}`);
   }
 }
 
@@ -431,6 +450,18 @@ function drawn(outline: string): [key: string, value: string][] {
   return [
     ["land", "drawn"],
     ["outline", outline],
+  ];
+}
+
+function shortcuts(): Shortcut[] {
+  const { dice, trail, panel, share, copy } = { ...elements, share: elements.sharing.open };
+  return [
+    { key: "n", says: "a new seed by chance", button: dice },
+    { key: "[", says: "the seed before", button: trail.previous },
+    { key: "]", says: "the seed after", button: trail.next },
+    { key: "p", says: "the panel of shapes", button: panel.open },
+    { key: "s", says: "share", button: share },
+    { key: "l", says: "copy the link", button: copy },
   ];
 }
 

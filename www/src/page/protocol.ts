@@ -1,5 +1,6 @@
 /** What the page and its renderer say to each other besides what everybody does who shows a river: questions, each with an answer. */
 
+import type { Measure } from "../engine/full.ts";
 import type { Format } from "../player/format-names.ts";
 import type { Thumbnail } from "../player/thumbnails.ts";
 
@@ -19,6 +20,8 @@ interface Questions {
   renamed: { names: string; mark: string; name: string | undefined };
   /** Small pictures of a river's finished map, in their own pixels; none while it is not finished, or if it does not stay until they are made. */
   thumbnails: { of: number | undefined; styles: readonly string[]; size: { width: number; height: number } };
+  /** What is measured of a river's finished map; none while it is not finished. */
+  measures: { of: number | undefined };
   /** Nothing: what was said to a river before has been done. */
   now: { of: number };
 }
@@ -28,6 +31,7 @@ export interface Answers {
   names: Names | undefined;
   renamed: string;
   thumbnails: readonly Thumbnail[] | undefined;
+  measures: readonly Measure[] | undefined;
   now: undefined;
 }
 

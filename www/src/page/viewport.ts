@@ -5,6 +5,7 @@
 
 import { backingSize, type CanvasSize, type Framing, observeSize, RESIZE_PAUSE_MS } from "../browser/canvas.ts";
 import { isRecoverable, named, PageError } from "../engine/errors.ts";
+import type { Measure } from "../engine/full.ts";
 import type { Phase, Summary } from "../engine/types.ts";
 import type { Format } from "../player/format-names.ts";
 import type { State } from "../player/frame-loop.ts";
@@ -131,6 +132,11 @@ export class RiverViewport {
   /** Small pictures of the finished map on show in some styles, in their own pixels; none if another is shown before all are made. */
   async thumbnails(styles: readonly string[], size: { width: number; height: number }): Promise<readonly Thumbnail[]> {
     return (await this.#ask({ about: "thumbnails", of: this.#id, styles, size })) ?? [];
+  }
+
+  /** What is measured of the finished map on show. */
+  async measures(): Promise<readonly Measure[]> {
+    return (await this.#ask({ about: "measures", of: this.#id })) ?? [];
   }
 
   /** A link's finished rivers as a file, made from the river on show as far as that has come. */

@@ -27,16 +27,15 @@ function unreachedOf({ growth, attractors, unreached }: Summary): string {
   return `; ${count(unreached)} of ${counted(attractors, name, `${name}s`, count)} unreached`;
 }
 
-/** What growth left: how many nodes there are, what it did not reach, and why it ended early, if it did. */
+/** What growth left: how many nodes there are, and what it did not reach. */
 export function remainderOf(summary: Summary): string {
   const nodes = counted(summary.nodes, "node", "nodes", count);
-  const stopped = summary.stopped ? ` ${summary.stopped}` : "";
-  return `${nodes}${unreachedOf(summary)}.${stopped}`;
+  return `${nodes}${unreachedOf(summary)}.`;
 }
 
 /** The sentence of the finished state. */
 export function sentence(summary: Summary): string {
-  return `${sizeOf(summary, count)}. ${remainderOf(summary)}`;
+  return `${sizeOf(summary, count)}.${summary.stopped ? ` ${summary.stopped}` : ""}`;
 }
 
 /** The text alternative of the picture; it has a size once it is finished. */
@@ -51,9 +50,9 @@ function doing(phase: Phase): string {
   return phase === "meandering" ? "meandering" : "growing";
 }
 
-/** The two lines under the picture, in every state two, so that nothing jumps when growth ends. */
+/** The two lines under the picture, in every state two, so that nothing jumps when growth ends. The second may be left to whoever knows more. */
 export function caption(state: State, phase: Phase, summary: Summary): [string, string] {
-  if (state === "finished") return [sizeOf(summary, count), remainderOf(summary)];
+  if (state === "finished") return [sizeOf(summary, count), summary.stopped ?? ""];
   return [state === "paused" ? `Paused while ${doing(phase)}` : headed(doing(phase)), progressOf(phase, summary)];
 }
 

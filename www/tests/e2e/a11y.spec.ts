@@ -10,8 +10,10 @@ for (const colorScheme of ["light", "dark"] as const) {
       await openFinished(page, "preset=trimmed-curl&attractors=300&mouths=900");
       expect(await violations(page)).toEqual([]);
       await openPanel(page);
-      await page.getByText("Keyboard", { exact: true }).click();
+      await page.keyboard.press("?");
+      await expect(page.getByRole("dialog", { name: "Riverseed" })).toBeVisible();
       expect(await violations(page)).toEqual([]);
+      await page.keyboard.press("Escape");
       await unfold(page);
       await page.getByRole("button", { name: "Save" }).click();
       await expect(page.getByRole("menu")).toBeVisible();

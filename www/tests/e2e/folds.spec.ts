@@ -10,7 +10,7 @@ function group(page: Page, heading: string): Locator {
 test("at first what shapes a map most stands in the panel, and all else under headings, folded", async ({ page }) => {
   await openWithPanel(page, SMALL);
   await expect(page.locator(".front .control")).toHaveCount(7);
-  await expect(page.locator(".group > summary")).toHaveCount(11);
+  await expect(page.locator(".group > summary")).toHaveCount(12);
   await expect(page.locator(".group[open]")).toHaveCount(0);
   await expect(page.getByRole("slider", { name: "Curl" })).toHaveCount(0);
 });

@@ -26,7 +26,7 @@ for (const link of [
     const { width, height, sha256, framing } = await shown(page);
     const expected = pictureOf(link, width, height, framing);
     expect(sha256).toBe(expected.sha256);
-    await expect(page.locator("#caption")).toContainText(`${expected.summary.unreached} of`);
+    await expect(page.locator("#caption")).toContainText(`${expected.summary.sources} sources`);
     expect(new URL(page.url()).search.slice(1)).toBe(engine.readLink(link).link);
     await expect(page.locator("#notices")).toBeHidden();
   });

@@ -12,7 +12,6 @@ export const OPENED: Record<string, (page: Page) => Promise<void>> = {
   "with the panel and all its folds open": async (page) => {
     await openPanel(page);
     await unfold(page);
-    await page.getByText("Keyboard", { exact: true }).click();
   },
   "with its menu open": async (page) => {
     await page.getByRole("button", { name: "Save" }).click();
@@ -21,6 +20,11 @@ export const OPENED: Record<string, (page: Page) => Promise<void>> = {
   "with the Share dialog open": async (page) => {
     await page.getByRole("button", { name: "Share", exact: true }).click();
     await expect(page.getByRole("dialog")).toBeVisible();
+  },
+  "with the sheet of keys open": async (page) => {
+    await page.getByRole("dialog").getByRole("button", { name: "Close", exact: true }).click();
+    await page.keyboard.press("?");
+    await expect(page.getByRole("dialog", { name: "Riverseed" })).toBeVisible();
   },
   "while a land is drawn": async (page) => {
     await page.getByRole("button", { name: "Close", exact: true }).click();

@@ -3,7 +3,7 @@ import { backingSize } from "../../src/browser/canvas.ts";
 import { count } from "../../src/browser/count.ts";
 import { linesOf } from "../../src/digest/lines.ts";
 import { speedName } from "../../src/page/transport.ts";
-import { alternative, caption, sentence } from "../../src/player/summary-text.ts";
+import { alternative, caption, remainderOf, sentence } from "../../src/player/summary-text.ts";
 import { fileName } from "../../src/share/share.ts";
 import { engine } from "../core.ts";
 
@@ -23,21 +23,23 @@ const summary = {
 };
 
 test("the finished state is a sentence with its counts", () => {
-  expect(sentence(summary)).toBe(
-    "1 river, 210 sources, Strahler order 5. 12,345 nodes; 18 of 4,000 attractors unreached.",
-  );
+  expect(sentence(summary)).toBe("1 river, 210 sources, Strahler order 5.");
+});
+
+test("what growth left is counted", () => {
+  expect(remainderOf(summary)).toBe("12,345 nodes; 18 of 4,000 attractors unreached.");
 });
 
 test("drainage has parcels, not attractors", () => {
-  expect(sentence({ ...summary, growth: "drainage" })).toMatch(/; 18 of 4,000 parcels unreached\.$/);
-  expect(sentence({ ...summary, growth: "drainage", attractors: 1 })).toMatch(/ of 1 parcel unreached\.$/);
+  expect(remainderOf({ ...summary, growth: "drainage" })).toMatch(/; 18 of 4,000 parcels unreached\.$/);
+  expect(remainderOf({ ...summary, growth: "drainage", attractors: 1 })).toMatch(/ of 1 parcel unreached\.$/);
 });
 
 test("a river of the engine says whether it has attractors or parcels", () => {
   const summaryOf = (growth: string) => {
     const river = new engine.River(`growth=${growth}&attractors=100`);
     while (river.advance(100));
-    return sentence(river.summary());
+    return remainderOf(river.summary());
   };
   expect(summaryOf("colonize")).toMatch(/ attractors unreached/);
   expect(summaryOf("drainage")).toMatch(/ parcels unreached/);
@@ -46,16 +48,16 @@ test("a river of the engine says whether it has attractors or parcels", () => {
 
 test("where there are no attractors none are counted", () => {
   const brownian = { ...summary, growth: "brownian", attractors: 0, unreached: 0 };
-  expect(sentence(brownian)).toBe("1 river, 210 sources, Strahler order 5. 12,345 nodes.");
+  expect(remainderOf(brownian)).toBe("12,345 nodes.");
 });
 
 test("oxbow lakes are counted where there are any", () => {
-  expect(sentence({ ...summary, oxbows: 1 })).toMatch(/^1 river, 210 sources, Strahler order 5, 1 oxbow lake\. /);
-  expect(sentence({ ...summary, oxbows: 12 })).toMatch(/, 12 oxbow lakes\. /);
+  expect(sentence({ ...summary, oxbows: 1 })).toMatch(/^1 river, 210 sources, Strahler order 5, 1 oxbow lake\./);
+  expect(sentence({ ...summary, oxbows: 12 })).toMatch(/, 12 oxbow lakes\./);
 });
 
 test("an early end says why", () => {
-  expect(sentence({ ...summary, stopped: "Growth died out early." })).toMatch(/unreached\. Growth died out early\.$/);
+  expect(sentence({ ...summary, stopped: "Growth died out early." })).toMatch(/5\. Growth died out early\.$/);
 });
 
 test("the picture's alternative names the seed, whatever it holds", () => {
@@ -79,7 +81,8 @@ test("the caption has two lines in every state", () => {
   expect(caption("settling", "meandering", oxbows)).toEqual(["Meandering", "40 rounds so far, 2 oxbow lakes"]);
   expect(caption("paused", "growing", summary)).toEqual(["Paused while growing", "12,345 nodes so far"]);
   expect(caption("paused", "meandering", oxbows)[0]).toBe("Paused while meandering");
-  expect(caption("finished", "finished", summary)[0]).toBe("1 river, 210 sources, Strahler order 5");
+  expect(caption("finished", "finished", summary)).toEqual(["1 river, 210 sources, Strahler order 5", ""]);
+  expect(caption("finished", "finished", { ...summary, stopped: "Too wide." })[1]).toBe("Too wide.");
 });
 
 test("a file is named after its seed, in any script, and after nothing else", () => {

@@ -1,12 +1,19 @@
 import { readFileSync } from "node:fs";
 import { expect, test } from "vitest";
 import { table } from "../../scripts/type.mjs";
+import { cut, TYPEFACES } from "../../scripts/typeface.mjs";
 
 const at = (path: string) => readFileSync(new URL(`../../../src/glyph/${path}`, import.meta.url));
 
 test("the table of type is what its font gives: `node scripts/type.mjs` writes it", () => {
   expect(at("garamond.bin").equals(table())).toBe(true);
 });
+
+for (const one of TYPEFACES)
+  test(`${one.name} is what its font gives: \`node scripts/typeface.mjs\` writes it`, async () => {
+    const file = readFileSync(new URL(`../../src/style/${one.name}`, import.meta.url));
+    expect(file.equals(await cut(one))).toBe(true);
+  });
 
 test("the font's licence stands beside the table as it came with the font", () => {
   const licence = new URL("../../node_modules/@fontsource/eb-garamond/LICENSE", import.meta.url);

@@ -1,0 +1,54 @@
+/** The sheet of keys: what the page is, and what each key does. The same list answers the keys that stand for a button. */
+
+import { el } from "../browser/dom.ts";
+
+export interface HelpElements {
+  dialog: HTMLDialogElement;
+  open: HTMLButtonElement;
+  close: HTMLButtonElement;
+  list: HTMLElement;
+}
+
+/** A key for what a button does. */
+export interface Shortcut {
+  key: string;
+  says: string;
+  button: HTMLButtonElement;
+}
+
+/** Keys that other parts of the page answer. */
+const OTHERS: readonly (readonly [keys: string, says: string])[] = [
+  ["Space", "play or pause, when no control has the focus"],
+  ["+ − 0", "zoom in, out, all of the map, which arrow keys move when it has the focus"],
+  ["Ctrl Z", "undo; with Shift, redo; while drawing, take the last line back"],
+  ["← →", "on a slider: one step; Page Up and Page Down: a large one; so does the wheel"],
+  ["Enter", "in the seed box: grow at once"],
+  ["Esc", "close what is open; while drawing: done"],
+];
+
+export class HelpSheet {
+  constructor(
+    private readonly elements: HelpElements,
+    private readonly shortcuts: readonly Shortcut[],
+  ) {
+    const { dialog, open, close, list } = elements;
+    open.addEventListener("click", () => dialog.showModal());
+    close.addEventListener("click", () => dialog.close());
+    const rows = [...shortcuts.map(({ key, says }) => [key, says] as const), ...OTHERS, ["?", "this sheet"] as const];
+    list.replaceChildren(...rows.map(([keys, says]) => rowOf(keys, says)));
+    document.addEventListener("keydown", (event) => this.#onKey(event));
+  }
+
+  #onKey(event: KeyboardEvent): void {
+    if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey || event.repeat) return;
+    // Where a letter is text, or picks from a list, it stays one.
+    if (event.target instanceof Element && event.target.closest("input[type=text], textarea, select, dialog")) return;
+    if (event.key === "?") this.elements.dialog.showModal();
+    else this.shortcuts.find(({ key }) => key === event.key.toLowerCase())?.button.click();
+  }
+}
+
+function rowOf(keys: string, says: string): HTMLElement {
+  const caps = keys.split(" ").flatMap((key) => [el("kbd", {}, key.length === 1 ? key.toUpperCase() : key), " "]);
+  return el("div", {}, el("dt", {}, ...caps), el("dd", {}, says));
+}

@@ -1,0 +1,87 @@
+import { expect, type Page, test } from "@playwright/test";
+import { address, expectAddress, openFinished, openUnfolded, openWithPanel } from "./riverpage.ts";
+
+const LINK = "seed=kauri&attractors=1000";
+
+function seed(page: Page): string | null {
+  return address(page).get("seed");
+}
+
+test("a sheet says what each key does, and goes by Escape", async ({ page }) => {
+  await openFinished(page, LINK);
+  await page.keyboard.press("?");
+  const sheet = page.getByRole("dialog", { name: "Riverseed" });
+  await expect(sheet).toBeVisible();
+  await expect(sheet.getByText("a new seed by chance")).toBeVisible();
+  await page.keyboard.press("Escape");
+  await expect(sheet).toBeHidden();
+  await page.getByRole("button", { name: "Help and keys" }).click();
+  await expect(sheet).toBeVisible();
+});
+
+test("keys stand for buttons, but not where text is typed", async ({ page }) => {
+  await openFinished(page, LINK);
+  await page.keyboard.press("n");
+  await expect.poll(() => seed(page)).not.toBe("kauri");
+  await page.keyboard.press("[");
+  await expectAddress(page, "seed", "kauri");
+  await page.keyboard.press("p");
+  await expect(page.locator("#panel")).toBeVisible();
+  await page.getByRole("textbox", { name: "Seed" }).fill("");
+  await page.keyboard.type("pns?");
+  await expectAddress(page, "seed", "pns?");
+  await expect(page.locator("#panel")).toBeVisible();
+  await expect(page.getByRole("dialog")).toBeHidden();
+});
+
+test("a macro sets what it stands for, and its lock keeps that from presets", async ({ page }) => {
+  await openWithPanel(page, LINK);
+  const rivers = page.getByRole("slider", { name: "How many rivers" });
+  await rivers.focus();
+  await page.keyboard.press("End");
+  await expectAddress(page, "channel-area", "1");
+  await expect(rivers).toHaveAttribute("aria-valuetext", "very many");
+  await page.getByRole("button", { name: "Keep How many rivers" }).click();
+  await page.getByRole("button", { name: "Desert" }).click();
+  await expectAddress(page, "land", "continent");
+  expect(address(page).get("channel-area")).toBe("1");
+  await page.getByRole("button", { name: "Reset How many rivers" }).click();
+  await expectAddress(page, "channel-area", null);
+});
+
+test("the wheel moves the slider that has the focus, and no other", async ({ page }) => {
+  await openUnfolded(page, `${LINK}&growth=colonize`);
+  const [sea, coast] = ["How much sea", "How wild a coast"].map((name) => page.getByRole("slider", { name }));
+  if (!sea || !coast) throw new Error("no sliders");
+  await sea.focus();
+  await sea.hover();
+  await page.mouse.wheel(0, -100);
+  await expectAddress(page, "sea", "0.56");
+  await coast.hover();
+  await page.mouse.wheel(0, 100);
+  await expect(coast).toHaveValue("1");
+});
+
+test("sliders that make another river have few stops, and say so", async ({ page }) => {
+  await openUnfolded(page, `${LINK}&growth=colonize`);
+  const curl = page.locator('[data-key="curl"]');
+  await expect(curl).toContainText("Each notch is another river.");
+  await curl.getByRole("slider").press("ArrowRight");
+  await expectAddress(page, "curl", "0.8");
+  // Who knows the number has it.
+  await curl.locator(".exact").fill("0.83");
+  await curl.locator(".exact").press("Enter");
+  await expectAddress(page, "curl", "0.83");
+});
+
+test("the panel tells how river-like the rivers are, and of the next ones as well", async ({ page }) => {
+  await openWithPanel(page, "seed=kauri");
+  await page.getByText("How river-like?").click();
+  const rows = page.locator(".measures > div");
+  await expect(rows).toHaveCount(10);
+  await expect(rows.first()).toContainText(/as in nature|than in nature/);
+  await expect(page.locator(".measured")).toContainText("parcels unreached");
+  const before = await rows.allTextContents();
+  await page.keyboard.press("n");
+  await expect.poll(() => rows.allTextContents()).not.toEqual(before);
+});

@@ -1,0 +1,53 @@
+import { expect, test } from "vitest";
+import type { Measure } from "../../src/engine/full.ts";
+import { asText, summed, told } from "../../src/page/measures.ts";
+import { engine } from "../core.ts";
+
+const NATURE = { median: 1.32, least: 1.21, most: 1.54, source: "11 river basins" };
+const SINUOSITY: Measure = {
+  name: "sinuosity",
+  help: "length over line",
+  unit: "",
+  places: 2,
+  value: 1.3,
+  nature: NATURE,
+};
+
+function verdictOf(value: number): string | undefined {
+  return told([{ ...SINUOSITY, value }])[0]?.verdict;
+}
+
+test("a value is judged by nature's range, as it is written", () => {
+  expect(verdictOf(1.3)).toBe("as in nature");
+  expect(verdictOf(1.206)).toBe("as in nature");
+  expect(verdictOf(1.2)).toBe("straighter than in nature");
+  expect(verdictOf(1.55)).toBe("more winding than in nature");
+});
+
+test("its bar has nature's range in the middle, and ends where values lie far off", () => {
+  const barOf = (value: number) => told([{ ...SINUOSITY, value }])[0]?.bar?.value;
+  expect(barOf(1.21)).toBeCloseTo(1 / 3);
+  expect(barOf(1.54)).toBeCloseTo(2 / 3);
+  expect(barOf(9)).toBe(1);
+  expect(barOf(0)).toBe(0);
+});
+
+test("a sentence sums them up, without a score", () => {
+  expect(summed(told([SINUOSITY]))).toBe("All that can be compared is as in nature.");
+  expect(summed(told([{ ...SINUOSITY, value: 1 }]))).toBe("As in nature, but for these: how winding: straighter.");
+  const { value: _, ...small } = SINUOSITY;
+  expect(summed(told([small]))).toBe("Too few rivers to measure.");
+  expect(told([small])[0]?.verdict).toBe("too few rivers to tell");
+});
+
+test("the engine measures a finished river, and nothing of one that grows", () => {
+  const river = new engine.River("seed=kauri");
+  expect(river.measures()).toEqual([]);
+  while (river.advance(1000));
+  const rows = told(river.measures());
+  expect(rows).toHaveLength(10);
+  expect(rows.filter(({ nature }) => nature !== "")).toHaveLength(7);
+  expect(asText(rows)).toMatch(
+    /^Small streams for each larger one: \d\.\d\d; .*; nature: 3\.50 to 5\.20 \(11 river basins\)$/m,
+  );
+});
