@@ -24,6 +24,6 @@ export default defineConfig({
     // The wasm stays a file of its own, so that it streams and is cached.
     assetsInlineLimit: 0,
     target: targets(),
-    rolldownOptions: { input: ["index.html", "digest.html", "embed.html", "examples/blog.html"] },
+    rolldownOptions: { input: ["index.html", "real-or-grown.html", "digest.html", "embed.html", "examples/blog.html"] },
   },
 });

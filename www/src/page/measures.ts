@@ -105,7 +105,8 @@ export class MeasuresView {
     private readonly events: MeasuresEvents,
   ) {
     const heading = el("summary", {}, el("h2", {}, "How river-like?"));
-    const all = el("div", { class: "measured" }, this.#summary, this.#rows, this.#rest, this.#copy);
+    const study = el("p", {}, "Can you tell them apart? ", el("a", { href: "./real-or-grown.html" }, "Real or grown?"));
+    const all = el("div", { class: "measured" }, this.#summary, this.#rows, this.#rest, this.#copy, study);
     this.element = disclosures.details("How river-like?", false, { class: "group" }, heading, all);
     this.element.addEventListener("toggle", () => void this.refresh());
     this.#copy.addEventListener("click", () => void events.copy(asText(this.#told)));

@@ -1,0 +1,42 @@
+/** What gives a grown piece of river away: the measure by which it differs most from pieces of the world's rivers. */
+
+import type { Measured } from "./piece.ts";
+
+/** In words, for a piece that has more and one that has less of something. */
+const WORDS: Record<keyof Measured, [more: string, less: string]> = {
+  length: [
+    "there was more river in it than in most of the world’s",
+    "there was less river in it than in most of the world’s",
+  ],
+  confluences: ["its rivers met more often than real ones", "its rivers met more seldom than real ones"],
+  ends: [
+    "it had more short streams than the world’s maps show",
+    "it had fewer short streams than the world’s maps show",
+  ],
+  straightness: ["its rivers ran straighter than real ones", "its rivers wound more than real ones"],
+};
+
+/** How many standard deviations off a measure is told. */
+const TELLING = 1.25;
+
+export function tellTale(measured: Measured, real: readonly Measured[]): string | undefined {
+  const names = Object.keys(WORDS) as (keyof Measured)[];
+  const offs = names.map((name) => ({
+    name,
+    off: offOf(
+      measured[name],
+      real.map((one) => one[name]),
+    ),
+  }));
+  const { name, off } = offs.reduce((most, one) => (Math.abs(one.off) > Math.abs(most.off) ? one : most));
+  if (!(Math.abs(off) > TELLING)) return;
+  return WORDS[name][off > 0 ? 0 : 1];
+}
+
+/** How many standard deviations a value is off those of others. */
+function offOf(value: number, others: readonly number[]): number {
+  const known = others.filter(Number.isFinite);
+  const mean = known.reduce((sum, one) => sum + one, 0) / known.length;
+  const spread = Math.sqrt(known.reduce((sum, one) => sum + (one - mean) ** 2, 0) / known.length);
+  return Number.isFinite(value) && spread > 0 ? (value - mean) / spread : 0;
+}

@@ -1,0 +1,123 @@
+import { readFileSync } from "node:fs";
+import { expect, test } from "vitest";
+import { grownPiece } from "../../src/study/grown.ts";
+import { isWellCovered, measure, SIDE } from "../../src/study/piece.ts";
+import rivers from "../../src/study/real.json";
+import { keepTally, tallyIn } from "../../src/study/tally.ts";
+import { tellTale } from "../../src/study/tell-tale.ts";
+import { thin } from "../../src/study/thin.ts";
+import { engine, memory } from "../core.ts";
+
+/** A piece with straight rivers from some pixels to others. */
+function piece(...lines: [x: number, y: number, dx: number, dy: number, length: number][]): Uint8Array {
+  const pixels = new Uint8Array(SIDE * SIDE);
+  for (const [x, y, dx, dy, length] of lines)
+    for (let i = 0; i < length; i++) pixels[(y + i * dy) * SIDE + x + i * dx] = 1;
+  return pixels;
+}
+
+test("a river from edge to edge has no end, and one with a side branch has an end and a confluence", () => {
+  const alone = measure(piece([0, 50, 1, 0, SIDE]));
+  expect(alone).toMatchObject({ length: 98, confluences: 0, ends: 0 });
+  const { length, confluences, ends } = measure(piece([0, 50, 1, 0, SIDE], [40, 20, 0, 1, 30]));
+  expect(Math.round((confluences * length) / 100)).toBe(1);
+  expect(Math.round((ends * length) / 100)).toBe(1);
+});
+
+test("a straight river is straight, and one that turns is not", () => {
+  const straight = measure(piece([10, 50, 1, 0, 80]));
+  expect(straight.straightness).toBe(1);
+  const bent = piece([10, 10, 1, 0, 12], [21, 10, 0, 1, 12], [10, 22, 1, 0, 12], [10, 22, 0, 1, 40]);
+  expect(measure(bent).straightness).toBeLessThan(0.9);
+});
+
+test("a piece without river in a quarter of it is not well covered", () => {
+  const full = piece(
+    ...[10, 30, 50, 70, 90].map((y) => [0, y, 1, 0, SIDE] as [number, number, number, number, number]),
+  );
+  const joined = full.slice();
+  for (const y of [11, 12, 13, 31, 32]) joined[y * SIDE + 20 + y] = 1;
+  expect(isWellCovered(joined)).toBe(true);
+  expect(isWellCovered(full), "no confluence").toBe(false);
+  expect(isWellCovered(joined.map((is, at) => (at % SIDE < 50 ? is : 0)))).toBe(false);
+});
+
+test("a thick line becomes one of a pixel, as long as it was", () => {
+  const thick = piece([5, 40, 1, 0, 90], [5, 41, 1, 0, 90], [5, 42, 1, 0, 90]);
+  thin(thick, SIDE);
+  const columns = Array.from({ length: SIDE }, (_, x) => thick.filter((is, at) => is && at % SIDE === x).length);
+  // Its ends may lean.
+  expect(Math.max(...columns)).toBeLessThanOrEqual(2);
+  expect(columns.filter((count) => count === 1).length).toBeGreaterThan(80);
+});
+
+test("stairs become a slope without corners, and stay in one", () => {
+  const stairs = new Uint8Array(SIDE * SIDE);
+  for (let i = 10; i < 60; i++)
+    for (const [x, y] of [
+      [i, i],
+      [i + 1, i],
+    ] as const)
+      stairs[y * SIDE + x] = 1;
+  thin(stairs, SIDE);
+  for (let i = 12; i < 58; i++)
+    expect([stairs[i * SIDE + i], stairs[i * SIDE + i + 1]].reduce((a, b) => (a ?? 0) + (b ?? 0))).toBe(1);
+  expect(Math.round((measure(stairs).ends * measure(stairs).length) / 100)).toBe(2);
+});
+
+test("what is told of a piece is the measure that is farthest off", () => {
+  const real = [1, 2, 3].map((one) => ({
+    length: 500 + one,
+    confluences: one,
+    ends: one,
+    straightness: 0.8 + one / 100,
+  }));
+  expect(tellTale({ length: 502, confluences: 2, ends: 9, straightness: 0.82 }, real)).toMatch(
+    /^it had more short streams/,
+  );
+  expect(tellTale({ length: 502, confluences: 2, ends: 2, straightness: 0.5 }, real)).toMatch(/wound more/);
+  expect(tellTale({ length: 502, confluences: 2, ends: 2, straightness: Number.NaN }, real)).toBeUndefined();
+});
+
+test("answers are counted on the device, and junk there counts as none", () => {
+  let kept: string | null = null;
+  const storage = {
+    getItem: () => kept,
+    setItem: (_: string, text: string) => {
+      kept = text;
+    },
+  } as unknown as Storage;
+  expect(tallyIn(() => storage)).toEqual({ asked: 0, right: 0 });
+  keepTally({ asked: 20, right: 13 }, () => storage);
+  expect(tallyIn(() => storage)).toEqual({ asked: 20, right: 13 });
+  for (const junk of ["", "null", "[]", '{"asked":1,"right":2}', '{"asked":1e999,"right":1}']) {
+    kept = junk;
+    expect(
+      tallyIn(() => storage),
+      junk,
+    ).toEqual({ asked: 0, right: 0 });
+  }
+  const denied = (): Storage => {
+    throw new Error("denied");
+  };
+  keepTally({ asked: 1, right: 1 }, denied);
+  expect(tallyIn(denied)).toEqual({ asked: 0, right: 0 });
+});
+
+test("a grown piece is as well covered as those of the world", async () => {
+  let state = 7;
+  const chance = (below: number): number => {
+    state = (Math.imul(state, 1_664_525) + 1_013_904_223) >>> 0;
+    return Math.floor((state / 2 ** 32) * below);
+  };
+  const seeded = { engine: { ...engine, freshSeed: () => "kauri" }, memory };
+  const { seed, piece } = await grownPiece(seeded, chance);
+  expect(seed).toBe("kauri");
+  expect(isWellCovered(piece)).toBe(true);
+});
+
+test("every piece of the world's rivers says where it is", () => {
+  expect(rivers).toHaveLength(44);
+  for (const { kilometresPerPixel } of rivers) expect(kilometresPerPixel).toBeGreaterThanOrEqual(2.5);
+  expect(readFileSync("src/study/real.png").readUInt32BE(16)).toBe(11 * SIDE);
+});
