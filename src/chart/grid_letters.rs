@@ -3,6 +3,7 @@
 use glam::{Vec2, Vec2Swizzles};
 
 use super::background::{Background, NONE};
+use super::corner::filled;
 use super::input::{Input, SheetGrid};
 use super::letters::{Box, Kind, Label, Placed, Stroke, Text};
 
@@ -16,6 +17,8 @@ const LEAST_SEEN: f32 = 1.2;
 const END: f32 = 0.5;
 const CROSS: f32 = 0.36;
 const HALF: f32 = 0.028;
+/// Half the width of the lines that fill the margin's corners, and how far they reach beyond it, in ems: less than a pixel.
+const CORNER: f32 = 0.06;
 /// How far crossings keep from the coast, from ink and from labels, in ems.
 const CLEAR: f32 = 0.25;
 
@@ -72,17 +75,19 @@ pub fn lines<G: Background>(input: &Input<'_>, background: &G, grid: &SheetGrid,
     let crosses =
         crossings.flat_map(|at| [Vec2::X, Vec2::Y].map(|axis| [at - axis * CROSS * em, at + axis * CROSS * em]));
     let strokes = around(least, most).into_iter().chain(ends).chain(crosses);
-    let half = 0.5 * MARGIN * em;
-    // Strokes have round ends, which lie beyond the corners.
-    let side = |[from, to]: [Vec2; 2]| {
-        let over = (to - from).signum() * (to - from).abs().min(Vec2::splat(half));
-        Stroke { ends: [from - over, to + over], half }
-    };
     Label {
         strokes: strokes.map(|ends| Stroke { ends, half: HALF * em }).collect(),
-        cleared: around(least - half, most + half).map(side).to_vec(),
+        cleared: margin(least, most, em),
         ..Label::new(Kind::Grid, None, "", em, Vec::new())
     }
+}
+
+/// The margin around the map: a line along each side, and its corners, which lines with round ends leave out.
+fn margin(least: Vec2, most: Vec2, em: f32) -> Vec<Stroke> {
+    let [half, fine] = [0.5 * MARGIN * em, CORNER * em];
+    let middles = around(least - half, most + half);
+    let corners = middles.map(|[corner, _]| filled(corner - half - fine, Vec2::splat(2.0 * (half + fine)), fine));
+    middles.map(|ends| Stroke { ends, half }).into_iter().chain(corners.into_iter().flatten()).collect()
 }
 
 /// The four sides between two corners.
