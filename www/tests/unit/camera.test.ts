@@ -75,6 +75,16 @@ describe("the camera", () => {
     expect(camera.framingOn(STAGE)[2]).toBeGreaterThanOrEqual(0.05);
   });
 
+  it("says what covers the western, northern, eastern and southern edge of the picture, in widths of the map", () => {
+    const stage = { width: 1000, height: 800, aspect: 1, insets: { left: 10, top: 20, right: 30, bottom: 40 } };
+    const camera = new Camera();
+    const { width } = camera.boxOn(stage);
+    expect(camera.framingOn(stage).slice(3)).toEqual([10, 20, 30, 40].map((inset) => expect.closeTo(inset / width, 9)));
+    // Nothing covers more than there is.
+    const [west = 0] = camera.framingOn({ ...stage, insets: { ...stage.insets, left: 5000 } }).slice(3);
+    expect(west).toBeCloseTo(1000 / camera.boxOn({ ...stage, insets: { ...stage.insets, left: 5000 } }).width, 9);
+  });
+
   it("loses no map, however far it is moved", () => {
     const camera = new Camera();
     camera.zoomBy(2, undefined, STAGE);

@@ -36,7 +36,15 @@ test("a piece without river in a quarter of it is not well covered", () => {
     ...[10, 30, 50, 70, 90].map((y) => [0, y, 1, 0, SIDE] as [number, number, number, number, number]),
   );
   const joined = full.slice();
-  for (const y of [11, 12, 13, 31, 32]) joined[y * SIDE + 20 + y] = 1;
+  for (const [x, y] of [
+    [10, 11],
+    [10, 12],
+    [30, 31],
+    [30, 32],
+    [20, 51],
+    [20, 52],
+  ] as const)
+    joined[y * SIDE + x] = 1;
   expect(isWellCovered(joined)).toBe(true);
   expect(isWellCovered(full), "no confluence").toBe(false);
   expect(isWellCovered(joined.map((is, at) => (at % SIDE < 50 ? is : 0)))).toBe(false);
