@@ -1,4 +1,5 @@
 import { defineConfig } from "vite";
+import { gallery, SHEET } from "./build/gallery/plugin.ts";
 import { licences } from "./build/licences.ts";
 import { contentSecurityPolicy } from "./build/policy.ts";
 import { preloadEngine } from "./build/preload.ts";
@@ -17,6 +18,7 @@ export default defineConfig({
     wholeAddresses(process.env["RIVERSEED_SITE"]),
     widgetFiles(),
     licences(),
+    gallery(process.env["RIVERSEED_SITE"]),
   ],
   // The digest page imports tests/digest.txt, one folder up.
   server: { fs: { allow: [".."] } },
@@ -24,6 +26,6 @@ export default defineConfig({
     // The wasm stays a file of its own, so that it streams and is cached.
     assetsInlineLimit: 0,
     target: targets(),
-    rolldownOptions: { input: ["index.html", "digest.html", "embed.html", "examples/blog.html"] },
+    rolldownOptions: { input: ["index.html", "digest.html", "embed.html", "examples/blog.html", SHEET] },
   },
 });
