@@ -2,6 +2,7 @@ import { defineConfig } from "vite";
 import { gallery, SHEET } from "./build/gallery/plugin.ts";
 import { licences } from "./build/licences.ts";
 import { contentSecurityPolicy } from "./build/policy.ts";
+import { poster } from "./build/poster.ts";
 import { preloadEngine } from "./build/preload.ts";
 import { wholeAddresses } from "./build/social.ts";
 import { widgetFiles } from "./build/widget.ts";
@@ -13,6 +14,7 @@ export default defineConfig({
   plugins: [
     // Not embed.html: its engine is fetched by a worker, which does not see what its document has preloaded.
     preloadEngine("index.html"),
+    poster("index.html"),
     // After what writes scripts into pages.
     contentSecurityPolicy(),
     wholeAddresses(process.env["RIVERSEED_SITE"]),
