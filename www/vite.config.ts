@@ -1,6 +1,7 @@
 import { defineConfig } from "vite";
 import { gallery, SHEET } from "./build/gallery/plugin.ts";
 import { licences } from "./build/licences.ts";
+import { offline } from "./build/offline.ts";
 import { contentSecurityPolicy } from "./build/policy.ts";
 import { poster } from "./build/poster.ts";
 import { preloadEngine } from "./build/preload.ts";
@@ -15,6 +16,7 @@ export default defineConfig({
     // Not embed.html: its engine is fetched by a worker, which does not see what its document has preloaded.
     preloadEngine("index.html"),
     poster("index.html"),
+    offline("index.html"),
     // After what writes scripts into pages.
     contentSecurityPolicy(),
     wholeAddresses(process.env["RIVERSEED_SITE"]),

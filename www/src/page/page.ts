@@ -28,6 +28,7 @@ import { type Engines, openEngines } from "./backend.ts";
 import type { Insets } from "./camera.ts";
 import { elements } from "./elements.ts";
 import { type Named, NameList, namedOf } from "./name-list.ts";
+import { keepForOffline } from "./offline.ts";
 import { Panel } from "./panel.ts";
 import { SeedTrail } from "./seed-trail.ts";
 import { Announcer, showFailure, showNotices, undoable } from "./status.ts";
@@ -346,6 +347,7 @@ class Page {
   async #finished(phase: Phase, summary: Summary): Promise<void> {
     this.#announcer.say(`Finished: ${sentence(summary)}`);
     this.#drawThumbnails().catch((error) => this.#fail(error));
+    void keepForOffline();
     const isLabelled = this.#recipe.values.get("labels") !== "none";
     if (!isLabelled && !this.#nameList.isShown) return;
     const { link, seed } = this.#recipe;
