@@ -15,6 +15,8 @@ export default defineConfig({
   use: {
     baseURL: `http://127.0.0.1:${PORT}/`,
     viewport: { width: 1280, height: 800 },
+    // Nothing stands between a page and what a test answers it; tests/e2e/offline.spec.ts is about what does.
+    serviceWorkers: "block",
     launchOptions: {
       executablePath: process.env["CHROME"] ?? "/usr/bin/chromium",
       args: [

@@ -1,6 +1,9 @@
 import { defineConfig } from "vite";
+import { gallery, SHEET } from "./build/gallery/plugin.ts";
 import { licences } from "./build/licences.ts";
+import { offline } from "./build/offline.ts";
 import { contentSecurityPolicy } from "./build/policy.ts";
+import { poster } from "./build/poster.ts";
 import { preloadEngine } from "./build/preload.ts";
 import { wholeAddresses } from "./build/social.ts";
 import { widgetFiles } from "./build/widget.ts";
@@ -12,11 +15,14 @@ export default defineConfig({
   plugins: [
     // Not embed.html: its engine is fetched by a worker, which does not see what its document has preloaded.
     preloadEngine("index.html"),
+    poster("index.html"),
+    offline("index.html"),
     // After what writes scripts into pages.
     contentSecurityPolicy(),
     wholeAddresses(process.env["RIVERSEED_SITE"]),
     widgetFiles(),
     licences(),
+    gallery(process.env["RIVERSEED_SITE"]),
   ],
   // The digest page imports tests/digest.txt, one folder up.
   server: { fs: { allow: [".."] } },
@@ -24,6 +30,8 @@ export default defineConfig({
     // The wasm stays a file of its own, so that it streams and is cached.
     assetsInlineLimit: 0,
     target: targets(),
-    rolldownOptions: { input: ["index.html", "real-or-grown.html", "digest.html", "embed.html", "examples/blog.html"] },
+    rolldownOptions: {
+      input: ["index.html", "real-or-grown.html", "digest.html", "embed.html", "examples/blog.html", SHEET],
+    },
   },
 });

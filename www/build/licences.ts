@@ -4,8 +4,16 @@ import { readFileSync } from "node:fs";
 import type { Plugin } from "vite";
 
 const LICENCES = ["LICENSE-APACHE", "LICENSE-MIT", "THIRD-PARTY.txt"];
-/** The npm packages whose code is in the site: what the archives of game packs are written by. */
-const PACKAGES = ["fast-png", "fflate", "iobuffer"];
+/** The npm packages whose code is in the site: what the archives of game packs are written by, and what keeps the page. */
+const PACKAGES = [
+  "fast-png",
+  "fflate",
+  "iobuffer",
+  "workbox-core",
+  "workbox-precaching",
+  "workbox-routing",
+  "workbox-strategies",
+];
 
 export function licences(): Plugin {
   return {

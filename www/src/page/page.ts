@@ -30,6 +30,7 @@ import { elements } from "./elements.ts";
 import { HelpSheet, type Shortcut } from "./help.ts";
 import { MeasuresView } from "./measures.ts";
 import { type Named, NameList, namedOf } from "./name-list.ts";
+import { keepForOffline } from "./offline.ts";
 import { Panel } from "./panel.ts";
 import { SeedTrail } from "./seed-trail.ts";
 import { Announcer, showFailure, showNotices, undoable } from "./status.ts";
@@ -359,6 +360,7 @@ class Page {
     this.#announcer.say(`Finished: ${sentence(summary)}`);
     this.#drawThumbnails().catch((error) => this.#fail(error));
     void this.#measures.refresh(remainderOf(summary));
+    void keepForOffline();
     const isLabelled = this.#recipe.values.get("labels") !== "none";
     if (!isLabelled && !this.#nameList.isShown) return;
     const { link, seed } = this.#recipe;

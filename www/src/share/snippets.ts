@@ -81,7 +81,7 @@ const ENTITIES: Readonly<Record<string, string>> = {
 };
 
 /** Text that stays text, as the content of an element and between quotation marks. */
-function escaped(text: string): string {
+export function escaped(text: string): string {
   return text.replace(/[&<>"']/g, (sign) => ENTITIES[sign] ?? sign);
 }
 

@@ -170,12 +170,16 @@ async function record(page: Page, what: "state" | "phase"): Promise<() => Promis
   return () => page.evaluate((what) => (globalThis as unknown as Record<string, string[]>)[`${what}s`] ?? [], what);
 }
 
+/** What Playwright itself says on a page that would be kept for offline. */
+const BLOCKED = "Service Worker registration blocked by Playwright";
+
 /** Collects what the page complains about. */
 export function complaints(page: Page): string[] {
   const said: string[] = [];
   page.on("pageerror", (error) => said.push(error.message));
   page.on("console", (message) => {
-    if (message.type() === "error" || message.type() === "warning") said.push(message.text());
+    const isComplaint = message.type() === "error" || message.type() === "warning";
+    if (isComplaint && message.text() !== BLOCKED) said.push(message.text());
   });
   return said;
 }

@@ -1,0 +1,98 @@
+/**
+ * The poster: the map of a visit without a link, as a picture that stands where the map will stand until that is there, and for
+ * visitors without scripts. By day and by night, in the window's shape, as `firstLink` in src/page/page.ts says.
+ */
+
+import type { Plugin } from "vite";
+import { drawAll } from "./gallery/drawing.ts";
+import type { Shot } from "./gallery/shots.ts";
+
+/** So much wider and higher than the map is the poster: the sea around it has become even there. As src/style/poster.css has it. */
+const SURROUNDINGS = 1.5;
+
+/** A poster for some windows. The last is for all others. */
+interface Poster {
+  readonly file: string;
+  readonly media: string;
+  readonly link: string;
+  readonly aspect: number;
+  /** Pixels across the map. */
+  readonly across: number;
+}
+
+const UPRIGHT = { aspect: 0.75, across: 520 };
+const WIDE = { aspect: 1.6, across: 900 };
+const DARK = "(prefers-color-scheme: dark)";
+const PORTRAIT = "(orientation: portrait)";
+
+export const POSTERS: readonly Poster[] = [
+  {
+    file: "night-upright.webp",
+    media: `${DARK} and ${PORTRAIT}`,
+    link: firstLink("night", "&aspect=0.75"),
+    ...UPRIGHT,
+  },
+  { file: "upright.webp", media: PORTRAIT, link: firstLink("atlas", "&aspect=0.75"), ...UPRIGHT },
+  { file: "night.webp", media: DARK, link: firstLink("night", ""), ...WIDE },
+  { file: "day.webp", media: "all", link: firstLink("atlas", ""), ...WIDE },
+];
+
+function firstLink(style: string, shape: string): string {
+  return `style=${style}&labels=some${shape}`;
+}
+
+const FOLDER = "poster";
+const PLACE = '<canvas id="canvas"';
+
+export function poster(page: string): Plugin {
+  return {
+    name: "poster",
+    apply: "build",
+    transformIndexHtml: {
+      order: "post",
+      handler(html, { path }) {
+        if (path.slice(1) !== page) return html;
+        if (!html.includes(PLACE)) throw new Error(`${page} has no place for the poster`);
+        return {
+          html: html.replace(PLACE, `${picture()}\n          ${PLACE}`),
+          tags: [{ tag: "script", children: MARK, injectTo: "head-prepend" }],
+        };
+      },
+    },
+    async generateBundle() {
+      const files = await drawAll(POSTERS.map((one) => ({ link: one.link, shots: [shotOf(one)] })));
+      for (const [i, { file }] of POSTERS.entries())
+        this.emitFile({ type: "asset", fileName: `${FOLDER}/${file}`, source: files[i]?.[0] ?? new Uint8Array() });
+    },
+  };
+}
+
+/** A page with a link has no poster; what is not shown is not fetched, since it is fetched late. */
+const MARK =
+  'if (location.search.length > 1 || location.hash.includes("=")) document.documentElement.dataset.linked = "";';
+
+function picture(): string {
+  const sources = POSTERS.slice(0, -1).map(
+    (one) => `<source media="${one.media}" srcset="./${FOLDER}/${one.file}"${sizeOf(one)} />`,
+  );
+  const [other] = POSTERS.slice(-1);
+  const img =
+    other && `<img src="./${FOLDER}/${other.file}"${sizeOf(other)} alt="" loading="lazy" fetchpriority="high" />`;
+  return `<picture class="poster">${sources.join("")}${img}</picture>`;
+}
+
+function sizeOf(one: Poster): string {
+  const { width, height } = shotOf(one);
+  return ` width="${width}" height="${height}"`;
+}
+
+function shotOf({ aspect, across }: Poster): Shot {
+  const around = (SURROUNDINGS - 1) / 2;
+  return {
+    width: Math.round(across * SURROUNDINGS),
+    height: Math.round((across / aspect) * SURROUNDINGS),
+    framing: [-around, -around / aspect, SURROUNDINGS],
+    format: "webp",
+    quality: 48,
+  };
+}

@@ -1,0 +1,97 @@
+/** The poster, which stands for the map of a visit without a link until that is there. */
+
+import { readFileSync } from "node:fs";
+import { fileURLToPath } from "node:url";
+import { expect, type Page, test } from "@playwright/test";
+import sharp from "sharp";
+import { POSTERS } from "../../build/poster.ts";
+import { engine } from "../core.ts";
+import { address, complaints, openFinished, shown } from "./riverpage.ts";
+
+const WINDOWS = [
+  { width: 1440, height: 900 },
+  { width: 1024, height: 768 },
+  { width: 820, height: 1180 },
+  { width: 390, height: 844 },
+  { width: 844, height: 390 },
+];
+
+/** The posters that are fetched. Call before `goto`. */
+function posters(page: Page): string[] {
+  const asked: string[] = [];
+  page.on("request", (request) => {
+    const file = /\/poster\/(.*)$/.exec(request.url())?.[1];
+    if (file !== undefined) asked.push(file);
+  });
+  return asked;
+}
+
+for (const size of WINDOWS)
+  test(`it stands where the map will: ${size.width} by ${size.height}`, async ({ page }) => {
+    await page.setViewportSize(size);
+    const asked = posters(page);
+    await openFinished(page);
+    const { framing } = await shown(page);
+    const poster = await page.locator(".poster img").boundingBox();
+    if (!poster) throw new Error("there is no poster");
+    const across = size.width / framing[2];
+    // The map is the middle two thirds of it.
+    expect(Math.abs(poster.width / 1.5 - across)).toBeLessThan(2);
+    expect(Math.abs(poster.x + poster.width / 6 + framing[0] * across)).toBeLessThan(2);
+    expect(Math.abs(poster.y + poster.height / 6 + framing[1] * across)).toBeLessThan(2);
+    expect(asked).toHaveLength(1);
+  });
+
+for (const colorScheme of ["light", "dark"] as const)
+  for (const size of [
+    { width: 1200, height: 800 },
+    { width: 500, height: 800 },
+  ])
+    test(`it is of the very map that comes: ${colorScheme}, ${size.width} wide`, async ({ page }) => {
+      await page.setViewportSize(size);
+      await page.emulateMedia({ colorScheme });
+      const asked = posters(page);
+      const said = complaints(page);
+      await openFinished(page);
+      const link = POSTERS.find(({ file }) => file === asked[0])?.link ?? "";
+      await expect.poll(() => address(page).toString()).toBe(engine.readLink(link).link);
+      expect(asked).toHaveLength(1);
+      expect(said).toEqual([]);
+    });
+
+test("a visit with a link neither shows nor fetches it", async ({ page }) => {
+  const asked = posters(page);
+  await openFinished(page, "seed=rimu&attractors=300");
+  await expect(page.locator(".poster")).toBeHidden();
+  await page.goto("./#seed=moa&attractors=300");
+  await expect(page.locator(".poster")).toBeHidden();
+  expect(asked).toEqual([]);
+});
+
+test("it is seen until the map comes, and a canvas without a picture hides none of it", async ({ page }) => {
+  await page.route("**/*.wasm", () => {});
+  await page.goto("./");
+  const poster = page.locator(".poster img");
+  await expect.poll(() => poster.evaluate((img: HTMLImageElement) => img.naturalWidth)).toBeGreaterThan(0);
+  await expect(page.locator("#canvas")).toHaveCSS("opacity", "0");
+});
+
+test("visitors without scripts see it", async ({ browser, baseURL }) => {
+  const context = await browser.newContext({ javaScriptEnabled: false });
+  const page = await context.newPage();
+  const fetched = page.waitForResponse("**/poster/*.webp");
+  await page.goto(baseURL ?? "");
+  expect((await fetched).ok()).toBe(true);
+  await expect(page.locator(".poster img")).toBeVisible();
+  await context.close();
+});
+
+test("posters are small, and as large as the page says", async () => {
+  const html = readFileSync(fileURLToPath(new URL("../../dist/index.html", import.meta.url)), "utf8");
+  for (const { file } of POSTERS) {
+    const bytes = readFileSync(fileURLToPath(new URL(`../../dist/poster/${file}`, import.meta.url)));
+    expect(bytes.length, file).toBeLessThan(42_000);
+    const { width, height } = await sharp(bytes).metadata();
+    expect(html).toContain(`="./poster/${file}" width="${width}" height="${height}"`);
+  }
+});
