@@ -17,6 +17,7 @@ export const elements = {
   announcement: find("#announcement", HTMLElement),
   seedForm: find("#seed-form", HTMLFormElement),
   seed: find("#seed", HTMLInputElement),
+  land: find("#land", HTMLSelectElement),
   dice: find("#dice", HTMLButtonElement),
   download: find("#download", HTMLButtonElement),
   formats: find("#formats", HTMLElement),

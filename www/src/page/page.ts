@@ -8,6 +8,7 @@ import { el, setText } from "../browser/dom.ts";
 import { turn } from "../browser/turn.ts";
 import { type Controls, controls } from "../controls/controls.ts";
 import { Disclosures } from "../controls/disclosure.ts";
+import { LandChoice } from "../controls/land-choice.ts";
 import { PresetButtons, type Presets, presets, unaskedChanges } from "../controls/presets.ts";
 import { SeedBox } from "../controls/seed.ts";
 import { isRecoverable, named } from "../engine/errors.ts";
@@ -62,6 +63,7 @@ class Page {
   readonly #presets: Presets;
   readonly #countries: PresetButtons;
   readonly #seedBox: SeedBox;
+  readonly #land: LandChoice;
   readonly #viewport: RiverViewport;
   readonly #transport: Transport;
   readonly #drawing: Drawing;
@@ -108,6 +110,8 @@ class Page {
     );
     this.#seedBox = new SeedBox(elements.seedForm, elements.seed, (seed) => this.#set([["seed", seed]], "watch"));
     describeSeed(this.#table);
+    const land = this.#table.find(({ key }) => key === "land");
+    this.#land = new LandChoice(elements.land, land, (kind) => this.#choose([["land", kind]]));
     this.#strip = new StyleStrip(
       elements.styles,
       this.#table.find(({ key }) => key === "style"),
@@ -140,8 +144,8 @@ class Page {
   /** Goes with the first river. */
   start(): void {
     this.#transport.enable();
-    const { dice, download, copy, reset, sharing, drawing, panel, zoom } = elements;
-    for (const button of [dice, download, sharing.open, copy, reset, drawing.draw, panel.open, zoom.closer])
+    const { dice, land, download, copy, reset, sharing, drawing, panel, zoom } = elements;
+    for (const button of [dice, land, download, sharing.open, copy, reset, drawing.draw, panel.open, zoom.closer])
       button.disabled = false;
     this.#showRecipe();
     this.#viewport.listen({
@@ -322,6 +326,7 @@ class Page {
     this.#presets.show(values);
     this.#countries.show(values);
     this.#seedBox.show(seed);
+    this.#land.show(values.get("land") ?? "");
     this.#drawing.show(values.get("outline") ?? "");
     elements.title.textContent = seed;
     document.title = seed === "" ? "Riverseed" : `${seed} · Riverseed`;

@@ -85,3 +85,13 @@ test("the panel tells how river-like the rivers are, and of the next ones as wel
   await page.keyboard.press("n");
   await expect.poll(() => rows.allTextContents()).not.toEqual(before);
 });
+
+test("the bar has the kind of land, and shows a drawn one only where there is one", async ({ page }) => {
+  await openFinished(page, LINK);
+  const land = page.getByRole("combobox", { name: "Kind of land" });
+  await land.selectOption("archipelago");
+  await expectAddress(page, "land", "archipelago");
+  await expect(land.locator("option[value=drawn]")).toBeHidden();
+  await page.goto("./?land=drawn&outline=.MzMzzMMzzMzM&attractors=300");
+  await expect(land).toHaveValue("drawn");
+});
