@@ -52,7 +52,7 @@ tarball: widget
 # ---- prove it
 
 .PHONY: test
-test: test-scripts test-rust test-hydrology test-wasm test-page test-browser test-firefox test-package ## every test there is
+test: test-scripts test-rust test-hydrology test-wasm test-page test-browser lighthouse test-firefox test-package ## every test there is
 
 .PHONY: test-scripts
 test-scripts: ## what set-up, builds and checks decide, with stand-ins for apt, rustup, npm and the like
@@ -88,6 +88,12 @@ test-page: wasm ## the TypeScript, without a browser
 test-browser: site widget ## the page and the widget in Chromium, end to end
 	@$(setup) browser
 	@PORT=$$(node -e '$(free_port)') $(npm) e2e
+
+# Skipped, with a word, where its package cannot be had.
+.PHONY: lighthouse
+lighthouse: site ## what Lighthouse says of the site: accessibility, best practices, search engines, and that nothing moves
+	@$(setup) browser
+	@$(npm) lighthouse
 
 .PHONY: test-firefox
 test-firefox: site ## the page in a second engine

@@ -33,6 +33,7 @@ const GROUPS = {
   "Woods and hills of a map at 1024², from the link to the finished picture": woods,
   "Bends of the great rivers of 20 maps; in nature wavelength 11 widths, radius 2 to 3": bends,
   "The page at 1024², while 100,000 attractors grow, then while the rivers of 6,000 meander": page,
+  "The page by Lighthouse's performance, a phone and a desktop, medians of five": lighthouse,
   "A widget in a post, grown in a worker, then on the page itself": widget,
   "The wasm file of the page": size,
 };
@@ -272,6 +273,17 @@ function page() {
     row(`${phase}: longest callback`, longest, "ms", atMost(33, 12));
     guide(`${phase}: ${frames} frames take`, seconds, "s");
   }
+}
+
+function lighthouse() {
+  if (!existsSync("www/dist/index.html")) {
+    console.log("  The page is not built: make site");
+    return;
+  }
+  const npm = ["--silent", "--prefix", "www", "run", "lighthouse", "figures"];
+  const last = execFileSync("npm", npm, { encoding: "utf8", stdio: ["ignore", "pipe", "inherit"] }).trim().split("\n").at(-1);
+  if (!last.startsWith("{")) console.log(`  ${last}`);
+  else for (const [form, score] of Object.entries(JSON.parse(last))) row(`performance, ${form}`, score, "of 100", atLeast(50, 90));
 }
 
 function widget() {

@@ -1,4 +1,5 @@
 import { defineConfig } from "vite";
+import { crawlers } from "./build/crawlers.ts";
 import { gallery, SHEET } from "./build/gallery/plugin.ts";
 import { licences } from "./build/licences.ts";
 import { offline } from "./build/offline.ts";
@@ -23,6 +24,7 @@ export default defineConfig({
     widgetFiles(),
     licences(),
     gallery(process.env["RIVERSEED_SITE"]),
+    crawlers(process.env["RIVERSEED_SITE"]),
   ],
   // The digest page imports tests/digest.txt, one folder up.
   server: { fs: { allow: [".."] } },

@@ -17,8 +17,14 @@ export function wholeAddresses(site: string | undefined): Plugin {
 
 /** The page with its picture's whole address, and its own. */
 export function completed(html: string, site: string): string {
-  const base = new URL(site.endsWith("/") ? site : `${site}/`);
+  const base = new URL(baseOf(site));
   return html
     .replace(IMAGE, (_, before: string, address: string) => before + new URL(address, base).href)
-    .replace(/(?=<meta property="og:image")/, `<meta property="og:url" content="${base.href}" />\n    `);
+    .replace(/(?=<meta property="og:image")/, `<meta property="og:url" content="${base.href}" />\n    `)
+    .replace(/(?=<meta property="og:url")/, `<link rel="canonical" href="${base.href}" />\n    `);
+}
+
+/** The site's address, as a folder. */
+export function baseOf(site: string): string {
+  return site.endsWith("/") ? site : `${site}/`;
 }

@@ -2,6 +2,7 @@
 
 import { elementSnippet, escaped, titleOf } from "../../src/share/snippets.ts";
 import { policyFor } from "../policy.ts";
+import { baseOf } from "../social.ts";
 import type { Entry } from "./recipes.ts";
 import { CARD, overviewShot, pageShot } from "./shots.ts";
 
@@ -187,8 +188,4 @@ function documentOf({ site, sheet, hasPolicy }: Place, { title, description, add
   </body>
 </html>
 `;
-}
-
-function baseOf(site: string): string {
-  return site.endsWith("/") ? site : `${site}/`;
 }

@@ -1,5 +1,7 @@
 import { readFileSync } from "node:fs";
 import { expect, test } from "vitest";
+import { robots, sitemap } from "../../build/crawlers.ts";
+import { recipes } from "../../build/gallery/recipes.ts";
 import { completed } from "../../build/social.ts";
 
 const index = readFileSync(new URL("../../index.html", import.meta.url), "utf8");
@@ -19,6 +21,16 @@ test("the picture is as large as is said", () => {
 test("a site that knows its address has whole ones on its card", () => {
   const html = completed(index, "https://rivers.example/maps");
   expect(html).toContain('<meta property="og:url" content="https://rivers.example/maps/" />');
+  expect(html).toContain('<link rel="canonical" href="https://rivers.example/maps/" />');
   expect(html).toContain('<meta property="og:image" content="https://rivers.example/maps/river.png"');
   expect(html).not.toContain("./river.png");
+});
+
+test("who looks for pages may, and is told of all where the site knows its address", () => {
+  expect(robots(undefined)).toBe("User-agent: *\nAllow: /\n");
+  expect(robots("https://rivers.example/maps")).toContain("\nSitemap: https://rivers.example/maps/sitemap.xml\n");
+  const pages = [...sitemap("https://rivers.example/a&b/").matchAll(/<loc>([^<]*)<\/loc>/g)].map(([, page]) => page);
+  expect(pages).toHaveLength(recipes.length + 2);
+  expect(pages.slice(0, 2)).toEqual(["https://rivers.example/a&amp;b/", "https://rivers.example/a&amp;b/gallery/"]);
+  expect(pages).toContain(`https://rivers.example/a&amp;b/gallery/${recipes[0]?.slug}.html`);
 });

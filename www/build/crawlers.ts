@@ -1,0 +1,33 @@
+/** For those who look for pages: that they may, and, where the site knows its address, what there is. */
+
+import type { Plugin } from "vite";
+import { filesOf } from "./gallery/pages.ts";
+import { recipes } from "./gallery/recipes.ts";
+import { baseOf } from "./social.ts";
+
+export function crawlers(site: string | undefined): Plugin {
+  return {
+    name: "crawlers",
+    apply: "build",
+    generateBundle() {
+      this.emitFile({ type: "asset", fileName: "robots.txt", source: robots(site) });
+      if (site !== undefined) this.emitFile({ type: "asset", fileName: "sitemap.xml", source: sitemap(site) });
+    },
+  };
+}
+
+export function robots(site: string | undefined): string {
+  const map = site === undefined ? "" : `\nSitemap: ${baseOf(site)}sitemap.xml\n`;
+  return `User-agent: *\nAllow: /\n${map}`;
+}
+
+/** Addresses are escaped as XML wants it. */
+export function sitemap(site: string): string {
+  const pages = ["", "gallery/", ...recipes.map(({ slug }) => `gallery/${filesOf(slug).page}`)];
+  const base = baseOf(site).replaceAll("&", "&amp;");
+  return `<?xml version="1.0" encoding="UTF-8"?>
+<urlset xmlns="http://www.sitemaps.org/schemas/sitemap/0.9">
+${pages.map((page) => `  <url><loc>${base}${page}</loc></url>`).join("\n")}
+</urlset>
+`;
+}
