@@ -4,7 +4,6 @@ import { count } from "../../src/browser/count.ts";
 import { linesOf } from "../../src/digest/lines.ts";
 import { speedName } from "../../src/page/transport.ts";
 import { alternative, caption, sentence } from "../../src/player/summary-text.ts";
-import { fileName } from "../../src/share/share.ts";
 import { engine } from "../core.ts";
 
 const summary = {
@@ -80,13 +79,6 @@ test("the caption has two lines in every state", () => {
   expect(caption("paused", "growing", summary)).toEqual(["Paused while growing", "12,345 nodes so far"]);
   expect(caption("paused", "meandering", oxbows)[0]).toBe("Paused while meandering");
   expect(caption("finished", "finished", summary)[0]).toBe("1 river, 210 sources, Strahler order 5");
-});
-
-test("a file is named after its seed, in any script, and after nothing else", () => {
-  expect(fileName("kauri", "png")).toBe("riverseed-kauri.png");
-  expect(fileName("../../etc/passwd", "svg")).toBe("riverseed-etc-passwd.svg");
-  expect(fileName("Ōtākaro 2", "geojson")).toBe("riverseed-Ōtākaro-2.geojson");
-  expect(fileName("!?", "json")).toBe("riverseed.json");
 });
 
 test("a canvas has the screen's pixels, up to two a CSS pixel and four million in all", () => {
