@@ -150,6 +150,19 @@ impl Picture {
         self.chart = Some((ChartKey::of(session), Arc::new(chart)));
     }
 
+    /// How much of the ground of a finished session is painted, from 0 to 1: what is left then is short.
+    #[cfg(feature = "files")]
+    pub fn progress(&self, session: &Session) -> f32 {
+        self.painter.progress(session.recipe().get())
+    }
+
+    /// Takes the ground out of a painted picture of this session. Of a style with relief, and of past courses, the sea goes, and land, rivers and letters
+    /// stay; of a style of lines, ink, dark or skeleton, the paper. Colours are not multiplied by their opacity. The next `paint` brings all of it back.
+    #[cfg(feature = "files")]
+    pub fn cut_out(&mut self, session: &Session) {
+        self.painter.cut_out(session.recipe().get());
+    }
+
     /// How the domain lies on the picture.
     pub fn view(&self) -> &View {
         self.painter.view()

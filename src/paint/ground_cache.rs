@@ -45,6 +45,25 @@ impl GroundCache {
         beds.or_else(|| self.flat.as_ref()?.pixels()).map(|pixels| (pixels, &[][..]))
     }
 
+    /// The ground without relief, and how far rivers show on it; `None` where all is plain land.
+    #[cfg(feature = "files")]
+    pub fn flat_pixels(&self) -> Option<&[[u8; 4]]> {
+        self.flat.as_ref()?.pixels()
+    }
+
+    /// How much of it is painted, from 0 to 1, for a style with relief or without.
+    #[cfg(feature = "files")]
+    pub fn progress(&self, view: &View, has_relief: bool) -> f32 {
+        let share = |painted: usize| painted as f32 / view.pixels() as f32;
+        let flat = self.flat.as_ref().map_or(0.0, |flat| flat.pixels().map_or(1.0, |pixels| share(pixels.len())));
+        if !has_relief {
+            return flat;
+        }
+        let land = self.shares.as_ref().map_or(0.0, |shares| share(shares.of_pixels().len()));
+        let raised = self.raised.as_ref().map_or(0.0, |raised| share(raised.pixels().len()));
+        (flat + land + raised) / 3.0
+    }
+
     /// Whether it shows a relief.
     pub fn is_raised(&self) -> bool {
         self.raised.is_some()

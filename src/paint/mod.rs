@@ -10,6 +10,8 @@ pub(crate) mod beds;
 mod beyond;
 mod chart;
 mod coverage;
+#[cfg(feature = "files")]
+mod cut_out;
 mod flat;
 mod flow;
 pub(crate) mod grid;

@@ -10,6 +10,8 @@ use tiny_skia::Pixmap;
 
 use super::chart::{self, ChartMasks};
 use super::coverage::{Coverage, Rect};
+#[cfg(feature = "files")]
+use super::cut_out;
 use super::flow::Flow;
 use super::ground_cache::GroundCache;
 use super::palette::Lines;
@@ -162,6 +164,19 @@ impl Painter {
     /// How the domain lies on the picture.
     pub fn view(&self) -> &View {
         &self.view
+    }
+
+    /// How much of the ground for a style is painted, from 0 to 1.
+    #[cfg(feature = "files")]
+    pub fn progress(&self, style: Style) -> f32 {
+        self.ground.progress(&self.view, palette(style).relief.is_some())
+    }
+
+    /// Takes the sea, or the paper, out of the picture, which is painted anew when next it is.
+    #[cfg(feature = "files")]
+    pub fn cut_out(&mut self, style: Style) {
+        cut_out::cut_out(&mut self.pixmap, self.ground.flat_pixels(), self.chart.as_deref(), style);
+        self.reset();
     }
 
     /// Whether the picture shows a relief.

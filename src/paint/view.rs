@@ -138,6 +138,13 @@ impl View {
         ((height as f32 * domain.size.x / domain.size.y).round() as u32).max(1)
     }
 
+    /// The width and the height of a picture that shows the domain whole, the longer of which is given.
+    #[cfg(feature = "files")]
+    pub fn sides_for(domain: &Domain, longer: u32) -> (u32, u32) {
+        let height = Self::height_for(domain, longer);
+        if height <= longer { (longer, height) } else { (Self::width_for(domain, longer), longer) }
+    }
+
     /// What is seen: the north-western and the south-eastern corner, in units. They may lie beyond the domain.
     pub fn frame(&self) -> [Vec2; 2] {
         [Vec2::ZERO, Vec2::new(self.width as f32, self.height as f32)].map(|corner| self.point(corner))

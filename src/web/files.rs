@@ -12,6 +12,7 @@ use crate::export::rasters::{Layer, Rasters, Values};
 use crate::export::svg::ChartText;
 use crate::export::{ExportError, Json, geojson, json, pack, svg};
 use crate::name::Names;
+use crate::paint::View;
 use crate::recipe::link;
 
 /// The digest of a recipe: what proves that two browsers draw and write the same. The link is read strictly.
@@ -39,6 +40,28 @@ impl River {
     #[wasm_bindgen(js_name = raiseRelief)]
     pub fn raise_relief(&mut self) -> Result<bool, JsValue> {
         self.session.raise_relief().map_err(|error| session_error(&error))
+    }
+
+    /// The width and the height of a picture of all of its map, the longer of which is given.
+    #[wasm_bindgen(js_name = sidesFor)]
+    pub fn sides_for(&self, longer_px: u32) -> Vec<u32> {
+        let (width, height) = View::sides_for(&self.session.domain(), longer_px);
+        vec![width, height]
+    }
+
+    /// How much of the ground of its picture is painted, from 0 to 1, once its rivers are finished.
+    #[wasm_bindgen(getter)]
+    pub fn painted(&self) -> f32 {
+        self.picture.as_ref().map_or(0.0, |picture| picture.progress(&self.session))
+    }
+
+    /// Takes the ground out of its picture, once that is painted: the sea, or in styles of lines the paper. Pixels are then RGBA with an opacity,
+    /// by which colours are not multiplied, until the picture is painted again.
+    #[wasm_bindgen(js_name = cutOut)]
+    pub fn cut_out(&mut self) {
+        if let Some(picture) = &mut self.picture {
+            picture.cut_out(&self.session);
+        }
     }
 
     /// The map as it is, as the text of an SVG file, with what the `svg` of a `Chart` says, if anything. Throws an Error, as long as the

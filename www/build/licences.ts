@@ -4,16 +4,23 @@ import { readFileSync } from "node:fs";
 import type { Plugin } from "vite";
 
 const LICENCES = ["LICENSE-APACHE", "LICENSE-MIT", "THIRD-PARTY.txt"];
-/** The npm packages whose code is in the site: what the archives of game packs are written by, and what keeps the page. */
+/** The npm packages whose code is in the site: what writes archives of game packs, and videos, and what keeps the page. */
 const PACKAGES = [
   "fast-png",
   "fflate",
   "iobuffer",
+  "mediabunny",
   "workbox-core",
   "workbox-precaching",
   "workbox-routing",
   "workbox-strategies",
 ];
+
+/** What the Mozilla Public License asks to be said besides. */
+const SOURCES: Readonly<Record<string, string>> = {
+  mediabunny:
+    "Mediabunny is used as it is. Its source is at https://github.com/Vanilagy/mediabunny, and in the npm package mediabunny.\n\n",
+};
 
 export function licences(): Plugin {
   return {
@@ -25,7 +32,8 @@ export function licences(): Plugin {
       }
       for (const name of PACKAGES) {
         const source = readFileSync(new URL(`../node_modules/${name}/LICENSE`, import.meta.url));
-        this.emitFile({ type: "asset", fileName: `LICENSE-${name}.txt`, source });
+        const said = SOURCES[name] ?? "";
+        this.emitFile({ type: "asset", fileName: `LICENSE-${name}.txt`, source: said + source });
       }
     },
   };

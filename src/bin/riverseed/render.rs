@@ -104,9 +104,7 @@ fn write_pack(
 
 /// Room for a picture whose longer side is that long.
 fn picture(recipe: &Recipe, size: u32) -> Result<Picture, PaintError> {
-    let domain = Domain::of(recipe);
-    let height = View::height_for(&domain, size);
-    let (width, height) = if height <= size { (size, height) } else { (View::width_for(&domain, size), size) };
+    let (width, height) = View::sides_for(&Domain::of(recipe), size);
     Picture::new(width, height)
 }
 

@@ -23,6 +23,7 @@ import type { State } from "../player/frame-loop.ts";
 import type { ShowMode } from "../player/river-player.ts";
 import { alternative, caption, remainderOf, sentence } from "../player/summary-text.ts";
 import { Downloads } from "../share/downloads.ts";
+import { SaveDialog } from "../share/save-dialog.ts";
 import { copy } from "../share/share.ts";
 import { ShareDialog } from "../share/share-dialog.ts";
 import { type Engines, openEngines } from "./backend.ts";
@@ -166,11 +167,12 @@ class Page {
   #listen(): void {
     elements.dice.addEventListener("click", () => this.#throwDice());
     elements.reset.addEventListener("click", () => this.#open(`seed=${encodeURIComponent(this.#recipe.seed)}`));
-    const downloads = new Downloads(elements, this.#recipe, {
+    const downloads = new Downloads(this.#recipe, {
       make: (link, format) => this.#viewport.file(link, format),
       failed: (error) => this.#fail(error),
     });
-    new ShareDialog(elements.sharing, this.#recipe, (say) => void downloads.save("png", say));
+    new SaveDialog(elements.saving, this.#recipe, downloads, () => localStorage);
+    new ShareDialog(elements.sharing, this.#recipe, downloads);
     elements.copy.addEventListener("click", () => void this.#copyLink());
     // What stands over the bar begins where it ends.
     new ResizeObserver(() => {

@@ -2,7 +2,7 @@
 
 import type { FullCore, FullRiver } from "../engine/full.ts";
 import { askChartForFile } from "./chart-maker.ts";
-import { drawn, encoded, finished, inSlices, LONG_SIDE_PX, type Painting, pngOf, svgOf } from "./files.ts";
+import { drawn, encoded, finished, inSlices, LONG_SIDE_PX, type Painting, svgOf } from "./files.ts";
 import type { Format } from "./format-names.ts";
 import { contentsOf, packed } from "./game-pack.ts";
 
@@ -10,7 +10,6 @@ import { contentsOf, packed } from "./game-pack.ts";
 export type FileCore = FullCore & Painting;
 
 const FORMATS: Record<Format, (river: FullRiver, core: FileCore) => Promise<Blob>> = {
-  png: (river, core) => pngOf(river, core, LONG_SIDE_PX),
   svg: svgOf,
   geojson: (river, core) =>
     raised(river, async () => text(river.geojson(await namesOf(river, core)), "application/geo+json")),

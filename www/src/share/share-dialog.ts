@@ -3,7 +3,9 @@
 import { addressOf } from "../browser/address.ts";
 import { el } from "../browser/dom.ts";
 import type { Recipe } from "../engine/recipe.ts";
-import { copy, fileName } from "./share.ts";
+import type { Downloads } from "./downloads.ts";
+import { type Choices, FIRST } from "./save-choices.ts";
+import { copy } from "./share.ts";
 import { elementSnippet, iframeSnippet, markdownSnippet, type Shared } from "./snippets.ts";
 
 export interface ShareElements {
@@ -17,17 +19,19 @@ export interface ShareElements {
   status: HTMLElement;
 }
 
-/** Saves the picture of what is shown, and says how it goes. */
-export type SavePicture = (say: (text: string) => void) => void;
-
 interface Form {
   name: string;
   /** What it is for. */
   help: string;
-  text(shared: Shared): string;
+  /** `picture` is the name that its picture is saved as. */
+  text(shared: Shared, picture: string): string;
   /** Whether it names a picture, which is to be saved. */
   takesPicture?: boolean;
 }
+
+/** What is saved from here: the map as a screen shows it, and its card. */
+const PICTURE: Choices = { ...FIRST, kind: "png", size: "screen" };
+const CARD: Choices = { ...FIRST, kind: "card" };
 
 const LINK: Form = {
   name: "link",
@@ -40,7 +44,7 @@ const ELEMENT: Form = {
   help:
     "Grows the rivers within your own page, where it may load scripts. For several, the first line is needed once. Save the " +
     "picture beside your text: it is seen until the rivers come, and where they cannot.",
-  text: (shared) => elementSnippet(shared, pictureOf(shared)),
+  text: elementSnippet,
   takesPicture: true,
 };
 
@@ -53,14 +57,9 @@ const IFRAME: Form = {
 const MARKDOWN: Form = {
   name: "Markdown",
   help: "A still picture that leads here, for a README or a forum. Save the picture beside your text.",
-  text: (shared) => markdownSnippet(shared, pictureOf(shared)),
+  text: markdownSnippet,
   takesPicture: true,
 };
-
-/** Under the name that the browser saves it as. */
-function pictureOf({ seed }: Shared): string {
-  return fileName(seed, "png");
-}
 
 export class ShareDialog {
   readonly #boxes = new Map<Form, HTMLTextAreaElement>();
@@ -68,17 +67,22 @@ export class ShareDialog {
   constructor(
     private readonly elements: ShareElements,
     private readonly recipe: Recipe,
-    private readonly savePicture: SavePicture,
+    private readonly downloads: Downloads,
   ) {
-    elements.forms.replaceChildren(...[LINK, ELEMENT, IFRAME, MARKDOWN].map((form) => this.#section(form)));
+    const forms = [LINK, ELEMENT, IFRAME, MARKDOWN].map((form) => this.#section(form));
+    elements.forms.replaceChildren(...forms, this.#card());
     elements.open.addEventListener("click", () => this.#open());
     elements.close.addEventListener("click", () => elements.dialog.close());
   }
 
   #saveButton(): HTMLButtonElement {
     const save = el("button", { type: "button" }, "Save picture");
-    save.addEventListener("click", () => this.savePicture((text) => this.#say(text)));
+    save.addEventListener("click", () => void this.#save(PICTURE));
     return save;
+  }
+
+  async #save(choice: Choices): Promise<void> {
+    await this.downloads.save(choice, { say: (text) => this.#say(text), at: () => {} });
   }
 
   #section(form: Form): HTMLElement {
@@ -108,9 +112,26 @@ export class ShareDialog {
   #open(): void {
     const { link, seed, values, widgetNotices } = this.recipe;
     const shared = { link, seed, aspect: values.get("aspect") ?? "", page: location.href };
-    for (const [form, box] of this.#boxes) box.value = form.text(shared);
+    const picture = this.downloads.nameOf(PICTURE);
+    for (const [form, box] of this.#boxes) box.value = form.text(shared, picture);
     this.#say(promiseFor(widgetNotices));
     this.elements.dialog.showModal();
+  }
+
+  /** No form of a link: what social networks show of one is the same for all of this page. */
+  #card(): HTMLElement {
+    const save = el("button", { type: "button" }, "Save card");
+    save.addEventListener("click", () => void this.#save(CARD));
+    const help =
+      "A picture of 1200 × 630 with the map’s title, to post beside the link: a link by itself shows this page's picture, " +
+      "since only a server could make one for each map.";
+    return el(
+      "section",
+      {},
+      el("h3", {}, "Card"),
+      el("p", { class: "help" }, help),
+      el("div", { class: "actions" }, save),
+    );
   }
 
   async #copy({ name }: Form, box: HTMLTextAreaElement): Promise<void> {

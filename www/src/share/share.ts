@@ -2,12 +2,6 @@
 
 import { el } from "../browser/dom.ts";
 
-/** A file name from a seed: letters and digits of any script, the rest as hyphens. */
-export function fileName(seed: string, ending: string): string {
-  const word = seed.replace(/[^\p{L}\p{N}]+/gu, "-").replace(/^-|-$/g, "");
-  return word === "" ? `riverseed.${ending}` : `riverseed-${word}.${ending}`;
-}
-
 export function save(blob: Blob, name: string): void {
   const url = URL.createObjectURL(blob);
   el("a", { href: url, download: name }).click();

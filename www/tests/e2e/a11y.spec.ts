@@ -15,9 +15,10 @@ for (const colorScheme of ["light", "dark"] as const) {
       expect(await violations(page)).toEqual([]);
       await page.keyboard.press("Escape");
       await unfold(page);
-      await page.getByRole("button", { name: "Save" }).click();
-      await expect(page.getByRole("menu")).toBeVisible();
+      await page.getByRole("button", { name: "Save", exact: true }).click();
+      await expect(page.getByRole("dialog")).toBeVisible();
       expect(await violations(page)).toEqual([]);
+      await page.keyboard.press("Escape");
       await page.getByRole("button", { name: "Share" }).click();
       await expect(page.getByRole("dialog")).toBeVisible();
       expect(await violations(page)).toEqual([]);

@@ -1,10 +1,11 @@
-import { expect, type Page, test } from "@playwright/test";
+import { expect, test } from "@playwright/test";
 import { decode } from "fast-png";
 import { strFromU8, unzipSync } from "fflate";
 import { namesOf } from "../charts.ts";
 import { pictureOf } from "../core.ts";
 import { full } from "../full.ts";
 import { complaints, countCalls, openFinished, openStopped, ownClock, stopClock } from "./riverpage.ts";
+import { bytesOf, choose, download, saveButton } from "./saving.ts";
 
 const LINK = "seed=puriri&attractors=300";
 /** The same on a plain rectangle, whose rivers run south, for long enough to leave lakes. */
@@ -15,33 +16,12 @@ interface Feature {
   properties: { kind: string; parent?: number | null };
 }
 
-/** Chooses a format from the menu; the file with its name. */
-async function download(page: Page, format: string): Promise<{ name: string; bytes: Buffer }> {
-  await page.getByRole("button", { name: "Save" }).click();
-  const [download] = await Promise.all([
-    page.waitForEvent("download"),
-    page.getByRole("menuitem", { name: new RegExp(`^${format} `) }).click(),
-  ]);
-  const chunks: Buffer[] = [];
-  for await (const chunk of await download.createReadStream()) chunks.push(chunk);
-  return { name: download.suggestedFilename(), bytes: Buffer.concat(chunks) };
-}
-
-test("the picture is saved as a large PNG under the seed's name", async ({ page }) => {
-  await openFinished(page, LINK);
-  const { name, bytes } = await download(page, "PNG");
-  expect(name).toBe("riverseed-puriri.png");
-  expect(bytes.subarray(1, 4).toString("latin1")).toBe("PNG");
-  expect([bytes.readUInt32BE(16), bytes.readUInt32BE(20)]).toEqual([3000, 1875]);
-  await expect(page.locator("#shared")).toHaveText("riverseed-puriri.png is in your downloads.");
-});
-
 for (const style of ["ink", "dark", "atlas", "night", "skeleton"]) {
   test(`an SVG, shown by a browser, is the picture of the page: ${style}`, async ({ page }) => {
     const said = complaints(page);
     await openFinished(page, `${LINK}&aspect=1.5&land=island&style=${style}`);
-    const { name, bytes } = await download(page, "SVG");
-    expect(name).toBe("riverseed-puriri.svg");
+    const { name, bytes } = await download(page, "Drawing");
+    expect(name).toBe(`puriri-${style}.svg`);
     const seen = await page.evaluate(async (source) => {
       const image = new Image();
       image.src = `data:image/svg+xml;base64,${source}`;
@@ -88,8 +68,8 @@ function plain(value: object): object {
 
 test("GeoJSON holds every river and lake, with the north up", async ({ page }) => {
   await openFinished(page, PLAIN);
-  const { name, bytes } = await download(page, "GeoJSON");
-  expect(name).toBe("riverseed-puriri.geojson");
+  const { name, bytes } = await download(page, "Map data");
+  expect(name).toBe("puriri.geojson");
   const file = JSON.parse(bytes.toString("utf8"));
   expect(file).toEqual(written(PLAIN).geojson);
   const { sources, mouths } = pictureOf(PLAIN, 16, 16).summary;
@@ -108,8 +88,8 @@ test("GeoJSON holds every river and lake, with the north up", async ({ page }) =
 
 test("JSON holds the whole network", async ({ page }) => {
   await openFinished(page, PLAIN);
-  const { name, bytes } = await download(page, "JSON");
-  expect(name).toBe("riverseed-puriri.json");
+  const { name, bytes } = await download(page, "Network");
+  expect(name).toBe("puriri.json");
   const file = JSON.parse(bytes.toString("utf8"));
   expect(file).toEqual(written(PLAIN).network);
   expect(Object.keys(file)).toEqual([
@@ -133,7 +113,7 @@ test("the game pack holds rasters, rivers, the picture and a text", async ({ pag
   const said = complaints(page);
   await openFinished(page, LINK);
   const { name, bytes } = await download(page, "Game pack");
-  expect(name).toBe("riverseed-puriri.zip");
+  expect(name).toBe("puriri-ink.zip");
   const files = unzipSync(new Uint8Array(bytes));
   const heights = decode(files["heights.png"] ?? new Uint8Array());
   expect([heights.depth, heights.channels]).toEqual([16, 1]);
@@ -146,14 +126,14 @@ test("the game pack holds rasters, rivers, the picture and a text", async ({ pag
 test("a file can be had before the picture is finished, and is of the finished rivers", async ({ page }) => {
   await ownClock(page);
   await openFinished(page, LINK);
-  const { bytes } = await download(page, "GeoJSON");
+  const { bytes } = await download(page, "Map data");
   await stopClock(page);
   await page.getByRole("button", { name: "Replay" }).click();
   await page.getByRole("button", { name: "Pause" }).click();
   await page.clock.resume();
   await expect(page.locator("#frame")).toHaveAttribute("data-state", "paused");
   const shown = await page.locator("#caption").textContent();
-  expect((await download(page, "GeoJSON")).bytes.equals(bytes)).toBe(true);
+  expect((await download(page, "Map data")).bytes.equals(bytes)).toBe(true);
   // The rivers on show are left as they are.
   await expect(page.locator("#frame")).toHaveAttribute("data-state", "paused");
   expect(await page.locator("#caption").textContent()).toBe(shown);
@@ -161,7 +141,7 @@ test("a file can be had before the picture is finished, and is of the finished r
   await expect(page.locator("#frame")).toHaveAttribute("data-state", "finished");
 });
 
-test("for files of finished rivers nothing is fetched but what names them, once, and nothing grown again", async ({
+test("for data and shapes of finished rivers nothing is fetched but what names them, once, and nothing grown again", async ({
   page,
 }) => {
   const planted = await countCalls(page, "river_new");
@@ -172,7 +152,7 @@ test("for files of finished rivers nothing is fetched but what names them, once,
   const fetched: string[] = [];
   page.on("request", (request) => fetched.push(request.url()));
   const { inWorker: before } = await advanced();
-  const formats = ["PNG", "SVG", "GeoJSON", "JSON", "Game pack"];
+  const formats = ["Drawing", "Map data", "Network", "Game pack"];
   for (const format of formats) await download(page, format);
   expect(await planted()).toEqual({ onPage: 0, inWorker: 1 });
   // Each is asked once whether there is more to do.
@@ -188,48 +168,15 @@ test("a file is of what the page showed when it was asked for, whatever is on th
   await seed.fill("rimu");
   await seed.press("Enter");
   await expect(page.locator("#title")).toHaveText("rimu");
-  await page.getByRole("button", { name: "Save" }).click();
+  await choose(page, "Network");
   const coming = page.waitForEvent("download");
-  await page.getByRole("menuitem", { name: /^JSON / }).click();
+  await saveButton(page).click();
+  await page.keyboard.press("Escape");
   await seed.fill("miro");
   await seed.press("Enter");
   await page.clock.resume();
   const file = await coming;
-  expect(file.suggestedFilename()).toBe("riverseed-rimu.json");
-  const chunks: Buffer[] = [];
-  for await (const chunk of await file.createReadStream()) chunks.push(chunk);
+  expect(file.suggestedFilename()).toBe("rimu.json");
   const expected = written(LINK.replace("puriri", "rimu")).network;
-  expect(JSON.parse(Buffer.concat(chunks).toString("utf8"))).toEqual(expected);
-});
-
-test("the menu is used by keys, and gives the focus back", async ({ page }) => {
-  await openFinished(page, LINK);
-  const button = page.getByRole("button", { name: "Save" });
-  const item = (name: string) => page.getByRole("menuitem", { name: new RegExp(`^${name} `) });
-  await button.focus();
-  await page.keyboard.press("Enter");
-  await expect(button).toHaveAttribute("aria-expanded", "true");
-  await expect(item("PNG")).toBeFocused();
-  await page.keyboard.press("ArrowUp");
-  await expect(item("Game pack")).toBeFocused();
-  await page.keyboard.press("ArrowDown");
-  await page.keyboard.press("ArrowDown");
-  await expect(item("SVG")).toBeFocused();
-  await page.keyboard.press("End");
-  await expect(item("Game pack")).toBeFocused();
-  await page.keyboard.press("Escape");
-  await expect(button).toBeFocused();
-  await expect(page.getByRole("menu")).toBeHidden();
-  await page.keyboard.press("ArrowUp");
-  await expect(item("Game pack")).toBeFocused();
-  await page.keyboard.press("Tab");
-  await expect(page.getByRole("menu")).toBeHidden();
-  await button.click();
-  await page.locator("#frame").click({ position: { x: 300, y: 200 } });
-  await expect(page.getByRole("menu")).toBeHidden();
-  await button.focus();
-  await page.keyboard.press("ArrowDown");
-  const [download] = await Promise.all([page.waitForEvent("download"), page.keyboard.press("Enter")]);
-  expect(download.suggestedFilename()).toBe("riverseed-puriri.png");
-  await expect(button).toBeFocused();
+  expect(JSON.parse((await bytesOf(file)).toString("utf8"))).toEqual(expected);
 });

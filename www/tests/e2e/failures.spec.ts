@@ -1,5 +1,6 @@
 import { expect, type Page, test } from "@playwright/test";
 import { beforehand, everywhere, finished, openStopped, unfold } from "./riverpage.ts";
+import { download } from "./saving.ts";
 
 async function expectFailure(page: Page, code: string, advice: RegExp): Promise<void> {
   const failure = page.getByRole("alert");
@@ -186,9 +187,7 @@ test("a panic on a slider's change leaves advice, not a frozen page", async ({ p
 
 test("after a panic the rivers can still be had as a file", async ({ page }) => {
   await panicOnASlider(page);
-  await page.getByRole("button", { name: "Save" }).click();
-  await page.getByRole("menuitem", { name: /^SVG / }).click();
-  await expect(page.locator("#shared")).toContainText(".svg is in your downloads");
+  for (const kind of ["Drawing", "Picture"]) await download(page, kind);
 });
 
 test("a panic while a link is read leaves advice, not a dead page", async ({ page }) => {

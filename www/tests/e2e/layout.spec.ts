@@ -34,7 +34,7 @@ for (const [width, height] of [
   });
 }
 
-/** What is seen and stands out of the window sideways, or can be scrolled sideways; of menus and dialogs, upward and downward too. */
+/** What is seen and stands out of the window sideways, or can be scrolled sideways; of dialogs, upward and downward too. */
 function outside(page: Page): Promise<string[]> {
   return page.evaluate(() => {
     const named = (element: Element): string => element.outerHTML.slice(0, 120);
@@ -49,7 +49,7 @@ function outside(page: Page): Promise<string[]> {
       return left < -0.5 || right > innerWidth + 0.5;
     });
     const cut = seen.filter((element) => {
-      if (!element.matches("[role=menu], dialog, #notices")) return false;
+      if (!element.matches("dialog, #notices")) return false;
       const { top, bottom } = element.getBoundingClientRect();
       return top < -0.5 || bottom > innerHeight + 0.5;
     });

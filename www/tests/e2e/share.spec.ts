@@ -72,7 +72,7 @@ for (const [name, before, after] of [
       section.getByRole("button", { name: "Save picture" }).click(),
     ]);
     expect(text).toContain(before + download.suggestedFilename() + after);
-    await expect(sharing(page).getByRole("status")).toHaveText("riverseed-kowhai.png is in your downloads.");
+    await expect(sharing(page).getByRole("status")).toHaveText("kowhai-atlas-2000.png is in your downloads.");
   });
 }
 

@@ -13,11 +13,12 @@ export const OPENED: Record<string, (page: Page) => Promise<void>> = {
     await openPanel(page);
     await unfold(page);
   },
-  "with its menu open": async (page) => {
-    await page.getByRole("button", { name: "Save" }).click();
-    await expect(page.getByRole("menu")).toBeVisible();
+  "with the Save dialog open": async (page) => {
+    await page.getByRole("button", { name: "Save", exact: true }).click();
+    await expect(page.getByRole("dialog")).toBeVisible();
   },
   "with the Share dialog open": async (page) => {
+    await page.keyboard.press("Escape");
     await page.getByRole("button", { name: "Share", exact: true }).click();
     await expect(page.getByRole("dialog")).toBeVisible();
   },

@@ -4,7 +4,6 @@ import { count } from "../../src/browser/count.ts";
 import { linesOf } from "../../src/digest/lines.ts";
 import { speedName } from "../../src/page/transport.ts";
 import { alternative, caption, remainderOf, sentence } from "../../src/player/summary-text.ts";
-import { fileName } from "../../src/share/share.ts";
 import { engine } from "../core.ts";
 
 const summary = {
@@ -83,13 +82,6 @@ test("the caption has two lines in every state", () => {
   expect(caption("paused", "meandering", oxbows)[0]).toBe("Paused while meandering");
   expect(caption("finished", "finished", summary)).toEqual(["1 river, 210 sources, Strahler order 5", ""]);
   expect(caption("finished", "finished", { ...summary, stopped: "Too wide." })[1]).toBe("Too wide.");
-});
-
-test("a file is named after its seed, in any script, and after nothing else", () => {
-  expect(fileName("kauri", "png")).toBe("riverseed-kauri.png");
-  expect(fileName("../../etc/passwd", "svg")).toBe("riverseed-etc-passwd.svg");
-  expect(fileName("Ōtākaro 2", "geojson")).toBe("riverseed-Ōtākaro-2.geojson");
-  expect(fileName("!?", "json")).toBe("riverseed.json");
 });
 
 test("a canvas has the screen's pixels, up to two a CSS pixel and four million in all", () => {

@@ -1,0 +1,126 @@
+//! A picture without its ground, to be laid over something else: without the sea, or, of a style that draws nothing but lines, without its paper.
+
+use tiny_skia::Pixmap;
+
+use super::chart::{ChartMasks, SparseMask};
+use super::palette::{Colour, Palette};
+use super::styles::labels::label_look;
+use super::styles::palette;
+use crate::recipe::Style;
+
+/// How opaque a pixel is that is covered all over.
+const WHOLE: f32 = 255.0;
+
+/// Gives the pixels of a painted picture an opacity, by which their colours are not multiplied. `ground` is flat, and says how far rivers show on
+/// it: on land and its coast. Without one, all is plain land.
+pub(super) fn cut_out(pixmap: &mut Pixmap, ground: Option<&[[u8; 4]]>, chart: Option<&ChartMasks>, style: Style) {
+    let (look, pixels) = (palette(style), pixmap.data_mut().as_chunks_mut::<4>().0);
+    let open = |i: usize| ground.map_or(255, |ground| ground[i][3]);
+    if is_of_lines(look) {
+        for (i, pixel) in pixels.iter_mut().enumerate() {
+            let paper = if open(i) < 128 { look.deep } else { look.plain };
+            *pixel = lifted(opaque_part(*pixel), paper, covered(opaque_part(*pixel), paper, look.river));
+        }
+        return;
+    }
+    for (i, pixel) in pixels.iter_mut().enumerate() {
+        *pixel = lifted(opaque_part(*pixel), look.shallows, open(i));
+    }
+    if let Some(chart) = chart {
+        lay(chart, style, pixels);
+    }
+}
+
+/// Whether a style has nothing but lines on paper.
+fn is_of_lines(look: &Palette) -> bool {
+    look.relief.is_none() && look.beds.is_none()
+}
+
+fn opaque_part([red, green, blue, _]: [u8; 4]) -> Colour {
+    [red, green, blue]
+}
+
+/// How much ink covers a pixel of paper, in 255ths: how far its colour has come from that of the paper to that of the ink.
+fn covered(pixel: Colour, paper: Colour, ink: Colour) -> u8 {
+    let (mut way, mut whole) = (0.0, 0.0);
+    for i in 0..3 {
+        let [pixel, paper, ink] = [pixel, paper, ink].map(|colour| f32::from(colour[i]));
+        way += (pixel - paper) * (ink - paper);
+        whole += (ink - paper) * (ink - paper);
+    }
+    // A conversion makes 0 of what is less, and 255 of what is more.
+    (way / whole * WHOLE + 0.5) as u8
+}
+
+/// What is left of a pixel when a ground is taken from under it, of which so much was covered: over that ground it would look as before.
+fn lifted(pixel: Colour, ground: Colour, covered: u8) -> [u8; 4] {
+    if covered == 0 {
+        return [0; 4];
+    }
+    let bare = WHOLE - f32::from(covered);
+    let part = |i: usize| (f32::from(pixel[i]) * WHOLE - f32::from(ground[i]) * bare) / f32::from(covered);
+    let [red, green, blue] = [0, 1, 2].map(|i| (part(i) + 0.5) as u8);
+    [red, green, blue, covered]
+}
+
+/// Lays type over what has no ground: on land it is there already.
+fn lay(chart: &ChartMasks, style: Style, pixels: &mut [[u8; 4]]) {
+    let mut lay = |layer: &SparseMask, colour: Colour, strength: f32| {
+        for (i, share) in layer.pixels() {
+            match pixels.get_mut(i) {
+                Some(pixel) if pixel[3] < 255 => {
+                    *pixel = laid_over(*pixel, colour, f32::from(share) / WHOLE * strength)
+                }
+                Some(_) => {}
+                None => return,
+            }
+        }
+    };
+    let letters = label_look(style);
+    if let Some((colour, strength)) = letters.under(true) {
+        lay(&chart.panel, colour, strength);
+    }
+    lay(&chart.letters, letters.ink, 1.0);
+    lay(&chart.marks, letters.mark, 1.0);
+}
+
+/// A pixel with an opacity, and a share of a colour over it.
+fn laid_over(pixel: [u8; 4], colour: Colour, share: f32) -> [u8; 4] {
+    let under = f32::from(pixel[3]) / WHOLE * (1.0 - share);
+    let whole = share + under;
+    if whole <= 0.0 {
+        return pixel;
+    }
+    let part = |i: usize| (f32::from(colour[i]) * share + f32::from(pixel[i]) * under) / whole;
+    let [red, green, blue] = [0, 1, 2].map(|i| (part(i) + 0.5) as u8);
+    [red, green, blue, (whole * WHOLE + 0.5) as u8]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::paint::palette::over;
+
+    #[test]
+    fn what_is_lifted_off_a_ground_looks_the_same_when_it_is_laid_back() {
+        let (paper, ink) = ([0xf6, 0xf0, 0xe2], [0x1f, 0x3f, 0x66]);
+        for coverage in 0..=255 {
+            let [red, green, blue, _] = over(paper, ink, coverage);
+            let pixel = [red, green, blue];
+            let lifted = lifted(pixel, paper, covered(pixel, paper, ink));
+            let [red, green, blue, opacity] = lifted;
+            assert!(u32::from(opacity).abs_diff(coverage) <= 1, "{opacity}, not {coverage}");
+            let [back @ .., _] = over(paper, [red, green, blue], u32::from(opacity));
+            assert!((0..3).all(|i| back[i].abs_diff(pixel[i]) <= 1), "{coverage}: {back:?}, not {pixel:?}");
+        }
+    }
+
+    #[test]
+    fn letters_cover_nothing_or_all_of_what_has_no_ground() {
+        let bare = [0; 4];
+        assert_eq!(laid_over(bare, [10, 20, 30], 1.0), [10, 20, 30, 255]);
+        assert_eq!(laid_over(bare, [10, 20, 30], 0.5), [10, 20, 30, 128]);
+        assert_eq!(laid_over(bare, [10, 20, 30], 0.0), bare);
+        assert_eq!(laid_over([200, 200, 200, 128], [0, 0, 0], 1.0), [0, 0, 0, 255]);
+    }
+}

@@ -1,0 +1,193 @@
+/**
+ * The growth as a video, by the browser's own encoder. Its frames are those of the river's own steps, whatever the clock says: growth, quick at
+ * first, then the bends, then the finished map.
+ */
+
+import {
+  BufferTarget,
+  canEncodeVideo,
+  Mp4OutputFormat,
+  Output,
+  type OutputFormat,
+  QUALITY_HIGH,
+  type VideoCodec,
+  VideoSample,
+  VideoSampleSource,
+  WebMOutputFormat,
+} from "mediabunny";
+import { PageError } from "../engine/errors.ts";
+import type { FullRiver } from "../engine/full.ts";
+import { type Course, inSteps, partOf } from "./course.ts";
+import { type MakerCore, paint } from "./painting.ts";
+
+/** The longer side, in pixels, and frames to the second. */
+const LONGER_SIDE = 1200;
+const RATE = 30;
+
+/** How many frames each part has: six seconds in all. */
+const FRAMES = { growing: 105, meandering: 30, fading: 15, finished: 30 } as const;
+
+/** How far each phase is, at a share of its time. Of young rivers most is trimmed again, so that little is seen of the first third of growth. */
+const PACES = { growing: Math.sqrt, meandering: (share: number) => share } as const;
+
+/** By when each part is over, as a share of the whole. */
+const SHARES = { growing: 0.55, meandering: 0.75, finishing: 0.8 } as const;
+
+/** What browsers can encode, what is played in most places first. */
+const CODECS: readonly (readonly [codec: VideoCodec, container: () => OutputFormat])[] = [
+  ["avc", () => new Mp4OutputFormat()],
+  ["vp9", () => new WebMOutputFormat()],
+  ["vp8", () => new WebMOutputFormat()],
+  ["av1", () => new WebMOutputFormat()],
+];
+
+export async function animationOf(link: string, core: MakerCore, course: Course): Promise<Blob> {
+  const river = new core.engine.River(link);
+  try {
+    const [width = 0, height = 0] = [...river.sidesFor(LONGER_SIDE)].map(even);
+    river.resize(width, height);
+    return await filmed(new Scenes(river, core, await Video.begin(width, height)), course);
+  } finally {
+    river.free();
+  }
+}
+
+async function filmed(scenes: Scenes, course: Course): Promise<Blob> {
+  try {
+    await scenes.film("growing", partOf(course, 0, SHARES.growing));
+    // Rivers are made of the tree: nothing is to be seen of that.
+    await scenes.skip("shaping", course);
+    await scenes.film("meandering", partOf(course, SHARES.growing, SHARES.meandering));
+    await scenes.finish(partOf(course, SHARES.meandering, SHARES.finishing), partOf(course, SHARES.finishing, 1));
+    return await scenes.video.end();
+  } catch (error) {
+    await scenes.video.cancel();
+    throw error;
+  }
+}
+
+/** Encoders take even sides only. */
+function even(length: number): number {
+  return Math.max(2, 2 * Math.round(length / 2));
+}
+
+/** What is filmed. */
+class Scenes {
+  constructor(
+    private readonly river: FullRiver,
+    private readonly core: MakerCore,
+    readonly video: Video,
+  ) {}
+
+  /** A phase, frame by frame; nothing if the river has none such. */
+  async film(phase: keyof typeof PACES, course: Course): Promise<void> {
+    const { river } = this;
+    const frames = FRAMES[phase];
+    for (let frame = 1; frame <= frames && river.phase === phase; frame++) {
+      const wanted = PACES[phase](frame / frames);
+      const isBefore = (): boolean => river.phase === phase && (frame === frames || river.progress < wanted);
+      await inSteps(
+        course,
+        () => isBefore() && river.advance(1),
+        () => frame / frames,
+      );
+      await this.#shoot(course);
+      course.tell(frame / frames);
+    }
+  }
+
+  async skip(phase: FullRiver["phase"], course: Course): Promise<void> {
+    const { river } = this;
+    await inSteps(
+      course,
+      () => river.phase === phase && river.advance(1),
+      () => SHARES.growing,
+    );
+  }
+
+  /** From rivers to the finished map, which fades in and stays. */
+  async finish(making: Course, showing: Course): Promise<void> {
+    const { river, core, video } = this;
+    const before = this.#pixels();
+    await inSteps(
+      making,
+      () => river.advance(1),
+      () => 0,
+    );
+    await paint(river, core, making);
+    const after = this.#pixels();
+    const frames = FRAMES.fading + FRAMES.finished;
+    for (let frame = 1; frame <= frames; frame++) {
+      await video.add(frame < FRAMES.fading ? mixed(before, after, frame / FRAMES.fading) : after);
+      showing.tell(frame / frames);
+      await showing.pause();
+    }
+  }
+
+  async #shoot(course: Course): Promise<void> {
+    while (this.river.paint());
+    await this.video.add(this.#pixels());
+    await course.pause();
+  }
+
+  #pixels(): Uint8Array {
+    const { river, core } = this;
+    return new Uint8Array(core.memory.buffer, river.pixelsPointer(), river.pixelsLength()).slice();
+  }
+}
+
+/** A picture on its way to another. */
+function mixed(from: Uint8Array, to: Uint8Array, share: number): Uint8Array {
+  return from.map((value, i) => value + ((to[i] ?? 0) - value) * share);
+}
+
+/** A video in the making. */
+class Video {
+  #frames = 0;
+
+  private constructor(
+    private readonly output: Output,
+    private readonly target: BufferTarget,
+    private readonly source: VideoSampleSource,
+    private readonly size: { codedWidth: number; codedHeight: number },
+  ) {}
+
+  static async begin(width: number, height: number): Promise<Video> {
+    const [codec, format] = await encodable(width, height);
+    const target = new BufferTarget();
+    const output = new Output({ format, target });
+    const source = new VideoSampleSource({ codec, quality: QUALITY_HIGH });
+    output.addVideoTrack(source, { frameRate: RATE });
+    await output.start();
+    return new Video(output, target, source, { codedWidth: width, codedHeight: height });
+  }
+
+  async add(pixels: Uint8Array): Promise<void> {
+    const times = { timestamp: this.#frames++ / RATE, duration: 1 / RATE };
+    const sample = new VideoSample(pixels, { format: "RGBX", ...this.size, ...times });
+    try {
+      await this.source.add(sample);
+    } finally {
+      sample.close();
+    }
+  }
+
+  async end(): Promise<Blob> {
+    await this.output.finalize();
+    const { buffer } = this.target;
+    if (!buffer) throw new PageError("unknown", "the browser's encoder gave no video");
+    return new Blob([buffer], { type: this.output.format.mimeType });
+  }
+
+  async cancel(): Promise<void> {
+    await this.output.cancel().catch(() => {});
+  }
+}
+
+/** The first of what the browser can encode at this size. */
+async function encodable(width: number, height: number): Promise<[VideoCodec, OutputFormat]> {
+  for (const [codec, container] of CODECS)
+    if (await canEncodeVideo(codec, { width, height, quality: QUALITY_HIGH })) return [codec, container()];
+  const tried = "H.264, VP9, VP8 or AV1";
+  throw new PageError("unknown", `this browser encodes no video of ${width} × ${height} pixels, as ${tried}`);
+}

@@ -1,0 +1,45 @@
+/** How the making of a file goes on: in steps, between which it is told how far it is, and others have their turn. */
+
+import type { FullRiver } from "../engine/full.ts";
+
+/** Of one file. */
+export interface Course {
+  /** How far it is, from 0 to 1. */
+  tell(share: number): void;
+  /** Lets others have their turn. Throws once the file is no longer wanted. */
+  pause(): Promise<void>;
+}
+
+/** A part of a course, between two shares of it. */
+export function partOf(course: Course, from: number, to: number): Course {
+  return { tell: (share) => course.tell(from + (to - from) * share), pause: () => course.pause() };
+}
+
+/** What is done between two pauses: less than anybody notices. */
+const SLICE_MS = 12;
+
+/** Takes steps, each of which says whether there are more, and then how far they have come. */
+export async function inSteps(course: Course, step: () => boolean, share: () => number): Promise<void> {
+  let end = performance.now() + SLICE_MS;
+  while (step()) {
+    if (performance.now() < end) continue;
+    course.tell(share());
+    await course.pause();
+    end = performance.now() + SLICE_MS;
+  }
+}
+
+/** By when each phase is over, as a share of growing. */
+const OVER = { growing: 0.6, shaping: 0.65, meandering: 0.8, relief: 1, finished: 1 } as const;
+
+/** Takes a river to its end. */
+export function grow(river: FullRiver, course: Course): Promise<void> {
+  let before = 0;
+  const share = (): number => {
+    const over = OVER[river.phase];
+    const earlier = Math.max(0, ...Object.values(OVER).filter((other) => other < over));
+    before = Math.max(before, earlier + (over - earlier) * river.progress);
+    return before;
+  };
+  return inSteps(course, () => river.advance(1), share);
+}

@@ -1,0 +1,188 @@
+/**
+ * PNG, written some rows at a time: a canvas of the greatest pictures is more than many browsers give, some browsers change a canvas's pixels
+ * by a little when they are read, and none says how far it is.
+ */
+
+import type { Course } from "./course.ts";
+
+export interface PngImage {
+  width: number;
+  height: number;
+  /** RGBA pixels of some rows; they may be gone when the next are asked for. */
+  rows(first: number, count: number): Uint8Array;
+  /** Whether pixels have an opacity. */
+  isTransparent: boolean;
+  /** Texts by keyword, in Latin letters. */
+  texts: Readonly<Record<string, string>>;
+}
+
+/** About how many bytes of rows are written at a time. */
+const BAND_BYTES = 1 << 19;
+
+const SIGNATURE = new Uint8Array([137, 80, 78, 71, 13, 10, 26, 10]);
+
+export async function pngOf(image: PngImage, course: Course): Promise<Blob> {
+  const { width, height, isTransparent, texts } = image;
+  const parts: BlobPart[] = [SIGNATURE, ...chunk("IHDR", header(width, height, isTransparent))];
+  for (const [keyword, text] of Object.entries(texts)) parts.push(...chunk("tEXt", latin(`${keyword}\0${text}`)));
+  const zlib = new CompressionStream("deflate");
+  const packing = collect(zlib.readable, (bytes) => parts.push(...chunk("IDAT", bytes)));
+  await Promise.all([filter(image, zlib.writable, course), packing]);
+  parts.push(...chunk("IEND", new Uint8Array()));
+  return new Blob(parts, { type: "image/png" });
+}
+
+/** Rows, each behind the number of its filter, into what packs them. */
+async function filter(image: PngImage, packed: WritableStream<BufferSource>, course: Course): Promise<void> {
+  const { width, height, isTransparent } = image;
+  const writer = packed.getWriter();
+  const filters = new RowFilters(width, isTransparent ? 4 : 3);
+  const most = Math.max(1, Math.floor(BAND_BYTES / (width * 4)));
+  try {
+    for (let first = 0; first < height; first += most) {
+      const count = Math.min(most, height - first);
+      await writer.ready;
+      await writer.write(filters.filtered(image.rows(first, count), count));
+      course.tell((first + count) / height);
+      await course.pause();
+    }
+    await writer.close();
+  } catch (error) {
+    await writer.abort(error).catch(() => {});
+    throw error;
+  }
+}
+
+async function collect(stream: ReadableStream<Uint8Array>, take: (bytes: Uint8Array) => void): Promise<void> {
+  const reader = stream.getReader();
+  for (;;) {
+    const { done, value } = await reader.read();
+    if (done) return;
+    take(value);
+  }
+}
+
+/** The filters of rows: each takes away what is known of a byte by those before it. */
+class RowFilters {
+  readonly #length: number;
+  #above: Uint8Array;
+  #row: Uint8Array;
+  /** A row by each filter, as the format numbers them from 1. */
+  readonly #tried: Uint8Array[];
+
+  constructor(
+    width: number,
+    private readonly channels: number,
+  ) {
+    this.#length = width * channels;
+    this.#above = new Uint8Array(this.#length);
+    this.#row = new Uint8Array(this.#length);
+    this.#tried = [1, 2, 3, 4].map(() => new Uint8Array(this.#length));
+  }
+
+  /** The rows that follow on the last, of RGBA pixels, each by the filter that leaves least. */
+  filtered(pixels: Uint8Array, count: number): Uint8Array<ArrayBuffer> {
+    const filtered = new Uint8Array((this.#length + 1) * count);
+    const bytes = pixels.length / count;
+    for (let row = 0; row < count; row++) {
+      this.#take(pixels, row * bytes);
+      const best = this.#best();
+      filtered[row * (this.#length + 1)] = best + 1;
+      filtered.set(this.#tried[best] ?? this.#row, row * (this.#length + 1) + 1);
+      [this.#above, this.#row] = [this.#row, this.#above];
+    }
+    return filtered;
+  }
+
+  #take(pixels: Uint8Array, from: number): void {
+    const row = this.#row;
+    if (this.channels === 4) {
+      row.set(pixels.subarray(from, from + this.#length));
+      return;
+    }
+    for (let to = 0, at = from; to < row.length; to += 3, at += 4) {
+      row[to] = pixels[at] ?? 0;
+      row[to + 1] = pixels[at + 1] ?? 0;
+      row[to + 2] = pixels[at + 2] ?? 0;
+    }
+  }
+
+  /** Tries all, and says which leaves the least sum: its place in the list. */
+  #best(): number {
+    const [sub, up, average, paeth] = this.#tried;
+    if (!sub || !up || !average || !paeth) return 0;
+    const [row, above, { channels }] = [this.#row, this.#above, this];
+    let [bySub, byUp, byAverage, byPaeth] = [0, 0, 0, 0];
+    for (let i = 0; i < row.length; i++) {
+      const here = row[i] ?? 0;
+      const left = i < channels ? 0 : (row[i - channels] ?? 0);
+      const upper = above[i] ?? 0;
+      const corner = i < channels ? 0 : (above[i - channels] ?? 0);
+      const afterSub = (here - left) & 255;
+      sub[i] = afterSub;
+      bySub += rest(afterSub);
+      const afterUp = (here - upper) & 255;
+      up[i] = afterUp;
+      byUp += rest(afterUp);
+      const afterAverage = (here - ((left + upper) >> 1)) & 255;
+      average[i] = afterAverage;
+      byAverage += rest(afterAverage);
+      const afterPaeth = (here - likeliest(left, upper, corner)) & 255;
+      paeth[i] = afterPaeth;
+      byPaeth += rest(afterPaeth);
+    }
+    const sums = [bySub, byUp, byAverage, byPaeth];
+    return sums.indexOf(Math.min(...sums));
+  }
+}
+
+/** How far a byte is from 0, either way. */
+function rest(byte: number): number {
+  return byte < 128 ? byte : 256 - byte;
+}
+
+/** Paeth's guess at a byte: that of its neighbours which is nearest to what their slope says. */
+function likeliest(left: number, upper: number, corner: number): number {
+  const byLeft = Math.abs(upper - corner);
+  const byUpper = Math.abs(left - corner);
+  const byCorner = Math.abs(left + upper - 2 * corner);
+  if (byLeft <= byUpper && byLeft <= byCorner) return left;
+  return byUpper <= byCorner ? upper : corner;
+}
+
+function header(width: number, height: number, isTransparent: boolean): Uint8Array<ArrayBuffer> {
+  const bytes = new Uint8Array(13);
+  const view = new DataView(bytes.buffer);
+  view.setUint32(0, width);
+  view.setUint32(4, height);
+  // Eight bits a channel, and colours with an opacity or without.
+  bytes.set([8, isTransparent ? 6 : 2], 8);
+  return bytes;
+}
+
+function latin(text: string): Uint8Array<ArrayBuffer> {
+  return Uint8Array.from(text, (letter) => letter.charCodeAt(0));
+}
+
+/** A chunk: its length and name, its bytes, and their check. */
+function chunk(name: string, bytes: Uint8Array): BlobPart[] {
+  const head = new Uint8Array(8);
+  new DataView(head.buffer).setUint32(0, bytes.length);
+  head.set(latin(name), 4);
+  const check = new Uint8Array(4);
+  new DataView(check.buffer).setUint32(0, ~crc(bytes, crc(head.subarray(4), ~0)));
+  return [head, bytes as Uint8Array<ArrayBuffer>, check];
+}
+
+/** The remainders of all bytes by the polynomial that PNG checks by. */
+const REMAINDERS = Uint32Array.from({ length: 256 }, (_, byte) => {
+  let rest = byte;
+  for (let bit = 0; bit < 8; bit++) rest = rest & 1 ? 0xedb88320 ^ (rest >>> 1) : rest >>> 1;
+  return rest;
+});
+
+function crc(bytes: Uint8Array, before: number): number {
+  let rest = before;
+  for (const byte of bytes) rest = (REMAINDERS[(rest ^ byte) & 255] ?? 0) ^ (rest >>> 8);
+  return rest;
+}
