@@ -72,4 +72,5 @@ export const elements = {
   countries: find("#countries", HTMLElement),
   presets: find("#presets", HTMLElement),
   controls: find("#controls", HTMLElement),
+  insideBefore: find(".keys", HTMLElement),
 };

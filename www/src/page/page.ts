@@ -27,11 +27,14 @@ import { ShareDialog } from "../share/share-dialog.ts";
 import { type Engines, openEngines } from "./backend.ts";
 import type { Insets } from "./camera.ts";
 import { elements } from "./elements.ts";
+import { LookInside } from "./look-inside.ts";
 import { type Named, NameList, namedOf } from "./name-list.ts";
 import { Panel } from "./panel.ts";
+import { isRiver, RiversUnderHand } from "./rivers-under-hand.ts";
 import { SeedTrail } from "./seed-trail.ts";
 import { Announcer, showFailure, showNotices, undoable } from "./status.ts";
 import { StyleStrip } from "./style-strip.ts";
+import { Track } from "./track.ts";
 import { Transport } from "./transport.ts";
 import { Undo } from "./undo.ts";
 import { RiverViewport } from "./viewport.ts";
@@ -76,6 +79,16 @@ class Page {
     names: () => this.#names(),
     rename: (mark, name) => void this.#rename(mark, name),
   });
+  readonly #underHand = new RiversUnderHand(
+    { ...elements, stage: elements.drawing.stage },
+    {
+      river: (place) => this.#viewport.river(place),
+      greatest: async () => (await this.#names()).map(({ mark }) => mark).filter(isRiver),
+      covered,
+    },
+  );
+  readonly #inside = new LookInside(elements, { overlay: (name) => this.#viewport.overlay(name) });
+  readonly #track = new Track(elements.bar, { making: (to) => this.#viewport.making(to) });
   readonly #announcer = new Announcer(elements.announcement);
   /** What the last presets changed unasked, and the recipe from before them, to which Undo leads back. */
   #presetUndo: { message: string; link: string; values: ReadonlyMap<string, string> } | undefined;
@@ -331,6 +344,9 @@ class Page {
     elements.facade.hidden = true;
     this.#transport.show(state);
     elements.frame.dataset["state"] = state;
+    this.#underHand.follow(state);
+    this.#inside.follow(state, summary.growth);
+    void this.#track.follow();
     elements.frame.dataset["phase"] = phase;
     caption(state, phase, summary).forEach((line, i) => {
       setText(elements.caption.children[i], line);
