@@ -85,6 +85,7 @@ export class LookInside {
   ) {
     this.#svg.setAttribute("class", "inside");
     this.#svg.setAttribute("aria-hidden", "true");
+    this.#svg.setAttribute("hidden", "");
     this.#svg.setAttribute("preserveAspectRatio", "none");
     elements.mapPlace.prepend(this.#svg);
     elements.frame.after(this.#card);
@@ -154,11 +155,13 @@ export class LookInside {
   #clear(): void {
     this.#asked++;
     this.#svg.replaceChildren();
+    this.#svg.setAttribute("hidden", "");
     this.#card.hidden = true;
   }
 
   #draw({ name }: Look, { size: [width, height], kinds }: Overlay): void {
     this.#svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
+    this.#svg.removeAttribute("hidden");
     this.#svg.dataset["look"] = name;
     const groups = kinds.map((paths, i) => {
       const group = document.createElementNS(SVG, "g");
