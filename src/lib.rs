@@ -72,6 +72,9 @@ pub mod glyph;
 pub mod grow;
 #[cfg(feature = "png")]
 pub mod import;
+#[cfg(all(feature = "files", feature = "controls"))]
+#[doc(hidden)]
+pub mod inspect;
 #[cfg(feature = "names")]
 #[doc(hidden)]
 pub mod labels;

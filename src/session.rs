@@ -1,6 +1,8 @@
 //! A session: one recipe at a time, each stage's result kept, and after a change only what it touches run again.
 
 mod error;
+#[cfg(feature = "controls")]
+mod moments;
 mod relief;
 mod summary;
 #[cfg(test)]
@@ -21,6 +23,8 @@ use crate::relief::{Relief, ReliefError, ReliefSettings};
 use crate::tree::{Hydrology, Tree};
 
 pub use error::SessionError;
+#[cfg(feature = "controls")]
+pub use moments::{Moment, Timeline};
 pub use summary::{Shortfall, Summary};
 
 /// A recipe with what its stages have made of it so far: land, tree, rivers.
@@ -43,6 +47,9 @@ pub struct Session {
     /// Whether the land was given, and is not the recipe's.
     is_land_given: bool,
     growth: Growth,
+    /// How many ticks that has grown.
+    #[cfg(feature = "controls")]
+    ticks: u32,
     /// Once growth has ended.
     shaping: Option<Shaping>,
     /// Of finished rivers, once it was wanted.
@@ -97,6 +104,8 @@ impl Session {
             land,
             is_land_given,
             growth,
+            #[cfg(feature = "controls")]
+            ticks: 0,
             shaping: None,
             relief: ReliefStage::Waiting,
             generation: Generation::next(),
@@ -154,6 +163,8 @@ impl Session {
                 (_, land) => land.clone(),
             };
             self.growth = plant(&recipe, &land)?;
+            #[cfg(feature = "controls")]
+            self.forget_ticks();
             self.land = land;
         }
         self.recipe = recipe;
@@ -182,6 +193,8 @@ impl Session {
     /// If there is not enough memory; everything is then as before.
     pub fn restart(&mut self) -> Result<(), SessionError> {
         self.growth = plant(&self.recipe, &self.land)?;
+        #[cfg(feature = "controls")]
+        self.forget_ticks();
         self.discard_rivers();
         (self.generation, self.map_generation) = (Generation::next(), Generation::next());
         Ok(())
@@ -240,6 +253,8 @@ impl Session {
         if self.growth.ending().is_none() {
             let trees = self.growth.trees();
             self.growth.tick();
+            #[cfg(feature = "controls")]
+            self.count_tick();
             if self.growth.trees() != trees {
                 self.generation = Generation::next();
             }

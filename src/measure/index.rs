@@ -6,7 +6,8 @@ use crate::sort;
 use crate::work;
 
 /// An index of points.
-pub(super) struct Index {
+#[derive(Debug)]
+pub(crate) struct Index {
     corner: Vec2,
     side: f32,
     columns: usize,

@@ -16,6 +16,8 @@ mod umbrellas;
 
 pub use along_coast::along_coast;
 pub use courses::{Angles, junction_angles, sinuosity, total_length};
+#[cfg(all(feature = "files", feature = "controls"))]
+pub(crate) use index::Index;
 pub use parallels::parallels;
 pub use streams::{Streams, hack_exponent};
 pub use table::{Measure, Nature, TABLE};
@@ -100,7 +102,7 @@ fn ruler(session: &Session) -> f32 {
 }
 
 /// How much land there is, in square units.
-fn land_area(session: &Session) -> f64 {
+pub(crate) fn land_area(session: &Session) -> f64 {
     let domain = session.domain().size;
     let of_cells = |cells: u32| f64::from(cells) * f64::from(CELL_SIZE * CELL_SIZE);
     let all = || f64::from(domain.x) * f64::from(domain.y);

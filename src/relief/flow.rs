@@ -74,8 +74,8 @@ impl Flow {
     }
 }
 
-/// The rings around some cells, given row by row.
-fn rings_around(cells: &[usize], &Grid { cell_size, columns, .. }: &Grid) -> Vec<Vec<Vec2>> {
+/// The rings around some cells of a grid, given row by row.
+pub(crate) fn rings_around(cells: &[usize], &Grid { cell_size, columns, .. }: &Grid) -> Vec<Vec<Vec2>> {
     let (Some(&first), Some(&last)) = (cells.first(), cells.last()) else { return Vec::new() };
     let across = || cells.iter().map(|cell| cell % columns);
     let (left, right) = across().fold((columns, 0), |(left, right), x| (left.min(x), right.max(x)));

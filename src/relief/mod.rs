@@ -34,6 +34,8 @@ use crate::sort::quantile;
 
 #[cfg(feature = "files")]
 pub use flow::Flow;
+#[cfg(all(feature = "files", feature = "controls"))]
+pub(crate) use flow::rings_around;
 pub use grid::Grid;
 pub use settings::ReliefSettings;
 pub use solver::{ReliefError, ReliefSolver};

@@ -6,12 +6,16 @@ mod charts;
 mod controls;
 #[cfg(all(feature = "rivers", feature = "files"))]
 mod files;
+#[cfg(all(feature = "rivers", feature = "files", feature = "controls"))]
+mod inspector;
 #[cfg(all(feature = "rivers", feature = "controls"))]
 mod measures;
 #[cfg(any(feature = "rivers", feature = "tracing", feature = "charts"))]
 mod objects;
 #[cfg(feature = "rivers")]
 mod rivers;
+#[cfg(all(feature = "rivers", feature = "controls"))]
+mod timeline;
 #[cfg(feature = "tracing")]
 mod tracing;
 

@@ -10,6 +10,8 @@ mod ground;
 #[cfg(feature = "names")]
 pub(crate) mod labels;
 mod light;
+#[cfg(all(target_arch = "wasm32", feature = "rivers", feature = "controls"))]
+pub(crate) mod overlay;
 mod path;
 #[cfg(feature = "names")]
 mod scenery;

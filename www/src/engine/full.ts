@@ -5,7 +5,17 @@ import wasmUrl from "../../pkg-full/riverseed_full_bg.wasm?url";
 import type { Core } from "./wasm.ts";
 import { once, start } from "./wasm-module.ts";
 
-export type { Lines, Measure, Parameter, Preset, Reading, River as FullRiver } from "../../pkg-full/riverseed_full.js";
+export type {
+  Inspector,
+  Lines,
+  Measure,
+  Parameter,
+  Preset,
+  Reading,
+  River as FullRiver,
+  RiverFacts,
+  Timeline,
+} from "../../pkg-full/riverseed_full.js";
 
 export type FullCore = Core<typeof engine>;
 

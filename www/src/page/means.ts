@@ -6,13 +6,17 @@ import { fileOf } from "../player/formats.ts";
 import type { RiverPlayer } from "../player/river-player.ts";
 import { type Thumbnail, thumbnails } from "../player/thumbnails.ts";
 import type { Means } from "../renderer/renderer.ts";
+import { Inspections } from "./inspections.ts";
 import type { Answer, Names, Question, QuestionAbout } from "./protocol.ts";
+import { Timelines } from "./timelines.ts";
 
 type Player = RiverPlayer<FullRiver>;
 
 /** A step that takes long is announced. */
 export function meansOf(core: FullCore, holdOn: () => void = () => {}): Means<FullRiver, Question, Answer> {
   const planter = { ...core, loadCharts };
+  const inspections = new Inspections(loadCharts);
+  const timelines = new Timelines();
   return {
     planter,
     // There is one river only.
@@ -34,6 +38,12 @@ export function meansOf(core: FullCore, holdOn: () => void = () => {}): Means<Fu
           return thumbnailsOf(playerIn(question.of, playerOf), core, question);
         case "measures":
           return measuresOf(playerIn(question.of, playerOf));
+        case "river":
+          return inspections.river(playerIn(question.of, playerOf), question.place);
+        case "overlay":
+          return inspections.overlay(playerIn(question.of, playerOf), question.name);
+        case "making":
+          return timelines.making(playerIn(question.of, playerOf), question.to);
         case "now":
           return;
       }

@@ -112,7 +112,7 @@ export class NameList implements Control {
       field.focus();
     });
     return {
-      element: el("li", {}, kind, field, reset),
+      element: el("li", { "data-mark": mark }, kind, field, reset),
       field,
       restore,
       show(named, word) {

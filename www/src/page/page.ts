@@ -30,13 +30,16 @@ import { type Engines, openEngines } from "./backend.ts";
 import type { Insets } from "./camera.ts";
 import { elements } from "./elements.ts";
 import { HelpSheet, type Shortcut } from "./help.ts";
+import { LookInside } from "./look-inside.ts";
 import { MeasuresView } from "./measures.ts";
 import { type Named, NameList, namedOf } from "./name-list.ts";
 import { keepForOffline } from "./offline.ts";
 import { Panel } from "./panel.ts";
+import { isRiver, RiversUnderHand } from "./rivers-under-hand.ts";
 import { SeedTrail } from "./seed-trail.ts";
 import { Announcer, showFailure, showNotices, undoable } from "./status.ts";
 import { StyleStrip } from "./style-strip.ts";
+import { Track } from "./track.ts";
 import { Transport } from "./transport.ts";
 import { Undo } from "./undo.ts";
 import { RiverViewport } from "./viewport.ts";
@@ -85,6 +88,16 @@ class Page {
   readonly #measures: MeasuresView;
   /** What the caption says of the greatest river, once its name is known. */
   #greatest = "";
+  readonly #underHand = new RiversUnderHand(
+    { ...elements, stage: elements.drawing.stage },
+    {
+      river: (place) => this.#viewport.river(place),
+      greatest: async () => (await this.#names()).map(({ mark }) => mark).filter(isRiver),
+      covered,
+    },
+  );
+  readonly #inside = new LookInside(elements, { overlay: (name) => this.#viewport.overlay(name) });
+  readonly #track = new Track(elements.bar, { making: (to) => this.#viewport.making(to) });
   readonly #announcer = new Announcer(elements.announcement);
   /** What the last presets changed unasked, and the recipe from before them, to which Undo leads back. */
   #presetUndo: { message: string; link: string; values: ReadonlyMap<string, string> } | undefined;
@@ -350,6 +363,9 @@ class Page {
     elements.facade.hidden = true;
     this.#transport.show(state);
     elements.frame.dataset["state"] = state;
+    this.#underHand.follow(state);
+    this.#inside.follow(state, summary.growth);
+    void this.#track.follow();
     elements.frame.dataset["phase"] = phase;
     if (state !== "finished") this.#greatest = "";
     caption(state, phase, summary).forEach((line, i) => {
@@ -465,7 +481,7 @@ function drawn(outline: string): [key: string, value: string][] {
 function shortcuts(): Shortcut[] {
   const { dice, trail, panel, share, copy } = { ...elements, share: elements.sharing.open };
   return [
-    { key: "n", says: "a new seed by chance", button: dice },
+    { key: "r", says: "a new seed by chance", button: dice },
     { key: "[", says: "the seed before", button: trail.previous },
     { key: "]", says: "the seed after", button: trail.next },
     { key: "p", says: "the panel of shapes", button: panel.open },

@@ -15,7 +15,19 @@ import type { Report } from "../renderer/protocol.ts";
 import type { PageRenderHost } from "./backend.ts";
 import { Camera, type Insets, type Point, type Stage, transformBetween } from "./camera.ts";
 import { Gestures, KEY_ZOOM } from "./gestures.ts";
-import type { About, Answer, Answers, Question, QuestionAbout } from "./protocol.ts";
+import type {
+  About,
+  Answer,
+  Answers,
+  Making,
+  Moment,
+  Overlay,
+  OverlayName,
+  PointedRiver,
+  Question,
+  QuestionAbout,
+  RiverPlace,
+} from "./protocol.ts";
 
 export interface ViewportElements {
   /** The picture's place. */
@@ -148,6 +160,24 @@ export class RiverViewport {
   async names(count: number): Promise<readonly string[]> {
     const names = await this.#ask({ about: "names", of: this.#id, count });
     return names?.link === this.#wanted.link ? names.texts : [];
+  }
+
+  /** The river at a place of the finished map; none if there is none, or the map is not the one that was shown last. */
+  async river(place: RiverPlace): Promise<PointedRiver | undefined> {
+    const river = await this.#ask({ about: "river", of: this.#id, place });
+    return river?.link === this.#wanted.link ? river : undefined;
+  }
+
+  /** What can be laid over the finished map; none while it is not finished, or not the one that was shown last. */
+  async overlay(name: OverlayName): Promise<Overlay | undefined> {
+    const overlay = await this.#ask({ about: "overlay", of: this.#id, name });
+    return overlay?.link === this.#wanted.link ? overlay : undefined;
+  }
+
+  /** How far the map has come, if it is the one that was shown last; if a moment is given, after going there. */
+  async making(to?: Moment): Promise<Making | undefined> {
+    const making = await this.#ask({ about: "making", of: this.#id, to });
+    return making?.link === this.#wanted.link ? making : undefined;
   }
 
   /** The parameter `names`, as it is now, with another name for something, or its usual one. */

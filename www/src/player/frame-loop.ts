@@ -124,6 +124,11 @@ export class FrameLoop {
     if (this.#runs) this.#enter("paused");
   }
 
+  /** Stands still where the river is, be it its end, and shows it: somebody has moved it. */
+  hold(): void {
+    this.#enter("paused");
+  }
+
   toggle(): void {
     if (this.#runs) this.pause();
     else this.play();

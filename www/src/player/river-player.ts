@@ -123,6 +123,11 @@ export class RiverPlayer<Planted extends River & Partial<Framed> = River> {
     this.#attempt(() => this.#loop.pause());
   }
 
+  /** Stands still, and shows the river as it is. */
+  hold(): void {
+    this.#attempt(() => this.#loop.hold());
+  }
+
   replay(): void {
     this.#attempt(() => this.#loop.replay());
   }

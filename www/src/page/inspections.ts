@@ -1,0 +1,143 @@
+/** Whoever the page's renderer asks about the rivers of a finished map: made when somebody first asks, and kept for that map. */
+
+import type { Charts } from "../engine/charts.ts";
+import type { FullRiver, Inspector } from "../engine/full.ts";
+import { askChart } from "../player/chart-maker.ts";
+import type { RiverPlayer } from "../player/river-player.ts";
+import type { Overlay, OverlayName, PointedRiver, RiverPlace } from "./protocol.ts";
+
+type Player = RiverPlayer<FullRiver>;
+
+/** All of them: how many there are, nobody asks. */
+const ALL_RIVERS = 0xffff_ffff;
+/** What may be done of a relief before the page is heard again. */
+const SLICE_MS = 8;
+/** As many colours as basins have. */
+const BASIN_KINDS = 6;
+
+interface Inspected {
+  inspector: Inspector;
+  size: readonly [width: number, height: number];
+  /** By mark. */
+  names: ReadonlyMap<string, string>;
+}
+
+interface Kept {
+  player: Player;
+  link: string;
+  made: Promise<Inspected | undefined>;
+}
+
+export class Inspections {
+  #kept: Kept | undefined;
+
+  constructor(private readonly loadCharts: () => Promise<Charts>) {}
+
+  /** The river at a place of a player's map; none if there is none, or the map is not finished, or not the same any more. */
+  async river(player: Player | undefined, place: RiverPlace): Promise<PointedRiver | undefined> {
+    if (player?.state !== "finished") return;
+    const kept = this.#keptFor(player);
+    const inspected = await kept.made;
+    if (!inspected || this.#kept !== kept || player.link !== kept.link) return;
+    const { inspector, size, names } = inspected;
+    const river =
+      "mark" in place ? inspector.of(Number(place.mark)) : inspector.at(place.x, place.y, place.reach * size[0]);
+    if (!river) return;
+    const nameOf = (mark: number): string => names.get(String(mark)) ?? "";
+    const into = Array.from(river.into, nameOf);
+    // By its mark all of it is meant, and it is shown from its source.
+    const orderHere = "mark" in place ? river.order : river.orderHere;
+    return { ...river, orderHere, link: kept.link, size, mark: String(river.mark), name: nameOf(river.mark), into };
+  }
+
+  /** Something to be laid over a player's map; none while that is not finished. */
+  async overlay(player: Player | undefined, name: OverlayName): Promise<Overlay | undefined> {
+    if (player?.state !== "finished") return;
+    const kept = this.#keptFor(player);
+    const inspected = await kept.made;
+    if (!inspected || !player.river || this.#kept !== kept || player.link !== kept.link) return;
+    const { inspector, size } = inspected;
+    return { link: kept.link, size, kinds: overlays[name](inspector, player.river) };
+  }
+
+  #keptFor(player: Player): Kept {
+    const kept = this.#kept;
+    if (kept?.player === player && kept.link === player.link) return kept;
+    // What may still be asked of it is not: whoever asked sees that there is another.
+    void kept?.made.then((inspected) => inspected?.inspector.free());
+    const made = this.#make(player, player.link);
+    const next = { player, link: player.link, made };
+    this.#kept = next;
+    const forget = (): void => {
+      if (this.#kept === next) this.#kept = undefined;
+    };
+    made.then((inspected) => inspected ?? forget(), forget);
+    return next;
+  }
+
+  async #make(player: Player, link: string): Promise<Inspected | undefined> {
+    const river = (): FullRiver | undefined =>
+      player.link === link && player.state === "finished" ? player.river : undefined;
+    // A map without names can be asked about, too.
+    const charts = await this.loadCharts().catch(() => undefined);
+    while (riseFor(river(), SLICE_MS)) await new Promise((done) => setTimeout(done));
+    const inspector = river()?.inspector();
+    if (!inspector) return;
+    const [width = 1, height = 1] = inspector.size();
+    return { inspector, size: [width, height], names: namesOf(river(), charts) };
+  }
+}
+
+/** What each overlay shows, kind by kind. */
+const overlays: Record<OverlayName, (inspector: Inspector, river: FullRiver) => string[][]> = {
+  attractors: (_, river) => [[river.attractors()]],
+  sources: (inspector) => [[streams(inspector, 1).map(sourceOf).join("")]],
+  orders: (inspector) => orders(inspector),
+  basins: (inspector) => basins(inspector),
+  flow: (inspector) => orders(inspector),
+  held: (inspector) => [[inspector.held()]],
+};
+
+/** The streams of an order, a path each. */
+function streams(inspector: Inspector, order: number): string[] {
+  return inspector
+    .ofOrder(order)
+    .split(/(?=M)/)
+    .filter((stream) => stream !== "");
+}
+
+/** The streams of all orders. */
+function orders(inspector: Inspector): string[][] {
+  const all: string[][] = [];
+  for (let order = 1; ; order++) {
+    const ofOrder = streams(inspector, order);
+    if (ofOrder.length === 0) return all;
+    all.push(ofOrder);
+  }
+}
+
+/** Where a stream begins, as a line without length. */
+function sourceOf(stream: string): string {
+  return `${/^M[-\d.]+[ ]?[-\d.]+/.exec(stream)?.[0] ?? "M0 0"}h0`;
+}
+
+/** The land of the rivers that reach the sea, each in one of some kinds. */
+function basins(inspector: Inspector): string[][] {
+  const kinds: string[][] = Array.from({ length: BASIN_KINDS }, () => []);
+  for (const [i, mark] of inspector.mouths().entries()) kinds[i % BASIN_KINDS]?.push(inspector.of(mark)?.basin ?? "");
+  return kinds;
+}
+
+/** Makes some of a relief, by which basins are known. Returns whether there is more to do. */
+function riseFor(river: FullRiver | undefined, milliseconds: number): boolean {
+  const end = performance.now() + milliseconds;
+  let isLeft = river?.raiseRelief() ?? false;
+  while (isLeft && performance.now() < end) isLeft = river?.raiseRelief() ?? false;
+  return isLeft;
+}
+
+function namesOf(river: FullRiver | undefined, charts: Charts | undefined): Map<string, string> {
+  if (!river || !charts) return new Map();
+  const texts = askChart(river, charts, (chart) => chart.greatest(ALL_RIVERS));
+  return new Map(texts.flatMap((mark, i) => (i % 3 === 0 ? [[mark, texts[i + 1] ?? ""] as const] : [])));
+}

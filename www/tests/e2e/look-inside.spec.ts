@@ -1,0 +1,91 @@
+import { expect, type Page, test } from "@playwright/test";
+import { violations } from "./axe.ts";
+import { complaints, finished, openFinished, openPanel } from "./riverpage.ts";
+
+const LINK = "seed=kauri&land=island&growth=drainage&attractors=1500&meander-rounds=5";
+const KEYS = { a: "attractors", t: "sources", o: "orders", b: "basins", d: "flow", f: "held" };
+
+function card(page: Page) {
+  return page.locator(".inside-card");
+}
+
+test("each key lays something over the map, with a sentence, and takes it away", async ({ page }) => {
+  const said = complaints(page);
+  await openFinished(page, LINK);
+  for (const [key, name] of Object.entries(KEYS)) {
+    await page.keyboard.press(key);
+    await expect(page.locator(`.inside[data-look="${name}"] g path`).first()).toHaveAttribute("d", /^M.{5}/);
+    await expect(card(page)).toHaveText(/\w.*\.$|streams?$/);
+    await page.keyboard.press(key);
+    await expect(page.locator(".inside path")).toHaveCount(0);
+    await expect(card(page)).toBeHidden();
+  }
+  expect(said).toEqual([]);
+});
+
+test("the legend of orders counts streams as the caption counts sources", async ({ page }) => {
+  await openFinished(page, LINK);
+  await page.keyboard.press("o");
+  const sources = /([\d,]+) sources/.exec((await page.locator("#caption").textContent()) ?? "")?.[1];
+  await expect(card(page)).toContainText(`Order 1: ${sources} streams`);
+});
+
+test("buttons in the panel do the same, one at a time, and Escape takes it away", async ({ page }) => {
+  await openFinished(page, LINK);
+  await openPanel(page);
+  const orders = page.getByRole("button", { name: "Orders" });
+  const basins = page.getByRole("button", { name: "Basins", exact: true }).and(page.locator(".inside-buttons *"));
+  await orders.click();
+  await expect(orders).toHaveAttribute("aria-pressed", "true");
+  await basins.click();
+  await expect(orders).toHaveAttribute("aria-pressed", "false");
+  await expect(basins).toHaveAttribute("aria-pressed", "true");
+  await expect(card(page)).toContainText("Basins");
+  await page.locator("#frame").focus();
+  await page.keyboard.press("Escape");
+  await expect(card(page)).toBeHidden();
+  await expect(basins).toHaveAttribute("aria-pressed", "false");
+});
+
+test("no letter that is typed is a key", async ({ page }) => {
+  await openFinished(page, LINK);
+  await page.locator("#seed").focus();
+  await page.keyboard.type("ot");
+  await expect(page.locator("#seed")).toHaveValue(/ot$/);
+  await finished(page);
+  await expect(card(page)).toBeHidden();
+});
+
+test("it is laid over the next map, too, and a Brownian tree has no attractors", async ({ page }) => {
+  await openFinished(page, LINK);
+  await page.keyboard.press("o");
+  await expect(card(page)).toBeVisible();
+  const before = await page.locator('.inside [data-kind="1"] path').getAttribute("d");
+  await page.getByRole("button", { name: "A new seed by chance" }).click();
+  await finished(page);
+  await expect.poll(() => page.locator('.inside [data-kind="1"] path').getAttribute("d")).not.toBe(before);
+  await page.goto(`./?${LINK.replace("drainage", "brownian")}&sensitivity=40`);
+  await finished(page);
+  await openPanel(page);
+  await expect(page.getByRole("button", { name: "Attractors or parcels" })).toBeDisabled();
+});
+
+for (const colorScheme of ["light", "dark"] as const) {
+  for (const width of [1440, 390]) {
+    test(`axe finds nothing with an overlay, a card and their buttons: ${colorScheme}, ${width} wide`, async ({
+      page,
+    }) => {
+      await page.emulateMedia({ colorScheme });
+      await page.setViewportSize({ width, height: 850 });
+      await openFinished(page, LINK);
+      await page.keyboard.press("o");
+      await page.locator("#frame").focus();
+      await page.keyboard.press("n");
+      await expect(page.locator(".river-card")).toBeVisible();
+      await openPanel(page);
+      expect(await violations(page)).toEqual([]);
+      const box = await card(page).boundingBox();
+      expect((box?.x ?? 0) + (box?.width ?? 0)).toBeLessThanOrEqual(width);
+    });
+  }
+}

@@ -1,0 +1,42 @@
+import { expect, test } from "vitest";
+import type { PointedRiver } from "../../../src/page/protocol.ts";
+import { courseOf, measuresOf, titleOf } from "../../../src/page/river-words.ts";
+
+const RIVER: PointedRiver = {
+  link: "",
+  size: [1000, 1000],
+  mark: "7",
+  name: "Ash Beck",
+  order: 4,
+  orderHere: 4,
+  length: 312.4,
+  share: 0.184,
+  area: 101_700,
+  into: [],
+  endsIn: "sea",
+  x: 0,
+  y: 0,
+  way: "",
+  basin: "",
+};
+
+test("a river is told by its order, its length and what it drains", () => {
+  expect(measuresOf(RIVER)).toBe("Order 4 · 312 units long · drains 18 % of the land, 100,000 square units");
+  const small = { ...RIVER, orderHere: 1, share: 0.004, area: 0 };
+  expect(measuresOf(small)).toBe(
+    "Order 4 (1 here) · 312 units long · drains less than 1 % of the land, 0 square units",
+  );
+});
+
+test("where its water goes is told by name, and names with an article keep one", () => {
+  const into = (...into: string[]): string => courseOf({ ...RIVER, into });
+  expect(into()).toBe("Flows into the sea");
+  expect(into("The Lamprey")).toBe("Flows into the Lamprey, then the sea");
+  expect(into("", "Ash")).toBe("Flows into a greater river, then the Ash, then the sea");
+  expect(into("A", "B", "C", "D")).toBe("Flows into the A, then the B, then the C, and on to the sea");
+  expect(courseOf({ ...RIVER, endsIn: "lake" })).toBe("Flows into the lake");
+});
+
+test("a river whose name was taken away is called so", () => {
+  expect([titleOf(RIVER), titleOf({ ...RIVER, name: "" })]).toEqual(["Ash Beck", "A river without a name"]);
+});
