@@ -62,10 +62,12 @@ async function growsToTheEnd() {
 
 async function changesAndKeepsItsAddress() {
   const { page, complaints } = await open("?seed=kauri&growth=colonize&attractors=300&curl=0");
+  await page.waitForSelector("#shape:not([disabled])");
+  await page.click("#shape");
   await page.click(".group:has(#field-curl) > summary");
   await page.focus("#field-curl");
   for (let i = 0; i < 5; i++) await page.keyboard.press("ArrowRight");
-  await page.waitForFunction(() => new URLSearchParams(location.search).get("curl") === "0.05");
+  await page.waitForFunction(() => new URLSearchParams(location.search).get("curl") === "0.5");
   await page.waitForSelector('#frame[data-state="finished"]');
   assert.deepEqual(complaints, []);
   await page.close();

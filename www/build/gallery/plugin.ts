@@ -17,12 +17,14 @@ export function gallery(site: string | undefined): Plugin {
     name: "gallery",
     configureServer: ({ middlewares }) => {
       const place: Place = { site, sheet: `../${SHEET}`, hasPolicy: false };
-      middlewares.use(async (request, response, next) => {
+      middlewares.use((request, response, next) => {
         const file = /\/gallery\/([^/?]*)(?:\?.*)?$/.exec(request.url ?? "")?.[1];
-        const source = file === undefined ? undefined : await made(file || "index.html", place);
-        if (file === undefined || source === undefined) return next();
-        response.setHeader("Content-Type", TYPES[file.split(".").at(-1) ?? ""] ?? "text/html");
-        response.end(source);
+        if (file === undefined) return next();
+        made(file || "index.html", place).then((source) => {
+          if (source === undefined) return next();
+          response.setHeader("Content-Type", TYPES[file.split(".").at(-1) ?? ""] ?? "text/html");
+          response.end(source);
+        }, next);
       });
     },
     async generateBundle(_options, bundle) {
