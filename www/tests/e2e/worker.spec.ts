@@ -20,8 +20,8 @@ async function expectPicture(page: Page, link: string): Promise<void> {
   await finished(page);
   await expect
     .poll(async () => {
-      const { width, height, sha256 } = await shown(page);
-      return width > 100 && sha256 === pictureOf(link, width, height).sha256;
+      const { width, height, sha256, framing } = await shown(page);
+      return width > 100 && sha256 === pictureOf(link, width, height, framing).sha256;
     })
     .toBe(true);
 }
