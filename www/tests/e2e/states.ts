@@ -56,6 +56,8 @@ export async function openSlowly(page: Page, link: string): Promise<void> {
   }
   await page.goto(`./?${link}`, { waitUntil: "commit" });
   await finished(page);
+  // What is fetched later need not be slow, and may outlive the test.
+  await page.unrouteAll({ behavior: "ignoreErrors" });
 }
 
 async function painted(page: Page): Promise<void> {

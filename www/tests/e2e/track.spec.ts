@@ -5,6 +5,7 @@ import { momentAt, shareOf } from "../../src/page/track.ts";
 import { engine, pixelsOf } from "../core.ts";
 import { violations } from "./axe.ts";
 import { complaints, expectPictureOfAddress, finished, openFinished, openStopped, shown } from "./riverpage.ts";
+import { download } from "./saving.ts";
 
 // A style with a relief, so that the last round is not the end.
 const LINK = "seed=kauri&land=island&growth=drainage&attractors=1500&meander-rounds=9&style=survey";
@@ -117,10 +118,7 @@ test("a file that is saved half-way is of the finished map", async ({ page }) =>
   await openFinished(page, LINK);
   await go(page, "Home", "PageUp", "PageUp");
   await expect(page.locator("#frame")).toHaveAttribute("data-state", "paused");
-  const download = page.waitForEvent("download");
-  await page.getByRole("button", { name: "Save" }).click();
-  await page.getByRole("menuitem", { name: /SVG/ }).click();
-  expect((await download).suggestedFilename()).toMatch(/\.svg$/);
+  expect((await download(page, "Drawing")).name).toMatch(/\.svg$/);
 });
 
 test("another map begins a track of its own", async ({ page }) => {
