@@ -48,7 +48,7 @@ pack() { run on_machine "$checkout/scripts/crate.sh" "${1-pack}"; }
 }
 
 @test "a crate that is too large is refused" {
-  head -c 721000 /dev/urandom >"$packed/golden.png"
+  head -c 781000 /dev/urandom >"$packed/golden.png"
   pack
   ((status == 1))
   said "TOO LARGE"
