@@ -15,18 +15,27 @@ export function el<Tag extends keyof HTMLElementTagNameMap>(
   return element;
 }
 
-const SVG = "http://www.w3.org/2000/svg";
+export function svg<Tag extends keyof SVGElementTagNameMap>(
+  tag: Tag,
+  attributes: Record<string, string | number> = {},
+  ...children: Node[]
+): SVGElementTagNameMap[Tag] {
+  const element = document.createElementNS("http://www.w3.org/2000/svg", tag);
+  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, String(value));
+  element.append(...children);
+  return element;
+}
 
 /** A drawing of 16 by 16 in the colour of the text, beside or in place of words that say the same. */
 export function icon(path: string): SVGElement {
-  const element = document.createElementNS(SVG, "svg");
-  element.setAttribute("class", "icon icon-stroke");
-  element.setAttribute("viewBox", "0 0 16 16");
-  element.setAttribute("aria-hidden", "true");
-  const line = document.createElementNS(SVG, "path");
-  line.setAttribute("d", path);
-  element.append(line);
-  return element;
+  const attributes = { class: "icon icon-stroke", viewBox: "0 0 16 16", "aria-hidden": "true" };
+  return svg("svg", attributes, svg("path", { d: path }));
+}
+
+/** An empty drawing over the map, in units of the map; not seen before it is shown. */
+export function mapLayer(name: string): SVGSVGElement {
+  const attributes = { class: `map-layer ${name}`, "aria-hidden": "true", preserveAspectRatio: "none", hidden: "" };
+  return svg("svg", attributes);
 }
 
 /** An element that index.html promises. */

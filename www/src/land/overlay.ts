@@ -1,9 +1,8 @@
 /** Lines over the picture, in fractions of its width and height. */
 
+import { svg } from "../browser/dom.ts";
 import type { Lines } from "../engine/full.ts";
 import { LINE_KINDS, type Line, pointsOf } from "./sketch.ts";
-
-const SVG = "http://www.w3.org/2000/svg";
 
 /** Shows what is kept of a drawing, and lines as the pen left them. */
 export function showLines(sheet: SVGSVGElement, kept: Lines, raw: readonly Line[]): void {
@@ -16,12 +15,8 @@ export function showLines(sheet: SVGSVGElement, kept: Lines, raw: readonly Line[
 }
 
 function path(points: Float32Array, name: string, isClosed: boolean): SVGPathElement {
-  const element = document.createElementNS(SVG, "path");
-  element.setAttribute("class", name);
-  element.setAttribute("d", pathText(points, isClosed));
   // The sheet is stretched to the map's shape; its lines are not.
-  element.setAttribute("vector-effect", "non-scaling-stroke");
-  return element;
+  return svg("path", { class: name, d: pathText(points, isClosed), "vector-effect": "non-scaling-stroke" });
 }
 
 export function pathText(points: Float32Array, isClosed: boolean): string {

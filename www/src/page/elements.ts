@@ -86,5 +86,5 @@ export const elements = {
   countries: find("#countries", HTMLElement),
   presets: find("#presets", HTMLElement),
   controls: find("#controls", HTMLElement),
-  insideBefore: find("#inside", HTMLElement),
+  inside: find("#inside", HTMLElement),
 };

@@ -1,7 +1,7 @@
 /** Looking inside: what a finished map is made of, laid over it by a button or a key, with a sentence on what one sees. */
 
 import { count } from "../browser/count.ts";
-import { el } from "../browser/dom.ts";
+import { el, mapLayer, svg } from "../browser/dom.ts";
 import type { Overlay, OverlayName } from "./protocol.ts";
 
 export interface InsideElements {
@@ -9,8 +9,8 @@ export interface InsideElements {
   mapPlace: HTMLElement;
   /** The picture's place. */
   frame: HTMLElement;
-  /** Before what of the panel its buttons stand. */
-  insideBefore: HTMLElement;
+  /** The place of its buttons in the panel. */
+  inside: HTMLElement;
 }
 
 export interface InsideEvents {
@@ -68,10 +68,8 @@ const LOOKS: readonly Look[] = [
   },
 ];
 
-const SVG = "http://www.w3.org/2000/svg";
-
 export class LookInside {
-  readonly #svg = document.createElementNS(SVG, "svg");
+  readonly #svg = mapLayer("inside");
   readonly #card = el("div", { class: "inside-card", hidden: true, role: "status" });
   readonly #buttons = new Map<OverlayName, HTMLButtonElement>();
   #growth = "";
@@ -83,13 +81,9 @@ export class LookInside {
     elements: InsideElements,
     private readonly events: InsideEvents,
   ) {
-    this.#svg.setAttribute("class", "inside");
-    this.#svg.setAttribute("aria-hidden", "true");
-    this.#svg.setAttribute("hidden", "");
-    this.#svg.setAttribute("preserveAspectRatio", "none");
     elements.mapPlace.prepend(this.#svg);
     elements.frame.after(this.#card);
-    elements.insideBefore.before(this.#group());
+    elements.inside.replaceChildren(this.#group());
     document.addEventListener("keydown", (event) => this.#onKey(event));
   }
 
@@ -164,16 +158,10 @@ export class LookInside {
     this.#svg.removeAttribute("hidden");
     this.#svg.dataset["look"] = name;
     const groups = kinds.map((paths, i) => {
-      const group = document.createElementNS(SVG, "g");
-      group.dataset["kind"] = String(Math.min(i + 1, MOST_KINDS));
       // Arrows belong to each stream; all else of a kind is one path, which is drawn much faster.
       const data = name === "flow" || name === "basins" ? paths : [paths.join("")];
-      for (const d of data.filter((d) => d !== "")) {
-        const path = document.createElementNS(SVG, "path");
-        path.setAttribute("d", d);
-        group.append(path);
-      }
-      return group;
+      const lines = data.filter((d) => d !== "").map((d) => svg("path", { d }));
+      return svg("g", { "data-kind": Math.min(i + 1, MOST_KINDS) }, ...lines);
     });
     this.#svg.replaceChildren(...(name === "flow" ? [arrow()] : []), ...groups);
   }
@@ -200,19 +188,7 @@ function ordersLegend(counts: readonly number[]): HTMLElement {
 
 /** The head of an arrow, in units: so it grows with the map. */
 function arrow(): SVGElement {
-  const marker = document.createElementNS(SVG, "marker");
-  const settings = {
-    id: "flow-arrow",
-    viewBox: "0 0 10 10",
-    refX: 9,
-    refY: 5,
-    orient: "auto",
-    markerUnits: "userSpaceOnUse",
-  };
-  for (const [name, value] of Object.entries({ ...settings, markerWidth: 15, markerHeight: 15 }))
-    marker.setAttribute(name, String(value));
-  const head = document.createElementNS(SVG, "path");
-  head.setAttribute("d", "M0 0L10 5L0 10L3 5z");
-  marker.append(head);
-  return marker;
+  const place = { viewBox: "0 0 10 10", refX: 9, refY: 5, orient: "auto" };
+  const size = { markerUnits: "userSpaceOnUse", markerWidth: 15, markerHeight: 15 };
+  return svg("marker", { id: "flow-arrow", ...place, ...size }, svg("path", { d: "M0 0L10 5L0 10L3 5z" }));
 }

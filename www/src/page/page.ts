@@ -27,7 +27,7 @@ import { SaveDialog } from "../share/save-dialog.ts";
 import { copy } from "../share/share.ts";
 import { ShareDialog } from "../share/share-dialog.ts";
 import { type Engines, openEngines } from "./backend.ts";
-import type { Insets } from "./camera.ts";
+import { covered } from "./covered.ts";
 import { elements } from "./elements.ts";
 import { HelpSheet, type Shortcut } from "./help.ts";
 import { LookInside } from "./look-inside.ts";
@@ -53,9 +53,6 @@ function firstLink(): string {
   const shape = innerWidth < innerHeight ? "&aspect=0.75" : "";
   return `style=${style}&labels=some${shape}`;
 }
-
-/** What stays free around the map, in CSS pixels. */
-const MARGIN_PX = 16;
 
 /** How many rivers have their names in the panel. */
 const NAMED_RIVERS = 12;
@@ -391,7 +388,7 @@ class Page {
     if (link !== this.#recipe.link || this.#viewport.state !== "finished") return;
     this.#nameList.refresh(names);
     // Whoever does not see the labels is told the greatest.
-    const rivers = names.filter(({ mark, name }) => /^\d/.test(mark) && name !== "").slice(0, 3);
+    const rivers = names.filter(({ mark, name }) => isRiver(mark) && name !== "").slice(0, 3);
     if (!isLabelled || rivers.length === 0) return;
     this.#greatest = `Greatest: ${rivers[0]?.name}`;
     if (!summary.stopped) setText(elements.caption.children[1], this.#greatest);
@@ -439,26 +436,6 @@ class Page {
   }
 }
 
-/** What of the picture's place the name of the page, the bar, the styles and the panel cover. */
-function covered(): Insets {
-  const { bar, styles, panel, masthead } = elements;
-  const edge = (element: HTMLElement): DOMRect | undefined =>
-    element.hidden || element.getClientRects().length === 0 ? undefined : element.getBoundingClientRect();
-  const insets = {
-    left: MARGIN_PX,
-    top: masthead.offsetTop + masthead.offsetHeight,
-    right: MARGIN_PX,
-    bottom: MARGIN_PX,
-  };
-  for (const box of [edge(bar), edge(styles), edge(panel.panel)]) {
-    if (!box) continue;
-    // What begins in the left half lies below the map; the rest beside it.
-    if (box.left < innerWidth / 2) insets.bottom = Math.max(insets.bottom, innerHeight - box.top + MARGIN_PX);
-    else insets.right = Math.max(insets.right, innerWidth - box.left + MARGIN_PX);
-  }
-  return insets;
-}
-
 /** A link but for its style. */
 function unstyled(link: string): string {
   const values = new URLSearchParams(link);
@@ -479,13 +456,13 @@ function drawn(outline: string): [key: string, value: string][] {
 }
 
 function shortcuts(): Shortcut[] {
-  const { dice, trail, panel, share, copy } = { ...elements, share: elements.sharing.open };
+  const { dice, trail, panel, sharing, copy } = elements;
   return [
     { key: "r", says: "a new seed by chance", button: dice },
     { key: "[", says: "the seed before", button: trail.previous },
     { key: "]", says: "the seed after", button: trail.next },
     { key: "p", says: "the panel of shapes", button: panel.open },
-    { key: "s", says: "share", button: share },
+    { key: "s", says: "share", button: sharing.open },
     { key: "l", says: "copy the link", button: copy },
   ];
 }

@@ -3,7 +3,7 @@
  * a mouse, tapped, walked to with keys from the map, or has its name focused in the panel.
  */
 
-import { el, setText } from "../browser/dom.ts";
+import { el, mapLayer, setText, svg } from "../browser/dom.ts";
 import type { Insets, Point } from "./camera.ts";
 import type { PointedRiver, RiverPlace } from "./protocol.ts";
 import { courseOf, measuresOf, titleOf } from "./river-words.ts";
@@ -201,19 +201,11 @@ type Edges = Insets;
 
 /** The way to the sea and the basin. */
 class Lines {
-  readonly element = document.createElementNS("http://www.w3.org/2000/svg", "svg");
-  readonly #paths = ["basin", "way-halo", "way", "spot-halo", "spot"].map((name) => {
-    const path = document.createElementNS("http://www.w3.org/2000/svg", "path");
-    path.setAttribute("class", name);
-    return path;
-  });
+  readonly element = mapLayer("under-hand");
+  readonly #paths = ["basin", "way-halo", "way", "spot-halo", "spot"].map((name) => svg("path", { class: name }));
 
   constructor() {
-    this.element.setAttribute("class", "under-hand");
-    this.element.setAttribute("aria-hidden", "true");
-    this.element.setAttribute("preserveAspectRatio", "none");
     this.element.append(...this.#paths);
-    this.hide();
   }
 
   show({ basin, way, x, y, size: [width, height] }: PointedRiver): void {
