@@ -1,4 +1,5 @@
 import { defineConfig } from "vite";
+import { countries } from "./build/countries.ts";
 import { crawlers } from "./build/crawlers.ts";
 import { gallery, SHEET } from "./build/gallery/plugin.ts";
 import { licences } from "./build/licences.ts";
@@ -17,6 +18,7 @@ export default defineConfig({
     // Not embed.html: its engine is fetched by a worker, which does not see what its document has preloaded.
     preloadEngine("index.html"),
     poster("index.html"),
+    countries(),
     offline("index.html"),
     // After what writes scripts into pages.
     contentSecurityPolicy(),

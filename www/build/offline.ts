@@ -12,8 +12,8 @@ type Bundle = Rolldown.OutputBundle;
 
 const WORKER = "service-worker.js";
 const MANIFEST = "manifest.webmanifest";
-/** What a visit without a link begins with; and of the gallery's pages, which are kept when they were seen, the style sheet. */
-const BESIDES = /^(?:poster\/.+|assets\/gallery-[\w-]+\.css)$/;
+/** What a visit without a link begins with; the pictures in the panel; and of the gallery's pages, which are kept when they were seen, the style sheet. */
+const BESIDES = /^(?:poster\/.+|countries\/.+|assets\/gallery-[\w-]+\.css)$/;
 /** What is in a file's name already needs no revision. */
 const HASHED = /^assets\/.+-[\w-]{8}\.\w+$/;
 

@@ -37,16 +37,26 @@ export interface Presets {
   focus(): void;
 }
 
+/** In CSS pixels. Fetched when they are about to be seen. */
+const PICTURE = { width: "108", height: "68", loading: "lazy", decoding: "async" };
+
 /** A button for each of some presets, of which one is pressed, if any is shown. */
 export class PresetButtons {
   readonly element: HTMLElement;
   readonly #made: { preset: Preset; button: HTMLButtonElement }[];
   #last: HTMLButtonElement | undefined;
 
-  constructor(name: string, all: readonly Preset[], choose: (preset: Preset) => void) {
+  /** With the address of a picture, if there is one of each. */
+  constructor(
+    name: string,
+    all: readonly Preset[],
+    choose: (preset: Preset) => void,
+    pictureOf?: (preset: Preset) => string,
+  ) {
     this.#made = all.map((preset) => {
       const attributes = { type: "button", class: "preset", "aria-pressed": "false", title: preset.help };
-      const button = el("button", attributes, preset.label);
+      const picture = pictureOf ? [el("img", { src: pictureOf(preset), alt: "", ...PICTURE })] : [];
+      const button = el("button", attributes, ...picture, preset.label);
       button.addEventListener("click", () => {
         this.#last = button;
         choose(preset);

@@ -54,6 +54,9 @@ function firstLink(): string {
   return `style=${style}&labels=some${shape}`;
 }
 
+/** What build/countries.ts draws, beside the page. */
+const COUNTRY_PICTURES = "./countries";
+
 /** How many rivers have their names in the panel. */
 const NAMED_RIVERS = 12;
 
@@ -116,8 +119,11 @@ class Page {
       new Map([["names", this.#nameList]]),
     );
     this.#presets = presets(engine.presets(), (preset) => this.#press(preset));
-    this.#countries = new PresetButtons("Countries", engine.countries(), (country) =>
-      this.#set(this.#unkept(country), "watch"),
+    this.#countries = new PresetButtons(
+      "Countries",
+      engine.countries(),
+      (country) => this.#set(this.#unkept(country), "watch"),
+      ({ name }) => `${COUNTRY_PICTURES}/${name}.webp`,
     );
     this.#seedBox = new SeedBox(elements.seedForm, elements.seed, (seed) => this.#set([["seed", seed]], "watch"));
     describeSeed(this.#table);

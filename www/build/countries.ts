@@ -1,0 +1,56 @@
+/** Small pictures of the kinds of country, which stand on their buttons: drawn while the site is built; by the dev server, when one is asked for. */
+
+import { readFileSync } from "node:fs";
+import type { Plugin } from "vite";
+import { countries as allCountries, initSync, readLink } from "../pkg-full/riverseed_full.js";
+import { Camera } from "../src/page/camera.ts";
+import { drawAll, type Order } from "./gallery/drawing.ts";
+import type { Shot } from "./gallery/shots.ts";
+
+/** Twice as large as they are shown, for dense screens. `.preset img` of src/style/panel.css has their shape. */
+const SIZE = { width: 216, height: 136 };
+/** What of a picture stays free around a map that is seen whole. */
+const MARGIN_PX = 6;
+/** The files that the page asks for: `COUNTRY_PICTURES` of src/page/page.ts. */
+const FOLDER = "countries";
+
+interface Picture extends Order {
+  readonly file: string;
+}
+
+export function countries(): Plugin {
+  return {
+    name: "countries",
+    configureServer: ({ middlewares }) => {
+      middlewares.use((request, response, next) => {
+        const [path] = (request.url ?? "").split("?");
+        const picture = pictures().find(({ file }) => path?.endsWith(`/${file}`));
+        if (!picture) return next();
+        drawAll([picture]).then(([files]) => {
+          response.setHeader("Content-Type", "image/webp");
+          response.end(files?.[0]);
+        }, next);
+      });
+    },
+    async generateBundle() {
+      const all = pictures();
+      const files = await drawAll(all);
+      for (const [i, { file }] of all.entries())
+        this.emitFile({ type: "asset", fileName: file, source: files[i]?.[0] ?? new Uint8Array() });
+    },
+  };
+}
+
+function pictures(): Picture[] {
+  initSync({ module: readFileSync(new URL("../pkg-full/riverseed_full_bg.wasm", import.meta.url)) });
+  return allCountries().map(({ name, values }) => {
+    const { link } = readLink(`${new URLSearchParams(values.map(([key, value]) => [key, value]))}&style=atlas`);
+    return { file: `${FOLDER}/${name}.webp`, link, shots: [shotOf(Number(new Map(values).get("aspect")))] };
+  });
+}
+
+/** All of the map, whatever its shape. */
+function shotOf(aspect: number): Shot {
+  const insets = { left: MARGIN_PX, top: MARGIN_PX, right: MARGIN_PX, bottom: MARGIN_PX };
+  return { ...SIZE, format: "webp", quality: 62, framing: new Camera().framingOn({ ...SIZE, insets, aspect }) };
+}
