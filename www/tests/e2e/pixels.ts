@@ -14,7 +14,7 @@ export interface Pixels {
  */
 export async function pixelsOf(canvas: Locator): Promise<Pixels> {
   return await canvas.evaluate(async (shown: HTMLCanvasElement) => {
-    const read = (): { width: number; height: number; data: Uint8ClampedArray } => {
+    const read = (): { width: number; height: number; data: Uint8ClampedArray<ArrayBuffer> } => {
       const { width, height } = shown;
       const copy = Object.assign(document.createElement("canvas"), { width, height });
       const context = copy.getContext("2d", { willReadFrequently: true });
