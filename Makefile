@@ -69,7 +69,7 @@ test-rust: ## the core, natively
 .PHONY: test-hydrology
 test-hydrology: ## another's hydrology library finds nothing to fill on the relief, and our rivers where we drew them
 	@$(setup) rust
-	@$(run) cargo build --quiet --features cli
+	@$(run) cargo test --quiet --all-features --no-run --test command_line # the program as the tests of the core have it
 	@scripts/hydrology.sh target/debug/riverseed
 
 .PHONY: test-wasm

@@ -6,7 +6,8 @@
 #   scripts/env.sh --wasm COMMAND…    the same, with a Rust that can compile to wasm32
 #   source scripts/env.sh             take it over into a script
 #
-# A browser of your own choice: set CHROME and CHROMEDRIVER (of one version), or FIREFOX.
+# A browser of your own choice: set CHROME and CHROMEDRIVER (of one version), or FIREFOX. What drives pages by the
+# hundred takes HEADLESS_SHELL, Chromium without windows; unless that is there, or where you chose CHROME, it takes CHROME.
 
 RIVERSEED_ROOT=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 export RIVERSEED_ROOT
@@ -32,9 +33,11 @@ first_of() {
   return 0
 }
 
-own_chrome=${CHROME-} own_chromedriver=${CHROMEDRIVER-} own_firefox=${FIREFOX-}
+own_shell=${HEADLESS_SHELL-} own_chrome=${CHROME-} own_chromedriver=${CHROMEDRIVER-} own_firefox=${FIREFOX-}
 find_browsers() {
   export CHROME=${own_chrome:-$(first_of chromium chromium-browser google-chrome-stable google-chrome)}
+  HEADLESS_SHELL=${own_shell:-${own_chrome:-$(first_of chromium-headless-shell /usr/lib/chromium/chromium-headless-shell)}}
+  export HEADLESS_SHELL=${HEADLESS_SHELL:-$CHROME}
   export CHROMEDRIVER=${own_chromedriver:-$(first_of chromedriver)}
   export FIREFOX=${own_firefox:-$(first_of firefox-esr firefox)}
 }

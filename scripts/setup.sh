@@ -9,7 +9,7 @@
 #   supply    what reads the licences of the crates: cargo-about and cargo-deny
 #   wasm      the wasm32 target, wasm-bindgen (the version in Cargo.lock) and wasm-pack (the one in wasm-pack.toml)
 #   node      Node.js, and the packages of www/package-lock.json
-#   browser   Chromium and its driver
+#   browser   Chromium and its driver, and Chromium without windows, where apt has it
 #   firefox   Firefox, the second engine
 #   fuzz      cargo-fuzz, and a C++ compiler
 #   mutants   cargo-mutants

@@ -18,7 +18,7 @@ export default defineConfig({
     // Nothing stands between a page and what a test answers it; tests/e2e/offline.spec.ts is about what does.
     serviceWorkers: "block",
     launchOptions: {
-      executablePath: process.env["CHROME"] ?? "/usr/bin/chromium",
+      executablePath: process.env["HEADLESS_SHELL"] ?? process.env["CHROME"] ?? "/usr/bin/chromium",
       args: [
         "--no-sandbox",
         "--disable-gpu",

@@ -5,6 +5,7 @@ setup() {
   new_machine
   offer chromium 156.0.8078.79-1
   offer chromium-driver 156.0.8078.79-1
+  offer chromium-headless-shell 156.0.8078.79-1
   offer firefox-esr 153.7.0esr-1
 }
 
@@ -14,6 +15,30 @@ setup() {
   set_up browser
   succeeded
   called 1 "apt-get install chromium chromium-driver"
+}
+
+@test "a Chromium without windows comes with it, once" {
+  set_up browser
+  set_up browser
+  succeeded
+  called 1 "apt-get install chromium-headless-shell"
+}
+
+@test "an archive without that one has the tests run in Chromium as it is" {
+  rm "$machine"/lists/chromium-headless-shell "$machine"/archive/chromium-headless-shell
+  set_up browser
+  succeeded
+  called 1 "apt-get install"
+  called 0 "apt-get update"
+}
+
+@test "beside a browser of one's own no other is installed" {
+  program my-chrome 156.0.1.2
+  program my-driver 156.0.7.7
+  variables=(CHROME="$usr/bin/my-chrome" CHROMEDRIVER="$usr/bin/my-driver")
+  set_up browser
+  succeeded
+  called 0 "apt-get install"
 }
 
 @test "a Chromium whose driver is of another version is renewed with it" {

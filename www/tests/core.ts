@@ -14,8 +14,18 @@ export interface Picture {
   summary: engine.Summary;
 }
 
+/** What has been drawn: a test asks for the same picture again and again until the page shows it. */
+const drawn = new Map<string, Picture>();
+
 /** The finished river of a link, as the River class draws it at a size: what a framing shows of it, or all that covers the picture. */
 export function pictureOf(link: string, width: number, height: number, framing?: Framing): Picture {
+  const key = JSON.stringify([link, width, height, framing]);
+  const picture = drawn.get(key) ?? draw(link, width, height, framing);
+  drawn.set(key, picture);
+  return picture;
+}
+
+function draw(link: string, width: number, height: number, framing?: Framing): Picture {
   const river = new engine.River(engine.readLink(link).link);
   river.resize(width, height);
   if (framing) river.frame(new Float32Array(framing));

@@ -68,20 +68,34 @@ function row(page: Page, key: string): Locator {
   return page.locator(`[data-key="${key}"]`);
 }
 
+/** What the panel says of some rows, read at once: there are many of them. */
+function rowsIn(page: Page, keys: readonly string[]): Promise<{ text: string; help: string; isUsable: boolean[] }[]> {
+  return page.evaluate((keys) => {
+    const plain = (element?: Element | null): string => element?.textContent?.replace(/\s+/g, " ").trim() ?? "";
+    return keys.map((key) => {
+      const row = document.querySelector(`[data-key="${key}"]`);
+      const fields = [...(row?.querySelectorAll("input, select") ?? [])];
+      const isUsable = fields.map((field) => !field.matches(":disabled"));
+      return { text: plain(row), help: plain(row?.querySelector(".help")), isUsable };
+    });
+  }, keys);
+}
+
 for (const link of CONTEXTS) {
   test(`every row of the table has a control with its label, and its help or why it is idle: ?${link}`, async ({
     page,
   }) => {
     await openUnfolded(page, link);
     await expect(page.locator("[data-key]")).toHaveCount(adjustable.length);
-    for (const { key, label, help } of controlled) {
+    const rows = await rowsIn(
+      page,
+      controlled.map(({ key }) => key),
+    );
+    for (const [i, { key, label, help }] of controlled.entries()) {
       const reason = reasonIn(link, key);
-      await expect(row(page, key)).toContainText(label);
-      await expect(row(page, key).locator(".help")).toHaveText(reason === undefined ? help : `No effect: ${reason}.`);
-      for (const field of await row(page, key).locator("input, select").all()) {
-        if (reason === undefined) await expect(field).toBeEnabled();
-        else await expect(field).toBeDisabled();
-      }
+      expect(rows[i]?.text, key).toContain(label);
+      expect(rows[i]?.help, key).toBe(reason === undefined ? help : `No effect: ${reason}.`);
+      expect(rows[i]?.isUsable, key).toEqual(rows[i]?.isUsable.map(() => reason === undefined));
     }
   });
 }
@@ -134,31 +148,54 @@ test("a preset is a way of space colonization, and goes back to it", async ({ pa
   await expectPictureOfAddress(page);
 });
 
-for (const { key, label, stage, max, default: value } of drawn.filter(({ min }) => min !== undefined)) {
-  test(`the slider of ${key} changes the picture, and reset brings it back`, async ({ page }) => {
+/** Parameters by the recipe that they are tried in, so that those of one recipe are tried on one page, a few of them on each. */
+function byContext(parameters: typeof drawn): [link: string, few: typeof drawn][] {
+  const groups = new Map<string, typeof drawn>();
+  for (const parameter of parameters) {
+    const link = parameter.key === "attractors" ? "" : contextOf(parameter.key);
+    groups.set(link, [...(groups.get(link) ?? []), parameter]);
+  }
+  return [...groups].flatMap(([link, all]) => inFews(all).map((few): [string, typeof drawn] => [link, few]));
+}
+
+/** So that two workers have about the same to do, and a failure is found soon. */
+const A_FEW = 8;
+
+function inFews<Item>(all: readonly Item[]): Item[][] {
+  return all.length <= A_FEW ? [[...all]] : [all.slice(0, A_FEW), ...inFews(all.slice(A_FEW))];
+}
+
+const keysOf = (few: typeof drawn): string => few.map(({ key }) => key).join(", ");
+
+for (const [link, few] of byContext(drawn.filter(({ min }) => min !== undefined))) {
+  test(`each of these sliders changes the picture, and reset brings it back: ${keysOf(few)}`, async ({ page }) => {
+    test.setTimeout(few.length * 120_000);
     const states = await recordStates(page);
     const phases = await recordPhases(page);
-    await openUnfolded(page, key === "attractors" ? "" : contextOf(key));
+    await openUnfolded(page, link);
     const before = await shown(page);
-    const began = [(await states()).length, (await phases()).length] as const;
-    const slider = row(page, key).getByRole("slider");
-    await expect(slider).toHaveAccessibleName(label);
-    await slider.focus();
-    for (let i = 0; i < 3; i++) await page.keyboard.press(Number(value) === max ? "PageDown" : "PageUp");
-    await expect.poll(() => address(page).has(key)).toBe(true);
-    await expectPictureOfAddress(page);
-    expect((await shown(page)).sha256).not.toBe(before.sha256);
-    const exact = row(page, key).locator(".exact");
-    await expect.poll(async () => (await exact.inputValue()) === address(page).get(key)).toBe(true);
-    await row(page, key)
-      .getByRole("button", { name: `Reset ${label} to ${value}` })
-      .click();
-    await expectAddress(page, key, null);
-    await expect(slider).toBeFocused();
-    await expect.poll(() => shown(page)).toEqual(before);
-    // Early stages grow the river again, without animation; late ones do not grow it.
-    expect((await states()).slice(began[0])).not.toContain("growing");
-    if (!["land", "grow"].includes(stage)) expect((await phases()).slice(began[1])).not.toContain("growing");
+    for (const { key, label, stage, max, default: value } of few)
+      await test.step(key, async () => {
+        const began = [(await states()).length, (await phases()).length] as const;
+        const slider = row(page, key).getByRole("slider");
+        await expect(slider).toHaveAccessibleName(label);
+        await slider.focus();
+        for (let i = 0; i < 3; i++) await page.keyboard.press(Number(value) === max ? "PageDown" : "PageUp");
+        await expect.poll(() => address(page).has(key)).toBe(true);
+        await expectPictureOfAddress(page);
+        expect((await shown(page)).sha256).not.toBe(before.sha256);
+        const exact = row(page, key).locator(".exact");
+        await expect.poll(async () => (await exact.inputValue()) === address(page).get(key)).toBe(true);
+        await row(page, key)
+          .getByRole("button", { name: `Reset ${label} to ${value}` })
+          .click();
+        await expectAddress(page, key, null);
+        await expect(slider).toBeFocused();
+        await expect.poll(() => shown(page)).toEqual(before);
+        // Early stages grow the river again, without animation; late ones do not grow it.
+        expect((await states()).slice(began[0])).not.toContain("growing");
+        if (!["land", "grow"].includes(stage)) expect((await phases()).slice(began[1])).not.toContain("growing");
+      });
   });
 }
 
@@ -200,14 +237,22 @@ test("a slider of meanders that is dragged shows rivers on the way and grows not
   expect((await phases()).slice(began)).not.toContain("growing");
 });
 
-for (const { key, choices } of drawn.filter(({ kind }) => kind === "choice")) {
-  test(`the choices of ${key} change the picture`, async ({ page }) => {
-    await openUnfolded(page, contextOf(key));
+for (const [link, few] of byContext(drawn.filter(({ kind }) => kind === "choice"))) {
+  test(`the choices of each of these change the picture: ${keysOf(few)}`, async ({ page }) => {
+    test.setTimeout(few.length * 120_000);
+    await openUnfolded(page, link);
     const before = await shown(page);
-    await row(page, key).getByRole("combobox").selectOption({ index: 1 });
-    await expectAddress(page, key, choices?.[1]?.value ?? "");
-    await expectPictureOfAddress(page);
-    expect((await shown(page)).sha256).not.toBe(before.sha256);
+    for (const { key, choices } of few)
+      await test.step(key, async () => {
+        const choice = row(page, key).getByRole("combobox");
+        const first = await choice.inputValue();
+        await choice.selectOption({ index: 1 });
+        await expectAddress(page, key, choices?.[1]?.value ?? "");
+        await expectPictureOfAddress(page);
+        expect((await shown(page)).sha256).not.toBe(before.sha256);
+        await choice.selectOption(first);
+        await expect.poll(() => shown(page)).toEqual(before);
+      });
   });
 }
 

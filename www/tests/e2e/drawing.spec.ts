@@ -330,23 +330,24 @@ test("a picture can be dropped onto the map, and pasted", async ({ page }) => {
   }
 });
 
-for (const [name, buffer, message] of [
-  ["all black", png(40, 40, () => [0, 0, 0]), "all water"],
-  ["all white", png(40, 40, () => [255, 255, 255]), "all land"],
-  ["tiny", png(4, 4, () => [255, 255, 255]), "too small: 4 x 4"],
-  ["no picture", Buffer.from("not a picture"), "no picture that the browser can read"],
-  ["too large", tooLarge(), "5000 × 20 pixels"],
-] as const) {
-  test(`a picture that is ${name} is refused with a message, and the map stays`, async ({ page }) => {
-    await openFinished(page, SMALL);
-    const before = await shown(page);
-    await choose(page, buffer);
-    await expect(page.locator("#notices")).toContainText(message);
-    expect(await shown(page)).toEqual(before);
-    await page.getByRole("button", { name: "Dismiss" }).click();
-    await expect(page.locator("#notices")).toBeHidden();
-  });
-}
+test("a picture that cannot be a land is refused with a message, and the map stays", async ({ page }) => {
+  await openFinished(page, SMALL);
+  const before = await shown(page);
+  for (const [name, buffer, message] of [
+    ["all black", png(40, 40, () => [0, 0, 0]), "all water"],
+    ["all white", png(40, 40, () => [255, 255, 255]), "all land"],
+    ["tiny", png(4, 4, () => [255, 255, 255]), "too small: 4 x 4"],
+    ["no picture", Buffer.from("not a picture"), "no picture that the browser can read"],
+    ["too large", tooLarge(), "5000 × 20 pixels"],
+  ] as const)
+    await test.step(name, async () => {
+      await choose(page, buffer);
+      await expect(page.locator("#notices")).toContainText(message);
+      expect(await shown(page)).toEqual(before);
+      await page.getByRole("button", { name: "Dismiss" }).click();
+      await expect(page.locator("#notices")).toBeHidden();
+    });
+});
 
 test("a picture is refused while the part that traces does not arrive, and traced when it does", async ({ page }) => {
   await openFinished(page, SMALL);

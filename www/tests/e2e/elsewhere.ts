@@ -1,6 +1,5 @@
 /** Pages on another origin than the site's, and what is to be seen on them. */
 
-import { createHash } from "node:crypto";
 import type { Locator, Page } from "@playwright/test";
 import { pictureOf } from "../core.ts";
 import type { Host } from "./widget/hosts.ts";
@@ -24,18 +23,17 @@ export async function openElsewhere({ page, blog, baseURL }: Elsewhere, body: st
 export async function seen(page: Page, element: Locator): Promise<{ width: number; height: number; sha256: string }> {
   await element.scrollIntoViewIfNeeded();
   const shot = (await page.screenshot({ clip: await placeOf(element) })).toString("base64");
-  const { width, height, base64 } = await page.evaluate(async (shot) => {
+  return await page.evaluate(async (shot) => {
     const bytes = Uint8Array.from(atob(shot), (sign) => sign.charCodeAt(0));
     const image = await createImageBitmap(new Blob([bytes], { type: "image/png" }));
     const canvas = new OffscreenCanvas(image.width, image.height);
     const context = canvas.getContext("2d");
     context?.drawImage(image, 0, 0);
     const { data } = context?.getImageData(0, 0, image.width, image.height) ?? { data: new Uint8ClampedArray() };
-    let binary = "";
-    for (let i = 0; i < data.length; i += 8192) binary += String.fromCharCode(...data.subarray(i, i + 8192));
-    return { width: image.width, height: image.height, base64: btoa(binary) };
+    const digest = new Uint8Array(await crypto.subtle.digest("SHA-256", data));
+    const sha256 = Array.from(digest, (byte) => byte.toString(16).padStart(2, "0")).join("");
+    return { width: image.width, height: image.height, sha256 };
   }, shot);
-  return { width, height, sha256: createHash("sha256").update(Buffer.from(base64, "base64")).digest("hex") };
 }
 
 /** The pixels of the screen that an element covers: its edges go to the nearest ones. */

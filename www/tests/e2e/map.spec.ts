@@ -3,16 +3,16 @@
 import { expect, type Page, test } from "@playwright/test";
 import type { Framing } from "../../src/browser/canvas.ts";
 import { pictureOf } from "../core.ts";
-import { expectAddress, expectPictureOfAddress, finished, openFinished, shown } from "./riverpage.ts";
+import { expectAddress, expectPictureOfAddress, finished, framing, openFinished, shown } from "./riverpage.ts";
 
 const LINK = "seed=rimu&attractors=900&style=atlas";
 
 /** Waits until the picture is painted for what it shows, and returns that. */
 async function painted(page: Page, before: Framing): Promise<Framing> {
-  await expect.poll(async () => `${(await shown(page)).framing}`).not.toBe(`${before}`);
+  await expect.poll(async () => `${await framing(page)}`).not.toBe(`${before}`);
   await expect.poll(() => page.locator("#canvas").evaluate((canvas: HTMLElement) => canvas.style.transform)).toBe("");
   await expectPictureOfAddress(page);
-  return (await shown(page)).framing;
+  return framing(page);
 }
 
 test("the picture fills the window, and the map lies in what of it nothing covers", async ({ page }) => {
@@ -31,7 +31,7 @@ test("the picture fills the window, and the map lies in what of it nothing cover
 
 test("a wheel over the map brings what lies under it closer, sharp", async ({ page }) => {
   await openFinished(page, LINK);
-  const first = (await shown(page)).framing;
+  const first = await framing(page);
   const place = { x: 500, y: 300 };
   const width = page.viewportSize()?.width ?? 0;
   const under = ([left, top, across]: Framing): number[] =>
@@ -47,7 +47,7 @@ test("a wheel over the map brings what lies under it closer, sharp", async ({ pa
 
 test("the map is dragged, and keys move and zoom it", async ({ page }) => {
   await openFinished(page, LINK);
-  let last = (await shown(page)).framing;
+  let last = await framing(page);
   await page.locator("#frame").focus();
   for (const [key, expected] of [
     ["+", (now: Framing, before: Framing) => now[2] < before[2]],
@@ -80,22 +80,22 @@ test("buttons zoom, and say when there is no farther", async ({ page }) => {
   if (!closer || !farther || !all) throw new Error("no buttons");
   await expect(farther).toBeDisabled();
   await expect(all).toBeDisabled();
-  const first = (await shown(page)).framing;
+  const first = await framing(page);
   for (let i = 0; i < 12 && !(await closer.isDisabled()); i++) await closer.click();
   await expect(closer).toBeDisabled();
   await all.click();
   await expect(all).toBeDisabled();
-  await expect.poll(async () => (await shown(page)).framing).toEqual(first);
+  await expect.poll(() => framing(page)).toEqual(first);
 });
 
 test("a part of the map has labels of its own, as the engine places them", async ({ page }) => {
   await openFinished(page, `${LINK}&labels=many`);
-  const first = (await shown(page)).framing;
+  const first = await framing(page);
   await page.mouse.move(400, 300);
   await page.mouse.wheel(0, -700);
-  const framing = await painted(page, first);
+  const closer = await painted(page, first);
   const { width, height, sha256 } = await shown(page);
-  expect(sha256).not.toBe(pictureOf(LINK, width, height, framing).sha256);
+  expect(sha256).not.toBe(pictureOf(LINK, width, height, closer).sha256);
 });
 
 test("the strip shows this map in every style, and pressing one takes it", async ({ page }) => {

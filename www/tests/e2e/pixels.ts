@@ -1,6 +1,5 @@
 /** The bytes on a canvas, in whosever hands that is. */
 
-import { createHash } from "node:crypto";
 import type { Locator } from "@playwright/test";
 
 export interface Pixels {
@@ -14,8 +13,8 @@ export interface Pixels {
  * after the word of it, so it is read until nothing changes any more.
  */
 export async function pixelsOf(canvas: Locator): Promise<Pixels> {
-  const { width, height, base64 } = await canvas.evaluate(async (shown: HTMLCanvasElement) => {
-    const read = (): { width: number; height: number; data: Uint8ClampedArray } => {
+  return await canvas.evaluate(async (shown: HTMLCanvasElement) => {
+    const read = (): { width: number; height: number; data: Uint8ClampedArray<ArrayBuffer> } => {
       const { width, height } = shown;
       const copy = Object.assign(document.createElement("canvas"), { width, height });
       const context = copy.getContext("2d", { willReadFrequently: true });
@@ -42,9 +41,9 @@ export async function pixelsOf(canvas: Locator): Promise<Pixels> {
       if (isSame && next.width === last.width && next.height === last.height) break;
       last = next;
     }
-    let binary = "";
-    for (let i = 0; i < last.data.length; i += 8192) binary += String.fromCharCode(...last.data.subarray(i, i + 8192));
-    return { width: last.width, height: last.height, base64: btoa(binary) };
+    // Here, since megabytes on their way out of the browser would cost more than all else.
+    const digest = new Uint8Array(await crypto.subtle.digest("SHA-256", last.data));
+    const sha256 = Array.from(digest, (byte) => byte.toString(16).padStart(2, "0")).join("");
+    return { width: last.width, height: last.height, sha256 };
   });
-  return { width, height, sha256: createHash("sha256").update(Buffer.from(base64, "base64")).digest("hex") };
 }

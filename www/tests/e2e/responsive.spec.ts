@@ -36,16 +36,36 @@ for (const { name, ...viewport } of SIZES) {
 
     test("every control can be brought into sight and is large enough for a finger", async ({ page }) => {
       await openUnfolded(page, "attractors=300&curl=1");
-      for (const control of await page.locator("button, input, select, summary, label.side").all()) {
-        if (!(await control.isVisible())) continue;
-        await control.scrollIntoViewIfNeeded();
-        await expect(control).toBeInViewport();
-        const { width, height } = (await control.boundingBox()) ?? { width: 0, height: 0 };
-        const isBox = (await control.getAttribute("type")) === "checkbox";
-        // A checkbox is as large as the label around it.
-        if (!isBox)
-          expect(Math.min(width, height), await control.evaluate((e) => e.outerHTML)).toBeGreaterThanOrEqual(24);
-      }
+      const controls = page.locator("button, input, select, summary, label.side");
+      // In the page, in one go: there are hundreds.
+      const wrong = await controls.evaluateAll(async (all) => {
+        const isInSight = (control: Element): Promise<boolean> =>
+          new Promise((done) => {
+            const observer = new IntersectionObserver(([entry]) => {
+              observer.disconnect();
+              done((entry?.intersectionRatio ?? 0) > 0);
+            });
+            observer.observe(control);
+          });
+        const found: string[] = [];
+        let count = 0;
+        for (const control of all) {
+          const size = (): number => {
+            const { width, height } = control.getBoundingClientRect();
+            return Math.min(width, height);
+          };
+          if (!control.checkVisibility({ visibilityProperty: true }) || size() === 0) continue;
+          count++;
+          control.scrollIntoView({ block: "center", inline: "center" });
+          if (!(await isInSight(control))) found.push(`out of sight: ${control.outerHTML}`);
+          // A checkbox is as large as the label around it.
+          const isBox = control.getAttribute("type") === "checkbox";
+          if (!isBox && size() < 24) found.push(`${size()} pixels: ${control.outerHTML}`);
+        }
+        return { found, count };
+      });
+      expect(wrong.found).toEqual([]);
+      expect(wrong.count).toBeGreaterThan(100);
     });
 
     test("what has the focus is not hidden behind the picture", async ({ page }) => {

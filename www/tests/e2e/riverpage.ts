@@ -103,10 +103,17 @@ export async function openUnfolded(page: Page, link = ""): Promise<void> {
   await unfold(page);
 }
 
+/** At once: click by click it would be longer than what most tests do then. Clicks are the subject of `folds.spec.ts`. */
 export async function unfold(page: Page): Promise<void> {
   await openPanel(page);
-  const folded = page.locator("details:not([open]):is(.group, .more) > summary");
-  while ((await folded.count()) > 0) await folded.first().click();
+  await page.locator("details:not([open]):is(.group, .more)").evaluateAll(async (folded) => {
+    const opened = (details: Element): Promise<Event> =>
+      new Promise((done) => {
+        details.addEventListener("toggle", done, { once: true });
+        details.setAttribute("open", "");
+      });
+    await Promise.all(folded.map(opened));
+  });
 }
 
 /** Waits until the rivers that were asked for last are finished. */
@@ -122,8 +129,13 @@ export interface Shown extends Pixels {
 /** The canvas's bytes as they are. */
 export async function shown(page: Page): Promise<Shown> {
   const pixels = await pixelsOf(page.locator("#canvas"));
-  const framing = (await page.locator("#frame").getAttribute("data-framing"))?.split(" ").map(Number);
-  return { ...pixels, framing: framing as unknown as Framing };
+  return { ...pixels, framing: await framing(page) };
+}
+
+/** What part of the map is shown. */
+export async function framing(page: Page): Promise<Framing> {
+  const numbers = (await page.locator("#frame").getAttribute("data-framing"))?.split(" ").map(Number);
+  return numbers as unknown as Framing;
 }
 
 /** The link in the address bar, as it is now. */
@@ -133,7 +145,7 @@ export function address(page: Page): URLSearchParams {
 
 /** Waits until the address bar has a value (or has left it out). It is written with a delay. */
 export async function expectAddress(page: Page, key: string, value: string | null): Promise<void> {
-  await expect.poll(() => address(page).get(key)).toBe(value);
+  await expect.poll(() => address(page).get(key), { intervals: [50] }).toBe(value);
 }
 
 /** The picture on the page is the one its address promises, drawn by the core alone. */
