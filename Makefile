@@ -49,10 +49,15 @@ package: tarball ## pack what is published into target/package: the npm package,
 tarball: widget
 	@$(npm) package
 
+.PHONY: wheel
+wheel: ## the Python package as a wheel, in target/package
+	@$(setup) rust
+	@scripts/python.sh wheel
+
 # ---- prove it
 
 .PHONY: test
-test: test-scripts test-rust test-hydrology test-wasm test-page test-browser lighthouse test-firefox test-package ## every test there is
+test: test-scripts test-rust test-hydrology test-python test-wasm test-page test-browser lighthouse test-firefox test-package ## every test there is
 
 .PHONY: test-scripts
 test-scripts: ## what set-up, builds and checks decide, with stand-ins for apt, rustup, npm and the like
@@ -71,6 +76,13 @@ test-hydrology: ## another's hydrology library finds nothing to fill on the reli
 	@$(setup) rust
 	@$(run) cargo test --quiet --all-features --no-run --test command_line # the program as the tests of the core have it
 	@scripts/hydrology.sh target/debug/riverseed
+
+# Skipped likewise.
+.PHONY: test-python
+test-python: ## the Python package, as a wheel that is built and installed: the bytes of the command line, arrays, threads, types
+	@$(setup) rust
+	@$(run) cargo build --quiet --features cli
+	@scripts/python.sh test target/debug/riverseed
 
 .PHONY: test-wasm
 test-wasm: ## the core as wasm, in headless Chromium: the same pictures to the bit
@@ -121,8 +133,11 @@ check: widget ## format, lints, types, documentation, weights and licences: not 
 	$(run) shellcheck --external-sources --check-sourced scripts/*.sh .ci/run tests/scripts/*.ba* tests/scripts/stand-ins/*
 	$(run) cargo fmt --check
 	$(run) cargo fmt --check --manifest-path fuzz/Cargo.toml
+	$(run) cargo fmt --check --manifest-path python/Cargo.toml
 	$(run) cargo clippy --quiet --all-targets --all-features -- -D warnings
 	CUSTOM_LIBFUZZER_PATH=target/unlinked $(run) cargo clippy --quiet --locked --manifest-path fuzz/Cargo.toml --target-dir target -- -D warnings
+	$(run) cargo clippy --quiet --locked --manifest-path python/Cargo.toml --target-dir target/python -- -D warnings
+	scripts/python.sh check
 	$(wasm) cargo clippy --quiet --lib --examples $(wasm32) -- -D warnings
 	$(wasm) cargo clippy --quiet --lib $(WASM_TESTS:%=--test %) $(wasm32) --features rivers,tracing,files,controls -- -D warnings
 	$(wasm) cargo clippy --quiet --lib $(wasm32) --features charts -- -D warnings
@@ -160,7 +175,7 @@ bench: site widget ## the figures of docs/benchmarks.md: natively, as wasm in No
 	@$(run) node benches/run.mjs
 
 .PHONY: notices
-notices: ## write THIRD-PARTY.txt, the notices of the crates that are handed out, after a change of Cargo.lock
+notices: ## write THIRD-PARTY.txt, here and in python, the notices of the crates that are handed out, after a change of Cargo.lock
 	@$(setup) supply
 	@$(run) scripts/supply.sh notices
 

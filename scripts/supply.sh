@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # The crates that this one depends on: the notices that their licences ask for, and which of them may be used.
 #
-#   scripts/supply.sh notices    writes THIRD-PARTY.txt: the notices of every crate in a program or package of ours
+#   scripts/supply.sh notices    writes THIRD-PARTY.txt: the notices of every crate in a program or package of ours;
+#                                and that of the Python package
 #   scripts/supply.sh check      the notices are current; licences, sources and duplicates of crates are as
 #                                .cargo/deny.toml allows; no advisory is known, if their database can be reached
 #
@@ -10,23 +11,32 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 source scripts/env.sh
 
-# notices FILE. All crates are looked at, also those for other machines, which no build here has fetched.
+# What is handed out, each with a Cargo.lock and notices of its own.
+folders=(. python)
+
+# notices FOLDER FILE. All crates are looked at, also those for other machines, which no build here has fetched.
 notices() {
-  cargo fetch --quiet --locked
-  cargo about generate --frozen --all-features --fail --config .cargo/about.toml --output-file "$1" .cargo/about.hbs
+  cargo fetch --quiet --locked --manifest-path "$1/Cargo.toml"
+  cargo about generate --frozen --all-features --fail --manifest-path "$1/Cargo.toml" --config .cargo/about.toml \
+    --output-file "$2" .cargo/about.hbs
 }
 
 check_notices() {
-  local now=target/THIRD-PARTY.txt
+  local now=target/THIRD-PARTY.txt file=$1/THIRD-PARTY.txt
+  file=${file#./}
   mkdir -p target
-  notices "$now"
-  diff --brief THIRD-PARTY.txt "$now" || { echo "THIRD-PARTY.txt is out of date: run 'make notices'" >&2; return 1; }
+  notices "$1" "$now"
+  diff --brief "$file" "$now" || { echo "$file is out of date: run 'make notices'" >&2; return 1; }
+}
+
+check_licences() {
+  cargo deny --frozen --manifest-path "$1/Cargo.toml" --config .cargo/deny.toml --log-level warn check licenses bans sources
 }
 
 # The database of advisories is a git repository, which not every machine can reach.
 check_advisories() {
   local said
-  said=$(cargo deny --log-level warn check advisories 2>&1) && return
+  said=$(cargo deny --manifest-path "$1/Cargo.toml" --config .cargo/deny.toml --log-level warn check advisories 2>&1) && return
   if grep --quiet --ignore-case 'failed to fetch advisory database' <<<"$said"; then
     echo "Advisories are not looked up: their database cannot be reached from here."
   else
@@ -36,11 +46,13 @@ check_advisories() {
 }
 
 case ${1-} in
-  notices) notices THIRD-PARTY.txt ;;
+  notices) for folder in "${folders[@]}"; do notices "$folder" "$folder/THIRD-PARTY.txt"; done ;;
   check)
-    check_notices
-    cargo deny --frozen --log-level warn check licenses bans sources
-    check_advisories
+    for folder in "${folders[@]}"; do
+      check_notices "$folder"
+      check_licences "$folder"
+    done
+    for folder in "${folders[@]}"; do check_advisories "$folder"; done
     ;;
-  *) sed -n '2,8s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
+  *) sed -n '2,9s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
 esac

@@ -33,6 +33,7 @@
 //! - `names` (default): names of rivers, lakes and islands, in files and on the map.
 //! - `json`: JSON and GeoJSON as text, and recipes in JSON.
 //! - `png`: PNG, written and read.
+//! - `pack`: the game pack, a ZIP of pictures and data, with `json` and `png`.
 //! - `cli`: the program `riverseed`, with all of these.
 
 pub use glam;

@@ -1,22 +1,22 @@
 //! A map's files for a game, in one archive: rasters, rivers, the picture, and a text that says by which scale.
 
-#[cfg(feature = "cli")]
+#[cfg(feature = "pack")]
 use std::io::{Error, Result, Write};
 
-#[cfg(feature = "cli")]
+#[cfg(feature = "pack")]
 use flate2::{Compression, write::DeflateEncoder};
-#[cfg(feature = "cli")]
+#[cfg(feature = "pack")]
 use rawzip::time::UtcDateTime;
-#[cfg(feature = "cli")]
+#[cfg(feature = "pack")]
 use rawzip::{CompressionMethod, ZipArchiveWriter};
-#[cfg(feature = "cli")]
+#[cfg(feature = "pack")]
 use tiny_skia::Pixmap;
 
 use super::rasters::{Layer, Rasters, decimal, shortest};
-#[cfg(feature = "cli")]
+#[cfg(feature = "pack")]
 use super::{geojson, png};
 use crate::relief::METRES;
-#[cfg(feature = "cli")]
+#[cfg(feature = "pack")]
 use crate::session::Session;
 
 /// The names of the files besides the rasters: the text, the picture, the rivers.
@@ -62,7 +62,7 @@ pub fn readme(rasters: &Rasters) -> String {
 ///
 /// # Errors
 /// If there are no rivers yet, or there is not enough memory; and those of the writer.
-#[cfg(feature = "cli")]
+#[cfg(feature = "pack")]
 pub fn write(out: impl Write, session: &Session, rasters: &Rasters, picture: &Pixmap) -> Result<()> {
     let mut archive = ZipArchiveWriter::new(out);
     add(&mut archive, README, |file| file.write_all(readme(rasters).as_bytes()))?;
@@ -76,7 +76,7 @@ pub fn write(out: impl Write, session: &Session, rasters: &Rasters, picture: &Pi
 }
 
 /// Adds a file to an archive.
-#[cfg(feature = "cli")]
+#[cfg(feature = "pack")]
 fn add<W: Write>(
     archive: &mut ZipArchiveWriter<W>,
     name: &str,

@@ -5,7 +5,9 @@ setup() {
   new_machine
   put_rustup 1.95.0
   echo "MIT: the authors of glam" >"$machine/notices"
+  mkdir "$checkout/python"
   cp "$machine/notices" "$checkout/THIRD-PARTY.txt"
+  cp "$machine/notices" "$checkout/python/THIRD-PARTY.txt"
 }
 
 supply() { run on_machine "$checkout/scripts/supply.sh" "$@"; }
@@ -14,10 +16,12 @@ supply() { run on_machine "$checkout/scripts/supply.sh" "$@"; }
   supply check
   succeeded
   [[ $output == "" ]] || fail "it said something"
-  called 1 "cargo fetch --quiet --locked"
-  called 1 "cargo about generate --frozen --all-features --fail"
-  called 1 "cargo deny .*check licenses bans sources"
-  called 1 "cargo deny .*check advisories"
+  for folder in . python; do
+    called 1 "cargo fetch --quiet --locked --manifest-path $folder/"
+    called 1 "cargo about generate --frozen --all-features --fail --manifest-path $folder/"
+    called 1 "cargo deny .*--manifest-path $folder/.* licenses bans sources"
+    called 1 "cargo deny .*--manifest-path $folder/.* advisories"
+  done
 }
 
 @test "notices that are out of date stop the check, and are left as they are" {
@@ -26,6 +30,13 @@ supply() { run on_machine "$checkout/scripts/supply.sh" "$@"; }
   ((status == 1))
   said "THIRD-PARTY.txt is out of date: run 'make notices'"
   [[ $(cat "$checkout/THIRD-PARTY.txt") == "MIT: the authors of glam" ]]
+}
+
+@test "notices of the Python package that are out of date stop the check" {
+  echo "MIT: the authors of pyo3" >>"$checkout/python/THIRD-PARTY.txt"
+  supply check
+  ((status == 1))
+  said "python/THIRD-PARTY.txt is out of date: run 'make notices'"
 }
 
 @test "notices that are missing stop the check" {

@@ -1,0 +1,170 @@
+//! `riverseed.render`: a map as the bytes of a file, those that the command line writes.
+
+use std::io::{self, Write};
+
+use pyo3::prelude::*;
+use pyo3::types::PyBytes;
+use riverseed::domain::Domain;
+use riverseed::export::rasters::{Layer, Rasters};
+use riverseed::export::{ExportError, geojson, json, pack, png, svg};
+use riverseed::recipe::{Recipe, link};
+use riverseed::session::Session;
+
+use crate::failure::{Done, Failure, raised};
+use crate::map;
+use crate::order::{self, Parameters};
+
+/// The forms of a file, as the endings of the command line name them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Form {
+    Png,
+    Svg,
+    GeoJson,
+    Json,
+    Pack,
+    Raster(Layer),
+}
+
+impl Form {
+    const ALL: [(Self, &'static str); 10] = [
+        (Self::Png, "png"),
+        (Self::Svg, "svg"),
+        (Self::GeoJson, "geojson"),
+        (Self::Json, "json"),
+        (Self::Pack, "zip"),
+        (Self::Raster(Layer::Heights), "heights.png"),
+        (Self::Raster(Layer::Land), "land.png"),
+        (Self::Raster(Layer::Rivers), "rivers.png"),
+        (Self::Raster(Layer::Flow), "flow.png"),
+        (Self::Raster(Layer::Basins), "basins.png"),
+    ];
+
+    fn named(name: &str) -> Done<Self> {
+        let refused = || {
+            let names = Self::ALL.map(|(_, name)| name).join(", ");
+            Failure::Refused(format!("form: '{}' is none of {names}", shown(name)))
+        };
+        Self::ALL.iter().find(|(_, known)| *known == name).map(|(form, _)| *form).ok_or_else(refused)
+    }
+
+    /// Whether there is a picture in it.
+    fn has_picture(self) -> bool {
+        matches!(self, Self::Png | Self::Pack)
+    }
+
+    fn has_rasters(self) -> bool {
+        matches!(self, Self::Raster(_) | Self::Pack)
+    }
+}
+
+/// What a file is made by besides its recipe.
+struct Options {
+    form: Form,
+    size: u32,
+    ratio: f32,
+    raster_size: Option<u32>,
+}
+
+impl Options {
+    /// The longer side of a picture, in pixels, unless another is asked for: that of the command line.
+    const SIZE: u32 = 1200;
+
+    fn read(form: &str, size: Option<u32>, ratio: Option<f32>, raster_size: Option<u32>) -> Done<Self> {
+        let kind = Form::named(form)?;
+        let is_misplaced = [
+            ("size", size.is_some() && !kind.has_picture()),
+            ("ratio", ratio.is_some() && !kind.has_picture()),
+            ("raster_size", raster_size.is_some() && !kind.has_rasters()),
+        ];
+        if let Some((option, _)) = is_misplaced.iter().find(|(_, is_misplaced)| *is_misplaced) {
+            return Err(Failure::Refused(format!("{option} does not go with form '{form}'")));
+        }
+        let ratio = ratio.unwrap_or(1.0);
+        if !((0.5..=4.0).contains(&ratio) && (ratio * 4.0).fract() == 0.0) {
+            return Err(Failure::Refused(format!("ratio: {ratio} is not from 0.5 to 4, in quarters")));
+        }
+        Ok(Self { form: kind, size: size.unwrap_or(Self::SIZE), ratio, raster_size })
+    }
+}
+
+/// Makes the bytes of a file.
+#[pyfunction]
+pub fn render<'py>(
+    py: Python<'py>,
+    link: &str,
+    parameters: Parameters,
+    form: &str,
+    size: Option<u32>,
+    ratio: Option<f32>,
+    raster_size: Option<u32>,
+) -> PyResult<Bound<'py, PyBytes>> {
+    let options = Options::read(form, size, ratio, raster_size)?;
+    let recipe = order::recipe(link, parameters)?;
+    check_raster_size(&recipe, options.raster_size)?;
+    let bytes = match options.form {
+        Form::Png | Form::Pack => with_picture(py, recipe, &options)?,
+        Form::Raster(layer) => {
+            let mut session = map::grow(py, recipe)?;
+            let rasters = rasters(py, &mut session, options.raster_size)?;
+            py.detach(|| written(|out| Ok(png::write_raster(out, &rasters, layer).map_err(io::Error::from)?)))?
+        }
+        Form::Svg | Form::GeoJson | Form::Json => {
+            let session = map::grow(py, recipe)?;
+            py.detach(|| written(|out| write_text(out, &session, options.form)))?
+        }
+    };
+    Ok(PyBytes::new(py, &bytes))
+}
+
+/// Whether rasters can be that long, before anything grows.
+pub fn check_raster_size(recipe: &Recipe, size: Option<u32>) -> Done<()> {
+    let grid = size.map(|size| Rasters::grid(&Domain::of(recipe), size));
+    grid.transpose().map(drop).map_err(|error| Failure::from(error).of_option("raster_size"))
+}
+
+/// The rasters of a finished map.
+pub fn rasters(py: Python<'_>, session: &mut Session, size: Option<u32>) -> PyResult<Rasters> {
+    map::raise_relief(py, session)?;
+    let session = &*session;
+    let made: Result<Rasters, ExportError> =
+        py.detach(|| size.map_or_else(|| Rasters::new(session), |size| Rasters::with_size(session, size)));
+    raised(made)
+}
+
+fn with_picture(py: Python<'_>, recipe: Recipe, options: &Options) -> PyResult<Vec<u8>> {
+    let mut picture = map::picture(&recipe, options.size, options.ratio)?;
+    let mut session = map::grow(py, recipe)?;
+    let is_pack = options.form == Form::Pack;
+    let rasters = is_pack.then(|| rasters(py, &mut session, options.raster_size)).transpose()?;
+    map::paint(py, &mut picture, &session)?;
+    let pixmap = picture.pixmap();
+    let bytes = py.detach(|| {
+        written(|out| match &rasters {
+            Some(rasters) => Ok(pack::write(out, &session, rasters, pixmap)?),
+            None => Ok(png::write(out, pixmap, &link::write(session.recipe())).map_err(io::Error::from)?),
+        })
+    });
+    raised(bytes)
+}
+
+/// Texts end with a line, as files do.
+fn write_text(out: &mut Vec<u8>, session: &Session, form: Form) -> Done<()> {
+    match form {
+        Form::Svg => out.write_all(svg::svg(session)?.as_bytes())?,
+        Form::GeoJson => geojson::write(&mut *out, session)?,
+        _ => json::write(&mut *out, session, false)?,
+    }
+    Ok(writeln!(out)?)
+}
+
+fn written(write: impl FnOnce(&mut Vec<u8>) -> Done<()>) -> Done<Vec<u8>> {
+    let mut bytes = Vec::new();
+    write(&mut bytes)?;
+    Ok(bytes)
+}
+
+/// A hostile text must not fill the screen.
+fn shown(text: &str) -> String {
+    const MOST: usize = 40;
+    text.chars().take(MOST).map(|c| if c.is_control() { char::REPLACEMENT_CHARACTER } else { c }).collect()
+}

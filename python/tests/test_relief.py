@@ -1,0 +1,64 @@
+"""The arrays of a relief are the rasters of the command line."""
+
+import io
+import zipfile
+from typing import Any
+
+import numpy as np
+import pytest
+from conftest import SMALL, is_handed_over
+from numpy.typing import NDArray
+from PIL import Image
+
+import riverseed
+
+
+def read(pack: zipfile.ZipFile, name: str) -> tuple[NDArray[Any], dict[str, str]]:
+    """Return the values of a raster of a game pack, and its texts."""
+    image = Image.open(io.BytesIO(pack.read(f"{name}.png")))
+    return np.asarray(image), {str(key): str(text) for key, text in image.info.items()}
+
+
+@pytest.mark.parametrize("size", [None, 700])
+def test_arrays_are_the_rasters(size: int | None) -> None:
+    relief = riverseed.relief(SMALL, raster_size=size)
+    pack = zipfile.ZipFile(io.BytesIO(riverseed.render(SMALL, form="zip", size=50, raster_size=size)))
+    steps, texts = read(pack, "heights")
+    metres = (steps.astype(float) - int(texts["sea-level"])) * float(texts["metres-a-step"])
+    step = float(texts["metres-a-step"])
+    assert relief.heights.shape == steps.shape
+    # Land is a step above the sea at least.
+    assert np.abs(relief.heights - metres).max() <= step * 1.01
+    assert (relief.land == (read(pack, "land")[0] == 255)).all()
+    assert (relief.flow == read(pack, "flow")[0]).all()
+    assert (relief.basins == read(pack, "basins")[0]).all()
+    widths = read(pack, "rivers")[0]
+    assert (np.rint(relief.widths * 1000) == widths).all()
+    assert relief.land.any()
+    assert not relief.land.all()
+    assert relief.basins.max() > 1
+
+
+def test_cells_cover_the_map() -> None:
+    for size in (None, 700):
+        relief = riverseed.relief(SMALL, raster_size=size)
+        rows, columns = relief.heights.shape
+        for cells, length in ((columns, relief.size[0]), (rows, relief.size[1])):
+            assert -0.01 < cells * relief.cell_size - length < relief.cell_size + 0.01
+    assert riverseed.relief(SMALL).cell_size == 2
+
+
+def test_arrays_have_their_types_and_are_no_copies() -> None:
+    relief = riverseed.relief(SMALL)
+    types = {"heights": np.float32, "widths": np.float32, "flow": np.uint8, "basins": np.uint32}
+    for name, dtype in types.items():
+        array: NDArray[Any] = getattr(relief, name)
+        assert array.dtype == dtype
+        assert array.flags.c_contiguous
+        assert is_handed_over(array), f"{name} is a copy"
+    assert relief.land.dtype == np.bool_
+
+
+def test_there_is_a_relief_in_any_style() -> None:
+    inked = riverseed.relief(SMALL, style="ink")
+    assert (inked.heights == riverseed.relief(SMALL, style="atlas").heights).all()

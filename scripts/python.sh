@@ -1,0 +1,77 @@
+#!/usr/bin/env bash
+# The Python package: built as a wheel, installed and tested as its users have it. What that needs is kept in target/python; it is
+# skipped, with a word, where it cannot be had.
+#
+#   scripts/python.sh check                          format, lint and types of its Python
+#   scripts/python.sh test target/debug/riverseed    the wheel, beside a riverseed program
+#   scripts/python.sh wheel                          the wheel to publish, into target/package
+set -euo pipefail
+cd "$(dirname "$0")/.."
+source scripts/env.sh
+
+build=target/python
+packages=$build/venv
+wanted=python/requirements.txt
+least_python=10 # of Python 3, as in python/pyproject.toml
+
+skip() {
+  echo "The Python package is not $1: $2."
+  exit 0
+}
+
+# Whether exactly what is wanted was installed once.
+is_there() { cmp --silent "$wanted" "$packages/installed.txt"; }
+
+# install_packages DONE: DONE is what cannot be done without them.
+install_packages() {
+  rm -rf "$packages"
+  python3 -m venv "$packages" &>/dev/null || skip "$1" "this machine has no Python with venv"
+  "$packages/bin/pip" install --quiet --disable-pip-version-check --retries 1 --only-binary :all: -r "$wanted" ||
+    skip "$1" "what that needs cannot be had from PyPI"
+  cp "$wanted" "$packages/installed.txt"
+}
+
+get_packages() {
+  command -v python3 >/dev/null || skip "$1" "this machine has no Python"
+  python3 -c "import sys; sys.exit(sys.version_info < (3, $least_python))" ||
+    skip "$1" "this machine's Python is older than 3.$least_python"
+  is_there || install_packages "$1"
+}
+
+check() {
+  "$packages/bin/ruff" check --quiet --no-cache python
+  "$packages/bin/ruff" format --quiet --no-cache --check python
+  "$packages/bin/mypy" --no-error-summary --cache-dir "$build/mypy" --config-file python/pyproject.toml python/riverseed python/tests
+}
+
+# build_wheel FOLDER OPTION…
+build_wheel() {
+  CARGO_TARGET_DIR=$PWD/$build "$packages/bin/maturin" build --quiet --locked --interpreter "$packages/bin/python" \
+    --manifest-path python/Cargo.toml --out "$1" "${@:2}"
+}
+
+# Compiled fast, not to be fast.
+install_wheel() {
+  rm -rf "$build/wheels"
+  build_wheel "$build/wheels" --profile dev --compatibility linux
+  "$packages/bin/pip" install --quiet --disable-pip-version-check --no-index --no-deps --force-reinstall "$build"/wheels/*.whl
+}
+
+case ${1-} in
+  check)
+    get_packages checked
+    check
+    ;;
+  test)
+    get_packages tested
+    install_wheel
+    "$packages/bin/stubtest" --concise --mypy-config-file python/pyproject.toml riverseed._native
+    RIVERSEED_PROGRAM=$(realpath "$2") "$packages/bin/pytest" --quiet --config-file python/pyproject.toml \
+      --doctest-modules --pyargs riverseed python/tests
+    ;;
+  wheel)
+    get_packages built
+    build_wheel target/package --release
+    ;;
+  *) sed -n '2,7s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;
+esac
