@@ -81,7 +81,7 @@ test-hydrology: ## another's hydrology library finds nothing to fill on the reli
 .PHONY: test-python
 test-python: ## the Python package, as a wheel that is built and installed: the bytes of the command line, arrays, threads, types
 	@$(setup) rust
-	@$(run) cargo build --quiet --features cli
+	@$(run) cargo test --quiet --all-features --no-run --test command_line
 	@scripts/python.sh test target/debug/riverseed
 
 .PHONY: test-wasm
