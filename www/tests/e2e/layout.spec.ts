@@ -42,8 +42,9 @@ function outside(page: Page): Promise<string[]> {
       element.checkVisibility({ visibilityProperty: true, opacityProperty: true }) &&
       getComputedStyle(element).clipPath === "none" &&
       element.getClientRects().length > 0;
-    // The row of styles is there to be scrolled.
-    const seen = [...document.querySelectorAll("body *:not(#styles, #styles *)")].filter(isSeen);
+    // The rows of styles and of kinds of country are there to be scrolled.
+    const rows = ":is(#styles, #countries .preset-buttons)";
+    const seen = [...document.querySelectorAll(`body *:not(${rows}, ${rows} *)`)].filter(isSeen);
     const sideways = seen.filter((element) => {
       const { left, right } = element.getBoundingClientRect();
       return left < -0.5 || right > innerWidth + 0.5;
