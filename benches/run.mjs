@@ -32,6 +32,8 @@ const GROUPS = {
   "Labels of a map at 1024², from the link to the finished picture": labels,
   "Woods and hills of a map at 1024², from the link to the finished picture": woods,
   "Bends of the great rivers of 20 maps; in nature wavelength 11 widths, radius 2 to 3": bends,
+  "Whole maps with their files, natively: islands of which nothing is trimmed, with their relief": whole,
+  "A picture of 2048² as PNG, natively": png,
   "The page at 1024², while 100,000 attractors grow, then while the rivers of 6,000 meander": page,
   "The page by Lighthouse's performance, a phone and a desktop, medians of five": lighthouse,
   "A widget in a post, grown in a worker, then on the page itself": widget,
@@ -260,6 +262,33 @@ async function woods() {
   guide("with woods and hills", median(wooded), "ms");
 }
 
+async function whole() {
+  const [few, many] = [100_000, 1_000_000];
+  for (const growth of ["drainage", "colonize"]) {
+    const tasks = [few, many].map((attractors) => [native, `whole ${growth} ${attractors}`]);
+    const [short, long] = await inTurn(3, ...tasks);
+    const exponent = Math.log(median(ratios(long, short))) / Math.log(many / few);
+    row(`${growth}: exponent from 100,000 to 1,000,000 attractors`, exponent, "", atMost(1.1));
+    guide("N = 100,000", median(short), "ms");
+    guide("N = 1,000,000", median(long), "ms");
+  }
+  for (const form of ["json", "geojson", "svg"]) {
+    const [written] = await inTurn(5, [native, `file ${form} ${few}`]);
+    guide(`${form} of the second, N = 100,000`, median(written), "ms");
+  }
+}
+
+async function png() {
+  for (const style of ["ink", "atlas"]) {
+    const tasks = [`png ${style}`, `balanced-png ${style}`];
+    const [size, balancedSize] = [(await native.run(tasks[0])).result, (await native.run(tasks[1])).result];
+    const [ours, balanced] = await inTurn(7, ...tasks.map((task) => [native, task]));
+    row(`${style}: the crate's balanced compression / ours`, median(ratios(balanced, ours)), "×", atLeast(1.5, 2));
+    guide("ours", median(ours), "ms");
+    row(`${style}: size of ours / balanced`, size / balancedSize, "×", atMost(1.1));
+  }
+}
+
 function page() {
   if (!existsSync("www/dist/index.html")) {
     console.log("  The page is not built: make site");
@@ -323,7 +352,7 @@ function size() {
 
 /** The native program; cargo brings it up to date first. */
 async function nativeSide() {
-  const child = spawn("cargo", ["bench", "--quiet", "--bench", "figures"], {
+  const child = spawn("cargo", ["bench", "--quiet", "--features", "json,png", "--bench", "figures"], {
     stdio: ["pipe", "pipe", "inherit"],
     // wasm memory is never given back to the system, so a repetition finds it there. Nor is it here: the time is
     // that of our work, not that of the kernel clearing pages.
@@ -374,12 +403,12 @@ function wasmSide() {
 
 /**
  * Runs works, [side, task, times in a row = 1], in turn; returns for each work its times in ms. Before, each is run
- * until V8 has compiled it at its best.
+ * until V8 has compiled it at its best, or natively until memory is there.
  */
 async function inTurn(rounds, ...works) {
-  const WARM_UP = 2;
+  const warmUp = works.some(([side]) => side.name === "wasm") ? 2 : 1;
   const times = works.map(() => []);
-  for (let round = -WARM_UP; round < rounds; round++) {
+  for (let round = -warmUp; round < rounds; round++) {
     const results = new Map();
     for (const [i, [side, task, inARow = 1]] of works.entries()) {
       const some = [];

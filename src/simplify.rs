@@ -4,10 +4,12 @@
 //! Areas compare across lines, and keep their ratios when a drawing is stretched: so any number of lines can share one budget of
 //! points, whatever the shape of their domain.
 
-use std::cmp::Reverse;
-use std::collections::BinaryHeap;
+mod areas;
 
 use glam::Vec2;
+
+use crate::geometry::fast_max;
+use areas::Areas;
 
 /// No neighbour.
 pub(crate) const NONE: u32 = u32::MAX;
@@ -18,44 +20,54 @@ pub(crate) const NONE: u32 = u32::MAX;
 pub(crate) fn significance(points: &[Vec2], is_closed: bool) -> Vec<f32> {
     let count = points.len() as u32;
     let end = |i: u32| if is_closed { i } else { NONE };
-    let before = (0..count).map(|i| if i == 0 { end(count - 1) } else { i - 1 }).collect();
-    let after = (0..count).map(|i| if i + 1 == count { end(0) } else { i + 1 }).collect();
+    let before = (0..count).map(|i| if i == 0 { end(count - 1) } else { i - 1 });
+    let after = (0..count).map(|i| if i + 1 == count { end(0) } else { i + 1 });
+    let places = points.iter().zip(before).zip(after).map(|((&at, before), after)| Place { at, before, after });
     let mut significance = vec![f32::INFINITY; points.len()];
     let fewest = if is_closed { 3 } else { 2 };
-    Lines::new(points, before, after)
+    Lines::new(places.collect())
         .simplify(|lines, _| lines.left > fewest, |gone, area| significance[gone as usize] = area);
     significance
 }
 
-/// The points that are left of some lines, each knowing its neighbours. A point without two of them stays.
-pub(crate) struct Lines<'a> {
-    points: &'a [Vec2],
-    before: Vec<u32>,
-    after: Vec<u32>,
+/// A point of a line, with the neighbours that it has left; without two of them it stays.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Place {
+    pub at: Vec2,
+    pub before: u32,
+    pub after: u32,
+}
+
+/// The points that are left of some lines.
+pub(crate) struct Lines {
+    places: Vec<Place>,
     is_gone: Vec<bool>,
     left: usize,
 }
 
-impl<'a> Lines<'a> {
-    pub fn new(points: &'a [Vec2], before: Vec<u32>, after: Vec<u32>) -> Self {
-        Self { points, before, after, is_gone: vec![false; points.len()], left: points.len() }
+impl Lines {
+    pub fn new(places: Vec<Place>) -> Self {
+        Self { is_gone: vec![false; places.len()], left: places.len(), places }
     }
 
     /// Takes out one point after the other, the least area first, as long as `may_go` lets the next one go. A point that
     /// may not is tried again when one of its neighbours has gone. The areas passed to `tell` never decrease.
-    pub fn simplify(mut self, mut may_go: impl FnMut(&Self, u32) -> bool, mut tell: impl FnMut(u32, f32)) {
-        let mut queue: BinaryHeap<Reverse<(u32, u32)>> =
-            (0..self.points.len() as u32).filter_map(|i| self.entry(i)).collect();
-        let mut highest = 0;
-        while let Some(Reverse((bits, i))) = queue.pop() {
+    pub fn simplify(mut self, mut may_go: impl FnMut(&Self, [u32; 3]) -> bool, mut tell: impl FnMut(u32, f32)) {
+        let mut queue = Areas::with_room_for(self.places.len());
+        let mut highest = 0.0;
+        (0..self.places.len() as u32).for_each(|i| self.enter(i, &mut queue));
+        while let Some((area, i)) = queue.pop() {
             // An entry is out of date when its point has gone or its neighbours have changed since.
-            if self.is_gone(i) || self.entry(i) != Some(Reverse((bits, i))) || !may_go(&self, i) {
+            let Some(triangle) = self.triangle(i).filter(|triangle| self.area(triangle).to_bits() == area.to_bits())
+            else {
                 continue;
+            };
+            if may_go(&self, triangle) {
+                highest = fast_max(highest, area);
+                tell(i, highest);
+                let neighbours = self.unlink(triangle);
+                neighbours.into_iter().for_each(|i| self.enter(i, &mut queue));
             }
-            highest = highest.max(bits);
-            tell(i, f32::from_bits(highest));
-            let neighbours = self.unlink(i);
-            queue.extend(neighbours.into_iter().filter_map(|i| self.entry(i)));
         }
     }
 
@@ -63,25 +75,35 @@ impl<'a> Lines<'a> {
         self.is_gone[i as usize]
     }
 
-    /// A point and its neighbours; `None` if it has not two.
-    pub fn triangle(&self, i: u32) -> Option<[u32; 3]> {
-        let triangle = [self.before[i as usize], i, self.after[i as usize]];
-        (!triangle.contains(&NONE)).then_some(triangle)
+    /// Where a point lies.
+    pub fn at(&self, i: u32) -> Vec2 {
+        self.places[i as usize].at
     }
 
-    /// A point's place in the queue: its area as bits, which for numbers from 0 on have the numbers' order.
-    fn entry(&self, i: u32) -> Option<Reverse<(u32, u32)>> {
-        let [a, b, c] = self.triangle(i)?.map(|i| self.points[i as usize]);
-        Some(Reverse((((a - b).perp_dot(c - b) * 0.5).abs().to_bits(), i)))
+    /// A point between its neighbours; `None` if it has not two.
+    fn triangle(&self, i: u32) -> Option<[u32; 3]> {
+        let Place { before, after, .. } = self.places[i as usize];
+        (before != NONE && after != NONE).then_some([before, i, after])
     }
 
-    fn unlink(&mut self, i: u32) -> [u32; 2] {
-        let (before, after) = (self.before[i as usize], self.after[i as usize]);
-        self.after[before as usize] = after;
-        // What follows a tributary's last point is a point of the river that it joins, with neighbours of its own.
-        if self.before[after as usize] == i {
-            self.before[after as usize] = before;
+    fn area(&self, triangle: &[u32; 3]) -> f32 {
+        let [a, b, c] = triangle.map(|i| self.at(i));
+        ((a - b).perp_dot(c - b) * 0.5).abs()
+    }
+
+    fn enter(&self, i: u32, queue: &mut Areas) {
+        if let Some(triangle) = self.triangle(i) {
+            queue.push(self.area(&triangle), i);
         }
+    }
+
+    fn unlink(&mut self, [before, i, after]: [u32; 3]) -> [u32; 2] {
+        self.places[before as usize].after = after;
+        // What follows a tributary's last point is a point of the river that it joins, with neighbours of its own.
+        if self.places[after as usize].before == i {
+            self.places[after as usize].before = before;
+        }
+        self.places[i as usize].before = NONE;
         self.is_gone[i as usize] = true;
         self.left -= 1;
         [before, after]

@@ -8,28 +8,33 @@ pub(crate) fn argsort(keys: impl IntoIterator<Item = u32>) -> Vec<usize> {
 
 #[inline(never)] // one copy, whatever the keys come from
 fn order_of(keys: &[u32]) -> Vec<usize> {
-    let in_place = (0..keys.len()).collect();
+    // Each key with its position, so that a long list is read from end to end, and not looked up all over memory.
+    let mut items: Vec<u64> = (0..).zip(keys).map(|(i, &key): (u64, _)| u64::from(key) << 32 | i).collect();
+    let mut sorted = items.clone();
+    let differing = keys.iter().fold(0, |differing, key| differing | (key ^ keys[0]));
     // From the least digit to the greatest: each leaves those equal in it as the lesser ones have put them.
-    [0, 8, 16, 24].into_iter().fold(in_place, |order, shift| by_digit(&order, keys, shift))
+    for shift in [0, 8, 16, 24].into_iter().filter(|shift| (differing >> shift) as u8 != 0) {
+        by_digit(&items, &mut sorted, 32 + shift);
+        std::mem::swap(&mut items, &mut sorted);
+    }
+    items.into_iter().map(|item| item as u32 as usize).collect()
 }
 
-/// Positions in ascending order of one byte of their keys; of equal ones, the earlier first (counting sort).
-fn by_digit(order: &[usize], keys: &[u32], shift: u32) -> Vec<usize> {
+/// Items in ascending order of one byte of theirs; of equal ones, the earlier first (counting sort).
+fn by_digit(items: &[u64], sorted: &mut [u64], shift: u32) {
     const DIGITS: usize = 256;
-    let digit = |i: usize| (keys[i] >> shift) as usize % DIGITS;
+    let digit = |item: u64| (item >> shift) as usize % DIGITS;
     let mut places = [0; DIGITS];
-    order.iter().for_each(|&i| places[digit(i)] += 1);
+    items.iter().for_each(|&item| places[digit(item)] += 1);
     let mut first = 0;
     for place in &mut places {
         first += std::mem::replace(place, first);
     }
-    let mut sorted = vec![0; order.len()];
-    for &i in order {
-        let place = &mut places[digit(i)];
-        sorted[*place] = i;
+    for &item in items {
+        let place = &mut places[digit(item)];
+        sorted[*place] = item;
         *place += 1;
     }
-    sorted
 }
 
 /// The same of values that are copied out in ascending order.

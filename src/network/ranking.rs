@@ -8,30 +8,22 @@
 use glam::Vec2;
 
 use super::smooth::LEAST_CLEARANCE;
-use super::{NONE, Network};
+use super::{NONE, Network, Vertex};
 use crate::geometry::{height, is_in_triangle};
 use crate::land::Land;
-use crate::simplify::Lines;
+use crate::simplify::{Lines, Place};
 use crate::work;
 
 /// The vertices that can go, in the order in which they do.
 pub(super) fn rank(network: &Network, land: Option<&Land>) -> Vec<u32> {
-    let points: Vec<Vec2> = network.vertices.iter().map(|vertex| vertex.at).collect();
-    let cells = Cells::new(&points);
-    let (before, after) = links(network);
-    let mut order = Vec::with_capacity(points.len());
-    Lines::new(&points, before, after).simplify(
-        |lines, i| {
-            lines.triangle(i).is_some_and(|triangle| {
-                let [a, b, c] = triangle.map(|i| points[i as usize]);
-                land.is_none_or(|land| land.allows(a, c))
-                    && cells.all_around(a, b, c, |other| {
-                        lines.is_gone(other)
-                            || triangle.contains(&other)
-                            || !(is_in_triangle(points[other as usize], a, b, c)
-                                || height(points[other as usize], a, c) < LEAST_CLEARANCE)
-                    })
-            })
+    let places = places(network);
+    let cells = Cells::new(&places);
+    let mut order = Vec::with_capacity(places.len());
+    Lines::new(places).simplify(
+        |lines, triangle| {
+            let corners @ [a, _, c] = triangle.map(|i| lines.at(i));
+            land.is_none_or(|land| land.allows(a, c))
+                && cells.is_clear(corners, |other| lines.is_gone(other) || triangle.contains(&other))
         },
         |gone, _| order.push(gone),
     );
@@ -59,25 +51,24 @@ pub(super) fn simplified(network: &Network, ranking: &[u32], share: f32) -> Netw
     simplified
 }
 
-/// The neighbours of the vertices that may go; of the others none upstream.
-fn links(network: &Network) -> (Vec<u32>, Vec<u32>) {
-    let mut after = network.downstream();
-    let mut before: Vec<u32> = (0..after.len() as u32).map(|i| i.wrapping_sub(1)).collect();
+/// The vertices with the neighbours of those that may go; the others have none upstream.
+fn places(network: &Network) -> Vec<Place> {
+    let place = |(i, (vertex, after)): (u32, (&Vertex, u32))| Place { at: vertex.at, before: i.wrapping_sub(1), after };
+    let mut places: Vec<Place> = (0..).zip(network.vertices.iter().zip(network.downstream())).map(place).collect();
     for river in network.rivers.iter().filter(|river| river.end > river.start) {
-        before[river.start as usize] = NONE;
+        places[river.start as usize].before = NONE;
     }
-    for (i, _) in network.junctions().into_iter().enumerate().filter(|(_, is_junction)| *is_junction) {
+    for (place, _) in places.iter_mut().zip(network.junctions()).filter(|(_, is_junction)| *is_junction) {
         // It keeps its place in both lines, and its own neighbour downstream: so it is no triangle's middle.
-        before[i] = NONE;
+        place.before = NONE;
     }
-    after.truncate(before.len());
-    (before, after)
+    places
 }
 
-/// Points by cells of a grid.
+/// Points by cells of a grid, with where they lie: what stands side by side is looked at together.
 struct Cells {
     starts: Vec<u32>,
-    points: Vec<u32>,
+    points: Vec<(Vec2, u32)>,
     columns: usize,
     rows: usize,
     side: f32,
@@ -85,17 +76,15 @@ struct Cells {
 }
 
 impl Cells {
-    fn new(points: &[Vec2]) -> Self {
-        let corner = points.iter().copied().fold(Vec2::INFINITY, Vec2::min);
-        let size = (points.iter().copied().fold(corner, Vec2::max) - corner).max(Vec2::ONE);
-        let side = (size.x * size.y / (points.len() + 1) as f32).sqrt().max(size.max_element() / 4096.0);
+    fn new(places: &[Place]) -> Self {
+        let corner = places.iter().fold(Vec2::INFINITY, |least, place| least.min(place.at));
+        let size = (places.iter().fold(corner, |most, place| most.max(place.at)) - corner).max(Vec2::ONE);
+        let side = (size.x * size.y / (places.len() + 1) as f32).sqrt().max(size.max_element() / 4096.0);
         let (columns, rows) = ((size.x / side) as usize + 1, (size.y / side) as usize + 1);
-        let mut this =
-            Self { starts: vec![0; columns * rows + 1], points: vec![0; points.len()], columns, rows, side, corner };
-        let cell =
-            |this: &Self, at: Vec2| this.place(at.y, corner.y, rows) * columns + this.place(at.x, corner.x, columns);
-        for &at in points {
-            let cell = cell(&this, at);
+        let (starts, points) = (vec![0; columns * rows + 1], vec![(corner, NONE); places.len()]);
+        let mut this = Self { starts, points, columns, rows, side, corner };
+        for place in places {
+            let cell = this.cell(place.at);
             this.starts[cell] += 1;
         }
         let mut end = 0;
@@ -103,27 +92,33 @@ impl Cells {
             end += *start;
             *start = end;
         }
-        for (i, &at) in points.iter().enumerate().rev() {
-            let cell = cell(&this, at);
+        for (i, place) in places.iter().enumerate().rev() {
+            let cell = this.cell(place.at);
             this.starts[cell] -= 1;
-            this.points[this.starts[cell] as usize] = i as u32;
+            this.points[this.starts[cell] as usize] = (place.at, i as u32);
         }
         this
+    }
+
+    fn cell(&self, at: Vec2) -> usize {
+        self.place(at.y, self.corner.y, self.rows) * self.columns + self.place(at.x, self.corner.x, self.columns)
     }
 
     fn place(&self, x: f32, from: f32, end: usize) -> usize {
         (((x - from) / self.side) as usize).min(end - 1)
     }
 
-    /// Whether something holds for all points in the cells around a triangle, and what is as near as can be.
-    fn all_around(&self, a: Vec2, b: Vec2, c: Vec2, mut holds: impl FnMut(u32) -> bool) -> bool {
+    /// Whether no point lies in a triangle or close to its side from the first corner to the last, but for those that do not count.
+    fn is_clear(&self, [a, b, c]: [Vec2; 3], mut is_apart: impl FnMut(u32) -> bool) -> bool {
         let (least, most) = (a.min(b).min(c) - LEAST_CLEARANCE, a.max(b).max(c) + LEAST_CLEARANCE);
         let left = self.place(least.x, self.corner.x, self.columns);
         let right = self.place(most.x, self.corner.x, self.columns);
         (self.place(least.y, self.corner.y, self.rows)..=self.place(most.y, self.corner.y, self.rows)).all(|row| {
             let run = self.starts[row * self.columns + left]..self.starts[row * self.columns + right + 1];
             work::count(1 + run.len());
-            self.points[run.start as usize..run.end as usize].iter().all(|&point| holds(point))
+            self.points[run.start as usize..run.end as usize].iter().all(|&(at, number)| {
+                !(is_in_triangle(at, a, b, c) || height(at, a, c) < LEAST_CLEARANCE) || is_apart(number)
+            })
         })
     }
 }

@@ -2,7 +2,7 @@
 //! less the more water there was in the round before: S = k A^−θ (Flint 1974), as in optimal channel networks
 //! (Rodriguez-Iturbe, Rinaldo and others 1992).
 
-use super::directions::{FlowDirections, NONE};
+use super::directions::FlowDirections;
 use super::parcels::Parcels;
 use crate::memory::Refused;
 use crate::queue::Queue;
@@ -11,13 +11,24 @@ use crate::work;
 /// A round in progress.
 #[derive(Clone, Debug)]
 pub(super) struct Round {
-    /// What the cheapest known way to the sea costs.
-    pub cost: Vec<f32>,
-    /// A^−θ of each parcel: the slope of the step down from it, but for the ground.
-    slope: Vec<f32>,
-    is_settled: Vec<bool>,
+    ways: Vec<Way>,
     queue: Queue,
     directions: FlowDirections,
+}
+
+/// What is known of a parcel's way to the sea, side by side since it is looked at together.
+#[derive(Clone, Copy, Debug)]
+struct Way {
+    /// What the cheapest known one costs.
+    cost: f32,
+    /// A^−θ: the slope of its first step, but for the ground; infinite once the way is settled, so that no other is cheaper.
+    slope: f32,
+}
+
+impl Way {
+    fn is_settled(&self) -> bool {
+        self.slope == f32::INFINITY
+    }
 }
 
 impl Round {
@@ -25,18 +36,17 @@ impl Round {
     pub fn new(parcels: &Parcels, area: &[f32], concavity: f32) -> Result<Self, Refused> {
         let count = parcels.len();
         work::count(count);
+        let way = |&area: &f32| Way { cost: f32::INFINITY, slope: libm::powf(area, -concavity) };
         let mut this = Self {
-            cost: vec![f32::INFINITY; count],
-            slope: area.iter().map(|&area| libm::powf(area, -concavity)).collect(),
-            is_settled: vec![false; count],
+            ways: area.iter().map(way).collect(),
             queue: Queue::default(),
             directions: FlowDirections::new(count),
         };
         this.queue.reserve(parcels.outlets.len())?;
         for outlet in &parcels.outlets {
             let parcel = outlet.parcel as usize;
-            let cost = parcels.cost_out(parcel) * this.slope[parcel];
-            (this.cost[parcel], this.directions.to[parcel]) = (cost, FlowDirections::OUT);
+            let cost = parcels.cost_out(parcel) * this.ways[parcel].slope;
+            (this.ways[parcel].cost, this.directions.to[parcel]) = (cost, FlowDirections::OUT);
             this.queue.push(cost, outlet.parcel);
         }
         Ok(this)
@@ -49,7 +59,7 @@ impl Round {
         let mut left = count;
         while left > 0 {
             let Some(here) = self.queue.pop() else { return Ok(false) };
-            if !std::mem::replace(&mut self.is_settled[here as usize], true) {
+            if !self.ways[here as usize].is_settled() {
                 self.settle(parcels, here);
                 left -= 1;
             }
@@ -59,14 +69,15 @@ impl Round {
 
     fn settle(&mut self, parcels: &Parcels, here: u32) {
         self.directions.order.push(here);
-        let cost = self.cost[here as usize];
+        let way = &mut self.ways[here as usize];
+        way.slope = f32::INFINITY;
+        let cost = way.cost;
         for (way, there) in parcels.neighbours[here as usize].into_iter().enumerate() {
-            if there == NONE || self.is_settled[there as usize] {
-                continue;
-            }
-            let through = cost + parcels.cost(here as usize, way) * self.slope[there as usize];
-            if through < self.cost[there as usize] {
-                (self.cost[there as usize], self.directions.to[there as usize]) = (through, here);
+            let Some(next) = self.ways.get_mut(there as usize).filter(|next| !next.is_settled()) else { continue };
+            let through = cost + parcels.cost(here as usize, way) * next.slope;
+            if through < next.cost {
+                next.cost = through;
+                self.directions.to[there as usize] = here;
                 self.queue.push(through, there);
             }
         }
@@ -75,6 +86,12 @@ impl Round {
     /// How each parcel drains, once the round is over.
     pub fn into_directions(self) -> FlowDirections {
         self.directions
+    }
+
+    /// What the cheapest known way of each parcel costs.
+    #[cfg(test)]
+    pub fn costs(&self) -> impl Iterator<Item = f32> {
+        self.ways.iter().map(|way| way.cost)
     }
 
     /// How each parcel drains, as far as is known.

@@ -1,0 +1,92 @@
+//! Whole maps: from a recipe to its files.
+
+use std::io::{self, Write};
+
+use png::{ColorType, Compression, Encoder, EncodingError};
+use riverseed::export;
+use riverseed::picture::Picture;
+use riverseed::recipe::{Recipe, link};
+use riverseed::session::Session;
+
+use tiny_skia::Pixmap;
+
+use super::{Repetition, recipe};
+
+/// The side of a picture that is kept, in pixels.
+const LARGE: u32 = 2048;
+
+/// A writer that only counts.
+#[derive(Default)]
+struct Counter(u64);
+
+impl Write for Counter {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.0 += bytes.len() as u64;
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
+    }
+}
+
+/// An island of which nothing is trimmed, with all rounds of meandering: what grows with the number of attractors.
+fn large(growth: &str, attractors: &str) -> Option<Recipe> {
+    recipe(&format!("growth={growth}&land=island&mouths=0&trim=0&style=atlas&attractors={attractors}"))
+}
+
+/// Everything of a map, its relief included, and its three files of data; the number of vertices.
+pub fn whole(growth: &str, attractors: &str) -> Option<Repetition> {
+    let recipe = large(growth, attractors)?;
+    let vertices = move || -> Option<u32> {
+        let mut session = Session::new(recipe.clone()).ok()?;
+        session.finish().ok()?;
+        ["json", "geojson", "svg"].into_iter().try_for_each(|form| written(&session, form).map(drop))?;
+        Some(session.network()?.vertices.len() as u32)
+    };
+    Some(Box::new(move || vertices().unwrap_or(0)))
+}
+
+/// A file of a map that is finished; its length in kB.
+pub fn file(form: &str, attractors: &str) -> Option<Repetition> {
+    let mut session = Session::new(large("colonize", attractors)?).ok()?;
+    session.finish().ok()?;
+    let form = form.to_owned();
+    Some(Box::new(move || written(&session, &form).map_or(0, |bytes| (bytes / 1000) as u32)))
+}
+
+fn written(session: &Session, form: &str) -> Option<u64> {
+    let mut out = Counter::default();
+    match form {
+        "json" => export::json::write(&mut out, session, false).ok()?,
+        "geojson" => export::geojson::write(&mut out, session).ok()?,
+        _ => out.write_all(export::svg::svg(session).ok()?.as_bytes()).ok()?,
+    }
+    Some(out.0)
+}
+
+/// A picture of a default map as PNG; its length in kB. Ours, or by the crate's own balance of time and size.
+pub fn png(style: &str, is_balanced: bool) -> Option<Repetition> {
+    let recipe = link::read(&format!("style={style}")).ok()?;
+    let mut session = Session::new(recipe.clone()).ok()?;
+    let mut picture = Picture::new(LARGE, LARGE).ok()?;
+    session.finish().ok()?;
+    picture.paint(&session);
+    let (write, link) = (if is_balanced { balanced } else { ours }, link::write(&recipe));
+    Some(Box::new(move || {
+        let mut out = Counter::default();
+        write(&mut out, picture.pixmap(), &link).map_or(0, |()| (out.0 / 1000) as u32)
+    }))
+}
+
+fn ours(out: &mut Counter, pixmap: &Pixmap, link: &str) -> Result<(), EncodingError> {
+    export::png::write(out, pixmap, link)
+}
+
+fn balanced(out: &mut Counter, pixmap: &Pixmap, _: &str) -> Result<(), EncodingError> {
+    let mut encoder = Encoder::new(out, pixmap.width(), pixmap.height());
+    encoder.set_color(ColorType::Rgb);
+    encoder.set_compression(Compression::Balanced);
+    let rgb: Vec<u8> = pixmap.data().chunks_exact(4).flat_map(|rgba| rgba[..3].iter().copied()).collect();
+    encoder.write_header()?.write_image_data(&rgb)
+}

@@ -1,0 +1,54 @@
+//! The relief of finished rivers, and other styles when it is there.
+
+use riverseed::picture::Picture;
+use riverseed::recipe::link;
+use riverseed::session::Session;
+
+use super::{Repetition, SIDE};
+
+/// A default map with the rivers of its finished network, but for what is said.
+fn map(link: &str) -> Option<Session> {
+    let mut session = Session::new(link::read(link).ok()?).ok()?;
+    session.finish().ok()?;
+    Some(session)
+}
+
+/// The relief of a default map's finished rivers; the height of one cell, in bits.
+pub fn relief() -> Option<Repetition> {
+    let session = map("style=ink")?;
+    Some(Box::new(move || {
+        let Ok(relief) = session.make_relief() else { return 0 };
+        relief.heights()[relief.heights().len() / 2].to_bits()
+    }))
+}
+
+/// A style, after another one.
+pub fn restyled(style: &str) -> [String; 2] {
+    [if style == "atlas" { "night" } else { "atlas" }, style].map(|style| format!("style={style}"))
+}
+
+/// A map on some land that is painted in another way, in which it has been painted before; one of its pixels. The picture that it is
+/// painted into is a copy, so that it is the same each time: without painting, that is all.
+pub fn repaint(land: &str, looks: &[String; 2], paints: bool) -> Option<Repetition> {
+    let [Some(before), Some(after)] = looks.each_ref().map(|look| link::read(&format!("land={land}&{look}")).ok())
+    else {
+        return None;
+    };
+    let mut session = Session::new(before.clone()).ok()?;
+    session.advance(u32::MAX).ok()?;
+    let mut shown = Picture::new(SIDE, SIDE).ok()?;
+    for recipe in [&after, &before] {
+        session.change(recipe.clone()).ok()?;
+        shown.paint(&session);
+    }
+    Some(Box::new(move || {
+        let mut picture = shown.clone();
+        if [&before, &after].into_iter().any(|recipe| session.change(recipe.clone()).is_err()) {
+            return 0;
+        }
+        if paints {
+            picture.paint(&session);
+        }
+        picture.pixmap().data().chunks(4096).map(|row| u32::from(row[0])).sum()
+    }))
+}
