@@ -35,6 +35,7 @@ const GROUPS = {
   "Whole maps with their files, natively: islands of which nothing is trimmed, with their relief": whole,
   "A picture of 2048² as PNG, natively": png,
   "The page at 1024², while 100,000 attractors grow, then while the rivers of 6,000 meander": page,
+  "A slider of the page moves: from its event to other pixels of a map of 20,000, in a window of 1440 by 900": sliders,
   "The page by Lighthouse's performance, a phone and a desktop, medians of five": lighthouse,
   "A widget in a post, grown in a worker, then on the page itself": widget,
   "The wasm file of the page": size,
@@ -301,6 +302,32 @@ function page() {
     row(`${phase}: gap between frames, 95th percentile`, p95, "ms", atMost(17.5, 17));
     row(`${phase}: longest callback`, longest, "ms", atMost(33, 12));
     guide(`${phase}: ${frames} frames take`, seconds, "s");
+  }
+}
+
+/** The median of each slider, the slowest of which counts; a relief that is made anew is not a draft yet. */
+function sliders() {
+  if (!existsSync("www/dist/index.html")) {
+    console.log("  The page is not built: make site");
+    return;
+  }
+  const npm = ["--silent", "--prefix", "www", "run", "bench:sliders"];
+  const printed = execFileSync("npm", npm, { encoding: "utf8", stdio: ["ignore", "pipe", "inherit"] });
+  const slowest = (all) => all.sort(([, one], [, other]) => other.p50 - one.p50)[0];
+  for (const [map, { sliders: found, longest }] of Object.entries(JSON.parse(printed.trim().split("\n").at(-1)))) {
+    if (map !== "many") {
+      const isRelief = ([key]) => ["mountains", "plains", "shade"].includes(key);
+      const all = Object.entries(found);
+      for (const [what, some, bar] of [
+        ["drafts", all.filter((one) => !isRelief(one)), atMost(50, 16)],
+        ["relief", all.filter(isRelief), atMost(250, 50)],
+      ]) {
+        const [key, { p50, p95 }] = slowest(some);
+        row(`${map}: ${what}, the slowest, ${key}`, p50, "ms", bar);
+        guide(`${map}: ${key}, 95th percentile`, p95, "ms");
+      }
+    }
+    row(`${map === "many" ? "300,000" : map}: longest task on the page's thread, if longer than 50 ms`, longest, "ms", atMost(50));
   }
 }
 

@@ -138,6 +138,21 @@ impl Picture {
         }))
     }
 
+    /// Paints the rivers of a session as they are, be they finished or not, in one go: without a chart, so many times as wide, and on the
+    /// ground that the picture shows, even if its relief is that of other rivers. It lasts until `paint` paints anything else. Returns the
+    /// rectangle that changed; `None`, and nothing has, if there are no rivers, or the ground is that of another land.
+    #[cfg(feature = "controls")]
+    pub fn paint_draft(&mut self, session: &Session, times: f32) -> Option<Rect> {
+        let (network, recipe) = (session.network()?, session.recipe());
+        let (_, domain, land) = self.shown.as_ref()?;
+        if *domain != session.domain() || !is_same(land.as_ref(), session.land()) {
+            return None;
+        }
+        let changed = self.painter.paint_draft(network, recipe.get(), recipe.get(), times)?;
+        self.rivers_of = Some(session.tree_generation());
+        Some(changed)
+    }
+
     /// Whether the recipe of a session, which is finished, wants a chart over this picture that it has not got.
     pub fn wants_chart(&self, session: &Session) -> bool {
         let has_one = self.chart.as_ref().is_some_and(|(of, _)| *of == ChartKey::of(session));
@@ -332,6 +347,51 @@ mod tests {
             steps += 1;
         }
         steps
+    }
+
+    #[cfg(feature = "controls")]
+    #[test]
+    fn draft_is_on_the_ground_that_is_there_and_leaves_nothing_behind() {
+        for style in ["atlas", "ink", "basins", "past-courses", "skeleton"] {
+            let link = format!("{SMALL}&land=island&style={style}");
+            let mut session = finished(&link);
+            let mut picture = Picture::new(100, 80).unwrap();
+            picture.paint(&session);
+            let before = painted(&session);
+            // Wider on the same courses, and back.
+            assert!(picture.paint_draft(&session, 3.0).is_some(), "{style}");
+            assert_eq!(picture.pixmap().data() != before, style != "skeleton", "{style}");
+            picture.paint(&session);
+            assert!(picture.pixmap().data() == before, "{style}");
+            // Of rivers that change their courses, over the relief of those before.
+            session.change(link::read(&format!("{link}&simplify=40&width=30")).unwrap()).unwrap();
+            while session.rounds() != Some(1) {
+                session.advance(1).unwrap();
+            }
+            assert!(picture.paint_draft(&session, 1.0).is_some(), "{style}");
+            let draft = picture.pixmap().data();
+            let kept = draft.chunks(4).zip(before.chunks(4)).filter(|(now, then)| now == then).count();
+            // Of these courses a skeleton so small shows no difference.
+            assert!((draft != before || style == "skeleton") && kept > 100 * 80 / 2, "{style}: {kept}");
+            while session.advance(50).unwrap() {}
+            picture.paint(&session);
+            assert!(picture.pixmap().data() == painted(&session), "{style}");
+        }
+    }
+
+    #[cfg(feature = "controls")]
+    #[test]
+    fn draft_needs_rivers_and_the_ground_of_their_land() {
+        let mut session = finished(SMALL);
+        assert_eq!(Picture::new(100, 80).unwrap().paint_draft(&session, 1.0), None);
+        let mut picture = Picture::new(100, 80).unwrap();
+        picture.paint(&session);
+        session.change(link::read(&format!("{SMALL}&land=valley")).unwrap()).unwrap();
+        assert_eq!(picture.paint_draft(&session, 1.0), None);
+        while session.advance(50).unwrap() {}
+        assert_eq!(picture.paint_draft(&session, 1.0), None);
+        picture.paint(&session);
+        assert!(picture.pixmap().data() == painted(&session));
     }
 
     #[test]

@@ -187,6 +187,17 @@ impl Session {
         Ok(stage)
     }
 
+    /// How many times as wide rivers are by another recipe that has but another width than this one: 1 if it has not. `None` if it is
+    /// another in more than that, or as long as rivers still change their courses, which another width would change as well.
+    #[cfg(feature = "controls")]
+    pub fn widening_to(&self, other: &Recipe) -> Option<f32> {
+        let mut as_wide = self.recipe.clone();
+        as_wide.put(Key::Width, other.value(Key::Width).clone());
+        let times = other.number(Key::Width) / self.recipe.number(Key::Width);
+        let is_told = times == 1.0 || matches!(self.phase(), Phase::Relief | Phase::Finished);
+        (is_told && as_wide == *other).then_some(times)
+    }
+
     /// Goes back to tick 0.
     ///
     /// # Errors

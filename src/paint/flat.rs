@@ -33,6 +33,12 @@ impl FlatGround {
         self.pixels.as_deref()
     }
 
+    /// Whether all of it is painted.
+    #[cfg(feature = "controls")]
+    pub fn is_whole(&self, view: &View) -> bool {
+        self.pixels.as_ref().is_none_or(|pixels| pixels.len() == view.pixels())
+    }
+
     /// Paints some more rows, if any are left. Returns whether there are more.
     pub fn advance(&mut self, view: &View, land: Option<&Land>, shown: Option<&SmoothedDistance>) -> bool {
         let Some(pixels) = &mut self.pixels else { return false };

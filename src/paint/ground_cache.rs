@@ -78,6 +78,14 @@ impl GroundCache {
         }
     }
 
+    /// Forgets former beds, and says whether what is left, flat ground or raised, is painted wholly, in this style.
+    #[cfg(feature = "controls")]
+    pub fn is_ready_for_draft(&mut self, view: &View, style: Style) -> bool {
+        self.beds = None;
+        let is_flat = self.flat.as_ref().is_some_and(|flat| flat.style == style && flat.is_whole(view));
+        is_flat && self.raised.as_ref().is_none_or(RaisedGround::is_whole)
+    }
+
     /// Shows the ground alone: other rivers come next.
     pub fn forget_rivers(&mut self) {
         (self.raised, self.beds) = (None, None);

@@ -15,7 +15,7 @@ use super::cut_out;
 use super::flow::Flow;
 use super::ground_cache::GroundCache;
 use super::palette::Lines;
-use super::rivers::{Rivers, draw_network};
+use super::rivers::{Rivers, Widening, draw_network};
 use super::strokes::{Pen, Widths};
 use super::styles::palette;
 use super::view::{Framing, PaintError, View};
@@ -23,6 +23,8 @@ use super::{ink, skeleton};
 use crate::domain::Domain;
 use crate::land::Land;
 use crate::memory;
+#[cfg(feature = "controls")]
+use crate::network::Network;
 use crate::prune::{self, Trim};
 use crate::recipe::{CourseShape, Style};
 use crate::relief::Relief;
@@ -236,6 +238,23 @@ impl Painter {
         Painted::Whole(changed)
     }
 
+    /// Paints rivers in one go, so many times as wide as they are, without a chart, on the ground that is there, be its relief that of other
+    /// rivers: for a moment, until `paint_rivers` paints them as they are. Returns the rectangle that changed; `None`, and nothing has, if
+    /// there is no such ground.
+    #[cfg(feature = "controls")]
+    pub fn paint_draft(&mut self, network: &Network, courses: CourseShape, style: Style, times: f32) -> Option<Rect> {
+        if !self.ground.is_ready_for_draft(&self.view, style) {
+            return None;
+        }
+        (self.round, self.drawn_rivers, self.chart) = (None, None, None);
+        self.is_finished = true;
+        self.coverage.clear();
+        let widening = Widening { times, ..Widening::NONE };
+        draw_network(&mut self.coverage, &self.view, network, courses, palette(style).lines, widening);
+        self.coverage.touch_all();
+        self.compose(style)
+    }
+
     /// Draws rivers, unless it is they that the mask shows: a style may have changed alone.
     fn draw_rivers(&mut self, rivers: &Rivers<'_>) {
         let (lines, relief) = (palette(rivers.style).lines, rivers.relief.map(|(relief, _)| relief));
@@ -244,7 +263,7 @@ impl Painter {
         };
         if !self.drawn_rivers.as_ref().is_some_and(is_drawn) {
             self.coverage.clear();
-            draw_network(&mut self.coverage, &self.view, rivers.network, rivers.courses, lines, 0.0);
+            draw_network(&mut self.coverage, &self.view, rivers.network, rivers.courses, lines, Widening::NONE);
             self.drawn_rivers = relief.map(|relief| (relief.clone(), lines));
         }
     }

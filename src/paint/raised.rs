@@ -8,7 +8,7 @@ use super::flat::plain;
 use super::ground::Ground;
 use super::palette::{LAND_ONLY, Palette, ReliefLook};
 use super::relief::{Inks, Prepared, Sheet};
-use super::rivers::{Exaggerated, Rivers, draw_network};
+use super::rivers::{Exaggerated, Rivers, Widening, draw_network};
 use super::styles::palette;
 use super::view::View;
 use crate::land::{Land, SmoothedDistance};
@@ -80,7 +80,8 @@ impl RaisedGround {
         let palette = palette(rivers.style);
         let mut mask = Coverage::new(view.width, view.height)?;
         if look.minds_rivers() {
-            draw_network(&mut mask, view, rivers.network, rivers.courses, palette.lines, look.casing.margin);
+            let cased = Widening { margin: look.casing.margin, ..Widening::NONE };
+            draw_network(&mut mask, view, rivers.network, rivers.courses, palette.lines, cased);
         }
         let making = Some(Making { look, rivers: mask, inks: None });
         Some(Self { relief: relief.clone(), exaggeration, palette, making, pixels: Vec::with_capacity(view.pixels()) })
@@ -98,6 +99,12 @@ impl RaisedGround {
 
     pub fn pixels(&self) -> &[[u8; 4]] {
         &self.pixels
+    }
+
+    /// Whether all of it is painted.
+    #[cfg(feature = "controls")]
+    pub fn is_whole(&self) -> bool {
+        self.making.is_none()
     }
 
     /// Makes a part of what it is painted with, or paints some more rows, if any are left: a relief that is prepared, on flat ground

@@ -43,14 +43,26 @@ pub struct Rivers<'a> {
 /// The margin that is added to each bank, in pixels, so that a brook can be seen.
 pub(super) const VISIBLE_PX: f32 = 0.2;
 
-/// Draws a network. `margin` is added to each bank, in units.
+/// How far banks are moved apart: each is so many times as far from the middle, and then farther by a margin, in units.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Widening {
+    pub times: f32,
+    pub margin: f32,
+}
+
+impl Widening {
+    /// Rivers as wide as they are.
+    pub const NONE: Self = Self { times: 1.0, margin: 0.0 };
+}
+
+/// Draws a network.
 pub(super) fn draw_network(
     coverage: &mut Coverage,
     view: &View,
     network: &Network,
     courses: CourseShape,
     lines: Lines,
-    margin: f32,
+    Widening { times, margin }: Widening,
 ) {
     let draw_line = |coverage: &mut Coverage, line: Vec<Vertex>| draw_line(coverage, &line, courses);
     if lines == Lines::Skeleton {
@@ -58,8 +70,8 @@ pub(super) fn draw_network(
         let in_pixels = |vertex: &network::Vertex| (view.pixel(vertex.at), skeleton::WIDTH_PX * 0.5);
         network.rivers.iter().for_each(|river| draw_line(coverage, network.course(river).map(in_pixels).collect()));
     } else {
-        let in_pixels =
-            |place: &Place| (view.pixel(place.at), (place.half * lines.share() + margin) * view.scale + VISIBLE_PX);
+        let share = lines.share() * times;
+        let in_pixels = |place: &Place| (view.pixel(place.at), (place.half * share + margin) * view.scale + VISIBLE_PX);
         let in_pixels = |line: Vec<Place>| line.iter().map(in_pixels).collect();
         network.rivers.iter().for_each(|river| draw_line(coverage, in_pixels(network.middle(river))));
         let lakes = if lines == Lines::Wide { &network.oxbows[..] } else { &[] };

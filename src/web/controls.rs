@@ -5,10 +5,11 @@ use js_sys::{Array, Float32Array, Object};
 use wasm_bindgen::prelude::*;
 
 use super::objects::{coded, object, set};
-use super::rivers::{River, pair};
+use super::rivers::{River, pair, read_options};
 use crate::dice;
 use crate::paint::Framing;
 use crate::recipe::preset::{COUNTRIES, PRESETS, Preset};
+use crate::recipe::reading;
 use crate::recipe::table::TABLE;
 use crate::recipe::{Decimal, GridPoint, Key, Kind, LONGEST_OUTLINE, Outline, Parameter};
 
@@ -61,6 +62,23 @@ impl River {
         if let Some(picture) = &mut self.picture {
             picture.frame(&self.session, Framing::of(framing));
         }
+    }
+
+    /// Paints in one go, for a moment, what a slider that still moves makes of its rivers: without a chart, and on the ground that is there,
+    /// even if its relief is that of other rivers. Of its own link it shows them as they are. Of one that has but another width, to which it does
+    /// not go over, it shows them on their courses, once these are finished. Returns whether it could.
+    #[wasm_bindgen(js_name = paintDraft)]
+    pub fn paint_draft(
+        &mut self,
+        text: &str,
+        #[wasm_bindgen(unchecked_optional_param_type = "ReadOptions")] options: &JsValue,
+    ) -> bool {
+        let wanted = reading::read(text, read_options(options)).recipe;
+        let widened = self.session.widening_to(&wanted);
+        let changed =
+            self.picture.as_mut().zip(widened).and_then(|(picture, times)| picture.paint_draft(&self.session, times));
+        self.dirty = changed.or(self.dirty);
+        changed.is_some()
     }
 }
 

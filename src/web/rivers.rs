@@ -93,7 +93,7 @@ pub fn read_link(
 }
 
 /// What a page says of where rivers are to be seen; what it leaves out is not so.
-fn read_options(given: &JsValue) -> ReadOptions {
+pub(super) fn read_options(given: &JsValue) -> ReadOptions {
     let is = |name: &str| Reflect::get(given, &JsValue::from_str(name)).is_ok_and(|value| value.is_truthy());
     ReadOptions { widget: is("widget"), dark: is("dark") }
 }

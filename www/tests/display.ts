@@ -6,28 +6,31 @@ import type { Frames } from "../src/player/frame-loop.ts";
 export class Display implements Frames {
   /** How many frames have been. */
   count = 0;
-  #callback: ((now: number) => void) | undefined;
+  readonly #callbacks = new Map<number, (now: number) => void>();
+  #handles = 0;
 
   now(): number {
     return (this.count * 1000) / 60;
   }
 
   request(callback: (now: number) => void): number {
-    this.#callback = callback;
-    return 1;
+    this.#callbacks.set(++this.#handles, callback);
+    return this.#handles;
   }
 
-  cancel(): void {
-    this.#callback = undefined;
+  cancel(handle: number): void {
+    this.#callbacks.delete(handle);
   }
 
   /** The next frame; returns whether anybody had asked for it. */
   frame(): boolean {
-    const callback = this.#callback;
-    this.#callback = undefined;
-    callback?.(this.now());
+    const callbacks = [...this.#callbacks];
+    for (const [handle, callback] of callbacks) {
+      // One may take another's back.
+      if (this.#callbacks.delete(handle)) callback(this.now());
+    }
     this.count++;
-    return callback !== undefined;
+    return callbacks.length > 0;
   }
 }
 

@@ -1,17 +1,16 @@
 /** All controls of the recipe but the seed, generated from the parameter table, under the table's own headings. */
 
-import { el, icon } from "../browser/dom.ts";
+import { el } from "../browser/dom.ts";
 import type { Parameter } from "../engine/full.ts";
 import { type Control, control } from "./control.ts";
 import type { Disclosures } from "./disclosure.ts";
 import { type Group, group } from "./group.ts";
 import { keysOf, MACROS, macroControl } from "./macros.ts";
+import type { Padlocks } from "./padlocks.ts";
 import { rangeOf } from "./values.ts";
 
 export interface Controls {
   readonly element: HTMLElement;
-  /** The keys whose values stay when something sets many. */
-  readonly kept: ReadonlySet<string>;
   show(values: Values): void;
 }
 
@@ -36,10 +35,10 @@ export function controls(
   table: readonly Parameter[],
   change: ChangeOfMany,
   disclosures: Disclosures,
+  padlocks: Padlocks,
   own: ReadonlyMap<string, Control> = new Map(),
 ): Controls {
   const made = new Map<string, Control>();
-  const kept = new Set<string>();
   const groups: Group[] = [];
   const make = (parameter: Parameter): Control => {
     const one = own.get(parameter.key) ?? control(parameter, (key, text) => change([[key, text]]));
@@ -51,16 +50,18 @@ export function controls(
   const macros = new Map(MACROS.map((macro) => [macro.name, { macro, ...macroControl(macro, byKey, change) }]));
   const front = FRONT.flatMap(([key, label]) => {
     const { macro, element } = macros.get(key) ?? {};
-    if (macro && element) return withKeep(element, keysOf(macro), macro.label, kept);
+    if (macro && element) return locked(element, padlocks.padlock(macro.label, keysOf(macro)));
     const parameter = byKey.get(key);
-    return parameter ? withKeep(make({ ...parameter, label }).element, [key], label, kept) : [];
+    return parameter ? locked(make({ ...parameter, label }).element, padlocks.padlock(label, [key])) : [];
   });
-  for (const [heading, parameters] of grouped(adjustable.filter(({ key }) => !made.has(key)))) {
+  for (const [heading, all] of grouped(adjustable)) {
+    const parameters = all.filter(({ key }) => !made.has(key));
     parameters.forEach(make);
-    groups.push(group(heading, parameters, made, disclosures));
+    // What of it stands in front is kept with the rest.
+    const padlock = padlocks.padlock(`all of ${heading}`, keysUnder(heading, table));
+    groups.push(group(heading, parameters, made, disclosures, padlock));
   }
   return {
-    kept,
     element: el(
       "div",
       { class: "groups" },
@@ -89,24 +90,15 @@ export const FRONT: readonly (readonly [name: string, label: string])[] = [
   ["width", "How wide"],
 ];
 
-const PADLOCK = "M4.500 7.500h7v6h-7zM5.500 7.500V5.500a2.500 2.500 0 0 1 5 0v2";
-
-/** A control with a switch that keeps its values whatever sets many at a time. */
-function withKeep(control: HTMLElement, keys: readonly string[], label: string, kept: Set<string>): HTMLElement {
-  const title = "Keep it when a country or a pattern is chosen";
-  const name = `Keep ${label}`;
-  const attributes = { type: "button", class: "keep", "aria-pressed": "false", "aria-label": name, title };
-  const keep = el("button", attributes, icon(PADLOCK));
-  keep.addEventListener("click", () => {
-    const isKept = keep.getAttribute("aria-pressed") !== "true";
-    for (const key of keys) {
-      if (isKept) kept.add(key);
-      else kept.delete(key);
-    }
-    keep.setAttribute("aria-pressed", String(isKept));
-  });
-  control.querySelector(".control-head label")?.after(keep);
+/** A control with its padlock. */
+function locked(control: HTMLElement, padlock: HTMLElement): HTMLElement {
+  control.querySelector(".control-head label")?.after(padlock);
   return control;
+}
+
+/** All values under a heading, those too that have their control elsewhere, such as a drawn coast. */
+function keysUnder(heading: string, table: readonly Parameter[]): string[] {
+  return table.filter(({ group }) => group === heading).map(({ key }) => key);
 }
 
 /** What applies however rivers grow, then what the default way uses; the others follow in the table's order. */

@@ -18,6 +18,7 @@ export function group(
   parameters: readonly Parameter[],
   made: ReadonlyMap<string, Control>,
   disclosures: Disclosures,
+  padlock: HTMLElement,
 ): Group {
   const changed = el("span", { class: "changed" });
   const summary = el("summary", {}, el("h2", {}, heading), " ", changed);
@@ -26,9 +27,10 @@ export function group(
   const [rare, usual] = [true, false].map((is) => controlsOf(parameters.filter(({ key }) => RARE.has(key) === is)));
   const members = el("div", { class: "members" }, ...(usual ?? []));
   if (rare && rare.length > 0) members.append(more(heading, rare, disclosures));
-  const element = disclosures.details(heading, false, { class: "group" }, summary, members);
+  const details = disclosures.details(heading, false, { class: "group" }, summary, members);
   return {
-    element,
+    // Beside the heading, not in it: a button within what opens and closes would be two in one.
+    element: el("div", { class: "group-place" }, padlock, details),
     show(values, defaults) {
       const count = parameters.filter(({ key }) => values.get(key) !== defaults.get(key)).length;
       setText(changed, count === 0 ? "" : `${count} changed`);

@@ -43,6 +43,7 @@ export const elements = {
     play: find("#play", HTMLButtonElement),
     speed: find("#speed", HTMLInputElement),
     speedShown: find("#speed-shown", HTMLElement),
+    pace: find("#pace", HTMLButtonElement),
   },
   drawing: {
     stage: find("#sheet", HTMLElement),
@@ -71,6 +72,11 @@ export const elements = {
     closer: find("#zoom-in", HTMLButtonElement),
     farther: find("#zoom-out", HTMLButtonElement),
     all: find("#zoom-all", HTMLButtonElement),
+  },
+  mapAlone: {
+    root: document.documentElement,
+    leave: find("#leave-map", HTMLButtonElement),
+    frame: find("#frame", HTMLElement),
   },
   help: {
     dialog: find("#helping", HTMLDialogElement),

@@ -28,6 +28,8 @@ const ARROWS: Record<string, [dx: number, dy: number]> = {
 export class Gestures {
   /** Where the fingers are, or the mouse. */
   readonly #pointers = new Map<number, Point>();
+  /** What the last of them was: a mouse, a finger, a pen. */
+  #kind = "";
 
   constructor(
     private readonly place: HTMLElement,
@@ -39,12 +41,14 @@ export class Gestures {
       place.addEventListener(end, ({ pointerId }) => this.#pointers.delete(pointerId));
     place.addEventListener("wheel", (event) => this.#turn(event), { passive: false });
     place.addEventListener("dblclick", (event) => {
-      if (isOnMap(event)) events.zoom(2, pointOf(event));
+      // Two taps of a finger are for the whole screen: it has a pinch for zooming.
+      if (isOnMap(event) && this.#kind !== "touch") events.zoom(2, pointOf(event));
     });
     place.addEventListener("keydown", (event) => this.#onKey(event));
   }
 
   #down(event: PointerEvent): void {
+    this.#kind = event.pointerType;
     if (!isOnMap(event) || event.button !== 0) return;
     this.place.setPointerCapture(event.pointerId);
     this.#pointers.set(event.pointerId, pointOf(event));
@@ -86,7 +90,7 @@ export class Gestures {
 }
 
 /** What lies over the map keeps its own gestures: the pen, links and buttons. */
-function isOnMap({ target }: Event): boolean {
+export function isOnMap({ target }: Event): boolean {
   return target instanceof Element && target.closest("a, button, .sketch, .failure") === null;
 }
 

@@ -9,6 +9,7 @@ import { turn } from "../browser/turn.ts";
 import { type Controls, controls } from "../controls/controls.ts";
 import { Disclosures } from "../controls/disclosure.ts";
 import { LandChoice } from "../controls/land-choice.ts";
+import { Padlocks } from "../controls/padlocks.ts";
 import { PresetButtons, type Presets, presets, unaskedChanges } from "../controls/presets.ts";
 import { SeedBox } from "../controls/seed.ts";
 import { isRecoverable, named } from "../engine/errors.ts";
@@ -31,6 +32,7 @@ import { covered } from "./covered.ts";
 import { elements } from "./elements.ts";
 import { HelpSheet, type Shortcut } from "./help.ts";
 import { LookInside } from "./look-inside.ts";
+import { MapAlone } from "./map-alone.ts";
 import { MeasuresView } from "./measures.ts";
 import { type Named, NameList, namedOf } from "./name-list.ts";
 import { keepForOffline } from "./offline.ts";
@@ -64,6 +66,7 @@ class Page {
   readonly #table: readonly Parameter[];
   readonly #recipe: Recipe;
   readonly #controls: Controls;
+  readonly #padlocks = new Padlocks(() => localStorage);
   readonly #presets: Presets;
   readonly #countries: PresetButtons;
   readonly #seedBox: SeedBox;
@@ -116,6 +119,7 @@ class Page {
       this.#table,
       (values) => this.#choose(values),
       disclosures,
+      this.#padlocks,
       new Map([["names", this.#nameList]]),
     );
     this.#presets = presets(engine.presets(), (preset) => this.#press(preset));
@@ -154,6 +158,7 @@ class Page {
     elements.presets.replaceChildren(paper, this.#measures.element);
     elements.controls.replaceChildren(this.#controls.element);
     new HelpSheet(elements.help, shortcuts());
+    new MapAlone(elements.mapAlone, () => this.#viewport.refit());
     new Panel(elements.panel, disclosures, () => this.#viewport.refit());
     this.#listen();
   }
@@ -255,15 +260,16 @@ class Page {
   #press(preset: Preset): void {
     const { engine } = this.core;
     const before = this.#presetUndo ?? { link: this.#recipe.link, values: this.#recipe.values };
-    const message = unaskedChanges(preset, engine.presets(), this.#table, before.values);
-    this.#set(this.#unkept(preset), "watch");
+    const values = this.#unkept(preset);
+    const message = unaskedChanges({ ...preset, values }, engine.presets(), this.#table, before.values);
+    this.#set(values, "watch");
     this.#presetUndo = message === undefined ? undefined : { ...before, message };
     this.#showNotices();
   }
 
   /** What a preset sets, but for what is kept as it is. */
   #unkept({ values }: Preset): Preset["values"] {
-    return values.filter(([key]) => !this.#controls.kept.has(key));
+    return values.filter(([key]) => !this.#padlocks.kept.has(key));
   }
 
   /** Back to the recipe from before the presets. */

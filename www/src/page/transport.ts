@@ -23,6 +23,8 @@ export interface TransportElements {
   play: HTMLButtonElement;
   speed: HTMLInputElement;
   speedShown: HTMLElement;
+  /** Stands for the slider where there is no room for it: each press is the next of its places, and after the last the first. */
+  pace: HTMLButtonElement;
 }
 
 export interface TransportEvents {
@@ -39,6 +41,11 @@ export class Transport {
     setValue(elements.speed, String(ORDINARY));
     elements.play.addEventListener("click", () => events.toggle());
     elements.speed.addEventListener("input", () => this.#setSpeed());
+    elements.pace.addEventListener("click", () => {
+      const { speed } = elements;
+      setValue(speed, String((speed.valueAsNumber + 1) % SPEEDS.length));
+      this.#setSpeed();
+    });
     document.addEventListener("keydown", (event) => this.#onKey(event));
     this.#setSpeed();
   }
@@ -51,13 +58,16 @@ export class Transport {
   }
 
   enable(): void {
-    for (const element of [this.elements.play, this.elements.speed]) element.disabled = false;
+    const { play, speed, pace } = this.elements;
+    for (const element of [play, speed, pace]) element.disabled = false;
   }
 
   #setSpeed(): void {
-    const { speed: slider, speedShown } = this.elements;
+    const { speed: slider, speedShown, pace } = this.elements;
     const speed = SPEEDS[slider.valueAsNumber] ?? 1;
     speedShown.textContent = speedName(speed);
+    setText(pace.firstElementChild ?? undefined, speedName(speed));
+    pace.setAttribute("aria-label", `Speed: ${speedName(speed)}`);
     slider.setAttribute("aria-valuetext", speedName(speed));
     slider.style.setProperty("--share", String(slider.valueAsNumber / (SPEEDS.length - 1)));
     this.events.speed(speed);

@@ -14,6 +14,10 @@ export const MEANDER_SECONDS = 1.2;
 export const FRAME_BUDGET_MS = 6;
 /** What they may take of a frame when somebody waits for the finished river. */
 export const SETTLE_BUDGET_MS = 10;
+/** The same until something of a river that follows a hand is seen, which it is in the same frame: as many rounds as 50 ms leave room for. */
+export const DRAFT_BUDGET_MS = 24;
+/** A hand that has changed nothing for so long rests: what it has left is then made exactly. */
+export const REST_MS = 150;
 /** What painting may take of a frame, and a part of it more: a picture that takes longer is painted over several, and seen in the last. */
 export const PAINT_BUDGET_MS = 10;
 /** After steps that took longer than this, painting is left to the next frame: one callback with both would be felt. */
@@ -46,8 +50,11 @@ export interface Frames {
 export type State = "growing" | "paused" | "settling" | "finished";
 
 export interface Audience {
-  /** Does a part of showing what there is. Returns whether there is more to do: until there is not, nothing is to be seen. */
-  draw(): boolean;
+  /**
+   * Does a part of showing what there is; of rivers that follow a hand a draft will do. Returns whether there is more to do: until there is
+   * not, nothing is to be seen.
+   */
+  draw(asDraft: boolean): boolean;
   /** Something was shown that may give way to another recipe. */
   ready(): void;
   changed(state: State): void;
@@ -80,9 +87,13 @@ export class FrameLoop {
   #shownAt = 0;
   #redraw = false;
   #isResting = false;
-  /** While settling: whether the tree is worth a picture before it becomes rivers, and whether any grown one was shown. */
+  /** While settling: in which phase it began, whether the tree is worth a picture before it becomes rivers, and whether any grown one was shown. */
+  #from: Phase = "growing";
   #showsTree = false;
   #isShown = false;
+  /** While it follows a hand: since when that may rest; whether rivers were shown. */
+  #movedAt: number | undefined;
+  #isDrafted = false;
   /** The next frame paints and makes no steps: the last one had no time to, or not for all. */
   #paintsNext = false;
   #isPainting = false;
@@ -143,9 +154,27 @@ export class FrameLoop {
   /** To the finished river without animation, in slices; if asked for, the grown tree is shown on the way. */
   settle(showsTree: boolean): void {
     this.#shownAt = this.frames.now();
+    this.#from = this.river.phase;
     this.#showsTree = showsTree;
-    this.#isShown = false;
+    this.#isShown = this.#isDrafted = false;
     this.#enter("settling");
+  }
+
+  /**
+   * After a hand that still moves: to something that can be shown, a grown tree, or rivers as far as they have meandered by then; and to
+   * the finished river when the hand rests. If it has been shown otherwise, and the hand rests, there at once.
+   */
+  follow(isShown = false): void {
+    this.settle(true);
+    this.#movedAt = isShown ? Number.NEGATIVE_INFINITY : this.frames.now();
+    this.#isShown = this.#isDrafted = isShown;
+  }
+
+  /** The frame that is due, now. */
+  hurry(): void {
+    if (this.#handle === undefined) return;
+    this.frames.cancel(this.#handle);
+    this.#frame(this.frames.now());
   }
 
   /** One more picture, whatever the state: something late changed. */
@@ -188,6 +217,7 @@ export class FrameLoop {
   #enter(state: State): void {
     this.#last = undefined;
     this.#paced = undefined;
+    this.#movedAt = undefined;
     this.#redraw = true;
     this.#paintsNext = this.#isPainting = false;
     this.#become(state);
@@ -217,9 +247,12 @@ export class FrameLoop {
   #step(now: number): void {
     const began = this.frames.now();
     const before = this.river.phase;
-    if (this.#isStepping && before !== "finished" && !this.#paintsNext) this.#proceed(now, before);
+    const isDue = this.#isStepping && before !== "finished" && !this.#paintsNext;
+    if (isDue && !this.#waitsForRest) this.#proceed(now, before);
     const shows = this.#paintsNext || this.#isWorthShowing(now, before);
-    this.#paintsNext = shows && !this.#paintsNext && this.frames.now() - began > LONG_STEPS_MS;
+    // A hand waits for no other frame: its steps have a budget that leaves room for a draft.
+    const isForHand = this.#movedAt !== undefined && !this.#isShown;
+    this.#paintsNext = shows && !isForHand && !this.#paintsNext && this.frames.now() - began > LONG_STEPS_MS;
     if (shows && !this.#paintsNext) this.#show(now);
     this.#goOn();
   }
@@ -229,6 +262,7 @@ export class FrameLoop {
     const { phase } = this.river;
     if (this.#state !== "settling" || phase === "finished") return true;
     const isGrown = before === "growing" && phase !== before;
+    if (this.#movedAt !== undefined && (phase === "meandering" || phase === "relief")) return !this.#isDrafted;
     return (isGrown && this.#showsTree) || now - this.#shownAt >= SETTLE_QUIET_MS;
   }
 
@@ -238,15 +272,29 @@ export class FrameLoop {
     this.#redraw = this.#paintsNext = this.#isPainting;
     if (this.#isPainting) return;
     this.#shownAt = now;
-    this.#isShown = phase !== "growing";
+    this.#isShown ||= this.#showsNew(phase);
+    this.#isDrafted ||= this.#isShown && phase !== "shaping";
     if (this.#runs && phase === "finished") this.#become("finished");
     if (!this.isBusy) this.audience.ready();
+  }
+
+  /** Whether a picture in this phase shows something of what settles: until there are other rivers, or another relief, the old stay in it. */
+  #showsNew(phase: Phase): boolean {
+    if (phase === "shaping") return this.#from === "growing";
+    if (phase === "relief") return this.#movedAt !== undefined;
+    return phase !== "growing";
+  }
+
+  /** Whether the hand that it follows may move on, and has seen something. */
+  get #waitsForRest(): boolean {
+    return this.#movedAt !== undefined && this.#isShown && this.frames.now() - this.#movedAt < REST_MS;
   }
 
   /** Paints within the budget. Returns whether there is more to do. */
   #paint(): boolean {
     const end = this.frames.now() + PAINT_BUDGET_MS;
-    while (this.audience.draw()) {
+    const asDraft = this.#movedAt !== undefined && this.river.phase !== "finished";
+    while (this.audience.draw(asDraft)) {
       if (this.frames.now() >= end) return true;
     }
     return false;
@@ -255,12 +303,22 @@ export class FrameLoop {
   /** Makes the steps that are due, within the budget. */
   #proceed(now: number, phase: Phase): void {
     if (this.#state === "settling") {
-      this.#advance(phase, 1, SETTLE_BUDGET_MS);
+      if (this.#movedAt !== undefined && !this.#isShown) this.#makeDraft(phase);
+      else this.#advance(phase, 1, SETTLE_BUDGET_MS);
       return;
     }
     const elapsed = this.#last === undefined ? 0 : Math.min(now - this.#last, LONGEST_STEP_MS);
     this.#last = now;
     this.#animate(phase, (elapsed * this.#speed) / 1000);
+  }
+
+  /** Steps until there is something new to be shown, or the budget is spent. */
+  #makeDraft(before: Phase): void {
+    const end = this.frames.now() + DRAFT_BUDGET_MS;
+    const { river } = this;
+    const isGrown = (): boolean => before === "growing" && river.phase !== before;
+    do river.advance(1);
+    while (!isGrown() && river.phase !== "relief" && river.phase !== "finished" && this.frames.now() < end);
   }
 
   /** Advances by some seconds of the animation. What does not fit makes it longer, rather than falling ever further behind. */

@@ -6,13 +6,13 @@ import type { CanvasSize, Framing } from "../browser/canvas.ts";
 import type { Phase, ReadOptions, River, Summary } from "../engine/types.ts";
 import { Blitter } from "./blit.ts";
 import { ChartMaker, type LoadCharts } from "./chart-maker.ts";
-import { FrameLoop, type Frames, type State } from "./frame-loop.ts";
+import { FrameLoop, type Frames, REST_MS, type State } from "./frame-loop.ts";
 
 export type Canvas = HTMLCanvasElement | OffscreenCanvas;
 
 /**
- * watch: see it grow and meander; settle: as soon as may be, for a slider that is being dragged: the tree when it is grown,
- * then its finished rivers; still: nothing but finished rivers.
+ * watch: see it grow and meander; settle: as soon as may be, for a slider that is being dragged: the tree when it is grown, or a draft of
+ * the rivers, and when the hand rests its finished rivers; still: nothing but finished rivers.
  */
 export type ShowMode = "watch" | "settle" | "still";
 
@@ -35,9 +35,18 @@ export interface PlayerEvents {
 /** While the river grows or meanders its numbers are read this often: counting all its sources is not free, and nobody reads faster. */
 const COUNT_EVERY_MS = 250;
 
-/** A river that can show a part of its map, as those of the full engine can. */
+/** A hand is followed at once, but for what comes sooner than this after the last: that waits for a frame, and the latest alone is shown. */
+const AT_ONCE_MS = 16;
+
+/** A river that can show a part of its map, and drafts, as those of the full engine can. */
 interface Framed {
   frame(framing: Float32Array): void;
+  paintDraft(text: string, options?: ReadOptions): boolean;
+}
+
+interface Wish {
+  link: LinkToRead;
+  how: ShowMode;
 }
 
 /** What of an engine plants rivers: a lean one, or a full one. */
@@ -49,8 +58,15 @@ export interface Planter<Planted> {
 }
 
 export class RiverPlayer<Planted extends River & Partial<Framed> = River> {
-  #wanted: { link: LinkToRead; how: ShowMode } | undefined;
+  #wanted: Wish | undefined;
+  /** The wish that is shown by a draft of other rivers, until the hand rests. */
+  #drafted: { wish: Wish; at: number } | undefined;
+  #shown: LinkToRead;
   #link = "";
+  #followedAt = Number.NEGATIVE_INFINITY;
+  /** Before then there are no labels: the hand may move on. */
+  #labelsFrom = Number.NEGATIVE_INFINITY;
+  #labelling: number | undefined;
   #applying: number | undefined;
   #counted = Number.NEGATIVE_INFINITY;
   #told: Phase | undefined;
@@ -66,19 +82,20 @@ export class RiverPlayer<Planted extends River & Partial<Framed> = River> {
   constructor(
     core: Planter<Planted>,
     private readonly canvas: Canvas,
-    { text, options }: LinkToRead,
+    link: LinkToRead,
     private readonly frames: Frames,
     private readonly events: PlayerEvents,
   ) {
     this.#blitter = new Blitter(contextOf(canvas), core.memory);
-    this.#river = new core.engine.River(text, options);
+    this.#river = new core.engine.River(link.text, link.options);
+    this.#shown = link;
     this.#tellOfLink();
     this.#chartMaker = new ChartMaker(core.loadCharts, {
       arrived: () => this.#attempt(() => this.#loop.redraw()),
       failed: (error) => this.#attempt(() => events.failed(error)),
     });
     this.#loop = new FrameLoop(this.#river, frames, {
-      draw: () => this.#draw(),
+      draw: (asDraft) => this.#draw(asDraft),
       ready: () => this.#followWish(),
       changed: () => this.#tell(),
       failed: (error) => events.failed(error),
@@ -152,7 +169,15 @@ export class RiverPlayer<Planted extends River & Partial<Framed> = River> {
    */
   show(link: LinkToRead, how: ShowMode): void {
     this.#wanted = { link, how };
-    if (how === "watch" || !this.#loop.isBusy) this.#applying ??= this.frames.request(() => this.#applyNow());
+    if (how !== "watch" && this.#loop.isBusy) return;
+    const follow = (): void => {
+      this.#applyNow();
+      if (how === "settle") this.#attempt(() => this.#loop.hurry());
+      this.#followedAt = this.frames.now();
+    };
+    const isHandAlone = how === "settle" && this.#river.paintDraft !== undefined && this.#applying === undefined;
+    if (isHandAlone && this.frames.now() - this.#followedAt >= AT_ONCE_MS) follow();
+    else this.#applying ??= this.frames.request(follow);
   }
 
   /** Gives the canvas the size it should have; the river stays the same. */
@@ -164,6 +189,7 @@ export class RiverPlayer<Planted extends River & Partial<Framed> = River> {
   close(): void {
     this.#canRun = false;
     this.#loop.halt();
+    for (const handle of [this.#applying, this.#labelling]) if (handle !== undefined) this.frames.cancel(handle);
   }
 
   /** Stops for good and gives the river's memory back. */
@@ -181,13 +207,16 @@ export class RiverPlayer<Planted extends River & Partial<Framed> = River> {
 
   #apply(): void {
     const wanted = this.#wanted;
-    if (!wanted) return;
-    this.#wanted = undefined;
+    if (!wanted || this.#widens(wanted)) return;
+    const isDrafted = this.#drafted !== undefined;
+    this.#wanted = this.#drafted = undefined;
     const { text, options } = wanted.link;
     const stage = this.#river.change(text, options);
+    this.#shown = wanted.link;
     this.#tellOfLink();
     if (stage === "none") {
-      // The picture stays; that it is of this link is news.
+      // The picture stays, unless it is a draft; that it is of this link is news.
+      if (isDrafted) this.#loop.redraw();
       this.#tell();
       return;
     }
@@ -197,7 +226,36 @@ export class RiverPlayer<Planted extends River & Partial<Framed> = River> {
     const isDrawing = (stage === "paint" || stage === "name") && (phase === "finished" || this.state !== "finished");
     if (stage === "land" || stage === "grow") this.#grow(wanted.how);
     else if (isDrawing || phase === "growing") this.#loop.redraw();
+    else if (wanted.how === "settle" && stage !== "relief") this.#loop.follow(isDrafted);
     else this.#loop.settle(false);
+    if (wanted.how === "settle" && stage === "relief") this.#labelAtRest(this.frames.now() + REST_MS);
+  }
+
+  /**
+   * Another width is shown at once on the courses that are there, which it will change a little: the river goes over to it when the hand
+   * rests. Returns whether that is so, and not yet.
+   */
+  #widens(wish: Wish): boolean {
+    const now = this.frames.now();
+    if (wish.how !== "settle" || this.state !== "finished" || !this.#canRun) return false;
+    if (this.#drafted?.wish !== wish) {
+      const { text, options } = wish.link;
+      if (!this.#drafted && text === this.#link) return false;
+      if (!this.#river.paintDraft?.(text, options)) return false;
+      this.#blitter.blit(this.#river);
+      this.#drafted = { wish, at: now };
+    } else if (now - this.#drafted.at >= REST_MS) return false;
+    this.#applying ??= this.frames.request(() => this.#applyNow());
+    return true;
+  }
+
+  #labelAtRest(time: number): void {
+    this.#labelsFrom = time;
+    this.#labelling ??= this.frames.request(() => {
+      this.#labelling = undefined;
+      if (this.frames.now() < this.#labelsFrom) this.#labelAtRest(this.#labelsFrom);
+      else if (this.state === "finished") this.#attempt(() => this.#loop.redraw());
+    });
   }
 
   #tellOfLink(): void {
@@ -207,11 +265,14 @@ export class RiverPlayer<Planted extends River & Partial<Framed> = River> {
 
   #grow(how: ShowMode): void {
     if (how === "watch") this.#loop.watch();
-    else this.#loop.settle(how === "settle");
+    else if (how === "settle") this.#loop.follow();
+    else this.#loop.settle(false);
   }
 
-  #draw(): boolean {
-    if (this.#paint()) return true;
+  #draw(asDraft: boolean): boolean {
+    const { text, options } = this.#shown;
+    const isDraft = asDraft && this.#river.paintDraft?.(text, options);
+    if (!isDraft && this.#paint()) return true;
     this.#blitter.blit(this.#river);
     const still = this.state === "finished" || this.state === "paused";
     const isNews = still || this.#told !== this.#river.phase;
@@ -221,7 +282,8 @@ export class RiverPlayer<Planted extends River & Partial<Framed> = River> {
 
   /** Does a part of painting. Returns whether there is more to do. */
   #paint(): boolean {
-    return this.#chartMaker.lay(this.#river, this.#ratio, this.#framing) || this.#river.paint();
+    const mayLabel = this.frames.now() >= this.#labelsFrom;
+    return (mayLabel && this.#chartMaker.lay(this.#river, this.#ratio, this.#framing)) || this.#river.paint();
   }
 
   #tell(): void {

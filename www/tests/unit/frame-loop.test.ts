@@ -1,6 +1,7 @@
 import { expect, test } from "vitest";
 import type { Phase } from "../../pkg/riverseed.js";
 import {
+  DRAFT_BUDGET_MS,
   FRAME_BUDGET_MS,
   FrameLoop,
   GROWTH_SECONDS,
@@ -8,6 +9,7 @@ import {
   LONG_STEPS_MS,
   MEANDER_SECONDS,
   PAINT_BUDGET_MS,
+  REST_MS,
   ROUNDS_PER_SECOND,
   SETTLE_BUDGET_MS,
   SETTLE_QUIET_MS,
@@ -21,6 +23,8 @@ class Stage implements Growing {
   ticks = 0;
   drawn: number[] = [];
   phases: Phase[] = [];
+  /** Which of the pictures could be drafts. */
+  drafts: boolean[] = [];
   ready = 0;
   states: State[] = [];
   failures: unknown[] = [];
@@ -48,12 +52,13 @@ class Stage implements Growing {
       cancel: (handle: number) => void this.#callbacks.delete(handle),
     };
     this.loop = new FrameLoop(this, frames, {
-      draw: () => {
+      draw: (asDraft) => {
         this.time += this.partCost;
         if (++this.parts < this.partsOfPicture) return true;
         this.parts = 0;
         this.drawn.push(this.ticks);
         this.phases.push(this.phase);
+        this.drafts.push(asDraft);
         return false;
       },
       ready: () => void this.ready++,
@@ -420,4 +425,76 @@ test("long steps and painting take turns", () => {
   }
   expect(stage.drawn).toEqual([1, 2, 3, 4, 5, 6, 7, 8, 9]);
   expect(stage.loop.state).toBe("finished");
+});
+
+/** How many frames there are in a time. */
+const FRAMES_OF = (ms: number): number => Math.ceil(ms / (1000 / 60));
+
+test("what follows a hand is seen in the next frame, as far as there is time for, and finished when the hand rests", () => {
+  const stage = new Stage(0, 1000);
+  stage.cost = 1;
+  stage.loop.follow();
+  stage.frames(1);
+  expect([stage.drawn, stage.drafts]).toEqual([[DRAFT_BUDGET_MS], [true]]);
+  expect([stage.loop.isBusy, stage.ready]).toEqual([false, 1]);
+  // Nothing more is done while it may move on.
+  stage.frames(FRAMES_OF(REST_MS) - 3);
+  expect(stage.ticks).toBe(DRAFT_BUDGET_MS);
+  stage.frames(200);
+  expect([stage.drawn, stage.drafts]).toEqual([
+    [DRAFT_BUDGET_MS, 1001],
+    [true, false],
+  ]);
+  expect(stage.loop.state).toBe("finished");
+});
+
+test("what is finished by then is shown as it is, and not as a draft", () => {
+  const stage = new Stage(0, 4);
+  stage.loop.follow();
+  stage.frames(1);
+  // That was all there is to do.
+  expect([stage.drawn, stage.drafts, stage.loop.state]).toEqual([[5], [false], "finished"]);
+});
+
+test("a hand that moves on is followed, however often, and each time something is seen", () => {
+  const stage = new Stage(50, 1000);
+  stage.cost = 1;
+  for (let moves = 1; moves <= 20; moves++) {
+    stage.restart();
+    stage.loop.follow();
+    while (stage.loop.isBusy) stage.frames(1);
+    expect(stage.drawn).toHaveLength(moves);
+    expect(stage.phases.at(-1)).toBe("shaping");
+  }
+});
+
+test("what has been shown otherwise is finished at once, and shown no more before", () => {
+  const stage = new Stage(0, 1000);
+  stage.cost = 1;
+  stage.loop.follow(true);
+  expect(stage.loop.isBusy).toBe(false);
+  stage.frames(2);
+  expect([stage.ticks, stage.drawn]).toEqual([1 + SETTLE_BUDGET_MS, []]);
+  stage.frames(200);
+  expect(stage.drawn).toEqual([1001]);
+});
+
+test("rivers, or a relief, that are made again are not thrown away before anything new of them was seen", () => {
+  for (const phase of ["shaping", "relief"] as const) {
+    class Slow extends Stage {
+      override get phase(): Phase {
+        return this.ticks < 3 ? phase : "finished";
+      }
+    }
+    const stage = new Slow();
+    // Each step takes longer than anybody waits in silence.
+    stage.cost = SETTLE_QUIET_MS + 50;
+    stage.loop.settle(false);
+    for (let i = 0; i < 2; i++) {
+      stage.frames(2);
+      expect([stage.loop.isBusy, stage.ready]).toEqual([true, 0]);
+    }
+    stage.frames(4);
+    expect([stage.loop.isBusy, stage.loop.state]).toEqual([false, "finished"]);
+  }
 });

@@ -1,0 +1,138 @@
+#!/usr/bin/env node
+// The sliders of the built page's panel while a hand moves them, in a window of 1440 by 900: from the input event to pixels that have
+// changed on the canvas, in ms, and the longest task on the page's own thread. As JSON on one line:
+//   {NAME: {"sliders": {KEY: {"p50", "p95"}}, "longest"}}
+//
+// The page must have been built (npm run build). CHROME names the browser, MOVES how often each slider moves (default 12), ONLY some of the
+// names of LINKS, SLIDERS some of the keys, by commas.
+
+import { chromium } from "@playwright/test";
+import { preview } from "vite";
+
+const ATLAS = "style=atlas&labels=some";
+const LINKS = {
+  default: ATLAS,
+  colonize: `${ATLAS}&growth=colonize&attractors=20000&mouths=8`,
+  many: `${ATLAS}&attractors=300000`,
+};
+/** Of many attractors the longest task alone is asked for, by sliders that begin with another stage each. */
+const SOME = ["width", "simplify", "channel-area", "concavity", "sea"];
+/** Longer than any picture takes that is still worth the name of an answer. */
+const PATIENCE_MS = 3000;
+/** Shorter than a rest of the hand. */
+const BETWEEN_MS = 60;
+const moves = Number(process.env.MOVES ?? 12);
+
+const server = await preview({ preview: { host: "127.0.0.1", port: 0 }, logLevel: "silent" });
+const address = server.resolvedUrls.local[0];
+const browser = await chromium.launch({
+  executablePath: process.env.CHROME ?? "/usr/bin/chromium",
+  args: ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking"],
+});
+try {
+  const found = {};
+  const wanted = process.env.ONLY?.split(",") ?? Object.keys(LINKS);
+  for (const name of wanted) found[name] = await measure(name);
+  console.log(JSON.stringify(found));
+} finally {
+  await browser.close();
+  await new Promise((done) => server.httpServer.close(done));
+}
+
+async function measure(name) {
+  const page = await browser.newPage({ viewport: { width: 1440, height: 900 }, serviceWorkers: "block" });
+  await page.route(/\/assets\/page-worker-[^/]*\.js$/, async (route) => {
+    const response = await route.fetch();
+    await route.fulfill({ response, body: `(${tellOfPictures})();\n${await response.text()}` });
+  });
+  await page.addInitScript(watch);
+  await page.goto(`${address}?${LINKS[name]}`);
+  await finished(page);
+  await page.click("#shape");
+  for (const details of await page.$$("details.group, details.more"))
+    await details.evaluate((one) => {
+      one.open = true;
+    });
+  await finished(page);
+  const keys = process.env.SLIDERS?.split(",") ?? (name === "many" ? SOME : await page.evaluate(slidersOf));
+  const sliders = {};
+  let longest = 0;
+  for (const key of keys) {
+    const { times, task } = await page.evaluate(drag, { key, moves, PATIENCE_MS, BETWEEN_MS });
+    await finished(page);
+    // None of its places is another map than the one before.
+    if (times.length === 0) continue;
+    times.sort((a, b) => a - b);
+    const at = (share) => Number(times[Math.min(times.length - 1, Math.floor(share * times.length))].toFixed(1));
+    sliders[key] = { p50: at(0.5), p95: at(0.95) };
+    longest = Math.max(longest, task);
+    if (process.env.DETAIL) console.error(name, key, sliders[key], `longest task ${task}`);
+  }
+  await page.close();
+  return { sliders, longest };
+}
+
+/** Until the map is finished, and with it all that follows from that. */
+async function finished(page) {
+  await page.waitForSelector('#frame[data-state="finished"]:not([data-pending])', { timeout: 300_000 });
+  await page.waitForTimeout(800);
+}
+
+/** In the worker: says when pixels came to a canvas. */
+function tellOfPictures() {
+  const line = new BroadcastChannel("pictures");
+  const own = OffscreenCanvasRenderingContext2D.prototype;
+  const put = own.putImageData;
+  own.putImageData = function (...given) {
+    put.apply(this, given);
+    line.postMessage(performance.timeOrigin + performance.now());
+  };
+}
+
+/** In the page: notes when that was, and tasks of more than 50 ms. */
+function watch() {
+  const seen = { pictures: [], tasks: [] };
+  globalThis.seen_ = seen;
+  new BroadcastChannel("pictures").onmessage = ({ data }) => seen.pictures.push(data);
+  new PerformanceObserver((list) => {
+    for (const { startTime, duration } of list.getEntries()) seen.tasks.push({ startTime, duration });
+  }).observe({ entryTypes: ["longtask"] });
+}
+
+/** Those that are there and do something. */
+function slidersOf() {
+  const all = [...document.querySelectorAll("#controls input[type=range]:not(:disabled)")];
+  return all.filter((slider) => !slider.closest("fieldset:disabled")).map(({ id }) => id.replace(/^field-/, ""));
+}
+
+/** Moves a slider to and fro around where it stands, as a hand would that goes on once it has seen something. */
+async function drag({ key, moves, PATIENCE_MS, BETWEEN_MS }) {
+  const { pictures, tasks } = globalThis.seen_;
+  const values = () => [...document.querySelectorAll(".exact")].map(({ value }) => value).join();
+  const slider = document.getElementById(key.startsWith("macro-") ? key : `field-${key}`);
+  const [first, min, max] = [slider.value, slider.min, slider.max].map(Number);
+  const finest = Number(slider.step) || 1;
+  const step = finest * Math.max(1, Math.ceil((max - min) / 40 / finest));
+  const pause = (ms) => new Promise((done) => setTimeout(done, ms));
+  const from = first + 4 * step <= max ? first : max - 4 * step;
+  const began = performance.now();
+  const times = [];
+  for (let i = 0; i < moves; i++) {
+    const to = from + step * ((i % 4) + 1);
+    slider.value = String(to);
+    const [before, count] = [values(), pictures.length];
+    const moved = performance.timeOrigin + performance.now();
+    slider.dispatchEvent(new Event("input", { bubbles: true }));
+    // Two places of a slider may stand for the same, of which there is one picture.
+    if (values() === before) continue;
+    const isAnswered = () => pictures.length > count && pictures.at(-1) >= moved;
+    while (!isAnswered() && performance.timeOrigin + performance.now() - moved < PATIENCE_MS) await pause(1);
+    times.push(isAnswered() ? pictures.slice(count).find((at) => at >= moved) - moved : PATIENCE_MS);
+    await pause(BETWEEN_MS);
+  }
+  slider.value = String(first);
+  slider.dispatchEvent(new Event("input", { bubbles: true }));
+  await pause(300);
+  const during = tasks.filter(({ startTime }) => startTime >= began).map(({ duration }) => Math.round(duration));
+  return { times, task: Math.max(0, ...during) };
+}

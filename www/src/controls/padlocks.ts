@@ -1,0 +1,66 @@
+/**
+ * Padlocks: the values under a shut one stay when something sets many at a time, a country or a pattern. Which are shut is remembered,
+ * where the browser lets the page remember anything.
+ */
+
+import { el, icon } from "../browser/dom.ts";
+import type { Keeper } from "./disclosure.ts";
+
+const KEPT_AS = "riverseed-kept";
+
+const DRAWING = "M4.500 7.500h7v6h-7zM5.500 7.500V5.500a2.500 2.500 0 0 1 5 0v2";
+
+export class Padlocks {
+  readonly #kept = new Set<string>();
+  readonly #made: { button: HTMLElement; keys: readonly string[] }[] = [];
+
+  constructor(private readonly keeper: () => Keeper) {
+    for (const key of this.#remembered()) if (typeof key === "string") this.#kept.add(key);
+  }
+
+  /** The keys whose values stay. */
+  get kept(): ReadonlySet<string> {
+    return this.#kept;
+  }
+
+  /** One for some keys, which others may have as well: it is shut when all of them are kept, and mixed when some are. */
+  padlock(label: string, keys: readonly string[]): HTMLElement {
+    const title = `Keep ${label} when a country or a pattern is chosen`;
+    const attributes = { type: "button", class: "keep", "aria-label": `Keep ${label}`, title };
+    const button = el("button", attributes, icon(DRAWING));
+    button.addEventListener("click", () => this.#turn(keys));
+    this.#made.push({ button, keys });
+    this.#show();
+    return button;
+  }
+
+  #turn(keys: readonly string[]): void {
+    const isShut = keys.every((key) => this.#kept.has(key));
+    for (const key of keys) {
+      if (isShut) this.#kept.delete(key);
+      else this.#kept.add(key);
+    }
+    this.#show();
+    try {
+      this.keeper().setItem(KEPT_AS, JSON.stringify([...this.#kept]));
+    } catch {
+      // They are kept all the same; it will only not be remembered.
+    }
+  }
+
+  #show(): void {
+    for (const { button, keys } of this.#made) {
+      const count = keys.filter((key) => this.#kept.has(key)).length;
+      button.setAttribute("aria-pressed", count === 0 ? "false" : count === keys.length ? "true" : "mixed");
+    }
+  }
+
+  #remembered(): readonly unknown[] {
+    try {
+      const kept: unknown = JSON.parse(this.keeper().getItem(KEPT_AS) ?? "[]");
+      return Array.isArray(kept) ? kept : [];
+    } catch {
+      return [];
+    }
+  }
+}

@@ -1,0 +1,63 @@
+/** Two taps of a finger on one spot: a double tap. Two fingers, a drag, or a finger that stays make none. */
+
+import type { Point } from "./camera.ts";
+
+/** How long a tap may take, and how much later and how far away the second may end, in ms and CSS pixels. */
+const TAP_MS = 300;
+const PAUSE_MS = 350;
+const TAP_PX = 12;
+const APART_PX = 40;
+
+/** What of a pointer's event it minds. */
+export interface Touch {
+  readonly pointerType: string;
+  readonly isPrimary: boolean;
+  readonly clientX: number;
+  readonly clientY: number;
+  readonly timeStamp: number;
+}
+
+interface Spot extends Point {
+  at: number;
+}
+
+export class DoubleTap {
+  #down: Spot | undefined;
+  #first: Spot | undefined;
+
+  down(touch: Touch): void {
+    if (!isFinger(touch)) return;
+    // A second finger makes a pinch of it.
+    this.#down = touch.isPrimary ? spotOf(touch) : undefined;
+    if (!touch.isPrimary) this.#first = undefined;
+  }
+
+  /** A finger is lifted: whether that ends a double tap. */
+  up(touch: Touch): boolean {
+    const [down, first] = [this.#down, this.#first];
+    this.#down = this.#first = undefined;
+    const spot = spotOf(touch);
+    const isTap = isFinger(touch) && touch.isPrimary && down !== undefined && isNear(down, spot, TAP_MS, TAP_PX);
+    if (!isTap) return false;
+    if (first && isNear(first, spot, PAUSE_MS, APART_PX)) return true;
+    this.#first = spot;
+    return false;
+  }
+
+  /** The browser has taken the finger. */
+  cancel(): void {
+    this.#down = this.#first = undefined;
+  }
+}
+
+function isFinger({ pointerType }: Touch): boolean {
+  return pointerType === "touch";
+}
+
+function spotOf({ clientX: x, clientY: y, timeStamp: at }: Touch): Spot {
+  return { x, y, at };
+}
+
+function isNear(one: Spot, other: Spot, ms: number, px: number): boolean {
+  return other.at - one.at <= ms && Math.hypot(other.x - one.x, other.y - one.y) <= px;
+}

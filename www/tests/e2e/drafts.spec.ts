@@ -1,0 +1,115 @@
+import { expect, type Page, test } from "@playwright/test";
+import {
+  address,
+  complaints,
+  countCalls,
+  expectAddress,
+  expectPictureOfAddress,
+  finished,
+  ownClock,
+  shown,
+  stopClock,
+  unfold,
+} from "./riverpage.ts";
+
+const LINK = "seed=kauri&land=island&growth=drainage&attractors=1500&meander-rounds=9&style=atlas&labels=some";
+
+/** Moves a slider by a step as a hand does that holds it. */
+async function move(page: Page, slider: string, by: number): Promise<void> {
+  await page.locator(slider).evaluate((element, by) => {
+    const slider = element as HTMLInputElement;
+    slider.valueAsNumber += by * Math.max(Number(slider.step), (Number(slider.max) - Number(slider.min)) / 40);
+    slider.dispatchEvent(new Event("input", { bubbles: true }));
+  }, by);
+}
+
+/** Opens the finished map with its panel; the page draws itself, by a clock that stands still. */
+async function openHeld(page: Page): Promise<void> {
+  await ownClock(page);
+  await page.goto(`./?${LINK}`);
+  await finished(page);
+  await unfold(page);
+  await expectPictureOfAddress(page);
+  await stopClock(page);
+  await page.clock.runFor(2000);
+}
+
+test("while a slider moves its rivers are drafts without labels, and nothing is made exactly before the hand rests", async ({
+  page,
+}) => {
+  const drafts = await countCalls(page, "river_paintDraft");
+  const steps = await countCalls(page, "river_advance");
+  const labels = await countCalls(page, "river_takeChart");
+  await openHeld(page);
+  for (const slider of ["#field-simplify", "#macro-winding"]) {
+    const labelled = (await labels()).onPage;
+    const pictures = [(await shown(page)).sha256];
+    for (let i = 0; i < 3; i++) {
+      const drafted = (await drafts()).onPage;
+      await move(page, slider, 1);
+      await page.clock.runFor(50);
+      expect((await drafts()).onPage).toBeGreaterThan(drafted);
+      pictures.push((await shown(page)).sha256);
+      // The hand may move on: nothing is done meanwhile.
+      const made = (await steps()).onPage;
+      await page.clock.runFor(50);
+      expect((await steps()).onPage).toBe(made);
+    }
+    expect(new Set(pictures).size, slider).toBe(4);
+    expect((await labels()).onPage).toBe(labelled);
+    await expect(page.locator("#frame")).toHaveAttribute("data-state", "settling");
+    await page.clock.runFor(5000);
+    expect((await labels()).onPage).toBe(labelled + 1);
+    await expectPictureOfAddress(page);
+  }
+});
+
+test("another width is seen on the courses that are there, without a step, until the hand rests", async ({ page }) => {
+  const steps = await countCalls(page, "river_advance");
+  await openHeld(page);
+  const made = (await steps()).onPage;
+  const before = (await shown(page)).sha256;
+  await move(page, "#field-width", 3);
+  await page.clock.runFor(50);
+  const wider = (await shown(page)).sha256;
+  expect(wider).not.toBe(before);
+  // Back to where it was: the map is again what it was, labels and all.
+  await move(page, "#field-width", -3);
+  await page.clock.runFor(50);
+  expect((await shown(page)).sha256).not.toBe(wider);
+  expect((await steps()).onPage).toBe(made);
+  await page.clock.runFor(5000);
+  expect([(await shown(page)).sha256, (await steps()).onPage]).toEqual([before, made]);
+  await move(page, "#field-width", 3);
+  await page.clock.runFor(5000);
+  expect((await steps()).onPage).toBeGreaterThan(made);
+  await expectPictureOfAddress(page);
+});
+
+test("whatever slider moved, the map after it is that of the address, to the pixel", async ({ page }) => {
+  const said = complaints(page);
+  await page.goto(`./?${LINK}`);
+  await finished(page);
+  await unfold(page);
+  const sliders = ["width", "simplify", "channel-area", "mountains", "shade", "label-size", "concavity", "sea"];
+  for (const key of sliders) {
+    const before = address(page).get(key);
+    for (let i = 0; i < 4; i++) await move(page, `#field-${key}`, 1);
+    await expect.poll(() => address(page).get(key)).not.toBe(before);
+    await expectPictureOfAddress(page);
+  }
+  expect(said).toEqual([]);
+});
+
+test("a hand that goes on before the map is finished is followed, and its end is the address's", async ({ page }) => {
+  await page.goto(`./?${LINK}`);
+  await finished(page);
+  await unfold(page);
+  for (const key of ["width", "simplify", "width", "concavity", "simplify", "width"]) {
+    await move(page, `#field-${key}`, 1);
+    await move(page, `#field-${key}`, 1);
+  }
+  for (const key of ["width", "simplify", "concavity"])
+    await expectAddress(page, key, await page.locator(`#exact-${key}`).inputValue());
+  await expectPictureOfAddress(page);
+});

@@ -1,0 +1,116 @@
+import { expect, type Page, test } from "@playwright/test";
+import { violations } from "./axe.ts";
+import { complaints, expectPictureOfAddress, finished, openFinished } from "./riverpage.ts";
+
+const LINK = "seed=kauri&land=island&growth=drainage&attractors=1500&meander-rounds=5&aspect=0.5";
+
+test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+
+/** Taps of one finger on one spot, as fast as fingers are, whatever the machine is. */
+async function taps(page: Page, tapCount: number, x = 195, y = 320): Promise<void> {
+  const line = await page.context().newCDPSession(page);
+  await line.send("Input.synthesizeTapGesture", { x, y, tapCount, duration: 30, gestureSourceType: "touch" });
+  await line.detach();
+}
+
+/** What of the browser's full screen was asked for, and whether it has any. */
+async function withScreen(page: Page, has: boolean): Promise<() => Promise<string[]>> {
+  await page.addInitScript((has) => {
+    const asked: string[] = [];
+    Object.assign(globalThis, { asked });
+    let full: Element | null = null;
+    Object.defineProperty(Document.prototype, "fullscreenElement", { get: () => full });
+    Element.prototype.requestFullscreen = async function () {
+      asked.push("enter");
+      full = this;
+    };
+    Document.prototype.exitFullscreen = async () => {
+      asked.push("leave");
+      full = null;
+    };
+    if (!has) Reflect.deleteProperty(Element.prototype, "requestFullscreen");
+  }, has);
+  return () => page.evaluate(() => (globalThis as unknown as { asked: string[] }).asked);
+}
+
+for (const has of [true, false]) {
+  test(`two taps leave the map alone, ${has ? "over the whole screen" : "in a browser without full screen"}, and two more bring all back`, async ({
+    page,
+  }) => {
+    const said = complaints(page);
+    const asked = await withScreen(page, has);
+    await openFinished(page, LINK);
+    const [bar, place] = [page.locator(".bar"), page.locator("#map-place")];
+    const small = await place.boundingBox();
+    await taps(page, 2);
+    await expect(bar).toBeHidden();
+    await expect(page.locator("#styles")).toBeHidden();
+    await expect.poll(async () => (await place.boundingBox())?.height).toBeGreaterThan(small?.height ?? 0);
+    expect(await asked()).toEqual(has ? ["enter"] : []);
+    await expectPictureOfAddress(page);
+    expect(await violations(page)).toEqual([]);
+    await taps(page, 2);
+    await expect(bar).toBeVisible();
+    expect(await asked()).toEqual(has ? ["enter", "leave"] : []);
+    await expect.poll(() => place.boundingBox()).toEqual(small);
+    // There is a button for those who do not know, and keys.
+    await taps(page, 2);
+    await page.getByRole("button", { name: "Back from the map alone" }).tap();
+    await expect(bar).toBeVisible();
+    await page.keyboard.press("m");
+    await expect(bar).toBeHidden();
+    await page.keyboard.press("Escape");
+    await expect(bar).toBeVisible();
+    expect(said).toEqual([]);
+  });
+}
+
+test("the browser's own way out of full screen brings all back, too", async ({ page }) => {
+  await withScreen(page, true);
+  await openFinished(page, LINK);
+  await taps(page, 2);
+  await expect(page.locator(".bar")).toBeHidden();
+  await page.evaluate(async () => {
+    await document.exitFullscreen();
+    document.dispatchEvent(new Event("fullscreenchange"));
+  });
+  await expect(page.locator(".bar")).toBeVisible();
+});
+
+test("one tap is a river's, and a pinch zooms", async ({ page }) => {
+  const asked = await withScreen(page, true);
+  await openFinished(page, LINK);
+  await page.locator("#frame").focus();
+  await page.keyboard.press("n");
+  await expect(page.locator(".river-card")).toBeVisible();
+  const spot = await page.locator(".under-hand .spot").boundingBox();
+  await page.keyboard.press("Escape");
+  await expect(page.locator(".river-card")).toBeHidden();
+  await taps(page, 1, (spot?.x ?? 0) + (spot?.width ?? 0) / 2, (spot?.y ?? 0) + (spot?.height ?? 0) / 2);
+  await expect(page.locator(".river-card")).toBeVisible();
+  const before = await page.locator("#map-place").boundingBox();
+  const line = await page.context().newCDPSession(page);
+  await line.send("Input.synthesizePinchGesture", { x: 195, y: 320, scaleFactor: 2, gestureSourceType: "touch" });
+  await expect
+    .poll(async () => (await page.locator("#map-place").boundingBox())?.width)
+    .toBeGreaterThan(1.5 * (before?.width ?? 0));
+  expect(await asked()).toEqual([]);
+  await expect(page.locator(".bar")).toBeVisible();
+});
+
+test("the speed of growth is at hand on a phone", async ({ page }) => {
+  await openFinished(page, LINK);
+  const pace = page.getByRole("button", { name: /^Speed: / });
+  await expect(pace).toHaveAccessibleName("Speed: 1×");
+  await expect(page.locator("#speed")).toBeHidden();
+  for (const name of ["2×", "4×", "8×", "instant", "¼×", "½×", "1×"]) {
+    await pace.tap();
+    await expect(pace).toHaveAccessibleName(`Speed: ${name}`);
+    await expect(pace).toHaveText(name);
+  }
+  await pace.tap();
+  await page.setViewportSize({ width: 1280, height: 800 });
+  await expect(pace).toBeHidden();
+  await expect(page.locator("#speed")).toHaveAttribute("aria-valuetext", "2×");
+  await finished(page);
+});
