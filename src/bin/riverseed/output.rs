@@ -77,7 +77,7 @@ impl Way {
 }
 
 /// The folder that a file lies in.
-fn folder(path: &Path) -> &Path {
+pub fn folder(path: &Path) -> &Path {
     path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
@@ -88,7 +88,10 @@ fn filled<Target: Write>(
     write: impl FnOnce(&mut dyn Write) -> Result<(), Failure>,
 ) -> Result<Target, Failure> {
     let mut out = BufWriter::new(file);
-    write(&mut out)?;
+    write(&mut out).map_err(|failure| match failure {
+        Failure::Output(error) => Failure::file(given)(error),
+        failure => failure,
+    })?;
     out.into_inner().map_err(|error| Failure::file(given)(error.into_error()))
 }
 
