@@ -52,7 +52,7 @@ tarball: widget
 # ---- prove it
 
 .PHONY: test
-test: test-scripts test-rust test-hydrology test-wasm test-page test-browser lighthouse test-firefox test-package ## every test there is
+test: test-scripts test-rust test-hydrology test-batch test-wasm test-page test-browser lighthouse test-firefox test-package ## every test there is
 
 .PHONY: test-scripts
 test-scripts: ## what set-up, builds and checks decide, with stand-ins for apt, rustup, npm and the like
@@ -71,6 +71,13 @@ test-hydrology: ## another's hydrology library finds nothing to fill on the reli
 	@$(setup) rust
 	@$(run) cargo build --quiet --features cli
 	@scripts/hydrology.sh target/debug/riverseed
+
+# Skipped likewise.
+.PHONY: test-batch
+test-batch: ## a distributed engine makes the maps that one call makes, also if a worker is killed
+	@$(setup) rust
+	@$(run) cargo build --quiet --features cli
+	@scripts/batch.sh target/debug/riverseed
 
 .PHONY: test-wasm
 test-wasm: ## the core as wasm, in headless Chromium: the same pictures to the bit
