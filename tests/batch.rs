@@ -234,15 +234,20 @@ fn map_that_cannot_be_written_is_named_and_the_others_are_made() {
 #[test]
 fn full_disk_ends_the_run_with_one_word() {
     let folder = folder("full");
-    let link = |seed: u32| std::os::unix::fs::symlink("/dev/full", folder.join(format!("{seed}.json"))).unwrap();
-    (1..=9).for_each(link);
-    let (code, said) = outcome(&folder, &[LINK, "--seeds", "1..100", "--threads", "1", "-o", "{seed}.json"]);
-    assert_eq!(code, 1);
-    assert_eq!(
-        said,
-        "riverseed: 1.json: No space left on device (os error 28): stopped before all 100 maps were there; the same call goes on \
-         from here\n"
-    );
+    for form in ["json", "heights.png", "zip"] {
+        let link = |seed: u32| std::os::unix::fs::symlink("/dev/full", folder.join(format!("{seed}.{form}"))).unwrap();
+        (1..=9).for_each(link);
+        let out = format!("{{seed}}.{form}");
+        let (code, said) = outcome(&folder, &[LINK, "--seeds", "1..100", "--threads", "1", "-o", &out]);
+        assert_eq!(code, 1);
+        assert_eq!(
+            said,
+            format!(
+                "riverseed: 1.{form}: No space left on device (os error 28): stopped before all 100 maps were there; the same call \
+                 goes on from here\n"
+            )
+        );
+    }
     let full = fs::File::options().write(true).open("/dev/full").unwrap();
     let mut call = Command::new(RIVERSEED);
     let call = call.args(["render", LINK, "--seeds", "1..100", "-o", "-"]).stdout(full).output().unwrap();
