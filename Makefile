@@ -57,7 +57,7 @@ wheel: ## the Python package as a wheel, in target/package
 # ---- prove it
 
 .PHONY: test
-test: test-scripts test-rust test-hydrology test-python test-wasm test-page test-browser lighthouse test-firefox test-package ## every test there is
+test: test-scripts test-rust test-hydrology test-batch test-python test-wasm test-page test-browser lighthouse test-firefox test-package ## every test there is
 
 .PHONY: test-scripts
 test-scripts: ## what set-up, builds and checks decide, with stand-ins for apt, rustup, npm and the like
@@ -70,18 +70,23 @@ test-rust: ## the core, natively
 	$(run) cargo test --all-features
 	scripts/crate.sh verify
 
-# Skipped, with a word, where Python or its packages cannot be had.
-.PHONY: test-hydrology
-test-hydrology: ## another's hydrology library finds nothing to fill on the relief, and our rivers where we drew them
-	@$(setup) rust
-	@$(run) cargo test --quiet --all-features --no-run --test command_line # the program as the tests of the core have it
-	@scripts/hydrology.sh target/debug/riverseed
-
-# Skipped likewise.
-.PHONY: test-python
-test-python: ## the Python package, as a wheel that is built and installed: the bytes of the command line, arrays, threads, types
+# The command line as the tests of the core have it: built with other features, all would be compiled again.
+.PHONY: program
+program:
 	@$(setup) rust
 	@$(run) cargo test --quiet --all-features --no-run --test command_line
+
+# These three are skipped, with a word, where Python or its packages cannot be had.
+.PHONY: test-hydrology
+test-hydrology: program ## another's hydrology library finds nothing to fill on the relief, and our rivers where we drew them
+	@scripts/hydrology.sh target/debug/riverseed
+
+.PHONY: test-batch
+test-batch: program ## a distributed engine makes the maps that one call makes, also if a worker is killed
+	@scripts/batch.sh target/debug/riverseed
+
+.PHONY: test-python
+test-python: program ## the Python package, as a wheel that is built and installed: the bytes of the command line, arrays, threads, types
 	@scripts/python.sh test target/debug/riverseed
 
 .PHONY: test-wasm

@@ -1,11 +1,14 @@
 //! What calls there are, and what each may be given.
 
+use std::ffi::OsString;
 use std::path::PathBuf;
 
 use clap::{Arg, ArgAction, Command, crate_version, value_parser};
 use riverseed::paint::LONGEST_SIDE;
 use riverseed::recipe::table::TABLE;
 use riverseed::recipe::{Key, Parameter};
+
+use super::batch::Shard;
 
 /// All commands.
 pub fn command() -> Command {
@@ -33,7 +36,8 @@ fn render_command() -> Command {
                 .long("output")
                 .value_name("OUT")
                 .required(true)
-                .help("The file to write; its ending says what: .png, .svg, .geojson, .json, .zip for all that games need, or one raster of that: .heights.png, .land.png, .rivers.png, .flow.png, .basins.png")
+                .action(ArgAction::Append)
+                .help("A file to write; its ending says what: .png, .svg, .geojson, .json, .zip for all that games need, or one raster of that: .heights.png, .land.png, .rivers.png, .flow.png, .basins.png; or - for JSON, a line a map, on standard output. May be given again: a map is grown once for all of its files")
                 .value_parser(value_parser!(PathBuf)),
         )
         .arg(
@@ -64,7 +68,35 @@ fn render_command() -> Command {
                 .action(ArgAction::SetTrue)
                 .help("Write labels in SVG as text on paths, for readers that have EB Garamond, and not as outlines"),
         )
+        .args(batch_arguments())
         .args(TABLE.iter().map(render_option))
+}
+
+/// The options of many maps in one call.
+fn batch_arguments() -> [Arg; 4] {
+    let argument = |name: &'static str| Arg::new(name).long(name).help_heading("Many maps");
+    let further = |name: &'static str| argument(name).requires("seeds");
+    [
+        argument("seeds")
+            .value_name("FILE|FROM..TO")
+            .conflicts_with(Key::Seed.parameter().name)
+            .help("Make a map of each seed: of each line of a file, of standard input (-), or of each number of a range, TO too. {seed} in the name of each OUT stands for the seed. Files that are there and whole are not made again")
+            .value_parser(value_parser!(OsString)),
+        further("shard")
+            .value_name("I/N")
+            .help("Make the I-th of N shares of the maps only, as one of N machines")
+            .value_parser(str::parse::<Shard>),
+        further("threads")
+            .value_name("N")
+            .help("How many maps are made at once [default: one for each core]")
+            .value_parser(threads),
+        further("again").action(ArgAction::SetTrue).help("Make files again that are there"),
+    ]
+}
+
+fn threads(text: &str) -> Result<usize, String> {
+    let threads = text.parse().ok().filter(|threads| (1..=1024).contains(threads));
+    threads.ok_or_else(|| "it has to be from 1 to 1024".into())
 }
 
 fn ratio(text: &str) -> Result<f32, String> {

@@ -4,17 +4,17 @@ use indicatif::{ProgressBar, ProgressStyle};
 use riverseed::recipe::{Key, LandKind, Recipe};
 use riverseed::session::{Session, Shortfall};
 
-use super::Failure;
 use super::order::Order;
+use super::{Failure, Say};
 
 /// Grows a recipe to its end.
-pub fn grow(order: Order, progress: &ProgressBar) -> Result<Session, Failure> {
+pub fn grow(order: Order, progress: &ProgressBar, say: Say<'_>) -> Result<Session, Failure> {
     let mut session = match order.land {
         Some(land) => Session::on_land(order.recipe, land)?,
         None => Session::new(order.recipe)?,
     };
     if is_undrawn(&session) {
-        eprintln!("riverseed: land is 'drawn' but no outline shows both land and water; all of the map is land");
+        say("land is 'drawn' but no outline shows both land and water; all of the map is land");
     }
     progress.set_length(u64::from(session.growth().total_discharge()));
     progress.set_message("growing");
@@ -22,16 +22,16 @@ pub fn grow(order: Order, progress: &ProgressBar) -> Result<Session, Failure> {
         progress.set_position(u64::from(session.growth().drained()));
     }
     match session.summary().shortfall() {
-        Some(Shortfall::NoRiver) => eprintln!("riverseed: no river grew: no land lies open to the sea"),
+        Some(Shortfall::NoRiver) => say("no river grew: no land lies open to the sea"),
         Some(Shortfall::Unreached) => {
             let (attractors, unreached) = (session.growth().attractors(), session.growth().unreached());
             let advice = "a shorter 'step', a longer 'kill' or 'reach', or less 'mouth-spacing' helps";
-            eprintln!("riverseed: rivers leave {unreached} of {attractors} attractors unreached; {advice}");
+            say(&format!("rivers leave {unreached} of {attractors} attractors unreached; {advice}"));
         }
         Some(Shortfall::CutOff) => {
             let (parcels, unreached) = (session.growth().attractors(), session.growth().unreached());
             let advice = "a gap in the ridges that cut them off, or more 'mouths' (0 for all), helps";
-            eprintln!("riverseed: {unreached} of {parcels} parcels have no way to a river mouth; {advice}");
+            say(&format!("{unreached} of {parcels} parcels have no way to a river mouth; {advice}"));
         }
         None => {}
     }

@@ -3,9 +3,11 @@
 //!
 //! Exit codes: 0 done, 1 the work failed, 2 the call or the recipe is wrong.
 
+mod batch;
 mod commands;
 mod form;
 mod grow;
+mod map;
 mod mask;
 mod measure;
 mod names;
@@ -16,7 +18,7 @@ mod render;
 mod table;
 mod verify;
 
-use std::io;
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -40,12 +42,22 @@ fn main() -> ExitCode {
     match done {
         Ok(()) => ExitCode::SUCCESS,
         // Who reads has read enough.
-        Err(Failure::Output(error)) if error.kind() == io::ErrorKind::BrokenPipe => ExitCode::SUCCESS,
+        Err(Failure::Output(error) | Failure::File { error, .. }) if error.kind() == io::ErrorKind::BrokenPipe => {
+            ExitCode::SUCCESS
+        }
         Err(failure) => {
-            eprintln!("riverseed: {failure}");
+            say(&failure.to_string());
             failure.exit_code()
         }
     }
+}
+
+/// Who is told what is worth a word and no failure.
+type Say<'a> = &'a dyn Fn(&str);
+
+/// Says a line on standard error, if anybody listens.
+fn say(text: &str) {
+    let _ = writeln!(io::stderr(), "riverseed: {text}");
 }
 
 /// What can go wrong after the call has been understood.
@@ -61,8 +73,8 @@ enum Failure {
     Digest(#[from] DigestError),
     #[error("{}: the ending of the output is none of .png, .svg, .geojson, .json, .zip", path.display())]
     Ending { path: PathBuf },
-    #[error("{option} does not go with {ending}")]
-    Mismatch { option: &'static str, ending: &'static str },
+    #[error("{option} does not go with {endings}")]
+    Mismatch { option: &'static str, endings: String },
     #[error("--raster-size: {0}")]
     RasterSize(ExportError),
     #[error("{}: {error}", path.display())]
@@ -73,6 +85,16 @@ enum Failure {
     Picture { path: PathBuf, reason: String },
     #[error("{differing} of {all} recipes give other rivers, pixels or files here")]
     Differs { differing: usize, all: usize },
+    #[error("--seeds {seeds}: {reason}")]
+    Seeds { seeds: String, reason: String },
+    #[error("a seed is given besides --seeds")]
+    SeedBesides,
+    #[error("{}: {reason}", path.display())]
+    Pattern { path: PathBuf, reason: &'static str },
+    #[error("{failed} of {all} maps were not made")]
+    Maps { failed: u64, all: u64 },
+    #[error("{failure}: stopped before all {all} maps were there; the same call goes on from here")]
+    Stopped { failure: Box<Self>, all: u64 },
     #[error(transparent)]
     Output(#[from] io::Error),
 }
@@ -80,15 +102,22 @@ enum Failure {
 impl Failure {
     fn exit_code(&self) -> ExitCode {
         match self {
-            Self::Recipe(_) | Self::Ending { .. } | Self::Mismatch { .. } | Self::RasterSize(_) | Self::Land { .. } => {
-                ExitCode::from(2)
-            }
+            Self::Recipe(_)
+            | Self::Ending { .. }
+            | Self::Mismatch { .. }
+            | Self::RasterSize(_)
+            | Self::Land { .. }
+            | Self::Seeds { .. }
+            | Self::SeedBesides
+            | Self::Pattern { .. } => ExitCode::from(2),
             Self::Session(_)
             | Self::Paint(_)
             | Self::Digest(_)
             | Self::File { .. }
             | Self::Picture { .. }
             | Self::Differs { .. }
+            | Self::Maps { .. }
+            | Self::Stopped { .. }
             | Self::Output(_) => ExitCode::FAILURE,
         }
     }

@@ -7,16 +7,16 @@ use riverseed::export;
 use riverseed::measure::{Measure, Measures, Nature, TABLE};
 use serde_json::{Map, Value, json};
 
-use super::Failure;
 use super::grow::{grow, progress};
 use super::order::Order;
+use super::{Failure, say};
 
 /// Measures the rivers of a recipe and prints the table, or JSON.
 pub fn measure(matches: &ArgMatches) -> Result<(), Failure> {
     let order = Order::of(matches)?;
-    order.say_what_is_idle(true);
+    order.say_what_is_idle(&[true]);
     let progress = progress(&order.recipe, 0);
-    let session = grow(order, &progress)?;
+    let session = grow(order, &progress, &say)?;
     progress.finish_and_clear();
     let Some(measures) = Measures::of(&session) else { return Ok(()) };
     let text = if matches.get_flag("json") { as_json(&measures)? } else { table(&measures) };

@@ -9,19 +9,19 @@ use riverseed::name::Names;
 use riverseed::recipe::{Cartouche, Key, Labels, Mark, OwnNames, Recipe};
 use riverseed::{Network, River, Session};
 
-use super::Failure;
 use super::grow::{grow, progress};
 use super::order::Order;
+use super::{Failure, Say, say};
 
 /// Prints the names, greatest rivers first.
 pub fn names(matches: &ArgMatches) -> Result<(), Failure> {
     let order = Order::of(matches)?;
-    order.say_what_is_idle(false);
+    order.say_what_is_idle(&[false]);
     let progress = progress(&order.recipe, 0);
-    let session = grow(order, &progress)?;
+    let session = grow(order, &progress, &say)?;
     progress.finish_and_clear();
     let names = Names::of(&session);
-    say_what_is_unused(&session);
+    say_what_is_unused(&session, &say);
     let network = session.network().unwrap_or(Network::EMPTY);
     let mut rows = vec![["mark", "name", "order", "length"].map(String::from)];
     rows.extend(names.marked(network).into_iter().map(|(mark, name)| row(network, mark, name)));
@@ -29,17 +29,17 @@ pub fn names(matches: &ArgMatches) -> Result<(), Failure> {
 }
 
 /// Warns of names of one's own that name nothing on the map.
-pub fn say_what_is_unused(session: &Session) {
+pub fn say_what_is_unused(session: &Session, say: Say<'_>) {
     if *session.recipe().value(Key::Names) == Key::Names.parameter().default_value() {
         return;
     }
     for mark in Names::of(session).unused(session.recipe()) {
-        eprintln!("riverseed: 'names' has no effect on '{mark}': there is no such thing on this map");
+        say(&format!("'names' has no effect on '{mark}': there is no such thing on this map"));
     }
 }
 
 /// Warns of letters that the type has not, in names of one's own and in the seed of a cartouche.
-pub fn say_what_has_no_letters(recipe: &Recipe) {
+pub fn say_what_has_no_letters(recipe: &Recipe, say: Say<'_>) {
     let has_cartouche = recipe.get::<Cartouche>() != Cartouche::None;
     if recipe.get::<Labels>() == Labels::None && !has_cartouche {
         return;
@@ -47,10 +47,10 @@ pub fn say_what_has_no_letters(recipe: &Recipe) {
     let own = OwnNames::readable(&Key::Names.parameter().text_of(recipe.value(Key::Names)));
     let names: String = own.marks().filter_map(|mark| own.get(mark)).collect();
     if let Some(letters) = listed(&names) {
-        eprintln!("riverseed: 'names' is drawn without {letters}: the type has no such letters");
+        say(&format!("'names' is drawn without {letters}: the type has no such letters"));
     }
     if let Some(letters) = listed(recipe.seed()).filter(|_| has_cartouche) {
-        eprintln!("riverseed: the cartouche is drawn without the seed: the type has no {letters}");
+        say(&format!("the cartouche is drawn without the seed: the type has no {letters}"));
     }
 }
 

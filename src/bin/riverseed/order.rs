@@ -10,7 +10,7 @@ use riverseed::land::Land;
 use riverseed::recipe::table::TABLE;
 use riverseed::recipe::{Key, LandKind, Recipe, RecipeError, json, link};
 
-use super::{Failure, mask};
+use super::{Failure, mask, say};
 
 /// What a call asks for: a recipe, and the land itself if that is given as a picture.
 pub struct Order {
@@ -29,17 +29,21 @@ impl Order {
         }
     }
 
-    /// Warns of values that were given and have no effect.
-    pub fn say_what_is_idle(&self, is_picture: bool) {
+    /// Warns of values that were given and have no effect in any of the files, of each of which it is said whether it is a picture.
+    pub fn say_what_is_idle(&self, are_pictures: &[bool]) {
         let kind = if self.land.is_some() { LandKind::Drawn } else { Land::kind_of(&self.recipe) };
-        let reason = |key| match (key, &self.land) {
+        let reason = |key, is_picture| match (key, &self.land) {
             (Key::Roughness, Some(_)) => Some("the picture determines the coast"),
             _ if is_picture => self.recipe.inactive_reason(key, kind),
             _ => self.recipe.inactive_reason_in_data(key, kind),
         };
+        let in_all = |key| {
+            let reasons = are_pictures.iter().map(|is_picture| reason(key, *is_picture));
+            reasons.reduce(|one, other| one.and(other)).flatten()
+        };
         for name in &self.given {
-            if let Some(reason) = Key::from_name(name).and_then(reason) {
-                eprintln!("riverseed: '{name}' has no effect: {reason}");
+            if let Some(reason) = Key::from_name(name).and_then(in_all) {
+                say(&format!("'{name}' has no effect: {reason}"));
             }
         }
     }

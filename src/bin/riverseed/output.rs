@@ -77,7 +77,7 @@ impl Way {
 }
 
 /// The folder that a file lies in.
-fn folder(path: &Path) -> &Path {
+pub fn folder(path: &Path) -> &Path {
     path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
@@ -87,9 +87,29 @@ fn filled<Target: Write>(
     given: &Path,
     write: impl FnOnce(&mut dyn Write) -> Result<(), Failure>,
 ) -> Result<Target, Failure> {
-    let mut out = BufWriter::new(file);
-    write(&mut out)?;
-    out.into_inner().map_err(|error| Failure::file(given)(error.into_error()))
+    let mut out = Watched { out: BufWriter::new(file), error: None };
+    write(&mut out).map_err(|failure| match (failure, out.error) {
+        (Failure::Output(_), Some(code)) => Failure::file(given)(io::Error::from_raw_os_error(code)),
+        (Failure::Output(error), None) => Failure::file(given)(error),
+        (failure, _) => failure,
+    })?;
+    out.out.into_inner().map_err(|error| Failure::file(given)(error.into_error()))
+}
+
+/// A writer that keeps the system's error, of which encoders hand on the text alone: a full disk is to be known as one.
+struct Watched<Target: Write> {
+    out: BufWriter<Target>,
+    error: Option<i32>,
+}
+
+impl<Target: Write> Write for Watched<Target> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.out.write(bytes).inspect_err(|error| self.error = error.raw_os_error())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.out.flush().inspect_err(|error| self.error = error.raw_os_error())
+    }
 }
 
 /// A file without a name; `None` where the system has no such files.

@@ -1,0 +1,181 @@
+//! What is there of a map already. Each form holds its recipe's link or, of JSON, the recipe itself near its beginning, and has an end by which
+//! it is known to be whole: that is compared, so that nothing has to be kept about what was made.
+
+use std::fs::File;
+use std::io::{self, Read, Seek, SeekFrom};
+use std::path::Path;
+
+use flate2::read::DeflateDecoder;
+use rawzip::{RECOMMENDED_BUFFER_SIZE, ZipArchive};
+use riverseed::domain::Domain;
+use riverseed::export::rasters::{LINK_KEYWORD, Layer, Rasters};
+use riverseed::export::{json, pack};
+use riverseed::paint::View;
+use riverseed::recipe::{Recipe, link};
+use riverseed::relief::Grid;
+
+use super::super::form::Form;
+use super::super::map::Options;
+
+/// What is in the place of a file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Found {
+    /// No file, or none that can be read.
+    Nothing,
+    /// The file, as far as it says itself what it was made by.
+    Whole,
+    /// Another file, or a part of one.
+    Other,
+}
+
+impl Found {
+    /// Looks what is there.
+    pub fn at(path: &Path, form: Form, recipe: &Recipe, options: Options) -> Self {
+        let Ok(mut file) = File::open(path) else { return Self::Nothing };
+        if !file.metadata().is_ok_and(|there| there.is_file()) {
+            return Self::Nothing;
+        }
+        match Wanted::of(form, recipe, options).is_in(&mut file) {
+            Ok(true) => Self::Whole,
+            Ok(false) | Err(_) => Self::Other,
+        }
+    }
+}
+
+/// By what a file is known.
+enum Wanted {
+    /// How it begins, and how it ends.
+    Text {
+        head: String,
+        tail: &'static str,
+    },
+    /// What stands near its beginning, and how it ends.
+    Svg {
+        metadata: String,
+    },
+    Png(Png),
+    Pack {
+        picture: Png,
+        raster: Png,
+    },
+}
+
+impl Wanted {
+    fn of(form: Form, recipe: &Recipe, options: Options) -> Self {
+        let link = link::write(recipe);
+        match form {
+            Form::Json => {
+                let recipe = serde_json::to_string(&json::recipe(recipe)).unwrap_or_default();
+                let tail = if options.has_attractors { "]}}\n" } else { "]}\n" };
+                Self::Text { head: format!("{{\"recipe\":{recipe},"), tail }
+            }
+            Form::GeoJson => {
+                let link = serde_json::Value::from(link);
+                Self::Text { head: format!("{{\"type\":\"FeatureCollection\",\"riverseed\":{link},"), tail: "]}\n" }
+            }
+            // Of what links hold, XML escapes this alone.
+            Form::Svg => Self::Svg { metadata: format!(">{}</metadata>", link.replace('&', "&amp;")) },
+            Form::Png => Self::Png(Png::picture(&link, recipe, options)),
+            Form::Raster(_) => Self::Png(Png::raster(&link, recipe, options)),
+            Form::Pack => Self::Pack {
+                picture: Png::picture(&link, recipe, options),
+                raster: Png::raster(&link, recipe, options),
+            },
+        }
+    }
+
+    fn is_in(&self, file: &mut File) -> io::Result<bool> {
+        match self {
+            Self::Text { head, tail } => {
+                Ok(ends_with(file, tail.as_bytes())? && start(file, head.len())? == head.as_bytes())
+            }
+            Self::Svg { metadata } => {
+                Ok(ends_with(file, b"</svg>\n")? && contains(&start(file, metadata.len() + NEAR)?, metadata.as_bytes()))
+            }
+            Self::Png(png) => Ok(ends_with(file, Png::END)? && png.begins(&start(file, png.chunk.len() + NEAR)?)),
+            Self::Pack { picture, raster } => is_pack(file, picture, raster),
+        }
+    }
+}
+
+/// How far from the beginning of a file its link may stand, in bytes: behind a seed as a title, or a few small chunks.
+const NEAR: usize = 2048;
+
+/// What is known of a PNG before it is made.
+struct Png {
+    sides: [u32; 2],
+    /// The chunk with the link.
+    chunk: Vec<u8>,
+}
+
+impl Png {
+    /// The last chunk of every PNG.
+    const END: &[u8] = b"\0\0\0\0IEND\xae\x42\x60\x82";
+
+    fn picture(link: &str, recipe: &Recipe, options: Options) -> Self {
+        let (width, height) = View::sides_for(&Domain::of(recipe), options.size);
+        Self { sides: [width, height], chunk: chunk(link) }
+    }
+
+    fn raster(link: &str, recipe: &Recipe, options: Options) -> Self {
+        let domain = Domain::of(recipe);
+        let own = Grid::of(&domain);
+        let grid = options.raster_size.and_then(|size| Rasters::grid(&domain, size).ok()).unwrap_or(own);
+        Self { sides: [grid.columns as u32, grid.rows as u32], chunk: chunk(link) }
+    }
+
+    fn begins(&self, start: &[u8]) -> bool {
+        let [width, height] = self.sides.map(u32::to_be_bytes);
+        start.get(16..24) == Some(&[width, height].concat()) && contains(start, &self.chunk)
+    }
+}
+
+/// Length, kind and content of the chunk that holds a link.
+fn chunk(link: &str) -> Vec<u8> {
+    let content = format!("{LINK_KEYWORD}\0{link}");
+    [&(content.len() as u32).to_be_bytes()[..], b"tEXt", content.as_bytes()].concat()
+}
+
+/// Whether an archive that is whole has this picture and rasters like this one.
+fn is_pack(file: &File, picture: &Png, raster: &Png) -> io::Result<bool> {
+    let mut buffer = vec![0; RECOMMENDED_BUFFER_SIZE];
+    let archive = ZipArchive::from_file(file.try_clone()?, &mut buffer).map_err(io::Error::other)?;
+    let mut entries = archive.entries(&mut buffer);
+    let mut found = 0;
+    while let Some(entry) = entries.next_entry().map_err(io::Error::other)? {
+        let name = entry.file_path();
+        let png = match name.as_ref() {
+            name if name == pack::PICTURE.as_bytes() => picture,
+            name if name == format!("{}.png", Layer::Heights.name()).as_bytes() => raster,
+            _ => continue,
+        };
+        let content = archive.get_entry(entry.wayfinder()).map_err(io::Error::other)?;
+        let mut start = Vec::new();
+        DeflateDecoder::new(content.reader()).take((png.chunk.len() + NEAR) as u64).read_to_end(&mut start)?;
+        found += u32::from(png.begins(&start));
+    }
+    Ok(found == 2)
+}
+
+fn ends_with(file: &mut File, end: &[u8]) -> io::Result<bool> {
+    if file.metadata()?.len() < end.len() as u64 {
+        return Ok(false);
+    }
+    file.seek(SeekFrom::End(-(end.len() as i64)))?;
+    Ok(start_here(file, end.len())? == end)
+}
+
+fn start(file: &mut File, length: usize) -> io::Result<Vec<u8>> {
+    file.rewind()?;
+    start_here(file, length)
+}
+
+fn start_here(file: &mut File, length: usize) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::with_capacity(length);
+    file.take(length as u64).read_to_end(&mut bytes)?;
+    Ok(bytes)
+}
+
+fn contains(bytes: &[u8], part: &[u8]) -> bool {
+    bytes.windows(part.len()).any(|window| window == part)
+}

@@ -1,0 +1,189 @@
+//! `riverseed render --seeds`: the maps of many seeds, on all cores. Each map depends on its seed and the recipe alone, so threads take
+//! one after the other from the list, and what is there and whole is not made again.
+
+mod file_name;
+mod found;
+mod lines;
+mod report;
+mod seeds;
+
+use std::ffi::OsStr;
+use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::thread;
+
+use clap::ArgMatches;
+use indicatif::ProgressBar;
+use riverseed::recipe::{Key, Recipe, link};
+
+use self::file_name::Pattern;
+use self::found::Found;
+use self::lines::{Lines, Turn};
+use self::report::{Outcome, Report};
+use self::seeds::Seeds;
+pub use self::seeds::Shard;
+use super::form::Form;
+use super::map::{Map, Options};
+use super::order::Order;
+use super::output::{Output, folder};
+use super::render::Wanted;
+use super::{Failure, say};
+
+/// Writes the files of all maps.
+///
+/// # Errors
+/// If the call is wrong, a map could not be made, or none of the rest can be.
+pub fn render(
+    matches: &ArgMatches,
+    source: &OsStr,
+    order: &Order,
+    wanted: &[Wanted<'_>],
+    options: Options,
+) -> Result<(), Failure> {
+    refuse_a_seed(matches)?;
+    let files = patterns(wanted)?;
+    let seeds = Seeds::read(source, &say)?;
+    let shard = matches.get_one::<Shard>("shard").copied().unwrap_or_default();
+    let threads = matches.get_one::<usize>("threads").copied();
+    let threads = threads.or_else(|| thread::available_parallelism().ok().map(Into::into)).unwrap_or(1);
+    let all = seeds.count(shard);
+    let run = Run {
+        order,
+        files,
+        has_lines: wanted.iter().any(|wanted| wanted.path.is_none()),
+        options,
+        is_again: matches.get_flag("again"),
+        next: AtomicU64::new(0),
+        lines: Lines::default(),
+        report: Report::new(all),
+        end: OnceLock::new(),
+        shard,
+        seeds: &seeds,
+    };
+    thread::scope(|scope| (0..threads).for_each(|_| drop(scope.spawn(|| run.make_maps()))));
+    run.report.finish(seeds.faults, run.end.into_inner())
+}
+
+/// The value that each map has of its own.
+fn refuse_a_seed(matches: &ArgMatches) -> Result<(), Failure> {
+    let seed = Key::Seed.parameter().name;
+    let link = matches.get_one::<String>("link").map(|text| link::pairs(text)).transpose()?;
+    let is_linked = link.into_iter().flatten().any(|(name, _)| name == seed);
+    if is_linked || matches.contains_id(seed) { Err(Failure::SeedBesides) } else { Ok(()) }
+}
+
+/// The names of files. Looks whether files can be written there, too, before the work begins.
+fn patterns(wanted: &[Wanted<'_>]) -> Result<Vec<(Form, Pattern)>, Failure> {
+    let mut patterns: Vec<(Form, Pattern)> = Vec::new();
+    let mut has_lines = false;
+    for Wanted { form, path } in wanted {
+        let Some(path) = path else {
+            if std::mem::replace(&mut has_lines, true) {
+                return Err(Failure::Pattern { path: "-".into(), reason: "it is given twice" });
+            }
+            continue;
+        };
+        let pattern = Pattern::of(path)?;
+        Output::open(path)?;
+        if patterns.iter().any(|(_, other)| other.may_meet(&pattern)) {
+            return Err(Failure::Pattern { path: path.into(), reason: file_name::MEETS });
+        }
+        patterns.push((*form, pattern));
+    }
+    Ok(patterns)
+}
+
+/// All that the threads share.
+struct Run<'a> {
+    order: &'a Order,
+    files: Vec<(Form, Pattern)>,
+    has_lines: bool,
+    options: Options,
+    is_again: bool,
+    seeds: &'a Seeds,
+    shard: Shard,
+    /// The place in the shard of the next map that nobody has taken.
+    next: AtomicU64,
+    lines: Lines,
+    report: Report,
+    /// Why none of the rest can be made.
+    end: OnceLock<Failure>,
+}
+
+impl Run<'_> {
+    /// Makes one map after the other, as long as there are any.
+    fn make_maps(&self) {
+        while self.end.get().is_none() {
+            let place = self.next.fetch_add(1, Ordering::Relaxed);
+            let Some(seed) = self.seeds.get(self.shard, place) else { return };
+            let turn = self.has_lines.then(|| self.lines.turn(place));
+            match self.make_map(&seed, turn) {
+                Ok(outcome) => self.report.count(outcome),
+                Err(failure) if ends_all(&failure) => drop(self.end.set(failure)),
+                Err(failure) => self.report.failed(&seed, &failure),
+            }
+        }
+    }
+
+    /// Makes the files of a map that are not there yet.
+    fn make_map(&self, seed: &str, turn: Option<Turn<'_>>) -> Result<Outcome, Failure> {
+        let mut recipe = self.order.recipe.clone();
+        recipe.set(Key::Seed, seed)?;
+        let (missing, is_other) = self.missing(&recipe);
+        if missing.is_empty() && turn.is_none() {
+            return Ok(Outcome::WasThere);
+        }
+        let outputs = missing.iter().map(|(_, path)| Output::open(path)).collect::<Result<Vec<_>, _>>()?;
+        let line = turn.as_ref().map(|_| Form::Json);
+        let forms: Vec<Form> = missing.iter().map(|(form, _)| *form).chain(line).collect();
+        let order = Order { recipe, given: Vec::new(), land: self.order.land.clone() };
+        let warn = |text: &str| self.report.warn(seed, text);
+        let map = Map::make(order, &forms, self.options, &ProgressBar::hidden(), &warn)?;
+        for (form, output) in forms.iter().zip(outputs) {
+            output.write(|out| map.write(*form, out))?;
+        }
+        if let Some(turn) = turn {
+            let mut line = Vec::new();
+            map.write(Form::Json, &mut line).map_err(of_line)?;
+            drop(map); // or as many would wait as there are threads
+            turn.write(&line)?;
+        }
+        Ok(if is_other { Outcome::Replaced } else { Outcome::Made })
+    }
+
+    /// The files that are to be made, and whether there are some that another recipe made.
+    fn missing(&self, recipe: &Recipe) -> (Vec<(Form, PathBuf)>, bool) {
+        let mut is_other = false;
+        let files = self.files.iter().map(|(form, pattern)| (*form, pattern.path(recipe.seed())));
+        let missing = files.filter(|(form, path)| {
+            let found = Found::at(path, *form, recipe, self.options);
+            is_other |= found == Found::Other;
+            self.is_again || found != Found::Whole
+        });
+        let missing = missing.collect();
+        (missing, is_other)
+    }
+}
+
+/// Whether what a map failed by would make all others fail: nobody reads, the disk is full, or the folder is gone.
+fn ends_all(failure: &Failure) -> bool {
+    match failure {
+        Failure::Output(_) => true,
+        Failure::File { path, error } => match error.kind() {
+            ErrorKind::StorageFull | ErrorKind::QuotaExceeded | ErrorKind::ReadOnlyFilesystem => true,
+            ErrorKind::NotFound => !folder(path).is_dir(),
+            _ => false,
+        },
+        _ => false,
+    }
+}
+
+/// A line that cannot be made is a failure of its map; one that cannot be written is one of all.
+fn of_line(failure: Failure) -> Failure {
+    match failure {
+        Failure::Output(error) => Failure::file(Path::new("-"))(error),
+        failure => failure,
+    }
+}

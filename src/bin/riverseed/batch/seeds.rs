@@ -1,0 +1,277 @@
+//! The seeds of many maps: the lines of a list, or a range of numbers.
+
+use std::borrow::Cow;
+use std::collections::BTreeSet;
+use std::ffi::OsStr;
+use std::fs::File;
+use std::io::{self, BufRead, BufReader};
+use std::path::Path;
+use std::str::FromStr;
+
+use riverseed::recipe::{Key, Value};
+
+use super::super::{Failure, Say};
+
+/// The longest list that is read, in bytes.
+const LONGEST_LIST: u64 = 256 << 20;
+/// The most seeds of a list.
+const MOST_LISTED: usize = 10_000_000;
+/// The most seeds of a range.
+const MOST_IN_RANGE: u64 = 1_000_000_000;
+
+/// Seeds in their order, each once.
+#[derive(Debug)]
+pub struct Seeds {
+    seeds: Kind,
+    /// Lines of the list that are none.
+    pub faults: u64,
+}
+
+#[derive(Debug)]
+enum Kind {
+    Range { first: u64, count: u64 },
+    List(Vec<Box<str>>),
+}
+
+impl Seeds {
+    /// Reads what `--seeds` names: `FROM..TO`, a file, or `-` for standard input.
+    ///
+    /// # Errors
+    /// A range or a list that holds no seeds or too many, or a file that cannot be read.
+    pub fn read(source: &OsStr, say: Say<'_>) -> Result<Self, Failure> {
+        let name = source.to_string_lossy();
+        let refused = |reason: String| Failure::Seeds { seeds: name.clone().into_owned(), reason };
+        if let Some(range) = range(&name) {
+            let (first, count) = range.map_err(|reason| refused(reason.into()))?;
+            return Ok(Self { seeds: Kind::Range { first, count }, faults: 0 });
+        }
+        let list = if name == "-" {
+            List::read(io::stdin().lock(), &name, say)
+        } else {
+            File::open(source).and_then(|file| List::read(BufReader::new(file), &name, say))
+        };
+        let list = list.map_err(Failure::file(Path::new(source)))?;
+        list.finish(&name, say).map_err(refused)
+    }
+
+    /// How many there are in a shard.
+    pub fn count(&self, shard: Shard) -> u64 {
+        let all = match &self.seeds {
+            Kind::Range { count, .. } => *count,
+            Kind::List(seeds) => seeds.len() as u64,
+        };
+        // Of 10, the third of four shards has the places 2 and 6.
+        all.saturating_sub(shard.index).div_ceil(shard.count)
+    }
+
+    /// The one in a place of a shard; `None` behind the last.
+    pub fn get(&self, shard: Shard, place: u64) -> Option<Cow<'_, str>> {
+        let place = place.checked_mul(shard.count)?.checked_add(shard.index)?;
+        match &self.seeds {
+            Kind::Range { first, count } => (place < *count).then(|| (first + place).to_string().into()),
+            Kind::List(seeds) => seeds.get(usize::try_from(place).ok()?).map(|seed| Cow::from(&**seed)),
+        }
+    }
+}
+
+/// First and count of a range; `None` if a text is none.
+fn range(text: &str) -> Option<Result<(u64, u64), &'static str>> {
+    let (first, last) = text.split_once("..")?;
+    let is_sign_or_digit = |c: char| c.is_ascii_digit() || matches!(c, '.' | '-' | '+' | '=');
+    text.chars().all(is_sign_or_digit).then(|| between(first, last))
+}
+
+fn between(first: &str, last: &str) -> Result<(u64, u64), &'static str> {
+    let number = |text: &str| text.parse().ok().filter(|number: &u64| number.to_string() == text);
+    let (Some(first), Some(last)) = (number(first), number(last)) else {
+        return Err("a range is FROM..TO, whole numbers from 0 to 18446744073709551615, without leading zeros");
+    };
+    let count =
+        last.checked_sub(first).ok_or("a range goes from the lesser number to the greater, which belongs to it")?;
+    if count < MOST_IN_RANGE { Ok((first, count + 1)) } else { Err("a range holds at most 1000000000 seeds") }
+}
+
+/// A list as it is read.
+#[derive(Default)]
+struct List {
+    seeds: Vec<Box<str>>,
+    known: BTreeSet<Box<str>>,
+    empty: u64,
+    repeated: u64,
+    faults: u64,
+    is_too_long: bool,
+}
+
+impl List {
+    /// More faults than that are counted and not said.
+    const FAULTS: u64 = 20;
+
+    fn read(source: impl BufRead, name: &str, say: Say<'_>) -> io::Result<Self> {
+        let mut list = Self::default();
+        let mut source = source.take(LONGEST_LIST + 1);
+        let mut line = Vec::new();
+        for number in 1u64.. {
+            line.clear();
+            if source.read_until(b'\n', &mut line)? == 0 {
+                break;
+            }
+            list.is_too_long = source.limit() == 0 || list.seeds.len() > MOST_LISTED;
+            if list.is_too_long {
+                break;
+            }
+            // Some editors begin every file with a byte order mark.
+            let text = line.strip_prefix("\u{feff}".as_bytes()).filter(|_| number == 1).unwrap_or(&line);
+            if let Err(reason) = list.add(text) {
+                list.faults += 1;
+                if list.faults <= Self::FAULTS {
+                    say(&format!("{name}: line {number}: {reason}"));
+                }
+            }
+        }
+        Ok(list)
+    }
+
+    /// Takes a line; its end, and blanks around, are no part of the seed.
+    fn add(&mut self, line: &[u8]) -> Result<(), String> {
+        let text = str::from_utf8(line).map_err(|_| "the text is not UTF-8")?;
+        let seed = match Key::Seed.parameter().parse(text.trim()) {
+            Ok(Value::Text(seed)) => Box::<str>::from(seed),
+            Ok(_) => return Err("the line is no text".into()),
+            Err(error) => return Err(error.to_string()),
+        };
+        if seed.is_empty() {
+            self.empty += 1;
+        } else if self.known.insert(seed.clone()) {
+            self.seeds.push(seed);
+        } else {
+            self.repeated += 1;
+        }
+        Ok(())
+    }
+
+    fn finish(self, name: &str, say: Say<'_>) -> Result<Seeds, String> {
+        if self.is_too_long {
+            return Err(format!("a list holds at most {MOST_LISTED} seeds, in {} MB", LONGEST_LIST >> 20));
+        }
+        let told = [
+            (self.faults.saturating_sub(Self::FAULTS), "further lines are no seeds"),
+            (self.empty, "empty lines are left out"),
+            (self.repeated, "lines repeat a seed: each map is made once"),
+        ];
+        for (count, what) in told.iter().filter(|(count, _)| *count > 0) {
+            say(&format!("{name}: {count} {what}"));
+        }
+        if self.seeds.is_empty() {
+            return Err("there are no seeds in it".into());
+        }
+        Ok(Seeds { seeds: Kind::List(self.seeds), faults: self.faults })
+    }
+}
+
+/// Which of the seeds a call makes: every `count`-th, from the one at `index` on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Shard {
+    index: u64,
+    count: u64,
+}
+
+impl Default for Shard {
+    fn default() -> Self {
+        Self { index: 0, count: 1 }
+    }
+}
+
+impl FromStr for Shard {
+    type Err = &'static str;
+
+    /// `I/N`, counted from 1.
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        const MOST: u64 = 1_000_000;
+        let numbers = text.split_once('/').and_then(|(i, n)| Some((i.parse::<u64>().ok()?, n.parse::<u64>().ok()?)));
+        match numbers {
+            Some((i, count)) if (1..=count).contains(&i) && count <= MOST => Ok(Self { index: i - 1, count }),
+            _ => Err("it has to be I/N, with I from 1 to N and N at most 1000000"),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::cell::RefCell;
+
+    use super::*;
+
+    fn list(text: &[u8]) -> (Result<Seeds, String>, Vec<String>) {
+        let said = RefCell::new(Vec::new());
+        let say = |text: &str| said.borrow_mut().push(text.to_owned());
+        let seeds = List::read(text, "list", &say).unwrap().finish("list", &say);
+        (seeds, said.into_inner())
+    }
+
+    fn all(seeds: &Seeds, shard: Shard) -> Vec<String> {
+        (0..).map_while(|place| seeds.get(shard, place)).map(Cow::into_owned).collect()
+    }
+
+    #[test]
+    fn lines_are_seeds_whatever_ends_them() {
+        let (seeds, said) = list("\u{feff}kea\r\n  te awa \r\n\nkea\n\u{101}\n   \nlast".as_bytes());
+        assert_eq!(all(&seeds.unwrap(), Shard::default()), ["kea", "te awa", "\u{101}", "last"]);
+        assert_eq!(said, ["list: 2 empty lines are left out", "list: 1 lines repeat a seed: each map is made once"]);
+    }
+
+    #[test]
+    fn lines_that_are_no_seeds_are_named_and_the_rest_is_kept() {
+        let long = "x".repeat(65);
+        let (seeds, said) = list(&[b"\xffkea\n", long.as_bytes(), b"\nkea\na\0b\nkaka\n"].concat());
+        let seeds = seeds.unwrap();
+        assert_eq!((all(&seeds, Shard::default()), seeds.faults), (vec!["kea".into(), "kaka".into()], 3));
+        assert_eq!(said[0], "list: line 1: the text is not UTF-8");
+        assert!(said[1].starts_with("list: line 2: seed: ") && said[1].contains("64"), "{said:?}");
+        assert!(said[2].starts_with("list: line 4: seed: "), "{said:?}");
+        let (seeds, said) = list(&b"\xff\n".repeat(50));
+        assert_eq!((seeds.unwrap_err().as_str(), said.len()), ("there are no seeds in it", 21));
+        assert_eq!(said[20], "list: 30 further lines are no seeds");
+    }
+
+    #[test]
+    fn ranges_hold_both_ends_and_name_what_is_wrong() {
+        assert_eq!(range("1..10"), Some(Ok((1, 10))));
+        assert_eq!(range("7..7"), Some(Ok((7, 1))));
+        assert_eq!(range("18446744073709551615..18446744073709551615"), Some(Ok((u64::MAX, 1))));
+        for (text, reason) in [
+            ("10..1", "from the lesser"),
+            ("1..", "FROM..TO"),
+            ("..5", "FROM..TO"),
+            ("-1..5", "FROM..TO"),
+            ("1..=5", "FROM..TO"),
+            ("01..5", "FROM..TO"),
+            ("1..18446744073709551616", "FROM..TO"),
+            ("1..1000000001", "at most"),
+            ("0..18446744073709551615", "at most"),
+        ] {
+            assert!(range(text).unwrap().unwrap_err().contains(reason), "{text}");
+        }
+        for text in ["seeds.txt", "../seeds.txt", "-", "a..b"] {
+            assert_eq!(range(text), None, "{text}");
+        }
+    }
+
+    #[test]
+    fn shards_share_all_seeds_out_and_no_seed_twice() {
+        for count in 1..15 {
+            let seeds = Seeds { seeds: Kind::Range { first: 3, count: 10 }, faults: 0 };
+            let mut found = Vec::new();
+            for i in 1..=count {
+                let shard: Shard = format!("{i}/{count}").parse().unwrap();
+                let own = all(&seeds, shard);
+                assert_eq!(own.len() as u64, seeds.count(shard), "{i}/{count}");
+                found.extend(own.into_iter().map(|seed| seed.parse::<u64>().unwrap()));
+            }
+            found.sort_unstable();
+            assert_eq!(found, (3..13).collect::<Vec<_>>(), "{count}");
+        }
+        for text in ["0/4", "5/4", "1/0", "1", "a/b", "-1/4", "1/1000001", "1/2/3", ""] {
+            assert!(text.parse::<Shard>().is_err(), "{text}");
+        }
+    }
+}
