@@ -4,9 +4,12 @@
 //! (`lines.rs`), the order at every vertex (`orders.rs`), and of every cell of land the river that its water comes to (`basins.rs`).
 
 mod basins;
+mod curvature;
+mod growing;
 mod lines;
 mod orders;
 
+pub use growing::tips;
 pub use lines::Spot;
 
 use glam::Vec2;

@@ -7,8 +7,8 @@ use wasm_bindgen::prelude::*;
 use super::objects::object;
 use super::rivers::River;
 use crate::export::svg::overlay;
-use crate::inspect::{Inspector as Rivers, RiverFacts, Spot};
-use crate::land::Land;
+use crate::inspect::{Inspector as Rivers, RiverFacts, Spot, tips};
+use crate::land::{Land, SmoothedDistance};
 use crate::network::NONE;
 use crate::recipe::{CourseShape, LandKind};
 
@@ -58,6 +58,36 @@ impl River {
         overlay::dots(&self.session.growth().scattered())
     }
 
+    /// Those of them that still pull, or have found no way to the sea yet, likewise.
+    #[wasm_bindgen(js_name = attractorsLeft)]
+    pub fn attractors_left(&self) -> String {
+        overlay::dots(&self.session.growth().left())
+    }
+
+    /// Where its rivers begin, as far as they have grown, likewise.
+    pub fn tips(&self) -> String {
+        overlay::dots(&tips(&self.session))
+    }
+
+    /// How far an attractor pulls, and how near a river comes that uses it up, in units.
+    pub fn reaches(&self) -> Vec<f32> {
+        let settings = self.session.growth().settings();
+        vec![settings.reach, settings.kill]
+    }
+
+    /// What no river may cross: around all land, beyond which there is water, and along its ridges, likewise; nothing where all is land.
+    pub fn masks(&self) -> Vec<String> {
+        self.session.land().map_or_else(Vec::new, |land| {
+            let land_rings = SmoothedDistance::of(land.coast_distance()).rings_above(0.0);
+            vec![overlay::area(&land_rings), overlay::lines(land.ridges(), CourseShape::Grown)]
+        })
+    }
+
+    /// Width and height of its map, in units.
+    pub fn size(&self) -> Vec<f32> {
+        self.session.domain().size.to_array().into()
+    }
+
     /// Its rivers to be asked about, as they are now; nothing until they are finished, and where there is not enough memory.
     pub fn inspector(&self) -> Option<Inspector> {
         let rivers = Rivers::new(&self.session)?;
@@ -69,11 +99,6 @@ impl River {
 
 #[wasm_bindgen]
 impl Inspector {
-    /// Width and height of the map, in units.
-    pub fn size(&self) -> Vec<f32> {
-        self.size.to_array().into()
-    }
-
     /// The streams of an order, each from where it begins to where it ends, as a path of SVG.
     #[wasm_bindgen(js_name = ofOrder)]
     pub fn of_order(&self, order: u8) -> String {
@@ -84,6 +109,11 @@ impl Inspector {
     pub fn held(&self) -> String {
         let vertices = &self.rivers.network().vertices;
         overlay::lines(&self.rivers.stretches(|vertex| vertices[vertex].mobility == 0.0), self.courses)
+    }
+
+    /// Lines across the great rivers, to the outside of each bend, the longer the sharper that is, likewise.
+    pub fn curvature(&self) -> String {
+        overlay::lines(&self.rivers.curvature(), CourseShape::Grown)
     }
 
     /// The marks of the rivers that reach the sea.

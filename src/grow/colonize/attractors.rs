@@ -287,6 +287,11 @@ impl Attractors {
         self.blocks.iter().flat_map(Block::owned).map(|(owner, _, at)| (owner, at))
     }
 
+    /// The places of all attractors that are not used up, in no order to rely on.
+    pub fn left(&self) -> impl Iterator<Item = Vec2> + '_ {
+        self.blocks.iter().flat_map(Block::left).map(|(.., at)| at)
+    }
+
     /// Each owner's nearest attractor, owners ascending; of equally near ones the western, then the northern.
     pub fn nearest_by_owner(&self) -> Vec<(u32, Vec2)> {
         work::count(self.blocks.len());

@@ -249,6 +249,12 @@ impl Drainage {
         self.parcels() - (self.tree.len() as u32 - self.mouths)
     }
 
+    /// Where parcels lie that have found no way to the sea yet.
+    pub fn left(&self) -> Vec<glam::Vec2> {
+        let has_none = |&(_, &node): &(&glam::Vec2, &u32)| node == NONE;
+        self.parcels.at.iter().zip(&self.node).filter(has_none).map(|(&at, _)| at).collect()
+    }
+
     /// How many river mouths there are so far.
     pub fn mouths(&self) -> u32 {
         self.mouths
