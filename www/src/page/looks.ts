@@ -74,7 +74,8 @@ export const LOOKS: readonly Look[] = [
     name: "curvature",
     key: "C",
     label: "Curvature",
-    sentence: () => "Lines across the great rivers point to the outside of each bend: the sharper the bend, the longer.",
+    sentence: () =>
+      "Lines across the great rivers point to the outside of each bend: the sharper the bend, the longer.",
   },
   {
     name: "held",

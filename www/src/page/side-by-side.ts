@@ -1,7 +1,7 @@
 /** Six side by side: the variants of the river paper, on the same attractors and by one clock. Choosing one takes it for the map. */
 
 import { count } from "../browser/count.ts";
-import { setText } from "../browser/dom.ts";
+import { el, setText } from "../browser/dom.ts";
 import type { Preset } from "../engine/full.ts";
 import { linkText } from "../engine/link-text.ts";
 import type { ShowMode } from "../player/river-player.ts";
@@ -70,7 +70,7 @@ export class SideBySide {
     const presets = onSameGround(this.presets, ground);
     setText(status, "");
     const isHeld = this.presets.some(({ values }) => values.some(([key]) => ground.kept.has(key)));
-    setText(about, inWords(ground.values, presets, isHeld));
+    about.replaceChildren(...inWords(ground.values, presets, isHeld));
     dialog.style.setProperty("--aspect", ground.values.get("aspect") ?? "1");
     this.#variants = presets.map((preset) => {
       const { label, help } = preset;
@@ -145,8 +145,9 @@ function linkOn({ values }: Ground, preset: Preset): string {
   return linkText(new Map([...values, ...preset.values, ...BARE]));
 }
 
-function inWords(values: ReadonlyMap<string, string>, presets: readonly Preset[], isHeld: boolean): string {
-  const { attractors, seed } = Object.fromEntries([...values, ...(presets[0]?.values ?? [])]);
+function inWords(values: ReadonlyMap<string, string>, presets: readonly Preset[], isHeld: boolean): (Node | string)[] {
+  const { attractors, seed = "" } = Object.fromEntries([...values, ...(presets[0]?.values ?? [])]);
+  const same = `The variants of the river paper on the same ${count(Number(attractors))} attractors of “`;
   const held = isHeld ? " What has a padlock stays as it is." : "";
-  return `The variants of the river paper on the same ${count(Number(attractors))} attractors of “${seed}”, by one clock. Choose one to take it.${held}`;
+  return [same, el("bdi", {}, seed), `”, by one clock. Choose one to take it.${held}`];
 }

@@ -129,9 +129,9 @@ export class Variant {
     this.#ticks = summary.ticks;
     this.element.dataset["state"] = state;
     this.element.dataset["ticks"] = String(summary.ticks);
-    const { nodes, sources, order } = summary;
-    const size = `${count(sources)} sources, order ${order}`;
-    setText(this.#words, phase === "growing" ? `${count(nodes)} nodes` : size);
+    const { sources, order } = summary;
+    // Numbers that come at different ticks cannot be compared.
+    setText(this.#words, phase === "growing" ? "growing" : `${count(sources)} sources, order ${order}`);
     this.events.changed();
   }
 
