@@ -3,7 +3,7 @@
 use glam::Vec2;
 
 use super::Inspector;
-use crate::geometry::fast_max;
+use crate::geometry::{distance, fast_max, fast_min, length};
 
 /// How far apart lines are along a river, in widths of it.
 const APART: f32 = 0.6;
@@ -15,21 +15,25 @@ const LONGEST: f32 = 4.0;
 const ORDERS: u8 = 2;
 
 impl Inspector {
-    /// Short lines on the great rivers, from the middle towards the outside of the bend that they are in: the sharper, the longer.
-    pub fn curvature(&self) -> Vec<Vec<Vec2>> {
-        let highest = self.network.rivers.iter().map(|river| river.order).max().unwrap_or(0);
+    /// Short lines on the great rivers, from the middle towards the outside of the bend that they are in: the sharper, the longer. Where
+    /// they would not reach the bank there are none.
+    pub fn curvature(&self) -> Vec<[Vec2; 2]> {
+        let highest = self.orders.iter().fold(0, |highest, &order| highest.max(order));
         let mut lines = Vec::new();
-        for (number, _) in (0..).zip(&self.network.rivers).filter(|(_, river)| river.order + ORDERS > highest) {
+        for (number, river) in (0..).zip(&self.network.rivers) {
+            if river.order + ORDERS <= highest {
+                continue;
+            }
             let mut since = 0.0;
             for around in self.lines.line(number).windows(3) {
                 let [a, b, c] = [0, 1, 2].map(|i| around[i].at);
                 let width = 2.0 * around[1].half;
-                since += a.distance(b);
-                if since >= APART * width {
+                let line = outward(a, b, c) * (LONG * width * width);
+                let long = length(line);
+                since += distance(a, b);
+                if since >= APART * width && long > around[1].half {
                     since = 0.0;
-                    let longest = fast_max(width, f32::MIN_POSITIVE) * LONGEST;
-                    let outward = outward(a, b, c) * LONG * width * width;
-                    lines.push(vec![b, b + outward.clamp_length_max(longest)]);
+                    lines.push([b, b + line * (fast_min(long, LONGEST * width) / long)]);
                 }
             }
         }
@@ -40,10 +44,9 @@ impl Inspector {
 /// Away from the middle of the circle through three points, as long as its curvature; nothing where they lie on a line.
 fn outward(a: Vec2, b: Vec2, c: Vec2) -> Vec2 {
     let (before, after, across) = (b - a, c - b, c - a);
-    let lengths = before.length() * after.length() * across.length();
+    let lengths = length(before) * length(after) * across.length_squared();
     // Menger's curvature, to the side where the middle point lies.
-    let curvature = 2.0 * before.perp_dot(after) / fast_max(lengths, f32::MIN_POSITIVE);
-    -across.perp().normalize_or_zero() * curvature
+    across.perp() * (-2.0 * before.perp_dot(after) / fast_max(lengths, f32::MIN_POSITIVE))
 }
 
 #[cfg(test)]

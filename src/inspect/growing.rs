@@ -2,27 +2,36 @@
 
 use glam::Vec2;
 
+use crate::prune::channel_depth;
 use crate::session::Session;
+use crate::tree::Hydrology;
 
-/// The tips of a session's rivers, where they begin: those of the tree, trimmed as far as it has grown, until there are rivers.
+/// Where a session's rivers begin: while the tree grows, as far as it is certain to stay, which is what pictures show of it.
 pub fn tips(session: &Session) -> Vec<Vec2> {
+    let mut tips = Vec::new();
     if let Some(network) = session.network() {
-        return network.rivers.iter().map(|river| network.vertices[river.start as usize].at).collect();
+        for river in &network.rivers {
+            tips.push(network.vertices[river.start as usize].at);
+        }
+        return tips;
     }
-    let tree = session.pruned().tree;
-    let mut is_tip = vec![true; tree.len()];
-    for node in 0..tree.len() {
-        if let Some(parent) = tree.parent_of(node) {
-            is_tip[parent] = false;
+    let (tree, trim) = (session.tree(), session.trim());
+    let discharge = Hydrology::of(tree).discharge;
+    let depth = channel_depth(tree, &discharge, trim.channel_area);
+    for (node, &at) in tree.at.iter().enumerate() {
+        // All that is deeper has an arm that is certain, too.
+        if depth[node] == trim.nodes && discharge[node] >= trim.channel_area {
+            tips.push(at);
         }
     }
-    tree.at.iter().zip(is_tip).filter_map(|(&at, is_tip)| is_tip.then_some(at)).collect()
+    tips
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::geometry::distance;
+    use crate::prune::Trim;
     use crate::recipe::link;
     use crate::tree::Tree;
 
@@ -37,19 +46,38 @@ mod tests {
         places
     }
 
-    /// By looking for a child of each node among all nodes.
-    fn childless(tree: &Tree) -> Vec<Vec2> {
-        let has_child = |node: usize| (0..tree.len()).any(|other| tree.parent_of(other) == Some(node));
-        (0..tree.len()).filter(|&node| !has_child(node)).map(|node| tree.at[node]).collect()
+    /// The nodes that are certain to stay and have no such node above them, by walking down from every node.
+    fn certain_tips(tree: &Tree, trim: Trim) -> Vec<Vec2> {
+        let mut discharge = vec![0; tree.len()];
+        let below = |node: usize| std::iter::successors(Some(node), |&node| tree.parent_of(node));
+        for node in 0..tree.len() {
+            below(node).for_each(|lower| discharge[lower] += tree.drained[node]);
+        }
+        let is_channel = |node: usize| discharge[node] >= trim.channel_area;
+        let mut depth = vec![0; tree.len()];
+        for node in (0..tree.len()).filter(|&node| is_channel(node)) {
+            for (steps, lower) in below(node).enumerate() {
+                depth[lower] = depth[lower].max(steps as u32);
+            }
+        }
+        let is_certain = |node: usize| depth[node] >= trim.nodes && is_channel(node);
+        let has_certain = |node: usize| (0..tree.len()).any(|arm| tree.parent_of(arm) == Some(node) && is_certain(arm));
+        (0..tree.len()).filter(|&node| is_certain(node) && !has_certain(node)).map(|node| tree.at[node]).collect()
     }
 
     #[test]
-    fn tips_are_the_nodes_without_a_child_of_what_is_left_by_trimming() {
-        for link in ["growth=colonize&trim=0", "growth=colonize&trim=29", "growth=drainage", "growth=brownian&sensitivity=30"] {
+    fn the_tips_of_a_tree_are_where_what_is_certain_to_stay_of_it_begins() {
+        let methods =
+            ["colonize&trim=0", "colonize&trim=29", "drainage", "drainage&trim=60", "brownian&sensitivity=30"];
+        for method in methods {
+            let mut most = 0;
             for ticks in [0, 5, 14] {
-                let session = grown(link, ticks);
-                assert_eq!(tips(&session), childless(&session.pruned().tree), "{link} after {ticks}");
+                let session = grown(&format!("growth={method}"), ticks);
+                let found = tips(&session);
+                assert_eq!(found, certain_tips(session.tree(), session.trim()), "{method} after {ticks}");
+                most = most.max(found.len());
             }
+            assert!(most > 0, "{method}");
         }
     }
 

@@ -53,39 +53,25 @@ pub struct Inspector {
 
 #[wasm_bindgen]
 impl River {
-    /// Where its attractors lie, or the parcels of drainage: a path of SVG, in units.
-    pub fn attractors(&self) -> String {
-        overlay::dots(&self.session.growth().scattered())
+    /// What can be laid over it at any moment, as a path of SVG, in units: 0 is its attractors, or the parcels of drainage; 1 those of them that
+    /// still pull, or have found no way to the sea yet; 2 where its rivers begin, as far as they have grown; and what no river may cross, where
+    /// not all is land: 3 is around all land, beyond which there is water, 4 along its ridges.
+    pub fn shapes(&self, of: u8) -> String {
+        let growth = self.session.growth();
+        let dots = match of {
+            0 => growth.scattered(),
+            1 => growth.left(),
+            2 => tips(&self.session),
+            _ => return self.masks(of == 3),
+        };
+        overlay::dots(&dots)
     }
 
-    /// Those of them that still pull, or have found no way to the sea yet, likewise.
-    #[wasm_bindgen(js_name = attractorsLeft)]
-    pub fn attractors_left(&self) -> String {
-        overlay::dots(&self.session.growth().left())
-    }
-
-    /// Where its rivers begin, as far as they have grown, likewise.
-    pub fn tips(&self) -> String {
-        overlay::dots(&tips(&self.session))
-    }
-
-    /// How far an attractor pulls, and how near a river comes that uses it up, in units.
-    pub fn reaches(&self) -> Vec<f32> {
-        let settings = self.session.growth().settings();
-        vec![settings.reach, settings.kill]
-    }
-
-    /// What no river may cross: around all land, beyond which there is water, and along its ridges, likewise; nothing where all is land.
-    pub fn masks(&self) -> Vec<String> {
-        self.session.land().map_or_else(Vec::new, |land| {
-            let land_rings = SmoothedDistance::of(land.coast_distance()).rings_above(0.0);
-            vec![overlay::area(&land_rings), overlay::lines(land.ridges(), CourseShape::Grown)]
-        })
-    }
-
-    /// Width and height of its map, in units.
-    pub fn size(&self) -> Vec<f32> {
-        self.session.domain().size.to_array().into()
+    /// Width and height of its map, how far an attractor pulls, and how near a river comes that uses it up: all in units.
+    pub fn lengths(&self) -> Vec<f32> {
+        let growth = self.session.growth().settings();
+        let Vec2 { x, y } = self.session.domain().size;
+        vec![x, y, growth.reach, growth.kill]
     }
 
     /// Its rivers to be asked about, as they are now; nothing until they are finished, and where there is not enough memory.
@@ -97,23 +83,32 @@ impl River {
     }
 }
 
+impl River {
+    fn masks(&self, is_water: bool) -> String {
+        let Some(land) = self.session.land() else { return String::new() };
+        if is_water {
+            overlay::area(&SmoothedDistance::of(land.coast_distance()).rings_above(0.0))
+        } else {
+            overlay::lines(land.ridges(), CourseShape::Grown)
+        }
+    }
+}
+
 #[wasm_bindgen]
 impl Inspector {
-    /// The streams of an order, each from where it begins to where it ends, as a path of SVG.
-    #[wasm_bindgen(js_name = ofOrder)]
-    pub fn of_order(&self, order: u8) -> String {
-        overlay::lines(&self.rivers.stretches(|vertex| self.rivers.orders()[vertex] == order), self.courses)
-    }
-
-    /// The stretches of rivers that stay where they are when others meander, likewise.
-    pub fn held(&self) -> String {
+    /// Lines on its rivers, as a path of SVG: from 1 on the streams of that order, each from where it begins to where it ends; 0 is the
+    /// stretches that stay where they are when others meander, 255 short ones across the great rivers, to the outside of each bend, the longer
+    /// the sharper that is.
+    pub fn lines(&self, of: u8) -> String {
+        if of == u8::MAX {
+            return overlay::strokes(&self.rivers.curvature());
+        }
         let vertices = &self.rivers.network().vertices;
-        overlay::lines(&self.rivers.stretches(|vertex| vertices[vertex].mobility == 0.0), self.courses)
-    }
-
-    /// Lines across the great rivers, to the outside of each bend, the longer the sharper that is, likewise.
-    pub fn curvature(&self) -> String {
-        overlay::lines(&self.rivers.curvature(), CourseShape::Grown)
+        let is_meant = |vertex: usize| match of {
+            0 => vertices[vertex].mobility == 0.0,
+            order => self.rivers.orders()[vertex] == order,
+        };
+        overlay::lines(&self.rivers.stretches(is_meant), self.courses)
     }
 
     /// The marks of the rivers that reach the sea.

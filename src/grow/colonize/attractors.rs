@@ -288,8 +288,14 @@ impl Attractors {
     }
 
     /// The places of all attractors that are not used up, in no order to rely on.
-    pub fn left(&self) -> impl Iterator<Item = Vec2> + '_ {
-        self.blocks.iter().flat_map(Block::left).map(|(.., at)| at)
+    pub fn left(&self) -> Vec<Vec2> {
+        let mut left = Vec::new();
+        for place in 0..4 * self.blocks.len() as u32 {
+            if let Some((.., at)) = self.remaining_at(place) {
+                left.push(at);
+            }
+        }
+        left
     }
 
     /// Each owner's nearest attractor, owners ascending; of equally near ones the western, then the northern.

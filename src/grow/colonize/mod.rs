@@ -269,7 +269,7 @@ impl Colonize {
 
     /// Where attractors lie that are not used up, in no order to rely on.
     pub fn left(&self) -> Vec<Vec2> {
-        self.rivers.attractors.left().collect()
+        self.rivers.attractors.left()
     }
 
     /// Stops growth before the tree has more nodes than this.

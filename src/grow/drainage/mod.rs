@@ -251,8 +251,13 @@ impl Drainage {
 
     /// Where parcels lie that have found no way to the sea yet.
     pub fn left(&self) -> Vec<glam::Vec2> {
-        let has_none = |&(_, &node): &(&glam::Vec2, &u32)| node == NONE;
-        self.parcels.at.iter().zip(&self.node).filter(has_none).map(|(&at, _)| at).collect()
+        let mut left = Vec::new();
+        for (&at, &node) in self.parcels.at.iter().zip(&self.node) {
+            if node == NONE {
+                left.push(at);
+            }
+        }
+        left
     }
 
     /// How many river mouths there are so far.

@@ -91,21 +91,27 @@ export class Inspections {
   }
 }
 
+/** What the engine calls lines on rivers that are no order. */
+const LINES = { held: 0, curvature: 255 } as const;
+
 /** What of a finished map each overlay shows, kind by kind. */
 const overlays: Record<Exclude<OverlayName, LiveOverlayName>, (inspector: Inspector) => string[][]> = {
   orders,
   basins,
   flow: orders,
-  held: (inspector) => [[inspector.held()]],
-  curvature: (inspector) => [[inspector.curvature()]],
+  held: (inspector) => [[inspector.lines(LINES.held)]],
+  curvature: (inspector) => [[inspector.lines(LINES.curvature)]],
 };
+
+/** What the engine calls shapes that any map has. */
+const SHAPES = { attractors: 0, left: 1, tips: 2, land: 3, ridges: 4 } as const;
 
 /** What of any map the others do. */
 const liveOverlays: Record<LiveOverlayName, (river: FullRiver) => string[][]> = {
   attractors,
-  sources: (river) => [[river.tips()]],
+  sources: (river) => [[river.shapes(SHAPES.tips)]],
   reach: attractors,
-  masks: (river) => river.masks().map((path) => [path]),
+  masks: (river) => [[river.shapes(SHAPES.land)], [river.shapes(SHAPES.ridges)]],
 };
 
 function isLive(name: OverlayName): name is LiveOverlayName {
@@ -116,24 +122,24 @@ function live(river: FullRiver, link: string, name: LiveOverlayName): Overlay {
   const laid = { link, size: sizeOf(river), kinds: liveOverlays[name](river) };
   if (name !== "attractors" && name !== "reach") return laid;
   const { attractors: all, unreached: left } = river.summary();
-  const [reach = 0, kill = 0] = river.reaches();
+  const [, , reach = 0, kill = 0] = river.lengths();
   return { ...laid, counts: { all, left }, reaches: [reach, kill] };
 }
 
 /** All of them, and those that are left over these. */
 function attractors(river: FullRiver): string[][] {
-  return [[river.attractors()], [river.attractorsLeft()]];
+  return [[river.shapes(SHAPES.attractors)], [river.shapes(SHAPES.left)]];
 }
 
 function sizeOf(river: FullRiver | undefined): [width: number, height: number] {
-  const [width = 1, height = 1] = river?.size() ?? [];
+  const [width = 1, height = 1] = river?.lengths() ?? [];
   return [width, height];
 }
 
 /** The streams of an order, a path each. */
 function streams(inspector: Inspector, order: number): string[] {
   return inspector
-    .ofOrder(order)
+    .lines(order)
     .split(/(?=M)/)
     .filter((stream) => stream !== "");
 }

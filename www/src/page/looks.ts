@@ -93,7 +93,7 @@ export const LOOKS: readonly Look[] = [
 ];
 
 function attractorsLegend({ all, left }: { all: number; left: number }, isOfDrainage: boolean): HTMLElement[] {
-  const [alive, dead] = isOfDrainage ? ["With no way to the sea yet", "With one"] : ["Alive", "Used up"];
+  const [alive, dead] = isOfDrainage ? ["No way to the sea yet", "With a way"] : ["Alive", "Used up"];
   return [legendOf("dot", [`${alive}: ${count(left)}.`, 2], [`${dead}: ${count(all - left)}.`, 1])];
 }
 

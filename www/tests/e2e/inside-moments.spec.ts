@@ -35,22 +35,29 @@ async function goToGrowth(page: Page): Promise<void> {
 function grownTo(link: string, left: string): InstanceType<typeof engine.River> | undefined {
   const river = new engine.River(link);
   do {
-    if (river.attractorsLeft() === left) return river;
+    if (river.shapes(1) === left) return river;
   } while (river.advance(1) && river.phase === "growing");
   return;
 }
 
+/** Space colonization leaves some attractors between its rivers. */
+function leftAtTheEnd(link: string): string {
+  const river = new engine.River(link);
+  while (river.advance(1000));
+  return river.shapes(1);
+}
+
 for (const [link, alive] of [
   [COLONIZED, /Alive: ([\d,]+)\./],
-  [DRAINED, /With no way to the sea yet: ([\d,]+)\./],
+  [DRAINED, /No way to the sea yet: ([\d,]+)\./],
 ] as const) {
   test(`at a moment of growth what is left, and the tips, are those of then: ${link}`, async ({ page }) => {
     const said = complaints(page);
     await openFinished(page, link);
     await page.keyboard.press("a");
-    await expect.poll(() => laid(page, 2)).toBe("");
+    await expect.poll(() => laid(page, 2)).toBe(leftAtTheEnd(link));
     await goToGrowth(page);
-    await expect.poll(() => laid(page, 2)).toMatch(/^M/);
+    await expect.poll(async () => (await laid(page, 2))?.length).toBeGreaterThan(2 * leftAtTheEnd(link).length);
     await expect(card(page)).toHaveText(alive);
     await expect
       .poll(async () => {
@@ -59,12 +66,12 @@ for (const [link, alive] of [
       })
       .toBe(true);
     const river = grownTo(link, (await laid(page, 2)) ?? "");
-    expect(await laid(page, 1)).toBe(river?.attractors());
+    expect(await laid(page, 1)).toBe(river?.shapes(0));
     await page.keyboard.press("t");
-    await expect.poll(() => laid(page, 1)).toBe(river?.tips());
+    await expect.poll(() => laid(page, 1)).toBe(river?.shapes(2));
     // A tick on there are others.
     await page.keyboard.press(".");
-    await expect.poll(() => laid(page, 1)).not.toBe(river?.tips());
+    await expect.poll(() => laid(page, 1)).not.toBe(river?.shapes(2));
     await page.keyboard.press("o");
     await expect(card(page)).toBeHidden();
     await track(page).focus();
@@ -75,30 +82,22 @@ for (const [link, alive] of [
   });
 }
 
-test("while a map grows its attractors are used up before one's eyes", async ({ page }) => {
-  await page.goto(`./?${COLONIZED.replace("900", "6000")}`);
-  await page.keyboard.press("a");
-  await expect(card(page)).toContainText("Alive");
-  await finished(page);
-  await expect.poll(() => laid(page, 2)).toBe("");
-});
-
 test("the circles of reach and kill go with the pointer, and are as large as the recipe says", async ({ page }) => {
   await openFinished(page, COLONIZED);
   await page.keyboard.press("k");
   const river = new engine.River(COLONIZED);
-  const [reach = 0, kill = 0] = river.reaches();
+  const [width = 0, , reach = 0, kill = 0] = river.lengths();
   expect(reach / kill).toBeCloseTo(2.3 / 1.1);
   const circle = page.locator(".inside circle.reach");
   expect(Number(await circle.getAttribute("r"))).toBe(reach);
   expect(Number(await page.locator(".inside circle.kill").getAttribute("r"))).toBe(kill);
   const box = await page.locator("#map-place").boundingBox();
   if (!box) throw new Error("there is no map");
-  const [width = 0] = river.size();
   await page.mouse.move(box.x + box.width / 4, box.y + box.height / 2);
   await expect.poll(async () => Number(await circle.getAttribute("cx"))).toBeCloseTo(width / 4, 0);
   const seen = await circle.boundingBox();
-  expect(((seen?.width ?? 0) / 2) * (width / box.width)).toBeCloseTo(reach, 0);
+  // As wide on the screen, but for its own line.
+  expect(Math.abs((seen?.width ?? 0) / 2 - reach * (box.width / width))).toBeLessThan(2);
   await page.locator("#frame").focus();
   await page.keyboard.press("+");
   // By keys, the middle of what is seen.
@@ -117,9 +116,9 @@ test("masks are water and ridges; curvature is there when the map is finished", 
   await openFinished(page, DRAINED.replace("island", "valley"));
   const river = new engine.River(DRAINED.replace("island", "valley"));
   await page.keyboard.press("m");
-  await expect.poll(async () => (await laid(page, 1))?.endsWith(river.masks()[0] ?? "?")).toBe(true);
-  expect(await laid(page, 2)).toBe(river.masks()[1]);
-  expect(river.masks()[1]).toMatch(/^M/);
+  await expect.poll(async () => (await laid(page, 1))?.endsWith(river.shapes(3))).toBe(true);
+  expect(await laid(page, 2)).toBe(river.shapes(4));
+  expect(river.shapes(4)).toMatch(/^M/);
   await page.keyboard.press("c");
   await expect.poll(() => laid(page, 1)).toMatch(/^M(.+M){40}/);
   await page.keyboard.press("c");
