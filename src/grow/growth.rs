@@ -124,6 +124,16 @@ impl Growth {
         }
     }
 
+    /// Where attractors lie that still pull, no river having come near enough, in no order to rely on; of drainage, the parcels that have
+    /// found no way to the sea yet.
+    pub fn left(&self) -> Vec<Vec2> {
+        match &self.grower {
+            Grower::Colonize(growth) => growth.left(),
+            Grower::Drainage(growth) => growth.left(),
+            Grower::Brownian(_) => Vec::new(),
+        }
+    }
+
     /// How many attractors no river has come near enough to.
     pub fn unreached(&self) -> u32 {
         match &self.grower {

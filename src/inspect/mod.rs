@@ -1,12 +1,16 @@
 //! What a finished map answers about its rivers: which of them is at a place, what it is like, its way to the sea and its basin.
 //!
 //! Asked again and again while a pointer moves, so what answers is made once for a map: segments of all rivers by their cells
-//! (`lines.rs`), the order at every vertex (`orders.rs`), and of every cell of land the river that its water comes to (`basins.rs`).
+//! (`lines.rs`), the order at every vertex (`orders.rs`), and of every cell of land the river that its water comes to (`basins.rs`). What a map
+//! that still grows answers, too, is in `growing.rs`.
 
 mod basins;
+mod curvature;
+mod growing;
 mod lines;
 mod orders;
 
+pub use growing::tips;
 pub use lines::Spot;
 
 use glam::Vec2;

@@ -7,8 +7,8 @@ use wasm_bindgen::prelude::*;
 use super::objects::object;
 use super::rivers::River;
 use crate::export::svg::overlay;
-use crate::inspect::{Inspector as Rivers, RiverFacts, Spot};
-use crate::land::Land;
+use crate::inspect::{Inspector as Rivers, RiverFacts, Spot, tips};
+use crate::land::{Land, SmoothedDistance};
 use crate::network::NONE;
 use crate::recipe::{CourseShape, LandKind};
 
@@ -53,9 +53,25 @@ pub struct Inspector {
 
 #[wasm_bindgen]
 impl River {
-    /// Where its attractors lie, or the parcels of drainage: a path of SVG, in units.
-    pub fn attractors(&self) -> String {
-        overlay::dots(&self.session.growth().scattered())
+    /// What can be laid over it at any moment, as a path of SVG, in units: 0 is its attractors, or the parcels of drainage; 1 those of them that
+    /// still pull, or have found no way to the sea yet; 2 where its rivers begin, as far as they have grown; and what no river may cross, where
+    /// not all is land: 3 is around all land, beyond which there is water, 4 along its ridges.
+    pub fn shapes(&self, of: u8) -> String {
+        let growth = self.session.growth();
+        let dots = match of {
+            0 => growth.scattered(),
+            1 => growth.left(),
+            2 => tips(&self.session),
+            _ => return self.masks(of == 3),
+        };
+        overlay::dots(&dots)
+    }
+
+    /// Width and height of its map, how far an attractor pulls, and how near a river comes that uses it up: all in units.
+    pub fn lengths(&self) -> Vec<f32> {
+        let growth = self.session.growth().settings();
+        let Vec2 { x, y } = self.session.domain().size;
+        vec![x, y, growth.reach, growth.kill]
     }
 
     /// Its rivers to be asked about, as they are now; nothing until they are finished, and where there is not enough memory.
@@ -67,23 +83,32 @@ impl River {
     }
 }
 
+impl River {
+    fn masks(&self, is_water: bool) -> String {
+        let Some(land) = self.session.land() else { return String::new() };
+        if is_water {
+            overlay::area(&SmoothedDistance::of(land.coast_distance()).rings_above(0.0))
+        } else {
+            overlay::lines(land.ridges(), CourseShape::Grown)
+        }
+    }
+}
+
 #[wasm_bindgen]
 impl Inspector {
-    /// Width and height of the map, in units.
-    pub fn size(&self) -> Vec<f32> {
-        self.size.to_array().into()
-    }
-
-    /// The streams of an order, each from where it begins to where it ends, as a path of SVG.
-    #[wasm_bindgen(js_name = ofOrder)]
-    pub fn of_order(&self, order: u8) -> String {
-        overlay::lines(&self.rivers.stretches(|vertex| self.rivers.orders()[vertex] == order), self.courses)
-    }
-
-    /// The stretches of rivers that stay where they are when others meander, likewise.
-    pub fn held(&self) -> String {
+    /// Lines on its rivers, as a path of SVG: from 1 on the streams of that order, each from where it begins to where it ends; 0 is the
+    /// stretches that stay where they are when others meander, 255 short ones across the great rivers, to the outside of each bend, the longer
+    /// the sharper that is.
+    pub fn lines(&self, of: u8) -> String {
+        if of == u8::MAX {
+            return overlay::strokes(&self.rivers.curvature());
+        }
         let vertices = &self.rivers.network().vertices;
-        overlay::lines(&self.rivers.stretches(|vertex| vertices[vertex].mobility == 0.0), self.courses)
+        let is_meant = |vertex: usize| match of {
+            0 => vertices[vertex].mobility == 0.0,
+            order => self.rivers.orders()[vertex] == order,
+        };
+        overlay::lines(&self.rivers.stretches(is_meant), self.courses)
     }
 
     /// The marks of the rivers that reach the sea.

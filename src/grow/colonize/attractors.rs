@@ -287,6 +287,17 @@ impl Attractors {
         self.blocks.iter().flat_map(Block::owned).map(|(owner, _, at)| (owner, at))
     }
 
+    /// The places of all attractors that are not used up, in no order to rely on.
+    pub fn left(&self) -> Vec<Vec2> {
+        let mut left = Vec::new();
+        for place in 0..4 * self.blocks.len() as u32 {
+            if let Some((.., at)) = self.remaining_at(place) {
+                left.push(at);
+            }
+        }
+        left
+    }
+
     /// Each owner's nearest attractor, owners ascending; of equally near ones the western, then the northern.
     pub fn nearest_by_owner(&self) -> Vec<(u32, Vec2)> {
         work::count(self.blocks.len());

@@ -267,6 +267,11 @@ impl Colonize {
         self.rivers.unreached
     }
 
+    /// Where attractors lie that are not used up, in no order to rely on.
+    pub fn left(&self) -> Vec<Vec2> {
+        self.rivers.attractors.left()
+    }
+
     /// Stops growth before the tree has more nodes than this.
     #[must_use]
     pub fn with_node_limit(mut self, node_limit: usize) -> Self {

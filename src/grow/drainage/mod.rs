@@ -249,6 +249,17 @@ impl Drainage {
         self.parcels() - (self.tree.len() as u32 - self.mouths)
     }
 
+    /// Where parcels lie that have found no way to the sea yet.
+    pub fn left(&self) -> Vec<glam::Vec2> {
+        let mut left = Vec::new();
+        for (&at, &node) in self.parcels.at.iter().zip(&self.node) {
+            if node == NONE {
+                left.push(at);
+            }
+        }
+        left
+    }
+
     /// How many river mouths there are so far.
     pub fn mouths(&self) -> u32 {
         self.mouths

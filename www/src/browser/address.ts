@@ -5,10 +5,39 @@ import { withoutTrackers } from "./trackers.ts";
 /** At most one write in this time. Safari refuses more than 100 in 30 s; a slider makes hundreds. */
 export const WRITE_EVERY_MS = 500;
 
+interface Place {
+  search: string;
+  hash: string;
+}
+
+/** What an address says of the page, and not of the picture: all six variants are shown side by side. */
+const SIX = "view=six";
+
 /** The link text in an address: its query, or its fragment if that holds a link and there is no other way to tell. */
-export function linkOf(place: { search: string; hash: string }): string {
-  const fragment = withoutTrackers(place.hash.slice(1));
-  return fragment.includes("=") ? fragment : withoutTrackers(place.search.slice(1));
+export function linkOf(place: Place): string {
+  return without(textOf(place), SIX);
+}
+
+/** Whether an address asks for the six variants. */
+export function asksForSix(place: Place): boolean {
+  return textOf(place).split("&").includes(SIX);
+}
+
+/** A link's text with the wish for the six variants, for the address alone. */
+export function withSix(link: string): string {
+  return link === "" ? SIX : `${link}&${SIX}`;
+}
+
+function textOf({ search, hash }: Place): string {
+  const fragment = withoutTrackers(hash.slice(1));
+  return fragment.includes("=") ? fragment : withoutTrackers(search.slice(1));
+}
+
+function without(text: string, part: string): string {
+  return text
+    .split("&")
+    .filter((one) => one !== part)
+    .join("&");
 }
 
 /** The whole address that shows `link`, from the page's own. */

@@ -17,11 +17,17 @@ export function covered(): Insets {
     right: MARGIN_PX,
     bottom: MARGIN_PX,
   };
-  for (const box of [edge(bar), edge(styles), edge(panel.panel)]) {
-    if (!box) continue;
-    // What begins in the left half lies below the map; the rest beside it.
-    if (box.left < innerWidth / 2) insets.bottom = Math.max(insets.bottom, innerHeight - box.top + MARGIN_PX);
-    else insets.right = Math.max(insets.right, innerWidth - box.left + MARGIN_PX);
-  }
+  const below = (box: DOMRect): void => {
+    insets.bottom = Math.max(insets.bottom, innerHeight - box.top + MARGIN_PX);
+  };
+  // What is wider than half of the window lies below the map, as the bar does; the rest beside it, on either side.
+  const beside = (box: DOMRect): void => {
+    if (box.width > innerWidth / 2) below(box);
+    else if (box.left > innerWidth / 2) insets.right = Math.max(insets.right, innerWidth - box.left + MARGIN_PX);
+    else insets.left = Math.max(insets.left, box.right + MARGIN_PX);
+  };
+  const barBox = edge(bar);
+  if (barBox) below(barBox);
+  for (const box of [edge(styles), edge(panel.panel)]) if (box) beside(box);
   return insets;
 }

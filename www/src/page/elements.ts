@@ -84,6 +84,16 @@ export const elements = {
     close: find("#helping-close", HTMLButtonElement),
     list: find("#keys", HTMLElement),
   },
+  six: {
+    dialog: find("#six", HTMLDialogElement),
+    about: find("#six-about", HTMLElement),
+    clock: find("#six-clock", HTMLElement),
+    play: find("#six-play", HTMLButtonElement),
+    copy: find("#six-copy", HTMLButtonElement),
+    close: find("#six-close", HTMLButtonElement),
+    status: find("#six-status", HTMLElement),
+    variants: find("#six-variants", HTMLElement),
+  },
   panel: {
     panel: find("#panel", HTMLElement),
     open: find("#shape", HTMLButtonElement),

@@ -1,10 +1,13 @@
-/** Whoever the page's renderer asks about the rivers of a finished map: made when somebody first asks, and kept for that map. */
+/**
+ * Whoever the page's renderer asks about the rivers of a finished map: made when somebody first asks, and kept for that map. What can be laid
+ * over any map, its river itself is asked.
+ */
 
 import type { Charts } from "../engine/charts.ts";
 import type { FullRiver, Inspector } from "../engine/full.ts";
 import { askChart } from "../player/chart-maker.ts";
 import type { RiverPlayer } from "../player/river-player.ts";
-import type { Overlay, OverlayName, PointedRiver, RiverPlace } from "./protocol.ts";
+import type { LiveOverlayName, Overlay, OverlayName, PointedRiver, RiverPlace } from "./protocol.ts";
 
 type Player = RiverPlayer<FullRiver>;
 
@@ -50,14 +53,15 @@ export class Inspections {
     return { ...river, orderHere, link: kept.link, size, mark: String(river.mark), name: nameOf(river.mark), into };
   }
 
-  /** Something to be laid over a player's map; none while that is not finished. */
+  /** Something to be laid over a player's map; none while there is none. */
   async overlay(player: Player | undefined, name: OverlayName): Promise<Overlay | undefined> {
-    if (player?.state !== "finished") return;
+    if (player?.river && isLive(name)) return live(player.river, player.link, name);
+    if (isLive(name) || player?.state !== "finished") return;
     const kept = this.#keptFor(player);
     const inspected = await kept.made;
     if (!inspected || !player.river || this.#kept !== kept || player.link !== kept.link) return;
     const { inspector, size } = inspected;
-    return { link: kept.link, size, kinds: overlays[name](inspector, player.river) };
+    return { link: kept.link, size, kinds: overlays[name](inspector) };
   }
 
   #keptFor(player: Player): Kept {
@@ -83,25 +87,59 @@ export class Inspections {
     while (riseFor(river(), SLICE_MS)) await new Promise((done) => setTimeout(done));
     const inspector = river()?.inspector();
     if (!inspector) return;
-    const [width = 1, height = 1] = inspector.size();
-    return { inspector, size: [width, height], names: namesOf(river(), charts) };
+    return { inspector, size: sizeOf(river()), names: namesOf(river(), charts) };
   }
 }
 
-/** What each overlay shows, kind by kind. */
-const overlays: Record<OverlayName, (inspector: Inspector, river: FullRiver) => string[][]> = {
-  attractors: (_, river) => [[river.attractors()]],
-  sources: (inspector) => [[streams(inspector, 1).map(sourceOf).join("")]],
-  orders: (inspector) => orders(inspector),
-  basins: (inspector) => basins(inspector),
-  flow: (inspector) => orders(inspector),
-  held: (inspector) => [[inspector.held()]],
+/** What the engine calls lines on rivers that are no order. */
+const LINES = { held: 0, curvature: 255 } as const;
+
+/** What of a finished map each overlay shows, kind by kind. */
+const overlays: Record<Exclude<OverlayName, LiveOverlayName>, (inspector: Inspector) => string[][]> = {
+  orders,
+  basins,
+  flow: orders,
+  held: (inspector) => [[inspector.lines(LINES.held)]],
+  curvature: (inspector) => [[inspector.lines(LINES.curvature)]],
 };
+
+/** What the engine calls shapes that any map has. */
+const SHAPES = { attractors: 0, left: 1, tips: 2, land: 3, ridges: 4 } as const;
+
+/** What of any map the others do. */
+const liveOverlays: Record<LiveOverlayName, (river: FullRiver) => string[][]> = {
+  attractors,
+  sources: (river) => [[river.shapes(SHAPES.tips)]],
+  reach: attractors,
+  masks: (river) => [[river.shapes(SHAPES.land)], [river.shapes(SHAPES.ridges)]],
+};
+
+function isLive(name: OverlayName): name is LiveOverlayName {
+  return name in liveOverlays;
+}
+
+function live(river: FullRiver, link: string, name: LiveOverlayName): Overlay {
+  const laid = { link, size: sizeOf(river), kinds: liveOverlays[name](river) };
+  if (name !== "attractors" && name !== "reach") return laid;
+  const { attractors: all, unreached: left } = river.summary();
+  const [, , reach = 0, kill = 0] = river.lengths();
+  return { ...laid, counts: { all, left }, reaches: [reach, kill] };
+}
+
+/** All of them, and those that are left over these. */
+function attractors(river: FullRiver): string[][] {
+  return [[river.shapes(SHAPES.attractors)], [river.shapes(SHAPES.left)]];
+}
+
+function sizeOf(river: FullRiver | undefined): [width: number, height: number] {
+  const [width = 1, height = 1] = river?.lengths() ?? [];
+  return [width, height];
+}
 
 /** The streams of an order, a path each. */
 function streams(inspector: Inspector, order: number): string[] {
   return inspector
-    .ofOrder(order)
+    .lines(order)
     .split(/(?=M)/)
     .filter((stream) => stream !== "");
 }
@@ -114,11 +152,6 @@ function orders(inspector: Inspector): string[][] {
     if (ofOrder.length === 0) return all;
     all.push(ofOrder);
   }
-}
-
-/** Where a stream begins, as a line without length. */
-function sourceOf(stream: string): string {
-  return `${/^M[-\d.]+[ ]?[-\d.]+/.exec(stream)?.[0] ?? "M0 0"}h0`;
 }
 
 /** The land of the rivers that reach the sea, each in one of some kinds. */

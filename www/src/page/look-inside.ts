@@ -1,8 +1,13 @@
-/** Looking inside: what a finished map is made of, laid over it by a button or a key, with a sentence on what one sees. */
+/**
+ * Looking inside: what a map is made of, laid over it by a button or a key, with a sentence on what one sees. Some of it is there while the map
+ * grows, and at any moment of its making.
+ */
 
-import { count } from "../browser/count.ts";
-import { el, mapLayer, svg } from "../browser/dom.ts";
+import { el, mapLayer, setText, svg } from "../browser/dom.ts";
+import type { Point } from "./camera.ts";
+import { LOOKS, type Look, MOST_KINDS } from "./looks.ts";
 import type { Overlay, OverlayName } from "./protocol.ts";
+import { ReachCircles } from "./reach-circles.ts";
 
 export interface InsideElements {
   /** Lies where the map does. */
@@ -14,89 +19,59 @@ export interface InsideElements {
 }
 
 export interface InsideEvents {
-  /** What there is to be laid over the finished map; none while it is not finished. */
+  /** What there is to be laid over the map; none while there is nothing of the kind. */
   overlay(name: OverlayName): Promise<Overlay | undefined>;
+  /** The middle of the part of the map that is seen, on the page. */
+  middle(): Point;
 }
-
-interface Look {
-  name: OverlayName;
-  key: string;
-  label: string;
-  /** What one sees, of rivers that grew by a method. */
-  sentence(growth: string): string;
-}
-
-const LOOKS: readonly Look[] = [
-  {
-    name: "attractors",
-    key: "A",
-    label: "Attractors or parcels",
-    sentence: (growth) =>
-      growth === "drainage"
-        ? "Each dot is a parcel: a piece of land that drains to one of those beside it."
-        : "Each dot is an attractor: a point that drew the nearest river towards it.",
-  },
-  {
-    name: "sources",
-    key: "T",
-    label: "Tips",
-    sentence: () => "Each dot is a source: the tip of a stream, farthest from the sea.",
-  },
-  {
-    name: "orders",
-    key: "O",
-    label: "Orders",
-    sentence: () => "Streams by Strahler’s order: where two of the highest order meet, it rises by one.",
-  },
-  {
-    name: "basins",
-    key: "B",
-    label: "Basins",
-    sentence: () => "Each area is the land of one river that reaches the sea: all its water goes there.",
-  },
-  {
-    name: "flow",
-    key: "D",
-    label: "Direction of flow",
-    sentence: () => "Arrows point downstream, each where a stream ends in a greater one or in the sea.",
-  },
-  {
-    name: "held",
-    key: "F",
-    label: "Frozen courses",
-    sentence: () => "These stretches stay where they are while others meander.",
-  },
-];
 
 export class LookInside {
   readonly #svg = mapLayer("inside");
-  readonly #card = el("div", { class: "inside-card", hidden: true, role: "status" });
+  readonly #name = el("p", { class: "inside-name" });
+  readonly #sentence = el("p");
+  readonly #legend = el("div");
+  /** Numbers that change all the time are not read aloud. */
+  readonly #card = el(
+    "div",
+    { class: "inside-card", hidden: true },
+    el("div", { role: "status" }, this.#name, this.#sentence),
+    this.#legend,
+  );
   readonly #buttons = new Map<OverlayName, HTMLButtonElement>();
+  readonly #circles: ReachCircles;
   #growth = "";
   #isFinished = false;
   #look: Look | undefined;
-  #asked = 0;
+  #shown: Look | undefined;
+  /** Whether there is an answer to come, and whether to ask again after it. */
+  #isAsking = false;
+  #isStale = false;
 
   constructor(
     elements: InsideElements,
     private readonly events: InsideEvents,
   ) {
+    this.#circles = new ReachCircles(elements, () => events.middle());
     elements.mapPlace.prepend(this.#svg);
     elements.frame.after(this.#card);
     elements.inside.replaceChildren(this.#group());
     document.addEventListener("keydown", (event) => this.#onKey(event));
   }
 
-  /** While a map grows nothing lies over it; what did comes back with its end. */
+  /** The map has come to something else. What is not there while it grows comes back with its end. */
   follow(state: string, growth: string): void {
-    const isFinished = state === "finished";
+    this.#isFinished = state === "finished";
     this.#growth = growth;
-    this.#isFinished = isFinished;
-    const attractors = this.#buttons.get("attractors");
-    // A Brownian tree has none.
-    if (attractors) attractors.disabled = growth === "brownian";
-    if (isFinished) void this.#lay();
-    else this.#clear();
+    for (const { name, of } of LOOKS) {
+      const button = this.#buttons.get(name);
+      if (button) button.disabled = of?.includes(growth) === false;
+    }
+    this.refresh();
+  }
+
+  /** The map may stand at another moment. */
+  refresh(): void {
+    void this.#lay();
   }
 
   #group(): HTMLElement {
@@ -132,58 +107,71 @@ export class LookInside {
     void this.#lay();
   }
 
-  async #lay(): Promise<void> {
+  /** What is to be seen as the map is now, if anything is. */
+  get #meant(): Look | undefined {
     const look = this.#look;
-    const asked = ++this.#asked;
-    const isMeant = look !== undefined && this.#isFinished && !this.#buttons.get(look.name)?.disabled;
-    const overlay = isMeant ? await this.events.overlay(look.name).catch(() => undefined) : undefined;
-    if (asked !== this.#asked) return;
-    if (!overlay || !look) {
-      this.#clear();
-      return;
-    }
+    return look && (look.isLive || this.#isFinished) && !this.#buttons.get(look.name)?.disabled ? look : undefined;
+  }
+
+  /** One question at a time, so that while a map grows there are answers, and the last of them counts. */
+  async #lay(): Promise<void> {
+    this.#isStale = this.#isAsking;
+    if (this.#isAsking) return;
+    const look = this.#meant;
+    if (look !== this.#shown) this.#clear();
+    if (!look) return;
+    this.#isAsking = true;
+    const overlay = await this.events.overlay(look.name).catch(() => undefined);
+    this.#isAsking = false;
+    const isMeant = look === this.#meant;
+    if (overlay && isMeant) this.#show(look, overlay);
+    else this.#clear();
+    if (this.#isStale || !isMeant) await this.#lay();
+  }
+
+  #show(look: Look, overlay: Overlay): void {
+    this.#shown = look;
     this.#draw(look, overlay);
     this.#describe(look, overlay);
   }
 
   #clear(): void {
-    this.#asked++;
+    this.#shown = undefined;
+    this.#circles.hide();
     this.#svg.replaceChildren();
     this.#svg.setAttribute("hidden", "");
     this.#card.hidden = true;
   }
 
-  #draw({ name }: Look, { size: [width, height], kinds }: Overlay): void {
+  #draw({ name }: Look, overlay: Overlay): void {
+    const { size, kinds } = overlay;
+    const [width, height] = size;
     this.#svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
     this.#svg.removeAttribute("hidden");
     this.#svg.dataset["look"] = name;
     const groups = kinds.map((paths, i) => {
       // Arrows belong to each stream; all else of a kind is one path, which is drawn much faster.
       const data = name === "flow" || name === "basins" ? paths : [paths.join("")];
-      const lines = data.filter((d) => d !== "").map((d) => svg("path", { d }));
+      const lines = data.filter((d) => d !== "").map((d) => svg("path", { d: withFrame(name, i, d, size) }));
       return svg("g", { "data-kind": Math.min(i + 1, MOST_KINDS) }, ...lines);
     });
-    this.#svg.replaceChildren(...(name === "flow" ? [arrow()] : []), ...groups);
+    const besides = name === "flow" ? [arrow()] : name === "reach" ? [this.#circles.element] : [];
+    this.#svg.replaceChildren(...besides, ...groups);
+    if (name === "reach") this.#circles.show(overlay);
   }
 
-  #describe(look: Look, { kinds }: Overlay): void {
-    const legend = look.name === "orders" ? [ordersLegend(kinds.map((streams) => streams.length))] : [];
-    const isEmpty = kinds.every((paths) => paths.every((path) => path === ""));
-    const sentence = isEmpty ? "There are none on this map." : look.sentence(this.#growth);
-    this.#card.replaceChildren(el("p", { class: "inside-name" }, look.label), el("p", {}, sentence), ...legend);
+  #describe(look: Look, overlay: Overlay): void {
+    const isEmpty = overlay.kinds.every((paths) => paths.every((path) => path === ""));
+    setText(this.#name, look.label);
+    setText(this.#sentence, isEmpty ? "There are none on this map." : look.sentence(this.#growth));
+    this.#legend.replaceChildren(...(look.legend?.(overlay, this.#growth) ?? []));
     this.#card.hidden = false;
   }
 }
 
-/** Orders from here on have one colour. */
-const MOST_KINDS = 6;
-
-function ordersLegend(counts: readonly number[]): HTMLElement {
-  const row = (many: number, i: number): HTMLElement => {
-    const swatch = el("span", { class: "swatch", "data-kind": Math.min(i + 1, MOST_KINDS), "aria-hidden": "true" });
-    return el("li", {}, swatch, `Order ${i + 1}: ${count(many)} ${many === 1 ? "stream" : "streams"}`);
-  };
-  return el("ul", {}, ...counts.map(row));
+/** Water is the map without its land. */
+function withFrame(name: OverlayName, kind: number, path: string, [width, height]: Overlay["size"]): string {
+  return name === "masks" && kind === 0 ? `M0 0H${width}V${height}H0z${path}` : path;
 }
 
 /** The head of an arrow, in units: so it grows with the map. */

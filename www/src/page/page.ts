@@ -1,7 +1,7 @@
 /** The page: puts the parts together. The recipe says what is shown; everything else follows it. */
 
 import "../style/page.css";
-import { AddressBar, addressOf, linkOf } from "../browser/address.ts";
+import { AddressBar, addressOf, asksForSix, linkOf, withSix } from "../browser/address.ts";
 import { count } from "../browser/count.ts";
 import { DARK_PAGES } from "../browser/dark-pages.ts";
 import { el, setText } from "../browser/dom.ts";
@@ -27,7 +27,8 @@ import { Downloads } from "../share/downloads.ts";
 import { SaveDialog } from "../share/save-dialog.ts";
 import { copy } from "../share/share.ts";
 import { ShareDialog } from "../share/share-dialog.ts";
-import { type Engines, openEngines } from "./backend.ts";
+import { type Engines, openEngines, type PageRenderHost } from "./backend.ts";
+import type { Insets, Point } from "./camera.ts";
 import { covered } from "./covered.ts";
 import { elements } from "./elements.ts";
 import { HelpSheet, type Shortcut } from "./help.ts";
@@ -39,6 +40,7 @@ import { keepForOffline } from "./offline.ts";
 import { Panel } from "./panel.ts";
 import { isRiver, RiversUnderHand } from "./rivers-under-hand.ts";
 import { SeedTrail } from "./seed-trail.ts";
+import { SideBySide } from "./side-by-side.ts";
 import { Announcer, showFailure, showNotices, undoable } from "./status.ts";
 import { StyleStrip } from "./style-strip.ts";
 import { Track } from "./track.ts";
@@ -79,7 +81,7 @@ class Page {
     () => this.#address.flush(),
     () => this.#drawing.isOpen,
   );
-  readonly #address = new AddressBar((link, isStep) => this.#undo.write(link, isStep));
+  readonly #address = new AddressBar((link, isStep) => this.#undo.write(this.#inAddress(link), isStep));
   readonly #trail = new SeedTrail(elements.trail, (seed) => this.#goToSeed(seed));
   readonly #strip: StyleStrip;
   /** The map that the small pictures are of. */
@@ -99,8 +101,18 @@ class Page {
       covered,
     },
   );
-  readonly #inside = new LookInside(elements, { overlay: (name) => this.#viewport.overlay(name) });
-  readonly #track = new Track(elements.bar, { making: (to) => this.#viewport.making(to) });
+  readonly #inside = new LookInside(elements, {
+    overlay: (name) => this.#viewport.overlay(name),
+    middle: () => middleOf(covered()),
+  });
+  readonly #track = new Track(elements.bar, {
+    making: async (to) => {
+      const making = await this.#viewport.making(to);
+      if (to) this.#inside.refresh();
+      return making;
+    },
+  });
+  readonly #six: SideBySide;
   readonly #announcer = new Announcer(elements.announcement);
   /** What the last presets changed unasked, and the recipe from before them, to which Undo leads back. */
   #presetUndo: { message: string; link: string; values: ReadonlyMap<string, string> } | undefined;
@@ -109,6 +121,7 @@ class Page {
     private readonly core: FullCore,
     recipe: Recipe,
     viewport: RiverViewport,
+    renderHost: PageRenderHost,
   ) {
     const { engine } = core;
     this.#table = engine.parameters();
@@ -157,6 +170,13 @@ class Page {
     });
     elements.presets.replaceChildren(paper, this.#measures.element);
     elements.controls.replaceChildren(this.#controls.element);
+    this.#six = new SideBySide(elements.six, renderHost, engine.presets(), {
+      changed: (isOpen) => this.#cover(isOpen),
+      take: (preset, all) => this.#press(preset, all),
+      copy: () => this.#copiedAddress(),
+      how: () => howFor("watch"),
+    });
+    this.#presets.element.append(this.#compareButton());
     new HelpSheet(elements.help, shortcuts());
     new MapAlone(elements.mapAlone, () => this.#viewport.refit());
     new Panel(elements.panel, disclosures, () => this.#viewport.refit());
@@ -169,6 +189,8 @@ class Page {
     const { dice, land, download, copy, reset, sharing, drawing, panel, zoom } = elements;
     for (const button of [dice, land, download, sharing.open, copy, reset, drawing.draw, panel.open, zoom.closer])
       button.disabled = false;
+    // First, so that the address goes on saying so.
+    if (asksForSix(location)) this.#openSix();
     this.#showRecipe();
     this.#viewport.listen({
       changed: (state, phase, summary) => this.#follow(state, phase, summary),
@@ -257,11 +279,10 @@ class Page {
   }
 
   /** A preset is pressed. A note says what it changes unasked, with the way back to before it, or to before the first of several. */
-  #press(preset: Preset): void {
-    const { engine } = this.core;
+  #press(preset: Preset, all: readonly Preset[] = this.core.engine.presets()): void {
     const before = this.#presetUndo ?? { link: this.#recipe.link, values: this.#recipe.values };
     const values = this.#unkept(preset);
-    const message = unaskedChanges({ ...preset, values }, engine.presets(), this.#table, before.values);
+    const message = unaskedChanges({ ...preset, values }, all, this.#table, before.values);
     this.#set(values, "watch");
     this.#presetUndo = message === undefined ? undefined : { ...before, message };
     this.#showNotices();
@@ -270,6 +291,26 @@ class Page {
   /** What a preset sets, but for what is kept as it is. */
   #unkept({ values }: Preset): Preset["values"] {
     return values.filter(([key]) => !this.#padlocks.kept.has(key));
+  }
+
+  #compareButton(): HTMLElement {
+    const button = el("button", { type: "button", "aria-haspopup": "dialog" }, "Compare all six");
+    button.addEventListener("click", () => this.#openSix());
+    return button;
+  }
+
+  #openSix(): void {
+    this.#attempt(() => this.#six.open({ values: this.#recipe.values, kept: this.#padlocks.kept }));
+  }
+
+  /** The map rests while six others lie over it, and the address says which are seen. */
+  #cover(isCovered: boolean): void {
+    this.#viewport.isCovered = isCovered;
+    this.#address.show(this.#recipe.link);
+  }
+
+  #inAddress(link: string): string {
+    return this.#six.isOpen ? withSix(link) : link;
   }
 
   /** Back to the recipe from before the presets. */
@@ -323,8 +364,11 @@ class Page {
   /** The address changed under the page: somebody pasted a link over it, or went back to one. */
   #followAddress(): void {
     const link = linkOf(location);
+    const asks = asksForSix(location);
     this.#undo.arrived();
+    if (!asks) this.#six.close();
     if (link !== this.#recipe.link) this.#open(link, false);
+    if (asks) this.#openSix();
   }
 
   /** The reader's pages have become dark, or light. */
@@ -442,10 +486,20 @@ class Page {
   }
 
   async #copyLink(): Promise<void> {
-    this.#address.flush();
-    const address = addressOf(this.#recipe.link, location.href);
-    await this.#copy(address, "Link copied.", `Copy this link: ${address}`);
+    elements.shared.textContent = await this.#copiedAddress();
   }
+
+  /** Copies the address of what is seen; what is said of that. */
+  async #copiedAddress(): Promise<string> {
+    this.#address.flush();
+    const address = addressOf(this.#inAddress(this.#recipe.link), location.href);
+    return (await copy(address)) ? "Link copied." : `Copy this link: ${address}`;
+  }
+}
+
+/** The middle of what nothing covers of the window, which the map fills. */
+function middleOf({ left, top, right, bottom }: Insets): Point {
+  return { x: (left + innerWidth - right) / 2, y: (top + innerHeight - bottom) / 2 };
 }
 
 /** A link but for its style. */
@@ -510,7 +564,7 @@ async function begin({ core, renderHost }: Engines): Promise<void> {
   const viewport = new RiverViewport(renderHost, elements, recipe.shown, recipe.defaults.get("aspect") ?? "", covered);
   viewport.start(howFor("watch"));
   await turn();
-  new Page(own, recipe, viewport).start();
+  new Page(own, recipe, viewport, renderHost).start();
 }
 
 begin(openEngines()).catch(fail);

@@ -42,8 +42,9 @@ export interface Making {
   lengths: { ticks: number; rounds: number } | undefined;
 }
 
-/** What can be laid over a finished map. */
-export type OverlayName = "attractors" | "sources" | "orders" | "basins" | "flow" | "held";
+/** What can be laid over a map at any moment of its making, and what over a finished one. */
+export type LiveOverlayName = "attractors" | "sources" | "reach" | "masks";
+export type OverlayName = LiveOverlayName | "orders" | "basins" | "flow" | "held" | "curvature";
 
 /** Something laid over a map: paths of SVG, in units, some for each kind of thing that it tells apart. */
 export interface Overlay {
@@ -51,6 +52,10 @@ export interface Overlay {
   link: string;
   size: readonly [width: number, height: number];
   kinds: readonly (readonly string[])[];
+  /** Of attractors: how many there are, and how many of them are left. */
+  counts?: { all: number; left: number };
+  /** How far an attractor pulls, and how near a river comes that uses it up, in units. */
+  reaches?: readonly [reach: number, kill: number];
 }
 
 interface Questions {
@@ -66,7 +71,7 @@ interface Questions {
   measures: { of: number | undefined };
   /** The river at a place of a river's finished map; none where there is none, and while it is not finished. */
   river: { of: number | undefined; place: RiverPlace };
-  /** What can be laid over a river's finished map; none while it is not finished. */
+  /** What can be laid over a river's map; none while there is none, as of most while that is not finished. */
   overlay: { of: number | undefined; name: OverlayName };
   /** How far a map has come; if a moment is given, once it has gone there, back or forth, or as far as it came before it was sent elsewhere. */
   making: { of: number | undefined; to: Moment | undefined };

@@ -69,6 +69,7 @@ export class RiverViewport {
   /** The canvas that is not seen before there is something on it. */
   #next: HTMLCanvasElement | undefined;
   #isOver = false;
+  #isCovered = false;
   readonly #camera = new Camera();
   /** What the picture shows, and what it will once there is a river of the link that was shown last. */
   #framing: Framing | undefined;
@@ -111,6 +112,12 @@ export class RiverViewport {
   set speed(speed: number) {
     this.#speed = speed;
     this.#send({ do: "speed", speed });
+  }
+
+  /** Something lies over all of it: it need not go on meanwhile. */
+  set isCovered(isCovered: boolean) {
+    this.#isCovered = isCovered;
+    this.#rest();
   }
 
   toggle(): void {
@@ -168,7 +175,7 @@ export class RiverViewport {
     return river?.link === this.#wanted.link ? river : undefined;
   }
 
-  /** What can be laid over the finished map; none while it is not finished, or not the one that was shown last. */
+  /** What can be laid over the map; none while there is nothing of the kind, or if it is not the one that was shown last. */
   async overlay(name: OverlayName): Promise<Overlay | undefined> {
     const overlay = await this.#ask({ about: "overlay", of: this.#id, name });
     return overlay?.link === this.#wanted.link ? overlay : undefined;
@@ -229,7 +236,7 @@ export class RiverViewport {
     this.#send({ do: "open", canvas, link: { text: link }, how: state ? HOW[state] : how, size });
     this.#send({ do: "speed", speed: this.#speed });
     if (state === "paused") this.#send({ do: "pause" });
-    if (document.hidden) this.#rest();
+    if (this.#isUnseen) this.#rest();
   }
 
   /** The renderer answers no more, and there is a new one: there it goes on with the same river. The old picture stays until then. */
@@ -371,7 +378,11 @@ export class RiverViewport {
     if (!this.#nextFraming) this.#becomeFramed(size.framing);
   }
 
+  get #isUnseen(): boolean {
+    return document.hidden || this.#isCovered;
+  }
+
   #rest(): void {
-    this.#send({ do: document.hidden ? "rest" : "wake" });
+    this.#send({ do: this.#isUnseen ? "rest" : "wake" });
   }
 }

@@ -34,6 +34,7 @@ export interface Growing {
   readonly progress: number;
   /** How many rounds rivers meander in all. */
   readonly rounds: number;
+  /** Goes on by some steps. Returns whether there is more to do, here. */
   advance(steps: number): boolean;
   restart(): void;
 }
@@ -348,7 +349,8 @@ export class FrameLoop {
     const end = this.frames.now() + budgetMs;
     const isDue = (): boolean => this.river.phase === phase && (share === 1 || this.river.progress < share);
     while (isDue()) {
-      this.river.advance(1);
+      // Either that was the last step, or others make it.
+      if (!this.river.advance(1)) return true;
       if (this.frames.now() >= end) return !isDue();
     }
     return true;

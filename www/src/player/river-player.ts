@@ -6,7 +6,8 @@ import type { CanvasSize, Framing } from "../browser/canvas.ts";
 import type { Phase, ReadOptions, River, Summary } from "../engine/types.ts";
 import { Blitter } from "./blit.ts";
 import { ChartMaker, type LoadCharts } from "./chart-maker.ts";
-import { FrameLoop, type Frames, REST_MS, type State } from "./frame-loop.ts";
+import { FrameLoop, type Frames, type Growing, REST_MS, type State } from "./frame-loop.ts";
+import type { SharedClock } from "./shared-clock.ts";
 
 export type Canvas = HTMLCanvasElement | OffscreenCanvas;
 
@@ -74,6 +75,8 @@ export class RiverPlayer<Planted extends River & Partial<Framed> = River> {
   #ratio = 1;
   #framing: Framing | undefined;
   readonly #river: Planted;
+  /** As it grows by the clock that it shares with others, if there is one. */
+  readonly #growing: Growing;
   readonly #loop: FrameLoop;
   readonly #blitter: Blitter;
   readonly #chartMaker: ChartMaker;
@@ -85,6 +88,7 @@ export class RiverPlayer<Planted extends River & Partial<Framed> = River> {
     link: LinkToRead,
     private readonly frames: Frames,
     private readonly events: PlayerEvents,
+    private readonly clock?: SharedClock,
   ) {
     this.#blitter = new Blitter(contextOf(canvas), core.memory);
     this.#river = new core.engine.River(link.text, link.options);
@@ -94,7 +98,8 @@ export class RiverPlayer<Planted extends River & Partial<Framed> = River> {
       arrived: () => this.#attempt(() => this.#loop.redraw()),
       failed: (error) => this.#attempt(() => events.failed(error)),
     });
-    this.#loop = new FrameLoop(this.#river, frames, {
+    this.#growing = clock?.join(this.#river) ?? this.#river;
+    this.#loop = new FrameLoop(this.#growing, frames, {
       draw: (asDraft) => this.#draw(asDraft),
       ready: () => this.#followWish(),
       changed: () => this.#tell(),
@@ -188,6 +193,7 @@ export class RiverPlayer<Planted extends River & Partial<Framed> = River> {
   /** Stops for good. The river is not freed: after a failure nothing of the engine may be called. */
   close(): void {
     this.#canRun = false;
+    this.clock?.leave(this.#growing);
     this.#loop.halt();
     for (const handle of [this.#applying, this.#labelling]) if (handle !== undefined) this.frames.cancel(handle);
   }

@@ -29,6 +29,8 @@ export interface Opening {
   link: LinkToRead;
   how: ShowMode;
   size: CanvasSize;
+  /** Whether it grows tick by tick with all others of which the same is said. */
+  inStep?: boolean;
 }
 
 /** To a river on its canvas. */

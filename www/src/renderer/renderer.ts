@@ -4,6 +4,7 @@ import { named } from "../engine/errors.ts";
 import type { River } from "../engine/types.ts";
 import type { Planter, RiverPlayer } from "../player/river-player.ts";
 import { displayFrames, SharedScheduler } from "../player/scheduler.ts";
+import { SharedClock } from "../player/shared-clock.ts";
 import type { Command, Opening, Report } from "./protocol.ts";
 import { Scene } from "./scene.ts";
 
@@ -18,6 +19,7 @@ export interface Means<Planted extends River, Question, Answer> {
 export class Renderer<Planted extends River, Question, Answer> {
   readonly #scenes = new Map<number, Scene<Planted>>();
   readonly #scheduler: SharedScheduler;
+  readonly #clock = new SharedClock();
   #unanswered = 0;
 
   constructor(
@@ -42,7 +44,7 @@ export class Renderer<Planted extends River, Question, Answer> {
 
   #open(command: Opening): void {
     const { planter, shareMs } = this.means;
-    const scene = new Scene(planter, this.#scheduler, command, this.tell);
+    const scene = new Scene(planter, this.#scheduler, command, this.tell, command.inStep ? this.#clock : undefined);
     this.#scenes.set(command.id, scene);
     if (shareMs) scene.open();
     // In its turn: planting twenty rivers at once would hold up the page.

@@ -4,7 +4,8 @@ import type { CanvasSize } from "../browser/canvas.ts";
 import { isRecoverable, named } from "../engine/errors.ts";
 import type { River } from "../engine/types.ts";
 import type { Frames } from "../player/frame-loop.ts";
-import { type Planter, RiverPlayer } from "../player/river-player.ts";
+import { type Planter, type PlayerEvents, RiverPlayer } from "../player/river-player.ts";
+import type { SharedClock } from "../player/shared-clock.ts";
 import type { Opening, Reading, Report, SceneCommand } from "./protocol.ts";
 
 /** What is asked of a river while there is one. */
@@ -26,6 +27,8 @@ export class Scene<Planted extends River = River> {
     private readonly frames: Frames,
     private readonly opening: Opening,
     private readonly tell: (report: Report<never>) => void,
+    /** What it grows by if others grow by it, too. */
+    private readonly clock?: SharedClock,
   ) {
     this.#size = opening.size;
   }
@@ -50,7 +53,7 @@ export class Scene<Planted extends River = River> {
   #open(): void {
     if (this.#isOver) return;
     const { id, canvas, link, how } = this.opening;
-    const player = new RiverPlayer(this.planter, canvas, link, this.frames, {
+    const events: PlayerEvents = {
       sizeFor: () => this.#size,
       planted: ({ link, seed, aspect, notices }) => {
         this.#reading = { link, seed, aspect, notices, links: this.#links };
@@ -60,7 +63,8 @@ export class Scene<Planted extends River = River> {
         if (reading) this.tell({ id, is: "shown", reading, state, phase, summary });
       },
       failed: (thrown) => this.#fail(thrown),
-    });
+    };
+    const player = new RiverPlayer(this.planter, canvas, link, this.frames, events, this.clock);
     this.#player = player;
     player.start(how);
     for (const command of this.#early) this.#follow(command, player);

@@ -1,0 +1,142 @@
+/** What is laid over a map while it grows, and at the moments of its making. */
+
+import { expect, type Page, test } from "@playwright/test";
+import { engine } from "../core.ts";
+import { violations } from "./axe.ts";
+import { complaints, finished, openFinished, openPanel } from "./riverpage.ts";
+
+const COLONIZED = "seed=kauri&land=island&growth=colonize&valleys=0&attractors=900&meander-rounds=4&style=ink";
+const DRAINED = "seed=kauri&land=island&growth=drainage&attractors=1500&meander-rounds=4&style=ink";
+
+function card(page: Page) {
+  return page.locator(".inside-card");
+}
+
+function track(page: Page) {
+  return page.getByRole("slider", { name: "The making of the map" });
+}
+
+/** What is laid over the map of one kind. */
+function laid(page: Page, kind: number): Promise<string | null> {
+  const path = page.locator(`.inside [data-kind="${kind}"] path`);
+  return path.count().then((count) => (count === 0 ? "" : path.getAttribute("d")));
+}
+
+/** A third of the track on, by keys. */
+async function goToGrowth(page: Page): Promise<void> {
+  await expect(track(page)).toHaveAttribute("aria-disabled", "false");
+  await track(page).focus();
+  for (const key of ["Home", "PageUp", "PageUp", "PageUp"]) await page.keyboard.press(key);
+  await expect(track(page)).toHaveAttribute("aria-valuetext", /^growth/);
+  await expect(page.locator("#frame")).toHaveAttribute("data-state", "paused");
+}
+
+/** The river of a link where its attractors that are left are those; it grows until it is there. */
+function grownTo(link: string, left: string): InstanceType<typeof engine.River> | undefined {
+  const river = new engine.River(link);
+  do {
+    if (river.shapes(1) === left) return river;
+  } while (river.advance(1) && river.phase === "growing");
+  return;
+}
+
+/** Space colonization leaves some attractors between its rivers. */
+function leftAtTheEnd(link: string): string {
+  const river = new engine.River(link);
+  while (river.advance(1000));
+  return river.shapes(1);
+}
+
+for (const [link, alive] of [
+  [COLONIZED, /Alive: ([\d,]+)\./],
+  [DRAINED, /No way to the sea yet: ([\d,]+)\./],
+] as const) {
+  test(`at a moment of growth what is left, and the tips, are those of then: ${link}`, async ({ page }) => {
+    const said = complaints(page);
+    await openFinished(page, link);
+    await page.keyboard.press("a");
+    await expect.poll(() => laid(page, 2)).toBe(leftAtTheEnd(link));
+    await goToGrowth(page);
+    await expect.poll(async () => (await laid(page, 2))?.length).toBeGreaterThan(2 * leftAtTheEnd(link).length);
+    await expect(card(page)).toHaveText(alive);
+    await expect
+      .poll(async () => {
+        const count = Number(alive.exec((await card(page).textContent()) ?? "")?.[1]?.replaceAll(",", ""));
+        return count === ((await laid(page, 2)) ?? "").split("M").length - 1;
+      })
+      .toBe(true);
+    const river = grownTo(link, (await laid(page, 2)) ?? "");
+    expect(await laid(page, 1)).toBe(river?.shapes(0));
+    await page.keyboard.press("t");
+    await expect.poll(() => laid(page, 1)).toBe(river?.shapes(2));
+    // A tick on there are others.
+    await page.keyboard.press(".");
+    await expect.poll(() => laid(page, 1)).not.toBe(river?.shapes(2));
+    await page.keyboard.press("o");
+    await expect(card(page)).toBeHidden();
+    await track(page).focus();
+    await page.keyboard.press("End");
+    await finished(page);
+    await expect(card(page)).toContainText("Order 1");
+    expect(said).toEqual([]);
+  });
+}
+
+test("the circles of reach and kill go with the pointer, and are as large as the recipe says", async ({ page }) => {
+  await openFinished(page, COLONIZED);
+  await page.keyboard.press("k");
+  const river = new engine.River(COLONIZED);
+  const [width = 0, , reach = 0, kill = 0] = river.lengths();
+  expect(reach / kill).toBeCloseTo(2.3 / 1.1);
+  const circle = page.locator(".inside circle.reach");
+  expect(Number(await circle.getAttribute("r"))).toBe(reach);
+  expect(Number(await page.locator(".inside circle.kill").getAttribute("r"))).toBe(kill);
+  const box = await page.locator("#map-place").boundingBox();
+  if (!box) throw new Error("there is no map");
+  await page.mouse.move(box.x + box.width / 4, box.y + box.height / 2);
+  await expect.poll(async () => Number(await circle.getAttribute("cx"))).toBeCloseTo(width / 4, 0);
+  const seen = await circle.boundingBox();
+  // As wide on the screen, but for its own line.
+  expect(Math.abs((seen?.width ?? 0) / 2 - reach * (box.width / width))).toBeLessThan(2);
+  await page.locator("#frame").focus();
+  await page.keyboard.press("+");
+  // By keys, the middle of what is seen.
+  await expect.poll(async () => Math.abs(Number(await circle.getAttribute("cx")) - width / 4)).toBeGreaterThan(50);
+});
+
+test("what a way of growing does not have cannot be asked for", async ({ page }) => {
+  await openFinished(page, DRAINED);
+  await openPanel(page);
+  await expect(page.getByRole("button", { name: "Reach and kill" })).toBeDisabled();
+  await page.keyboard.press("k");
+  await expect(card(page)).toBeHidden();
+});
+
+test("masks are water and ridges; curvature is there when the map is finished", async ({ page }) => {
+  await openFinished(page, DRAINED.replace("island", "valley"));
+  const river = new engine.River(DRAINED.replace("island", "valley"));
+  await page.keyboard.press("m");
+  await expect.poll(async () => (await laid(page, 1))?.endsWith(river.shapes(3))).toBe(true);
+  expect(await laid(page, 2)).toBe(river.shapes(4));
+  expect(river.shapes(4)).toMatch(/^M/);
+  await page.keyboard.press("c");
+  await expect.poll(() => laid(page, 1)).toMatch(/^M(.+M){40}/);
+  await page.keyboard.press("c");
+  await expect(card(page)).toBeHidden();
+});
+
+for (const colorScheme of ["light", "dark"] as const) {
+  test(`axe finds nothing with attractors and circles over a map that stands still: ${colorScheme}`, async ({
+    page,
+  }) => {
+    await page.emulateMedia({ colorScheme });
+    await page.setViewportSize({ width: 320, height: 700 });
+    await openFinished(page, COLONIZED);
+    await goToGrowth(page);
+    await page.keyboard.press("k");
+    await expect(card(page)).toContainText("Reach:");
+    expect(await violations(page)).toEqual([]);
+    const box = await card(page).boundingBox();
+    expect((box?.x ?? 0) + (box?.width ?? 0)).toBeLessThanOrEqual(320);
+  });
+}
