@@ -41,6 +41,7 @@ for (const { name, ...viewport } of SIZES) {
       const wrong = await controls.evaluateAll(async (all) => {
         const isInSight = (control: Element): Promise<boolean> =>
           new Promise((done) => {
+            control.scrollIntoView({ block: "center", inline: "center" });
             const observer = new IntersectionObserver(([entry]) => {
               observer.disconnect();
               done((entry?.intersectionRatio ?? 0) > 0);
@@ -56,8 +57,8 @@ for (const { name, ...viewport } of SIZES) {
           };
           if (!control.checkVisibility({ visibilityProperty: true }) || size() === 0) continue;
           count++;
-          control.scrollIntoView({ block: "center", inline: "center" });
-          if (!(await isInSight(control))) found.push(`out of sight: ${control.outerHTML}`);
+          // Names that come meanwhile move what is below them: then once more.
+          if (!(await isInSight(control)) && !(await isInSight(control))) found.push(`out of sight: ${control.outerHTML}`);
           // A checkbox is as large as the label around it.
           const isBox = control.getAttribute("type") === "checkbox";
           if (!isBox && size() < 24) found.push(`${size()} pixels: ${control.outerHTML}`);
