@@ -17,7 +17,7 @@ const ORDERS: u8 = 2;
 impl Inspector {
     /// Short lines on the great rivers, from the middle towards the outside of the bend that they are in: the sharper, the longer. Where
     /// they would not reach the bank there are none.
-    pub fn curvature(&self) -> Vec<[Vec2; 2]> {
+    pub fn curvature(&self) -> Vec<Vec<Vec2>> {
         let highest = self.orders.iter().fold(0, |highest, &order| highest.max(order));
         let mut lines = Vec::new();
         for (number, river) in (0..).zip(&self.network.rivers) {
@@ -33,7 +33,7 @@ impl Inspector {
                 since += distance(a, b);
                 if since >= APART * width && long > around[1].half {
                     since = 0.0;
-                    lines.push([b, b + line * (fast_min(long, LONGEST * width) / long)]);
+                    lines.push(vec![b, b + line * (fast_min(long, LONGEST * width) / long)]);
                 }
             }
         }

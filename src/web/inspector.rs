@@ -101,7 +101,7 @@ impl Inspector {
     /// the sharper that is.
     pub fn lines(&self, of: u8) -> String {
         if of == u8::MAX {
-            return overlay::strokes(&self.rivers.curvature());
+            return overlay::lines(&self.rivers.curvature(), CourseShape::Grown);
         }
         let vertices = &self.rivers.network().vertices;
         let is_meant = |vertex: usize| match of {

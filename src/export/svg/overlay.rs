@@ -19,13 +19,6 @@ pub(crate) fn lines(lines: &[Vec<Vec2>], courses: CourseShape) -> String {
     path.into_data()
 }
 
-/// Straight lines.
-pub(crate) fn strokes(strokes: &[[Vec2; 2]]) -> String {
-    let mut path = Path::default();
-    strokes.iter().for_each(|ends| path.line(ends));
-    path.into_data()
-}
-
 /// Points: lines without length, which are seen if their ends are round.
 pub(crate) fn dots(points: &[Vec2]) -> String {
     let mut path = Path::default();
