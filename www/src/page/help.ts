@@ -24,7 +24,7 @@ const OTHERS: readonly (readonly [keys: string, says: string])[] = [
   ["O B D C F", "inside a finished map: orders, basins, flow, curvature, frozen courses"],
   [", .", "a step back in the making of a finished map, a step on"],
   ["N", "on the map: the next of its greatest rivers, its way to the sea and its basin; with Shift, the one before"],
-  ["M", "the map alone, over the whole screen, as two taps of a finger on it do; again, or Esc: back"],
+  ["W", "the map alone, over the whole screen, as two taps of a finger on it do; again, or Esc: back"],
   ["Ctrl Z", "undo; with Shift, redo; while drawing, take the last line back"],
   ["← →", "on a slider: one step; Page Up and Page Down: a large one; so does the wheel"],
   ["Enter", "in the seed box: grow at once"],

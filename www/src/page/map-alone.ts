@@ -44,11 +44,11 @@ export class MapAlone {
     else this.#enter();
   }
 
-  /** M, where it is no text; Escape leads back. */
+  /** W, for the whole window, where it is no text; Escape leads back. */
   #onKey(event: KeyboardEvent): void {
     if (event.defaultPrevented || event.altKey || event.ctrlKey || event.metaKey || event.repeat) return;
     if (event.target instanceof Element && event.target.closest("input[type=text], textarea, select, dialog")) return;
-    if (event.key.toLowerCase() === "m") this.#toggle();
+    if (event.key.toLowerCase() === "w") this.#toggle();
     else if (event.key === "Escape" && this.#isOn) this.#leave();
   }
 

@@ -57,7 +57,7 @@ for (const has of [true, false]) {
     await taps(page, 2);
     await page.getByRole("button", { name: "Back from the map alone" }).tap();
     await expect(bar).toBeVisible();
-    await page.keyboard.press("m");
+    await page.keyboard.press("w");
     await expect(bar).toBeHidden();
     await page.keyboard.press("Escape");
     await expect(bar).toBeVisible();
