@@ -15,12 +15,12 @@ const EMBED_HERE = ["river-seed.js", "tag-page-backend.js", "riverseed_bg.wasm"]
 
 // The element was 6,000: giving up what never answers, and reopening what answers no more, took 600; the attributes of drainage and
 // of courses take 60, those of labels and scenery 80. The embed was 170,000: styles with relief take it 6,000 over that, charts 6,000 more,
-// and the renderer that the page shares 500 where there is no worker.
+// the renderer that the page shares 500 where there is no worker, and what that does for drafts and for rivers side by side 500.
 const LIMITS = [
   ["element and loader", ["river-seed.js"], 6_800],
   ["glue", withImports("core.js"), 5_000],
-  ["whole embed", EMBED, 182_700],
-  ["whole embed, without a worker", EMBED_HERE, 183_200],
+  ["whole embed", EMBED, 183_300],
+  ["whole embed, without a worker", EMBED_HERE, 183_900],
 ];
 
 for (const [what, files, limit] of LIMITS) {
