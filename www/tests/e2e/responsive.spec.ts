@@ -58,7 +58,8 @@ for (const { name, ...viewport } of SIZES) {
           if (!control.checkVisibility({ visibilityProperty: true }) || size() === 0) continue;
           count++;
           // Names that come meanwhile move what is below them: then once more.
-          if (!(await isInSight(control)) && !(await isInSight(control))) found.push(`out of sight: ${control.outerHTML}`);
+          if (!(await isInSight(control)) && !(await isInSight(control)))
+            found.push(`out of sight: ${control.outerHTML}`);
           // A checkbox is as large as the label around it.
           const isBox = control.getAttribute("type") === "checkbox";
           if (!isBox && size() < 24) found.push(`${size()} pixels: ${control.outerHTML}`);
