@@ -26,6 +26,18 @@ async function openTool(page: Page, link = SMALL): Promise<void> {
   await expect(page.getByRole("group", { name: "Drawing a land" })).toBeVisible();
 }
 
+for (const width of [1440, 1024]) {
+  test(`beside an open panel nothing covers the tools: ${width} wide`, async ({ page }) => {
+    await page.setViewportSize({ width, height: 800 });
+    await openUnfolded(page, SMALL);
+    await page.getByRole("button", { name: "Draw", exact: true }).click();
+    const tools = page.getByRole("group", { name: "Drawing a land" });
+    for (const name of ["Import…", "Done"]) await tools.getByRole("button", { name }).click({ trial: true });
+    const [group, styles] = [await tools.boundingBox(), await page.locator("#styles").boundingBox()];
+    expect((group?.x ?? 0) + (group?.width ?? 0)).toBeLessThanOrEqual(styles?.x ?? 0);
+  });
+}
+
 /** Draws a line through fractions of the map, with the mouse. */
 async function draw(page: Page, line: readonly (readonly [number, number])[]): Promise<void> {
   const box = await page.locator("#sketch").boundingBox();

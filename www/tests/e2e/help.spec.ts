@@ -19,6 +19,15 @@ test("a sheet says what each key does, and goes by Escape", async ({ page }) => 
   await expect(sheet).toBeVisible();
 });
 
+test("no key does two things", async ({ page }) => {
+  await openFinished(page, LINK);
+  await page.keyboard.press("?");
+  const rows = page.locator("#keys > div").filter({ hasNotText: "Ctrl" });
+  const keys = await rows.locator("kbd").allTextContents();
+  expect(keys.length).toBeGreaterThan(20);
+  expect(keys.filter((key, i) => keys.indexOf(key) !== i)).toEqual([]);
+});
+
 test("keys stand for buttons, but not where text is typed", async ({ page }) => {
   await openFinished(page, LINK);
   await page.keyboard.press("r");

@@ -3,7 +3,7 @@
 import { expect, type Page, test } from "@playwright/test";
 import { engine } from "../core.ts";
 import { violations } from "./axe.ts";
-import { complaints, finished, openFinished, openPanel } from "./riverpage.ts";
+import { complaints, finished, openFinished, openPanel, openStopped, runUntil } from "./riverpage.ts";
 
 const COLONIZED = "seed=kauri&land=island&growth=colonize&valleys=0&attractors=900&meander-rounds=4&style=ink";
 const DRAINED = "seed=kauri&land=island&growth=drainage&attractors=1500&meander-rounds=4&style=ink";
@@ -84,6 +84,45 @@ for (const [link, alive] of [
     await finished(page);
     await expect(card(page)).toContainText("Order 1");
     expect(said).toEqual([]);
+  });
+}
+
+for (const [link, alive] of [
+  [COLONIZED, /Alive: ([\d,]+)\.Used up: ([\d,]+)\./],
+  [DRAINED, /No way to the sea yet: ([\d,]+)\.With a way: ([\d,]+)\./],
+] as const) {
+  test(`while a map grows, what is laid over it follows: ${link}`, async ({ page }) => {
+    await openStopped(page, link);
+    await page.keyboard.press("a");
+    const counts = async () => {
+      const [, left, rest] = alive.exec((await card(page).textContent()) ?? "") ?? [];
+      return [left, rest].map((number) => Number(number?.replaceAll(",", "")));
+    };
+    await expect.poll(async () => (await counts())[1]).toBe(0);
+    const [all = 0] = await counts();
+    expect(await laid(page, 2)).toBe(new engine.River(link).shapes(1));
+    let left = all;
+    for (const wanted of [0.8, 0.5]) {
+      while (left > wanted * all) {
+        await page.clock.runFor(50);
+        [left = Number.NaN] = await counts();
+      }
+      await expect(page.locator("#frame")).toHaveAttribute("data-state", "growing");
+      const [now = 0, gone = 0] = await counts();
+      expect(now + gone).toBe(all);
+      await expect.poll(async () => ((await laid(page, 2)) ?? "").split("M").length - 1).toBe((await counts())[0]);
+    }
+    await page.keyboard.press("t");
+    await expect.poll(() => linesLaid(page)).toBeGreaterThan(2);
+    const tips = await laid(page, 1);
+    await expect(page.locator("#frame")).toHaveAttribute("data-state", "growing");
+    await page.clock.runFor(200);
+    await expect.poll(() => laid(page, 1)).not.toBe(tips);
+    // What only a finished map has comes with its end.
+    await page.keyboard.press("o");
+    await expect(card(page)).toBeHidden();
+    await runUntil(page, "finished");
+    await expect(card(page)).toContainText("Order 1");
   });
 }
 

@@ -130,6 +130,20 @@ for (const colorScheme of ["light", "dark"] as const) {
   }
 }
 
+test("at 200 % zoom each of the six can be read and chosen", async ({ page }) => {
+  await page.setViewportSize({ width: 720, height: 450 });
+  await openFinished(page, LINK);
+  await openFromPanel(page);
+  await allFinished(page);
+  expect(await sheet(page).evaluate((dialog) => dialog.scrollWidth - dialog.clientWidth)).toBe(0);
+  for (const variant of await variants(page).all()) {
+    await variant.scrollIntoViewIfNeeded();
+    await expect(variant.locator("b")).toBeInViewport();
+    await variant.click({ trial: true });
+  }
+  await expect(sheet(page).getByRole("button", { name: "Back to the map" })).toBeInViewport();
+});
+
 test("in forced colours, and from right to left, all of it is there", async ({ page }) => {
   await page.emulateMedia({ forcedColors: "active" });
   await openFinished(page, LINK.replace("kauri", "נהר"));
