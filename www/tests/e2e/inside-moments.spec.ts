@@ -116,8 +116,13 @@ for (const [link, alive] of [
     await expect.poll(() => linesLaid(page)).toBeGreaterThan(2);
     const tips = await laid(page, 1);
     await expect(page.locator("#frame")).toHaveAttribute("data-state", "growing");
-    await page.clock.runFor(200);
-    await expect.poll(() => laid(page, 1)).not.toBe(tips);
+    await expect
+      .poll(async () => {
+        // Answers need the page's clock, too.
+        await page.clock.runFor(50);
+        return laid(page, 1);
+      })
+      .not.toBe(tips);
     // What only a finished map has comes with its end.
     await page.keyboard.press("o");
     await expect(card(page)).toBeHidden();

@@ -18,12 +18,15 @@ async function openMirrored(page: Page, seed: string): Promise<void> {
   await openFinished(page, `seed=${encodeURIComponent(seed)}&attractors=600&labels=none&style=ink`);
 }
 
-/** What of buttons, fields and words lies beyond the window's edges, or sideways beyond those of what scrolls. */
+/** What of buttons, fields and words, but for the rows that are there to be scrolled, lies beyond the window's edges, or sideways beyond those of what scrolls. */
 function cutOff(page: Page): Promise<string[]> {
   return page.evaluate(() =>
     [...document.querySelectorAll("button, input, select, p, h1, h2, h3, label, summary")]
       .filter(
-        (one) => one.checkVisibility() && !one.closest(".unseen, .styles, [data-style] svg") && !one.matches(".unseen"),
+        (one) =>
+          one.checkVisibility() &&
+          !one.closest(".unseen, .styles, #countries .preset-buttons, [data-style] svg") &&
+          !one.matches(".unseen"),
       )
       .filter((one) => {
         const { left, right, width } = one.getBoundingClientRect();
