@@ -36,7 +36,7 @@ first_of() {
 own_shell=${HEADLESS_SHELL-} own_chrome=${CHROME-} own_chromedriver=${CHROMEDRIVER-} own_firefox=${FIREFOX-}
 find_browsers() {
   export CHROME=${own_chrome:-$(first_of chromium chromium-browser google-chrome-stable google-chrome)}
-  HEADLESS_SHELL=${own_shell:-${own_chrome:-$(first_of chromium-headless-shell /usr/lib/chromium/chromium-headless-shell)}}
+  HEADLESS_SHELL=${own_shell:-${own_chrome:-$(first_of chromium-headless-shell)}}
   export HEADLESS_SHELL=${HEADLESS_SHELL:-$CHROME}
   export CHROMEDRIVER=${own_chromedriver:-$(first_of chromedriver)}
   export FIREFOX=${own_firefox:-$(first_of firefox-esr firefox)}
