@@ -104,23 +104,26 @@ for (const [width, height] of [
       for (const over of document.querySelectorAll<HTMLElement>(".masthead, .caption, .zoom, .bar, .styles, .notices"))
         over.style.visibility = "hidden";
     });
-    const screen = `data:image/png;base64,${(await page.screenshot()).toString("base64")}`;
-    const different = await page.locator("#canvas").evaluate(async (canvas: HTMLCanvasElement, screen) => {
-      const image = new Image();
-      image.src = screen;
-      await image.decode();
-      const { width, height } = canvas;
-      const copied = (source: CanvasImageSource, left = 0, top = 0): Uint8ClampedArray => {
-        const context = Object.assign(document.createElement("canvas"), { width, height }).getContext("2d");
-        context?.drawImage(source, left, top);
-        return context?.getImageData(0, 0, width, height).data ?? new Uint8ClampedArray();
-      };
-      const { left, top } = canvas.getBoundingClientRect();
-      const seen = copied(image, -Math.round(left), -Math.round(top));
-      const own = copied(canvas);
-      return [...own].filter((byte, i) => byte !== seen[i]).length;
-    }, screen);
-    expect(different).toBe(0);
+    const different = async (): Promise<number> => {
+      const screen = `data:image/png;base64,${(await page.screenshot()).toString("base64")}`;
+      return page.locator("#canvas").evaluate(async (canvas: HTMLCanvasElement, screen) => {
+        const image = new Image();
+        image.src = screen;
+        await image.decode();
+        const { width, height } = canvas;
+        const copied = (source: CanvasImageSource, left = 0, top = 0): Uint8ClampedArray => {
+          const context = Object.assign(document.createElement("canvas"), { width, height }).getContext("2d");
+          context?.drawImage(source, left, top);
+          return context?.getImageData(0, 0, width, height).data ?? new Uint8ClampedArray();
+        };
+        const { left, top } = canvas.getBoundingClientRect();
+        const seen = copied(image, -Math.round(left), -Math.round(top));
+        const own = copied(canvas);
+        return [...own].filter((byte, i) => byte !== seen[i]).length;
+      }, screen);
+    };
+    // Once the map is painted in its place.
+    await expect.poll(different).toBe(0);
   });
 }
 
