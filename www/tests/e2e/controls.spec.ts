@@ -173,6 +173,8 @@ for (const [link, few] of byContext(drawn.filter(({ min }) => min !== undefined)
     const states = await recordStates(page);
     const phases = await recordPhases(page);
     await openUnfolded(page, link);
+    // With the names, which come last.
+    await expectPictureOfAddress(page);
     const before = await shown(page);
     for (const { key, label, stage, max, default: value } of few)
       await test.step(key, async () => {
@@ -241,6 +243,8 @@ for (const [link, few] of byContext(drawn.filter(({ kind }) => kind === "choice"
   test(`the choices of each of these change the picture: ${keysOf(few)}`, async ({ page }) => {
     test.setTimeout(few.length * 120_000);
     await openUnfolded(page, link);
+    // With the names, which come last.
+    await expectPictureOfAddress(page);
     const before = await shown(page);
     for (const { key, choices } of few)
       await test.step(key, async () => {

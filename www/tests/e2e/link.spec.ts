@@ -5,6 +5,7 @@ import {
   address,
   countCalls,
   expectAddress,
+  expectPictureOfAddress,
   finished,
   fixChance,
   openFinished,
@@ -68,10 +69,10 @@ test("loading the address bar's link again shows the same picture", async ({ pag
   await page.getByRole("button", { name: "A new seed by chance" }).click();
   await page.getByRole("button", { name: "Trimmed curl" }).click();
   await expectAddress(page, "trim", "29");
-  await finished(page);
+  await expectPictureOfAddress(page);
   const before = await shown(page);
   await page.reload();
-  await finished(page);
+  await expectPictureOfAddress(page);
   expect(await shown(page)).toEqual(before);
 });
 

@@ -97,10 +97,11 @@ export async function openPanel(page: Page): Promise<void> {
   if ((await button.getAttribute("aria-expanded")) === "false") await button.click();
 }
 
-/** The same with every group of controls unfolded. */
+/** The same with every group of controls unfolded, once the map is painted beside the panel. */
 export async function openUnfolded(page: Page, link = ""): Promise<void> {
   await openFinished(page, link);
   await unfold(page);
+  await painted(page);
 }
 
 /** At once: click by click it would be longer than what most tests do then. Clicks are the subject of `folds.spec.ts`. */
@@ -148,9 +149,15 @@ export async function expectAddress(page: Page, key: string, value: string | nul
   await expect.poll(() => address(page).get(key), { intervals: [50] }).toBe(value);
 }
 
+/** Waits until the map is painted for where it lies: what moves it, as a panel that opens, moves the old picture at first. */
+async function painted(page: Page): Promise<void> {
+  await expect.poll(() => page.locator("#canvas").evaluate((canvas) => canvas.style.transform)).toBe("");
+}
+
 /** The picture on the page is the one its address promises, drawn by the core alone. */
 export async function expectPictureOfAddress(page: Page): Promise<void> {
   await finished(page);
+  await painted(page);
   await expect
     .poll(async () => {
       const { width, height, sha256, framing } = await shown(page);
