@@ -8,34 +8,24 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 source scripts/env.sh
+source scripts/lib/python.sh
 
 build=target/python
 packages=$build/venv
-wanted=python/requirements.txt
 least_python=10 # of Python 3, as in python/pyproject.toml
 
 skip() {
-  echo "The Python package is not $1: $2."
+  echo "The Python package is not $done_with_it: $1."
   exit 0
 }
 
-# Whether exactly what is wanted was installed once.
-is_there() { cmp --silent "$wanted" "$packages/installed.txt"; }
-
-# install_packages DONE: DONE is what cannot be done without them.
-install_packages() {
-  rm -rf "$packages"
-  python3 -m venv "$packages" &>/dev/null || skip "$1" "this machine has no Python with venv"
-  "$packages/bin/pip" install --quiet --disable-pip-version-check --retries 1 --only-binary :all: -r "$wanted" ||
-    skip "$1" "what that needs cannot be had from PyPI"
-  cp "$wanted" "$packages/installed.txt"
-}
-
-get_packages() {
-  command -v python3 >/dev/null || skip "$1" "this machine has no Python"
+# prepare DONE: what is done with it, such as "checked".
+prepare() {
+  done_with_it=$1
+  need_python
   python3 -c "import sys; sys.exit(sys.version_info < (3, $least_python))" ||
-    skip "$1" "this machine's Python is older than 3.$least_python"
-  is_there || install_packages "$1"
+    skip "this machine's Python is older than 3.$least_python"
+  get_python_packages "$packages" python/requirements.txt "what that needs"
 }
 
 check() {
@@ -59,18 +49,18 @@ install_wheel() {
 
 case ${1-} in
   check)
-    get_packages checked
+    prepare checked
     check
     ;;
   test)
-    get_packages tested
+    prepare tested
     install_wheel
     "$packages/bin/stubtest" --concise --mypy-config-file python/pyproject.toml riverseed._native
     RIVERSEED_PROGRAM=$(realpath "$2") "$packages/bin/pytest" --quiet --config-file python/pyproject.toml \
       --doctest-modules --pyargs riverseed python/tests
     ;;
   wheel)
-    get_packages built
+    prepare built
     build_wheel target/package --release
     ;;
   *) sed -n '2,7s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;

@@ -7,6 +7,7 @@ mod command;
 
 use std::fs;
 use std::path::PathBuf;
+use std::process::Command;
 
 use command::{network, refusal, riverseed, scratch};
 
@@ -176,4 +177,22 @@ fn pictures_that_show_no_land_are_refused_by_name() {
     assert!(code == 1 && message.contains("absent.png"), "{message}");
     let (code, message) = refusal(&["render", "--outline", ".AAA", "-o", scratch("x.png").to_str().unwrap()]);
     assert!(code == 2 && message.contains("outline: the coast that begins at character 1"), "{message}");
+}
+
+/// A script's log may be on a disk that is full.
+#[test]
+#[cfg(target_os = "linux")]
+fn what_cannot_be_said_does_not_keep_a_picture_from_becoming_a_land() {
+    let path = picture("unheard.png", 0, 255);
+    let deaf = |arguments: &[&str]| {
+        let full = fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
+        Command::new(env!("CARGO_BIN_EXE_riverseed")).args(arguments).stderr(full).output().unwrap()
+    };
+    let (path, out) = (path.to_str().unwrap(), scratch("unheard.json"));
+    let outline = deaf(&["outline", path]);
+    assert!(outline.status.success());
+    assert_eq!(outline.stdout, riverseed(&["outline", path]).stdout);
+    let render = ["render", "attractors=100", "--land", path, "-o", out.to_str().unwrap()];
+    assert!(deaf(&render).status.success());
+    assert!(out.exists());
 }

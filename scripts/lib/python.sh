@@ -1,29 +1,34 @@
 # shellcheck shell=bash
-# Tests in Python with packages of others: each has an environment of its own.
+# Python with packages of others, in environments that are kept. Where it cannot be had, what would run in it is skipped: a script
+# that sources this defines `skip WHY`, which says so and ends it.
 
-# Runs tests/NAME.py with the packages of tests/NAME.txt, which it keeps in target/NAME. Where they cannot be had, it skips the
-# test, with a word, and ends the script.
+# The packages named in the file WANTED, in the environment ENVIRONMENT: exactly those, once and for all. NAME is what they are called
+# where they cannot be had.
 #
-#   run_python_test NAME "the test with …" PACKAGE ARGUMENT…
+#   get_python_packages ENVIRONMENT WANTED NAME
+get_python_packages() {
+  local environment=$1 wanted=$2 name=$3
+  need_python
+  cmp --silent "$wanted" "$environment/installed.txt" && return
+  rm -rf "$environment"
+  python3 -m venv "$environment" &>/dev/null || skip "this machine has no Python with venv"
+  "$environment/bin/pip" install --quiet --disable-pip-version-check --retries 1 --only-binary :all: -r "$wanted" ||
+    skip "$name cannot be had from PyPI"
+  cp "$wanted" "$environment/installed.txt"
+}
+
+need_python() { command -v python3 >/dev/null || skip "this machine has no Python"; }
+
+# Runs tests/NAME.py with the packages of tests/NAME.txt. WHAT is the test's name where it is skipped.
+#
+#   run_python_test NAME WHAT PACKAGE ARGUMENT…
 run_python_test() {
   local name=$1 what=$2 package=$3
   shift 3
-  local venv=target/$name/venv wanted=tests/$name.txt
-  command -v python3 >/dev/null || skip_test "$what" "this machine has no Python"
-  # Exactly what is wanted was installed once.
-  cmp --silent "$wanted" "$venv/installed.txt" || install_packages
-  "$venv/bin/python" "tests/$name.py" "$@"
-}
-
-install_packages() {
-  rm -rf "$venv"
-  python3 -m venv "$venv" &>/dev/null || skip_test "$what" "this machine has no Python with venv"
-  "$venv/bin/pip" install --quiet --disable-pip-version-check --retries 1 --only-binary :all: -r "$wanted" ||
-    skip_test "$what" "$package cannot be had from PyPI"
-  cp "$wanted" "$venv/installed.txt"
-}
-
-skip_test() {
-  echo "${1^} is skipped: $2."
-  exit 0
+  skip() {
+    echo "${what^} is skipped: $1."
+    exit 0
+  }
+  get_python_packages "target/$name/venv" "tests/$name.txt" "$package"
+  "target/$name/venv/bin/python" "tests/$name.py" "$@"
 }

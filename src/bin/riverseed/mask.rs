@@ -9,7 +9,7 @@ use riverseed::land::Land;
 use riverseed::land::trace::{TraceError, trace};
 use riverseed::recipe::{Key, LandKind, Recipe};
 
-use super::Failure;
+use super::{Failure, say};
 use super::order::Order;
 use super::outline::{read_picture, say_if_longer};
 
@@ -53,10 +53,10 @@ fn outlined(path: &Path, image: &Image) -> Result<Outlined, Failure> {
     let traced = trace(image.width, image.height, &image.rgba).map_err(|error| refused(path, &error))?;
     let lines = traced.outline.coasts().iter().chain(traced.outline.ridges());
     let points = lines.map(Vec::len).sum::<usize>();
-    eprintln!(
-        "riverseed: the land is {} in full detail; links in files hold only its outline, of {points} points",
+    say(&format!(
+        "the land is {} in full detail; links in files hold only its outline, of {points} points",
         path.display()
-    );
+    ));
     say_if_longer(&traced);
     Ok(Outlined { aspect: format!("{:.2}", traced.aspect), outline: traced.outline.to_string() })
 }

@@ -9,7 +9,7 @@ use riverseed::import::png::{Image, ImportError};
 use riverseed::land::trace::{Traced, trace};
 use riverseed::recipe::{GridPoint, LineKind, Recipe, link};
 
-use super::Failure;
+use super::{Failure, say};
 
 /// Traces a picture and prints its outline, or a link that shows it.
 pub fn outline(matches: &ArgMatches) -> Result<(), Failure> {
@@ -46,14 +46,12 @@ fn say_what_is_kept(traced: &Traced) {
     let points = coasts.iter().chain(ridges).map(Vec::len).sum::<usize>();
     let coasts = of(coasts, traced.coasts, LineKind::Coast);
     let ridges = of(ridges, traced.ridges, LineKind::Ridge);
-    eprintln!("riverseed: kept {coasts} and {ridges}, {points} points");
+    say(&format!("kept {coasts} and {ridges}, {points} points"));
     say_if_longer(traced);
 }
 
 pub fn say_if_longer(traced: &Traced) {
     if traced.is_longer {
-        eprintln!(
-            "riverseed: the image is more elongated than 4:1; land on its long edges is extended to the edge of the map"
-        );
+        say("the image is more elongated than 4:1; land on its long edges is extended to the edge of the map");
     }
 }
