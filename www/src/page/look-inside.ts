@@ -169,9 +169,9 @@ export class LookInside {
   }
 }
 
-/** Water is the map without its land. */
+/** Water is all that is not land, the sea beyond the map too, as far as it is seen. */
 function withFrame(name: OverlayName, kind: number, path: string, [width, height]: Overlay["size"]): string {
-  return name === "masks" && kind === 0 ? `M0 0H${width}V${height}H0z${path}` : path;
+  return name === "masks" && kind === 0 ? `M${-9 * width} ${-9 * height}H${10 * width}V${10 * height}H${-9 * width}z${path}` : path;
 }
 
 /** The head of an arrow, in units: so it grows with the map. */

@@ -1,6 +1,7 @@
 import { expect, test } from "@playwright/test";
 import { violations } from "./axe.ts";
 import { finished, openFinished, openPanel, openStopped, openUnfolded, unfold } from "./riverpage.ts";
+import { OPENED } from "./states.ts";
 
 for (const colorScheme of ["light", "dark"] as const) {
   for (const width of [1440, 820, 390]) {
@@ -24,6 +25,15 @@ for (const colorScheme of ["light", "dark"] as const) {
       expect(await violations(page)).toEqual([]);
     });
   }
+
+  test(`axe finds nothing in any state that the page can be in: ${colorScheme}`, async ({ page }) => {
+    await page.emulateMedia({ colorScheme });
+    await openFinished(page, "preset=trimmed-curl&attractors=300");
+    for (const [state, open] of Object.entries(OPENED)) {
+      await open(page);
+      expect(await violations(page), state).toEqual([]);
+    }
+  });
 }
 
 test("axe finds nothing in a failure", async ({ page }) => {

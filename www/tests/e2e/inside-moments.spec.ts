@@ -190,3 +190,16 @@ for (const colorScheme of ["light", "dark"] as const) {
     expect((box?.x ?? 0) + (box?.width ?? 0)).toBeLessThanOrEqual(320);
   });
 }
+
+test("the mask of water has no edge where the map ends: its sea goes on", async ({ page }) => {
+  await openFinished(page, "land=island&attractors=300");
+  await page.keyboard.press("m");
+  const mask = await page.locator('.inside [data-kind="1"] path').boundingBox();
+  const window = page.viewportSize();
+  if (!mask || !window) throw new Error("no mask");
+  expect(mask.x).toBeLessThan(0);
+  expect(mask.y).toBeLessThan(0);
+  expect(mask.x + mask.width).toBeGreaterThan(window.width);
+  expect(mask.y + mask.height).toBeGreaterThan(window.height);
+  await expect(page.locator(".inside")).toHaveCSS("overflow", "visible");
+});

@@ -1,5 +1,5 @@
-import { expect, test } from "@playwright/test";
-import { openFinished, openUnfolded } from "./riverpage.ts";
+import { expect, type Page, test } from "@playwright/test";
+import { openFinished, openPanel, openUnfolded } from "./riverpage.ts";
 
 const SIZES = [
   { name: "desk", width: 1440, height: 900 },
@@ -142,3 +142,44 @@ test("a screen with fine pixels gets a fine picture, up to two to the CSS pixel"
     await page.close();
   }
 });
+
+for (const [width, height] of [
+  [320, 568],
+  [768, 1024],
+  [1024, 768],
+  [1280, 800],
+  [1440, 900],
+] as const) {
+  for (const panel of ["closed", "open"]) {
+    test(`what lies over the map lies over nothing else, ${width} by ${height}, the panel ${panel}`, async ({
+      page,
+    }) => {
+      await page.setViewportSize({ width, height });
+      await openFinished(page, "attractors=300&curl=99");
+      await expect(page.locator("#notices")).toBeVisible();
+      if (panel === "open") await openPanel(page);
+      // A sheet from below lies over the styles, and a notice over that.
+      const isSheet = panel === "open" && width < 1000;
+      const always = ".bar, .panel, .masthead h1, .masthead p, .gallery-link, .title, #caption, .zoom";
+      const beside = isSheet ? always : `${always}, .styles`;
+      expect(await overlapping(page, beside)).toEqual([]);
+      await page.getByRole("button", { name: "Draw", exact: true }).click();
+      await expect(page.locator("#tools")).toBeVisible();
+      expect(await overlapping(page, `${beside}, .tools${isSheet ? "" : ", .notices"}`)).toEqual([]);
+    });
+  }
+}
+
+/** Which of some elements, as far as they are seen, lie over each other. */
+function overlapping(page: Page, selectors: string): Promise<string[]> {
+  return page.evaluate((selectors) => {
+    const seen = [...document.querySelectorAll(selectors)].filter((element) => element.checkVisibility());
+    const pairs = seen.flatMap((one, i) => seen.slice(i + 1).map((other) => [one, other] as const));
+    const named = ({ id, className, tagName }: Element): string => id || className || tagName;
+    const areOver = ([one, other]: readonly [Element, Element]): boolean => {
+      const [a, b] = [one.getBoundingClientRect(), other.getBoundingClientRect()];
+      return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+    };
+    return pairs.filter(areOver).map((pair) => pair.map(named).join(" and "));
+  }, selectors);
+}

@@ -32,6 +32,24 @@ export const OPENED: Record<string, (page: Page) => Promise<void>> = {
     await page.getByRole("button", { name: "Draw", exact: true }).click();
     await expect(page.getByRole("group", { name: "Drawing a land" })).toBeVisible();
   },
+  "with attractors laid over a moment of growth": async (page) => {
+    await page.getByRole("button", { name: "Done", exact: true }).click();
+    await page.keyboard.press("a");
+    const track = page.getByRole("slider", { name: "The making of the map" });
+    await track.focus();
+    for (const key of ["Home", "PageUp", "PageUp", "PageUp"]) await page.keyboard.press(key);
+    await expect(track).toHaveAttribute("aria-valuetext", /^growth/);
+    await expect(page.locator(".inside-card")).toBeVisible();
+  },
+  "with the map alone": async (page) => {
+    await page.keyboard.press("w");
+    await expect(page.locator(".bar")).toBeHidden();
+  },
+  "with six variants open": async (page) => {
+    await page.keyboard.press("Escape");
+    await page.getByRole("button", { name: "Compare all six" }).click();
+    await expect(page.locator('.six[open] .variant[data-state="finished"]')).toHaveCount(6);
+  },
 };
 
 /** A link with a seed, and with mistakes that are told of. */
