@@ -64,7 +64,9 @@ export class LookInside {
     this.#growth = growth;
     for (const { name, of } of LOOKS) {
       const button = this.#buttons.get(name);
-      if (button) button.disabled = of?.includes(growth) === false;
+      if (!button) continue;
+      button.disabled = of?.includes(growth) === false;
+      button.title = button.disabled ? "Rivers that grow as these do have none." : "";
     }
     this.refresh();
   }

@@ -229,7 +229,7 @@ function radios(
 ): Radios {
   const inputs = choices.map(([value]) => el("input", { type: "radio", name, value, id: `${name}-${value}` }));
   const labels = choices.map(([, word, help], i) =>
-    el("label", {}, inputs[i] ?? "", el("b", {}, word), el("span", { class: "help" }, help)),
+    el("label", {}, inputs[i] ?? "", el("b", {}, word), el("span", { class: "help", dir: "auto" }, help)),
   );
   return {
     element: el("fieldset", { class: name }, el("legend", {}, legend), ...labels),
