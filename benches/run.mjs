@@ -305,7 +305,7 @@ function page() {
   }
 }
 
-/** The median of each slider, the slowest of which counts; a relief that is made anew is not a draft yet. */
+/** The median of each slider, the slowest of which counts; a relief is a draft of its own. */
 function sliders() {
   if (!existsSync("www/dist/index.html")) {
     console.log("  The page is not built: make site");

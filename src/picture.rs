@@ -9,10 +9,14 @@ use crate::chart_builder::ChartBuilder;
 use crate::domain::Domain;
 use crate::land::Land;
 use crate::paint::{ChartMasks, Framing, PaintError, Painted, Painter, Progress, Rect, Rivers, View};
+#[cfg(feature = "controls")]
+use crate::recipe::Recipe;
 use crate::recipe::{Key, Style};
 use crate::river_map::ChartOptions;
 #[cfg(feature = "names")]
 use crate::river_map::RiverMap;
+#[cfg(feature = "controls")]
+use crate::session::SessionDrafts;
 use crate::session::{Generation, Phase, Session};
 
 /// The picture of a session.
@@ -38,6 +42,8 @@ pub struct Picture {
     rivers_of: Option<Generation>,
     /// What a chart lays over a finished map, and what it is of.
     chart: Option<(ChartKey, Arc<ChartMasks>)>,
+    #[cfg(feature = "controls")]
+    drafts: SessionDrafts,
     /// The next one, in the making.
     #[cfg(feature = "names")]
     builder: Option<(ChartKey, ChartBuilder)>,
@@ -57,6 +63,8 @@ impl Picture {
             shown: None,
             rivers_of: None,
             chart: None,
+            #[cfg(feature = "controls")]
+            drafts: SessionDrafts::default(),
             #[cfg(feature = "names")]
             builder: None,
             #[cfg(feature = "names")]
@@ -144,13 +152,42 @@ impl Picture {
     #[cfg(feature = "controls")]
     pub fn paint_draft(&mut self, session: &Session, times: f32) -> Option<Rect> {
         let (network, recipe) = (session.network()?, session.recipe());
-        let (_, domain, land) = self.shown.as_ref()?;
-        if *domain != session.domain() || !is_same(land.as_ref(), session.land()) {
+        if !self.is_on_land_of(session) {
             return None;
         }
         let changed = self.painter.paint_draft(network, recipe.get(), recipe.get(), times)?;
         self.rivers_of = Some(session.tree_generation());
         Some(changed)
+    }
+
+    /// Does a part of painting the finished rivers of a session, without a chart, with nearly the relief that they would have by another
+    /// recipe, of other mountains or plains alone; by its own, with the very one. The picture changes with the last part. It lasts until
+    /// `paint` paints anything else. `None`, and nothing is painted, if that is another recipe in more, or no relief of these rivers has
+    /// been solved.
+    #[cfg(feature = "controls")]
+    pub fn paint_relief_draft(&mut self, session: &Session, wanted: &Recipe) -> Option<Painted> {
+        let ((network, rounds), past) = session.network().zip(session.rounds()).zip(session.past())?;
+        if !self.is_on_land_of(session) {
+            return None;
+        }
+        if self.drafts.prepare(session, wanted)? {
+            return Some(Painted::Part);
+        }
+        let relief = self.drafts.relief(session, wanted)?;
+        let (recipe, land) = (session.recipe(), session.land().map(Arc::as_ref));
+        let relief = Some((&relief, recipe.number(Key::Shade)));
+        let (courses, style) = (recipe.get(), recipe.get());
+        self.rivers_of = Some(session.tree_generation());
+        let rivers = Rivers { network, past, rounds, courses, land, relief, chart: None, style };
+        Some(self.painter.paint_rivers(&rivers))
+    }
+
+    /// Whether the ground of the picture is that of a session's land.
+    #[cfg(feature = "controls")]
+    fn is_on_land_of(&self, session: &Session) -> bool {
+        self.shown
+            .as_ref()
+            .is_some_and(|(_, domain, land)| *domain == session.domain() && is_same(land.as_ref(), session.land()))
     }
 
     /// Whether the recipe of a session, which is finished, wants a chart over this picture that it has not got.
@@ -392,6 +429,72 @@ mod tests {
         assert_eq!(picture.paint_draft(&session, 1.0), None);
         picture.paint(&session);
         assert!(picture.pixmap().data() == painted(&session));
+    }
+
+    #[cfg(feature = "controls")]
+    #[test]
+    fn draft_of_other_mountains_is_nearly_their_picture_and_leaves_nothing_behind() {
+        for style in ["atlas", "survey", "basins"] {
+            let link = format!("{SMALL}&land=island&style={style}");
+            let mut session = finished(&link);
+            let mut picture = Picture::new(100, 80).unwrap();
+            picture.paint(&session);
+            let before = painted(&session);
+            let other = link::read(&format!("{link}&mountains=3&plains=60")).unwrap();
+            draft(&mut picture, &session, &other).unwrap();
+            let drafted = picture.pixmap().data().to_vec();
+            // Back to its own, and then there again while theirs is solved.
+            draft(&mut picture, &session, session.recipe()).unwrap();
+            assert!(picture.pixmap().data() == before, "{style}");
+            picture.paint(&session);
+            assert!(picture.pixmap().data() == before, "{style}");
+            session.change(other.clone()).unwrap();
+            session.advance(2).unwrap();
+            draft(&mut picture, &session, &other).unwrap();
+            assert!(picture.pixmap().data() == drafted, "{style}");
+            while session.advance(50).unwrap() {}
+            picture.paint(&session);
+            let exact = painted(&session);
+            assert!(picture.pixmap().data() == exact, "{style}");
+            let off = |pixels: &[u8]| -> u32 {
+                pixels.iter().zip(&exact).map(|(&one, &other)| u32::from(one.abs_diff(other))).sum()
+            };
+            assert!(off(&drafted) * 3 < off(&before) * 2, "{style}: {}, {}", off(&drafted), off(&before));
+        }
+    }
+
+    /// Paints a draft to its end.
+    #[cfg(feature = "controls")]
+    fn draft(picture: &mut Picture, session: &Session, wanted: &Recipe) -> Option<()> {
+        while matches!(picture.paint_relief_draft(session, wanted)?, Painted::Part) {}
+        Some(())
+    }
+
+    #[cfg(feature = "controls")]
+    #[test]
+    fn there_are_drafts_of_other_mountains_alone_and_of_rivers_with_a_relief() {
+        let link = format!("{SMALL}&land=island&style=atlas");
+        let read = |more: &str| link::read(&format!("{link}&{more}")).unwrap();
+        let mut session = finished(&link);
+        let mut picture = Picture::new(100, 80).unwrap();
+        assert_eq!(draft(&mut picture, &session, &read("mountains=3")), None, "not on a picture of nothing");
+        picture.paint(&session);
+        for other in ["width=20&mountains=3", "shade=0.8&mountains=3", "seed=rimu&mountains=3"] {
+            assert_eq!(draft(&mut picture, &session, &read(other)), None, "{other}");
+        }
+        assert!(picture.pixmap().data() == painted(&session));
+        // Other rivers, whose relief is not there yet.
+        draft(&mut picture, &session, &read("mountains=3")).unwrap();
+        session.change(read("simplify=40")).unwrap();
+        while session.phase() != Phase::Relief {
+            assert_eq!(draft(&mut picture, &session, &read("simplify=40&mountains=3")), None);
+            session.advance(1).unwrap();
+        }
+        assert_eq!(draft(&mut picture, &session, &read("simplify=40&mountains=3")), None);
+        while session.advance(50).unwrap() {}
+        picture.paint(&session);
+        assert!(picture.pixmap().data() == painted(&session));
+        draft(&mut picture, &session, &read("simplify=40&mountains=3")).unwrap();
     }
 
     #[test]

@@ -1,5 +1,7 @@
 //! A session: one recipe at a time, each stage's result kept, and after a change only what it touches run again.
 
+#[cfg(feature = "controls")]
+mod drafts;
 mod error;
 #[cfg(feature = "controls")]
 mod moments;
@@ -22,6 +24,8 @@ use crate::recipe::{Key, Recipe, Stage, Style};
 use crate::relief::{Relief, ReliefError, ReliefSettings};
 use crate::tree::{Hydrology, Tree};
 
+#[cfg(feature = "controls")]
+pub(crate) use drafts::SessionDrafts;
 pub use error::SessionError;
 #[cfg(feature = "controls")]
 pub use moments::{Moment, Timeline};
@@ -191,11 +195,9 @@ impl Session {
     /// another in more than that, or as long as rivers still change their courses, which another width would change as well.
     #[cfg(feature = "controls")]
     pub fn widening_to(&self, other: &Recipe) -> Option<f32> {
-        let mut as_wide = self.recipe.clone();
-        as_wide.put(Key::Width, other.value(Key::Width).clone());
         let times = other.number(Key::Width) / self.recipe.number(Key::Width);
         let is_told = times == 1.0 || matches!(self.phase(), Phase::Relief | Phase::Finished);
-        (is_told && as_wide == *other).then_some(times)
+        (is_told && self.recipe.differs_in(other, &[Key::Width])).then_some(times)
     }
 
     /// Goes back to tick 0.

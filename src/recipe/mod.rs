@@ -143,6 +143,13 @@ impl Recipe {
         self.values[key as usize] = value;
     }
 
+    /// Whether another recipe differs from this one in nothing but these parameters.
+    #[cfg(feature = "controls")]
+    #[inline(never)] // one copy
+    pub(crate) fn differs_in(&self, other: &Self, keys: &[Key]) -> bool {
+        TABLE.iter().all(|Parameter { key, .. }| keys.contains(key) || self.value(*key) == other.value(*key))
+    }
+
     /// The earliest stage that has to run again to get from this recipe to another; `None` if they are equal.
     pub fn first_difference(&self, other: &Self) -> Option<Stage> {
         TABLE

@@ -93,6 +93,13 @@ impl Cells {
         index(point.y, self.rows) * self.columns + index(point.x, self.columns)
     }
 
+    /// The number of a cell of the map among all cells of that, row by row.
+    #[cfg(feature = "controls")]
+    #[inline]
+    pub fn without_rim(&self, cell: usize) -> usize {
+        (cell / self.columns - 1) * (self.columns - 2) + cell % self.columns - 1
+    }
+
     /// The cells to the west, east, north and south.
     #[inline]
     pub fn beside(&self, cell: usize) -> [usize; 4] {

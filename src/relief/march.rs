@@ -89,23 +89,23 @@ impl March {
             for beside in cells.beside(cell) {
                 let is_ahead = self.heights[beside] == f32::INFINITY && cells.is_land(beside);
                 if is_ahead && sources.is_open(beside) {
-                    self.propose(beside, self.solved(cells.columns, beside, sources.rises[beside]));
+                    self.propose(beside, solved(&self.heights, cells.columns, beside, sources.rises[beside]));
                 }
             }
         }
         true
     }
+}
 
-    /// The height of a cell by those of its neighbours behind the front: first-order and upwind.
-    #[inline]
-    fn solved(&self, columns: usize, cell: usize, rise: f32) -> f32 {
-        let lower = |one: usize, other: usize| self.heights[one].min(self.heights[other]);
-        let (a, b) = (lower(cell - 1, cell + 1), lower(cell - columns, cell + columns));
-        let (low, high) = if a < b { (a, b) } else { (b, a) };
-        let apart = high - low;
-        if apart >= rise {
-            return low + rise;
-        }
-        (low + high + (2.0 * rise * rise - apart * apart).sqrt()) * 0.5
+/// The height of a cell by those of its neighbours behind the front, the others being infinite: first-order and upwind.
+#[inline]
+pub(super) fn solved(heights: &[f32], columns: usize, cell: usize, rise: f32) -> f32 {
+    let lower = |one: usize, other: usize| heights[one].min(heights[other]);
+    let (a, b) = (lower(cell - 1, cell + 1), lower(cell - columns, cell + columns));
+    let (low, high) = if a < b { (a, b) } else { (b, a) };
+    let apart = high - low;
+    if apart >= rise {
+        return low + rise;
     }
+    (low + high + (2.0 * rise * rise - apart * apart).sqrt()) * 0.5
 }

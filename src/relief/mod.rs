@@ -14,6 +14,8 @@ mod cells;
 mod channels;
 #[cfg(feature = "files")]
 mod contours;
+#[cfg(feature = "controls")]
+mod draft;
 #[cfg(feature = "files")]
 mod finer;
 #[cfg(feature = "files")]
@@ -32,6 +34,8 @@ use glam::Vec2;
 use crate::domain::Domain;
 use crate::sort::quantile;
 
+#[cfg(feature = "controls")]
+pub(crate) use draft::ReliefDrafts;
 #[cfg(feature = "files")]
 pub use flow::Flow;
 #[cfg(all(feature = "files", feature = "controls"))]

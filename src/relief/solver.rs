@@ -131,6 +131,15 @@ impl ReliefSolver {
         Ok(None)
     }
 
+    /// The cells, and the height of the water in each before any is lowered; infinite where no river is.
+    #[cfg(feature = "controls")]
+    pub(super) fn cells_and_water(mut self, network: &Network) -> Result<(Cells, Vec<f32>), ReliefError> {
+        while !matches!(self.next, Part::Lower(_)) {
+            self.step(network)?;
+        }
+        Ok((self.cells, self.river_heights))
+    }
+
     /// How far it has come, from 0 to 1.
     pub fn progress(&self) -> f32 {
         let share = self.march.passed as f32 / self.cells.inland.len().max(1) as f32;

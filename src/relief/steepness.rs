@@ -101,7 +101,7 @@ impl Steepness {
 }
 
 /// The slope at a distance from the sea, before ground and valleys: it grows from next to nothing to that of mountains.
-fn slope(settings: &ReliefSettings, inland: f32) -> f32 {
+pub(super) fn slope(settings: &ReliefSettings, inland: f32) -> f32 {
     const AT_THE_COAST: f32 = 0.2;
     let way = (inland / settings.plains.max(1.0)).clamp(0.0, 1.0);
     AT_THE_COAST + (settings.mountains - AT_THE_COAST).max(0.0) * way * way * (3.0 - 2.0 * way)

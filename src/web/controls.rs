@@ -7,7 +7,7 @@ use wasm_bindgen::prelude::*;
 use super::objects::{coded, object, set};
 use super::rivers::{River, pair, read_options};
 use crate::dice;
-use crate::paint::Framing;
+use crate::paint::{Framing, Painted};
 use crate::recipe::preset::{COUNTRIES, PRESETS, Preset};
 use crate::recipe::reading;
 use crate::recipe::table::TABLE;
@@ -64,21 +64,25 @@ impl River {
         }
     }
 
-    /// Paints in one go, for a moment, what a slider that still moves makes of its rivers: without a chart, and on the ground that is there,
-    /// even if its relief is that of other rivers. Of its own link it shows them as they are. Of one that has but another width, to which it does
-    /// not go over, it shows them on their courses, once these are finished. Returns whether it could.
+    /// Does a part of painting, for a moment, what a slider that still moves makes of its rivers: without a chart, and on the ground that is
+    /// there, even if its relief is that of other rivers. Of its own link it shows them as they are. Of one that has but another width, to which
+    /// it does not go over, it shows them on their courses, once these are finished; of one that has but other mountains or plains, nearly their
+    /// relief. Returns whether there is more to do, until which nothing is seen of it; undefined if it can show nothing.
     #[wasm_bindgen(js_name = paintDraft)]
     pub fn paint_draft(
         &mut self,
         text: &str,
         #[wasm_bindgen(unchecked_optional_param_type = "ReadOptions")] options: &JsValue,
-    ) -> bool {
+    ) -> Option<bool> {
         let wanted = reading::read(text, read_options(options)).recipe;
-        let widened = self.session.widening_to(&wanted);
-        let changed =
-            self.picture.as_mut().zip(widened).and_then(|(picture, times)| picture.paint_draft(&self.session, times));
+        let (picture, session) = (self.picture.as_mut()?, &self.session);
+        let changed = match picture.paint_relief_draft(session, &wanted) {
+            Some(Painted::Part) => return Some(true),
+            Some(Painted::Whole(changed)) => changed,
+            None => Some(picture.paint_draft(session, session.widening_to(&wanted)?)?),
+        };
         self.dirty = changed.or(self.dirty);
-        changed.is_some()
+        Some(false)
     }
 }
 

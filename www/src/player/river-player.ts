@@ -6,7 +6,7 @@ import type { CanvasSize, Framing } from "../browser/canvas.ts";
 import type { Phase, ReadOptions, River, Summary } from "../engine/types.ts";
 import { Blitter } from "./blit.ts";
 import { ChartMaker, type LoadCharts } from "./chart-maker.ts";
-import { FrameLoop, type Frames, type Growing, REST_MS, type State } from "./frame-loop.ts";
+import { DRAFT_BUDGET_MS, FrameLoop, type Frames, type Growing, REST_MS, type State } from "./frame-loop.ts";
 import type { SharedClock } from "./shared-clock.ts";
 
 export type Canvas = HTMLCanvasElement | OffscreenCanvas;
@@ -42,7 +42,7 @@ const AT_ONCE_MS = 16;
 /** A river that can show a part of its map, and drafts, as those of the full engine can. */
 interface Framed {
   frame(framing: Float32Array): void;
-  paintDraft(text: string, options?: ReadOptions): boolean;
+  paintDraft(text: string, options?: ReadOptions): boolean | undefined;
 }
 
 interface Wish {
@@ -60,8 +60,9 @@ export interface Planter<Planted> {
 
 export class RiverPlayer<Planted extends River & Partial<Framed> = River> {
   #wanted: Wish | undefined;
-  /** The wish that is shown by a draft of other rivers, until the hand rests. */
+  /** The wish that is shown by a draft of what there is, until the hand rests; and the one whose draft is being painted. */
   #drafted: { wish: Wish; at: number } | undefined;
+  #drafting: Wish | undefined;
   #shown: LinkToRead;
   #link = "";
   #followedAt = Number.NEGATIVE_INFINITY;
@@ -213,16 +214,16 @@ export class RiverPlayer<Planted extends River & Partial<Framed> = River> {
 
   #apply(): void {
     const wanted = this.#wanted;
-    if (!wanted || this.#widens(wanted)) return;
+    if (!wanted || this.#showsDraft(wanted)) return;
     const isDrafted = this.#drafted !== undefined;
-    this.#wanted = this.#drafted = undefined;
+    this.#wanted = this.#drafted = this.#drafting = undefined;
     const { text, options } = wanted.link;
     const stage = this.#river.change(text, options);
     this.#shown = wanted.link;
     this.#tellOfLink();
     if (stage === "none") {
-      // The picture stays, unless it is a draft; that it is of this link is news.
-      if (isDrafted) this.#loop.redraw();
+      // The picture stays, unless it is a draft; that it is of this link is news. What settles goes on.
+      if (isDrafted || this.state === "settling") this.#loop.redraw();
       this.#tell();
       return;
     }
@@ -232,26 +233,42 @@ export class RiverPlayer<Planted extends River & Partial<Framed> = River> {
     const isDrawing = (stage === "paint" || stage === "name") && (phase === "finished" || this.state !== "finished");
     if (stage === "land" || stage === "grow") this.#grow(wanted.how);
     else if (isDrawing || phase === "growing") this.#loop.redraw();
-    else if (wanted.how === "settle" && stage !== "relief") this.#loop.follow(isDrafted);
+    else if (wanted.how === "settle" && (stage !== "relief" || isDrafted)) this.#loop.follow(isDrafted);
     else this.#loop.settle(false);
-    if (wanted.how === "settle" && stage === "relief") this.#labelAtRest(this.frames.now() + REST_MS);
+    if (wanted.how === "settle" && stage === "relief" && !isDrafted) this.#labelAtRest(this.frames.now() + REST_MS);
   }
 
   /**
-   * Another width is shown at once on the courses that are there, which it will change a little: the river goes over to it when the hand
-   * rests. Returns whether that is so, and not yet.
+   * Another width is shown at once on the courses that are there, which it will change a little, and other mountains nearly as they will
+   * be: the river goes over to them when the hand rests. Returns whether that is so, and not yet.
    */
-  #widens(wish: Wish): boolean {
+  #showsDraft(wish: Wish): boolean {
+    const { state } = this;
+    const isThere = state === "finished" || (state === "settling" && this.#river.phase === "relief");
+    if (wish.how !== "settle" || !isThere || !this.#canRun) return false;
     const now = this.frames.now();
-    if (wish.how !== "settle" || this.state !== "finished" || !this.#canRun) return false;
     if (this.#drafted?.wish !== wish) {
-      const { text, options } = wish.link;
-      if (!this.#drafted && text === this.#link) return false;
-      if (!this.#river.paintDraft?.(text, options)) return false;
-      this.#blitter.blit(this.#river);
-      this.#drafted = { wish, at: now };
+      if (!this.#drafted && wish.link.text === this.#link) return false;
+      // What was begun is seen first: a fast hand would starve it.
+      if (!this.#paintDraft(this.#drafting ?? wish, now)) return false;
     } else if (now - this.#drafted.at >= REST_MS) return false;
     this.#applying ??= this.frames.request(() => this.#applyNow());
+    return true;
+  }
+
+  /** Paints a draft, or as much of it as there is time for. Returns whether there can be one. */
+  #paintDraft(wish: Wish, now: number): boolean {
+    const { text, options } = wish.link;
+    let isMore: boolean | undefined;
+    do isMore = this.#river.paintDraft?.(text, options);
+    while (isMore && this.frames.now() - now < DRAFT_BUDGET_MS);
+    this.#drafting = isMore ? wish : undefined;
+    if (isMore === undefined) return false;
+    // Nothing is made exactly of what the hand has left.
+    this.#loop.halt();
+    if (isMore) return true;
+    this.#blitter.blit(this.#river);
+    this.#drafted = { wish, at: now };
     return true;
   }
 
@@ -277,8 +294,8 @@ export class RiverPlayer<Planted extends River & Partial<Framed> = River> {
 
   #draw(asDraft: boolean): boolean {
     const { text, options } = this.#shown;
-    const isDraft = asDraft && this.#river.paintDraft?.(text, options);
-    if (!isDraft && this.#paint()) return true;
+    const isMore = asDraft ? this.#river.paintDraft?.(text, options) : undefined;
+    if (isMore ?? this.#paint()) return true;
     this.#blitter.blit(this.#river);
     const still = this.state === "finished" || this.state === "paused";
     const isNews = still || this.#told !== this.#river.phase;

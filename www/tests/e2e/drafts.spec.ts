@@ -86,12 +86,50 @@ test("another width is seen on the courses that are there, without a step, until
   await expectPictureOfAddress(page);
 });
 
+test("other mountains and plains are seen at once, without a step, and exactly when the hand rests", async ({
+  page,
+}) => {
+  const steps = await countCalls(page, "river_advance");
+  await openHeld(page);
+  const [made, before] = [(await steps()).onPage, (await shown(page)).sha256];
+  const pictures = [before];
+  for (const slider of ["#field-mountains", "#field-plains"]) {
+    await move(page, slider, 3);
+    await page.clock.runFor(100);
+    pictures.push((await shown(page)).sha256);
+  }
+  expect(new Set(pictures).size).toBe(3);
+  expect((await steps()).onPage).toBe(made);
+  // Back to where it was: the map is again what it was, labels and all.
+  await move(page, "#field-plains", -3);
+  await page.clock.runFor(100);
+  await move(page, "#field-mountains", -3);
+  await page.clock.runFor(5000);
+  expect([(await shown(page)).sha256, (await steps()).onPage]).toEqual([before, made]);
+  await move(page, "#field-mountains", 3);
+  await page.clock.runFor(100);
+  expect((await steps()).onPage).toBe(made);
+  await page.clock.runFor(5000);
+  expect((await steps()).onPage).toBeGreaterThan(made);
+  await expectPictureOfAddress(page);
+});
+
 test("whatever slider moved, the map after it is that of the address, to the pixel", async ({ page }) => {
   const said = complaints(page);
   await page.goto(`./?${LINK}`);
   await finished(page);
   await unfold(page);
-  const sliders = ["width", "simplify", "channel-area", "mountains", "shade", "label-size", "concavity", "sea"];
+  const sliders = [
+    "width",
+    "simplify",
+    "channel-area",
+    "mountains",
+    "plains",
+    "shade",
+    "label-size",
+    "concavity",
+    "sea",
+  ];
   for (const key of sliders) {
     const before = address(page).get(key);
     for (let i = 0; i < 4; i++) await move(page, `#field-${key}`, 1);

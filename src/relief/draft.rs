@@ -1,0 +1,150 @@
+//! The relief for a moment, while a slider moves: that of other mountains, by a single look at each cell.
+//!
+//! Other mountains make each hillside so many times as steep, by a factor that changes slowly from place to place. So what was lower stays lower:
+//! taken in the order of their former heights, cells find those that they rise over behind them, as a front that marches does, and there is no
+//! queue. How steep a cell was its former height says. Rivers stay as high as they were, but where the land is now lower.
+
+use std::sync::Arc;
+
+use super::cells::Cells;
+use super::march::solved;
+use super::steepness::slope;
+use super::{Relief, ReliefError, ReliefSettings, ReliefSolver};
+use crate::memory::{Refused, ask, lengthen};
+use crate::network::Network;
+use crate::sort::{argsort, key};
+use crate::work;
+
+/// What drafts of a relief are made of.
+#[derive(Debug)]
+pub(crate) struct ReliefDrafts {
+    relief: Arc<Relief>,
+    /// Those of the relief.
+    settings: ReliefSettings,
+    cells: Cells,
+    /// Its heights, with the rim; infinite where there is no land.
+    heights: Vec<f32>,
+    /// Infinite in cells that no river passes.
+    water: Vec<f32>,
+    /// All cells of land, the lowest first.
+    order: Vec<usize>,
+}
+
+impl ReliefDrafts {
+    /// Of the relief of these rivers and settings.
+    ///
+    /// # Errors
+    /// If there is not enough memory.
+    pub fn new(relief: &Arc<Relief>, network: &Network, settings: ReliefSettings) -> Result<Self, ReliefError> {
+        // The solver asks for more memory than is taken once it has gone.
+        let (cells, water) = ReliefSolver::new(network, settings.clone())?.cells_and_water(network)?;
+        let height = |cell| if cells.is_land(cell) { relief.heights[cells.without_rim(cell)] } else { f32::INFINITY };
+        let heights: Vec<f32> = (0..cells.inland.len()).map(height).collect();
+        let mut order = argsort(heights.iter().map(|&height| key(height)));
+        order.truncate(cells.land().count());
+        work::count(4 * heights.len());
+        Ok(Self { relief: relief.clone(), settings, cells, heights, water, order })
+    }
+
+    /// The relief with other mountains and plains than its own, nearly.
+    ///
+    /// # Errors
+    /// If there is not enough memory.
+    pub fn draft(&self, mountains: f32, plains: f32) -> Result<Relief, Refused> {
+        let settings = ReliefSettings { mountains, plains, ..self.settings.clone() };
+        let mut heights = Vec::new();
+        lengthen(&mut heights, self.heights.len(), f32::INFINITY)?;
+        ask(size_of_val(&self.relief.heights[..]))?;
+        let mut relief = Relief::clone(&self.relief);
+        work::count(5 * self.order.len());
+        for &cell in &self.order {
+            heights[cell] = self.height(cell, &settings, &heights);
+            relief.heights[self.cells.without_rim(cell)] = heights[cell];
+        }
+        Ok(relief)
+    }
+
+    /// The height of a cell by those of the lower ones.
+    fn height(&self, cell: usize, settings: &ReliefSettings, heights: &[f32]) -> f32 {
+        let Cells { columns, size, ref inland, .. } = self.cells;
+        let (was, now) = (self.heights[cell], slope(settings, inland[cell]));
+        if self.water[cell] < f32::INFINITY {
+            // Of no height if nothing around it is lower.
+            return was.min(solved(heights, columns, cell, now * size));
+        }
+        let over = |one: usize, other: usize| (was - self.heights[one].min(self.heights[other])).max(0.0);
+        let (across, down) = (over(cell - 1, cell + 1), over(cell - columns, cell + columns));
+        let rise = (across * across + down * down).sqrt();
+        let factor = now / slope(&self.settings, inland[cell]);
+        // What rises over no other cell rises over the sea.
+        if rise > 0.0 { solved(heights, columns, cell, rise * factor) } else { was * factor }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::lands::every_land;
+    use crate::memory::testing::with_lists_up_to;
+    use crate::recipe::link;
+    use crate::session::Session;
+
+    /// The rivers of a link, and the drafts of their relief.
+    fn drafts_of(text: &str) -> (Session, ReliefDrafts) {
+        let mut session = Session::new(link::read(text).unwrap()).unwrap();
+        session.finish().unwrap();
+        let relief = session.make_relief().unwrap();
+        let drafts = ReliefDrafts::new(&relief, session.network().unwrap(), session.relief_settings()).unwrap();
+        (session, drafts)
+    }
+
+    /// How far the heights of land are from others, on average, as a share of the height that the highest hundredth has.
+    fn error(draft: &Relief, exact: &Relief) -> f32 {
+        let land = || draft.heights().iter().zip(exact.heights()).filter(|(_, height)| **height > 0.0);
+        let sum: f32 = land().map(|(one, other)| (one - other).abs()).sum();
+        sum / land().count() as f32 / exact.quantile(0.99)
+    }
+
+    #[test]
+    fn draft_of_the_same_mountains_is_the_relief_itself() {
+        for land in every_land() {
+            let (session, drafts) = drafts_of(&format!("seed=kauri&{land}&attractors=2000"));
+            let settings = session.relief_settings();
+            let draft = drafts.draft(settings.mountains, settings.plains).unwrap();
+            let exact = session.make_relief().unwrap();
+            let share = error(&draft, &exact);
+            assert!(share < 2e-3, "{land}: {share}");
+            let sea = |relief: &Relief| -> Vec<f32> {
+                relief.heights().iter().copied().filter(|height| *height <= 0.0).collect()
+            };
+            assert_eq!(sea(&draft), sea(&exact), "{land}");
+        }
+    }
+
+    #[test]
+    fn draft_of_other_mountains_is_nearly_their_relief() {
+        for land in every_land() {
+            let text = format!("seed=kauri&{land}&attractors=2000");
+            let (mut session, drafts) = drafts_of(&text);
+            let before = session.make_relief().unwrap();
+            for (mountains, plains) in [(3.0, 200.0), (0.6, 200.0), (1.5, 20.0), (1.5, 400.0), (2.5, 100.0)] {
+                let other = link::read(&format!("{text}&mountains={mountains}&plains={plains}")).unwrap();
+                session.change(other).unwrap();
+                session.finish().unwrap();
+                let exact = session.make_relief().unwrap();
+                let (share, without) =
+                    (error(&drafts.draft(mountains, plains).unwrap(), &exact), error(&before, &exact));
+                assert!(share < 0.03 && share < 0.25 * without, "{land}, {mountains}, {plains}: {share}, {without}");
+            }
+        }
+    }
+
+    #[test]
+    fn there_is_no_draft_without_memory() {
+        let (session, drafts) = drafts_of("attractors=300");
+        let relief = session.make_relief().unwrap();
+        let made = || ReliefDrafts::new(&relief, session.network().unwrap(), session.relief_settings()).map(drop);
+        let refused = with_lists_up_to(1000, || (made().is_err(), drafts.draft(2.0, 100.0).is_err()));
+        assert_eq!(refused, (true, true));
+    }
+}
