@@ -279,7 +279,8 @@ proptest! {
 }
 
 /// Each of these once broke a promise.
-const FOUND_BY_CHANCE: [&str; 4] = [
+const FOUND_BY_CHANCE: [&str; 5] = [
+    "seed=Jc-%F0%9F%9F%A2%C3%9Dxs%F0%9F%95%B2%27%60%E1%A6%B27%24%F0%90%A3%A9ML%28%F0%90%9D%A4%C2%A3%E1%A7%95%E0%A7%9C%3D%E0%A7%9D%F0%9F%81%86.%5C-%5C%F0%91%A3%9B&growth=colonize&valleys=0.01&sensitivity=40&mouth-spacing=0&shores=nesw&land=archipelago&outline=&sea=0.657&roughness=0.325&aspect=2.908&mouths=1&sides=n&attractors=223&scatter=random&reach=2.100&kill=0.500&step=0.200&momentum=0.000&curl=0.000&stretch=1&trim=0&width=1.00&style=ink&courses=smooth&simplify=0&bank-variation=0.000&meander=bend&meander-rounds=0&meander-strength=0.000&meander-mix=0.000&meander-elsewhere=0.000&great-rivers=0&flat-share=0.000&neck=1.00&clearance=0.00&taper=1.00",
     "seed=a&land=island&sea=0.100&roughness=0.000&aspect=0.250&mouths=1&sides=n&attractors=100&scatter=grid&reach=2.100&kill=0.500&step=0.200&momentum=0.000&curl=0.000&stretch=1&trim=0&width=1.00&style=ink",
     "seed=h&land=island&sea=0.100&roughness=0.000&aspect=0.250&mouths=1&sides=n&attractors=100&scatter=grid&reach=2.100&kill=1.4&step=1.021&momentum=0.000&curl=0.000&stretch=1&trim=0&width=1.00&style=ink",
     "seed=sxpmpaa&land=continent&sea=0.211&roughness=0.678&aspect=2.350&mouths=2&sides=n&attractors=100&scatter=random&reach=2.100&kill=0.500&step=0.200&momentum=0.000&curl=0.000&stretch=1&trim=0&width=1.00&style=ink",

@@ -50,6 +50,8 @@ fn grow_along_valleys(settings: &GrowthSettings) -> Vec<Black> {
             return black;
         }
         black.extend(born);
+        // A stem may use up at once what its river would have been drawn by: then that runs straight inland.
+        remove(settings, &mut blue, &mut black);
     }
 }
 
