@@ -434,7 +434,8 @@ mod tests {
     #[cfg(feature = "controls")]
     #[test]
     fn draft_of_other_mountains_is_nearly_their_picture_and_leaves_nothing_behind() {
-        for style in ["atlas", "survey", "basins"] {
+        // Of what a picture without a draft would be off, a draft is at most one part in so many: edges of basins move by whole pixels.
+        for (style, parts) in [("atlas", 5.0), ("survey", 5.0), ("basins", 1.8)] {
             let link = format!("{SMALL}&land=island&style={style}");
             let mut session = finished(&link);
             let mut picture = Picture::new(100, 80).unwrap();
@@ -456,10 +457,10 @@ mod tests {
             picture.paint(&session);
             let exact = painted(&session);
             assert!(picture.pixmap().data() == exact, "{style}");
-            let off = |pixels: &[u8]| -> u32 {
-                pixels.iter().zip(&exact).map(|(&one, &other)| u32::from(one.abs_diff(other))).sum()
+            let off = |pixels: &[u8]| -> f32 {
+                pixels.iter().zip(&exact).map(|(&one, &other)| f32::from(one.abs_diff(other))).sum()
             };
-            assert!(off(&drafted) * 3 < off(&before) * 2, "{style}: {}, {}", off(&drafted), off(&before));
+            assert!(off(&drafted) * parts < off(&before), "{style}: {}, {}", off(&drafted), off(&before));
         }
     }
 
