@@ -75,6 +75,14 @@ impl Growth {
         }
     }
 
+    /// The node of each parcel of drainage in the tree, as [`Growth::scattered`] lists them; `u32::MAX` of those that have none yet.
+    pub fn nodes_of_parcels(&self) -> &[u32] {
+        match &self.grower {
+            Grower::Colonize(_) | Grower::Brownian(_) => &[],
+            Grower::Drainage(growth) => growth.nodes(),
+        }
+    }
+
     /// The settings it grows by.
     pub fn settings(&self) -> &GrowthSettings {
         &self.settings

@@ -2,14 +2,16 @@
 //!
 //! Asked again and again while a pointer moves, so what answers is made once for a map: segments of all rivers by their cells
 //! (`lines.rs`), the order at every vertex (`orders.rs`), and of every cell of land the river that its water comes to (`basins.rs`). What a map
-//! that still grows answers, too, is in `growing.rs`.
+//! that still grows answers, too, is in `growing.rs` and `captures.rs`.
 
 mod basins;
+mod captures;
 mod curvature;
 mod growing;
 mod lines;
 mod orders;
 
+pub use captures::former_ways;
 pub use growing::tips;
 pub use lines::Spot;
 

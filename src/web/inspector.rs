@@ -7,7 +7,7 @@ use wasm_bindgen::prelude::*;
 use super::objects::object;
 use super::rivers::River;
 use crate::export::svg::overlay;
-use crate::inspect::{Inspector as Rivers, RiverFacts, Spot, tips};
+use crate::inspect::{Inspector as Rivers, RiverFacts, Spot, former_ways, tips};
 use crate::land::{Land, SmoothedDistance};
 use crate::network::NONE;
 use crate::recipe::{CourseShape, LandKind};
@@ -55,14 +55,22 @@ pub struct Inspector {
 impl River {
     /// What can be laid over it at any moment, as a path of SVG, in units: 0 is its attractors, or the parcels of drainage; 1 those of them that
     /// still pull, or have found no way to the sea yet; 2 where its rivers begin, as far as they have grown; and what no river may cross, where
-    /// not all is land: 3 is around all land, beyond which there is water, 4 along its ridges.
+    /// not all is land: 3 is around all land, beyond which there is water, 4 along its ridges. Of drainage, 5 is where the greatest streams were
+    /// captured, 6 how their water ran before.
     pub fn shapes(&self, of: u8) -> String {
         let growth = self.session.growth();
         let dots = match of {
             0 => growth.scattered(),
             1 => growth.left(),
             2 => tips(&self.session),
-            _ => return self.masks(of == 3),
+            3 | 4 => return self.masks(of == 3),
+            _ => {
+                let ways = former_ways(&self.session);
+                if of > 5 {
+                    return overlay::lines(&ways, CourseShape::Grown);
+                }
+                ways.iter().map(|way| way[0]).collect()
+            }
         };
         overlay::dots(&dots)
     }

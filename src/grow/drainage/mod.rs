@@ -234,6 +234,11 @@ impl Drainage {
         &self.captures.list
     }
 
+    /// The node of each parcel; [`NONE`] of those that have none yet.
+    pub fn nodes(&self) -> &[u32] {
+        &self.node
+    }
+
     /// How many parcels there are.
     pub fn parcels(&self) -> u32 {
         self.parcels.len() as u32

@@ -104,7 +104,7 @@ const overlays: Record<Exclude<OverlayName, LiveOverlayName>, (inspector: Inspec
 };
 
 /** What the engine calls shapes that any map has. */
-const SHAPES = { attractors: 0, left: 1, tips: 2, land: 3, ridges: 4 } as const;
+const SHAPES = { attractors: 0, left: 1, tips: 2, land: 3, ridges: 4, captures: 5, formerWays: 6 } as const;
 
 /** What of any map the others do. */
 const liveOverlays: Record<LiveOverlayName, (river: FullRiver) => string[][]> = {
@@ -112,6 +112,7 @@ const liveOverlays: Record<LiveOverlayName, (river: FullRiver) => string[][]> = 
   sources: (river) => [[river.shapes(SHAPES.tips)]],
   reach: attractors,
   masks: (river) => [[river.shapes(SHAPES.land)], [river.shapes(SHAPES.ridges)]],
+  captures: (river) => [[river.shapes(SHAPES.formerWays)], [river.shapes(SHAPES.captures)]],
 };
 
 function isLive(name: OverlayName): name is LiveOverlayName {

@@ -78,6 +78,15 @@ export const LOOKS: readonly Look[] = [
       "Lines across the great rivers point to the outside of each bend: the sharper the bend, the longer.",
   },
   {
+    name: "captures",
+    key: "X",
+    label: "Captured streams",
+    isLive: true,
+    of: ["drainage"],
+    sentence: () =>
+      "Each dot is where one of the greatest captured streams was turned aside. Before, its water ran along the dashed line.",
+  },
+  {
     name: "held",
     key: "F",
     label: "Frozen courses",

@@ -43,7 +43,7 @@ export interface Making {
 }
 
 /** What can be laid over a map at any moment of its making, and what over a finished one. */
-export type LiveOverlayName = "attractors" | "sources" | "reach" | "masks";
+export type LiveOverlayName = "attractors" | "sources" | "reach" | "masks" | "captures";
 export type OverlayName = LiveOverlayName | "orders" | "basins" | "flow" | "held" | "curvature";
 
 /** Something laid over a map: paths of SVG, in units, some for each kind of thing that it tells apart. */

@@ -3,7 +3,7 @@ import { violations } from "./axe.ts";
 import { complaints, finished, openFinished, openPanel } from "./riverpage.ts";
 
 const LINK = "seed=kauri&land=island&growth=drainage&attractors=1500&meander-rounds=5";
-const KEYS = { a: "attractors", t: "sources", o: "orders", b: "basins", d: "flow", f: "held" };
+const KEYS = { a: "attractors", t: "sources", o: "orders", b: "basins", d: "flow", f: "held", x: "captures" };
 
 function card(page: Page) {
   return page.locator(".inside-card");
@@ -67,7 +67,10 @@ test("it is laid over the next map, too, and a Brownian tree has no attractors",
   await page.goto(`./?${LINK.replace("drainage", "brownian")}&sensitivity=40`);
   await finished(page);
   await openPanel(page);
-  await expect(page.getByRole("button", { name: "Attractors or parcels" })).toBeDisabled();
+  for (const name of ["Attractors or parcels", "Reach and kill", "Captured streams"]) {
+    await expect(page.getByRole("button", { name })).toBeDisabled();
+    await expect(page.getByRole("button", { name })).toHaveAttribute("title", /have none/);
+  }
 });
 
 for (const colorScheme of ["light", "dark"] as const) {
