@@ -1,7 +1,7 @@
 //! What is there of a map already. Each form holds its recipe's link or, of JSON, the recipe itself near its beginning, and has an end by which
 //! it is known to be whole: that is compared, so that nothing has to be kept about what was made.
 
-use std::fs::File;
+use std::fs::{self, File};
 use std::io::{self, Read, Seek, SeekFrom};
 use std::path::Path;
 
@@ -31,10 +31,11 @@ pub enum Found {
 impl Found {
     /// Looks what is there.
     pub fn at(path: &Path, form: Form, recipe: &Recipe, options: Options) -> Self {
-        let Ok(mut file) = File::open(path) else { return Self::Nothing };
-        if !file.metadata().is_ok_and(|there| there.is_file()) {
+        // Looked at before it is opened: a pipe would wait for somebody to write into it.
+        if !fs::metadata(path).is_ok_and(|there| there.is_file()) {
             return Self::Nothing;
         }
+        let Ok(mut file) = File::open(path) else { return Self::Nothing };
         match Wanted::of(form, recipe, options).is_in(&mut file) {
             Ok(true) => Self::Whole,
             Ok(false) | Err(_) => Self::Other,

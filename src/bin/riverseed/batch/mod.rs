@@ -8,7 +8,7 @@ mod report;
 mod seeds;
 
 use std::ffi::OsStr;
-use std::io::ErrorKind;
+use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -27,7 +27,7 @@ pub use self::seeds::Shard;
 use super::form::Form;
 use super::map::{Map, Options};
 use super::order::Order;
-use super::output::{Output, folder};
+use super::output::{Output, folder, is_pipe};
 use super::render::Wanted;
 use super::{Failure, say};
 
@@ -135,7 +135,7 @@ impl Run<'_> {
         if missing.is_empty() && turn.is_none() {
             return Ok(Outcome::WasThere);
         }
-        let outputs = missing.iter().map(|(_, path)| Output::open(path)).collect::<Result<Vec<_>, _>>()?;
+        let outputs = missing.iter().map(|(_, path)| open(path)).collect::<Result<Vec<_>, _>>()?;
         let line = turn.as_ref().map(|_| Form::Json);
         let forms: Vec<Form> = missing.iter().map(|(form, _)| *form).chain(line).collect();
         let order = Order { recipe, given: Vec::new(), land: self.order.land.clone() };
@@ -165,6 +165,15 @@ impl Run<'_> {
         let missing = missing.collect();
         (missing, is_other)
     }
+}
+
+/// A place for a file of a map; not a pipe, by which all would wait for a reader.
+fn open(path: &Path) -> Result<Output, Failure> {
+    if is_pipe(path) {
+        let reason = "is a pipe, and a map of many has to be a file";
+        return Err(Failure::file(path)(io::Error::other(reason)));
+    }
+    Output::open(path)
 }
 
 /// Whether what a map failed by would make all others fail: nobody reads, the disk is full, or the folder is gone.

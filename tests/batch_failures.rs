@@ -1,0 +1,93 @@
+//! Many maps where something is in the way: what can be made is made, and what cannot is named. Nothing hangs, and nothing is lost in silence.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
+#![cfg(feature = "cli")]
+
+#[path = "common/batch.rs"]
+mod batch;
+
+use std::fs;
+use std::process::{Command, Stdio};
+
+use batch::{LINK, RIVERSEED, files, folder, names, outcome, render, said};
+
+#[test]
+fn map_that_cannot_be_written_is_named_and_the_others_are_made() {
+    let folder = folder("one-fails");
+    fs::create_dir(folder.join("3.json")).unwrap();
+    let output = render(&folder, &[LINK, "--seeds", "1..5", "-o", "{seed}.json", "-o", "-"]);
+    let said = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(1));
+    assert!(said.contains("riverseed: seed '3': 3.json: is a directory"), "{said}");
+    assert!(said.ends_with("riverseed: maps: 4 made\nriverseed: 1 of 5 maps were not made\n"), "{said}");
+    assert_eq!(output.stdout.iter().filter(|byte| **byte == b'\n').count(), 4);
+    assert_eq!(fs::read_dir(&folder).unwrap().count(), 5);
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn full_disk_ends_the_run_with_one_word() {
+    let folder = folder("full");
+    for form in ["json", "heights.png", "zip"] {
+        let link = |seed: u32| std::os::unix::fs::symlink("/dev/full", folder.join(format!("{seed}.{form}"))).unwrap();
+        (1..=9).for_each(link);
+        let out = format!("{{seed}}.{form}");
+        let (code, said) = outcome(&folder, &[LINK, "--seeds", "1..100", "--threads", "1", "-o", &out]);
+        assert_eq!(code, 1);
+        assert_eq!(
+            said,
+            format!(
+                "riverseed: 1.{form}: No space left on device (os error 28): stopped before all 100 maps were there; the same call \
+                 goes on from here\n"
+            )
+        );
+    }
+    let full = fs::File::options().write(true).open("/dev/full").unwrap();
+    let mut call = Command::new(RIVERSEED);
+    let call = call.args(["render", LINK, "--seeds", "1..100", "-o", "-"]).stdout(full).output().unwrap();
+    assert_eq!(call.status.code(), Some(1));
+    let said = String::from_utf8(call.stderr).unwrap();
+    assert!(said.starts_with("riverseed: No space left") && said.lines().count() == 1, "{said}");
+}
+
+#[test]
+fn it_is_no_failure_if_nobody_reads_all_lines() {
+    let mut call = Command::new(RIVERSEED);
+    call.args(["render", LINK, "--seeds", "1..1000000000", "-o", "-"]).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let mut running = call.spawn().unwrap();
+    drop(running.stdout.take());
+    let output = running.wait_with_output().unwrap();
+    let said = String::from_utf8(output.stderr).unwrap();
+    assert!(output.status.success() && !said.contains("Broken pipe"), "{said}");
+}
+
+/// What a call leaves and says; one that hangs is ended, and its test fails.
+#[cfg(unix)]
+fn ended(call: &mut Command) -> (i32, String) {
+    use std::time::{Duration, Instant};
+
+    let mut running = call.stderr(Stdio::piped()).spawn().unwrap();
+    let begun = Instant::now();
+    while running.try_wait().unwrap().is_none() {
+        if begun.elapsed() > Duration::from_secs(120) {
+            running.kill().unwrap();
+            panic!("{call:?} hangs");
+        }
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    let output = running.wait_with_output().unwrap();
+    (output.status.code().unwrap(), String::from_utf8(output.stderr).unwrap())
+}
+
+#[cfg(unix)]
+#[test]
+fn pipe_in_the_place_of_a_file_is_named_and_holds_nothing_up() {
+    let folder = folder("pipe");
+    assert!(Command::new("mkfifo").arg(folder.join("2.json")).status().unwrap().success());
+    for (more, others) in [(None, "made"), (None, "there before"), (Some("--again"), "made")] {
+        let mut call = Command::new(RIVERSEED);
+        call.current_dir(&folder).args(["render", LINK, "--seeds", "1..3", "-o", "{seed}.json"]).args(more);
+        let said = "riverseed: seed '2': 2.json: is a pipe, and a map of many has to be a file";
+        let counted = format!("riverseed: maps: 2 {others}\nriverseed: 1 of 3 maps were not made\n");
+        assert_eq!(ended(&mut call), (1, format!("{said}\n{counted}")));
+    }
+}
