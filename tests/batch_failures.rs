@@ -91,3 +91,27 @@ fn pipe_in_the_place_of_a_file_is_named_and_holds_nothing_up() {
         assert_eq!(ended(&mut call), (1, format!("{said}\n{counted}")));
     }
 }
+
+/// Standard output that nobody reads.
+fn unread() -> std::io::PipeWriter {
+    std::io::pipe().unwrap().1
+}
+
+#[test]
+fn files_are_written_though_nobody_reads_standard_output() {
+    let (whole, left) = (folder("read"), folder("unread"));
+    let calls: [&[&str]; 3] = [
+        &["--seeds", "1..9", "--threads", "1", "-o", "-", "-o", "{seed}.json"],
+        &["--seeds", "11..30", "--threads", "4", "-o", "-", "-o", "{seed}.json"],
+        &["-o", "-", "-o", "one.json", "-o", "one.svg"],
+    ];
+    for arguments in calls {
+        let mut call = Command::new(RIVERSEED);
+        let call = call.current_dir(&left).args(["render", LINK]).args(arguments).stdout(unread());
+        let output = call.stderr(Stdio::piped()).output().unwrap();
+        let expected = said(&whole, &[&[LINK], arguments].concat());
+        assert!(output.status.success() && String::from_utf8(output.stderr).unwrap() == expected, "{arguments:?}");
+        assert_eq!(names(&left), names(&whole));
+    }
+    assert!(files(&left) == files(&whole) && names(&left).len() == 9 + 20 + 2);
+}

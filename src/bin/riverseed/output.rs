@@ -35,6 +35,11 @@ impl Output {
         Ok(Self { given: given.into(), way })
     }
 
+    /// Whether it will be a file, and nothing that somebody reads while it is written.
+    pub fn is_file(&self) -> bool {
+        matches!(self.way, Way::Replace { .. })
+    }
+
     /// Writes it.
     pub fn write(self, write: impl FnOnce(&mut dyn Write) -> Result<(), Failure>) -> Result<(), Failure> {
         let Self { given, way } = self;

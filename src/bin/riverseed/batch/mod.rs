@@ -118,7 +118,7 @@ impl Run<'_> {
         while self.end.get().is_none() {
             let place = self.next.fetch_add(1, Ordering::Relaxed);
             let Some(seed) = self.seeds.get(self.shard, place) else { return };
-            let turn = self.has_lines.then(|| self.lines.turn(place));
+            let turn = (self.has_lines && self.lines.is_open()).then(|| self.lines.turn(place));
             match self.make_map(&seed, turn) {
                 Ok(outcome) => self.report.count(outcome),
                 Err(failure) if ends_all(&failure) => drop(self.end.set(failure)),
@@ -148,9 +148,18 @@ impl Run<'_> {
             let mut line = Vec::new();
             map.write(Form::Json, &mut line).map_err(of_line)?;
             drop(map); // or as many would wait as there are threads
-            turn.write(&line)?;
+            self.write_line(turn, &line)?;
         }
         Ok(if is_other { Outcome::Replaced } else { Outcome::Made })
+    }
+
+    /// Writes a line. If nobody reads lines any more, files are made without them.
+    fn write_line(&self, turn: Turn<'_>, line: &[u8]) -> Result<(), Failure> {
+        match turn.write(line) {
+            Err(error) if error.kind() == ErrorKind::BrokenPipe && !self.files.is_empty() => self.lines.close(),
+            written => written?,
+        }
+        Ok(())
     }
 
     /// The files that are to be made, and whether there are some that another recipe made.
