@@ -115,3 +115,21 @@ fn files_are_written_though_nobody_reads_standard_output() {
     }
     assert!(files(&left) == files(&whole) && names(&left).len() == 9 + 20 + 2);
 }
+
+#[cfg(target_os = "linux")]
+#[test]
+fn where_no_threads_can_be_had_the_maps_are_made_on_one() {
+    let folder = folder("no-threads");
+    let made = |seeds: &str| {
+        let mut call = Command::new(RIVERSEED);
+        // More than a process can have.
+        call.current_dir(&folder).env("RUST_MIN_STACK", (1u64 << 50).to_string());
+        call.args(["render", LINK, "--seeds", seeds, "--threads", "1024", "-o", "{seed}.json"]);
+        let output = call.output().unwrap();
+        (output.status.code(), String::from_utf8(output.stderr).unwrap())
+    };
+    let said = "riverseed: maps are made on 1 thread, since no more can be had: ";
+    let (code, text) = made("1..5");
+    assert!(code == Some(0) && text.starts_with(said) && text.ends_with("\nriverseed: maps: 5 made\n"), "{text}");
+    assert_eq!(made("6..6"), (Some(0), "riverseed: maps: 1 made\n".into()), "no more threads than maps");
+}

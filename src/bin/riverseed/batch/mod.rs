@@ -62,7 +62,7 @@ pub fn render(
         shard,
         seeds: &seeds,
     };
-    thread::scope(|scope| (0..threads).for_each(|_| drop(scope.spawn(|| run.make_maps()))));
+    run.make_all(threads.min(usize::try_from(all).unwrap_or(usize::MAX)));
     run.report.finish(seeds.faults, run.end.into_inner())
 }
 
@@ -113,6 +113,20 @@ struct Run<'a> {
 }
 
 impl Run<'_> {
+    /// Makes all maps, on so many threads, of which this is one, or as many as can be had.
+    fn make_all(&self, threads: usize) {
+        thread::scope(|scope| {
+            for i in 1..threads {
+                if let Err(error) = thread::Builder::new().spawn_scoped(scope, || self.make_maps()) {
+                    let noun = if i == 1 { "thread" } else { "threads" };
+                    self.report.note(&format!("maps are made on {i} {noun}, since no more can be had: {error}"));
+                    break;
+                }
+            }
+            self.make_maps();
+        });
+    }
+
     /// Makes one map after the other, as long as there are any.
     fn make_maps(&self) {
         while self.end.get().is_none() {

@@ -64,7 +64,12 @@ impl Report {
     }
 
     fn say(&self, seed: &str, text: &str) {
-        self.bar.suspend(|| say(&format!("seed '{seed}': {text}")));
+        self.note(&format!("seed '{seed}': {text}"));
+    }
+
+    /// Says what is of no single map.
+    pub fn note(&self, text: &str) {
+        self.bar.suspend(|| say(text));
     }
 
     /// Says what came of it. `faults` are the lines of the list that were no seeds, `end` why not all were tried.
