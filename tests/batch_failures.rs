@@ -133,3 +133,14 @@ fn where_no_threads_can_be_had_the_maps_are_made_on_one() {
     assert!(code == Some(0) && text.starts_with(said) && text.ends_with("\nriverseed: maps: 5 made\n"), "{text}");
     assert_eq!(made("6..6"), (Some(0), "riverseed: maps: 1 made\n".into()), "no more threads than maps");
 }
+
+#[cfg(unix)]
+#[test]
+fn each_thread_opens_one_file_at_a_time() {
+    let folder = folder("few-files");
+    let outputs = batch::FORMS.map(|form| format!("-o {{seed}}.{form}")).join(" ");
+    let call = format!("ulimit -n 12; exec {RIVERSEED} render '{LINK}' --seeds 1..4 --threads 2 --size 80 {outputs}");
+    let output = Command::new("sh").current_dir(&folder).args(["-c", &call]).output().unwrap();
+    assert_eq!(String::from_utf8(output.stderr).unwrap(), "riverseed: maps: 4 made\n");
+    assert_eq!(names(&folder).len(), 4 * batch::FORMS.len());
+}

@@ -149,14 +149,15 @@ impl Run<'_> {
         if missing.is_empty() && turn.is_none() {
             return Ok(Outcome::WasThere);
         }
-        let outputs = missing.iter().map(|(_, path)| open(path)).collect::<Result<Vec<_>, _>>()?;
+        // Looked at before the work begins, but open one at a time: there are few open files to a process.
+        missing.iter().try_for_each(|(_, path)| open(path).map(drop))?;
         let line = turn.as_ref().map(|_| Form::Json);
         let forms: Vec<Form> = missing.iter().map(|(form, _)| *form).chain(line).collect();
         let order = Order { recipe, given: Vec::new(), land: self.order.land.clone() };
         let warn = |text: &str| self.report.warn(seed, text);
         let map = Map::make(order, &forms, self.options, &ProgressBar::hidden(), &warn)?;
-        for (form, output) in forms.iter().zip(outputs) {
-            output.write(|out| map.write(*form, out))?;
+        for (form, path) in missing {
+            open(&path)?.write(|out| map.write(form, out))?;
         }
         if let Some(turn) = turn {
             let mut line = Vec::new();
