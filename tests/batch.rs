@@ -105,7 +105,7 @@ fn what_is_missing_cut_short_or_of_another_recipe_is_made_and_the_rest_left_alon
     fs::write(path("3.png"), "").unwrap();
     fs::copy(path("5.svg"), path("4.svg")).unwrap();
     let before = fs::metadata(path("6.json")).unwrap().modified().unwrap();
-    assert_eq!(run(&[]), "riverseed: maps: 1 made, 3 made in the place of another's, 2 there before\n");
+    assert_eq!(run(&[]), "riverseed: maps: 1 made, 3 replaced, 2 there before\n");
     assert!(files(&folder) == whole);
     assert_eq!(fs::metadata(path("6.json")).unwrap().modified().unwrap(), before);
     assert_eq!(run(&["--again"]), "riverseed: maps: 6 made\n");
@@ -117,7 +117,7 @@ fn file_of_other_options_is_not_taken_for_the_one_that_is_asked_for() {
     let folder = folder("options");
     let made = |more: &[&str]| said(&folder, &[&[LINK, "--seeds", "7..7"], more].concat());
     let new = "riverseed: maps: 1 made\n";
-    let (other, same) = ("riverseed: maps: 1 made in the place of another's\n", "riverseed: maps: 1 there before\n");
+    let (other, same) = ("riverseed: maps: 1 replaced\n", "riverseed: maps: 1 there before\n");
     let calls: [(&[&str], &[&str]); 7] = [
         (&["-o", "{seed}.json"], &["-o", "{seed}.json", "--trim", "9"]),
         (&["-o", "{seed}.geojson"], &["-o", "{seed}.geojson", "--trim", "9"]),

@@ -63,7 +63,7 @@ pub fn render(
         seeds: &seeds,
     };
     run.make_all(threads.min(usize::try_from(all).unwrap_or(usize::MAX)));
-    run.report.finish(seeds.faults, run.end.into_inner())
+    run.report.finish(seeds.faults, run.end.into_inner(), !run.files.is_empty())
 }
 
 /// The value that each map has of its own.
