@@ -145,3 +145,23 @@ fn each_thread_opens_one_file_at_a_time() {
     assert_eq!(String::from_utf8(output.stderr).unwrap(), "riverseed: maps: 4 made\n");
     assert_eq!(names(&folder).len(), 4 * batch::FORMS.len());
 }
+
+#[test]
+fn what_is_read_is_not_overwritten() {
+    let folder = folder("read-and-written");
+    let path = |name: &str| folder.join(name);
+    let reason = "is read by this call, and not replaced";
+    let refused = |arguments: &[&str], name: &str, seed: &str| {
+        let before = fs::read(path(name)).unwrap();
+        let (code, said) = outcome(&folder, &[&["attractors=100&style=ink"], arguments].concat());
+        assert!(code == 1 && said.contains(&format!("riverseed: seed '{seed}': {name}: {reason}\n")), "{said}");
+        assert!(said.ends_with("riverseed: maps: 1 made\nriverseed: 1 of 2 maps were not made\n"), "{said}");
+        assert!(fs::read(path(name)).unwrap() == before, "{name}");
+    };
+    fs::write(path("list.json"), "kea\nlist\n").unwrap();
+    refused(&["--seeds", "./list.json", "-o", "{seed}.json"], "list.json", "list");
+    said(&folder, &[LINK, "--seed", "rimu", "-o", "1.json"]);
+    refused(&["--recipe", "1.json", "--seeds", "1..2", "-o", "{seed}.json"], "1.json", "1");
+    said(&folder, &[LINK, "-o", "3.land.png"]);
+    refused(&["--land", "3.land.png", "--seeds", "3..4", "-o", "{seed}.land.png"], "3.land.png", "3");
+}

@@ -4,11 +4,12 @@
 mod file_name;
 mod found;
 mod lines;
+mod place;
 mod report;
 mod seeds;
 
 use std::ffi::OsStr;
-use std::io::{self, ErrorKind};
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -21,13 +22,14 @@ use riverseed::recipe::{Key, Recipe, link};
 use self::file_name::Pattern;
 use self::found::Found;
 use self::lines::{Lines, Turn};
+use self::place::Places;
 use self::report::{Outcome, Report};
 use self::seeds::Seeds;
 pub use self::seeds::Shard;
 use super::form::Form;
 use super::map::{Map, Options};
 use super::order::Order;
-use super::output::{Output, folder, is_pipe};
+use super::output::{Output, folder};
 use super::render::Wanted;
 use super::{Failure, say};
 
@@ -52,6 +54,7 @@ pub fn render(
     let run = Run {
         order,
         files,
+        places: Places::of(matches, source),
         has_lines: wanted.iter().any(|wanted| wanted.path.is_none()),
         options,
         is_again: matches.get_flag("again"),
@@ -99,6 +102,7 @@ fn patterns(wanted: &[Wanted<'_>]) -> Result<Vec<(Form, Pattern)>, Failure> {
 struct Run<'a> {
     order: &'a Order,
     files: Vec<(Form, Pattern)>,
+    places: Places,
     has_lines: bool,
     options: Options,
     is_again: bool,
@@ -150,14 +154,14 @@ impl Run<'_> {
             return Ok(Outcome::WasThere);
         }
         // Looked at before the work begins, but open one at a time: there are few open files to a process.
-        missing.iter().try_for_each(|(_, path)| open(path).map(drop))?;
+        missing.iter().try_for_each(|(_, path)| self.places.open(path).map(drop))?;
         let line = turn.as_ref().map(|_| Form::Json);
         let forms: Vec<Form> = missing.iter().map(|(form, _)| *form).chain(line).collect();
         let order = Order { recipe, given: Vec::new(), land: self.order.land.clone() };
         let warn = |text: &str| self.report.warn(seed, text);
         let map = Map::make(order, &forms, self.options, &ProgressBar::hidden(), &warn)?;
         for (form, path) in missing {
-            open(&path)?.write(|out| map.write(form, out))?;
+            self.places.open(&path)?.write(|out| map.write(form, out))?;
         }
         if let Some(turn) = turn {
             let mut line = Vec::new();
@@ -189,15 +193,6 @@ impl Run<'_> {
         let missing = missing.collect();
         (missing, is_other)
     }
-}
-
-/// A place for a file of a map; not a pipe, by which all would wait for a reader.
-fn open(path: &Path) -> Result<Output, Failure> {
-    if is_pipe(path) {
-        let reason = "is a pipe, and a map of many has to be a file";
-        return Err(Failure::file(path)(io::Error::other(reason)));
-    }
-    Output::open(path)
 }
 
 /// Whether what a map failed by would make all others fail: nobody reads, the disk is full, or the folder is gone.
