@@ -134,6 +134,26 @@ fn file_of_other_options_is_not_taken_for_the_one_that_is_asked_for() {
 }
 
 #[test]
+fn rasters_and_pictures_of_one_size_are_not_taken_for_each_other() {
+    let folder = folder("layers");
+    let forms: Vec<&str> = FORMS.into_iter().filter(|form| form.ends_with("png")).collect();
+    let patterns: Vec<String> = forms.iter().map(|form| format!("{{seed}}.{form}")).collect();
+    let outputs: Vec<&str> = patterns.iter().flat_map(|pattern| ["-o", pattern]).collect();
+    let arguments = [&[LINK, "--seeds", "1..1", "--size", "500"], &outputs[..]].concat();
+    said(&folder, &arguments);
+    let whole = files(&folder);
+    for turn in 1..whole.len() {
+        for (i, (name, _)) in whole.iter().enumerate() {
+            fs::write(folder.join(name), &whole[(i + turn) % whole.len()].1).unwrap();
+        }
+        assert_eq!(said(&folder, &arguments), "riverseed: maps: 1 replaced\n");
+        for ((name, bytes), (_, expected)) in files(&folder).iter().zip(&whole) {
+            assert!(bytes == expected, "{name}");
+        }
+    }
+}
+
+#[test]
 fn hostile_seeds_stay_in_the_folder() {
     let outside = folder("hostile");
     let folder = outside.join("inside");
