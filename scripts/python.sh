@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The Python package: built as a wheel, installed and tested as its users have it. What that needs is kept in target/python; it is
-# skipped, with a word, where it cannot be had.
+# The Python package: built as a wheel, installed and tested as its users have it. What that needs is kept in target/python; what
+# checks and tests it is skipped, with a word, where that cannot be had, and a wheel is not: that fails.
 #
 #   scripts/python.sh check                          format, lint and types of its Python
 #   scripts/python.sh test target/debug/riverseed    the wheel, beside a riverseed program
@@ -60,6 +60,8 @@ case ${1-} in
       --doctest-modules --pyargs riverseed python/tests
     ;;
   wheel)
+    # Who asks for a wheel is not helped without one.
+    skip() { echo "The Python package is not built: $1." >&2; exit 1; }
     prepare built
     build_wheel target/package --release
     ;;

@@ -2,59 +2,17 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 #![cfg(feature = "cli")]
 
+#[path = "common/batch.rs"]
+mod batch;
+
 use std::fs;
 use std::io::Write;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output, Stdio};
+use std::path::Path;
+use std::process::{Command, Stdio};
 
-const RIVERSEED: &str = env!("CARGO_BIN_EXE_riverseed");
-/// Small maps that are made in a moment.
-const LINK: &str = "land=island&attractors=100&style=ink";
+use batch::{FORMS, LINK, RIVERSEED, files, folder, names, outcome, render, said};
 
-/// An empty folder of a test's own.
-fn folder(name: &str) -> PathBuf {
-    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("batch").join(name);
-    let _ = fs::remove_dir_all(&folder);
-    fs::create_dir_all(&folder).unwrap();
-    folder
-}
-
-/// Calls `riverseed render` in a folder.
-fn render(folder: &Path, arguments: &[&str]) -> Output {
-    Command::new(RIVERSEED).current_dir(folder).arg("render").args(arguments).output().unwrap()
-}
-
-/// What a call that succeeds says on standard error.
-fn said(folder: &Path, arguments: &[&str]) -> String {
-    let output = render(folder, arguments);
-    let said = String::from_utf8(output.stderr).unwrap();
-    assert!(output.status.success(), "{said}");
-    said
-}
-
-/// Exit code and words of a call.
-fn outcome(folder: &Path, arguments: &[&str]) -> (i32, String) {
-    let output = render(folder, arguments);
-    (output.status.code().unwrap(), String::from_utf8(output.stderr).unwrap())
-}
-
-/// The files of a folder, by name, but for those that a killed call was about to give a name.
-fn files(folder: &Path) -> Vec<(String, Vec<u8>)> {
-    let entries = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap());
-    let mut files: Vec<_> =
-        entries.map(|entry| (entry.file_name().into_string().unwrap(), fs::read(entry.path()).unwrap())).collect();
-    files.retain(|(name, _)| !name.starts_with(".riverseed-"));
-    files.sort();
-    files
-}
-
-fn names(folder: &Path) -> Vec<String> {
-    files(folder).into_iter().map(|(name, _)| name).collect()
-}
-
-/// All forms of a file, with the options that they take.
-const FORMS: [&str; 10] =
-    ["json", "geojson", "svg", "png", "zip", "heights.png", "land.png", "rivers.png", "flow.png", "basins.png"];
+/// The options that they take.
 const OPTIONS: [&str; 4] = ["--size", "80", "--raster-size", "700"];
 
 #[test]
@@ -147,7 +105,7 @@ fn what_is_missing_cut_short_or_of_another_recipe_is_made_and_the_rest_left_alon
     fs::write(path("3.png"), "").unwrap();
     fs::copy(path("5.svg"), path("4.svg")).unwrap();
     let before = fs::metadata(path("6.json")).unwrap().modified().unwrap();
-    assert_eq!(run(&[]), "riverseed: maps: 1 made, 3 made in the place of another's, 2 there before\n");
+    assert_eq!(run(&[]), "riverseed: maps: 1 made, 3 replaced, 2 there before\n");
     assert!(files(&folder) == whole);
     assert_eq!(fs::metadata(path("6.json")).unwrap().modified().unwrap(), before);
     assert_eq!(run(&["--again"]), "riverseed: maps: 6 made\n");
@@ -159,7 +117,7 @@ fn file_of_other_options_is_not_taken_for_the_one_that_is_asked_for() {
     let folder = folder("options");
     let made = |more: &[&str]| said(&folder, &[&[LINK, "--seeds", "7..7"], more].concat());
     let new = "riverseed: maps: 1 made\n";
-    let (other, same) = ("riverseed: maps: 1 made in the place of another's\n", "riverseed: maps: 1 there before\n");
+    let (other, same) = ("riverseed: maps: 1 replaced\n", "riverseed: maps: 1 there before\n");
     let calls: [(&[&str], &[&str]); 7] = [
         (&["-o", "{seed}.json"], &["-o", "{seed}.json", "--trim", "9"]),
         (&["-o", "{seed}.geojson"], &["-o", "{seed}.geojson", "--trim", "9"]),
@@ -172,6 +130,26 @@ fn file_of_other_options_is_not_taken_for_the_one_that_is_asked_for() {
     for (first, second) in calls {
         assert_eq!([made(first), made(first)], [new, same], "{first:?}");
         assert_eq!([made(second), made(second), made(first)], [other, same, other], "{second:?}");
+    }
+}
+
+#[test]
+fn rasters_and_pictures_of_one_size_are_not_taken_for_each_other() {
+    let folder = folder("layers");
+    let forms: Vec<&str> = FORMS.into_iter().filter(|form| form.ends_with("png")).collect();
+    let patterns: Vec<String> = forms.iter().map(|form| format!("{{seed}}.{form}")).collect();
+    let outputs: Vec<&str> = patterns.iter().flat_map(|pattern| ["-o", pattern]).collect();
+    let arguments = [&[LINK, "--seeds", "1..1", "--size", "500"], &outputs[..]].concat();
+    said(&folder, &arguments);
+    let whole = files(&folder);
+    for turn in 1..whole.len() {
+        for (i, (name, _)) in whole.iter().enumerate() {
+            fs::write(folder.join(name), &whole[(i + turn) % whole.len()].1).unwrap();
+        }
+        assert_eq!(said(&folder, &arguments), "riverseed: maps: 1 replaced\n");
+        for ((name, bytes), (_, expected)) in files(&folder).iter().zip(&whole) {
+            assert!(bytes == expected, "{name}");
+        }
     }
 }
 
@@ -215,56 +193,6 @@ fn lines_that_are_no_seeds_are_named_and_the_others_made() {
         ]
     );
     assert_eq!(names(&folder), ["kaka.json", "kea.json", "seeds"]);
-}
-
-#[test]
-fn map_that_cannot_be_written_is_named_and_the_others_are_made() {
-    let folder = folder("one-fails");
-    fs::create_dir(folder.join("3.json")).unwrap();
-    let output = render(&folder, &[LINK, "--seeds", "1..5", "-o", "{seed}.json", "-o", "-"]);
-    let said = String::from_utf8(output.stderr).unwrap();
-    assert_eq!(output.status.code(), Some(1));
-    assert!(said.contains("riverseed: seed '3': 3.json: is a directory"), "{said}");
-    assert!(said.ends_with("riverseed: maps: 4 made\nriverseed: 1 of 5 maps were not made\n"), "{said}");
-    assert_eq!(output.stdout.iter().filter(|byte| **byte == b'\n').count(), 4);
-    assert_eq!(fs::read_dir(&folder).unwrap().count(), 5);
-}
-
-#[cfg(target_os = "linux")]
-#[test]
-fn full_disk_ends_the_run_with_one_word() {
-    let folder = folder("full");
-    for form in ["json", "heights.png", "zip"] {
-        let link = |seed: u32| std::os::unix::fs::symlink("/dev/full", folder.join(format!("{seed}.{form}"))).unwrap();
-        (1..=9).for_each(link);
-        let out = format!("{{seed}}.{form}");
-        let (code, said) = outcome(&folder, &[LINK, "--seeds", "1..100", "--threads", "1", "-o", &out]);
-        assert_eq!(code, 1);
-        assert_eq!(
-            said,
-            format!(
-                "riverseed: 1.{form}: No space left on device (os error 28): stopped before all 100 maps were there; the same call \
-                 goes on from here\n"
-            )
-        );
-    }
-    let full = fs::File::options().write(true).open("/dev/full").unwrap();
-    let mut call = Command::new(RIVERSEED);
-    let call = call.args(["render", LINK, "--seeds", "1..100", "-o", "-"]).stdout(full).output().unwrap();
-    assert_eq!(call.status.code(), Some(1));
-    let said = String::from_utf8(call.stderr).unwrap();
-    assert!(said.starts_with("riverseed: No space left") && said.lines().count() == 1, "{said}");
-}
-
-#[test]
-fn it_is_no_failure_if_nobody_reads_all_lines() {
-    let mut call = Command::new(RIVERSEED);
-    call.args(["render", LINK, "--seeds", "1..1000000000", "-o", "-"]).stdout(Stdio::piped()).stderr(Stdio::piped());
-    let mut running = call.spawn().unwrap();
-    drop(running.stdout.take());
-    let output = running.wait_with_output().unwrap();
-    let said = String::from_utf8(output.stderr).unwrap();
-    assert!(output.status.success() && !said.contains("Broken pipe"), "{said}");
 }
 
 #[test]

@@ -172,6 +172,23 @@ fn it_is_no_failure_if_nobody_reads_to_the_end() {
     assert!(output.status.success() && output.stderr.is_empty(), "{}", String::from_utf8_lossy(&output.stderr));
 }
 
+#[cfg(unix)]
+#[test]
+fn files_are_written_before_what_nobody_reads_to_its_end() {
+    let folder = scratch("pipe-and-file");
+    let _ = fs::remove_dir_all(&folder);
+    fs::create_dir_all(&folder).unwrap();
+    let [pipe, file] = ["pipe.png", "file.json"].map(|name| folder.join(name));
+    assert!(Command::new("mkfifo").arg(&pipe).status().unwrap().success());
+    let reader = pipe.clone();
+    let reader = std::thread::spawn(move || fs::File::open(reader).unwrap().read_exact(&mut [0]).unwrap());
+    let [pipe, file] = [&pipe, &file].map(|path| path.to_str().unwrap());
+    let output = riverseed(&["render", "attractors=100", "--size", "2000", "-o", pipe, "-o", file]);
+    assert!(output.status.success() && output.stderr.is_empty(), "{output:?}");
+    assert!(fs::exists(file).unwrap());
+    reader.join().unwrap();
+}
+
 #[test]
 fn names_are_printed_greatest_first_with_their_marks() {
     let printed = |arguments: &[&str]| {

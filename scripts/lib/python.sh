@@ -2,20 +2,23 @@
 # Python with packages of others, in environments that are kept. Where it cannot be had, what would run in it is skipped: a script
 # that sources this defines `skip WHY`, which says so and ends it.
 
-# The packages named in the file WANTED, in the environment ENVIRONMENT: exactly those, once and for all. NAME is what they are called
-# where they cannot be had.
+# The packages named in the file WANTED, in the environment ENVIRONMENT: exactly those, once, and again if others are wanted or the
+# machine's Python has gone. NAME is what they are called where they cannot be had.
 #
 #   get_python_packages ENVIRONMENT WANTED NAME
 get_python_packages() {
   local environment=$1 wanted=$2 name=$3
   need_python
-  cmp --silent "$wanted" "$environment/installed.txt" && return
+  cmp --silent "$wanted" "$environment/installed.txt" && finds_packages "$environment" && return
   rm -rf "$environment"
   python3 -m venv "$environment" &>/dev/null || skip "this machine has no Python with venv"
   "$environment/bin/pip" install --quiet --disable-pip-version-check --retries 1 --only-binary :all: -r "$wanted" ||
     skip "$name cannot be had from PyPI"
   cp "$wanted" "$environment/installed.txt"
 }
+
+# Whether an environment's Python is still there, and of the version that its packages were put in for.
+finds_packages() { "$1/bin/python" -c "import pip" &>/dev/null; }
 
 need_python() { command -v python3 >/dev/null || skip "this machine has no Python"; }
 

@@ -9,15 +9,21 @@ setup() {
 
 python_sh() { run on_machine "$checkout/scripts/python.sh" "$@"; }
 
-# put_python VERSION-SWITCH: what `python3 -c` answers, 0 for a Python that is new enough. Its venv has a pip without any packages.
+# put_python VERSION-SWITCH [PIP]: what `python3 -c` answers, 0 for a Python that is new enough. Its venv has a pip without any packages,
+# or one that does PIP.
 put_python() {
+  local pip=${2-'echo "No matching distribution found" >&2; exit 1'}
   cat >"$usr/bin/python3" <<EOF
 #!/bin/sh
 case "\$1 \$2" in
   "-m venv")
+    echo "venv \$3" >>"\$machine/calls"
     mkdir -p "\$3/bin"
-    printf '#!/bin/sh\necho "No matching distribution found" >&2\nexit 1\n' >"\$3/bin/pip"
-    chmod +x "\$3/bin/pip" ;;
+    for name in python ruff mypy; do
+      printf '#!/bin/sh\n' >"\$3/bin/\$name"
+    done
+    printf '#!/bin/sh\n%s\n' '$pip' >"\$3/bin/pip"
+    chmod +x "\$3/bin/"* ;;
   *) exit $1 ;;
 esac
 EOF
@@ -31,6 +37,16 @@ EOF
   python_sh test target/debug/riverseed
   succeeded
   said "The Python package is not tested: this machine has no Python."
+}
+
+@test "a wheel that cannot be built is a failure" {
+  python_sh wheel
+  failed
+  said "The Python package is not built: this machine has no Python."
+  put_python 0
+  python_sh wheel
+  failed
+  said "The Python package is not built: what that needs cannot be had from PyPI."
 }
 
 @test "with an old Python it is left out, with a word" {
@@ -47,6 +63,21 @@ EOF
     succeeded
     said "No matching distribution found"
     said "The Python package is not checked: what that needs cannot be had from PyPI."
+  done
+}
+
+@test "packages are kept as long as their Python runs" {
+  put_python 0 ""
+  for _ in 1 2; do
+    python_sh check
+    succeeded
+    called 1 "venv"
+  done
+  ln -sf "$machine/no/python3" "$checkout/target/python/venv/bin/python"
+  for _ in 1 2; do
+    python_sh check
+    succeeded
+    called 2 "venv"
   done
 }
 

@@ -93,8 +93,8 @@ enum Failure {
     Pattern { path: PathBuf, reason: &'static str },
     #[error("{failed} of {all} maps were not made")]
     Maps { failed: u64, all: u64 },
-    #[error("{failure}: stopped before all {all} maps were there; the same call goes on from here")]
-    Stopped { failure: Box<Self>, all: u64 },
+    #[error("{failure}: stopped before all {all} maps were there{advice}")]
+    Stopped { failure: Box<Self>, all: u64, advice: &'static str },
     #[error(transparent)]
     Output(#[from] io::Error),
 }

@@ -9,9 +9,9 @@ use riverseed::land::Land;
 use riverseed::land::trace::{TraceError, trace};
 use riverseed::recipe::{Key, LandKind, Recipe};
 
-use super::{Failure, say};
 use super::order::Order;
 use super::outline::{read_picture, say_if_longer};
+use super::{Failure, say};
 
 /// Whether a value of `--land` is the path of a picture, and not a kind of land.
 pub fn is_picture(value: &str) -> bool {

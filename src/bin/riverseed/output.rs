@@ -35,6 +35,11 @@ impl Output {
         Ok(Self { given: given.into(), way })
     }
 
+    /// Whether it will be a file, and nothing that somebody reads while it is written.
+    pub fn is_file(&self) -> bool {
+        matches!(self.way, Way::Replace { .. })
+    }
+
     /// Writes it.
     pub fn write(self, write: impl FnOnce(&mut dyn Write) -> Result<(), Failure>) -> Result<(), Failure> {
         let Self { given, way } = self;
@@ -74,6 +79,19 @@ impl Way {
             }
         }
     }
+}
+
+/// Whether a path is that of a pipe, which waits for somebody to read it.
+#[cfg(unix)]
+pub fn is_pipe(path: &Path) -> bool {
+    use std::os::unix::fs::FileTypeExt;
+
+    fs::metadata(path).is_ok_and(|there| there.file_type().is_fifo())
+}
+
+#[cfg(not(unix))]
+pub fn is_pipe(_: &Path) -> bool {
+    false
 }
 
 /// The folder that a file lies in.

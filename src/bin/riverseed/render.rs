@@ -46,9 +46,12 @@ impl<'a> Wanted<'a> {
 fn render_one(order: Order, wanted: &[Wanted<'_>], forms: &[Form], options: Options) -> Result<(), Failure> {
     let outputs = wanted.iter().map(|wanted| wanted.path.map(Output::open).transpose());
     let outputs = outputs.collect::<Result<Vec<_>, _>>()?;
+    let mut outputs: Vec<_> = forms.iter().zip(outputs).collect();
+    // Files come first: nobody may read the rest to its end.
+    outputs.sort_by_key(|(_, output)| !output.as_ref().is_some_and(Output::is_file));
     let progress = progress(&order.recipe, options.longest(forms));
     let map = Map::make(order, forms, options, &progress, &say)?;
-    for (form, output) in forms.iter().zip(outputs) {
+    for (form, output) in outputs {
         match output {
             Some(output) => output.write(|out| map.write(*form, out))?,
             None => {

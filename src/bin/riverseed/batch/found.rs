@@ -1,7 +1,7 @@
 //! What is there of a map already. Each form holds its recipe's link or, of JSON, the recipe itself near its beginning, and has an end by which
 //! it is known to be whole: that is compared, so that nothing has to be kept about what was made.
 
-use std::fs::File;
+use std::fs::{self, File};
 use std::io::{self, Read, Seek, SeekFrom};
 use std::path::Path;
 
@@ -31,10 +31,11 @@ pub enum Found {
 impl Found {
     /// Looks what is there.
     pub fn at(path: &Path, form: Form, recipe: &Recipe, options: Options) -> Self {
-        let Ok(mut file) = File::open(path) else { return Self::Nothing };
-        if !file.metadata().is_ok_and(|there| there.is_file()) {
+        // Looked at before it is opened: a pipe would wait for somebody to write into it.
+        if !fs::metadata(path).is_ok_and(|there| there.is_file()) {
             return Self::Nothing;
         }
+        let Ok(mut file) = File::open(path) else { return Self::Nothing };
         match Wanted::of(form, recipe, options).is_in(&mut file) {
             Ok(true) => Self::Whole,
             Ok(false) | Err(_) => Self::Other,
@@ -76,10 +77,10 @@ impl Wanted {
             // Of what links hold, XML escapes this alone.
             Form::Svg => Self::Svg { metadata: format!(">{}</metadata>", link.replace('&', "&amp;")) },
             Form::Png => Self::Png(Png::picture(&link, recipe, options)),
-            Form::Raster(_) => Self::Png(Png::raster(&link, recipe, options)),
+            Form::Raster(layer) => Self::Png(Png::raster(&link, layer, recipe, options)),
             Form::Pack => Self::Pack {
                 picture: Png::picture(&link, recipe, options),
-                raster: Png::raster(&link, recipe, options),
+                raster: Png::raster(&link, Layer::Heights, recipe, options),
             },
         }
     }
@@ -106,6 +107,8 @@ struct Png {
     sides: [u32; 2],
     /// The chunk with the link.
     chunk: Vec<u8>,
+    /// How the chunk begins that says what a raster's values mean; a picture has none.
+    meaning: Option<Vec<u8>>,
 }
 
 impl Png {
@@ -114,19 +117,38 @@ impl Png {
 
     fn picture(link: &str, recipe: &Recipe, options: Options) -> Self {
         let (width, height) = View::sides_for(&Domain::of(recipe), options.size);
-        Self { sides: [width, height], chunk: chunk(link) }
+        Self { sides: [width, height], chunk: chunk(link), meaning: None }
     }
 
-    fn raster(link: &str, recipe: &Recipe, options: Options) -> Self {
+    fn raster(link: &str, layer: Layer, recipe: &Recipe, options: Options) -> Self {
         let domain = Domain::of(recipe);
         let own = Grid::of(&domain);
         let grid = options.raster_size.and_then(|size| Rasters::grid(&domain, size).ok()).unwrap_or(own);
-        Self { sides: [grid.columns as u32, grid.rows as u32], chunk: chunk(link) }
+        let meaning = [MEANING, subject(layer).as_bytes()].concat();
+        Self { sides: [grid.columns as u32, grid.rows as u32], chunk: chunk(link), meaning: Some(meaning) }
     }
 
     fn begins(&self, start: &[u8]) -> bool {
         let [width, height] = self.sides.map(u32::to_be_bytes);
-        start.get(16..24) == Some(&[width, height].concat()) && contains(start, &self.chunk)
+        let has_meaning = match &self.meaning {
+            Some(meaning) => contains(start, meaning),
+            None => !contains(start, MEANING),
+        };
+        start.get(16..24) == Some(&[width, height].concat()) && contains(start, &self.chunk) && has_meaning
+    }
+}
+
+/// How the chunk begins that says what a raster's values mean.
+const MEANING: &[u8] = b"tEXtDescription\0";
+
+/// How `Rasters::meaning` begins, whatever the map: no layer's begins like another's.
+fn subject(layer: Layer) -> &'static str {
+    match layer {
+        Layer::Heights => "16-bit heights",
+        Layer::Land => "255 is land",
+        Layer::Rivers => "16-bit width of the river",
+        Layer::Flow => "Where water runs",
+        Layer::Basins => "16-bit number of the river basin",
     }
 }
 

@@ -4,6 +4,7 @@
 mod file_name;
 mod found;
 mod lines;
+mod place;
 mod report;
 mod seeds;
 
@@ -21,6 +22,7 @@ use riverseed::recipe::{Key, Recipe, link};
 use self::file_name::Pattern;
 use self::found::Found;
 use self::lines::{Lines, Turn};
+use self::place::Places;
 use self::report::{Outcome, Report};
 use self::seeds::Seeds;
 pub use self::seeds::Shard;
@@ -52,6 +54,7 @@ pub fn render(
     let run = Run {
         order,
         files,
+        places: Places::of(matches, source),
         has_lines: wanted.iter().any(|wanted| wanted.path.is_none()),
         options,
         is_again: matches.get_flag("again"),
@@ -62,8 +65,8 @@ pub fn render(
         shard,
         seeds: &seeds,
     };
-    thread::scope(|scope| (0..threads).for_each(|_| drop(scope.spawn(|| run.make_maps()))));
-    run.report.finish(seeds.faults, run.end.into_inner())
+    run.make_all(threads.min(usize::try_from(all).unwrap_or(usize::MAX)));
+    run.report.finish(seeds.faults, run.end.into_inner(), !run.files.is_empty())
 }
 
 /// The value that each map has of its own.
@@ -99,6 +102,7 @@ fn patterns(wanted: &[Wanted<'_>]) -> Result<Vec<(Form, Pattern)>, Failure> {
 struct Run<'a> {
     order: &'a Order,
     files: Vec<(Form, Pattern)>,
+    places: Places,
     has_lines: bool,
     options: Options,
     is_again: bool,
@@ -113,12 +117,26 @@ struct Run<'a> {
 }
 
 impl Run<'_> {
+    /// Makes all maps, on so many threads, of which this is one, or as many as can be had.
+    fn make_all(&self, threads: usize) {
+        thread::scope(|scope| {
+            for i in 1..threads {
+                if let Err(error) = thread::Builder::new().spawn_scoped(scope, || self.make_maps()) {
+                    let noun = if i == 1 { "thread" } else { "threads" };
+                    self.report.note(&format!("maps are made on {i} {noun}, since no more can be had: {error}"));
+                    break;
+                }
+            }
+            self.make_maps();
+        });
+    }
+
     /// Makes one map after the other, as long as there are any.
     fn make_maps(&self) {
         while self.end.get().is_none() {
             let place = self.next.fetch_add(1, Ordering::Relaxed);
             let Some(seed) = self.seeds.get(self.shard, place) else { return };
-            let turn = self.has_lines.then(|| self.lines.turn(place));
+            let turn = (self.has_lines && self.lines.is_open()).then(|| self.lines.turn(place));
             match self.make_map(&seed, turn) {
                 Ok(outcome) => self.report.count(outcome),
                 Err(failure) if ends_all(&failure) => drop(self.end.set(failure)),
@@ -135,22 +153,32 @@ impl Run<'_> {
         if missing.is_empty() && turn.is_none() {
             return Ok(Outcome::WasThere);
         }
-        let outputs = missing.iter().map(|(_, path)| Output::open(path)).collect::<Result<Vec<_>, _>>()?;
+        // Looked at before the work begins, but open one at a time: there are few open files to a process.
+        missing.iter().try_for_each(|(_, path)| self.places.open(path).map(drop))?;
         let line = turn.as_ref().map(|_| Form::Json);
         let forms: Vec<Form> = missing.iter().map(|(form, _)| *form).chain(line).collect();
         let order = Order { recipe, given: Vec::new(), land: self.order.land.clone() };
         let warn = |text: &str| self.report.warn(seed, text);
         let map = Map::make(order, &forms, self.options, &ProgressBar::hidden(), &warn)?;
-        for (form, output) in forms.iter().zip(outputs) {
-            output.write(|out| map.write(*form, out))?;
+        for (form, path) in missing {
+            self.places.open(&path)?.write(|out| map.write(form, out))?;
         }
         if let Some(turn) = turn {
             let mut line = Vec::new();
             map.write(Form::Json, &mut line).map_err(of_line)?;
             drop(map); // or as many would wait as there are threads
-            turn.write(&line)?;
+            self.write_line(turn, &line)?;
         }
         Ok(if is_other { Outcome::Replaced } else { Outcome::Made })
+    }
+
+    /// Writes a line. If nobody reads lines any more, files are made without them.
+    fn write_line(&self, turn: Turn<'_>, line: &[u8]) -> Result<(), Failure> {
+        match turn.write(line) {
+            Err(error) if error.kind() == ErrorKind::BrokenPipe && !self.files.is_empty() => self.lines.close(),
+            written => written?,
+        }
+        Ok(())
     }
 
     /// The files that are to be made, and whether there are some that another recipe made.

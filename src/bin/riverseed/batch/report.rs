@@ -64,21 +64,26 @@ impl Report {
     }
 
     fn say(&self, seed: &str, text: &str) {
-        self.bar.suspend(|| say(&format!("seed '{seed}': {text}")));
+        self.note(&format!("seed '{seed}': {text}"));
     }
 
-    /// Says what came of it. `faults` are the lines of the list that were no seeds, `end` why not all were tried.
+    /// Says what is of no single map.
+    pub fn note(&self, text: &str) {
+        self.bar.suspend(|| say(text));
+    }
+
+    /// Says what came of it. `faults` are the lines of the list that were no seeds, `end` why not all were tried, and `has_files` tells
+    /// whether what was made need not be made again.
     ///
     /// # Errors
     /// If not all maps are there.
-    pub fn finish(self, faults: u64, end: Option<Failure>) -> Result<(), Failure> {
+    pub fn finish(self, faults: u64, end: Option<Failure>, has_files: bool) -> Result<(), Failure> {
         self.bar.finish_and_clear();
         let warnings = self.warnings.into_inner().saturating_sub(Self::WARNINGS);
         if warnings > 0 {
             say(&format!("{warnings} further warnings are not shown"));
         }
-        let counted =
-            [(self.made, "made"), (self.replaced, "made in the place of another's"), (self.there, "there before")];
+        let counted = [(self.made, "made"), (self.replaced, "replaced"), (self.there, "there before")];
         let counted = counted.map(|(count, what)| (count.into_inner(), what));
         let parts = counted.into_iter().filter(|(count, _)| *count > 0).map(|(count, what)| format!("{count} {what}"));
         let parts: Vec<String> = parts.collect();
@@ -88,7 +93,10 @@ impl Report {
         let (failed, all) = (self.failed.into_inner() + faults, self.all + faults);
         match end {
             Some(Failure::Output(error)) if error.kind() == std::io::ErrorKind::BrokenPipe => Err(error.into()),
-            Some(failure) => Err(Failure::Stopped { failure: failure.into(), all }),
+            Some(failure) => {
+                let advice = if has_files { "; the same call goes on from here" } else { "" };
+                Err(Failure::Stopped { failure: failure.into(), all, advice })
+            }
             None if failed > 0 => Err(Failure::Maps { failed, all }),
             None => Ok(()),
         }

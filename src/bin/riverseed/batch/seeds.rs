@@ -7,6 +7,7 @@ use std::fs::File;
 use std::io::{self, BufRead, BufReader};
 use std::path::Path;
 use std::str::FromStr;
+use std::sync::Arc;
 
 use riverseed::recipe::{Key, Value};
 
@@ -30,7 +31,7 @@ pub struct Seeds {
 #[derive(Debug)]
 enum Kind {
     Range { first: u64, count: u64 },
-    List(Vec<Box<str>>),
+    List(Vec<Arc<str>>),
 }
 
 impl Seeds {
@@ -46,9 +47,9 @@ impl Seeds {
             return Ok(Self { seeds: Kind::Range { first, count }, faults: 0 });
         }
         let list = if name == "-" {
-            List::read(io::stdin().lock(), &name, say)
+            List::read(io::stdin().lock(), MOST_LISTED, &name, say)
         } else {
-            File::open(source).and_then(|file| List::read(BufReader::new(file), &name, say))
+            File::open(source).and_then(|file| List::read(BufReader::new(file), MOST_LISTED, &name, say))
         };
         let list = list.map_err(Failure::file(Path::new(source)))?;
         list.finish(&name, say).map_err(refused)
@@ -94,19 +95,23 @@ fn between(first: &str, last: &str) -> Result<(u64, u64), &'static str> {
 /// A list as it is read.
 #[derive(Default)]
 struct List {
-    seeds: Vec<Box<str>>,
-    known: BTreeSet<Box<str>>,
+    seeds: Vec<Arc<str>>,
+    /// The same.
+    known: BTreeSet<Arc<str>>,
     empty: u64,
     repeated: u64,
     faults: u64,
-    is_too_long: bool,
+    /// Why it is refused as a whole.
+    refusal: Option<String>,
 }
 
 impl List {
     /// More faults than that are counted and not said.
     const FAULTS: u64 = 20;
 
-    fn read(source: impl BufRead, name: &str, say: Say<'_>) -> io::Result<Self> {
+    /// Reads a list of so many seeds at most.
+    fn read(source: impl BufRead, most: usize, name: &str, say: Say<'_>) -> io::Result<Self> {
+        let too_long = || Some(format!("a list holds at most {most} seeds, in {} MB", LONGEST_LIST >> 20));
         let mut list = Self::default();
         let mut source = source.take(LONGEST_LIST + 1);
         let mut line = Vec::new();
@@ -115,8 +120,8 @@ impl List {
             if source.read_until(b'\n', &mut line)? == 0 {
                 break;
             }
-            list.is_too_long = source.limit() == 0 || list.seeds.len() > MOST_LISTED;
-            if list.is_too_long {
+            if number == 1 && is_utf_16(&line) {
+                list.refusal = Some("it is text in UTF-16, and a list is one in UTF-8".into());
                 break;
             }
             // Some editors begin every file with a byte order mark.
@@ -127,6 +132,10 @@ impl List {
                     say(&format!("{name}: line {number}: {reason}"));
                 }
             }
+            if source.limit() == 0 || list.seeds.len() > most {
+                list.refusal = too_long();
+                break;
+            }
         }
         Ok(list)
     }
@@ -135,13 +144,13 @@ impl List {
     fn add(&mut self, line: &[u8]) -> Result<(), String> {
         let text = str::from_utf8(line).map_err(|_| "the text is not UTF-8")?;
         let seed = match Key::Seed.parameter().parse(text.trim()) {
-            Ok(Value::Text(seed)) => Box::<str>::from(seed),
+            Ok(Value::Text(seed)) => Arc::<str>::from(seed),
             Ok(_) => return Err("the line is no text".into()),
             Err(error) => return Err(error.to_string()),
         };
         if seed.is_empty() {
             self.empty += 1;
-        } else if self.known.insert(seed.clone()) {
+        } else if self.known.insert(Arc::clone(&seed)) {
             self.seeds.push(seed);
         } else {
             self.repeated += 1;
@@ -150,8 +159,8 @@ impl List {
     }
 
     fn finish(self, name: &str, say: Say<'_>) -> Result<Seeds, String> {
-        if self.is_too_long {
-            return Err(format!("a list holds at most {MOST_LISTED} seeds, in {} MB", LONGEST_LIST >> 20));
+        if let Some(refusal) = self.refusal {
+            return Err(refusal);
         }
         let told = [
             (self.faults.saturating_sub(Self::FAULTS), "further lines are no seeds"),
@@ -166,6 +175,11 @@ impl List {
         }
         Ok(Seeds { seeds: Kind::List(self.seeds), faults: self.faults })
     }
+}
+
+/// Whether a text begins with one of UTF-16's byte order marks.
+fn is_utf_16(text: &[u8]) -> bool {
+    text.starts_with(&[0xff, 0xfe]) || text.starts_with(&[0xfe, 0xff])
 }
 
 /// Which of the seeds a call makes: every `count`-th, from the one at `index` on.
@@ -202,9 +216,13 @@ mod tests {
     use super::*;
 
     fn list(text: &[u8]) -> (Result<Seeds, String>, Vec<String>) {
+        list_of(text, MOST_LISTED)
+    }
+
+    fn list_of(text: &[u8], most: usize) -> (Result<Seeds, String>, Vec<String>) {
         let said = RefCell::new(Vec::new());
         let say = |text: &str| said.borrow_mut().push(text.to_owned());
-        let seeds = List::read(text, "list", &say).unwrap().finish("list", &say);
+        let seeds = List::read(text, most, "list", &say).unwrap().finish("list", &say);
         (seeds, said.into_inner())
     }
 
@@ -231,6 +249,26 @@ mod tests {
         let (seeds, said) = list(&b"\xff\n".repeat(50));
         assert_eq!((seeds.unwrap_err().as_str(), said.len()), ("there are no seeds in it", 21));
         assert_eq!(said[20], "list: 30 further lines are no seeds");
+    }
+
+    #[test]
+    fn lists_hold_as_many_seeds_as_is_said_and_no_more() {
+        let refusal = "a list holds at most 3 seeds, in 256 MB";
+        for text in ["a\nb\nc", "a\nb\nc\n", "a\nb\nc\n\nb\n"] {
+            assert_eq!(list_of(text.as_bytes(), 3).0.unwrap().count(Shard::default()), 3, "{text:?}");
+        }
+        for text in ["a\nb\nc\nd", "a\nb\nc\nd\n", "a\nb\nc\nb\nd\n"] {
+            assert_eq!(list_of(text.as_bytes(), 3).0.unwrap_err(), refusal, "{text:?}");
+        }
+    }
+
+    #[test]
+    fn list_in_utf_16_is_refused_with_one_word() {
+        for text in [b"\xff\xfek\0\n\0", b"\xfe\xff\0k\0\n"] {
+            let (seeds, said) = list(text);
+            assert_eq!(seeds.unwrap_err(), "it is text in UTF-16, and a list is one in UTF-8");
+            assert!(said.is_empty(), "{said:?}");
+        }
     }
 
     #[test]
