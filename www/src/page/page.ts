@@ -94,7 +94,7 @@ class Page {
     this.#presetNote = new PresetNote(engine.parameters(), (link) => this.#undoPresets(link));
     const disclosures = new Disclosures(() => localStorage);
     this.#choices = new Choices(engine, disclosures, this.#names.list, {
-      set: (values, how) => this.#set(values, how),
+      set: (values, how, isGradual) => this.#set(values, how, isGradual),
       press: (preset) => this.#press(preset),
       draw: () => this.#ownLand.ask(),
       failed: (error) => this.#fail(error),
@@ -194,13 +194,13 @@ class Page {
     this.#choices.focusPreset();
   }
 
-  /** Changes some values of what is shown: a step that can be undone, or a part of one. */
-  #set(values: Iterable<readonly [key: string, value: string]>, how: ShowMode): void {
+  /** Changes some values of what is shown: a step that can be undone, or a part of one if they change little by little. */
+  #set(values: Iterable<readonly [key: string, value: string]>, how: ShowMode, isGradual = how === "settle"): void {
     this.#attempt(() => {
       const changes = [...values];
       this.#presetNote.forget();
       this.#recipe.set(changes);
-      this.#show(how, this.#undo.isStep(changes.map(([key]) => key).join()));
+      this.#show(how, this.#undo.isStep(isGradual ? changes.map(([key]) => key).join() : undefined));
     });
   }
 
@@ -210,7 +210,7 @@ class Page {
       this.#presetNote.forget();
       this.#recipe.open(link);
       this.#choices.replaceSeed(this.#recipe.seed);
-      this.#show("watch", isStep);
+      this.#show("watch", isStep && this.#undo.isStep());
     });
   }
 
@@ -228,9 +228,11 @@ class Page {
     const link = linkOf(location);
     const areAskedFor = this.#six.areAskedFor;
     this.#undo.arrived();
+    this.#address.drop();
     if (!areAskedFor) this.#six.close();
     if (link !== this.#recipe.link) this.#open(link, false);
     if (areAskedFor) this.#six.open();
+    this.#address.show(this.#recipe.link);
   }
 
   /** The reader's pages have become dark, or light. */

@@ -17,7 +17,7 @@ export interface UndoElements {
 }
 
 export class Undo {
-  #step = stepOf(history.state);
+  #step = stepOf(history.state) ?? 0;
   #last = this.#step;
   #changed: { what: string; at: number } | undefined;
 
@@ -44,11 +44,12 @@ export class Undo {
     if (this.#step < this.#last) history.forward();
   }
 
-  /** Something changes: whether that is a step of its own. */
-  isStep(what: string): boolean {
+  /** Something changes, little by little if it has a name: whether that is a step of its own. */
+  isStep(what?: string): boolean {
     const before = this.#changed;
-    this.#changed = { what, at: performance.now() };
-    return before?.what !== what || this.#changed.at - before.at > REST_MS;
+    const at = performance.now();
+    this.#changed = what === undefined ? undefined : { what, at };
+    return before === undefined || before.what !== what || at - before.at > REST_MS;
   }
 
   /** Writes the link of what is shown into the address: of a step as another entry, otherwise in place of the last. */
@@ -66,10 +67,12 @@ export class Undo {
     this.#show();
   }
 
-  /** The browser went to another entry. */
+  /** The browser went to another entry. One that nobody has written yet, as a link makes that is pasted over the address, is the last. */
   arrived(): void {
     this.#changed = undefined;
-    this.#step = stepOf(history.state);
+    const step = stepOf(history.state);
+    if (step === undefined) this.#last = this.#step + 1;
+    this.#step = step ?? this.#last;
     this.#last = Math.max(this.#last, this.#step);
     this.#show();
   }
@@ -95,7 +98,7 @@ function isTyping(target: EventTarget | null): boolean {
   return target instanceof HTMLInputElement && target.type === "text";
 }
 
-function stepOf(state: unknown): number {
+function stepOf(state: unknown): number | undefined {
   const step = (state as Partial<Entry> | null)?.step;
-  return typeof step === "number" ? step : 0;
+  return typeof step === "number" ? step : undefined;
 }
