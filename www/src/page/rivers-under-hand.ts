@@ -5,6 +5,7 @@
 
 import { el, mapLayer, setText, svg } from "../browser/dom.ts";
 import type { Insets, Point } from "./camera.ts";
+import { isOnMap } from "./gestures.ts";
 import type { PointedRiver, RiverPlace } from "./protocol.ts";
 import { courseOf, measuresOf, titleOf } from "./river-words.ts";
 
@@ -265,11 +266,6 @@ class Card {
     this.element.style.left = `${beside(spot.x, spot.x, width, free.left, free.right)}px`;
     this.element.style.top = `${beside(down.top, down.bottom, height, free.top, free.bottom)}px`;
   }
-}
-
-/** What lies over the map keeps its own gestures. */
-function isOnMap({ target }: Event): boolean {
-  return target instanceof Element && target.closest("a, button, .sketch, .failure") === null;
 }
 
 /** Seas, lakes, islands, stretches and the map have letters in their marks. */
