@@ -3,6 +3,7 @@
 import "../style/page.css";
 import { AddressBar, addressOf, linkOf } from "../browser/address.ts";
 import { el } from "../browser/dom.ts";
+import { answerEscape } from "../browser/keys.ts";
 import { turn } from "../browser/turn.ts";
 import { Disclosures } from "../controls/disclosure.ts";
 import { isRecoverable, named } from "../engine/errors.ts";
@@ -127,8 +128,9 @@ class Page {
     });
     this.#choices.presets.append(this.#six.button);
     new HelpSheet(elements.help, shortcuts());
-    new MapAlone(elements.mapAlone, () => this.#viewport.refit());
-    new Panel(elements.panel, disclosures, () => this.#viewport.refit());
+    const alone = new MapAlone(elements.mapAlone, () => this.#viewport.refit());
+    const panel = new Panel(elements.panel, disclosures, () => this.#viewport.refit());
+    answerEscape([this.#underHand, this.#ownLand, panel, this.#inside, alone]);
     this.#listen();
   }
 

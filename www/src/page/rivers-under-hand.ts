@@ -62,9 +62,6 @@ export class RiversUnderHand {
     frame.addEventListener("pointerdown", (event) => this.#onDown(event));
     frame.addEventListener("pointerup", (event) => this.#onUp(event));
     frame.addEventListener("keydown", (event) => void this.#onFrameKey(event));
-    document.addEventListener("keydown", ({ key }) => {
-      if (key === "Escape") this.hide();
-    });
     this.#listenToNames();
     // The card goes with its place, however that is moved.
     new MutationObserver(() => this.#placeCard()).observe(mapPlace, { attributeFilter: ["style"] });
@@ -75,6 +72,13 @@ export class RiversUnderHand {
     this.#isFinished = state === "finished";
     this.#walkedTo = -1;
     this.hide();
+  }
+
+  /** Hides the river that is shown. */
+  escape(): boolean {
+    const wasShown = this.#shown !== undefined;
+    this.hide();
+    return wasShown;
   }
 
   hide(): void {

@@ -1,6 +1,7 @@
 /** Undo and redo, which are the browser's own Back and Forward: each step of a person is an entry of its history. */
 
 import { addressOf } from "../browser/address.ts";
+import { isTaken } from "../browser/keys.ts";
 
 /** Changes of the same thing belong to one step, until the hand has rested so long. */
 const REST_MS = 1000;
@@ -78,8 +79,7 @@ export class Undo {
   }
 
   #onKey(event: KeyboardEvent): void {
-    if (event.defaultPrevented || !(event.ctrlKey || event.metaKey) || event.altKey) return;
-    if (isTyping(event.target) || this.isElsewhere()) return;
+    if (!(event.ctrlKey || event.metaKey) || event.altKey || isTaken(event) || this.isElsewhere()) return;
     const key = event.key.toLowerCase();
     if (key === "z" && !event.shiftKey) this.undo();
     else if (key === "y" || key === "z") this.redo();
@@ -91,11 +91,6 @@ export class Undo {
     this.elements.undo.disabled = this.#step === 0;
     this.elements.redo.disabled = this.#step === this.#last;
   }
-}
-
-/** Text has an undo of its own. */
-function isTyping(target: EventTarget | null): boolean {
-  return target instanceof HTMLInputElement && target.type === "text";
 }
 
 function stepOf(state: unknown): number | undefined {
