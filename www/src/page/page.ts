@@ -6,7 +6,7 @@ import { el } from "../browser/dom.ts";
 import { answerEscape } from "../browser/keys.ts";
 import { turn } from "../browser/turn.ts";
 import { Disclosures } from "../controls/disclosure.ts";
-import { isRecoverable, named } from "../engine/errors.ts";
+import { isRecoverable, named, type PageError } from "../engine/errors.ts";
 import type { FullCore, Preset } from "../engine/full.ts";
 import { Recipe } from "../engine/recipe.ts";
 import type { Phase, Summary } from "../engine/types.ts";
@@ -98,14 +98,14 @@ class Page {
       set: (values, how, isGradual) => this.#set(values, how, isGradual),
       press: (preset) => this.#press(preset),
       draw: () => this.#ownLand.ask(),
-      failed: (error) => this.#fail(error),
+      failed: (error) => this.#failBeside(error),
     });
     this.#transport = this.#makeTransport();
     this.#ownLand = new OwnLand(engine, {
       values: () => this.#recipe.values,
       changed: (values) => this.#set(values, "settle"),
       refused: (message) => this.#note(message),
-      failed: (error) => this.#fail(error),
+      failed: (error) => this.#failBeside(error),
     });
     const paper = disclosures.details(
       "For the curious",
@@ -124,7 +124,7 @@ class Page {
       changed: (isOpen) => this.#cover(isOpen),
       take: (preset, all) => this.#press(preset, all),
       copy: () => this.#copiedAddress(),
-      failed: (error) => this.#fail(error),
+      failed: (error) => this.#failBeside(error),
     });
     this.#choices.presets.append(this.#six.button);
     new HelpSheet(elements.help, shortcuts());
@@ -162,7 +162,7 @@ class Page {
     elements.reset.addEventListener("click", () => this.#open(`seed=${encodeURIComponent(this.#recipe.seed)}`));
     const downloads = new Downloads(this.#recipe, {
       make: (link, format) => this.#viewport.file(link, format),
-      failed: (error) => this.#fail(error),
+      failed: (error) => this.#failBeside(error),
     });
     new SaveDialog(elements.saving, this.#recipe, downloads, () => localStorage);
     new ShareDialog(elements.sharing, this.#recipe, downloads);
@@ -284,7 +284,8 @@ class Page {
   }
 
   async #finished(phase: Phase, summary: Summary): Promise<void> {
-    this.#refreshThumbnails().catch((error) => this.#fail(error));
+    // Nobody asked for them: the map is as good without.
+    this.#refreshThumbnails().catch(warn);
     void this.#measures.refresh(remainderOf(summary));
     void keepForOffline();
     const { seed } = this.#recipe;
@@ -298,6 +299,7 @@ class Page {
     );
   }
 
+  /** The river that was to be shown cannot be. */
   #fail(thrown: unknown): void {
     const error = named(thrown);
     if (error.code === "no-chart") this.#note(error.message);
@@ -310,6 +312,13 @@ class Page {
       this.#viewport.close();
       fail(error);
     }
+  }
+
+  /** Something else failed than the river on show, which goes on unless the engine has stopped. */
+  #failBeside(thrown: unknown): void {
+    const error = named(thrown);
+    if (error.code === "panic") this.#fail(error);
+    else this.#note(error.message);
   }
 
   #note(message: string): void {
@@ -341,12 +350,18 @@ function forTheCurious(): HTMLElement {
   return el("summary", {}, el("h2", {}, "For the curious"));
 }
 
-/** A failure that leaves no picture: shown in its place, and once on the console for the owner of the site. */
+/** A failure that leaves no picture: shown in its place, and once on the console. */
 function fail(thrown: unknown): void {
-  const error = named(thrown);
-  console.warn(`riverseed: ${error.code}: ${error.message}`);
+  const error = warn(thrown);
   elements.facade.hidden = true;
   showFailure(elements.failure, error);
+}
+
+/** On the console, for the owner of the site. */
+function warn(thrown: unknown): PageError {
+  const error = named(thrown);
+  console.warn(`riverseed: ${error.code}: ${error.message}`);
+  return error;
 }
 
 /** The first river is on its way before the page is made, which takes as long as its first picture does. */
