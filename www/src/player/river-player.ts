@@ -73,6 +73,7 @@ export class RiverPlayer<Planted extends River & Partial<Framed> = River> {
   #counted = Number.NEGATIVE_INFINITY;
   #told: Phase | undefined;
   #canRun = true;
+  #isFreed = false;
   #ratio = 1;
   #framing: Framing | undefined;
   readonly #river: Planted;
@@ -191,19 +192,19 @@ export class RiverPlayer<Planted extends River & Partial<Framed> = River> {
     this.#attempt(() => this.#fit());
   }
 
-  /** Stops for good. The river is not freed: after a failure nothing of the engine may be called. */
+  /** Stops for good. The river is not freed: after some failures nothing may be asked of it. */
   close(): void {
     this.#canRun = false;
     this.clock?.leave(this.#growing);
-    this.#loop.halt();
+    this.#loop.close();
     for (const handle of [this.#applying, this.#labelling]) if (handle !== undefined) this.frames.cancel(handle);
   }
 
-  /** Stops for good and gives the river's memory back. */
+  /** Stops for good, if it has not stopped, and gives the river's memory back. */
   free(): void {
-    if (!this.#canRun) return;
     this.close();
-    this.#river.free();
+    if (!this.#isFreed) this.#river.free();
+    this.#isFreed = true;
   }
 
   #applyNow(): void {
