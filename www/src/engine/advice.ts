@@ -87,11 +87,6 @@ const ADVICE: Record<Code, Advice> = {
     text: "Choose a PNG, at most 4096 pixels a side: white for land, black for water.",
     reload: false,
   },
-  "no-randomness": {
-    title: "No seed by chance",
-    text: "The browser gave no random numbers. Type a word of your own.",
-    reload: false,
-  },
   panic: {
     title: "The river engine stopped",
     text:

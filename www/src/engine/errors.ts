@@ -17,7 +17,6 @@ export const CODES = [
   "no-memory",
   "no-land",
   "bad-image",
-  "no-randomness",
   "panic",
   "unknown",
 ] as const;
@@ -57,13 +56,7 @@ const RECOVERABLE: ReadonlySet<Code> = new Set([
   "too-large",
   "no-land",
   "bad-image",
-  "no-randomness",
 ]);
-
-/** A failure after which nobody knows in what state the engine is: nothing more is asked of what it was at, not even to go. */
-export function isEngineUnsure({ code }: PageError): boolean {
-  return code === "panic" || code === "unknown";
-}
 
 /** A failure after which the picture on the page is still good, so that a note beside it is enough. */
 export function isRecoverable(error: PageError): boolean {

@@ -204,7 +204,7 @@ export class FrameLoop {
     this.#last = undefined;
   }
 
-  /** No frames any more, whatever is asked for. */
+  /** No frames any more, whatever is asked for: the one that this may be in does not go on, either. */
   close(): void {
     this.halt();
     this.#isOver = true;

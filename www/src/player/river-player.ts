@@ -73,7 +73,6 @@ export class RiverPlayer<Planted extends River & Partial<Framed> = River> {
   #counted = Number.NEGATIVE_INFINITY;
   #told: Phase | undefined;
   #canRun = true;
-  #isFreed = false;
   #ratio = 1;
   #framing: Framing | undefined;
   readonly #river: Planted;
@@ -200,11 +199,10 @@ export class RiverPlayer<Planted extends River & Partial<Framed> = River> {
     for (const handle of [this.#applying, this.#labelling]) if (handle !== undefined) this.frames.cancel(handle);
   }
 
-  /** Stops for good, if it has not stopped, and gives the river's memory back. */
+  /** Stops for good, if it has not, and gives the river's memory back, once. */
   free(): void {
     this.close();
-    if (!this.#isFreed) this.#river.free();
-    this.#isFreed = true;
+    this.#river.free();
   }
 
   #applyNow(): void {

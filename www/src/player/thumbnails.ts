@@ -1,7 +1,8 @@
 /** Small pictures of one finished map in many styles, made a little at a time. */
 
-import { isEngineUnsure, named } from "../engine/errors.ts";
+import { named } from "../engine/errors.ts";
 import type { FullRiver } from "../engine/full.ts";
+import { isEngineUnsure } from "../engine/unsure.ts";
 
 /** What may be done of them in one task. */
 const BUDGET_MS = 8;

@@ -1,8 +1,9 @@
 /** One river on its canvas, wherever that is drawn. */
 
 import type { CanvasSize } from "../browser/canvas.ts";
-import { isEngineUnsure, isRecoverable, named } from "../engine/errors.ts";
+import { isRecoverable, named } from "../engine/errors.ts";
 import type { River } from "../engine/types.ts";
+import { isEngineUnsure } from "../engine/unsure.ts";
 import type { Frames } from "../player/frame-loop.ts";
 import { type Planter, type PlayerEvents, RiverPlayer } from "../player/river-player.ts";
 import type { SharedClock } from "../player/shared-clock.ts";
@@ -110,5 +111,6 @@ export class Scene<Planted extends River = River> {
   #close(): void {
     this.#isOver = true;
     if (this.#mayFree) this.#player?.free();
+    this.#player = undefined;
   }
 }
