@@ -11,7 +11,7 @@ import type { Shot } from "./gallery/shots.ts";
 const SIZE = { width: 216, height: 136 };
 /** What of a picture stays free around a map that is seen whole. */
 const MARGIN_PX = 6;
-/** The files that the page asks for: `COUNTRY_PICTURES` of src/page/page.ts. */
+/** The files that the page asks for: `COUNTRY_PICTURES` of src/page/choices.ts. */
 const FOLDER = "countries";
 
 interface Picture extends Order {

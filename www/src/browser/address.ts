@@ -48,9 +48,15 @@ export function addressOf(link: string, page: string): string {
   return address.href;
 }
 
-/** Writes links at a bounded rate: the first at once, then the latest when the time is up. */
+/** How many writes may come sooner, in how long: with the others they stay below what Safari takes. */
+const MOST_SOONER = 30;
+const SOONER_MS = 30_000;
+
+/** Writes links at a bounded rate: the first at once, then the latest when the time is up. A step is not lost for one that follows soon. */
 export class AddressBar {
   #lastWrite = Number.NEGATIVE_INFINITY;
+  /** When what waited was written before its time. */
+  #sooner: number[] = [];
   #waiting: { link: string; isStep: boolean } | undefined;
   #timer: ReturnType<typeof setTimeout> | undefined;
 
@@ -58,6 +64,7 @@ export class AddressBar {
 
   /** A link is on show; with it, perhaps, another step of what can be undone. */
   show(link: string, isStep = false): void {
+    if (isStep) this.#makeWay();
     this.#waiting = { link, isStep: isStep || (this.#waiting?.isStep ?? false) };
     const wait = this.#lastWrite + WRITE_EVERY_MS - performance.now();
     if (wait <= 0) this.flush();
@@ -66,12 +73,27 @@ export class AddressBar {
 
   /** Writes what waits, now: before the link is copied, or when the page is left. */
   flush(): void {
+    const waiting = this.#waiting;
+    this.drop();
+    if (waiting === undefined) return;
+    this.#lastWrite = performance.now();
+    this.write(waiting.link, waiting.isStep);
+  }
+
+  /** Writes nothing of what waits: the address is another's by now. */
+  drop(): void {
     clearTimeout(this.#timer);
     this.#timer = undefined;
-    if (this.#waiting === undefined) return;
-    const { link, isStep } = this.#waiting;
     this.#waiting = undefined;
-    this.#lastWrite = performance.now();
-    this.write(link, isStep);
+  }
+
+  /** What waits belongs to the step before. With a key that is held there would be too many: then they are one. */
+  #makeWay(): void {
+    if (this.#waiting === undefined) return;
+    const now = performance.now();
+    this.#sooner = this.#sooner.filter((time) => now - time < SOONER_MS);
+    if (this.#sooner.length >= MOST_SOONER) return;
+    this.#sooner.push(now);
+    this.flush();
   }
 }

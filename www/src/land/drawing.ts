@@ -1,6 +1,7 @@
 /** The drawing tool: a coast drawn over the picture becomes the land, and the rivers follow the pen. */
 
 import { setText } from "../browser/dom.ts";
+import { isTaken } from "../browser/keys.ts";
 import { named } from "../engine/errors.ts";
 import type { Lines } from "../engine/full.ts";
 import type { Traced } from "../engine/tracing.ts";
@@ -120,13 +121,10 @@ export class Drawing {
   }
 
   #onKey(event: KeyboardEvent): void {
-    if (!this.#isOpen || event.defaultPrevented) return;
-    const isTyping = event.target instanceof HTMLInputElement && event.target.type === "text";
-    if (event.key === "Escape") this.close();
-    else if (event.key.toLowerCase() === "z" && (event.ctrlKey || event.metaKey) && !event.shiftKey && !isTyping)
-      this.#edit(() => this.#sketch.undo());
-    else return;
+    if (!this.#isOpen || isTaken(event) || event.altKey || event.shiftKey) return;
+    if (event.key.toLowerCase() !== "z" || !(event.ctrlKey || event.metaKey)) return;
     event.preventDefault();
+    this.#edit(() => this.#sketch.undo());
   }
 
   #listenToPen(): void {

@@ -17,8 +17,8 @@ import { StyleStrip } from "./style-strip.ts";
 type Values = readonly (readonly [key: string, value: string])[];
 
 export interface ChoicesEvents {
-  /** Some values are to be others. */
-  set(values: Values, how: ShowMode): void;
+  /** Some values are to be others, in a step that can be undone, or little by little in one: what settles does, unless something else is said. */
+  set(values: Values, how: ShowMode, isGradual?: boolean): void;
   /** A preset of links is pressed. */
   press(preset: Preset): void;
   /** A land is to be drawn. */
@@ -57,7 +57,9 @@ export class Choices {
       (country) => events.set(this.unkept(country), "watch"),
       ({ name }) => `${COUNTRY_PICTURES}/${name}.webp`,
     );
-    this.#seedBox = new SeedBox(elements.seedForm, elements.seed, (seed) => events.set([["seed", seed]], "watch"));
+    this.#seedBox = new SeedBox(elements.seedForm, elements.seed, (seed) =>
+      events.set([["seed", seed]], "watch", true),
+    );
     describeSeed(parameter("seed"));
     this.#land = new LandChoice(elements.land, parameter("land"), (kind) => choose([["land", kind]]));
     this.strip = new StyleStrip(elements.styles, parameter("style"), (style) => choose([["style", style]]));

@@ -1,6 +1,7 @@
 /** The sheet of keys: what the page is, and what each key does. The same list answers the keys that stand for a button. */
 
 import { el } from "../browser/dom.ts";
+import { isCombined, isTaken } from "../browser/keys.ts";
 
 export interface HelpElements {
   dialog: HTMLDialogElement;
@@ -28,7 +29,7 @@ const OTHERS: readonly (readonly [keys: string, says: string])[] = [
   ["Ctrl Z", "undo; with Shift, redo; while drawing, take the last line back"],
   ["← →", "on a slider: one step; Page Up and Page Down: a large one; so does the wheel"],
   ["Enter", "in the seed box: grow at once"],
-  ["Esc", "close what is open; while drawing: done"],
+  ["Esc", "close what is open, one thing at a time; while drawing: done"],
 ];
 
 export class HelpSheet {
@@ -45,9 +46,7 @@ export class HelpSheet {
   }
 
   #onKey(event: KeyboardEvent): void {
-    if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey || event.repeat) return;
-    // Where a letter is text, or picks from a list, it stays one.
-    if (event.target instanceof Element && event.target.closest("input[type=text], textarea, select, dialog")) return;
+    if (isTaken(event) || isCombined(event) || event.repeat) return;
     if (event.key === "?") this.elements.dialog.showModal();
     else this.shortcuts.find(({ key }) => key === event.key.toLowerCase())?.button.click();
   }

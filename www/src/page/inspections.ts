@@ -67,8 +67,11 @@ export class Inspections {
   #keptFor(player: Player): Kept {
     const kept = this.#kept;
     if (kept?.player === player && kept.link === player.link) return kept;
-    // What may still be asked of it is not: whoever asked sees that there is another.
-    void kept?.made.then((inspected) => inspected?.inspector.free());
+    // Questions that still wait for the old one get no answer; its inspector is freed, if one could be made.
+    kept?.made.then(
+      (inspected) => inspected?.inspector.free(),
+      () => {},
+    );
     const made = this.#make(player, player.link);
     const next = { player, link: player.link, made };
     this.#kept = next;
@@ -85,9 +88,10 @@ export class Inspections {
     // A map without names can be asked about, too.
     const charts = await this.loadCharts().catch(() => undefined);
     while (riseFor(river(), SLICE_MS)) await new Promise((done) => setTimeout(done));
+    // The inspector last: nothing that fails leaves it behind.
+    const [size, names] = [sizeOf(river()), namesOf(river(), charts)];
     const inspector = river()?.inspector();
-    if (!inspector) return;
-    return { inspector, size: sizeOf(river()), names: namesOf(river(), charts) };
+    return inspector && { inspector, size, names };
   }
 }
 

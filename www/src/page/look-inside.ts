@@ -4,6 +4,7 @@
  */
 
 import { el, mapLayer, setText, svg } from "../browser/dom.ts";
+import { isCombined, isTaken } from "../browser/keys.ts";
 import type { Point } from "./camera.ts";
 import { LOOKS, type Look, MOST_KINDS } from "./looks.ts";
 import type { Overlay, OverlayName } from "./protocol.ts";
@@ -94,13 +95,18 @@ export class LookInside {
   }
 
   #onKey(event: KeyboardEvent): void {
-    if (event.defaultPrevented || event.altKey || event.ctrlKey || event.metaKey || event.shiftKey) return;
-    if (event.target instanceof Element && event.target.closest("input, select, textarea, dialog, [role=menu]")) return;
-    if (event.key === "Escape" && this.#look) this.#toggle(this.#look);
+    if (isTaken(event) || isCombined(event) || event.shiftKey || event.repeat) return;
     const look = LOOKS.find(({ key }) => key === event.key.toUpperCase());
     if (!look || this.#buttons.get(look.name)?.disabled) return;
     event.preventDefault();
     this.#toggle(look);
+  }
+
+  /** Takes away what is laid over the map. */
+  escape(): boolean {
+    if (!this.#look) return false;
+    this.#toggle(this.#look);
+    return true;
   }
 
   #toggle(look: Look): void {
@@ -173,7 +179,9 @@ export class LookInside {
 
 /** Water is all that is not land, the sea beyond the map too, as far as it is seen. */
 function withFrame(name: OverlayName, kind: number, path: string, [width, height]: Overlay["size"]): string {
-  return name === "masks" && kind === 0 ? `M${-9 * width} ${-9 * height}H${10 * width}V${10 * height}H${-9 * width}z${path}` : path;
+  return name === "masks" && kind === 0
+    ? `M${-9 * width} ${-9 * height}H${10 * width}V${10 * height}H${-9 * width}z${path}`
+    : path;
 }
 
 /** The head of an arrow, in units: so it grows with the map. */

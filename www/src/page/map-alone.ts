@@ -3,6 +3,7 @@
  * does not. Two taps of a finger on the map do it, or a key, and undo it.
  */
 
+import { isCombined, isTaken } from "../browser/keys.ts";
 import { isOnMap } from "./gestures.ts";
 import { DoubleTap } from "./taps.ts";
 
@@ -44,12 +45,17 @@ export class MapAlone {
     else this.#enter();
   }
 
-  /** W, for the whole window, where it is no text; Escape leads back. */
+  /** W, for the whole window. */
   #onKey(event: KeyboardEvent): void {
-    if (event.defaultPrevented || event.altKey || event.ctrlKey || event.metaKey || event.repeat) return;
-    if (event.target instanceof Element && event.target.closest("input[type=text], textarea, select, dialog")) return;
+    if (isTaken(event) || isCombined(event) || event.repeat) return;
     if (event.key.toLowerCase() === "w") this.#toggle();
-    else if (event.key === "Escape" && this.#isOn) this.#leave();
+  }
+
+  /** Back, if the map is alone. */
+  escape(): boolean {
+    const wasOn = this.#isOn;
+    if (wasOn) this.#leave();
+    return wasOn;
   }
 
   get #isOn(): boolean {

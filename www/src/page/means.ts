@@ -4,6 +4,7 @@ import type { FullCore, FullRiver, Measure } from "../engine/full.ts";
 import { askChart } from "../player/chart-maker.ts";
 import { fileOf } from "../player/formats.ts";
 import type { RiverPlayer } from "../player/river-player.ts";
+import { SharedClock } from "../player/shared-clock.ts";
 import { type Thumbnail, thumbnails } from "../player/thumbnails.ts";
 import type { Means } from "../renderer/renderer.ts";
 import { Inspections } from "./inspections.ts";
@@ -21,6 +22,7 @@ export function meansOf(core: FullCore, holdOn: () => void = () => {}): Means<Fu
     planter,
     // There is one river only.
     shareMs: Number.POSITIVE_INFINITY,
+    clock: new SharedClock(),
     async answer(question, playerOf) {
       switch (question.about) {
         case "file": {

@@ -36,6 +36,13 @@ export class OwnLand {
     return this.#drawing.isOpen;
   }
 
+  /** Ends drawing. */
+  escape(): boolean {
+    const wasOpen = this.isOpen;
+    this.#drawing.close();
+    return wasOpen;
+  }
+
   /** Follows the recipe. */
   show(values: ReadonlyMap<string, string>): void {
     this.#drawing.show(values.get("outline") ?? "");

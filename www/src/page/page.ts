@@ -3,9 +3,10 @@
 import "../style/page.css";
 import { AddressBar, addressOf, linkOf } from "../browser/address.ts";
 import { el } from "../browser/dom.ts";
+import { answerEscape } from "../browser/keys.ts";
 import { turn } from "../browser/turn.ts";
 import { Disclosures } from "../controls/disclosure.ts";
-import { isRecoverable, named } from "../engine/errors.ts";
+import { isRecoverable, named, type PageError } from "../engine/errors.ts";
 import type { FullCore, Preset } from "../engine/full.ts";
 import { Recipe } from "../engine/recipe.ts";
 import type { Phase, Summary } from "../engine/types.ts";
@@ -94,17 +95,17 @@ class Page {
     this.#presetNote = new PresetNote(engine.parameters(), (link) => this.#undoPresets(link));
     const disclosures = new Disclosures(() => localStorage);
     this.#choices = new Choices(engine, disclosures, this.#names.list, {
-      set: (values, how) => this.#set(values, how),
+      set: (values, how, isGradual) => this.#set(values, how, isGradual),
       press: (preset) => this.#press(preset),
       draw: () => this.#ownLand.ask(),
-      failed: (error) => this.#fail(error),
+      failed: (error) => this.#failBeside(error),
     });
     this.#transport = this.#makeTransport();
     this.#ownLand = new OwnLand(engine, {
       values: () => this.#recipe.values,
       changed: (values) => this.#set(values, "settle"),
       refused: (message) => this.#note(message),
-      failed: (error) => this.#fail(error),
+      failed: (error) => this.#failBeside(error),
     });
     const paper = disclosures.details(
       "For the curious",
@@ -123,12 +124,13 @@ class Page {
       changed: (isOpen) => this.#cover(isOpen),
       take: (preset, all) => this.#press(preset, all),
       copy: () => this.#copiedAddress(),
-      failed: (error) => this.#fail(error),
+      failed: (error) => this.#failBeside(error),
     });
     this.#choices.presets.append(this.#six.button);
     new HelpSheet(elements.help, shortcuts());
-    new MapAlone(elements.mapAlone, () => this.#viewport.refit());
-    new Panel(elements.panel, disclosures, () => this.#viewport.refit());
+    const alone = new MapAlone(elements.mapAlone, () => this.#viewport.refit());
+    const panel = new Panel(elements.panel, disclosures, () => this.#viewport.refit());
+    answerEscape([this.#underHand, this.#ownLand, panel, this.#inside, alone]);
     this.#listen();
   }
 
@@ -160,7 +162,7 @@ class Page {
     elements.reset.addEventListener("click", () => this.#open(`seed=${encodeURIComponent(this.#recipe.seed)}`));
     const downloads = new Downloads(this.#recipe, {
       make: (link, format) => this.#viewport.file(link, format),
-      failed: (error) => this.#fail(error),
+      failed: (error) => this.#failBeside(error),
     });
     new SaveDialog(elements.saving, this.#recipe, downloads, () => localStorage);
     new ShareDialog(elements.sharing, this.#recipe, downloads);
@@ -194,13 +196,13 @@ class Page {
     this.#choices.focusPreset();
   }
 
-  /** Changes some values of what is shown: a step that can be undone, or a part of one. */
-  #set(values: Iterable<readonly [key: string, value: string]>, how: ShowMode): void {
+  /** Changes some values of what is shown: a step that can be undone, or a part of one if they change little by little. */
+  #set(values: Iterable<readonly [key: string, value: string]>, how: ShowMode, isGradual = how === "settle"): void {
     this.#attempt(() => {
       const changes = [...values];
       this.#presetNote.forget();
       this.#recipe.set(changes);
-      this.#show(how, this.#undo.isStep(changes.map(([key]) => key).join()));
+      this.#show(how, this.#undo.isStep(isGradual ? changes.map(([key]) => key).join() : undefined));
     });
   }
 
@@ -210,7 +212,7 @@ class Page {
       this.#presetNote.forget();
       this.#recipe.open(link);
       this.#choices.replaceSeed(this.#recipe.seed);
-      this.#show("watch", isStep);
+      this.#show("watch", isStep && this.#undo.isStep());
     });
   }
 
@@ -228,9 +230,11 @@ class Page {
     const link = linkOf(location);
     const areAskedFor = this.#six.areAskedFor;
     this.#undo.arrived();
+    this.#address.drop();
     if (!areAskedFor) this.#six.close();
     if (link !== this.#recipe.link) this.#open(link, false);
     if (areAskedFor) this.#six.open();
+    this.#address.show(this.#recipe.link);
   }
 
   /** The reader's pages have become dark, or light. */
@@ -280,7 +284,8 @@ class Page {
   }
 
   async #finished(phase: Phase, summary: Summary): Promise<void> {
-    this.#refreshThumbnails().catch((error) => this.#fail(error));
+    // Nobody asked for them: the map is as good without.
+    this.#refreshThumbnails().catch(warn);
     void this.#measures.refresh(remainderOf(summary));
     void keepForOffline();
     const { seed } = this.#recipe;
@@ -294,6 +299,7 @@ class Page {
     );
   }
 
+  /** The river that was to be shown cannot be. */
   #fail(thrown: unknown): void {
     const error = named(thrown);
     if (error.code === "no-chart") this.#note(error.message);
@@ -306,6 +312,13 @@ class Page {
       this.#viewport.close();
       fail(error);
     }
+  }
+
+  /** Something else failed than the river on show, which goes on unless the engine has stopped. */
+  #failBeside(thrown: unknown): void {
+    const error = named(thrown);
+    if (error.code === "panic") this.#fail(error);
+    else this.#note(error.message);
   }
 
   #note(message: string): void {
@@ -337,12 +350,18 @@ function forTheCurious(): HTMLElement {
   return el("summary", {}, el("h2", {}, "For the curious"));
 }
 
-/** A failure that leaves no picture: shown in its place, and once on the console for the owner of the site. */
+/** A failure that leaves no picture: shown in its place, and once on the console. */
 function fail(thrown: unknown): void {
-  const error = named(thrown);
-  console.warn(`riverseed: ${error.code}: ${error.message}`);
+  const error = warn(thrown);
   elements.facade.hidden = true;
   showFailure(elements.failure, error);
+}
+
+/** On the console, for the owner of the site. */
+function warn(thrown: unknown): PageError {
+  const error = named(thrown);
+  console.warn(`riverseed: ${error.code}: ${error.message}`);
+  return error;
 }
 
 /** The first river is on its way before the page is made, which takes as long as its first picture does. */

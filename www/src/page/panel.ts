@@ -19,11 +19,14 @@ export class Panel {
   ) {
     elements.open.addEventListener("click", () => this.#become(Boolean(elements.panel.hidden)));
     elements.close.addEventListener("click", () => this.#leave());
-    document.addEventListener("keydown", (event) => {
-      if (event.key === "Escape" && !event.defaultPrevented && elements.panel.contains(document.activeElement))
-        this.#leave();
-    });
     this.#show(disclosures.isOpen(NAME, false));
+  }
+
+  /** Closes it, if the focus is in it. */
+  escape(): boolean {
+    const hasFocus = this.elements.panel.contains(document.activeElement);
+    if (hasFocus) this.#leave();
+    return hasFocus;
   }
 
   #leave(): void {

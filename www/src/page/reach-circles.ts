@@ -23,7 +23,7 @@ export class ReachCircles {
 
   constructor(
     private readonly elements: ReachElements,
-    /** What of the picture's place other things cover, from its edges. */
+    /** The middle of the part of the map that is seen, on the page. */
     private readonly middle: () => Point,
   ) {
     const { frame, mapPlace } = elements;

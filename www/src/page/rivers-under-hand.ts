@@ -5,6 +5,7 @@
 
 import { el, mapLayer, setText, svg } from "../browser/dom.ts";
 import type { Insets, Point } from "./camera.ts";
+import { isOnMap } from "./gestures.ts";
 import type { PointedRiver, RiverPlace } from "./protocol.ts";
 import { courseOf, measuresOf, titleOf } from "./river-words.ts";
 
@@ -61,9 +62,6 @@ export class RiversUnderHand {
     frame.addEventListener("pointerdown", (event) => this.#onDown(event));
     frame.addEventListener("pointerup", (event) => this.#onUp(event));
     frame.addEventListener("keydown", (event) => void this.#onFrameKey(event));
-    document.addEventListener("keydown", ({ key }) => {
-      if (key === "Escape") this.hide();
-    });
     this.#listenToNames();
     // The card goes with its place, however that is moved.
     new MutationObserver(() => this.#placeCard()).observe(mapPlace, { attributeFilter: ["style"] });
@@ -74,6 +72,13 @@ export class RiversUnderHand {
     this.#isFinished = state === "finished";
     this.#walkedTo = -1;
     this.hide();
+  }
+
+  /** Hides the river that is shown. */
+  escape(): boolean {
+    const wasShown = this.#shown !== undefined;
+    this.hide();
+    return wasShown;
   }
 
   hide(): void {
@@ -265,11 +270,6 @@ class Card {
     this.element.style.left = `${beside(spot.x, spot.x, width, free.left, free.right)}px`;
     this.element.style.top = `${beside(down.top, down.bottom, height, free.top, free.bottom)}px`;
   }
-}
-
-/** What lies over the map keeps its own gestures. */
-function isOnMap({ target }: Event): boolean {
-  return target instanceof Element && target.closest("a, button, .sketch, .failure") === null;
 }
 
 /** Seas, lakes, islands, stretches and the map have letters in their marks. */

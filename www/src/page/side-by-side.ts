@@ -2,6 +2,7 @@
 
 import { count } from "../browser/count.ts";
 import { el, setText } from "../browser/dom.ts";
+import { isShown } from "../controls/presets.ts";
 import type { Preset } from "../engine/full.ts";
 import { linkText } from "../engine/link-text.ts";
 import type { ShowMode } from "../player/river-player.ts";
@@ -44,6 +45,8 @@ const BARE: readonly (readonly [key: string, value: string])[] = [["labels", "no
 
 export class SideBySide {
   #variants: readonly Variant[] = [];
+  /** The links of what is shown. */
+  #links = "";
 
   constructor(
     private readonly elements: SideBySideElements,
@@ -64,27 +67,17 @@ export class SideBySide {
     return this.elements.dialog.open;
   }
 
+  /** Shows them on a ground; in place of those that are shown, if they are on another. */
   open(ground: Ground): void {
-    const { dialog, about, variants, status, play } = this.elements;
-    if (this.isOpen) return;
     const presets = onSameGround(this.presets, ground);
-    setText(status, "");
-    const isHeld = this.presets.some(({ values }) => values.some(([key]) => ground.kept.has(key)));
-    about.replaceChildren(...inWords(ground.values, presets, isHeld));
-    dialog.style.setProperty("--aspect", ground.values.get("aspect") ?? "1");
-    this.#variants = presets.map((preset) => {
-      const { label, help } = preset;
-      const isCurrent = preset.values.every(([key, value]) => ground.values.get(key) === value);
-      const of = { link: linkOn(ground, preset), label, help, isCurrent };
-      return new Variant(this.renderHost, of, {
-        chosen: () => this.#take(preset, presets),
-        changed: () => this.#show(),
-      });
-    });
-    variants.replaceChildren(...this.#variants.map(({ element }) => element));
-    dialog.showModal();
-    play.focus({ preventScroll: true });
-    this.events.changed(true);
+    const links = presets.map((preset) => linkOn(ground, preset)).join("\n");
+    if (this.isOpen && links === this.#links) return;
+    this.#clear();
+    this.#links = links;
+    this.#describe(ground, presets);
+    this.#variants = presets.map((preset) => this.#variant(ground, preset, presets));
+    this.elements.variants.replaceChildren(...this.#variants.map(({ element }) => element));
+    this.#lay();
     for (const variant of this.#variants) void variant.open(this.events.how());
     this.#show();
   }
@@ -93,11 +86,43 @@ export class SideBySide {
     this.elements.dialog.close();
   }
 
+  #describe(ground: Ground, presets: readonly Preset[]): void {
+    const { dialog, about, status } = this.elements;
+    setText(status, "");
+    const isHeld = this.presets.some(({ values }) => values.some(([key]) => ground.kept.has(key)));
+    about.replaceChildren(...inWords(ground.values, presets, isHeld));
+    dialog.style.setProperty("--aspect", ground.values.get("aspect") ?? "1");
+  }
+
+  #variant(ground: Ground, preset: Preset, presets: readonly Preset[]): Variant {
+    const { label, help } = preset;
+    const of = { link: linkOn(ground, preset), label, help, isCurrent: isShown(preset, ground.values) };
+    return new Variant(this.renderHost, of, {
+      chosen: () => this.#take(preset, presets),
+      changed: () => this.#show(),
+    });
+  }
+
+  /** Puts the sheet over the map, unless it lies there. */
+  #lay(): void {
+    const { dialog, play } = this.elements;
+    const wasOpen = this.isOpen;
+    if (!wasOpen) dialog.showModal();
+    play.focus({ preventScroll: true });
+    if (!wasOpen) this.events.changed(true);
+  }
+
   #leave(): void {
+    // It may have been opened again since.
+    if (this.isOpen) return;
+    this.#clear();
+    this.events.changed(false);
+  }
+
+  #clear(): void {
     for (const variant of this.#variants) variant.close();
     this.#variants = [];
     this.elements.variants.replaceChildren();
-    this.events.changed(false);
   }
 
   #take(preset: Preset, all: readonly Preset[]): void {

@@ -50,7 +50,11 @@ export class StyleStrip {
   async refresh(link: () => string, make: MakeThumbnails): Promise<void> {
     const map = unstyled(link());
     if (map === this.#map || this.place.getClientRects().length === 0) return;
-    const made = await make([...this.#buttons.keys()], this.#size);
+    const made = await make([...this.#buttons.keys()], this.#size).catch((thrown: unknown) => {
+      // It would fail again.
+      this.#map = map;
+      throw thrown;
+    });
     if (made.length === 0 || unstyled(link()) !== map) return;
     this.#map = map;
     for (const thumbnail of made) this.#draw(thumbnail);

@@ -4,6 +4,7 @@
  */
 
 import { el } from "../browser/dom.ts";
+import { isCombined, isTaken } from "../browser/keys.ts";
 import type { Making, Moment } from "./protocol.ts";
 
 export interface TrackEvents {
@@ -138,10 +139,9 @@ export class Track {
     this.#go(isSame(from, to) ? stepped(from, Math.sign(step), lengths) : to);
   }
 
-  /** A comma goes a tick, or a round, back, a full stop one on, unless somebody types. */
+  /** A comma goes a tick, or a round, back, a full stop one on. */
   #onPageKey(event: KeyboardEvent): void {
-    if (event.defaultPrevented || event.altKey || event.ctrlKey || event.metaKey) return;
-    if (event.target instanceof Element && event.target.closest("input, select, textarea, dialog")) return;
+    if (isTaken(event) || isCombined(event)) return;
     const step = { ",": -1, ".": 1 }[event.key];
     const from = this.#wanted ?? this.#making?.at;
     const lengths = this.#making?.lengths;

@@ -1,6 +1,7 @@
 /** Play and pause, again when it is finished, and how fast. */
 
 import { setText, setValue } from "../browser/dom.ts";
+import { isCombined, isTaken } from "../browser/keys.ts";
 import type { State } from "../player/frame-loop.ts";
 
 /** The places of the speed slider, in times the ordinary speed. */
@@ -73,12 +74,10 @@ export class Transport {
     this.events.speed(speed);
   }
 
-  /** Space plays and pauses, unless it already means something where the focus is. */
+  /** Space plays and pauses. Held, it does not do so again and again, and does not scroll either. */
   #onKey(event: KeyboardEvent): void {
-    if (event.key !== " " || event.defaultPrevented || event.altKey || event.ctrlKey || event.metaKey) return;
-    if (event.target instanceof Element && event.target.closest("button, a, input, select, textarea, summary, dialog"))
-      return;
+    if (event.key !== " " || isTaken(event) || isCombined(event)) return;
     event.preventDefault();
-    this.events.toggle();
+    if (!event.repeat) this.events.toggle();
   }
 }

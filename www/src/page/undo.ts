@@ -1,6 +1,7 @@
 /** Undo and redo, which are the browser's own Back and Forward: each step of a person is an entry of its history. */
 
 import { addressOf } from "../browser/address.ts";
+import { isTaken } from "../browser/keys.ts";
 
 /** Changes of the same thing belong to one step, until the hand has rested so long. */
 const REST_MS = 1000;
@@ -17,7 +18,7 @@ export interface UndoElements {
 }
 
 export class Undo {
-  #step = stepOf(history.state);
+  #step = stepOf(history.state) ?? 0;
   #last = this.#step;
   #changed: { what: string; at: number } | undefined;
 
@@ -44,11 +45,12 @@ export class Undo {
     if (this.#step < this.#last) history.forward();
   }
 
-  /** Something changes: whether that is a step of its own. */
-  isStep(what: string): boolean {
+  /** Something changes, little by little if it has a name: whether that is a step of its own. */
+  isStep(what?: string): boolean {
     const before = this.#changed;
-    this.#changed = { what, at: performance.now() };
-    return before?.what !== what || this.#changed.at - before.at > REST_MS;
+    const at = performance.now();
+    this.#changed = what === undefined ? undefined : { what, at };
+    return before === undefined || before.what !== what || at - before.at > REST_MS;
   }
 
   /** Writes the link of what is shown into the address: of a step as another entry, otherwise in place of the last. */
@@ -66,17 +68,18 @@ export class Undo {
     this.#show();
   }
 
-  /** The browser went to another entry. */
+  /** The browser went to another entry. One that nobody has written yet, as a link makes that is pasted over the address, is the last. */
   arrived(): void {
     this.#changed = undefined;
-    this.#step = stepOf(history.state);
+    const step = stepOf(history.state);
+    if (step === undefined) this.#last = this.#step + 1;
+    this.#step = step ?? this.#last;
     this.#last = Math.max(this.#last, this.#step);
     this.#show();
   }
 
   #onKey(event: KeyboardEvent): void {
-    if (event.defaultPrevented || !(event.ctrlKey || event.metaKey) || event.altKey) return;
-    if (isTyping(event.target) || this.isElsewhere()) return;
+    if (!(event.ctrlKey || event.metaKey) || event.altKey || isTaken(event) || this.isElsewhere()) return;
     const key = event.key.toLowerCase();
     if (key === "z" && !event.shiftKey) this.undo();
     else if (key === "y" || key === "z") this.redo();
@@ -90,12 +93,7 @@ export class Undo {
   }
 }
 
-/** Text has an undo of its own. */
-function isTyping(target: EventTarget | null): boolean {
-  return target instanceof HTMLInputElement && target.type === "text";
-}
-
-function stepOf(state: unknown): number {
+function stepOf(state: unknown): number | undefined {
   const step = (state as Partial<Entry> | null)?.step;
-  return typeof step === "number" ? step : 0;
+  return typeof step === "number" ? step : undefined;
 }

@@ -370,7 +370,7 @@ export class RiverViewport {
     const of = this.#id;
     const size = this.#sizeFor(this.#wanted.link);
     if (of === undefined || size.width === 0) return;
-    // What is on its way gets the same.
+    // The river of the link that was shown last, not there yet, is painted at this size, too.
     if (this.#nextFraming) this.#nextFraming = size.framing;
     this.#send({ do: "resize", size });
     // Answered once that is done.

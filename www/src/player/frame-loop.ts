@@ -88,6 +88,7 @@ export class FrameLoop {
   #shownAt = 0;
   #redraw = false;
   #isResting = false;
+  #isOver = false;
   /** While settling: in which phase it began, whether the tree is worth a picture before it becomes rivers, and whether any grown one was shown. */
   #from: Phase = "growing";
   #showsTree = false;
@@ -203,6 +204,12 @@ export class FrameLoop {
     this.#last = undefined;
   }
 
+  /** No frames any more, whatever is asked for: the one that this may be in does not go on, either. */
+  close(): void {
+    this.halt();
+    this.#isOver = true;
+  }
+
   #goOn(): void {
     if (this.#redraw || this.#isStepping) this.#wake();
   }
@@ -232,7 +239,7 @@ export class FrameLoop {
   }
 
   #wake(): void {
-    this.#handle ??= this.frames.request((now) => this.#frame(now));
+    if (!this.#isOver) this.#handle ??= this.frames.request((now) => this.#frame(now));
   }
 
   #frame(now: number): void {

@@ -191,17 +191,16 @@ export class RiverPlayer<Planted extends River & Partial<Framed> = River> {
     this.#attempt(() => this.#fit());
   }
 
-  /** Stops for good. The river is not freed: after a failure nothing of the engine may be called. */
+  /** Stops for good. The river is not freed: after some failures nothing may be asked of it. */
   close(): void {
     this.#canRun = false;
     this.clock?.leave(this.#growing);
-    this.#loop.halt();
+    this.#loop.close();
     for (const handle of [this.#applying, this.#labelling]) if (handle !== undefined) this.frames.cancel(handle);
   }
 
-  /** Stops for good and gives the river's memory back. */
+  /** Stops for good, if it has not, and gives the river's memory back, once. */
   free(): void {
-    if (!this.#canRun) return;
     this.close();
     this.#river.free();
   }

@@ -6,6 +6,8 @@ import type { Growing } from "./frame-loop.ts";
 interface Member extends Growing {
   readonly river: Growing;
   ticks: number;
+  /** What its river threw, perhaps in the frame of another: its own loop is to hear of it. Nothing is asked of the river after that. */
+  failure: { thrown: unknown } | undefined;
 }
 
 export class SharedClock {
@@ -16,8 +18,9 @@ export class SharedClock {
     const member: Member = {
       river,
       ticks: 0,
+      failure: undefined,
       get phase() {
-        return river.phase;
+        return member.failure ? "growing" : river.phase;
       },
       get rounds() {
         return river.rounds;
@@ -25,13 +28,16 @@ export class SharedClock {
       get progress() {
         return progress();
       },
-      advance: (steps) => (river.phase === "growing" ? this.#tick(member) : river.advance(steps)),
+      advance: (steps) => (member.phase === "growing" ? this.#advance(member) : river.advance(steps)),
       restart: () => {
         member.ticks = 0;
         river.restart();
       },
     };
-    const progress = (): number => (river.phase === "growing" ? this.#progress() : river.progress);
+    const progress = (): number => {
+      if (member.failure) return 0;
+      return river.phase === "growing" ? this.#progress() : river.progress;
+    };
     this.#members.push(member);
     return member;
   }
@@ -50,16 +56,31 @@ export class SharedClock {
     return Math.min(...this.#growing.map(({ river }) => river.progress));
   }
 
+  #advance(by: Member): boolean {
+    const wasMoved = by.failure === undefined && this.#tick(by);
+    if (by.failure) throw by.failure.thrown;
+    return wasMoved;
+  }
+
   /** A tick of those that are behind, or of all. The first that grows moves the clock, the others wait for it; returns whether it was moved. */
   #tick(by: Member): boolean {
     const growing = this.#growing;
     if (growing[0] !== by) return false;
     const least = Math.min(...growing.map(({ ticks }) => ticks));
     for (const member of growing) {
-      if (member.ticks !== least) continue;
-      member.ticks++;
-      member.river.advance(1);
+      if (member.ticks === least) this.#grow(member);
     }
     return true;
+  }
+
+  /** One that fails leaves. */
+  #grow(member: Member): void {
+    member.ticks++;
+    try {
+      member.river.advance(1);
+    } catch (thrown) {
+      member.failure = { thrown };
+      this.leave(member);
+    }
   }
 }

@@ -1,6 +1,8 @@
 /** Small pictures of one finished map in many styles, made a little at a time. */
 
+import { named } from "../engine/errors.ts";
 import type { FullRiver } from "../engine/full.ts";
+import { isEngineUnsure } from "../engine/unsure.ts";
 
 /** What may be done of them in one task. */
 const BUDGET_MS = 8;
@@ -14,8 +16,8 @@ export interface Thumbnail {
 }
 
 /**
- * Of a river that is the caller's to give away, in each of the styles; `pause` comes between tasks, and says whether to go on. A style that there is
- * no memory for is left out.
+ * Of a river that is the caller's to give away, in each of the styles; `pause` comes between tasks, and says whether to go on. A style that fails, as
+ * where there is no memory for it, is left out, unless the engine has stopped.
  */
 export async function* thumbnails(
   river: FullRiver,
@@ -24,19 +26,33 @@ export async function* thumbnails(
   { width, height }: { width: number; height: number },
   pause: () => Promise<boolean>,
 ): AsyncGenerator<Thumbnail> {
+  let mayFree = true;
   try {
     river.resize(width, height);
     for (const style of styles) {
       if (!(await pause())) return;
-      river.change(inStyle(river.link, style));
-      if (!(await inSlices(() => river.advance(1), pause))) return;
-      if (!(await inSlices(() => river.paint(), pause))) return;
-      const pixels = new Uint8ClampedArray(memory.buffer, river.pixelsPointer(), river.pixelsLength());
-      yield { style, width, height, pixels: pixels.slice() };
+      const pixels = await pixelsIn(style, river, memory, pause).catch((thrown: unknown) => {
+        mayFree = !isEngineUnsure(named(thrown));
+        if (!mayFree) throw thrown;
+      });
+      if (pixels === "stopped") return;
+      if (pixels) yield { style, width, height, pixels };
     }
   } finally {
-    river.free();
+    if (mayFree) river.free();
   }
+}
+
+async function pixelsIn(
+  style: string,
+  river: FullRiver,
+  memory: WebAssembly.Memory,
+  pause: () => Promise<boolean>,
+): Promise<Thumbnail["pixels"] | "stopped"> {
+  river.change(inStyle(river.link, style));
+  if (!(await inSlices(() => river.advance(1), pause))) return "stopped";
+  if (!(await inSlices(() => river.paint(), pause))) return "stopped";
+  return new Uint8ClampedArray(memory.buffer, river.pixelsPointer(), river.pixelsLength()).slice();
 }
 
 /** Nothing of labels and scenery, which would not be seen. */

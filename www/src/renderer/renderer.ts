@@ -4,7 +4,7 @@ import { named } from "../engine/errors.ts";
 import type { River } from "../engine/types.ts";
 import type { Planter, RiverPlayer } from "../player/river-player.ts";
 import { displayFrames, SharedScheduler } from "../player/scheduler.ts";
-import { SharedClock } from "../player/shared-clock.ts";
+import type { SharedClock } from "../player/shared-clock.ts";
 import type { Command, Opening, Report } from "./protocol.ts";
 import { Scene } from "./scene.ts";
 
@@ -13,13 +13,14 @@ export interface Means<Planted extends River, Question, Answer> {
   readonly planter: Planter<Planted>;
   /** What all rivers together may take of a frame, if not what is usual: one river alone, which then waits for nothing, all. */
   readonly shareMs?: number;
+  /** What rivers grow by that are to grow in step. */
+  readonly clock?: SharedClock;
   answer(question: Question, playerOf: (id: number) => RiverPlayer<Planted> | undefined): Promise<Answer>;
 }
 
 export class Renderer<Planted extends River, Question, Answer> {
   readonly #scenes = new Map<number, Scene<Planted>>();
   readonly #scheduler: SharedScheduler;
-  readonly #clock = new SharedClock();
   #unanswered = 0;
 
   constructor(
@@ -43,8 +44,8 @@ export class Renderer<Planted extends River, Question, Answer> {
   }
 
   #open(command: Opening): void {
-    const { planter, shareMs } = this.means;
-    const scene = new Scene(planter, this.#scheduler, command, this.tell, command.inStep ? this.#clock : undefined);
+    const { planter, shareMs, clock } = this.means;
+    const scene = new Scene(planter, this.#scheduler, command, this.tell, command.inStep ? clock : undefined);
     this.#scenes.set(command.id, scene);
     if (shareMs) scene.open();
     // In its turn: planting twenty rivers at once would hold up the page.

@@ -3,6 +3,7 @@
 import type { CanvasSize } from "../browser/canvas.ts";
 import { isRecoverable, named } from "../engine/errors.ts";
 import type { River } from "../engine/types.ts";
+import { isEngineUnsure } from "../engine/unsure.ts";
 import type { Frames } from "../player/frame-loop.ts";
 import { type Planter, type PlayerEvents, RiverPlayer } from "../player/river-player.ts";
 import type { SharedClock } from "../player/shared-clock.ts";
@@ -21,6 +22,8 @@ export class Scene<Planted extends River = River> {
   /** What came before the river was planted. */
   #early: Request[] = [];
   #isOver = false;
+  /** Whether the river can be asked to go. */
+  #mayFree = true;
 
   constructor(
     private readonly planter: Planter<Planted>,
@@ -100,13 +103,14 @@ export class Scene<Planted extends River = River> {
 
   #fail(thrown: unknown): void {
     const error = named(thrown);
-    // After a trap nothing more is asked of the river, not even to go.
+    this.#mayFree &&= !isEngineUnsure(error);
     if (!isRecoverable(error)) this.#player?.close();
     this.tell({ id: this.opening.id, is: "failed", code: error.code, message: error.message, links: this.#links });
   }
 
   #close(): void {
     this.#isOver = true;
-    this.#player?.free();
+    if (this.#mayFree) this.#player?.free();
+    this.#player = undefined;
   }
 }

@@ -212,6 +212,44 @@ test("a river too large for this device is refused and the last one stays", asyn
   await expect(page.locator("#failure")).toBeHidden();
 });
 
+for (const code of ["no-memory", "too-large", undefined]) {
+  test(`small pictures that fail leave the map as it is: ${code ?? "a panic"}`, async ({ page }) => {
+    const warnings: string[] = [];
+    page.on("console", (message) => {
+      if (message.text().startsWith("riverseed:")) warnings.push(message.text());
+    });
+    await trapOn(page, "river_copy", code);
+    await page.goto("./?seed=rimu&growth=colonize&attractors=300");
+    await finished(page);
+    await trap(page);
+    await page.getByLabel("Seed", { exact: true }).fill("como");
+    await page.getByLabel("Seed", { exact: true }).press("Enter");
+    await expect.poll(() => warnings).toEqual([expect.stringContaining(code ?? "panic")]);
+    await finished(page);
+    await expect(page.locator("#title")).toHaveText("como");
+    await expect(page.locator("#failure")).toBeHidden();
+    await expect(page.locator("#notices")).toBeHidden();
+    // Nothing is tried again and again.
+    await page.getByRole("button", { name: "Replay" }).click();
+    await finished(page);
+    expect(warnings.length).toBe(1);
+  });
+}
+
+test("dice that cannot be thrown say so, and the map stays", async ({ page }) => {
+  await trapOn(page, "freshSeed", "no-randomness");
+  await page.goto("./?seed=rimu&growth=colonize&attractors=300");
+  await finished(page);
+  await trap(page);
+  await page.getByRole("button", { name: "A new seed by chance" }).click();
+  await expect(page.locator("#notices")).toContainText("no room");
+  await expect(page.locator("#failure")).toBeHidden();
+  await page.getByLabel("Seed", { exact: true }).fill("como");
+  await page.getByLabel("Seed", { exact: true }).press("Enter");
+  await expect(page.locator("#title")).toHaveText("como");
+  await finished(page);
+});
+
 test.describe("without JavaScript", () => {
   test.use({ javaScriptEnabled: false });
   test("the page says what it needs", async ({ page }) => {

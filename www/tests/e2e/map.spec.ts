@@ -145,6 +145,39 @@ test("undo and redo follow every change, and Back is undo", async ({ page }) => 
   await expectPictureOfAddress(page);
 });
 
+test("a link that is pasted over the address can be undone, and redone", async ({ page }) => {
+  await openFinished(page, LINK);
+  const undo = page.getByRole("button", { name: "Undo", exact: true });
+  const redo = page.getByRole("button", { name: "Redo", exact: true });
+  await page.evaluate(() => {
+    location.hash = "seed=como&attractors=300";
+  });
+  await expectAddress(page, "seed", "como");
+  await expect(redo).toBeDisabled();
+  await undo.click();
+  await expectAddress(page, "seed", "rimu");
+  await expect(undo).toBeDisabled();
+  await redo.click();
+  await expectAddress(page, "seed", "como");
+  await expect(page.locator("#title")).toHaveText("como");
+});
+
+test("seeds thrown in quick succession are undone one by one", async ({ page }) => {
+  await openFinished(page, LINK);
+  const before = await page.evaluate(() => history.length);
+  const seeds = ["rimu"];
+  for (let i = 0; i < 4; i++) {
+    await page.keyboard.press("r");
+    seeds.push(await page.locator("#seed").inputValue());
+  }
+  await expectAddress(page, "seed", seeds.at(-1) ?? "");
+  expect(await page.evaluate(() => history.length)).toBe(before + 4);
+  for (const seed of seeds.slice(0, -1).reverse()) {
+    await page.keyboard.press("Control+z");
+    await expectAddress(page, "seed", seed);
+  }
+});
+
 test("the seeds of a visit can be gone through", async ({ page }) => {
   await openFinished(page, LINK);
   const dice = page.getByRole("button", { name: "A new seed by chance" });

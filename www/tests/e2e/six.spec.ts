@@ -82,6 +82,31 @@ test("the address asks for them while they are seen, and is never part of the re
   expect(await page.evaluate(() => navigator.clipboard.readText())).not.toContain("view");
 });
 
+test("another link that asks for them has them of its own", async ({ page }) => {
+  const said = complaints(page);
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  await page.goto("./?seed=one&attractors=200&view=six");
+  await allFinished(page);
+  const first = (await pixelsOf(variants(page).first().locator("canvas"))).sha256;
+  await page.evaluate(() => {
+    location.hash = "seed=two&attractors=250&view=six";
+  });
+  await expect(sheet(page)).toContainText("the same 250 attractors of “two”");
+  await expect(variants(page).locator("b")).toHaveText(NAMES);
+  await allFinished(page);
+  expect((await pixelsOf(variants(page).first().locator("canvas"))).sha256).not.toBe(first);
+  await expectAddress(page, "seed", "two");
+  await expectAddress(page, "view", "six");
+  await page.goBack();
+  await expect(sheet(page)).toContainText("of “one”");
+  await allFinished(page);
+  expect((await pixelsOf(variants(page).first().locator("canvas"))).sha256).toBe(first);
+  await variants(page).filter({ hasText: "Trimmed curl" }).click();
+  await expectAddress(page, "seed", "one");
+  await expect(sheet(page)).toBeHidden();
+  expect(said).toEqual([]);
+});
+
 test("another view is told of", async ({ page }) => {
   await openFinished(page, `${LINK}&view=seven`);
   await expect(page.locator("#notices")).toContainText("view");

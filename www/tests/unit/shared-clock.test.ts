@@ -156,3 +156,37 @@ test("those that stay go on when the first leaves", () => {
   expect(other.advance(1)).toBe(true);
   expect([first.ticks, second.ticks]).toEqual([0, 1]);
 });
+
+test("a river that fails leaves the clock: its own loop is told, and the others go on", () => {
+  const clock = new SharedClock();
+  const [first, failing, third] = [new Stand(10), new Stand(10), new Stand(10)];
+  const failure = new Error("no room");
+  failing.advance = () => {
+    if (failing.ticks++ === 2) throw failure;
+    return true;
+  };
+  const [one, two, three] = [first, failing, third].map((river) => clock.join(river));
+  if (!one || !two || !three) throw new Error("no members");
+  for (let i = 0; i < 5; i++) expect(one.advance(1)).toBe(true);
+  expect([first.ticks, third.ticks]).toEqual([5, 5]);
+  // It is due whatever its progress: its loop is to hear of it soon.
+  expect(two.progress).toBe(0);
+  expect(() => two.advance(1)).toThrow(failure);
+  expect(three.advance(1)).toBe(false);
+  clock.leave(one);
+  expect(three.advance(1)).toBe(true);
+  expect(third.ticks).toBe(6);
+});
+
+test("the river that moves the clock fails in its own step, and the next moves the clock", () => {
+  const clock = new SharedClock();
+  const [failing, second] = [new Stand(10), new Stand(10)];
+  failing.advance = () => {
+    throw new Error("no room");
+  };
+  const [one, two] = [clock.join(failing), clock.join(second)];
+  expect(() => one.advance(1)).toThrow("no room");
+  expect(second.ticks).toBe(1);
+  expect(two.advance(1)).toBe(true);
+  expect(second.ticks).toBe(2);
+});

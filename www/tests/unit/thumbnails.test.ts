@@ -40,3 +40,33 @@ it("stops when it is not to go on, and gives the river back", async () => {
   expect(made.length).toBeLessThan(STYLES.length);
   expect(freed()).toBe(1);
 });
+
+/** A finished river that throws when it is changed to a style. */
+function failingAt(style: string, thrown: Error): ReturnType<typeof finished> {
+  const made = finished(LINK);
+  const change = made.river.change.bind(made.river);
+  made.river.change = (link, ...more) => {
+    if (link.includes(`style=${style}`)) throw thrown;
+    return change(link, ...more);
+  };
+  return made;
+}
+
+it("leaves out a style that fails, and makes the others", async () => {
+  const { river, freed } = failingAt("basins", Object.assign(new Error("no room"), { code: "no-memory" }));
+  const made: string[] = [];
+  for await (const { style } of thumbnails(river, memory, STYLES, SIZE, async () => true)) made.push(style);
+  expect(made).toEqual(STYLES.filter((style) => style !== "basins"));
+  expect(freed()).toBe(1);
+});
+
+it("passes on that the engine has stopped, and asks nothing more of the river", async () => {
+  const { river, freed } = failingAt("basins", new WebAssembly.RuntimeError("unreachable"));
+  const made: string[] = [];
+  const all = async (): Promise<void> => {
+    for await (const { style } of thumbnails(river, memory, STYLES, SIZE, async () => true)) made.push(style);
+  };
+  await expect(all()).rejects.toThrow("unreachable");
+  expect(made).toEqual(["atlas", "ink"]);
+  expect(freed()).toBe(0);
+});

@@ -108,3 +108,49 @@ test("what comes before the river is planted is done afterwards, in its order", 
   scene.take({ id: 1, do: "toggle" });
   expect(reports.at(-1)).toMatchObject({ state: "growing" });
 });
+
+for (const [code, freed] of [
+  ["no-memory", 1],
+  ["too-large", 1],
+  ["panic", 0],
+] as const) {
+  test(`a closed scene gives the river's memory back after ${code}: ${freed === 1}`, () => {
+    const { scene, display, reports } = opened("one", "watch");
+    scene.open();
+    display.frame();
+    const river = scene.player?.river;
+    if (!river) throw new Error("there is no river");
+    const free = vi.spyOn(river, "free");
+    const advance = vi.spyOn(river, "advance").mockImplementation(() => {
+      if (code === "panic") throw new WebAssembly.RuntimeError("unreachable");
+      throw Object.assign(new Error("no room"), { code });
+    });
+    for (let i = 0; i < 3; i++) display.frame();
+    expect(reports.at(-1)).toMatchObject({ is: "failed", code });
+    expect(free.mock.calls.length).toBe(0);
+    const calls = advance.mock.calls.length;
+    expect(scene.player?.river === undefined).toBe(code !== "too-large");
+    scene.take({ id: 1, do: "close" });
+    scene.take({ id: 1, do: "close" });
+    for (let i = 0; i < 3; i++) display.frame();
+    expect([free.mock.calls.length, advance.mock.calls.length]).toEqual([freed, calls]);
+  });
+}
+
+test("after a failure in a frame that follows a link, no frame asks anything more of the river", () => {
+  const { scene, display, reports } = opened("one", "settle");
+  scene.open();
+  const river = scene.player?.river;
+  if (!river) throw new Error("there is no river");
+  vi.spyOn(river, "change").mockImplementation(() => {
+    throw new WebAssembly.RuntimeError("unreachable");
+  });
+  const advance = vi.spyOn(river, "advance");
+  scene.take({ ...show("two"), how: "settle" });
+  for (let i = 0; i < 100 && reports.at(-1)?.is !== "failed"; i++) display.frame();
+  expect(reports.at(-1)).toMatchObject({ is: "failed", code: "panic" });
+  const calls = advance.mock.calls.length;
+  for (let i = 0; i < 50; i++) display.frame();
+  expect(advance.mock.calls.length).toBe(calls);
+  expect(reports.filter(({ is }) => is === "failed").length).toBe(1);
+});
