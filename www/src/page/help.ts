@@ -21,7 +21,10 @@ export interface Shortcut {
 const OTHERS: readonly (readonly [keys: string, says: string])[] = [
   ["Space", "play or pause, when no control has the focus"],
   ["+ − 0", "zoom in, out, all of the map, which arrow keys move when it has the focus"],
-  ["A T K M X", "look inside a map, while it grows, too: attractors, tips, reach and kill, masks, captured streams; again: away"],
+  [
+    "A T K M X",
+    "look inside a map, while it grows, too: attractors, tips, reach and kill, masks, captured streams; again: away",
+  ],
   ["O B D C F", "inside a finished map: orders, basins, flow, curvature, frozen courses"],
   [", .", "a step back in the making of a finished map, a step on"],
   ["N", "on the map: the next of its greatest rivers, its way to the sea and its basin; with Shift, the one before"],
