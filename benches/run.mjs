@@ -320,7 +320,7 @@ function sliders() {
       const all = Object.entries(found);
       for (const [what, some, bar] of [
         ["drafts", all.filter((one) => !isRelief(one)), atMost(50, 16)],
-        ["relief", all.filter(isRelief), atMost(250, 50)],
+        ["relief", all.filter(isRelief), atMost(50, 16)],
       ]) {
         const [key, { p50, p95 }] = slowest(some);
         row(`${map}: ${what}, the slowest, ${key}`, p50, "ms", bar);
