@@ -234,7 +234,7 @@ impl Drainage {
         &self.captures.list
     }
 
-    /// The node of each parcel; [`NONE`] of those that have none yet.
+    /// The node of each parcel; `u32::MAX` of those that have none yet.
     pub fn nodes(&self) -> &[u32] {
         &self.node
     }
