@@ -16,7 +16,7 @@ pack() { run on_machine "$checkout/scripts/crate.sh" "${1-pack}"; }
 @test "a crate that is small and has its papers is packed" {
   pack
   succeeded
-  said "bytes of 780000"
+  said "bytes of 810000"
   called 1 "cargo package --offline --no-verify"
 }
 
