@@ -7,6 +7,7 @@ setup() {
   local paper
   for paper in LICENSE-APACHE LICENSE-MIT THIRD-PARTY.txt; do echo "text of $paper" >"$checkout/$paper"; done
   packed=$machine/packed/riverseed-$(sed -n 's/^version = "\(.*\)"/\1/p' "$project/Cargo.toml")
+  limit_kb=$(sed -n 's/^limit_kb=\([0-9]*\).*/\1/p' "$project/scripts/crate.sh")
   mkdir -p "$packed"
   cp "$checkout"/{LICENSE-*,THIRD-PARTY.txt} "$packed"
 }
@@ -16,7 +17,7 @@ pack() { run on_machine "$checkout/scripts/crate.sh" "${1-pack}"; }
 @test "a crate that is small and has its papers is packed" {
   pack
   succeeded
-  said "bytes of 810000"
+  said "bytes of $((limit_kb * 1000))"
   called 1 "cargo package --offline --no-verify"
 }
 
@@ -48,7 +49,7 @@ pack() { run on_machine "$checkout/scripts/crate.sh" "${1-pack}"; }
 }
 
 @test "a crate that is too large is refused" {
-  head -c 781000 /dev/urandom >"$packed/golden.png"
+  head -c $((limit_kb * 1000 + 1000)) /dev/urandom >"$packed/golden.png"
   pack
   ((status == 1))
   said "TOO LARGE"
