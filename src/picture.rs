@@ -1,5 +1,8 @@
 //! The picture of a session: its pixels, brought up to date by drawing only what is new.
 
+#[cfg(feature = "controls")]
+mod drafts;
+
 use std::sync::Arc;
 
 use tiny_skia::Pixmap;
@@ -9,8 +12,6 @@ use crate::chart_builder::ChartBuilder;
 use crate::domain::Domain;
 use crate::land::Land;
 use crate::paint::{ChartMasks, Framing, PaintError, Painted, Painter, Progress, Rect, Rivers, View};
-#[cfg(feature = "controls")]
-use crate::recipe::Recipe;
 use crate::recipe::{Key, Style};
 use crate::river_map::ChartOptions;
 #[cfg(feature = "names")]
@@ -146,50 +147,6 @@ impl Picture {
         }))
     }
 
-    /// Paints the rivers of a session as they are, be they finished or not, in one go: without a chart, so many times as wide, and on the
-    /// ground that the picture shows, even if its relief is that of other rivers. It lasts until `paint` paints anything else. Returns the
-    /// rectangle that changed; `None`, and nothing has, if there are no rivers, or the ground is that of another land.
-    #[cfg(feature = "controls")]
-    pub fn paint_draft(&mut self, session: &Session, times: f32) -> Option<Rect> {
-        let (network, recipe) = (session.network()?, session.recipe());
-        if !self.is_on_land_of(session) {
-            return None;
-        }
-        let changed = self.painter.paint_draft(network, recipe.get(), recipe.get(), times)?;
-        self.rivers_of = Some(session.tree_generation());
-        Some(changed)
-    }
-
-    /// Does a part of painting the finished rivers of a session, without a chart, with nearly the relief that they would have by another
-    /// recipe, of other mountains or plains alone; by its own, with the very one. The picture changes with the last part. It lasts until
-    /// `paint` paints anything else. `None`, and nothing is painted, if that is another recipe in more, or no relief of these rivers has
-    /// been solved.
-    #[cfg(feature = "controls")]
-    pub fn paint_relief_draft(&mut self, session: &Session, wanted: &Recipe) -> Option<Painted> {
-        let ((network, rounds), past) = session.network().zip(session.rounds()).zip(session.past())?;
-        if !self.is_on_land_of(session) {
-            return None;
-        }
-        if self.drafts.prepare(session, wanted)? {
-            return Some(Painted::Part);
-        }
-        let relief = self.drafts.relief(session, wanted)?;
-        let (recipe, land) = (session.recipe(), session.land().map(Arc::as_ref));
-        let relief = Some((&relief, recipe.number(Key::Shade)));
-        let (courses, style) = (recipe.get(), recipe.get());
-        self.rivers_of = Some(session.tree_generation());
-        let rivers = Rivers { network, past, rounds, courses, land, relief, chart: None, style };
-        Some(self.painter.paint_rivers(&rivers))
-    }
-
-    /// Whether the ground of the picture is that of a session's land.
-    #[cfg(feature = "controls")]
-    fn is_on_land_of(&self, session: &Session) -> bool {
-        self.shown
-            .as_ref()
-            .is_some_and(|(_, domain, land)| *domain == session.domain() && is_same(land.as_ref(), session.land()))
-    }
-
     /// Whether the recipe of a session, which is finished, wants a chart over this picture that it has not got.
     pub fn wants_chart(&self, session: &Session) -> bool {
         let has_one = self.chart.as_ref().is_some_and(|(of, _)| *of == ChartKey::of(session));
@@ -296,24 +253,32 @@ fn is_same(land: Option<&Arc<Land>>, other: Option<&Arc<Land>>) -> bool {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::memory::testing::with_lists_up_to;
+mod testing {
+    use super::Picture;
     use crate::recipe::link;
+    use crate::session::Session;
 
-    const SMALL: &str = "attractors=300&trim=0&meander=flow&meander-rounds=3";
+    pub const SMALL: &str = "attractors=300&trim=0&meander=flow&meander-rounds=3";
 
-    fn finished(text: &str) -> Session {
+    pub fn finished(text: &str) -> Session {
         let mut session = Session::new(link::read(text).unwrap()).unwrap();
         while session.advance(50).unwrap() {}
         session
     }
 
-    fn painted(session: &Session) -> Vec<u8> {
+    pub fn painted(session: &Session) -> Vec<u8> {
         let mut picture = Picture::new(100, 80).unwrap();
         picture.paint(session);
         picture.pixmap().data().to_vec()
     }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::testing::{SMALL, finished, painted};
+    use super::*;
+    use crate::memory::testing::with_lists_up_to;
+    use crate::recipe::link;
 
     #[test]
     fn picture_that_there_is_no_memory_for_is_refused() {
@@ -384,118 +349,6 @@ mod tests {
             steps += 1;
         }
         steps
-    }
-
-    #[cfg(feature = "controls")]
-    #[test]
-    fn draft_is_on_the_ground_that_is_there_and_leaves_nothing_behind() {
-        for style in ["atlas", "ink", "basins", "past-courses", "skeleton"] {
-            let link = format!("{SMALL}&land=island&style={style}");
-            let mut session = finished(&link);
-            let mut picture = Picture::new(100, 80).unwrap();
-            picture.paint(&session);
-            let before = painted(&session);
-            // Wider on the same courses, and back.
-            assert!(picture.paint_draft(&session, 3.0).is_some(), "{style}");
-            assert_eq!(picture.pixmap().data() != before, style != "skeleton", "{style}");
-            picture.paint(&session);
-            assert!(picture.pixmap().data() == before, "{style}");
-            // Of rivers that change their courses, over the relief of those before.
-            session.change(link::read(&format!("{link}&simplify=40&width=30")).unwrap()).unwrap();
-            while session.rounds() != Some(1) {
-                session.advance(1).unwrap();
-            }
-            assert!(picture.paint_draft(&session, 1.0).is_some(), "{style}");
-            let draft = picture.pixmap().data();
-            let kept = draft.chunks(4).zip(before.chunks(4)).filter(|(now, then)| now == then).count();
-            // Of these courses a skeleton so small shows no difference.
-            assert!((draft != before || style == "skeleton") && kept > 100 * 80 / 2, "{style}: {kept}");
-            while session.advance(50).unwrap() {}
-            picture.paint(&session);
-            assert!(picture.pixmap().data() == painted(&session), "{style}");
-        }
-    }
-
-    #[cfg(feature = "controls")]
-    #[test]
-    fn draft_needs_rivers_and_the_ground_of_their_land() {
-        let mut session = finished(SMALL);
-        assert_eq!(Picture::new(100, 80).unwrap().paint_draft(&session, 1.0), None);
-        let mut picture = Picture::new(100, 80).unwrap();
-        picture.paint(&session);
-        session.change(link::read(&format!("{SMALL}&land=valley")).unwrap()).unwrap();
-        assert_eq!(picture.paint_draft(&session, 1.0), None);
-        while session.advance(50).unwrap() {}
-        assert_eq!(picture.paint_draft(&session, 1.0), None);
-        picture.paint(&session);
-        assert!(picture.pixmap().data() == painted(&session));
-    }
-
-    #[cfg(feature = "controls")]
-    #[test]
-    fn draft_of_other_mountains_is_nearly_their_picture_and_leaves_nothing_behind() {
-        // Of what a picture without a draft would be off, a draft is at most one part in so many: edges of basins move by whole pixels.
-        for (style, parts) in [("atlas", 5.0), ("survey", 5.0), ("basins", 1.8)] {
-            let link = format!("{SMALL}&land=island&style={style}");
-            let mut session = finished(&link);
-            let mut picture = Picture::new(100, 80).unwrap();
-            picture.paint(&session);
-            let before = painted(&session);
-            let other = link::read(&format!("{link}&mountains=3&plains=60")).unwrap();
-            draft(&mut picture, &session, &other).unwrap();
-            let drafted = picture.pixmap().data().to_vec();
-            // Back to its own, and then there again while theirs is solved.
-            draft(&mut picture, &session, session.recipe()).unwrap();
-            assert!(picture.pixmap().data() == before, "{style}");
-            picture.paint(&session);
-            assert!(picture.pixmap().data() == before, "{style}");
-            session.change(other.clone()).unwrap();
-            session.advance(2).unwrap();
-            draft(&mut picture, &session, &other).unwrap();
-            assert!(picture.pixmap().data() == drafted, "{style}");
-            while session.advance(50).unwrap() {}
-            picture.paint(&session);
-            let exact = painted(&session);
-            assert!(picture.pixmap().data() == exact, "{style}");
-            let off = |pixels: &[u8]| -> f32 {
-                pixels.iter().zip(&exact).map(|(&one, &other)| f32::from(one.abs_diff(other))).sum()
-            };
-            assert!(off(&drafted) * parts < off(&before), "{style}: {}, {}", off(&drafted), off(&before));
-        }
-    }
-
-    /// Paints a draft to its end.
-    #[cfg(feature = "controls")]
-    fn draft(picture: &mut Picture, session: &Session, wanted: &Recipe) -> Option<()> {
-        while matches!(picture.paint_relief_draft(session, wanted)?, Painted::Part) {}
-        Some(())
-    }
-
-    #[cfg(feature = "controls")]
-    #[test]
-    fn there_are_drafts_of_other_mountains_alone_and_of_rivers_with_a_relief() {
-        let link = format!("{SMALL}&land=island&style=atlas");
-        let read = |more: &str| link::read(&format!("{link}&{more}")).unwrap();
-        let mut session = finished(&link);
-        let mut picture = Picture::new(100, 80).unwrap();
-        assert_eq!(draft(&mut picture, &session, &read("mountains=3")), None, "not on a picture of nothing");
-        picture.paint(&session);
-        for other in ["width=20&mountains=3", "shade=0.8&mountains=3", "seed=rimu&mountains=3"] {
-            assert_eq!(draft(&mut picture, &session, &read(other)), None, "{other}");
-        }
-        assert!(picture.pixmap().data() == painted(&session));
-        // Other rivers, whose relief is not there yet.
-        draft(&mut picture, &session, &read("mountains=3")).unwrap();
-        session.change(read("simplify=40")).unwrap();
-        while session.phase() != Phase::Relief {
-            assert_eq!(draft(&mut picture, &session, &read("simplify=40&mountains=3")), None);
-            session.advance(1).unwrap();
-        }
-        assert_eq!(draft(&mut picture, &session, &read("simplify=40&mountains=3")), None);
-        while session.advance(50).unwrap() {}
-        picture.paint(&session);
-        assert!(picture.pixmap().data() == painted(&session));
-        draft(&mut picture, &session, &read("simplify=40&mountains=3")).unwrap();
     }
 
     #[test]

@@ -449,7 +449,7 @@ impl Session {
 pub(crate) struct Generation(u64);
 
 impl Generation {
-    fn next() -> Self {
+    pub(crate) fn next() -> Self {
         static COUNT: AtomicU64 = AtomicU64::new(0);
         Self(COUNT.fetch_add(1, Ordering::Relaxed))
     }

@@ -15,9 +15,9 @@ export default defineConfig({
   // Relative addresses: the built folder works on any static host, in any subfolder.
   base: "./",
   plugins: [
+    poster("index.html"),
     // Not embed.html: its engine is fetched by a worker, which does not see what its document has preloaded.
     preloadEngine("index.html"),
-    poster("index.html"),
     countries(),
     offline("index.html"),
     // After what writes scripts into pages.

@@ -5,57 +5,14 @@ use std::io::{self, Write};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 use riverseed::domain::Domain;
-use riverseed::export::rasters::{Layer, Rasters};
-use riverseed::export::{ExportError, geojson, json, pack, png, svg};
+use riverseed::export::rasters::Rasters;
+use riverseed::export::{ExportError, Form, geojson, json, pack, png, svg};
 use riverseed::recipe::{Recipe, link};
 use riverseed::session::Session;
 
 use crate::failure::{Done, Failure, raised};
 use crate::map;
 use crate::order::{self, Parameters};
-
-/// The forms of a file, as the endings of the command line name them.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Form {
-    Png,
-    Svg,
-    GeoJson,
-    Json,
-    Pack,
-    Raster(Layer),
-}
-
-impl Form {
-    const ALL: [(Self, &'static str); 10] = [
-        (Self::Png, "png"),
-        (Self::Svg, "svg"),
-        (Self::GeoJson, "geojson"),
-        (Self::Json, "json"),
-        (Self::Pack, "zip"),
-        (Self::Raster(Layer::Heights), "heights.png"),
-        (Self::Raster(Layer::Land), "land.png"),
-        (Self::Raster(Layer::Rivers), "rivers.png"),
-        (Self::Raster(Layer::Flow), "flow.png"),
-        (Self::Raster(Layer::Basins), "basins.png"),
-    ];
-
-    fn named(name: &str) -> Done<Self> {
-        let refused = || {
-            let names = Self::ALL.map(|(_, name)| name).join(", ");
-            Failure::Refused(format!("form: '{}' is none of {names}", shown(name)))
-        };
-        Self::ALL.iter().find(|(_, known)| *known == name).map(|(form, _)| *form).ok_or_else(refused)
-    }
-
-    /// Whether there is a picture in it.
-    fn has_picture(self) -> bool {
-        matches!(self, Self::Png | Self::Pack)
-    }
-
-    fn has_rasters(self) -> bool {
-        matches!(self, Self::Raster(_) | Self::Pack)
-    }
-}
 
 /// What a file is made by besides its recipe.
 struct Options {
@@ -70,10 +27,10 @@ impl Options {
     const SIZE: u32 = 1200;
 
     fn read(form: &str, size: Option<u32>, ratio: Option<f32>, raster_size: Option<u32>) -> Done<Self> {
-        let kind = Form::named(form)?;
+        let kind = named(form)?;
         let is_misplaced = [
-            ("size", size.is_some() && !kind.has_picture()),
-            ("ratio", ratio.is_some() && !kind.has_picture()),
+            ("size", size.is_some() && !kind.has_pixels()),
+            ("ratio", ratio.is_some() && !kind.has_pixels()),
             ("raster_size", raster_size.is_some() && !kind.has_rasters()),
         ];
         if let Some((option, _)) = is_misplaced.iter().find(|(_, is_misplaced)| *is_misplaced) {
@@ -85,6 +42,14 @@ impl Options {
         }
         Ok(Self { form: kind, size: size.unwrap_or(Self::SIZE), ratio, raster_size })
     }
+}
+
+fn named(form: &str) -> Done<Form> {
+    let refused = || {
+        let names: Vec<_> = Form::all().map(Form::name).collect();
+        Failure::Refused(format!("form: '{}' is none of {}", shown(form), names.join(", ")))
+    };
+    Form::named(form).ok_or_else(refused)
 }
 
 /// Makes the bytes of a file.

@@ -4,6 +4,7 @@
 
 mod banks;
 mod data;
+mod form;
 pub mod geojson;
 pub mod json;
 mod names;
@@ -16,6 +17,7 @@ mod rings;
 pub mod svg;
 
 pub use data::Json;
+pub use form::Form;
 
 use thiserror::Error;
 

@@ -74,6 +74,17 @@ impl Layer {
     /// All of them.
     pub const ALL: [Self; 5] = [Self::Heights, Self::Land, Self::Rivers, Self::Flow, Self::Basins];
 
+    /// What its values are, in English: so the text begins that says what they mean, and no other layer's does.
+    pub fn subject(self) -> &'static str {
+        match self {
+            Self::Heights => "16-bit heights",
+            Self::Land => "255 is land",
+            Self::Rivers => "16-bit width of the river",
+            Self::Flow => "Where water runs",
+            Self::Basins => "16-bit number of the river basin",
+        }
+    }
+
     /// The name, as in `kauri.heights.png`.
     pub fn name(self) -> &'static str {
         match self {
@@ -182,28 +193,23 @@ impl Rasters {
     /// What the values of a raster mean, in English.
     pub fn meaning(&self, layer: Layer) -> String {
         let Scale { sea_level, metres_a_step } = self.scale;
-        match layer {
+        let more = match layer {
             Layer::Heights => format!(
-                "16-bit heights: metres above the sea = (value - {sea_level}) * {}. \
+                ": metres above the sea = (value - {sea_level}) * {}. \
                  0 is the deepest place, {sea_level} the sea's surface.",
                 decimal(metres_a_step, 6)
             ),
-            Layer::Land => "255 is land, 0 is sea.".into(),
+            Layer::Land => ", 0 is sea.".into(),
             Layer::Rivers => format!(
-                "16-bit width of the river in thousandths of a unit (a pixel is {} wide), 0 where there is none.",
+                " in thousandths of a unit (a pixel is {} wide), 0 where there is none.",
                 shortest(f64::from(self.cell_size) * 1000.0, 3)
             ),
-            Layer::Flow => {
-                "Where water runs (D8, as ESRI writes it): 1 east, 2 south-east, 4 south, 8 south-west, 16 west, \
+            Layer::Flow => " (D8, as ESRI writes it): 1 east, 2 south-east, 4 south, 8 south-west, 16 west, \
                             32 north-west, 64 north, 128 north-east, 0 at sea."
-                    .into()
-            }
-            Layer::Basins => {
-                "16-bit number of the river basin, counted from 1; 0 at sea, and where water runs to the sea \
-                              in no river."
-                    .into()
-            }
-        }
+                .into(),
+            Layer::Basins => ", counted from 1; 0 at sea, and where water runs to the sea in no river.".into(),
+        };
+        format!("{}{more}", layer.subject())
     }
 
     /// What a raster's file says besides its values: keywords and texts, in ASCII.

@@ -14,10 +14,15 @@ const FAR: f32 = 60.0;
 
 /// Ends the map in some rows of a ground. `land` is `None` where all of the map is land.
 pub(super) fn lay(view: &View, land: Option<&Land>, palette: &Palette, rows: Rows, pixels: &mut [[u8; 4]]) {
+    // Beside the map, all pixels of a row have the same.
+    let (mut nearest, mut share) = (Vec2::NAN, 0.0);
     for_each(view, rows, pixels, |pixel, border| {
-        let height = land.map_or(f32::MAX, |land| land.coast_distance().height(border));
+        if border != nearest {
+            let height = land.map_or(f32::MAX, |land| land.coast_distance().height(border));
+            (nearest, share) = (border, (-height / FAR).clamp(0.0, 1.0));
+        }
         let [r, g, b, _] = *pixel;
-        let [r, g, b] = mix(palette.deep, [r, g, b], (-height / FAR).clamp(0.0, 1.0));
+        let [r, g, b] = mix(palette.deep, [r, g, b], share);
         *pixel = [r, g, b, 0];
     });
 }
@@ -25,11 +30,16 @@ pub(super) fn lay(view: &View, land: Option<&Land>, palette: &Palette, rows: Row
 /// Does something with all pixels of some rows that lie beyond the map, and the points of its border that are nearest to them.
 pub(super) fn for_each<Pixel>(view: &View, rows: Rows, pixels: &mut [Pixel], mut end: impl FnMut(&mut Pixel, Vec2)) {
     for (y, row) in rows.zip(pixels.chunks_mut(view.width as usize)) {
-        for (x, pixel) in row.iter_mut().enumerate() {
-            let at = view.point(Vec2::new(x as f32, y as f32) + 0.5);
-            if let Some(border) = view.border_near(at) {
-                end(pixel, border);
-            }
+        let border_near = |x: usize| view.border_near(view.point(Vec2::new(x as f32, y as f32) + 0.5));
+        // What lies within the map lies together: on to it from the left, and then from the right.
+        let (mut start, mut rest) = (0, row.len());
+        while let Some(border) = (start < rest).then(|| border_near(start)).flatten() {
+            end(&mut row[start], border);
+            start += 1;
+        }
+        while let Some(border) = (start < rest).then(|| border_near(rest - 1)).flatten() {
+            rest -= 1;
+            end(&mut row[rest], border);
         }
     }
 }

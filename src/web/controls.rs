@@ -8,6 +8,7 @@ use super::objects::{coded, object, set};
 use super::rivers::{River, pair, read_options};
 use crate::dice;
 use crate::paint::{Framing, Painted};
+use crate::picture::Picture;
 use crate::recipe::preset::{COUNTRIES, PRESETS, Preset};
 use crate::recipe::reading;
 use crate::recipe::table::TABLE;
@@ -65,9 +66,10 @@ impl River {
     }
 
     /// Does a part of painting, for a moment, what a slider that still moves makes of its rivers: without a chart, and on the ground that is
-    /// there, even if its relief is that of other rivers. Of its own link it shows them as they are. Of one that has but another width, to which
-    /// it does not go over, it shows them on their courses, once these are finished; of one that has but other mountains or plains, nearly their
-    /// relief. Returns whether there is more to do, until which nothing is seen of it; undefined if it can show nothing.
+    /// there, even if its relief is that of other rivers. Of its own link it shows them as they are. It does not go over to another, of which
+    /// it shows something once its rivers are finished: of one that has but another width, that on their courses; of one that has but other
+    /// mountains or plains, nearly their relief; of one that has but other coasts, those, with the rivers that are there. Returns whether
+    /// there is more to do, until which nothing is seen of it; undefined if it can show nothing.
     #[wasm_bindgen(js_name = paintDraft)]
     pub fn paint_draft(
         &mut self,
@@ -76,10 +78,14 @@ impl River {
     ) -> Option<bool> {
         let wanted = reading::read(text, read_options(options)).recipe;
         let (picture, session) = (self.picture.as_mut()?, &self.session);
-        let changed = match picture.paint_relief_draft(session, &wanted) {
-            Some(Painted::Part) => return Some(true),
-            Some(Painted::Whole(changed)) => changed,
-            None => Some(picture.paint_draft(session, session.widening_to(&wanted)?)?),
+        let widened = |picture: &mut Picture| {
+            let changed = picture.paint_draft(session, session.widening_to(&wanted)?)?;
+            Some(Painted::Whole(Some(changed)))
+        };
+        let drafted = picture.paint_relief_draft(session, &wanted).or_else(|| widened(picture));
+        let changed = match drafted.or_else(|| picture.paint_land_draft(session, &wanted))? {
+            Painted::Part => return Some(true),
+            Painted::Whole(changed) => changed,
         };
         self.dirty = changed.or(self.dirty);
         Some(false)

@@ -4,6 +4,7 @@
  */
 
 import type { Plugin } from "vite";
+import { withEarlyScript } from "./early.ts";
 import { drawAll } from "./gallery/drawing.ts";
 import type { Shot } from "./gallery/shots.ts";
 
@@ -53,10 +54,7 @@ export function poster(page: string): Plugin {
       handler(html, { path }) {
         if (path.slice(1) !== page) return html;
         if (!html.includes(PLACE)) throw new Error(`${page} has no place for the poster`);
-        return {
-          html: html.replace(PLACE, `${picture()}\n          ${PLACE}`),
-          tags: [{ tag: "script", children: MARK, injectTo: "head-prepend" }],
-        };
+        return withEarlyScript(html.replace(PLACE, `${picture()}\n          ${PLACE}`), asksEarly());
       },
     },
     async generateBundle() {
@@ -67,9 +65,16 @@ export function poster(page: string): Plugin {
   };
 }
 
-/** A page with a link has no poster; what is not shown is not fetched, since it is fetched late. */
-const MARK =
-  'if (location.search.length > 1 || location.hash.includes("=")) document.documentElement.dataset.linked = "";';
+/** A page with a link has no poster; what is not shown is not fetched, since it is fetched late. Of another it is asked for at once. */
+function asksEarly(): string {
+  const posters = POSTERS.map(({ file, media }) => [`./${FOLDER}/${file}`, media]);
+  return `if (location.search.length > 1 || location.hash.includes("=")) document.documentElement.dataset.linked = "";
+else {
+  const [href] = ${JSON.stringify(posters)}.find(([, media]) => matchMedia(media).matches);
+  const link = Object.assign(document.createElement("link"), { rel: "preload", as: "image", fetchPriority: "high", href });
+  document.head.append(link);
+}`;
+}
 
 function picture(): string {
   const sources = POSTERS.slice(0, -1).map(

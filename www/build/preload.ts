@@ -1,44 +1,46 @@
 /**
- * The engine is asked for as soon as the page is there, and not only when its script has arrived and been read: on a slow line
- * two waits become one. Asked for just as src/engine/wasm-module.ts does, or the browser would fetch it twice.
- *
- * The worker that grows the rivers begins then, too: what a browser preloads it would fetch again for a worker, and a worker takes longer
- * to begin than the page's script to come.
+ * The worker that grows the rivers begins as soon as the page is there, and the engine is asked for, and not only when the page's script
+ * has arrived and been read: on a slow line two waits become one. What a browser preloads it would fetch again for a worker, and a worker
+ * takes longer to begin than the page's script to come. The engine is asked for just as src/engine/wasm-module.ts does, or the browser
+ * would fetch it twice. Where a poster stands for the map meanwhile it is left to that script: of a slow line it would take most, and the
+ * poster is to be seen first.
  */
 
-import type { HtmlTagDescriptor, Plugin } from "vite";
+import type { Plugin } from "vite";
+import { withEarlyScript } from "./early.ts";
 
 const ENGINE = "riverseed_full_bg.wasm";
 const WORKER = /page-worker-[\w-]+\.js$/;
 
+/** Comes after the poster, whose script says whether there is one. */
 export function preloadEngine(...pages: readonly string[]): Plugin {
   return {
     name: "preload-engine",
     apply: "build",
     transformIndexHtml: {
       order: "post",
-      handler(_html, { bundle = {}, path }) {
-        if (!pages.includes(path.slice(1))) return [];
+      handler(html, { bundle = {}, path }) {
+        if (!pages.includes(path.slice(1))) return html;
         const files = Object.values(bundle);
         const engine = files.find((file) => file.type === "asset" && file.names.includes(ENGINE));
         const worker = files.find(({ fileName }) => WORKER.test(fileName));
         if (!engine || !worker) throw new Error(`${path}: the build has no ${ENGINE} or no worker to ask for early`);
-        return [linkTo(engine.fileName), scriptThatBegins(worker.fileName)];
+        return withEarlyScript(html, [beginsWorker(worker.fileName), asksFor(engine.fileName)].join("\n"));
       },
     },
   };
 }
 
-function linkTo(fileName: string): HtmlTagDescriptor {
-  const attrs = { rel: "preload", as: "fetch", type: "application/wasm", crossorigin: true, href: `./${fileName}` };
-  return { tag: "link", attrs, injectTo: "head" };
-}
-
 /** src/page/backend.ts takes it over, and hears whether it was refused before that. Where no canvas can be handed to it, there is none. */
-function scriptThatBegins(fileName: string): HtmlTagDescriptor {
-  const children = `if ("transferControlToOffscreen" in HTMLCanvasElement.prototype) try {
+function beginsWorker(fileName: string): string {
+  return `if ("transferControlToOffscreen" in HTMLCanvasElement.prototype) try {
   const worker = (globalThis.earlyWorker = new Worker("./${fileName}", { type: "module" }));
   worker.onerror = () => { worker.isRefused = true; };
 } catch {}`;
-  return { tag: "script", children, injectTo: "head" };
+}
+
+function asksFor(fileName: string): string {
+  const link = `{ rel: "preload", as: "fetch", type: "application/wasm", crossOrigin: "", href: "./${fileName}" }`;
+  return `if ("linked" in document.documentElement.dataset)
+  document.head.append(Object.assign(document.createElement("link"), ${link}));`;
 }

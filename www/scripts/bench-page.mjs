@@ -6,8 +6,7 @@
 // The page must have been built (npm run build). CHROME names the browser, REPEAT how many rivers (default 3, the
 // median of each figure is printed).
 
-import { chromium } from "@playwright/test";
-import { preview } from "vite";
+import { printFigures } from "./built-page.mjs";
 
 /** What figures were taken with from the beginning, whatever the defaults are. */
 const PLAIN = "seed=kauri&aspect=1&land=rectangle&mouths=3&curl=0&width=14&great-rivers=1&style=ink";
@@ -19,26 +18,17 @@ const LINKS = {
 const SIDE_PX = 1024;
 const repeat = Number(process.env.REPEAT ?? 3);
 
-const server = await preview({ preview: { host: "127.0.0.1", port: 0 }, logLevel: "silent" });
-const address = server.resolvedUrls.local[0];
-const browser = await chromium.launch({
-  executablePath: process.env.CHROME ?? "/usr/bin/chromium",
-  args: ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking"],
-});
-try {
+await printFigures(async (browser, address) => {
   const found = {};
   for (const phase of Object.keys(LINKS)) {
     const runs = [];
-    for (let i = 0; i < repeat; i++) runs.push(await measure(phase));
+    for (let i = 0; i < repeat; i++) runs.push(await measure(phase, browser, address));
     found[phase] = medians(runs);
   }
-  console.log(JSON.stringify(found));
-} finally {
-  await browser.close();
-  await new Promise((done) => server.httpServer.close(done));
-}
+  return found;
+});
 
-async function measure(phase) {
+async function measure(phase, browser, address) {
   // bypassCSP lets the style below in; nothing else depends on the policy.
   const page = await browser.newPage({ viewport: { width: 1600, height: 1200 }, bypassCSP: true });
   await page.addInitScript(drawOnPage);

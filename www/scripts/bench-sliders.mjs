@@ -6,8 +6,7 @@
 // The page must have been built (npm run build). CHROME names the browser, MOVES how often each slider moves (default 12), ONLY some of the
 // names of LINKS, SLIDERS some of the keys, by commas.
 
-import { chromium } from "@playwright/test";
-import { preview } from "vite";
+import { printFigures } from "./built-page.mjs";
 
 const ATLAS = "style=atlas&labels=some";
 const LINKS = {
@@ -23,23 +22,14 @@ const PATIENCE_MS = 3000;
 const BETWEEN_MS = 60;
 const moves = Number(process.env.MOVES ?? 12);
 
-const server = await preview({ preview: { host: "127.0.0.1", port: 0 }, logLevel: "silent" });
-const address = server.resolvedUrls.local[0];
-const browser = await chromium.launch({
-  executablePath: process.env.CHROME ?? "/usr/bin/chromium",
-  args: ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking"],
-});
-try {
+await printFigures(async (browser, address) => {
   const found = {};
   const wanted = process.env.ONLY?.split(",") ?? Object.keys(LINKS);
-  for (const name of wanted) found[name] = await measure(name);
-  console.log(JSON.stringify(found));
-} finally {
-  await browser.close();
-  await new Promise((done) => server.httpServer.close(done));
-}
+  for (const name of wanted) found[name] = await measure(name, browser, address);
+  return found;
+});
 
-async function measure(name) {
+async function measure(name, browser, address) {
   const page = await browser.newPage({ viewport: { width: 1440, height: 900 }, serviceWorkers: "block" });
   await page.route(/\/assets\/page-worker-[^/]*\.js$/, async (route) => {
     const response = await route.fetch();

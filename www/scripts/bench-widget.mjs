@@ -10,7 +10,7 @@
 import { readFile } from "node:fs/promises";
 import { createServer } from "node:http";
 import { extname } from "node:path";
-import { chromium } from "@playwright/test";
+import { launchBrowser } from "./built-page.mjs";
 
 /** The finest have more than a widget grows, and so what it grows at most; and what makes most work of that. */
 const RECIPES = {
@@ -37,10 +37,7 @@ const server = createServer(async ({ url }, response) => {
 });
 await new Promise((done) => server.listen(0, "127.0.0.1", done));
 const address = `http://127.0.0.1:${server.address().port}/`;
-const browser = await chromium.launch({
-  executablePath: process.env.CHROME ?? "/usr/bin/chromium",
-  args: ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking"],
-});
+const browser = await launchBrowser();
 try {
   const found = {};
   for (const place of ["worker", "page"]) {

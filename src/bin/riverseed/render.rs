@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use clap::ArgMatches;
 
-use super::form::Form;
+use super::form::{Form, form_of};
 use super::grow::progress;
 use super::map::{Map, Options};
 use super::order::Order;
@@ -38,7 +38,7 @@ impl<'a> Wanted<'a> {
     fn of(path: &'a Path) -> Result<Self, Failure> {
         match path.to_str() {
             Some("-") => Ok(Self { form: Form::Json, path: None }),
-            _ => Ok(Self { form: Form::of(path)?, path: Some(path) }),
+            _ => Ok(Self { form: form_of(path)?, path: Some(path) }),
         }
     }
 }

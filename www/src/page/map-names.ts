@@ -3,7 +3,7 @@
 import { named } from "../engine/errors.ts";
 import type { Recipe } from "../engine/recipe.ts";
 import { type Named, NameList, namedOf } from "./name-list.ts";
-import { isRiver } from "./rivers-under-hand.ts";
+import { isRiver } from "./river-pointer.ts";
 import type { RiverViewport } from "./viewport.ts";
 
 export interface MapNamesEvents {

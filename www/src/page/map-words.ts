@@ -6,7 +6,7 @@ import type { Phase, Summary } from "../engine/types.ts";
 import type { State } from "../player/frame-loop.ts";
 import { alternative, caption, sentence } from "../player/summary-text.ts";
 import type { Named } from "./name-list.ts";
-import { isRiver } from "./rivers-under-hand.ts";
+import { isRiver } from "./river-pointer.ts";
 import { Announcer } from "./status.ts";
 
 export interface MapWordsElements {

@@ -15,11 +15,11 @@ type Player = RiverPlayer<FullRiver>;
 
 /** A step that takes long is announced. */
 export function meansOf(core: FullCore, holdOn: () => void = () => {}): Means<FullRiver, Question, Answer> {
-  const planter = { ...core, loadCharts };
+  const maker = { ...core, loadCharts };
   const inspections = new Inspections(loadCharts);
   const timelines = new Timelines();
   return {
-    planter,
+    maker,
     // There is one river only.
     shareMs: Number.POSITIVE_INFINITY,
     clock: new SharedClock(),
@@ -27,7 +27,7 @@ export function meansOf(core: FullCore, holdOn: () => void = () => {}): Means<Fu
       switch (question.about) {
         case "file": {
           const { of, link, format } = question;
-          return fileOf(copyFor(link, playerIn(of, playerOf), core), { ...planter, holdOn }, format);
+          return fileOf(copyFor(link, playerIn(of, playerOf), core), { ...maker, holdOn }, format);
         }
         case "names":
           return namesOn(playerIn(question.of, playerOf), question.count);

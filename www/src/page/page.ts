@@ -33,7 +33,7 @@ import { OwnLand } from "./own-land.ts";
 import { Panel } from "./panel.ts";
 import { firstLink, howFor, prefersDark } from "./preferences.ts";
 import { PresetNote } from "./preset-note.ts";
-import { RiversUnderHand } from "./rivers-under-hand.ts";
+import { RiverPointer } from "./river-pointer.ts";
 import { shortcuts } from "./shortcuts.ts";
 import { SixWays } from "./six-ways.ts";
 import { showFailure, showNotices } from "./status.ts";
@@ -57,7 +57,7 @@ class Page {
   readonly #names: MapNames;
   readonly #measures: MeasuresView;
   readonly #words = new MapWords(elements);
-  readonly #underHand = new RiversUnderHand(
+  readonly #riverPointer = new RiverPointer(
     { ...elements, stage: elements.drawing.stage },
     {
       river: (place) => this.#viewport.river(place),
@@ -120,7 +120,7 @@ class Page {
     });
     elements.presets.replaceChildren(paper, this.#measures.element);
     this.#six = new SixWays(renderHost, engine.presets(), {
-      ground: () => ({ values: this.#recipe.values, kept: this.#choices.kept }),
+      shared: () => ({ values: this.#recipe.values, kept: this.#choices.kept }),
       changed: (isOpen) => this.#cover(isOpen),
       take: (preset, all) => this.#press(preset, all),
       copy: () => this.#copiedAddress(),
@@ -130,7 +130,7 @@ class Page {
     new HelpSheet(elements.help, shortcuts());
     const alone = new MapAlone(elements.mapAlone, () => this.#viewport.refit());
     const panel = new Panel(elements.panel, disclosures, () => this.#viewport.refit());
-    answerEscape([this.#underHand, this.#ownLand, panel, this.#inside, alone]);
+    answerEscape([this.#riverPointer, this.#ownLand, panel, this.#inside, alone]);
     this.#listen();
   }
 
@@ -274,7 +274,7 @@ class Page {
     elements.facade.hidden = true;
     this.#transport.show(state);
     elements.frame.dataset["state"] = state;
-    this.#underHand.follow(state);
+    this.#riverPointer.follow(state);
     this.#inside.follow(state, summary.growth);
     void this.#track.follow();
     elements.frame.dataset["phase"] = phase;
@@ -375,7 +375,9 @@ async function begin({ core, renderHost }: Engines): Promise<void> {
   const viewport = new RiverViewport(renderHost, elements, recipe.shown, recipe.defaults.get("aspect") ?? "", covered);
   viewport.start(howFor("watch"));
   await turn();
-  new Page(own, recipe, viewport, renderHost).start();
+  const page = new Page(own, recipe, viewport, renderHost);
+  await turn();
+  page.start();
 }
 
 begin(openEngines()).catch(fail);

@@ -31,7 +31,7 @@ export interface SideBySideEvents {
 }
 
 /** What all six are made of. */
-export interface Ground {
+export interface SharedValues {
   values: ReadonlyMap<string, string>;
   /** What presets may not change here. */
   kept: ReadonlySet<string>;
@@ -67,15 +67,15 @@ export class SideBySide {
     return this.elements.dialog.open;
   }
 
-  /** Shows them on a ground; in place of those that are shown, if they are on another. */
-  open(ground: Ground): void {
-    const presets = onSameGround(this.presets, ground);
-    const links = presets.map((preset) => linkOn(ground, preset)).join("\n");
+  /** Shows them with these values; in place of those that are shown, if they have others. */
+  open(shared: SharedValues): void {
+    const presets = withSameValues(this.presets, shared);
+    const links = presets.map((preset) => linkWith(shared, preset)).join("\n");
     if (this.isOpen && links === this.#links) return;
     this.#clear();
     this.#links = links;
-    this.#describe(ground, presets);
-    this.#variants = presets.map((preset) => this.#variant(ground, preset, presets));
+    this.#describe(shared, presets);
+    this.#variants = presets.map((preset) => this.#variant(shared, preset, presets));
     this.elements.variants.replaceChildren(...this.#variants.map(({ element }) => element));
     this.#lay();
     for (const variant of this.#variants) void variant.open(this.events.how());
@@ -86,17 +86,17 @@ export class SideBySide {
     this.elements.dialog.close();
   }
 
-  #describe(ground: Ground, presets: readonly Preset[]): void {
+  #describe(shared: SharedValues, presets: readonly Preset[]): void {
     const { dialog, about, status } = this.elements;
     setText(status, "");
-    const isHeld = this.presets.some(({ values }) => values.some(([key]) => ground.kept.has(key)));
-    about.replaceChildren(...inWords(ground.values, presets, isHeld));
-    dialog.style.setProperty("--aspect", ground.values.get("aspect") ?? "1");
+    const isHeld = this.presets.some(({ values }) => values.some(([key]) => shared.kept.has(key)));
+    about.replaceChildren(...inWords(shared.values, presets, isHeld));
+    dialog.style.setProperty("--aspect", shared.values.get("aspect") ?? "1");
   }
 
-  #variant(ground: Ground, preset: Preset, presets: readonly Preset[]): Variant {
+  #variant(shared: SharedValues, preset: Preset, presets: readonly Preset[]): Variant {
     const { label, help } = preset;
-    const of = { link: linkOn(ground, preset), label, help, isCurrent: isShown(preset, ground.values) };
+    const of = { link: linkWith(shared, preset), label, help, isCurrent: isShown(preset, shared.values) };
     return new Variant(this.renderHost, of, {
       chosen: () => this.#take(preset, presets),
       changed: () => this.#show(),
@@ -157,7 +157,7 @@ export class SideBySide {
 }
 
 /** The presets with as many attractors as the map has, or as can be told apart; without what is kept as it is. */
-function onSameGround(presets: readonly Preset[], { values, kept }: Ground): Preset[] {
+function withSameValues(presets: readonly Preset[], { values, kept }: SharedValues): Preset[] {
   const isDense = Number(values.get("attractors")) > MOST_ATTRACTORS;
   const fewer = isDense ? [["attractors", String(MOST_ATTRACTORS)] as [string, string]] : [];
   return presets.map((preset) => ({
@@ -166,7 +166,7 @@ function onSameGround(presets: readonly Preset[], { values, kept }: Ground): Pre
   }));
 }
 
-function linkOn({ values }: Ground, preset: Preset): string {
+function linkWith({ values }: SharedValues, preset: Preset): string {
   return linkText(new Map([...values, ...preset.values, ...BARE]));
 }
 

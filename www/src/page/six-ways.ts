@@ -6,11 +6,11 @@ import type { Preset } from "../engine/full.ts";
 import type { PageRenderHost } from "./backend.ts";
 import { elements } from "./elements.ts";
 import { howFor } from "./preferences.ts";
-import { type Ground, SideBySide } from "./side-by-side.ts";
+import { type SharedValues, SideBySide } from "./side-by-side.ts";
 
 export interface SixWaysEvents {
   /** The map that they are made from. */
-  ground(): Ground;
+  shared(): SharedValues;
   /** They cover the map from now on, or do not any more. */
   changed(isOpen: boolean): void;
   /** One was chosen. */
@@ -47,7 +47,7 @@ export class SixWays {
 
   open(): void {
     try {
-      this.#sheet.open(this.events.ground());
+      this.#sheet.open(this.events.shared());
     } catch (error) {
       this.events.failed(error);
     }

@@ -50,7 +50,7 @@ export interface Frames {
  */
 export type State = "growing" | "paused" | "settling" | "finished";
 
-export interface Audience {
+export interface FrameLoopEvents {
   /**
    * Does a part of showing what there is; of rivers that follow a hand a draft will do. Returns whether there is more to do: until there is
    * not, nothing is to be seen.
@@ -103,7 +103,7 @@ export class FrameLoop {
   constructor(
     private readonly river: Growing,
     private readonly frames: Frames,
-    private readonly audience: Audience,
+    private readonly events: FrameLoopEvents,
   ) {}
 
   get state(): State {
@@ -235,7 +235,7 @@ export class FrameLoop {
   #become(state: State): void {
     if (state === this.#state) return;
     this.#state = state;
-    this.audience.changed(state);
+    this.events.changed(state);
   }
 
   #wake(): void {
@@ -248,7 +248,7 @@ export class FrameLoop {
       this.#step(now);
     } catch (error) {
       this.halt();
-      this.audience.failed(error);
+      this.events.failed(error);
     }
   }
 
@@ -283,7 +283,7 @@ export class FrameLoop {
     this.#isShown ||= this.#showsNew(phase);
     this.#isDrafted ||= this.#isShown && phase !== "shaping";
     if (this.#runs && phase === "finished") this.#become("finished");
-    if (!this.isBusy) this.audience.ready();
+    if (!this.isBusy) this.events.ready();
   }
 
   /** Whether a picture in this phase shows something of what settles: until there are other rivers, or another relief, the old stay in it. */
@@ -302,7 +302,7 @@ export class FrameLoop {
   #paint(): boolean {
     const end = this.frames.now() + PAINT_BUDGET_MS;
     const asDraft = this.#movedAt !== undefined && this.river.phase !== "finished";
-    while (this.audience.draw(asDraft)) {
+    while (this.events.draw(asDraft)) {
       if (this.frames.now() >= end) return true;
     }
     return false;

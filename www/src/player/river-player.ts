@@ -6,7 +6,7 @@ import type { CanvasSize, Framing } from "../browser/canvas.ts";
 import type { Phase, ReadOptions, River, Summary } from "../engine/types.ts";
 import { Blitter } from "./blit.ts";
 import { ChartMaker, type LoadCharts } from "./chart-maker.ts";
-import { DRAFT_BUDGET_MS, FrameLoop, type Frames, type Growing, REST_MS, type State } from "./frame-loop.ts";
+import { FrameLoop, type Frames, type Growing, REST_MS, type State } from "./frame-loop.ts";
 import type { SharedClock } from "./shared-clock.ts";
 
 export type Canvas = HTMLCanvasElement | OffscreenCanvas;
@@ -27,7 +27,7 @@ export interface PlayerEvents {
   /** The canvas is about to hold a river of this shape: how many pixels should it have? None if it is not shown. */
   sizeFor(aspect: number): CanvasSize;
   /** The river is of another link from now on. */
-  planted?(river: River): void;
+  created?(river: River): void;
   /** Something of the picture changed: the state, or in it the river. */
   changed(state: State, phase: Phase, summary: Summary): void;
   failed(error: unknown): void;
@@ -39,30 +39,33 @@ const COUNT_EVERY_MS = 250;
 /** A hand is followed at once, but for what comes sooner than this after the last: that waits for a frame, and the latest alone is shown. */
 const AT_ONCE_MS = 16;
 
+/** A draft on courses that are there may take so long at once: a hand sees it sooner than in parts, a frame each. */
+const DRAFT_AT_ONCE_MS = 46;
+
 /** A river that can show a part of its map, and drafts, as those of the full engine can. */
 interface Framed {
   frame(framing: Float32Array): void;
   paintDraft(text: string, options?: ReadOptions): boolean | undefined;
 }
 
-interface Wish {
+interface Wanted {
   link: LinkToRead;
   how: ShowMode;
 }
 
 /** What of an engine plants rivers: a lean one, or a full one. */
-export interface Planter<Planted> {
-  readonly engine: { readonly River: new (text: string, options?: ReadOptions) => Planted };
+export interface RiverMaker<R> {
+  readonly engine: { readonly River: new (text: string, options?: ReadOptions) => R };
   readonly memory: WebAssembly.Memory;
   /** Fetches what makes charts of its rivers. */
   readonly loadCharts: LoadCharts;
 }
 
-export class RiverPlayer<Planted extends River & Partial<Framed> = River> {
-  #wanted: Wish | undefined;
-  /** The wish that is shown by a draft of what there is, until the hand rests; and the one whose draft is being painted. */
-  #drafted: { wish: Wish; at: number } | undefined;
-  #drafting: Wish | undefined;
+export class RiverPlayer<R extends River & Partial<Framed> = River> {
+  #wanted: Wanted | undefined;
+  /** The one that is shown by a draft of what there is, until the hand rests; and the one whose draft is being painted. */
+  #drafted: { wanted: Wanted; at: number } | undefined;
+  #drafting: Wanted | undefined;
   #shown: LinkToRead;
   #link = "";
   #followedAt = Number.NEGATIVE_INFINITY;
@@ -75,7 +78,7 @@ export class RiverPlayer<Planted extends River & Partial<Framed> = River> {
   #canRun = true;
   #ratio = 1;
   #framing: Framing | undefined;
-  readonly #river: Planted;
+  readonly #river: R;
   /** As it grows by the clock that it shares with others, if there is one. */
   readonly #growing: Growing;
   readonly #loop: FrameLoop;
@@ -84,7 +87,7 @@ export class RiverPlayer<Planted extends River & Partial<Framed> = River> {
 
   /** Puts a river on the canvas at tick 0. Throws what the core throws. */
   constructor(
-    core: Planter<Planted>,
+    core: RiverMaker<R>,
     private readonly canvas: Canvas,
     link: LinkToRead,
     private readonly frames: Frames,
@@ -102,7 +105,7 @@ export class RiverPlayer<Planted extends River & Partial<Framed> = River> {
     this.#growing = clock?.join(this.#river) ?? this.#river;
     this.#loop = new FrameLoop(this.#growing, frames, {
       draw: (asDraft) => this.#draw(asDraft),
-      ready: () => this.#followWish(),
+      ready: () => this.#followWanted(),
       changed: () => this.#tell(),
       failed: (error) => events.failed(error),
     });
@@ -114,7 +117,7 @@ export class RiverPlayer<Planted extends River & Partial<Framed> = River> {
   }
 
   /** The river on the canvas, to be looked at; after a failure nothing of it may be called, so there is none. */
-  get river(): Planted | undefined {
+  get river(): R | undefined {
     return this.#canRun ? this.#river : undefined;
   }
 
@@ -230,7 +233,7 @@ export class RiverPlayer<Planted extends River & Partial<Framed> = River> {
     const { phase } = this.#river;
     // Of finished rivers a style may show a relief that none has shown before, and that is yet to be made.
     const isDrawing = (stage === "paint" || stage === "name") && (phase === "finished" || this.state !== "finished");
-    if (stage === "land" || stage === "grow") this.#grow(wanted.how);
+    if (stage === "land" || stage === "grow") this.#grow(wanted.how, isDrafted);
     else if (isDrawing || phase === "growing") this.#loop.redraw();
     else if (wanted.how === "settle" && (stage !== "relief" || isDrafted)) this.#loop.follow(isDrafted);
     else this.#loop.settle(false);
@@ -238,36 +241,36 @@ export class RiverPlayer<Planted extends River & Partial<Framed> = River> {
   }
 
   /**
-   * Another width is shown at once on the courses that are there, which it will change a little, and other mountains nearly as they will
-   * be: the river goes over to them when the hand rests. Returns whether that is so, and not yet.
+   * Another width is shown at once on the courses that are there, which it will change a little, other mountains nearly as they will be, and
+   * other coasts around the rivers that are there: the river goes over to them when the hand rests. Returns whether that is so, and not yet.
    */
-  #showsDraft(wish: Wish): boolean {
+  #showsDraft(wanted: Wanted): boolean {
     const { state } = this;
     const isThere = state === "finished" || (state === "settling" && this.#river.phase === "relief");
-    if (wish.how !== "settle" || !isThere || !this.#canRun) return false;
+    if (wanted.how !== "settle" || !isThere || !this.#canRun) return false;
     const now = this.frames.now();
-    if (this.#drafted?.wish !== wish) {
-      if (!this.#drafted && wish.link.text === this.#link) return false;
+    if (this.#drafted?.wanted !== wanted) {
+      if (!this.#drafted && wanted.link.text === this.#link) return false;
       // What was begun is seen first: a fast hand would starve it.
-      if (!this.#paintDraft(this.#drafting ?? wish, now)) return false;
+      if (!this.#paintDraft(this.#drafting ?? wanted, now)) return false;
     } else if (now - this.#drafted.at >= REST_MS) return false;
     this.#applying ??= this.frames.request(() => this.#applyNow());
     return true;
   }
 
   /** Paints a draft, or as much of it as there is time for. Returns whether there can be one. */
-  #paintDraft(wish: Wish, now: number): boolean {
-    const { text, options } = wish.link;
+  #paintDraft(wanted: Wanted, now: number): boolean {
+    const { text, options } = wanted.link;
     let isMore: boolean | undefined;
     do isMore = this.#river.paintDraft?.(text, options);
-    while (isMore && this.frames.now() - now < DRAFT_BUDGET_MS);
-    this.#drafting = isMore ? wish : undefined;
+    while (isMore && this.frames.now() - now < DRAFT_AT_ONCE_MS);
+    this.#drafting = isMore ? wanted : undefined;
     if (isMore === undefined) return false;
     // Nothing is made exactly of what the hand has left.
     this.#loop.halt();
     if (isMore) return true;
     this.#blitter.blit(this.#river);
-    this.#drafted = { wish, at: now };
+    this.#drafted = { wanted, at: now };
     return true;
   }
 
@@ -282,13 +285,14 @@ export class RiverPlayer<Planted extends River & Partial<Framed> = River> {
 
   #tellOfLink(): void {
     this.#link = this.#river.link;
-    this.events.planted?.(this.#river);
+    this.events.created?.(this.#river);
   }
 
-  #grow(how: ShowMode): void {
+  /** At rest the hand has seen a draft already, and waits for what it is of. */
+  #grow(how: ShowMode, isAtRest = false): void {
     if (how === "watch") this.#loop.watch();
-    else if (how === "settle") this.#loop.follow();
-    else this.#loop.settle(false);
+    else if (how === "settle" && !isAtRest) this.#loop.follow();
+    else this.#loop.settle(isAtRest);
   }
 
   #draw(asDraft: boolean): boolean {
@@ -315,7 +319,7 @@ export class RiverPlayer<Planted extends River & Partial<Framed> = River> {
   }
 
   /** At once, not in the next frame: what follows a pen or a slider is seen twice as often. */
-  #followWish(): void {
+  #followWanted(): void {
     if (this.#wanted) this.#applyNow();
   }
 

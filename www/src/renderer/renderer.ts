@@ -2,29 +2,29 @@
 
 import { named } from "../engine/errors.ts";
 import type { River } from "../engine/types.ts";
-import type { Planter, RiverPlayer } from "../player/river-player.ts";
+import type { RiverMaker, RiverPlayer } from "../player/river-player.ts";
 import { displayFrames, SharedScheduler } from "../player/scheduler.ts";
 import type { SharedClock } from "../player/shared-clock.ts";
 import type { Command, Opening, Report } from "./protocol.ts";
 import { Scene } from "./scene.ts";
 
 /** What a renderer plants rivers with, and how it answers questions, given what shows the river of a number. */
-export interface Means<Planted extends River, Question, Answer> {
-  readonly planter: Planter<Planted>;
+export interface Means<R extends River, Question, Answer> {
+  readonly maker: RiverMaker<R>;
   /** What all rivers together may take of a frame, if not what is usual: one river alone, which then waits for nothing, all. */
   readonly shareMs?: number;
   /** What rivers grow by that are to grow in step. */
   readonly clock?: SharedClock;
-  answer(question: Question, playerOf: (id: number) => RiverPlayer<Planted> | undefined): Promise<Answer>;
+  answer(question: Question, playerOf: (id: number) => RiverPlayer<R> | undefined): Promise<Answer>;
 }
 
-export class Renderer<Planted extends River, Question, Answer> {
-  readonly #scenes = new Map<number, Scene<Planted>>();
+export class Renderer<R extends River, Question, Answer> {
+  readonly #scenes = new Map<number, Scene<R>>();
   readonly #scheduler: SharedScheduler;
   #unanswered = 0;
 
   constructor(
-    private readonly means: Means<Planted, Question, Answer>,
+    private readonly means: Means<R, Question, Answer>,
     private readonly tell: (report: Report<Answer>) => void,
   ) {
     this.#scheduler = new SharedScheduler(displayFrames, means.shareMs);
@@ -44,8 +44,8 @@ export class Renderer<Planted extends River, Question, Answer> {
   }
 
   #open(command: Opening): void {
-    const { planter, shareMs, clock } = this.means;
-    const scene = new Scene(planter, this.#scheduler, command, this.tell, command.inStep ? clock : undefined);
+    const { maker, shareMs, clock } = this.means;
+    const scene = new Scene(maker, this.#scheduler, command, this.tell, command.inStep ? clock : undefined);
     this.#scenes.set(command.id, scene);
     if (shareMs) scene.open();
     // In its turn: planting twenty rivers at once would hold up the page.

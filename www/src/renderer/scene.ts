@@ -5,28 +5,28 @@ import { isRecoverable, named } from "../engine/errors.ts";
 import type { River } from "../engine/types.ts";
 import { isEngineUnsure } from "../engine/unsure.ts";
 import type { Frames } from "../player/frame-loop.ts";
-import { type Planter, type PlayerEvents, RiverPlayer } from "../player/river-player.ts";
+import { type PlayerEvents, type RiverMaker, RiverPlayer } from "../player/river-player.ts";
 import type { SharedClock } from "../player/shared-clock.ts";
 import type { Opening, Reading, Report, SceneCommand } from "./protocol.ts";
 
 /** What is asked of a river while there is one. */
 type Request = Exclude<SceneCommand, { do: "close" }>;
 
-export class Scene<Planted extends River = River> {
+export class Scene<R extends River = River> {
   #size: CanvasSize;
-  #player: RiverPlayer<Planted> | undefined;
+  #player: RiverPlayer<R> | undefined;
   /** Of the river on the canvas. */
   #reading: Reading | undefined;
   /** How many links it has been asked to show after the first. */
   #links = 0;
-  /** What came before the river was planted. */
+  /** What came before the river was created. */
   #early: Request[] = [];
   #isOver = false;
   /** Whether the river can be asked to go. */
   #mayFree = true;
 
   constructor(
-    private readonly planter: Planter<Planted>,
+    private readonly maker: RiverMaker<R>,
     private readonly frames: Frames,
     private readonly opening: Opening,
     private readonly tell: (report: Report<never>) => void,
@@ -41,8 +41,8 @@ export class Scene<Planted extends River = River> {
     this.#attempt(() => this.#open());
   }
 
-  /** What shows its river; nothing before the river is planted. */
-  get player(): RiverPlayer<Planted> | undefined {
+  /** What shows its river; nothing before the river is created. */
+  get player(): RiverPlayer<R> | undefined {
     return this.#player;
   }
 
@@ -58,7 +58,7 @@ export class Scene<Planted extends River = River> {
     const { id, canvas, link, how } = this.opening;
     const events: PlayerEvents = {
       sizeFor: () => this.#size,
-      planted: ({ link, seed, aspect, notices }) => {
+      created: ({ link, seed, aspect, notices }) => {
         this.#reading = { link, seed, aspect, notices, links: this.#links };
       },
       changed: (state, phase, summary) => {
@@ -67,14 +67,14 @@ export class Scene<Planted extends River = River> {
       },
       failed: (thrown) => this.#fail(thrown),
     };
-    const player = new RiverPlayer(this.planter, canvas, link, this.frames, events, this.clock);
+    const player = new RiverPlayer(this.maker, canvas, link, this.frames, events, this.clock);
     this.#player = player;
     player.start(how);
     for (const command of this.#early) this.#follow(command, player);
     this.#early = [];
   }
 
-  #follow(command: Request, player: RiverPlayer<Planted>): void {
+  #follow(command: Request, player: RiverPlayer<R>): void {
     switch (command.do) {
       case "show":
         this.#links++;

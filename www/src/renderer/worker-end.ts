@@ -16,8 +16,8 @@ export interface Line<Answer> {
 }
 
 /** Opens a renderer when the first message says where the engine is, and hands it all others, those as well that come before it is open. */
-export function serve<Init, Planted extends River, Question, Answer>(
-  open: (init: Init, line: Line<Answer>) => Promise<Renderer<Planted, Question, Answer>>,
+export function serve<Init, R extends River, Question, Answer>(
+  open: (init: Init, line: Line<Answer>) => Promise<Renderer<R, Question, Answer>>,
 ): void {
   const post = (message: Report<Answer> | InitReply | Pong): void => self.postMessage(message);
   const line: Line<Answer> = {

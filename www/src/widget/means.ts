@@ -13,14 +13,14 @@ export function meansOf(
   wasmUrl: string | undefined,
   holdOn: () => void = () => {},
 ): Means<River, Question, Blob> {
-  const planter = { engine, memory, loadCharts: () => loadCharts(wasmUrl) };
+  const maker = { engine, memory, loadCharts: () => loadCharts(wasmUrl) };
   return {
-    planter,
+    maker,
     async answer({ link: { text, options }, format, longSide, wasmUrl }) {
-      if (format === "png") return pngOf(new engine.River(text, options), { ...planter, holdOn }, longSide);
+      if (format === "png") return pngOf(new engine.River(text, options), { ...maker, holdOn }, longSide);
       // The lean engine writes no files.
       const full = await loadFull(wasmUrl);
-      return svgOf(new full.engine.River(text, options), { ...planter, holdOn });
+      return svgOf(new full.engine.River(text, options), { ...maker, holdOn });
     },
   };
 }

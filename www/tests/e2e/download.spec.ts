@@ -144,7 +144,7 @@ test("a file can be had before the picture is finished, and is of the finished r
 test("for data and shapes of finished rivers nothing is fetched but what names them, once, and nothing grown again", async ({
   page,
 }) => {
-  const planted = await countCalls(page, "river_new");
+  const created = await countCalls(page, "river_new");
   const advanced = await countCalls(page, "river_advance");
   // There is no room for small pictures, which are made of a river, too.
   await page.setViewportSize({ width: 844, height: 390 });
@@ -154,7 +154,7 @@ test("for data and shapes of finished rivers nothing is fetched but what names t
   const { inWorker: before } = await advanced();
   const formats = ["Drawing", "Map data", "Network", "Game pack"];
   for (const format of formats) await download(page, format);
-  expect(await planted()).toEqual({ onPage: 0, inWorker: 1 });
+  expect(await created()).toEqual({ onPage: 0, inWorker: 1 });
   // Each is asked once whether there is more to do.
   expect(await advanced()).toEqual({ onPage: 0, inWorker: before + formats.length });
   const others = fetched.filter((url) => !url.startsWith("blob:"));

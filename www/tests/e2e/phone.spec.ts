@@ -84,7 +84,7 @@ test("one tap is a river's, and a pinch zooms", async ({ page }) => {
   await page.locator("#frame").focus();
   await page.keyboard.press("n");
   await expect(page.locator(".river-card")).toBeVisible();
-  const spot = await page.locator(".under-hand .spot").boundingBox();
+  const spot = await page.locator(".river-pointer .spot").boundingBox();
   await page.keyboard.press("Escape");
   await expect(page.locator(".river-card")).toBeHidden();
   await taps(page, 1, (spot?.x ?? 0) + (spot?.width ?? 0) / 2, (spot?.y ?? 0) + (spot?.height ?? 0) / 2);

@@ -22,6 +22,39 @@ test("the engine is fetched once, and before its script has come", async ({ page
   expect(said).toEqual([]);
 });
 
+test("on a first visit the poster is asked for before the engine, which is fetched once", async ({ page }) => {
+  const said = complaints(page);
+  const asked: string[] = [];
+  page.on("request", (request) => asked.push(new URL(request.url()).pathname));
+  await page.goto("./");
+  await finished(page);
+  const orderOf = (name: RegExp): number => asked.findIndex((path) => name.test(path));
+  expect(orderOf(/\/poster\//)).toBeGreaterThan(0);
+  expect(orderOf(/\/poster\//)).toBeLessThan(orderOf(/\.css$/));
+  expect(asked.filter((path) => path.includes("/poster/"))).toHaveLength(1);
+  expect(asked.filter((path) => path.endsWith("riverseed_full_bg.wasm") || /full_bg-.*wasm$/.test(path))).toHaveLength(
+    1,
+  );
+  expect(said).toEqual([]);
+});
+
+test("no style sheet holds up the worker or what stands behind it", async ({ page }) => {
+  let release = (): void => {};
+  const held = new Promise<void>((done) => {
+    release = done;
+  });
+  await page.route("**/*.css", async (route) => {
+    await held;
+    await route.continue();
+  });
+  const worker = page.waitForRequest(/page-worker-[^/]*\.js$/);
+  await page.goto("./", { waitUntil: "commit" });
+  await worker;
+  await page.waitForFunction(() => document.readyState !== "loading");
+  release();
+  await finished(page);
+});
+
 test("an embedded river fetches the engine once: its worker could not use what the document fetched early", async ({
   page,
 }) => {

@@ -28,13 +28,13 @@ async function expectPicture(page: Page, link: string): Promise<void> {
 
 test("the page's own thread plants and grows nothing: its worker does", async ({ page }) => {
   const said = complaints(page);
-  const planted = await countCalls(page, "river_new");
+  const created = await countCalls(page, "river_new");
   const grown = await countCalls(page, "river_advance");
   const painted = await countCalls(page, "river_paint");
   await page.goto(`./?${LINK}`);
   await expectPicture(page, LINK);
   expect(page.workers().map((worker) => WORKER.test(worker.url()))).toEqual([true]);
-  expect(await planted()).toEqual({ onPage: 0, inWorker: 1 });
+  expect(await created()).toEqual({ onPage: 0, inWorker: 1 });
   for (const calls of [grown, painted]) {
     const { onPage, inWorker } = await calls();
     expect([onPage, inWorker > 10]).toEqual([0, true]);

@@ -124,7 +124,7 @@ impl Png {
         let domain = Domain::of(recipe);
         let own = Grid::of(&domain);
         let grid = options.raster_size.and_then(|size| Rasters::grid(&domain, size).ok()).unwrap_or(own);
-        let meaning = [MEANING, subject(layer).as_bytes()].concat();
+        let meaning = [MEANING, layer.subject().as_bytes()].concat();
         Self { sides: [grid.columns as u32, grid.rows as u32], chunk: chunk(link), meaning: Some(meaning) }
     }
 
@@ -140,17 +140,6 @@ impl Png {
 
 /// How the chunk begins that says what a raster's values mean.
 const MEANING: &[u8] = b"tEXtDescription\0";
-
-/// How `Rasters::meaning` begins, whatever the map: no layer's begins like another's.
-fn subject(layer: Layer) -> &'static str {
-    match layer {
-        Layer::Heights => "16-bit heights",
-        Layer::Land => "255 is land",
-        Layer::Rivers => "16-bit width of the river",
-        Layer::Flow => "Where water runs",
-        Layer::Basins => "16-bit number of the river basin",
-    }
-}
 
 /// Length, kind and content of the chunk that holds a link.
 fn chunk(link: &str) -> Vec<u8> {

@@ -44,9 +44,9 @@ function opened(seed: string, how: Opening["how"]): { scene: Scene; display: Dis
   vi.stubGlobal("ImageData", Image);
   const display = new Display();
   const reports: Report<never>[] = [];
-  const planter = { engine, memory, loadCharts: () => Promise.resolve(charts) };
+  const maker = { engine, memory, loadCharts: () => Promise.resolve(charts) };
   const opening: Opening = { id: 1, do: "open", canvas: canvas(), link: link(seed), how, size: SIZE };
-  const scene = new Scene(planter, display, opening, (told) => reports.push(told));
+  const scene = new Scene(maker, display, opening, (told) => reports.push(told));
   return { scene, display, reports };
 }
 
@@ -98,7 +98,7 @@ test("a link that fails is told of by its number, and the river that was there s
   expect(reports.at(-1)).toMatchObject({ is: "shown", reading: { seed: "three", links: 2 } });
 });
 
-test("what comes before the river is planted is done afterwards, in its order", () => {
+test("what comes before the river is created is done afterwards, in its order", () => {
   const { scene, display, reports } = opened("one", "watch");
   scene.take({ id: 1, do: "speed", speed: 2 });
   scene.take({ id: 1, do: "toggle" });

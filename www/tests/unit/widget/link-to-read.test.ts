@@ -3,26 +3,26 @@ import { linkToRead } from "../../../src/widget/protocol.ts";
 import { engine } from "../../core.ts";
 
 /** The river of what a widget asks for. */
-function planted(text: string, isDark = false): InstanceType<typeof engine.River> {
+function created(text: string, isDark = false): InstanceType<typeof engine.River> {
   const asked = linkToRead(text, isDark);
   return new engine.River(asked.text, asked.options);
 }
 
 test("a river says how its link was read", () => {
-  const { link, seed, aspect, notices } = planted("curl=0.6&seed=r%C4%81t%C4%81&aspect=2");
+  const { link, seed, aspect, notices } = created("curl=0.6&seed=r%C4%81t%C4%81&aspect=2");
   expect(link).toBe(engine.readLink("curl=0.6&seed=rātā&aspect=2").link);
   expect([seed, aspect, notices]).toEqual(["rātā", 2, []]);
 });
 
 test("a widget's river is within the widget's limits, and says so", () => {
-  const { link, notices } = planted("attractors=20001&curl=9");
+  const { link, notices } = created("attractors=20001&curl=9");
   expect(link).toBe(engine.readLink("attractors=20000&curl=2").link);
   expect(notices.map(({ key }) => key)).toEqual(["curl", "attractors"]);
   expect(new engine.River("attractors=20001").notices).toEqual([]);
 });
 
 test("a river that goes over to another link says how that was read", () => {
-  const river = planted("attractors=20001");
+  const river = created("attractors=20001");
   expect(river.change("curl=0.6&attractors=20000", { widget: true })).toBe("grow");
   expect([river.link, river.notices]).toEqual([engine.readLink("curl=0.6&attractors=20000").link, []]);
   expect(river.change("curl=0.60&attractors=99999", { widget: true })).toBe("none");
@@ -31,7 +31,7 @@ test("a river that goes over to another link says how that was read", () => {
 
 test("whatever the text, there is a river", () => {
   for (const text of ["%", "&&&", "seed", "x".repeat(10_000), "seed=\u0000", "attractors=1e99"]) {
-    const { link } = planted(text);
+    const { link } = created(text);
     expect(engine.readLink(link).notices).toEqual([]);
   }
 });
@@ -39,7 +39,7 @@ test("whatever the text, there is a river", () => {
 const style = (link: string): string | null => new URLSearchParams(link).get("style");
 
 test("on a dark page it is the dark style, unless another is chosen", () => {
-  expect(style(planted("seed=a", true).link)).toBe("night");
-  expect(style(planted("seed=a").link)).toBeNull();
-  expect(style(planted("style=atlas", true).link)).toBe("atlas");
+  expect(style(created("seed=a", true).link)).toBe("night");
+  expect(style(created("seed=a").link)).toBeNull();
+  expect(style(created("style=atlas", true).link)).toBe("atlas");
 });

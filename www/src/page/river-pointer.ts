@@ -9,7 +9,7 @@ import { isOnMap } from "./gestures.ts";
 import type { PointedRiver, RiverPlace } from "./protocol.ts";
 import { courseOf, measuresOf, titleOf } from "./river-words.ts";
 
-export interface UnderHandElements {
+export interface RiverPointerElements {
   stage: HTMLElement;
   /** The picture's place. */
   frame: HTMLElement;
@@ -17,7 +17,7 @@ export interface UnderHandElements {
   mapPlace: HTMLElement;
 }
 
-export interface UnderHandEvents {
+export interface RiverPointerEvents {
   /** The river at a place of the finished map; none if there is none. */
   river(place: RiverPlace): Promise<PointedRiver | undefined>;
   /** The marks of the greatest rivers. */
@@ -37,7 +37,7 @@ const NARROW_PX = 600;
 
 type How = "pointer" | "key";
 
-export class RiversUnderHand {
+export class RiverPointer {
   readonly #card = new Card();
   readonly #lines = new Lines();
   readonly #announcement = el("p", { class: "unseen", role: "status" });
@@ -50,8 +50,8 @@ export class RiversUnderHand {
   #walkedTo = -1;
 
   constructor(
-    private readonly elements: UnderHandElements,
-    private readonly events: UnderHandEvents,
+    private readonly elements: RiverPointerElements,
+    private readonly events: RiverPointerEvents,
   ) {
     const { stage, frame, mapPlace } = elements;
     mapPlace.append(this.#lines.element);
@@ -206,7 +206,7 @@ type Edges = Insets;
 
 /** The way to the sea and the basin. */
 class Lines {
-  readonly element = mapLayer("under-hand");
+  readonly element = mapLayer("river-pointer");
   readonly #paths = ["basin", "way-halo", "way", "spot-halo", "spot"].map((name) => svg("path", { class: name }));
 
   constructor() {

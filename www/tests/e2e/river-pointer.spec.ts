@@ -10,7 +10,7 @@ async function greatest(page: Page): Promise<{ x: number; y: number; name: strin
   await page.keyboard.press("n");
   await expect(card(page)).toBeVisible();
   const name = (await page.locator(".river-name").textContent()) ?? "";
-  const box = await page.locator(".under-hand .spot").evaluate((spot) => {
+  const box = await page.locator(".river-pointer .spot").evaluate((spot) => {
     const { x, y, width, height } = spot.getBoundingClientRect();
     return { x: x + width / 2, y: y + height / 2 };
   });
@@ -35,7 +35,7 @@ test("a river under the mouse is told by name and order, with its basin and its 
   await expect(card(page)).toContainText(/Order \d( \(1 here\))? · [\d,]+ units long · drains .* of the land/);
   await expect(card(page)).toContainText(/Flows into the .*sea/);
   for (const part of [".basin", ".way"])
-    await expect(page.locator(`.under-hand ${part}`)).toHaveAttribute("d", /^M.{20}/);
+    await expect(page.locator(`.river-pointer ${part}`)).toHaveAttribute("d", /^M.{20}/);
   await page.keyboard.press("Escape");
   await expect(card(page)).toBeHidden();
   await page.mouse.move(x + 1, y);
@@ -55,7 +55,7 @@ test("it goes with the map", async ({ page }) => {
   await page.keyboard.press("ArrowRight");
   await page.keyboard.press("+");
   const box = await page.locator("#map-place").boundingBox();
-  const spot = await page.locator(".under-hand .spot").boundingBox();
+  const spot = await page.locator(".river-pointer .spot").boundingBox();
   expect(spot?.x ?? 0).toBeGreaterThan(box?.x ?? 0);
   expect(Math.hypot((spot?.x ?? 0) - x, (spot?.y ?? 0) - y)).toBeGreaterThan(10);
   await expect(card(page)).toBeVisible();

@@ -1,0 +1,262 @@
+//! Drafts: what a picture shows for a moment, while a slider moves. `paint` leaves nothing of them behind.
+
+use std::sync::Arc;
+
+use super::{Picture, is_same};
+use crate::paint::{Painted, Rect, Rivers};
+use crate::recipe::{Key, Recipe};
+use crate::session::{Generation, Phase, Session};
+
+impl Picture {
+    /// Paints the rivers of a session as they are, be they finished or not, in one go: without a chart, so many times as wide, and on the
+    /// ground that the picture shows, even if its relief is that of other rivers. It lasts until `paint` paints anything else. Returns the
+    /// rectangle that changed; `None`, and nothing has, if there are no rivers, or the ground is that of another land.
+    pub fn paint_draft(&mut self, session: &Session, times: f32) -> Option<Rect> {
+        let (network, recipe) = (session.network()?, session.recipe());
+        if !self.is_on_land_of(session) {
+            return None;
+        }
+        let changed = self.painter.paint_draft(network, recipe.get(), recipe.get(), times)?;
+        self.rivers_of = Some(session.tree_generation());
+        Some(changed)
+    }
+
+    /// Does a part of painting the finished rivers of a session, without a chart, with nearly the relief that they would have by another
+    /// recipe, of other mountains or plains alone; by its own, with the very one. The picture changes with the last part. It lasts until
+    /// `paint` paints anything else. `None`, and nothing is painted, if that is another recipe in more, or no relief of these rivers has
+    /// been solved.
+    pub fn paint_relief_draft(&mut self, session: &Session, wanted: &Recipe) -> Option<Painted> {
+        let ((network, rounds), past) = session.network().zip(session.rounds()).zip(session.past())?;
+        if !self.is_on_land_of(session) {
+            return None;
+        }
+        if self.drafts.prepare(session, wanted)? {
+            return Some(Painted::Part);
+        }
+        let relief = self.drafts.relief(session, wanted)?;
+        let (recipe, land) = (session.recipe(), session.land().map(Arc::as_ref));
+        let relief = Some((&relief, recipe.number(Key::Shade)));
+        let (courses, style) = (recipe.get(), recipe.get());
+        self.rivers_of = Some(session.tree_generation());
+        let rivers = Rivers { network, past, rounds, courses, land, relief, chart: None, style };
+        Some(self.painter.paint_rivers(&rivers))
+    }
+
+    /// Does a part of painting the finished rivers of a session, without a relief or a chart, on the land that there would be by another
+    /// recipe, of other coasts alone; by its own, on that of the session. Rivers end at the coast, or short of it: they are those of the
+    /// session's land. The picture changes with the last part. It lasts until `paint` paints anything else. `None`, and nothing is painted, if
+    /// that is another recipe in more, or there are no finished rivers.
+    pub fn paint_land_draft(&mut self, session: &Session, wanted: &Recipe) -> Option<Painted> {
+        let ((network, rounds), past) = session.network().zip(session.rounds()).zip(session.past())?;
+        if !matches!(session.phase(), Phase::Relief | Phase::Finished) {
+            return None;
+        }
+        let land = self.drafts.land(session, wanted)?;
+        let is_there = self.shown.as_ref().is_some_and(|(_, _, shown)| is_same(shown.as_ref(), Some(&land)));
+        if !is_there {
+            self.painter.invalidate_ground(&session.domain());
+            self.painter.reset();
+            // Of no session: whatever is painted next begins anew.
+            self.shown = Some((Generation::next(), session.domain(), Some(land.clone())));
+        }
+        let recipe = session.recipe();
+        let (courses, style) = (recipe.get(), recipe.get());
+        self.rivers_of = Some(session.tree_generation());
+        let land = Some(&*land);
+        let rivers = Rivers { network, past, rounds, courses, land, relief: None, chart: None, style };
+        Some(self.painter.paint_rivers(&rivers))
+    }
+
+    /// Whether the ground of the picture is that of a session's land.
+    fn is_on_land_of(&self, session: &Session) -> bool {
+        self.shown
+            .as_ref()
+            .is_some_and(|(_, domain, land)| *domain == session.domain() && is_same(land.as_ref(), session.land()))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::Vec2;
+
+    use super::*;
+    use crate::picture::testing::{SMALL, finished, painted};
+    use crate::recipe::link;
+
+    #[test]
+    fn draft_is_on_the_ground_that_is_there_and_leaves_nothing_behind() {
+        for style in ["atlas", "ink", "basins", "past-courses", "skeleton"] {
+            let link = format!("{SMALL}&land=island&style={style}");
+            let mut session = finished(&link);
+            let mut picture = Picture::new(100, 80).unwrap();
+            picture.paint(&session);
+            let before = painted(&session);
+            // Wider on the same courses, and back.
+            assert!(picture.paint_draft(&session, 3.0).is_some(), "{style}");
+            assert_eq!(picture.pixmap().data() != before, style != "skeleton", "{style}");
+            picture.paint(&session);
+            assert!(picture.pixmap().data() == before, "{style}");
+            // Of rivers that change their courses, over the relief of those before.
+            session.change(link::read(&format!("{link}&simplify=40&width=30")).unwrap()).unwrap();
+            while session.rounds() != Some(1) {
+                session.advance(1).unwrap();
+            }
+            assert!(picture.paint_draft(&session, 1.0).is_some(), "{style}");
+            let draft = picture.pixmap().data();
+            let kept = draft.chunks(4).zip(before.chunks(4)).filter(|(now, then)| now == then).count();
+            // Of these courses a skeleton so small shows no difference.
+            assert!((draft != before || style == "skeleton") && kept > 100 * 80 / 2, "{style}: {kept}");
+            while session.advance(50).unwrap() {}
+            picture.paint(&session);
+            assert!(picture.pixmap().data() == painted(&session), "{style}");
+        }
+    }
+
+    #[test]
+    fn draft_needs_rivers_and_the_ground_of_their_land() {
+        let mut session = finished(SMALL);
+        assert_eq!(Picture::new(100, 80).unwrap().paint_draft(&session, 1.0), None);
+        let mut picture = Picture::new(100, 80).unwrap();
+        picture.paint(&session);
+        session.change(link::read(&format!("{SMALL}&land=valley")).unwrap()).unwrap();
+        assert_eq!(picture.paint_draft(&session, 1.0), None);
+        while session.advance(50).unwrap() {}
+        assert_eq!(picture.paint_draft(&session, 1.0), None);
+        picture.paint(&session);
+        assert!(picture.pixmap().data() == painted(&session));
+    }
+
+    #[test]
+    fn draft_of_other_mountains_is_nearly_their_picture_and_leaves_nothing_behind() {
+        // Of what a picture without a draft would be off, a draft is at most one part in so many: edges of basins move by whole pixels.
+        for (style, parts) in [("atlas", 5.0), ("survey", 5.0), ("basins", 1.8)] {
+            let link = format!("{SMALL}&land=island&style={style}");
+            let mut session = finished(&link);
+            let mut picture = Picture::new(100, 80).unwrap();
+            picture.paint(&session);
+            let before = painted(&session);
+            let other = link::read(&format!("{link}&mountains=3&plains=60")).unwrap();
+            draft(&mut picture, &session, &other).unwrap();
+            let drafted = picture.pixmap().data().to_vec();
+            // Back to its own, and then there again while theirs is solved.
+            draft(&mut picture, &session, session.recipe()).unwrap();
+            assert!(picture.pixmap().data() == before, "{style}");
+            picture.paint(&session);
+            assert!(picture.pixmap().data() == before, "{style}");
+            session.change(other.clone()).unwrap();
+            session.advance(2).unwrap();
+            draft(&mut picture, &session, &other).unwrap();
+            assert!(picture.pixmap().data() == drafted, "{style}");
+            while session.advance(50).unwrap() {}
+            picture.paint(&session);
+            let exact = painted(&session);
+            assert!(picture.pixmap().data() == exact, "{style}");
+            let off = |pixels: &[u8]| -> f32 {
+                pixels.iter().zip(&exact).map(|(&one, &other)| f32::from(one.abs_diff(other))).sum()
+            };
+            assert!(off(&drafted) * parts < off(&before), "{style}: {}, {}", off(&drafted), off(&before));
+        }
+    }
+
+    /// Paints a draft to its end.
+    fn draft(picture: &mut Picture, session: &Session, wanted: &Recipe) -> Option<()> {
+        while matches!(picture.paint_relief_draft(session, wanted)?, Painted::Part) {}
+        Some(())
+    }
+
+    #[test]
+    fn there_are_drafts_of_other_mountains_alone_and_of_rivers_with_a_relief() {
+        let link = format!("{SMALL}&land=island&style=atlas");
+        let read = |more: &str| link::read(&format!("{link}&{more}")).unwrap();
+        let mut session = finished(&link);
+        let mut picture = Picture::new(100, 80).unwrap();
+        assert_eq!(draft(&mut picture, &session, &read("mountains=3")), None, "not on a picture of nothing");
+        picture.paint(&session);
+        for other in ["width=20&mountains=3", "shade=0.8&mountains=3", "seed=rimu&mountains=3"] {
+            assert_eq!(draft(&mut picture, &session, &read(other)), None, "{other}");
+        }
+        assert!(picture.pixmap().data() == painted(&session));
+        // Other rivers, whose relief is not there yet.
+        draft(&mut picture, &session, &read("mountains=3")).unwrap();
+        session.change(read("simplify=40")).unwrap();
+        while session.phase() != Phase::Relief {
+            assert_eq!(draft(&mut picture, &session, &read("simplify=40&mountains=3")), None);
+            session.advance(1).unwrap();
+        }
+        assert_eq!(draft(&mut picture, &session, &read("simplify=40&mountains=3")), None);
+        while session.advance(50).unwrap() {}
+        picture.paint(&session);
+        assert!(picture.pixmap().data() == painted(&session));
+        draft(&mut picture, &session, &read("simplify=40&mountains=3")).unwrap();
+    }
+
+    /// Paints a draft of other coasts to its end.
+    fn draft_of_coasts(picture: &mut Picture, session: &Session, wanted: &Recipe) -> Option<()> {
+        while matches!(picture.paint_land_draft(session, wanted)?, Painted::Part) {}
+        Some(())
+    }
+
+    #[test]
+    fn draft_of_other_coasts_is_their_land_under_the_same_rivers_and_leaves_nothing_behind() {
+        for style in ["atlas", "ink", "past-courses", "skeleton"] {
+            let link = format!("{SMALL}&land=island&style={style}");
+            let other = link::read(&format!("{link}&sea=0.7&roughness=0.2")).unwrap();
+            let mut session = finished(&link);
+            let mut picture = Picture::new(100, 80).unwrap();
+            picture.paint(&session);
+            let before = painted(&session);
+            draft_of_coasts(&mut picture, &session, &other).unwrap();
+            let drafted = picture.pixmap().data().to_vec();
+            // Its sea, as it is where no river has grown yet; on its land, rivers.
+            let bare = Session::new(other.clone()).unwrap();
+            let (ground, land) = (painted(&bare), bare.land().unwrap().clone());
+            let (mut sea, mut rivers) = (0, 0);
+            for (i, (is, was)) in (0..).zip(drafted.chunks(4).zip(ground.chunks(4))) {
+                let at = picture.view().point(Vec2::new((i % 100) as f32 + 0.5, (i / 100) as f32 + 0.5));
+                let is_sea = land.coast_distance().height(at) < -15.0;
+                assert!(is == was || !is_sea, "{style}: {at}");
+                sea += u32::from(is_sea);
+                rivers += u32::from(is != was);
+            }
+            assert!(sea > 3000 && rivers > 20, "{style}: {sea}, {rivers}");
+            // Back to its own coasts, and to the very picture.
+            draft_of_coasts(&mut picture, &session, session.recipe()).unwrap();
+            assert!(picture.pixmap().data() != drafted, "{style}");
+            picture.paint(&session);
+            assert!(picture.pixmap().data() == before, "{style}");
+            draft_of_coasts(&mut picture, &session, &other).unwrap();
+            assert!(picture.pixmap().data() == drafted, "{style}");
+            picture.paint(&session);
+            assert!(picture.pixmap().data() == before, "{style}");
+            draft_of_coasts(&mut picture, &session, &other).unwrap();
+            session.change(other).unwrap();
+            while session.advance(50).unwrap() {
+                picture.paint(&session);
+            }
+            picture.paint(&session);
+            assert!(picture.pixmap().data() == painted(&session), "{style}");
+        }
+    }
+
+    #[test]
+    fn there_are_drafts_of_other_coasts_alone_and_of_finished_rivers_on_land_of_a_recipe() {
+        let link = format!("{SMALL}&land=island&style=atlas");
+        let read = |more: &str| link::read(&format!("{link}&{more}")).unwrap();
+        let mut session = finished(&link);
+        let mut picture = Picture::new(100, 80).unwrap();
+        picture.paint(&session);
+        for other in ["width=20&sea=0.7", "mountains=3&sea=0.7", "seed=rimu", "aspect=2"] {
+            assert_eq!(draft_of_coasts(&mut picture, &session, &read(other)), None, "{other}");
+        }
+        assert!(picture.pixmap().data() == painted(&session));
+        session.change(read("seed=rimu")).unwrap();
+        assert_eq!(draft_of_coasts(&mut picture, &session, &read("seed=rimu&sea=0.7")), None, "it grows");
+        let land = session.land().cloned().unwrap();
+        let mut given = Session::on_land(session.recipe().clone(), land).unwrap();
+        given.finish().unwrap();
+        assert_eq!(draft_of_coasts(&mut picture, &given, &read("seed=rimu&sea=0.7")), None, "its land is given");
+        let everywhere = finished(&format!("{SMALL}&land=rectangle"));
+        let other = link::read(&format!("{SMALL}&land=rectangle&sea=0.7")).unwrap();
+        assert_eq!(draft_of_coasts(&mut picture, &everywhere, &other), None, "there is no sea");
+    }
+}
