@@ -1,0 +1,80 @@
+import { expect, type Page, test } from "@playwright/test";
+import { complaints, expectPictureOfAddress, finished, openFinished, unfold } from "./riverpage.ts";
+
+const LINK = "seed=kauri&attractors=300&style=atlas&labels=some";
+
+/** A canvas of few colours is a blank. */
+async function expectNoBlank(page: Page): Promise<void> {
+  const colours = () =>
+    page.locator("#canvas").evaluate((canvas) => {
+      const { width, height } = canvas as HTMLCanvasElement;
+      const copy = new OffscreenCanvas(width, height).getContext("2d");
+      copy?.drawImage(canvas as HTMLCanvasElement, 0, 0);
+      return new Set(new Uint32Array(copy?.getImageData(0, 0, width, height).data.buffer ?? [])).size;
+    });
+  await expect.poll(colours).toBeGreaterThan(30);
+}
+
+/** All that can be pressed and is seen, dialogs left out. */
+const PRESSED = ":is(button, summary, .seed input[type=checkbox]):not(:disabled)";
+
+test("whatever is clicked twice in a moment, there is a map, that of the address, and nothing fails", async ({
+  page,
+}) => {
+  test.slow();
+  const said = complaints(page);
+  await openFinished(page, LINK);
+  await unfold(page);
+  const buttons = await page.$$(PRESSED);
+  let clicked = 0;
+  for (const button of buttons) {
+    // The list of styles is made anew by some, and then there are others in their place.
+    if (!(await button.isVisible()) || !(await button.isEnabled())) continue;
+    await button.dblclick({ force: true });
+    clicked++;
+    await expect(page.locator(".failure")).toBeHidden();
+    while ((await page.locator("dialog[open]").count()) > 0) await page.keyboard.press("Escape");
+    if (await page.locator("#panel").isHidden()) await unfold(page);
+  }
+  expect(clicked).toBeGreaterThan(40);
+  await expectPictureOfAddress(page);
+  await expectNoBlank(page);
+  expect(said).toEqual([]);
+});
+
+/** From a watch to a wall, in pixels. */
+const WINDOWS = [
+  [5120, 700],
+  [180, 180],
+  [320, 2400],
+  [3440, 240],
+  [1, 1],
+  [1280, 720],
+] as const;
+
+test("while rivers grow the window takes any size, and at last they are those of the address", async ({ page }) => {
+  const said = complaints(page);
+  await page.goto(`./?${LINK.replace("=300", "=20000")}`);
+  for (const [width, height] of WINDOWS) {
+    await page.setViewportSize({ width, height });
+    await page.waitForTimeout(150);
+  }
+  await finished(page);
+  await expectPictureOfAddress(page);
+  await expectNoBlank(page);
+  expect(said).toEqual([]);
+});
+
+for (const [width, height] of WINDOWS.filter(([width]) => width > 1))
+  test(`in a window of ${width} by ${height} there is a map, and the dice can be thrown`, async ({ page }) => {
+    const said = complaints(page);
+    await page.setViewportSize({ width, height });
+    await openFinished(page, LINK);
+    await expectNoBlank(page);
+    const before = page.url();
+    await page.locator("#dice").click();
+    await expect.poll(() => page.url()).not.toBe(before);
+    await finished(page);
+    await expectNoBlank(page);
+    expect(said).toEqual([]);
+  });
