@@ -2,14 +2,16 @@
  * The worker that grows the rivers begins as soon as the page is there, and the engine is asked for, and not only when the page's script
  * has arrived and been read: on a slow line two waits become one. What a browser preloads it would fetch again for a worker, and a worker
  * takes longer to begin than the page's script to come. The engine is asked for just as src/engine/wasm-module.ts does, or the browser
- * would fetch it twice. Where a poster stands for the map meanwhile it is left to that script: of a slow line it would take most, and the
- * poster is to be seen first.
+ * would fetch it twice. Where a poster stands for the map meanwhile it is left to that script, so that the poster is seen first; unless the
+ * line is slow: then it is asked for after a while, behind all else.
  */
 
 import type { Plugin } from "vite";
 import { withEarlyScript } from "./early.ts";
 
 const ENGINE = "riverseed_full_bg.wasm";
+/** A page whose script is not there by then has a slow line. */
+const SLOW_MS = 400;
 const WORKER = /page-worker-[\w-]+\.js$/;
 
 /** Comes after the poster, whose script says whether there is one. */
@@ -39,8 +41,12 @@ function beginsWorker(fileName: string): string {
 } catch {}`;
 }
 
+/** src/page/page.ts takes the timer back once it is there. */
 function asksFor(fileName: string): string {
   const link = `{ rel: "preload", as: "fetch", type: "application/wasm", crossOrigin: "", href: "./${fileName}" }`;
-  return `if ("linked" in document.documentElement.dataset)
-  document.head.append(Object.assign(document.createElement("link"), ${link}));`;
+  return `{
+  const ask = (fetchPriority) => document.head.append(Object.assign(document.createElement("link"), { fetchPriority }, ${link}));
+  if ("linked" in document.documentElement.dataset) ask("auto");
+  else globalThis.engineTimer = setTimeout(ask, ${SLOW_MS}, "low");
+}`;
 }

@@ -380,4 +380,6 @@ async function begin({ core, renderHost }: Engines): Promise<void> {
   page.start();
 }
 
+// What a script in the built page would ask for if this one did not come: build/preload.ts.
+clearTimeout((globalThis as { engineTimer?: number }).engineTimer);
 begin(openEngines()).catch(fail);

@@ -1,26 +1,32 @@
 import { expect, test } from "@playwright/test";
 import { complaints, finished } from "./riverpage.ts";
 
-test("the engine is fetched once, and before its script has come", async ({ page }) => {
-  const said = complaints(page);
-  const asked: string[] = [];
-  page.on("request", (request) => asked.push(new URL(request.url()).pathname));
-  let release = (): void => {};
-  const held = new Promise<void>((done) => {
-    release = done;
+const ENGINE = /\/riverseed_full_bg[^/]*\.wasm$/;
+
+for (const [visit, address] of [
+  ["with a link", "./?attractors=300"],
+  ["for the first time, on a slow line,", "./"],
+] as const)
+  test(`who comes ${visit} has the engine fetched once, and before its script has come`, async ({ page }) => {
+    const said = complaints(page);
+    const asked: string[] = [];
+    page.on("request", (request) => asked.push(new URL(request.url()).pathname));
+    let release = (): void => {};
+    const held = new Promise<void>((done) => {
+      release = done;
+    });
+    await page.route("**/*.js", async (route) => {
+      await held;
+      await route.continue();
+    });
+    const early = page.waitForResponse("**/riverseed_full_bg*.wasm");
+    await page.goto(address, { waitUntil: "commit" });
+    await early;
+    release();
+    await finished(page);
+    expect(asked.filter((path) => ENGINE.test(path))).toHaveLength(1);
+    expect(said).toEqual([]);
   });
-  await page.route("**/*.js", async (route) => {
-    await held;
-    await route.continue();
-  });
-  const early = page.waitForResponse("**/riverseed_full_bg*.wasm");
-  await page.goto("./?attractors=300", { waitUntil: "commit" });
-  await early;
-  release();
-  await finished(page);
-  expect(asked.filter((path) => path.endsWith(".wasm"))).toHaveLength(1);
-  expect(said).toEqual([]);
-});
 
 test("on a first visit the poster is asked for before the engine, which is fetched once", async ({ page }) => {
   const said = complaints(page);
@@ -32,9 +38,7 @@ test("on a first visit the poster is asked for before the engine, which is fetch
   expect(orderOf(/\/poster\//)).toBeGreaterThan(0);
   expect(orderOf(/\/poster\//)).toBeLessThan(orderOf(/\.css$/));
   expect(asked.filter((path) => path.includes("/poster/"))).toHaveLength(1);
-  expect(asked.filter((path) => path.endsWith("riverseed_full_bg.wasm") || /full_bg-.*wasm$/.test(path))).toHaveLength(
-    1,
-  );
+  expect(asked.filter((path) => ENGINE.test(path))).toHaveLength(1);
   expect(said).toEqual([]);
 });
 
