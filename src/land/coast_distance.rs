@@ -33,15 +33,16 @@ impl CoastDistance {
     /// The distance between lattice corners, in units, of all shapes that a recipe names: half of the shortest wave of
     /// their coasts.
     pub const SPACING: f32 = 4.0;
-    /// The same of a drawn land, whose coasts have few points, and of lines.
+    /// The same of a drawn land, whose coasts have few points, of lines, and of drafts.
     pub const COARSE_SPACING: f32 = 8.0;
     /// The same of a land that is given as a mask, whose coasts may be of any shape: half of this is less than a coast's line is wide. A
     /// divisor of the others, and a multiple of a cell.
     pub const FINE_SPACING: f32 = 2.0;
 
-    /// The land where a function is high: the sea is as much of the domain as asked for, where it is lowest.
-    pub(super) fn with_sea(domain: &Domain, share: f32, height: impl Fn(Vec2) -> f32) -> Self {
-        let mut this = Self::sampled(domain, share, height);
+    /// The land where a function is high, on a lattice with this distance between its corners: the sea is as much of the domain as asked
+    /// for, where it is lowest.
+    pub(super) fn with_sea(domain: &Domain, spacing: f32, share: f32, height: impl Fn(Vec2) -> f32) -> Self {
+        let mut this = Self::sampled(domain, spacing, share, height);
         this.remove_islets_and_ponds();
         let coast = this.contour();
         this.measured(&coast)
@@ -86,18 +87,17 @@ impl CoastDistance {
 
     /// Heights above the sea, whose level the corners of a coarse lattice tell. Between these, height is asked for only where the
     /// coast may pass; elsewhere nothing counts but on which side of it a corner lies.
-    fn sampled(domain: &Domain, share: f32, height: impl Fn(Vec2) -> f32) -> Self {
-        /// Corners along an interval of the coarse lattice.
-        const STRIDE: usize = 4;
+    fn sampled(domain: &Domain, spacing: f32, share: f32, height: impl Fn(Vec2) -> f32) -> Self {
+        /// The distance between corners of the coarse lattice, in units.
+        const FAR: f32 = 16.0;
         /// Where height is this near to the level, in units, the coast may pass.
         const NEAR: f32 = 24.0;
-        let spacing = Self::SPACING;
-        let far = STRIDE as f32 * spacing;
-        let ((columns, rows), (across, down)) = (Self::corners(domain, spacing), Self::corners(domain, far));
-        let mut coarse: Vec<f32> = (0..across * down).map(|i| height(corner(i, across, far))).collect();
-        let level = sort::quantile(&of_squares(domain, far, &coarse, across), share);
+        let stride = (FAR / spacing) as usize;
+        let ((columns, rows), (across, down)) = (Self::corners(domain, spacing), Self::corners(domain, FAR));
+        let mut coarse: Vec<f32> = (0..across * down).map(|i| height(corner(i, across, FAR))).collect();
+        let level = sort::quantile(&of_squares(domain, FAR, &coarse, across), share);
         coarse.iter_mut().for_each(|height| *height -= level);
-        let between = |i: usize| [i / STRIDE, i.div_ceil(STRIDE)];
+        let between = |i: usize| [i / stride, i.div_ceil(stride)];
         let sample = |i: usize| {
             let ([west, east], rows) = (between(i % columns), between(i / columns).map(|row| row * across));
             let first = coarse[rows[0] + west];
@@ -111,10 +111,10 @@ impl CoastDistance {
     /// Sinks islets, and makes land of ponds: a map has no room for the rivers of the one, and those of the land around
     /// run through the other. Ponds are waters of under a hundredth of the domain, unless there is no other water.
     fn remove_islets_and_ponds(&mut self) {
-        const ISLET: u32 = 25;
+        const ISLET: f32 = 400.0;
         const LEVELLED: f32 = 1.0;
-        let pond = self.heights.len() as u32 / 100;
-        for run in self.regions(Cell::Land).iter().skip(1).filter(|land| land.cells < ISLET).flat_map(|land| &land.runs)
+        let (islet, pond) = ((ISLET / (self.spacing * self.spacing)) as u32, self.heights.len() as u32 / 100);
+        for run in self.regions(Cell::Land).iter().skip(1).filter(|land| land.cells < islet).flat_map(|land| &land.runs)
         {
             self.row(run).fill(-LEVELLED);
         }
@@ -337,7 +337,7 @@ mod tests {
         let centre = domain.size / 2.0;
         // A round island, first by its height, then by its coast.
         let cone = |point: Vec2| -(point - centre).length();
-        let by_height = CoastDistance::with_sea(&domain, 0.6, cone);
+        let by_height = CoastDistance::with_sea(&domain, CoastDistance::SPACING, 0.6, cone);
         let radius = (0.4e6 / std::f32::consts::PI).sqrt();
         let at = |i: usize| {
             let angle = i as f32 / 200.0 * std::f32::consts::TAU;

@@ -35,14 +35,14 @@ impl Shape {
         }
     }
 
-    /// The coast distances of the shape; `None` for the plain rectangle, and for a drawn land, which has them from its
+    /// The coast distances of the shape, with this distance between their corners; `None` for the plain rectangle, and for a drawn land, which has them from its
     /// outline.
-    pub fn coast_distance(&self) -> Option<CoastDistance> {
+    pub fn coast_distance(&self, spacing: f32) -> Option<CoastDistance> {
         if matches!(self.kind, LandKind::Rectangle | LandKind::Drawn) {
             return None;
         }
         let form = Form::of(self);
-        Some(CoastDistance::with_sea(&self.domain, self.sea, |point| form.height(point)))
+        Some(CoastDistance::with_sea(&self.domain, spacing, self.sea, |point| form.height(point)))
     }
 
     /// The ridges of the shape, as polylines: of a valley two, from the coast inland, bent a little even on smooth land.

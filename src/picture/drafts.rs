@@ -42,7 +42,7 @@ impl Picture {
         Some(self.painter.paint_rivers(&rivers))
     }
 
-    /// Does a part of painting the finished rivers of a session, without a relief or a chart, on the land that there would be by another
+    /// Does a part of painting the finished rivers of a session, without a relief or a chart, on nearly the land that there would be by another
     /// recipe, of other coasts alone; by its own, on that of the session. Rivers end at the coast, or short of it: they are those of the
     /// session's land. The picture changes with the last part. It lasts until `paint` paints anything else. `None`, and nothing is painted, if
     /// that is another recipe in more, or there are no finished rivers.
@@ -80,6 +80,7 @@ mod tests {
     use glam::Vec2;
 
     use super::*;
+    use crate::land::Land;
     use crate::picture::testing::{SMALL, finished, painted};
     use crate::recipe::link;
 
@@ -208,8 +209,9 @@ mod tests {
             draft_of_coasts(&mut picture, &session, &other).unwrap();
             let drafted = picture.pixmap().data().to_vec();
             // Its sea, as it is where no river has grown yet; on its land, rivers.
-            let bare = Session::new(other.clone()).unwrap();
-            let (ground, land) = (painted(&bare), bare.land().unwrap().clone());
+            let land = Land::draft_of(&other).unwrap();
+            let bare = Session::on_land(other.clone(), land.clone()).unwrap();
+            let ground = painted(&bare);
             let (mut sea, mut rivers) = (0, 0);
             for (i, (is, was)) in (0..).zip(drafted.chunks(4).zip(ground.chunks(4))) {
                 let at = picture.view().point(Vec2::new((i % 100) as f32 + 0.5, (i / 100) as f32 + 0.5));

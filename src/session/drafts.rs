@@ -51,7 +51,7 @@ impl SessionDrafts {
         self.last.as_ref().map(|(_, relief)| relief.clone())
     }
 
-    /// The land of a recipe that differs from the session's in its coasts alone; of its own, the very one. `None` if it differs in more, if
+    /// Nearly the land of a recipe that differs from the session's in its coasts alone; of its own, the very one. `None` if it differs in more, if
     /// there is no sea, or if the session's land is none of its recipe's.
     pub fn land(&mut self, session: &Session, wanted: &Recipe) -> Option<Arc<Land>> {
         let own =
@@ -60,7 +60,7 @@ impl SessionDrafts {
             return Some(own.clone());
         }
         if self.land.as_ref().is_none_or(|(of, _)| of != wanted) {
-            self.land = Land::of(wanted).map(|land| (wanted.clone(), land));
+            self.land = Land::draft_of(wanted).map(|land| (wanted.clone(), land));
         }
         self.land.as_ref().map(|(_, land)| land.clone())
     }
