@@ -119,7 +119,7 @@ impl Picture {
             Phase::Relief => self.painter.is_raised(),
             Phase::Growing | Phase::Meandering | Phase::Finished => false,
         };
-        if is_kept && self.rivers_of == tree {
+        if is_kept && self.rivers_of == tree && self.is_on_land_of(session) {
             return Painted::Whole(None);
         }
         self.forget_what_is_over(session);
@@ -170,6 +170,13 @@ impl Picture {
     #[cfg(feature = "files")]
     pub fn cut_out(&mut self, session: &Session) {
         self.painter.cut_out(session.recipe().get());
+    }
+
+    /// Whether the ground of the picture is that of a session's land.
+    fn is_on_land_of(&self, session: &Session) -> bool {
+        self.shown
+            .as_ref()
+            .is_some_and(|(_, domain, land)| *domain == session.domain() && is_same(land.as_ref(), session.land()))
     }
 
     /// How the domain lies on the picture.

@@ -43,13 +43,13 @@ impl Form {
         NAMES.iter().find(|(form, _)| *form == self).map_or("", |(_, name)| name)
     }
 
-    /// The form of a name, `None` if it is none.
+    /// The form that is called so; `None` if none is.
     pub fn named(name: &str) -> Option<Self> {
         NAMES.iter().find(|(_, known)| *known == name).map(|(form, _)| *form)
     }
 
-    /// The form of a file by its name, in capitals or not: that of the longest ending. `None` if it has none, or is nothing but one, as a
-    /// hidden file.
+    /// The form of a file by the longest known ending of its name, in capitals or not; `None` if its name has none, or is nothing else, as
+    /// that of a hidden file.
     pub fn of_file(name: &str) -> Option<Self> {
         let name = name.to_ascii_lowercase();
         let is_of = |(_, ending): &&(Self, &str)| {
@@ -58,7 +58,7 @@ impl Form {
         NAMES.iter().filter(is_of).max_by_key(|(_, ending)| ending.len()).map(|(form, _)| *form)
     }
 
-    /// Whether it holds a picture of so many pixels.
+    /// Whether it holds a picture whose size in pixels can be chosen.
     pub fn has_pixels(self) -> bool {
         matches!(self, Self::Png | Self::Pack)
     }

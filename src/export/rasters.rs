@@ -74,7 +74,7 @@ impl Layer {
     /// All of them.
     pub const ALL: [Self; 5] = [Self::Heights, Self::Land, Self::Rivers, Self::Flow, Self::Basins];
 
-    /// What its values are, in English: so the text begins that says what they mean, and no other layer's does.
+    /// What its values are, in English. With these words [`Rasters::meaning`] begins, and no two layers have the same.
     pub fn subject(self) -> &'static str {
         match self {
             Self::Heights => "16-bit heights",

@@ -35,8 +35,8 @@ impl Shape {
         }
     }
 
-    /// The coast distances of the shape, with this distance between their corners; `None` for the plain rectangle, and for a drawn land, which has them from its
-    /// outline.
+    /// The coast distances of the shape, with this distance between their corners; `None` for the plain rectangle, and for a drawn land,
+    /// which has them from its outline.
     pub fn coast_distance(&self, spacing: f32) -> Option<CoastDistance> {
         if matches!(self.kind, LandKind::Rectangle | LandKind::Drawn) {
             return None;

@@ -58,10 +58,13 @@ impl Land {
         Some(Arc::new(Self::new(&shape.domain, shape.coast_distance(CoastDistance::SPACING)?, shape.ridges())))
     }
 
-    /// Nearly the land of a recipe that names its shape, in a third of the time, as something to look at; `None` if it names none.
+    /// Nearly the land of a recipe, in a third of the time, as something to look at; of a drawn land, the very one. `None` as of `of`.
     #[cfg(feature = "controls")]
     pub(crate) fn draft_of(recipe: &Recipe) -> Option<Arc<Self>> {
         let shape = Shape::of(recipe);
+        if shape.kind == LandKind::Drawn {
+            return Self::of(recipe);
+        }
         let coast_distance = shape.coast_distance(CoastDistance::COARSE_SPACING)?;
         Some(Arc::new(Self::new(&shape.domain, coast_distance, shape.ridges())))
     }
@@ -314,9 +317,9 @@ mod tests {
                 assert!(off > 0.0 && off < 0.02, "{kind}&{more}: {off}");
             }
         }
-        for link in ["land=rectangle", "land=drawn"] {
-            assert!(Land::draft_of(&link::read(link).unwrap()).is_none());
-        }
+        assert!(Land::draft_of(&link::read("land=rectangle").unwrap()).is_none());
+        let drawn = link::read("land=drawn&outline=.MzMzzMMzzMzMMzzM").unwrap();
+        assert!(Land::of(&drawn).is_some() && Land::draft_of(&drawn) == Land::of(&drawn));
     }
 
     #[test]

@@ -14,7 +14,7 @@ const FAR: f32 = 60.0;
 
 /// Ends the map in some rows of a ground. `land` is `None` where all of the map is land.
 pub(super) fn lay(view: &View, land: Option<&Land>, palette: &Palette, rows: Rows, pixels: &mut [[u8; 4]]) {
-    // Beside the map, all pixels of a row have the same.
+    // Beside the map, all pixels of a row have the same nearest point of the border.
     let (mut nearest, mut share) = (Vec2::NAN, 0.0);
     for_each(view, rows, pixels, |pixel, border| {
         if border != nearest {
@@ -31,7 +31,7 @@ pub(super) fn lay(view: &View, land: Option<&Land>, palette: &Palette, rows: Row
 pub(super) fn for_each<Pixel>(view: &View, rows: Rows, pixels: &mut [Pixel], mut end: impl FnMut(&mut Pixel, Vec2)) {
     for (y, row) in rows.zip(pixels.chunks_mut(view.width as usize)) {
         let border_near = |x: usize| view.border_near(view.point(Vec2::new(x as f32, y as f32) + 0.5));
-        // What lies within the map lies together: on to it from the left, and then from the right.
+        // The pixels within the map stand together: what is left of them, then what is right of them.
         let (mut start, mut rest) = (0, row.len());
         while let Some(border) = (start < rest).then(|| border_near(start)).flatten() {
             end(&mut row[start], border);

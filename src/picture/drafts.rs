@@ -42,10 +42,10 @@ impl Picture {
         Some(self.painter.paint_rivers(&rivers))
     }
 
-    /// Does a part of painting the finished rivers of a session, without a relief or a chart, on nearly the land that there would be by another
-    /// recipe, of other coasts alone; by its own, on that of the session. Rivers end at the coast, or short of it: they are those of the
-    /// session's land. The picture changes with the last part. It lasts until `paint` paints anything else. `None`, and nothing is painted, if
-    /// that is another recipe in more, or there are no finished rivers.
+    /// Does a part of painting the finished rivers of a session, without a relief or a chart, on other coasts: nearly those that another
+    /// recipe gives, or the session's own, if that is the session's recipe. The rivers stay as they are: they end at the new coast, or short
+    /// of it. The picture changes with the last part. It lasts until `paint` paints anything else. `None`, and nothing is painted, if the
+    /// recipe differs in more than coasts, or there are no finished rivers.
     pub fn paint_land_draft(&mut self, session: &Session, wanted: &Recipe) -> Option<Painted> {
         let ((network, rounds), past) = session.network().zip(session.rounds()).zip(session.past())?;
         if !matches!(session.phase(), Phase::Relief | Phase::Finished) {
@@ -65,13 +65,6 @@ impl Picture {
         let land = Some(&*land);
         let rivers = Rivers { network, past, rounds, courses, land, relief: None, chart: None, style };
         Some(self.painter.paint_rivers(&rivers))
-    }
-
-    /// Whether the ground of the picture is that of a session's land.
-    fn is_on_land_of(&self, session: &Session) -> bool {
-        self.shown
-            .as_ref()
-            .is_some_and(|(_, domain, land)| *domain == session.domain() && is_same(land.as_ref(), session.land()))
     }
 }
 
@@ -230,7 +223,14 @@ mod tests {
             assert!(picture.pixmap().data() == drafted, "{style}");
             picture.paint(&session);
             assert!(picture.pixmap().data() == before, "{style}");
+            // Its own coasts again, with other rivers in the making.
             draft_of_coasts(&mut picture, &session, &other).unwrap();
+            session.change(link::read(&format!("{link}&simplify=40")).unwrap()).unwrap();
+            assert_eq!(session.phase(), Phase::Shaping);
+            assert!(picture.paint(&session).is_some() && picture.pixmap().data() != drafted, "{style}");
+            session.finish().unwrap();
+            draft_of_coasts(&mut picture, &session, &link::read(&format!("{link}&simplify=40&sea=0.7")).unwrap())
+                .unwrap();
             session.change(other).unwrap();
             while session.advance(50).unwrap() {
                 picture.paint(&session);

@@ -1,6 +1,6 @@
 /**
- * Scripts in a page that run before anything else: they stand behind its character set, and before its style sheets, for which a script
- * would wait, and with it all of the page behind it.
+ * Scripts in a page that run before anything else. They stand behind its character set, which must be near its beginning, and before its
+ * style sheets: a script behind those would wait for them, and the rest of the page for the script.
  */
 
 const PLACE = "<title>";

@@ -65,7 +65,7 @@ export function poster(page: string): Plugin {
   };
 }
 
-/** A page with a link has no poster; what is not shown is not fetched, since it is fetched late. Of another it is asked for at once. */
+/** A page with a link has no poster; what is not shown is not fetched, since it is fetched late. On a page without a link it is asked for at once. */
 function asksEarly(): string {
   const posters = POSTERS.map(({ file, media }) => [`./${FOLDER}/${file}`, media]);
   return `if (location.search.length > 1 || location.hash.includes("=")) document.documentElement.dataset.linked = "";

@@ -23,6 +23,7 @@ export function preloadEngine(...pages: readonly string[]): Plugin {
       order: "post",
       handler(html, { bundle = {}, path }) {
         if (!pages.includes(path.slice(1))) return html;
+        if (!html.includes("dataset.linked")) throw new Error(`${path}: no script has said whether there is a poster`);
         const files = Object.values(bundle);
         const engine = files.find((file) => file.type === "asset" && file.names.includes(ENGINE));
         const worker = files.find(({ fileName }) => WORKER.test(fileName));

@@ -1,4 +1,4 @@
-/** What the page's renderer plants rivers with, and how it answers questions about them. */
+/** What the page's renderer makes rivers with, and how it answers questions about them. */
 
 import type { FullCore, FullRiver, Measure } from "../engine/full.ts";
 import { askChart } from "../player/chart-maker.ts";

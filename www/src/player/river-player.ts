@@ -53,7 +53,7 @@ interface Wanted {
   how: ShowMode;
 }
 
-/** What of an engine plants rivers: a lean one, or a full one. */
+/** What of an engine makes rivers: a lean one, or a full one. */
 export interface RiverMaker<R> {
   readonly engine: { readonly River: new (text: string, options?: ReadOptions) => R };
   readonly memory: WebAssembly.Memory;
@@ -99,7 +99,7 @@ export class RiverPlayer<R extends River & Partial<Framed> = River> {
     this.#shown = link;
     this.#tellOfLink();
     this.#chartMaker = new ChartMaker(core.loadCharts, {
-      arrived: () => this.#attempt(() => this.#loop.redraw()),
+      arrived: () => this.#attempt(() => this.#redraw()),
       failed: (error) => this.#attempt(() => events.failed(error)),
     });
     this.#growing = clock?.join(this.#river) ?? this.#river;
@@ -217,10 +217,11 @@ export class RiverPlayer<R extends River & Partial<Framed> = River> {
   #apply(): void {
     const wanted = this.#wanted;
     if (!wanted || this.#showsDraft(wanted)) return;
-    const isDrafted = this.#drafted !== undefined;
+    const isDrafted = this.#isDrafted;
+    // It has seen a draft of this very link, and has not moved since.
+    const isAtRest = this.#drafted?.wanted === wanted;
     this.#wanted = this.#drafted = this.#drafting = undefined;
-    const { text, options } = wanted.link;
-    const stage = this.#river.change(text, options);
+    const stage = this.#change(wanted.link, isDrafted);
     this.#shown = wanted.link;
     this.#tellOfLink();
     if (stage === "none") {
@@ -233,11 +234,30 @@ export class RiverPlayer<R extends River & Partial<Framed> = River> {
     const { phase } = this.#river;
     // Of finished rivers a style may show a relief that none has shown before, and that is yet to be made.
     const isDrawing = (stage === "paint" || stage === "name") && (phase === "finished" || this.state !== "finished");
-    if (stage === "land" || stage === "grow") this.#grow(wanted.how, isDrafted);
+    if (stage === "land" || stage === "grow") this.#grow(wanted.how, isAtRest);
     else if (isDrawing || phase === "growing") this.#loop.redraw();
     else if (wanted.how === "settle" && (stage !== "relief" || isDrafted)) this.#loop.follow(isDrafted);
     else this.#loop.settle(false);
     if (wanted.how === "settle" && stage === "relief" && !isDrafted) this.#labelAtRest(this.frames.now() + REST_MS);
+  }
+
+  get #isDrafted(): boolean {
+    return (this.#drafted ?? this.#drafting) !== undefined;
+  }
+
+  /** Goes over to a link. One that is refused leaves no draft behind. */
+  #change({ text, options }: LinkToRead, isDrafted: boolean): ReturnType<River["change"]> {
+    try {
+      return this.#river.change(text, options);
+    } catch (error) {
+      if (isDrafted) this.#loop.redraw();
+      throw error;
+    }
+  }
+
+  /** One more picture, unless a draft is shown: then there will be one anyway, at rest. */
+  #redraw(): void {
+    if (!this.#isDrafted) this.#loop.redraw();
   }
 
   /**
@@ -279,7 +299,7 @@ export class RiverPlayer<R extends River & Partial<Framed> = River> {
     this.#labelling ??= this.frames.request(() => {
       this.#labelling = undefined;
       if (this.frames.now() < this.#labelsFrom) this.#labelAtRest(this.#labelsFrom);
-      else if (this.state === "finished") this.#attempt(() => this.#loop.redraw());
+      else if (this.state === "finished") this.#attempt(() => this.#redraw());
     });
   }
 
@@ -288,7 +308,7 @@ export class RiverPlayer<R extends River & Partial<Framed> = River> {
     this.events.created?.(this.#river);
   }
 
-  /** At rest the hand has seen a draft already, and waits for what it is of. */
+  /** After a draft the hand rests, and waits for the exact map: there are no more drafts. */
   #grow(how: ShowMode, isAtRest = false): void {
     if (how === "watch") this.#loop.watch();
     else if (how === "settle" && !isAtRest) this.#loop.follow();
@@ -342,6 +362,8 @@ export class RiverPlayer<R extends River & Partial<Framed> = River> {
     canvas.height = height;
     while (this.#paint());
     this.#blitter.blit(river);
+    // A draft is shown again, in the new size.
+    this.#drafted = this.#drafting = undefined;
   }
 
   /** Whatever is asked after the end is passed over. */

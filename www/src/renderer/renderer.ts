@@ -8,7 +8,7 @@ import type { SharedClock } from "../player/shared-clock.ts";
 import type { Command, Opening, Report } from "./protocol.ts";
 import { Scene } from "./scene.ts";
 
-/** What a renderer plants rivers with, and how it answers questions, given what shows the river of a number. */
+/** What a renderer makes rivers with, and how it answers questions, given what shows the river of a number. */
 export interface Means<R extends River, Question, Answer> {
   readonly maker: RiverMaker<R>;
   /** What all rivers together may take of a frame, if not what is usual: one river alone, which then waits for nothing, all. */

@@ -1,4 +1,4 @@
-/** What a renderer of widgets plants rivers with, and how it makes their files. */
+/** What a renderer of widgets makes rivers with, and how it makes their files. */
 
 import type { River } from "../engine/types.ts";
 import type { Core } from "../engine/wasm.ts";

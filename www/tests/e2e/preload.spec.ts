@@ -36,7 +36,7 @@ test("on a first visit the poster is asked for before the engine, which is fetch
   await finished(page);
   const orderOf = (name: RegExp): number => asked.findIndex((path) => name.test(path));
   expect(orderOf(/\/poster\//)).toBeGreaterThan(0);
-  expect(orderOf(/\/poster\//)).toBeLessThan(orderOf(/\.css$/));
+  expect(orderOf(/\/poster\//)).toBeLessThan(orderOf(ENGINE));
   expect(asked.filter((path) => path.includes("/poster/"))).toHaveLength(1);
   expect(asked.filter((path) => ENGINE.test(path))).toHaveLength(1);
   expect(said).toEqual([]);

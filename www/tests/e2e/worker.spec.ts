@@ -26,7 +26,7 @@ async function expectPicture(page: Page, link: string): Promise<void> {
     .toBe(true);
 }
 
-test("the page's own thread plants and grows nothing: its worker does", async ({ page }) => {
+test("the page's own thread makes and grows nothing: its worker does", async ({ page }) => {
   const said = complaints(page);
   const created = await countCalls(page, "river_new");
   const grown = await countCalls(page, "river_advance");

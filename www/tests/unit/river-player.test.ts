@@ -6,21 +6,32 @@ import { Display, Image } from "../display.ts";
 
 const SIZE = { width: 320, height: 300, ratio: 1 };
 
-/** A player on a canvas without pixels, and its display. */
-function player(text: string): [RiverPlayer<engine.River>, Display] {
+function rethrow(error: unknown): void {
+  throw error;
+}
+
+/** A player on a canvas without pixels, its display, and what was last put on the canvas. */
+function player(
+  text: string,
+  failed = rethrow,
+  size = () => SIZE,
+  display = new Display(),
+): [player: RiverPlayer<engine.River>, display: Display, seen: () => Buffer] {
   vi.stubGlobal("ImageData", Image);
-  const canvas = { ...SIZE, getContext: () => ({ putImageData: () => {} }) } as unknown as Canvas;
-  const display = new Display();
+  let last = Buffer.alloc(0);
+  const putImageData = ({ data }: Image): void => {
+    last = Buffer.from(data);
+  };
+  const canvas = { ...SIZE, getContext: () => ({ putImageData }) } as unknown as Canvas;
   const events = {
-    sizeFor: () => SIZE,
+    sizeFor: size,
     changed: () => {},
-    failed: (error: unknown) => {
-      throw error;
-    },
+    failed,
   };
   return [
     new RiverPlayer({ engine, memory, loadCharts: () => Promise.resolve(charts) }, canvas, { text }, display, events),
     display,
+    () => last,
   ];
 }
 
@@ -62,3 +73,80 @@ test("another style of a map that is held while it grows or meanders lets it sta
     expect([held.state, held.river?.phase, held.river?.summary().rounds]).toEqual(["paused", "meandering", rounds]);
   }
 });
+
+test("a change that is refused while its draft is seen leaves the map that was there", () => {
+  const link = "seed=kea&land=island&attractors=600&style=atlas";
+  const refused = vi.fn();
+  const [one, display, seen] = player(link, refused);
+  one.start("still");
+  frames(display);
+  const before = seen();
+  one.show({ text: `${link}&sea=0.7` }, "settle");
+  expect(Buffer.compare(seen(), before)).not.toBe(0);
+  vi.spyOn(one.river as engine.River, "change").mockImplementation(() => {
+    throw new Error("no memory");
+  });
+  frames(display);
+  expect(refused).toHaveBeenCalledOnce();
+  expect([one.state, Buffer.compare(seen(), before)]).toEqual(["finished", 0]);
+});
+
+/** Until nothing is left to do, what is fetched late included. */
+async function rest(display: Display): Promise<void> {
+  for (let i = 0; i < 3; i++) {
+    frames(display);
+    await new Promise((done) => setImmediate(done));
+  }
+}
+
+/** A display on a slow machine: each look at the clock finds it later. */
+class SlowDisplay extends Display {
+  #late = 0;
+
+  override now(): number {
+    this.#late += 12;
+    return super.now() + this.#late;
+  }
+}
+
+test("wherever a hand goes, and whatever comes between, the map at rest is that of its link", async () => {
+  const base = "seed=kea&land=island&attractors=300&style=atlas&labels=some";
+  const wanted = ["&sea=0.6", "&sea=0.65", "&mountains=2", "&roughness=0.3", "&width=25", "&simplify=40", "", "", ""];
+  // Any other small numbers would do as well.
+  let state = 12345;
+  const below = (count: number): number => {
+    state = (state * 1103515245 + 12345) % 2 ** 31;
+    return Math.floor(state / 65536) % count;
+  };
+  const wide = { width: 500, height: 400, ratio: 1 };
+  let size = wide;
+  const made = new Map<string, Buffer>();
+  const fresh = async (text: string): Promise<Buffer> => {
+    const key = `${size.width} ${text}`;
+    const [another, display, seen] = player(text, rethrow, () => size);
+    if (!made.has(key)) {
+      another.start("still");
+      await rest(display);
+      made.set(key, seen());
+    }
+    return made.get(key) ?? seen();
+  };
+  const [one, display, seen] = player(base, rethrow, () => size, new SlowDisplay());
+  one.start("still");
+  for (let round = 0; round < 30; round++) {
+    one.show({ text: base }, "settle");
+    await rest(display);
+    let text = base;
+    for (let moves = 0; moves < 4; moves++) {
+      text = base + wanted[below(wanted.length)];
+      one.show({ text }, "settle");
+      if (below(9) === 0) {
+        size = size === wide ? SIZE : wide;
+        one.resize();
+      }
+      for (let count = below(4); count > 0; count--) display.frame();
+    }
+    await rest(display);
+    expect([one.state, Buffer.compare(seen(), await fresh(text))], `${round}: ${text}`).toEqual(["finished", 0]);
+  }
+}, 60_000);
