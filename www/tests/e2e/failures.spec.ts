@@ -89,9 +89,9 @@ test("a browser without WebAssembly, which asks for nothing again", async ({ pag
     return route.continue();
   });
   await page.addInitScript(() => Reflect.deleteProperty(globalThis, "WebAssembly"));
-  await page.goto("./");
+  await page.goto("./?attractors=300");
   await expectFailure(page, "wasm-unsupported", /Update the browser/);
-  // The page has asked for the engine before it could look.
+  // With a link the page has asked for the engine before it could look.
   expect(downloads).toBe(1);
 });
 
