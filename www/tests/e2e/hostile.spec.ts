@@ -56,6 +56,39 @@ test("whatever is clicked twice in a moment, there is a map, that of the address
   expect(said).toEqual([]);
 });
 
+for (const [dialog, opener] of [
+  ["save", "#download"],
+  ["share", "#share"],
+  ["help", "#help"],
+] as const)
+  test(`whatever is clicked twice in a moment in the dialog of ${dialog}, the map stays and nothing fails`, async ({
+    page,
+  }) => {
+    test.slow();
+    const said = complaints(page);
+    await openFinished(page, LINK);
+    const open = async () => {
+      if ((await page.locator("dialog[open]").count()) === 0) await page.locator(opener).click();
+    };
+    await open();
+    let clicked = 0;
+    for (const button of await page.$$("dialog[open] :is(button, summary, input:is([type=radio], [type=checkbox]))")) {
+      await open();
+      if (!(await button.isVisible()) || !(await button.isEnabled())) continue;
+      await button.dblclick();
+      clicked++;
+    }
+    expect(clicked).toBeGreaterThan(dialog === "help" ? 0 : 4);
+    await page.keyboard.press("Escape");
+    await expectPictureOfAddress(page);
+    expect(said).toEqual([]);
+  });
+
+/** In the page: until some frames have been seen. */
+async function frames(): Promise<void> {
+  for (let i = 0; i < 8; i++) await new Promise((done) => requestAnimationFrame(done));
+}
+
 /** From a watch to a wall, in pixels. */
 const WINDOWS = [
   [5120, 700],
@@ -71,7 +104,7 @@ test("while rivers grow the window takes any size, and at last they are those of
   await page.goto(`./?${LINK.replace("=300", "=20000")}`);
   for (const [width, height] of WINDOWS) {
     await page.setViewportSize({ width, height });
-    await page.waitForTimeout(150);
+    await page.evaluate(frames);
   }
   await finished(page);
   await expectPictureOfAddress(page);
