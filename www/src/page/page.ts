@@ -364,6 +364,15 @@ function warn(thrown: unknown): PageError {
   return error;
 }
 
+/** Where a poster stands for the map, that is painted before the engine is asked for: the visitor sees it a moment sooner. */
+async function posterIsSeen(): Promise<void> {
+  const isLinked = "linked" in document.documentElement.dataset;
+  if (isLinked || document.hidden || !PerformanceObserver.supportedEntryTypes.includes("paint")) return;
+  await new Promise<void>((done) => {
+    new PerformanceObserver(() => done()).observe({ type: "paint", buffered: true });
+  });
+}
+
 /** The first river is on its way before the page is made, which takes as long as its first picture does. */
 async function begin({ core, renderHost }: Engines): Promise<void> {
   const own = await core;
@@ -382,4 +391,4 @@ async function begin({ core, renderHost }: Engines): Promise<void> {
 
 // What a script in the built page would ask for if this one did not come: build/preload.ts.
 clearTimeout((globalThis as { engineTimer?: number }).engineTimer);
-begin(openEngines()).catch(fail);
+posterIsSeen().then(() => begin(openEngines()).catch(fail));
