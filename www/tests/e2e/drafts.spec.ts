@@ -86,64 +86,38 @@ test("another width is seen on the courses that are there, without a step, until
   await expectPictureOfAddress(page);
 });
 
-test("other mountains and plains are seen at once, without a step, and exactly when the hand rests", async ({
-  page,
-}) => {
-  const steps = await countCalls(page, "river_advance");
-  await openHeld(page);
-  const [made, before] = [(await steps()).onPage, (await shown(page)).sha256];
-  const pictures = [before];
-  for (const slider of ["#field-mountains", "#field-plains"]) {
-    await move(page, slider, 3);
+for (const [what, [first, by], [second, by2]] of [
+  ["other mountains and plains are seen at once", ["#field-mountains", 3], ["#field-plains", 3]],
+  ["other coasts are seen around the rivers that are there", ["#field-sea", 3], ["#field-roughness", -6]],
+] as const)
+  test(`${what}, without a step, and exactly when the hand rests`, async ({ page }) => {
+    const steps = await countCalls(page, "river_advance");
+    await openHeld(page);
+    const [made, before] = [(await steps()).onPage, (await shown(page)).sha256];
+    const pictures = [before];
+    for (const [slider, far] of [
+      [first, by],
+      [second, by2],
+    ] as const) {
+      await move(page, slider, far);
+      await page.clock.runFor(100);
+      pictures.push((await shown(page)).sha256);
+    }
+    expect(new Set(pictures).size).toBe(3);
+    expect((await steps()).onPage).toBe(made);
+    // Back to where it was: the map is again what it was, relief, labels and all.
+    await move(page, second, -by2);
     await page.clock.runFor(100);
-    pictures.push((await shown(page)).sha256);
-  }
-  expect(new Set(pictures).size).toBe(3);
-  expect((await steps()).onPage).toBe(made);
-  // Back to where it was: the map is again what it was, labels and all.
-  await move(page, "#field-plains", -3);
-  await page.clock.runFor(100);
-  await move(page, "#field-mountains", -3);
-  await page.clock.runFor(5000);
-  expect([(await shown(page)).sha256, (await steps()).onPage]).toEqual([before, made]);
-  await move(page, "#field-mountains", 3);
-  await page.clock.runFor(100);
-  expect((await steps()).onPage).toBe(made);
-  await page.clock.runFor(5000);
-  expect((await steps()).onPage).toBeGreaterThan(made);
-  await expectPictureOfAddress(page);
-});
-
-test("other coasts are seen around the rivers that are there, without a step, and exactly when the hand rests", async ({
-  page,
-}) => {
-  const steps = await countCalls(page, "river_advance");
-  await openHeld(page);
-  const [made, before] = [(await steps()).onPage, (await shown(page)).sha256];
-  const pictures = [before];
-  for (const [slider, by] of [
-    ["#field-sea", 3],
-    ["#field-roughness", -6],
-  ] as const) {
-    await move(page, slider, by);
+    await move(page, first, -by);
+    await page.clock.runFor(5000);
+    expect([(await shown(page)).sha256, (await steps()).onPage]).toEqual([before, made]);
+    await move(page, first, by);
     await page.clock.runFor(100);
-    pictures.push((await shown(page)).sha256);
-  }
-  expect(new Set(pictures).size).toBe(3);
-  expect((await steps()).onPage).toBe(made);
-  // Back to where it was: the map is again what it was, relief, labels and all.
-  await move(page, "#field-roughness", 6);
-  await page.clock.runFor(100);
-  await move(page, "#field-sea", -3);
-  await page.clock.runFor(5000);
-  expect([(await shown(page)).sha256, (await steps()).onPage]).toEqual([before, made]);
-  await move(page, "#field-sea", 3);
-  await page.clock.runFor(100);
-  expect((await steps()).onPage).toBe(made);
-  await page.clock.runFor(5000);
-  expect((await steps()).onPage).toBeGreaterThan(made);
-  await expectPictureOfAddress(page);
-});
+    expect((await steps()).onPage).toBe(made);
+    await page.clock.runFor(5000);
+    expect((await steps()).onPage).toBeGreaterThan(made);
+    await expectPictureOfAddress(page);
+  });
 
 test("whatever slider moved, the map after it is that of the address, to the pixel", async ({ page }) => {
   const said = complaints(page);
