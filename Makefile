@@ -74,7 +74,7 @@ test-rust: ## the core, natively
 .PHONY: program
 program:
 	@$(setup) rust
-	@$(run) cargo test --quiet --all-features --no-run --test command_line
+	@$(run) cargo test --quiet --all-features --no-run --package riverseed-cli
 
 # These three are skipped, with a word, where Python or its packages cannot be had.
 .PHONY: test-hydrology
@@ -122,6 +122,11 @@ test-arch: ## the same rivers and pixels on 64-bit ARM, in an emulator; not part
 	@$(setup) rust
 	scripts/arch.sh
 
+.PHONY: newest
+newest: ## the committed digests with the newest versions of all dependencies that Cargo.toml allows; not part of `make test`
+	@$(setup) rust
+	scripts/newest.sh
+
 .PHONY: test-package
 test-package: tarball ## the npm package, as its users have it: in Node, with frameworks, in two browsers
 	@$(setup) browser firefox
@@ -144,11 +149,12 @@ check: widget ## format, lints, types, documentation, weights and licences: not 
 	$(run) cargo clippy --quiet --locked --manifest-path python/Cargo.toml --target-dir target/python -- -D warnings
 	scripts/python.sh check
 	$(wasm) cargo clippy --quiet --lib --examples $(wasm32) -- -D warnings
-	$(wasm) cargo clippy --quiet --lib $(WASM_TESTS:%=--test %) $(wasm32) --features rivers,tracing,files,controls -- -D warnings
-	$(wasm) cargo clippy --quiet --lib $(wasm32) --features charts -- -D warnings
+	$(wasm) cargo clippy --quiet --lib $(WASM_TESTS:%=--test %) $(wasm32) --features files,controls -- -D warnings
+	$(wasm) cargo clippy --quiet $(wasm32) --package riverseed-wasm --features rivers,tracing,files,controls -- -D warnings
+	$(wasm) cargo clippy --quiet $(wasm32) --package riverseed-wasm --features charts -- -D warnings
 	RUSTDOCFLAGS="-D warnings" $(run) cargo doc --quiet --no-deps --all-features
 	RUSTDOCFLAGS="-D warnings" $(wasm) cargo doc --quiet --no-deps --lib $(wasm32)
-	RUSTDOCFLAGS="-D warnings" $(wasm) cargo doc --quiet --no-deps --lib $(wasm32) --features rivers,tracing,files,controls
+	RUSTDOCFLAGS="-D warnings" $(wasm) cargo doc --quiet --no-deps $(wasm32) --package riverseed-wasm --features rivers,tracing,files,controls,charts
 	scripts/crate.sh pack
 	$(npm) types
 	$(npm) lint
@@ -195,9 +201,9 @@ goldens: ## redraw the golden pictures and digests; then look at them and say in
 .PHONY: docs
 docs: wasm ## write what is generated in docs/ again: the parameters, the JSON form, the figures, the tables of the element
 	@echo "A run that writes pages fails on purpose; the run after it must pass."
-	-@RIVERSEED_REFRESH=1 $(run) cargo test --all-features --quiet --no-fail-fast --test documents --test schema
+	-@RIVERSEED_REFRESH=1 $(run) cargo test --all-features --quiet --no-fail-fast --test documents --test schema --test program
 	@$(npm) element-page
-	@$(run) cargo test --all-features --quiet --test documents --test schema
+	@$(run) cargo test --all-features --quiet --test documents --test schema --test program documents
 	@git status --short docs
 
 .PHONY: clean

@@ -67,8 +67,8 @@ built() {
   built 8
   echo "# changed" >>"$checkout/.cargo/config.toml"
   built 12
-  mkdir "$checkout/src/bin"
-  echo "fn main() {}" >"$checkout/src/bin/riverseed.rs"
+  mkdir -p "$checkout/crates/cli/src"
+  echo "fn main() {}" >"$checkout/crates/cli/src/main.rs"
   built 12
 }
 

@@ -1,15 +1,10 @@
 //! The command line as its user calls it.
-#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
-#![cfg(feature = "cli")]
-
-#[path = "common/command.rs"]
-mod command;
 
 use std::fs;
 use std::io::Read;
 use std::process::{Command, Stdio};
 
-use command::{network, refusal, riverseed, scratch};
+use crate::command::{network, refusal, riverseed, scratch};
 use riverseed::measure::TABLE;
 
 #[test]

@@ -1,6 +1,4 @@
 //! Calls of `riverseed render` in folders of their own, and what they leave there.
-#![allow(dead_code, reason = "each test file uses its own part")]
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use std::fs;
 use std::path::{Path, PathBuf};
