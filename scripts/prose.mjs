@@ -11,7 +11,22 @@ import { argv, exit } from "node:process";
 import { fileURLToPath } from "node:url";
 
 // Modules whose comments have been rewritten. A module is a folder or a file without its extension.
-const DONE = ["src/recipe"];
+const DONE = [
+  "src/dice",
+  "src/domain",
+  "src/geometry",
+  "src/lib",
+  "src/memory",
+  "src/prune",
+  "src/queue",
+  "src/random",
+  "src/recipe",
+  "src/simplify",
+  "src/skeletonize",
+  "src/sort",
+  "src/tree",
+  "src/work",
+];
 const LIMIT = 0.05;
 const STILTED = /^(What|Whether|How|Of|The same|Those)\b/;
 

@@ -6,7 +6,7 @@ load machine
 prose() {
   local root=$BATS_TEST_TMPDIR
   mkdir -p "$root/src/land" "$root/scripts"
-  sed 's|^const DONE = .*|const DONE = ["src/land"];|' "$project/scripts/prose.mjs" >"$root/scripts/prose.mjs"
+  sed '/^const DONE = /,/];/c const DONE = ["src/land"];' "$project/scripts/prose.mjs" >"$root/scripts/prose.mjs"
   cat >"$root/src/land/grid.rs"
   run "$real_node" "$root/scripts/prose.mjs"
 }
