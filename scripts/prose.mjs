@@ -17,6 +17,7 @@ const DONE = [
   "src/geometry",
   "src/lib",
   "src/memory",
+  "src/paint",
   "src/prune",
   "src/queue",
   "src/random",
