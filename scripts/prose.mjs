@@ -15,6 +15,8 @@ const DONE = [
   "src/dice",
   "src/domain",
   "src/geometry",
+  "src/import",
+  "src/land",
   "src/lib",
   "src/memory",
   "src/paint",
