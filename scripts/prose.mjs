@@ -12,6 +12,9 @@ import { fileURLToPath } from "node:url";
 
 // Modules whose comments have been rewritten. A module is a folder or a file without its extension.
 const DONE = [
+  "benches",
+  "examples",
+  "fuzz/fuzz_targets",
   "src/dice",
   "src/domain",
   "src/geometry",
@@ -30,6 +33,7 @@ const DONE = [
   "src/sort",
   "src/tree",
   "src/work",
+  "tests/common",
 ];
 const LIMIT = 0.05;
 const STILTED = /^(What|Whether|How|Of|The same|Those)\b/;
