@@ -159,6 +159,11 @@ check: widget ## format, lints, types, documentation, weights and licences: not 
 	$(npm) types
 	$(npm) lint
 
+.PHONY: prose
+prose: ## count how doc comments begin, module by module; fails where a module that has been rewritten slips back
+	@$(setup) node
+	@$(run) node scripts/prose.mjs
+
 # ---- look for faults that the tests do not know
 
 .PHONY: explore

@@ -1,6 +1,7 @@
-//! Prints made-up words of many languages, a line each, for `www/scripts/words.mjs`, which looks for such as nobody wants to read.
+//! Prints made-up words of many languages, one a line. `www/scripts/words.mjs` searches them for words that nobody
+//! wants to read.
 //!
-//! `words LANGUAGES WORDS`: so many languages, and so many words of each.
+//! `words LANGUAGES WORDS`: the number of languages, and of words in each.
 
 use std::io::{self, Write};
 

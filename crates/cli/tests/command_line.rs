@@ -238,7 +238,7 @@ fn names_are_printed_greatest_first_with_their_marks() {
         assert!(code == 2 && complaint.contains("from 0.5 to 4, in quarters"), "{complaint}");
     }
     let (code, complaint) = refusal(&["names", "--names", "x3.y"]);
-    assert!(code == 2 && complaint.contains("names: 'x3' is no mark"), "{complaint}");
+    assert!(code == 2 && complaint.contains("names: 'x3' is not a mark"), "{complaint}");
 }
 
 #[test]
