@@ -65,12 +65,6 @@ fn figures_are_those_that_their_example_draws() {
     }
 }
 
-#[test]
-fn readme_is_short() {
-    let lines = read("README.md").lines().count();
-    assert!(lines <= 120, "README.md has {lines} lines: what is more than an introduction belongs in docs/");
-}
-
 /// The commands in blocks of shell, as words.
 fn commands(text: &str) -> Vec<Vec<String>> {
     let blocks = text.split("```sh\n").skip(1).map(|rest| rest.split_once("```").unwrap().0);
