@@ -48,12 +48,6 @@ fn figures_are_those_that_their_example_draws() {
     }
 }
 
-#[test]
-fn readme_is_short() {
-    let lines = read("README.md").lines().count();
-    assert!(lines <= 120, "README.md has {lines} lines: what is more than an introduction belongs in docs/");
-}
-
 /// What a document links to: everything in round brackets after square ones, but for whole addresses.
 fn links(text: &str) -> Vec<&str> {
     let targets = text.split("](").skip(1).filter_map(|rest| rest.split_once(')')).map(|(target, _)| target);

@@ -142,3 +142,12 @@ built() {
     never_said "run weigh"
   done
 }
+
+@test "in one call of make nothing is built or tested twice" {
+  run env -u MAKEFLAGS -u MAKELEVEL make -C "$project" --dry-run --no-print-directory check test-all
+  succeeded
+  said "cargo test"
+  local twice
+  twice=$(grep -v 'scripts/setup.sh\|scripts/laps.sh' <<<"$output" | sort | uniq -d)
+  [[ -z $twice ]] || fail "twice: $twice"
+}

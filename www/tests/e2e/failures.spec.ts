@@ -12,7 +12,7 @@ async function expectFailure(page: Page, code: string, advice: RegExp): Promise<
   await expect(page.getByRole("heading", { name: "Riverseed" })).toBeVisible();
 }
 
-test("the engine's file is missing", async ({ page }) => {
+test("the engine's file is missing @core", async ({ page }) => {
   await page.route("**/*.wasm", (route) => route.fulfill({ status: 404, body: "not here" }));
   await page.goto("./");
   await expectFailure(page, "wasm-fetch", /Check the connection/);
@@ -62,7 +62,7 @@ async function runUntil(page: Page, isSeen: () => Promise<boolean>): Promise<voi
     .toBe(true);
 }
 
-test("an engine that never comes is given up by name, and a new load finds it", async ({ page }) => {
+test("an engine that never comes is given up by name, and a new load finds it @core", async ({ page }) => {
   await page.clock.install();
   await page.route("**/*.wasm", () => {});
   await page.goto("./?attractors=300");
@@ -82,7 +82,7 @@ test("the page of digests gives up as well", async ({ page }) => {
   await expect(page.locator("#verdict")).toContainText("nothing came from");
 });
 
-test("a browser without WebAssembly, which asks for nothing again", async ({ page }) => {
+test("a browser without WebAssembly, which asks for nothing again @core", async ({ page }) => {
   let downloads = 0;
   await page.route("**/*.wasm", (route) => {
     downloads++;
@@ -141,7 +141,7 @@ async function trap(page: Page): Promise<void> {
   await everywhere(page, () => Object.assign(globalThis, { trap: true }) && undefined, undefined);
 }
 
-test("a panic while growing stops the river and says so, once", async ({ page }) => {
+test("a panic while growing stops the river and says so, once @core", async ({ page }) => {
   const warnings: string[] = [];
   page.on("console", (message) => {
     if (message.type() === "warning") warnings.push(message.text());
@@ -158,7 +158,7 @@ test("a panic while growing stops the river and says so, once", async ({ page })
   await finished(page);
 });
 
-test("memory that runs out before the rivers are there is said, and no tree stands in their place", async ({
+test("memory that runs out before the rivers are there is said, and no tree stands in their place @core", async ({
   page,
 }) => {
   await trapOn(page, "river_advance", "no-memory");
@@ -252,7 +252,7 @@ test("dice that cannot be thrown say so, and the map stays", async ({ page }) =>
 
 test.describe("without JavaScript", () => {
   test.use({ javaScriptEnabled: false });
-  test("the page says what it needs", async ({ page }) => {
+  test("the page says what it needs @core", async ({ page }) => {
     await page.goto("./");
     // By element: looking for text, Playwright passes <noscript> over.
     await expect(page.locator("noscript p")).toBeVisible();

@@ -41,7 +41,7 @@ async function violationsInFrame(page: Page): Promise<string[]> {
 
 const river = (page: Page) => page.frameLocator("iframe").first().locator("river-seed");
 
-test("the iframe that Share copies draws the same river on another origin", async ({ page, blog, baseURL }) => {
+test("the iframe that Share copies draws the same river on another origin @core", async ({ page, blog, baseURL }) => {
   await openFinished(page, LINK);
   await page.getByRole("button", { name: "Share" }).click();
   await page.getByRole("button", { name: "Copy iframe" }).click();
@@ -77,7 +77,7 @@ test("the page around is told the height that fits, once, and again when the wid
   await expect.poll(heard).toEqual([300, 375]);
 });
 
-test("with the host script an iframe is as high as its river", async ({ page, blog, baseURL }) => {
+test("with the host script an iframe is as high as its river @core", async ({ page, blog, baseURL }) => {
   await openFramed(
     { page, blog, baseURL },
     { query: `${LINK}&aspect=2`, more: `<script src="SITE/embed-host.js"></script>` },
@@ -200,7 +200,7 @@ test("what had to be corrected is shown over the river, as text, and can be dism
   await expect(note).toBeHidden();
 });
 
-test("a failure is said in the river's place, by its name, and the page around gives it room", async ({
+test("a failure is said in the river's place, by its name, and the page around gives it room @core", async ({
   page,
   blog,
   baseURL,

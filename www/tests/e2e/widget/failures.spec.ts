@@ -32,7 +32,7 @@ async function expectFailure(page: Page, events: () => Promise<Heard[]>, code: s
   expect((await events()).map(({ type }) => type)).toEqual(["error"]);
 }
 
-test("the engine's file is missing: the fallback stays, and a new try finds it", async ({ page, blog }) => {
+test("the engine's file is missing: the fallback stays, and a new try finds it @core", async ({ page, blog }) => {
   blog.answer(ENGINE, { status: 404, headers: { "content-type": "text/html" }, body: "not here" });
   const events = await open(page, blog);
   await expectFailure(page, events, "wasm-fetch", /Check the connection/);
@@ -96,7 +96,7 @@ for (const [what, style, fallback] of [
   });
 }
 
-test("a river that cannot be leaves no room, one that then can has its room back", async ({ page, blog }) => {
+test("a river that cannot be leaves no room, one that then can has its room back @core", async ({ page, blog }) => {
   blog.answer(ENGINE, { status: 404 });
   const events = await open(page, blog, WIDGET);
   await heard(events, "error");
