@@ -1,5 +1,5 @@
 import { expect, type Page, test } from "@playwright/test";
-import { elementSnippet, iframeSnippet } from "../../src/share/snippets.ts";
+import { elementSnippet, iframeSnippet } from "../../src/apps/page/share/snippets.ts";
 import { engine } from "../core.ts";
 import { address, fixChance, openFinished } from "./riverpage.ts";
 

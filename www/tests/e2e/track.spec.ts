@@ -1,7 +1,7 @@
 import { createHash } from "node:crypto";
 import { expect, type Page, test } from "@playwright/test";
-import type { Moment } from "../../src/page/protocol.ts";
-import { momentAt, shareOf } from "../../src/page/track.ts";
+import { momentAt, shareOf } from "../../src/apps/page/timeline/track.ts";
+import type { Moment } from "../../src/apps/page-worker/protocol.ts";
 import { engine, pixelsOf } from "../core.ts";
 import { violations } from "./axe.ts";
 import { complaints, expectPictureOfAddress, finished, openFinished, openStopped, shown } from "./riverpage.ts";

@@ -1,5 +1,5 @@
 import type { Page } from "@playwright/test";
-import { elementSnippet } from "../../../src/share/snippets.ts";
+import { elementSnippet } from "../../../src/apps/page/share/snippets.ts";
 import { engine } from "../../core.ts";
 import { core } from "../tiers.ts";
 import { expect, type Host, test } from "./hosts.ts";
