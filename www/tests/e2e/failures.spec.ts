@@ -13,8 +13,8 @@ async function expectFailure(page: Page, code: string, advice: RegExp): Promise<
 }
 
 /** What a half-uploaded site answers for a file of the other build. */
-function missing(page: Page, files: string | RegExp): Promise<void> {
-  return page.route(files, (route) => route.fulfill({ status: 404, contentType: "text/html", body: "not here" }));
+async function missing(page: Page, files: string | RegExp): Promise<void> {
+  await page.route(files, (route) => route.fulfill({ status: 404, contentType: "text/html", body: "not here" }));
 }
 
 test("the engine's file is missing: the site has changed, and a new load finds it", async ({ page }) => {
