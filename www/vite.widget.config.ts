@@ -1,17 +1,19 @@
 import { rmSync } from "node:fs";
+import { basename } from "node:path";
 import { defineConfig, type EnvironmentOptions, type Plugin } from "vite";
 import { targets } from "./scripts/browsers.mjs";
 
 const FOLDER = "dist-widget";
 
 /**
- * Three builds into one folder, from the same sources: one file for a script tag, one for the worker, and modules that a
- * bundler may take apart. Each is whole without the others' chunks, so that a reader fetches two scripts, one after the other.
+ * Four builds into one folder, from the same sources: one file for a script tag, one for the worker, modules that a
+ * bundler may take apart, and one for Node. Each is whole without the others' chunks, so that a reader fetches two scripts, one after the other.
  */
 const BUILDS: Record<string, readonly string[]> = {
-  tag: ["river-seed"],
-  worker: ["worker"],
-  modules: ["element", "define", "core"],
+  tag: ["widget/river-seed"],
+  worker: ["widget/worker"],
+  modules: ["widget/element", "widget/define", "widget/core"],
+  node: ["node/node"],
 };
 
 /** In the built files the worker has the form that bundlers know, so that it goes wherever the package goes. */
@@ -45,7 +47,8 @@ function environment(name: string, entries: readonly string[]): EnvironmentOptio
       outDir: FOLDER,
       emptyOutDir: false,
       rolldownOptions: {
-        input: Object.fromEntries(entries.map((entry) => [entry, `src/apps/widget/${entry}.ts`])),
+        input: Object.fromEntries(entries.map((entry) => [basename(entry), `src/apps/${entry}.ts`])),
+        external: /^node:/,
         preserveEntrySignatures: "exports-only",
         output: {
           entryFileNames: "[name].js",

@@ -56,7 +56,7 @@ function declarations() {
   for (const name of readdirSync("package").filter((name) => name.endsWith(".d.ts"))) {
     cpSync(join("package", name), join(types, name));
   }
-  for (const declared of ["pkg/riverseed.d.ts", "pkg-chart/riverseed_chart.d.ts"]) {
+  for (const declared of ["pkg/riverseed.d.ts", "pkg-full/riverseed_full.d.ts", "pkg-chart/riverseed_chart.d.ts"]) {
     mkdirSync(dirname(join(types, declared)));
     cpSync(declared, join(types, declared));
   }

@@ -6,7 +6,10 @@ import { renderToString } from "react-dom/server";
 import { expect, test } from "vitest";
 import { createSSRApp, h } from "vue";
 import { renderToString as renderVue } from "vue/server-renderer";
+import { askChart } from "../../src/player/chart-maker.ts";
+import { charts, namesOf } from "../charts.ts";
 import { pictureOf } from "../core.ts";
+import { full } from "../full.ts";
 import { CONSUMERS } from "./installed.ts";
 
 /** A program in Node, in a process of its own: nothing of the test runner's is there. */
@@ -16,7 +19,7 @@ function runs(program: string): string {
   return stdout + stderr;
 }
 
-for (const entry of ["riverseed", "riverseed/define", "riverseed/river-seed.js", "riverseed/core"]) {
+for (const entry of ["riverseed", "riverseed/define", "riverseed/river-seed.js", "riverseed/core", "riverseed/node"]) {
   test(`${entry} can be imported, and leaves the server as it was`, () => {
     const program = `
       const before = Object.getOwnPropertyNames(globalThis).join();
@@ -37,6 +40,66 @@ test("the engine grows rivers on a server that hands it the wasm", () => {
     while (river.advance(1000));
     console.log(river.summary().sources);`;
   expect(runs(program)).toBe(`${pictureOf("seed=kauri", 60, 40).summary.sources}\n`);
+});
+
+interface Feature {
+  properties: Record<string, unknown>;
+}
+
+const NAMED = "seed=kauri&attractors=300&labels=many&names=t.Home&woods=0.5";
+
+test("in Node a link becomes an SVG file, GeoJSON and names, as the page makes them", () => {
+  const program = `
+    import { grow } from "riverseed/node";
+    const map = grow("${NAMED}");
+    const { link, summary } = map;
+    console.log(JSON.stringify({ link, sources: summary.sources, svg: map.svg(), geojson: map.geojson(), names: map.names() }));
+    map.free();`;
+  const made = JSON.parse(runs(program));
+  const river = new full.River(NAMED);
+  while (river.advance(1000));
+  expect(made.svg).toBe(river.svg(askChart(river, charts, (chart) => chart.svg())));
+  while (river.raiseRelief());
+  expect(made.geojson).toEqual(JSON.parse(JSON.stringify(river.geojson(namesOf(river)))));
+  expect(made.geojson.type).toBe("FeatureCollection");
+  expect(made.link).toBe(river.link);
+  expect(made.sources).toBe(river.summary().sources);
+  const rivers = made.geojson.features.filter(({ properties }: Feature) => properties["name"] !== undefined);
+  const known = new Set(made.names.map(({ name }: { name: string }) => name));
+  expect(rivers.length).toBeGreaterThan(10);
+  expect(
+    rivers.map(({ properties }: Feature) => properties["name"]).filter((name: string) => !known.has(name)),
+  ).toEqual([]);
+  expect(made.names).toContainEqual({ mark: "t", name: "Home", isOwn: true });
+  river.free();
+});
+
+test("in Node a link without names is written without the part that writes them", () => {
+  const program = `
+    import { grow } from "riverseed/node";
+    const map = grow("seed=rimu&attractors=300");
+    console.log(map.svg());`;
+  const river = new full.River("seed=rimu&attractors=300");
+  while (river.advance(1000));
+  expect(runs(program)).toBe(`${river.svg([])}\n`);
+});
+
+test("in Node parameters are listed with their ranges, and a link beyond them is refused by name", () => {
+  const program = `
+    import { grow, PageError, parameters } from "riverseed/node";
+    const { min, max } = parameters().find(({ key }) => key === "curl");
+    try {
+      grow("seed=kauri&curl=" + (max + 1) + "&whatever=1");
+    } catch (error) {
+      console.log(JSON.stringify([min, max, error instanceof PageError, error.code, error.message]));
+    }`;
+  expect(JSON.parse(runs(program))).toEqual([
+    0,
+    2,
+    true,
+    "bad-params",
+    expect.stringMatching(/curl: 3 .*0 and 2.*whatever/),
+  ]);
 });
 
 test("React renders it as text, beside an import of it", () => {

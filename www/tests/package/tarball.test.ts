@@ -30,7 +30,7 @@ test("every file that an entry names is there, its types before its script", () 
 test("the entries are the class, its registration, the engine, the bundle, the wasm files and the manifest", () => {
   expect(Object.keys(description.exports)).toEqual(
     expect.arrayContaining([
-      ...[".", "./define", "./core", "./river-seed.js"],
+      ...[".", "./define", "./core", "./node", "./river-seed.js"],
       ...["./riverseed_bg.wasm", "./riverseed_full_bg.wasm", "./custom-elements.json"],
     ]),
   );

@@ -42,7 +42,7 @@ function placesIn(path: string, imports: RegExp): string[] {
 }
 
 function placeOf(name: string, from: string): string | undefined {
-  if (!name.startsWith(".")) return `npm:${name}`;
+  if (!name.startsWith(".")) return name.startsWith("node:") ? name : `npm:${name}`;
   const path = join(dirname(from), name.replace(/\?.*/, ""));
   if (path.startsWith("../pkg")) return "pkg";
   if (path.startsWith("../../tests/")) return "tests";

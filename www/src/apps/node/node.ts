@@ -1,0 +1,112 @@
+/** `riverseed/node`: finished maps as files, made in Node without a page. Which wasm modules make them is no part of it. */
+
+import { named, PageError } from "../../engine/errors.ts";
+import { fromDisk } from "../../engine/from-disk.ts";
+import type { FullRiver, Parameter } from "../../engine/full.ts";
+import type { Notice, Summary } from "../../engine/types.ts";
+import { askChart } from "../../player/chart-maker.ts";
+
+export { PageError } from "../../engine/errors.ts";
+export type { Parameter } from "../../engine/full.ts";
+export type { Summary } from "../../engine/types.ts";
+
+/** The name of something on a map. */
+export interface Name {
+  /** What a link's `names` calls it. */
+  mark: string;
+  name: string;
+  /** Whether the link gives it this name. */
+  isOwn: boolean;
+}
+
+/** A map as GeoJSON. */
+export interface GeoJson {
+  type: "FeatureCollection";
+  features: {
+    type: "Feature";
+    geometry: { type: string; coordinates: unknown } | null;
+    properties: Record<string, unknown> | null;
+  }[];
+}
+
+/** Lists all parameters of a link with their ranges, choices and defaults. */
+export function parameters(): Parameter[] {
+  return fromDisk().engine.parameters();
+}
+
+/**
+ * Grows the map of a link, such as `seed=kauri&labels=some`. The program waits meanwhile. Links are read strictly: a `PageError` names
+ * what is unknown or out of range.
+ */
+export function grow(link: string): GrownMap {
+  try {
+    return new GrownMap(planted(link));
+  } catch (error) {
+    throw named(error);
+  }
+}
+
+function planted(link: string): FullRiver {
+  const { River } = fromDisk().engine;
+  const river = new River(link);
+  const { notices } = river;
+  if (notices.length === 0) return river;
+  river.free();
+  throw new PageError("bad-params", notices.map(({ message }: Notice) => message).join("; "));
+}
+
+/** A finished map. */
+class GrownMap {
+  readonly #river: FullRiver;
+
+  constructor(river: FullRiver) {
+    this.#river = river;
+    while (river.advance(STEPS));
+  }
+
+  /** Its canonical link, without what has its default. */
+  get link(): string {
+    return this.#river.link;
+  }
+
+  /** Its numbers. */
+  get summary(): Summary {
+    return this.#river.summary();
+  }
+
+  /** Writes it as an SVG file. */
+  svg(): string {
+    const river = this.#river;
+    return river.svg(river.wantsChart() ? askChart(river, fromDisk().charts, (chart) => chart.svg()) : []);
+  }
+
+  /** Writes its rivers, lakes, basins and land, with their names and heights, as GeoJSON. */
+  geojson(): GeoJson {
+    const river = this.#river;
+    while (river.raiseRelief());
+    return river.geojson(askChart(river, fromDisk().charts, (chart) => chart.names())) as GeoJson;
+  }
+
+  /** Names everything on it, whether or not the link shows labels: its rivers first, the greatest before the others. */
+  names(): Name[] {
+    const flat = askChart(this.#river, fromDisk().charts, (chart) => chart.greatest(ALL));
+    const names: Name[] = [];
+    for (let i = 0; i + 2 < flat.length; i += 3) {
+      const [mark = "", name = "", own] = flat.slice(i, i + 3);
+      names.push({ mark, name, isOwn: own === "own" });
+    }
+    return names;
+  }
+
+  /** Gives its memory back at once, and not only when JavaScript collects it. Nothing can be asked of it afterwards. */
+  free(): void {
+    this.#river.free();
+  }
+}
+
+export type { GrownMap };
+
+/** Between two looks at whether it is finished. */
+const STEPS = 1000;
+/** More rivers than any map has. */
+const ALL = 2 ** 32 - 1;
