@@ -5,6 +5,17 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use riverseed::network::Vertex;
 
+use crate::failure::{Done, Failure};
+
+/// Refuses arrays that there is not enough memory for, before they are made.
+pub fn ask_for_memory(items: usize, bytes_each: usize) -> Done<()> {
+    let bytes = items.saturating_mul(bytes_each);
+    Vec::<u8>::new().try_reserve_exact(bytes).map_err(|_| {
+        let megabytes = bytes / 1_000_000 + 1;
+        Failure::OutOfMemory(format!("the arrays need about {megabytes} MB, and the allocation failed"))
+    })
+}
+
 /// Hands a list over as an array of the same memory.
 pub fn array<T: Element>(py: Python<'_>, list: Vec<T>) -> PyResult<Bound<'_, PyArray1<T>>> {
     let array = list.into_pyarray(py);

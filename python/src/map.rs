@@ -68,7 +68,6 @@ pub fn grow(py: Python<'_>, link: &str, parameters: Parameters) -> PyResult<Map>
 /// The members of `riverseed.Map`, each made anew whenever it is asked for.
 #[pymethods]
 impl Map {
-    #[expect(clippy::too_many_arguments, reason = "the options of a file")]
     fn file<'py>(
         &self,
         py: Python<'py>,

@@ -8,8 +8,11 @@ use riverseed::network::{NONE, Network};
 use riverseed::prune::Pruned;
 use riverseed::tree::NO_PARENT;
 
-use crate::arrays::{Lines, or_minus_one, point, put};
+use crate::arrays::{Lines, ask_for_memory, or_minus_one, point, put};
 use crate::map::Map;
+
+/// Points and offsets as their lists grow, and the columns of a river, which has several vertices.
+const BYTES_A_VERTEX: usize = 48;
 
 /// Measures the network; None for what it is too small for.
 pub fn measures<'py>(py: Python<'py>, map: &Map) -> PyResult<Bound<'py, PyDict>> {
@@ -23,7 +26,12 @@ pub fn measures<'py>(py: Python<'py>, map: &Map) -> PyResult<Bound<'py, PyDict>>
 
 /// Makes the fields of `riverseed.Nodes`.
 pub fn nodes<'py>(py: Python<'py>, map: &Map) -> PyResult<Bound<'py, PyDict>> {
-    let Pruned { tree, hydrology, .. } = map.read(py, |session| Ok(session.pruned()))?;
+    /// The columns, the trimmed tree, and the hydrology of both trees.
+    const BYTES_A_NODE: usize = 128;
+    let Pruned { tree, hydrology, .. } = map.read(py, |session| {
+        ask_for_memory(session.tree().len(), BYTES_A_NODE)?;
+        Ok(session.pruned())
+    })?;
     let fields = PyDict::new(py);
     put(&fields, "x", tree.at.iter().map(|at| at.x).collect())?;
     put(&fields, "y", tree.at.iter().map(|at| at.y).collect())?;
@@ -66,8 +74,11 @@ impl Rivers {
 
 /// Makes the fields of `riverseed.Rivers`.
 pub fn rivers<'py>(py: Python<'py>, map: &Map) -> PyResult<Bound<'py, PyDict>> {
-    let rivers =
-        map.read(py, |session| Ok(Rivers::of(session.network().unwrap_or(Network::EMPTY), Names::of(session))))?;
+    let rivers = map.read(py, |session| {
+        let network = session.network().unwrap_or(Network::EMPTY);
+        ask_for_memory(network.vertices.len(), BYTES_A_VERTEX)?;
+        Ok(Rivers::of(network, Names::of(session)))
+    })?;
     let fields = PyDict::new(py);
     put(&fields, "parent", rivers.parent)?;
     put(&fields, "order", rivers.order)?;

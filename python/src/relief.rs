@@ -6,8 +6,8 @@ use pyo3::types::PyDict;
 use riverseed::export::rasters::{Layer, Rasters, Values};
 use riverseed::relief::METRES;
 
-use crate::arrays::array;
-use crate::failure::Failure;
+use crate::arrays::{array, ask_for_memory};
+use crate::failure::{Done, Failure};
 use crate::map::Map;
 
 /// Makes the rasters of a map, on its own grid unless a longer side is asked for.
@@ -26,7 +26,7 @@ pub fn rasters(py: Python<'_>, map: &Map, size: Option<u32>) -> PyResult<Rasters
 /// Makes the fields of `riverseed.Relief`.
 pub fn cells<'py>(py: Python<'py>, map: &Map, raster_size: Option<u32>) -> PyResult<Bound<'py, PyDict>> {
     let rasters = rasters(py, map, raster_size)?;
-    let columns = py.detach(|| Columns::of(&rasters));
+    let columns = py.detach(|| Columns::of(&rasters))?;
     let sides = [rasters.rows, rasters.columns];
     let fields = PyDict::new(py);
     fields.set_item("link", &rasters.link)?;
@@ -48,13 +48,15 @@ struct Columns {
 }
 
 impl Columns {
-    fn of(rasters: &Rasters) -> Self {
-        Self {
+    fn of(rasters: &Rasters) -> Done<Self> {
+        const BYTES_A_CELL: usize = 15;
+        ask_for_memory(rasters.columns * rasters.rows, BYTES_A_CELL)?;
+        Ok(Self {
             heights: rasters.relief().heights().iter().map(|height| height * METRES).collect(),
             widths: widths(rasters),
             flow: rasters.flow().directions.clone(),
             basins: rasters.flow().basins.clone(),
-        }
+        })
     }
 }
 

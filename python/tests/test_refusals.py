@@ -105,15 +105,17 @@ def test_too_little_memory_is_a_memory_error() -> None:
     program = """
 import resource, riverseed
 small = riverseed.grow("attractors=300")
+dense = riverseed.grow("growth=brownian&sensitivity=8&trim=0&meander=none")
 pages = int(open("/proc/self/statm").read().split()[0]) * resource.getpagesize()
-resource.setrlimit(resource.RLIMIT_AS, (pages + (64 << 20), resource.RLIM_INFINITY))
 makers = {
-    "grow": lambda: riverseed.grow(attractors=1_000_000),
-    "png": lambda: small.png(size=8192),
-    "raster": lambda: small.raster("heights", raster_size=4096),
-    "finer_relief": lambda: small.finer_relief(4096),
+    "nodes": (1, lambda: dense.nodes),
+    "grow": (64, lambda: riverseed.grow(attractors=1_000_000)),
+    "png": (64, lambda: small.png(size=8192)),
+    "raster": (64, lambda: small.raster("heights", raster_size=4096)),
+    "finer_relief": (64, lambda: small.finer_relief(4096)),
 }
-for name, make in makers.items():
+for name, (megabytes, make) in makers.items():
+    resource.setrlimit(resource.RLIMIT_AS, (pages + (megabytes << 20), resource.RLIM_INFINITY))
     try:
         make()
     except MemoryError as error:
