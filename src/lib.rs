@@ -35,7 +35,9 @@
 //! - `json`: JSON and GeoJSON as text, and recipes in JSON.
 //! - `png`: PNG, written and read.
 //! - `pack`: the game pack, a ZIP of pictures and data, with `json` and `png`.
-//! - `cli`: the program `riverseed`, with all of these.
+//! - `controls` (default): the parameters' explanations, steps back and forth through growth, and previews while a parameter changes.
+//!
+//! The command line is the crate `riverseed-cli`.
 
 pub use glam;
 pub use tiny_skia;
@@ -108,8 +110,6 @@ mod simplify;
 mod skeletonize;
 mod sort;
 pub mod tree;
-#[cfg(target_arch = "wasm32")]
-mod web;
 mod wire;
 #[doc(hidden)]
 pub mod work;
