@@ -1,4 +1,5 @@
-//! The rivers of a map: the columns of the JSON form as arrays. A list of the library becomes an array as it is, without a copy.
+//! The rivers of a map: the columns of the JSON form as arrays. A list of the library becomes an array as it is,
+//! without a copy.
 
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -11,7 +12,7 @@ use riverseed::tree::NO_PARENT;
 use crate::arrays::{Lines, or_minus_one, point, put};
 use crate::map::Map;
 
-/// Measures the network; None for what it is too small for.
+/// Measures the network; None for measures that it is too small for.
 pub fn measures<'py>(py: Python<'py>, map: &Map) -> PyResult<Bound<'py, PyDict>> {
     let measured = map.read(py, |session| Ok(Measures::of(session)))?;
     let dict = PyDict::new(py);
