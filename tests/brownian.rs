@@ -1,4 +1,4 @@
-//! What a Brownian tree promises: the document's procedure to the cell, strands that never touch, and no bias.
+//! Promises of Brownian trees: the document's procedure to the cell, strands that never touch, and no bias.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 mod common;
@@ -61,7 +61,7 @@ fn cells_of(tree: &Tree, raster: &Raster) -> Vec<(i32, i32)> {
     tree.at.iter().map(|at| (cell(at.x, raster.columns()), cell(at.y, raster.rows()))).collect()
 }
 
-/// Which cell is which node's, and no cell is two nodes'.
+/// The node of each cell. Checks that no cell has two nodes.
 fn nodes_by_cell(tree: &Tree, raster: &Raster) -> Vec<Option<usize>> {
     let mut nodes = vec![None; raster.cells().len()];
     for (node, (x, y)) in cells_of(tree, raster).into_iter().enumerate() {
@@ -82,8 +82,8 @@ fn around(raster: &Raster, i: usize, corners: bool) -> impl Iterator<Item = usiz
         .map(move |(x, y)| (y * columns + x) as usize)
 }
 
-/// How many pieces, connected by sides, the cells make that are not water. The border cuts nothing off: land that reaches
-/// it is one piece.
+/// The number of pieces, connected by sides, of all cells that are not water. The border separates nothing: land that
+/// reaches it is one piece.
 fn pieces_of_land(raster: &Raster, is_land: impl Fn(usize) -> bool) -> usize {
     let mut seen: Vec<bool> = (0..raster.cells().len()).map(|i| !is_land(i)).collect();
     let on_border = |&i: &usize| around(raster, i, false).count() < 4;
@@ -103,8 +103,8 @@ fn pieces_of_land(raster: &Raster, is_land: impl Fn(usize) -> bool) -> usize {
     pieces
 }
 
-/// Rivers run on land from the sea, parents first; they touch neither each other, mouths included, nor the sea; no land is cut
-/// off.
+/// Rivers run on land from the sea, parents first; they touch neither each other, mouths included, nor the sea; no land
+/// is cut off.
 fn check(raster: &Raster, tree: &Tree) {
     let nodes = nodes_by_cell(tree, raster);
     let is_river = |i: usize| nodes[i].is_some_and(|node| tree.parent[node] != NO_PARENT);
@@ -134,7 +134,7 @@ fn check(raster: &Raster, tree: &Tree) {
     assert!(after <= before, "{after} pieces of land were {before}");
 }
 
-/// Whether of two nodes one is the other's parent or grandparent, or both have one parent.
+/// Returns `true` if one of two nodes is the other's parent or grandparent, or if both have the same parent.
 fn is_family(tree: &Tree, a: usize, b: usize) -> bool {
     let line = |node: usize| [Some(node), tree.parent_of(node), tree.parent_of(node).and_then(|p| tree.parent_of(p))];
     let is_sister = tree.parent_of(a).is_some() && tree.parent[a] == tree.parent[b];
@@ -307,7 +307,7 @@ fn mean_in_errors(seeds: usize, of_seed: impl Fn(usize) -> Vec2) -> Vec2 {
     mean / (variance / seeds as f32).map(f32::sqrt)
 }
 
-/// Whither rivers lead on the whole: the mean direction from a node to its parent.
+/// The overall direction of rivers: the mean direction from a node to its parent.
 fn bias(order: ParticleOrder) -> Vec2 {
     let raster = square(96);
     mean_in_errors(300, |seed| {
@@ -347,9 +347,9 @@ fn ten_cells_down(tree: &Tree, node: usize) -> Option<usize> {
     Some(at)
 }
 
-/// Whether rivers follow rows, columns or diagonals: the mean cosines of four and eight times the angle in which they run, weighted
-/// by length, over many seeds, in standard errors. The first is 1 along an axis and -1 along a diagonal; the second is 1 along
-/// both, and -1 between them.
+/// The tendency of rivers to follow rows, columns or diagonals: the mean cosines of four and eight times the angle of
+/// their direction, weighted by length, over many seeds, in standard errors. The first is 1 along an axis and -1 along
+/// a diagonal; the second is 1 along both and -1 between them.
 fn grain() -> Vec2 {
     let raster = disc(256);
     mean_in_errors(200, |seed| {

@@ -1,4 +1,4 @@
-//! Pictures without their ground, and how far a picture is.
+//! Pictures without their ground, and the progress of a picture.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 #![cfg(feature = "names")]
 

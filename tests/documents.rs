@@ -48,7 +48,7 @@ fn figures_are_those_that_their_example_draws() {
     }
 }
 
-/// What a document links to: everything in round brackets after square ones, but for whole addresses.
+/// The targets of a document's links, except whole addresses.
 fn links(text: &str) -> Vec<&str> {
     let targets = text.split("](").skip(1).filter_map(|rest| rest.split_once(')')).map(|(target, _)| target);
     targets.filter(|target| !target.contains("://") && !target.contains('…')).collect()
@@ -81,7 +81,7 @@ fn every_link_between_documents_leads_somewhere() {
     }
 }
 
-/// What stands in backquotes as `file::test`.
+/// The tests that a document names in backquotes, as `file::test`.
 fn named_tests(text: &str) -> Vec<(&str, &str)> {
     let is_name = |name: &str| !name.is_empty() && name.chars().all(|c| c.is_ascii_lowercase() || c == '_');
     let quoted = text.split('`').skip(1).step_by(2).filter_map(|quoted| quoted.split_once("::"));

@@ -18,7 +18,7 @@ mod svg;
 use std::fs;
 use std::path::PathBuf;
 
-/// An empty folder of a test's own.
+/// Makes an empty folder for a test.
 fn folder(name: &str) -> PathBuf {
     let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("examples").join(name);
     let _ = fs::remove_dir_all(&folder);
@@ -26,7 +26,7 @@ fn folder(name: &str) -> PathBuf {
     folder
 }
 
-/// How many different colours a PNG has.
+/// The number of different colours in a PNG.
 fn colours(png: Vec<u8>) -> usize {
     let image = riverseed::import::png::read(std::io::Cursor::new(png)).unwrap();
     image.rgba.chunks_exact(4).collect::<std::collections::BTreeSet<_>>().len()

@@ -1,4 +1,4 @@
-//! What is exported opens in the readers that others wrote.
+//! Exported files open in readers written by others.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 #![cfg(feature = "pack")]
 
@@ -94,8 +94,8 @@ fn check_water(session: &Session, features: Vec<geojson::Feature>) -> Vec<geojso
     ground.iter().filter(is_ground).cloned().collect()
 }
 
-/// Checks the lakes of a GeoJSON: each that there is to see is there, and each is a valid polygon, its ring counterclockwise
-/// (RFC 7946).
+/// Checks the lakes of a GeoJSON: each that there is to see is there, and each is a valid polygon, its ring
+/// counterclockwise (RFC 7946).
 fn check_lakes(session: &Session, lakes: &[geojson::Feature]) {
     let oxbows = session.network().unwrap().oxbows.iter().enumerate();
     let seen: Vec<u64> =
@@ -109,7 +109,8 @@ fn check_lakes(session: &Session, lakes: &[geojson::Feature]) {
     }
 }
 
-/// Checks basins, land and ridges: valid polygons, each basin with a mouth of its own, and all of them within the land's area.
+/// Checks basins, land and ridges: valid polygons, each basin with a mouth of its own, and all of them within the
+/// land's area.
 fn check_ground(session: &Session, ground: &[geojson::Feature]) {
     let kind = |feature: &geojson::Feature| feature.property("kind").unwrap().as_str().unwrap().to_owned();
     let kinds: Vec<String> = ground.iter().map(kind).collect();
@@ -189,8 +190,8 @@ proptest! {
     }
 }
 
-/// Wide rivers in narrow bends, cut off again and again: lakes that cross themselves, and that silt has all but closed, at every age. As
-/// they grow old and vanish, many are seen in many rounds.
+/// Wide rivers in narrow bends, cut off again and again: lakes that cross themselves, and that silt has all but closed,
+/// at every age. As they grow old and vanish, many are seen in many rounds.
 #[test]
 fn lakes_are_valid_polygons_and_none_is_lost() {
     let mut lakes = 0;
@@ -295,8 +296,8 @@ fn ends_at_the_coast([narrow, wide]: [Session; 2]) {
 
 #[test]
 fn svg_looks_like_the_picture() {
-    // And how many pixels in a hundred may differ: in an SVG, Survey's contours neither end beside rivers nor grow paler on
-    // steep slopes, and Night's rivers do not glow.
+    // The share of pixels in percent that may differ: in an SVG, Survey's contours neither end beside rivers nor grow
+    // paler on steep slopes, and Night's rivers do not glow.
     let links = [
         ("seed=kauri&aspect=1&attractors=2000", 1),
         ("seed=rimu&aspect=1&attractors=2000&land=island&style=atlas&mouths=9&meander-rounds=200&width=30", 1),
@@ -331,13 +332,14 @@ fn painted(session: &Session) -> Vec<u8> {
     picture.pixmap().data().to_vec()
 }
 
-/// What light and shadow add to the parts of each colour, in an SVG and in the picture: the difference to the same map without them. What
-/// an SVG leaves out is in neither.
+/// Compares the part of light and shadow in each colour between an SVG and the picture: the difference to the same map
+/// without them. Whatever an SVG leaves out is in neither.
 #[test]
 fn svg_has_the_light_and_shadow_of_the_picture() {
     let styles = Style::ALL.iter().filter(|style| style.has_relief());
     let wrong = styles.filter_map(|style| {
-        // In hundredths of all of it. Orbit's forests hide light in the picture; Blueprint has so little that rounding shows.
+        // In hundredths of all of it. Orbit's forests hide light in the picture; Blueprint has so little that rounding
+        // shows.
         let most = match style {
             Style::Orbit => 60,
             Style::Blueprint => 50,

@@ -1,4 +1,4 @@
-//! Pictures of a part of a map, and of what lies around it.
+//! Pictures of a part of a map, and of its surroundings.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 #![cfg(feature = "names")]
 
@@ -42,7 +42,7 @@ fn cut(pixels: &[u8], width: usize, [left, top]: [usize; 2], [across, down]: [us
     (0..down).flat_map(|y| row(y).to_vec()).collect()
 }
 
-/// By how much the bytes of two pictures differ on average.
+/// The mean difference between the bytes of two pictures.
 fn apart(one: &[u8], other: &[u8]) -> f32 {
     assert_eq!(one.len(), other.len());
     one.iter().zip(other).map(|(a, b)| u32::from(a.abs_diff(*b))).sum::<u32>() as f32 / one.len() as f32
@@ -55,7 +55,8 @@ fn a_part_of_a_map_is_a_part_of_its_picture() {
         let whole = painted(&session, [800, 400], [0.0, 0.0, 1.0]);
         let part = painted(&session, [400, 200], [0.25, 0.125, 0.5]);
         let mean = apart(&part, &cut(&whole, 800, [200, 100], [400, 200]));
-        // Paper has its darker edges where the picture ends; contours that are thinner than a pixel are not wholly the same.
+        // Paper has its darker edges where the picture ends; contours that are thinner than a pixel are not wholly the
+        // same.
         let most = if ["parchment", "survey", "orbit", "ink-wash", "blueprint"].contains(&style) { 8.0 } else { 0.4 };
         assert!(mean < most, "{style}: {mean} of 255 apart");
     }

@@ -22,7 +22,7 @@ use tiny_skia::Pixmap;
 
 const WIDTH: u32 = 240;
 
-/// Names and links; but for the first, a link that leaves a key out means the value of the plain rectangle.
+/// Names and links. In all but the first, keys that a link leaves out have the values of the plain rectangle.
 const PICTURES: &[(&str, &str)] = &[
     ("default", ""),
     ("drainage", "growth=drainage&attractors=2000&trim=30&channel-area=4&mouths=0"),
@@ -162,7 +162,7 @@ fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
 }
 
-/// Whether this is the crate as it is published: it carries no pictures, which would be most of it, and no page.
+/// Returns `true` for the published crate, which has no page and, to stay small, no pictures.
 fn is_published() -> bool {
     !root().join("www").exists()
 }

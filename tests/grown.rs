@@ -17,7 +17,7 @@ fn finished(link: &str) -> Session {
     session
 }
 
-/// Places, and for each the number of the next downstream; [`NONE`] at a mouth.
+/// Places, and for each the index of the next one downstream; [`NONE`] at a mouth.
 struct Lines(Vec<Vec2>, Vec<u32>);
 
 impl Lines {
@@ -53,7 +53,7 @@ impl Lines {
         (0..self.0.len() as u32).filter_map(|i| self.next(i).map(|next| self.at(i).distance(self.at(next)))).sum()
     }
 
-    /// How many places a river turns by more than 60° at, and how many places there are; confluences are none.
+    /// The number of places where a river turns by more than 60°, and the number of places, without confluences.
     fn turns(&self) -> [f32; 2] {
         let mut arms = vec![0; self.0.len()];
         (0..self.0.len() as u32).filter_map(|i| self.next(i)).for_each(|next| arms[next as usize] += 1);
@@ -67,7 +67,7 @@ impl Lines {
     }
 }
 
-/// Of what has no step that may cross another, the rivers are the tree.
+/// Where steps may not cross each other, rivers are the tree.
 #[test]
 fn rivers_as_grown_are_the_tree() {
     for link in [
@@ -84,8 +84,8 @@ fn rivers_as_grown_are_the_tree() {
     }
 }
 
-/// What four maps of a preset measure: the share of turns over 60°, in percent, of the tree and as drawn; and the length as drawn over
-/// that of the tree.
+/// Measures of four maps of a preset: the share of turns over 60° in percent, in the tree and as drawn, and the ratio
+/// of the drawn length to that of the tree.
 fn measured(link: &str) -> (f32, f32, f32) {
     let sum = |a: [f32; 2], b: [f32; 2]| [a[0] + b[0], a[1] + b[1]];
     let (mut grown, mut drawn, mut length) = ([0.0; 2], [0.0; 2], [0.0; 2]);

@@ -1,4 +1,4 @@
-//! What growth promises: the paper's procedure to the bit, trees that are trees, and an end.
+//! Promises of growth: the paper's procedure to the bit, valid trees, and an end.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 mod common;
@@ -105,7 +105,7 @@ fn growth_stops_before_its_limit_of_nodes() {
 #[test]
 fn no_preset_and_no_default_runs_dry() {
     let bases = PRESETS.iter().map(|preset| plain(&format!("preset={}&mouths=1&attractors=3000", preset.name)));
-    // What the table says, whatever that is, and what it said at first.
+    // The table's defaults, whatever they are, and the first ones.
     for base in bases.chain(["attractors=3000".into(), plain("mouths=1&attractors=3000")]) {
         for (seed, mouths) in (0..150).flat_map(|seed| [(seed, 1), (seed, 3)]) {
             let link = format!("seed=w{seed}&{}", base.replace("mouths=1", &format!("mouths={mouths}")));
@@ -167,7 +167,7 @@ fn mouths_lie_on_the_chosen_shores() {
     }
 }
 
-/// Where a tree of drainage meets the coast.
+/// The points where a tree of drainage meets the coast.
 fn mouths_of_drainage(link: &str) -> (Vec<Vec2>, GrowthSettings) {
     let mut growth = Growth::new(settings(&format!("growth=drainage&attractors=4000&{link}"))).unwrap();
     while growth.tick() {}
@@ -220,7 +220,7 @@ fn a_grid_has_one_attractor_in_every_cell_of_its_row() {
     }
 }
 
-/// Parents stand first, no step is longer than it should be, everything lies in the domain, and all is finite.
+/// Checks that parents come first, that no step is too long, and that everything is finite and within the domain.
 fn check_tree(tree: &Tree, settings: &GrowthSettings) -> Result<(), TestCaseError> {
     for node in 0..tree.len() {
         prop_assert!(settings.domain.contains(tree.at[node]) && is_land(settings, tree.at[node]));
@@ -237,7 +237,7 @@ fn check_tree(tree: &Tree, settings: &GrowthSettings) -> Result<(), TestCaseErro
     Ok(())
 }
 
-/// It ends, its tree is one, and every attractor is drained or said to be unreached.
+/// Checks that growth ends, that its tree is valid, and that every attractor is drained or reported as unreached.
 fn check_growth(link: &str) -> Result<(), TestCaseError> {
     let growth = grown(link);
     prop_assert_eq!(growth.ending(), Some(Ending::Complete), "{}", link);
@@ -326,7 +326,7 @@ fn mouths_are_counted_as_they_are_planted() {
     }
 }
 
-/// Whether two straight pieces cross, by the sides that their ends lie on.
+/// Returns `true` if two straight pieces cross, judged by the sides on which their ends lie.
 fn cross(a: Vec2, b: Vec2, c: Vec2, d: Vec2) -> bool {
     let side = |from: Vec2, to: Vec2, at: Vec2| (to - from).perp_dot(at - from);
     side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0

@@ -1,4 +1,5 @@
-//! A river's identity, by which it has its name: its own, whatever is trimmed and however courses are made.
+//! The identity of a river, on which its name depends: it stays the same, whatever is trimmed and however courses are
+//! made.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 mod common;
@@ -21,13 +22,13 @@ fn identities(network: &Network) -> Vec<u32> {
     network.rivers.iter().map(|river| river.identity).collect()
 }
 
-/// Where each river's lowest node lies, by the river's identity, and what it drains.
+/// The position of each river's lowest node and the amount it drains, by the river's identity.
 fn lowest(network: &Network) -> BTreeMap<u32, (Vec2, u32)> {
     let lowest = |end: u32| (network.vertices[end as usize - 1].at, network.vertices[end as usize - 1].discharge);
     network.rivers.iter().map(|river| (river.identity, lowest(river.end))).collect()
 }
 
-/// Whether steps of the untrimmed tree cross each other, or lie upon each other, so that a branch goes.
+/// Returns `true` if steps of the untrimmed tree cross or touch each other, so that a branch is removed.
 fn crosses(link: &str, growth: &str) -> bool {
     let session = finished(link, &format!("{growth}&style=ink&courses=grown&trim=0"));
     let tree = session.tree();
@@ -47,8 +48,8 @@ fn crosses(link: &str, growth: &str) -> bool {
     })
 }
 
-/// Where arms end that bring as much water as another of the same fork: of these the longer is the river's own, and what is trimmed may
-/// decide which that is.
+/// The ends of arms with the same discharge as another arm of their fork. The longer of these continues the river, and
+/// trimming may change which one that is.
 fn tied(tree: &Tree) -> BTreeSet<[u32; 2]> {
     let discharge = Hydrology::of(tree).discharge;
     let mut arms: BTreeMap<(u32, u32), Vec<usize>> = BTreeMap::new();
@@ -57,7 +58,8 @@ fn tied(tree: &Tree) -> BTreeSet<[u32; 2]> {
     tied.flat_map(|(_, arms)| arms).map(|node| tree.at[node].to_array().map(f32::to_bits)).collect()
 }
 
-/// How many of the rivers of a trimmed tree are rivers of the untrimmed one by the same name, and how many there are.
+/// The number of rivers of a trimmed tree that are rivers of the untrimmed one with the same identity, and the number
+/// of all.
 fn kept(link: &str, growth: &str, trim: u32, channel_area: u32) -> (usize, usize) {
     let trimmed = |trim: u32, channel_area: u32| {
         let over = format!("{growth}&courses=grown&style=ink&trim={trim}&channel-area={channel_area}");
@@ -130,7 +132,8 @@ fn a_brownian_tree_keeps_its_identities() {
     }
 }
 
-/// How many of the ten greatest rivers of one recipe have no river of the same identity near the same place in another.
+/// The number of the ten greatest rivers of a recipe without a river of the same identity near the same place in
+/// another.
 fn renamed(link: &str, notch: &str) -> usize {
     const NEAR: f32 = 80.0;
     let drawn = |over: &str| rivers(link, &format!("growth=drainage&courses=grown&style=ink{over}"));

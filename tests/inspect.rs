@@ -1,4 +1,4 @@
-//! What a finished map answers about its rivers.
+//! Answers of a finished map about its rivers.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 #![cfg(feature = "pack")]
 
@@ -23,7 +23,7 @@ fn inspected(session: &Session) -> Inspector {
     Inspector::new(session).unwrap()
 }
 
-/// Twice the area within rings; of a hole less than nothing.
+/// Twice the area within rings; negative for holes.
 fn area(rings: &[Vec<Vec2>]) -> f64 {
     let of_ring = |ring: &Vec<Vec2>| -> f64 {
         let next = ring.iter().cycle().skip(1);
@@ -32,7 +32,7 @@ fn area(rings: &[Vec<Vec2>]) -> f64 {
     rings.iter().map(of_ring).sum::<f64>().abs() * 0.5
 }
 
-/// Asked where the pointer is on each river in turn.
+/// Checks the answers for a pointer on each river in turn.
 fn check_river(inspector: &Inspector, identity: u32) -> Result<(), TestCaseError> {
     let network = inspector.network();
     let Some(source) = inspector.source(identity) else { return Ok(()) };

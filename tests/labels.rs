@@ -1,5 +1,5 @@
-//! What labels promise: those of the twin, which goes through all rivers for every sample; apart from each other and from their rivers;
-//! upright, and hardly bent.
+//! Promises of labels: they equal those of the twin, which goes through all rivers for every sample; they keep apart
+//! from each other and from their rivers; they are upright, and hardly bent.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 #![cfg(feature = "names")]
 
@@ -20,14 +20,14 @@ use riverseed::recipe::{Key, link};
 use riverseed::river_map::{OwnMap, RiverMap, wire};
 use riverseed::{Picture, Session};
 
-/// A session whose rivers are finished.
+/// Finishes the rivers of a link.
 fn finished(link: &str) -> Session {
     let mut session = Session::new(link::read(link).unwrap()).unwrap();
     session.finish().unwrap();
     session
 }
 
-/// The labels of a picture that shows all of the map, so many pixels wide, and what they are placed by.
+/// The labels of a picture of the whole map, `width` pixels wide, and the input that they are placed by.
 fn placed(session: &Session, width: f32) -> (Vec<Label>, Input<'_>) {
     let size = session.domain().size;
     let input = labels::input(&RiverMap::of(session).unwrap(), [Vec2::ZERO, size], width / size.x).unwrap();
@@ -252,7 +252,7 @@ fn islands_and_lakes_have_names_too() {
 
 const LAKES: &str = ".9bgA7Mqx0zz6rQ6AgA8JUv6ALMz6EzqxCkgAEzVOLMMFUvF_f_D2rQF_0zMF7MVO.bhczZFhUTMjMNUhUK4czNUYRTMWZZFYR.zMmZw8qerhsKmFqej1mZmFiUrhgow8iU.VHczTyeoRpd7RpbrTya-";
 
-/// On maps where there is a place for it.
+/// The greatest river has its name on maps where there is a place for it.
 #[test]
 fn the_greatest_river_has_its_name_however_few_have_and_however_many_others_wind() {
     for seed in [8, 38, 51, 58] {
@@ -371,7 +371,8 @@ fn svg_has_each_label_as_a_group_with_its_text_and_a_mask_for_rivers() {
     assert!(!bare.contains("labels") && !bare.contains("mask"));
 }
 
-/// Seeds as they come: wide, long, from right to left, in letters that the type has not, and with what is no letter.
+/// Realistic seeds: wide, long, from right to left, in letters that the type lacks, and with other characters than
+/// letters.
 fn any_seed() -> impl Strategy<Value = String> {
     prop_oneof![
         Just("W".repeat(64)),

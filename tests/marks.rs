@@ -1,5 +1,6 @@
-//! What styles have on labelled maps besides names: heights are those of the relief, on summits and saddles; letters are those of the grid's
-//! columns; the legend counts rivers; the seal has the seed's initials; and none of them stands in anything's way.
+//! Promises of the marks on labelled maps besides names. Heights are those of the relief, on summits and saddles;
+//! letters are those of the grid's columns; the legend counts rivers; the seal has the seed's initials; and none of
+//! them is in the way of anything.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 #![cfg(feature = "names")]
 
@@ -37,7 +38,7 @@ fn finished_link(link: &str) -> Session {
     finished(recipe(link, &[]))
 }
 
-/// The labels of a picture that shows all of the map, so many pixels wide, and what they are placed by.
+/// The labels of a picture of the whole map, `width` pixels wide, and the input that they are placed by.
 fn placed(session: &Session, width: f32) -> (Vec<Label>, Input<'_>) {
     let size = session.domain().size;
     let input = labels::input(&RiverMap::of(session).unwrap(), [Vec2::ZERO, size], width / size.x).unwrap();
@@ -48,7 +49,7 @@ fn of(labels: &[Label], kind: Kind) -> impl Iterator<Item = &Label> {
     labels.iter().filter(move |label| label.kind == kind)
 }
 
-/// Points of a label, an eighth of its em apart at most: of its letters' boxes, and of its strokes with their width.
+/// Points of a label, up to an eighth of its em apart: of its letters' boxes, and of its strokes with their width.
 fn points(label: &Label) -> Vec<Vec2> {
     const STEPS: u32 = 8;
     let shares = || (0..=STEPS).map(|i| i as f32 / STEPS as f32);
@@ -65,7 +66,7 @@ fn points(label: &Label) -> Vec<Vec2> {
     boxes.chain(strokes).collect()
 }
 
-/// How far a point is from the nearest bank of a river.
+/// The distance of a point from the nearest bank of a river.
 fn from_bank(pieces: &[Piece], at: Vec2) -> f32 {
     pieces.iter().filter(|piece| piece.is_river()).map(|piece| piece.distance(at)).fold(f32::MAX, f32::min)
 }
@@ -86,7 +87,7 @@ impl Exported {
         Self { metres, step: rasters.scale.metres_a_step, columns: rasters.columns, cell: rasters.cell_size }
     }
 
-    /// The height at a place so many columns and rows away; nothing beyond the map.
+    /// The height a number of columns and rows away from a place; `None` beyond the map.
     fn at(&self, place: Vec2, [right, down]: [i32; 2]) -> Option<f64> {
         let [column, row] = [(place.x, right), (place.y, down)].map(|(x, by)| (x / self.cell) as i32 + by);
         let rows = (self.metres.len() / self.columns) as i32;
@@ -94,14 +95,14 @@ impl Exported {
         is_on_map.then(|| self.metres[row as usize * self.columns + column as usize])
     }
 
-    /// Whether nothing within 8 units is higher by more than a step.
+    /// Returns `true` if nothing within 8 units is higher by more than a step.
     fn is_summit(&self, place: Vec2) -> bool {
         let own = self.at(place, [0, 0]).unwrap();
         let around = (-4..=4).flat_map(|x| (-4..=4).map(move |y| [x, y])).filter(|[x, y]| x * x + y * y <= 16);
         around.filter_map(|by| self.at(place, by)).all(|other| other <= own + self.step)
     }
 
-    /// Whether land rises on two sides, and falls on the two between them.
+    /// Returns `true` if land rises on two sides and falls on the two between them.
     fn is_saddle(&self, place: Vec2) -> bool {
         let own = self.at(place, [0, 0]).unwrap();
         let ring = [[1, 0], [1, 1], [0, 1], [-1, 1], [-1, 0], [-1, -1], [0, -1], [1, -1]];
@@ -110,7 +111,7 @@ impl Exported {
     }
 }
 
-/// How many heights of summits and of saddles a map has.
+/// Checks heights. Returns the numbers of summits and of saddles on a map.
 fn check_heights(session: &Session, width: f32) -> Result<[usize; 2], TestCaseError> {
     let (labels, input) = placed(session, width);
     let (exported, pieces) = (Exported::new(session), Piece::all(&input));

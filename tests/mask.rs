@@ -1,4 +1,4 @@
-//! Land given as a mask: the land is the mask, and stays it.
+//! Land from a mask equals the mask and stays as it is.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 #![cfg(feature = "files")]
 
@@ -27,7 +27,7 @@ impl Mask {
         Self::with_octaves(width, height, seed, 7)
     }
 
-    /// The fewer octaves, the smoother.
+    /// Makes a rough island; with fewer octaves it is smoother.
     fn with_octaves(width: usize, height: usize, seed: i32, octaves: i32) -> Self {
         let mut noise = FastNoiseLite::with_seed(seed);
         noise.set_fractal_type(Some(FractalType::FBm));
@@ -57,7 +57,7 @@ impl Mask {
         self.is_land[y.min(self.height - 1) * self.width + x.min(self.width - 1)]
     }
 
-    /// Of the area that is land here or there, the share that is land here and there.
+    /// The area that is land in both, as a share of the area that is land in either.
     fn overlap(&self, land: &Land) -> f64 {
         let (mut both, mut any) = (0u32, 0u32);
         for (column, row) in (0..land.columns()).flat_map(|column| (0..land.rows()).map(move |row| (column, row))) {

@@ -1,5 +1,5 @@
-//! Rivers stay rivers however long they meander: no stretch becomes a knot, lakes keep apart and grow old, nothing runs along the
-//! frame of the map, and the work of a round does not grow without end.
+//! Rivers stay rivers however long they meander: no stretch becomes a knot, lakes keep apart and grow old, nothing runs
+//! along the frame of the map, and the work of a round does not grow without end.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use glam::Vec2;
@@ -8,7 +8,8 @@ use riverseed::recipe::link;
 use riverseed::work;
 use riverseed::{Oxbow, River, Session};
 
-/// Both models and all ways of growing, wide rivers and narrow ones, on lands with a frame and without; as old as can be.
+/// Both models and all ways of growing, wide rivers and narrow ones, on lands with a frame and without; as old as can
+/// be.
 const OLD: [&str; 6] = [
     "seed=skye&attractors=4000",
     "seed=loire&land=rectangle&aspect=2&sides=e&mouths=1&growth=colonize&attractors=1200&curl=0.5&trim=14&width=22&great-rivers=2&flat-share=0.6",
@@ -57,7 +58,7 @@ fn grow_old(recipe: &str, mut look: impl FnMut(&Meander)) {
     look(&meander);
 }
 
-/// The sinuosity of the stretch of 48 widths of a river that winds most; 1 of a river that is no longer than that.
+/// The sinuosity of the most winding stretch of 48 widths of a river; 1 for shorter rivers.
 fn sinuosity(network: &Network, river: &River, spacing: f32) -> f32 {
     let own = &network.vertices[river.vertex_range()];
     let stretch = |(start, first): (usize, &riverseed::Vertex)| {
@@ -71,7 +72,8 @@ fn sinuosity(network: &Network, river: &River, spacing: f32) -> f32 {
     own.iter().enumerate().map(stretch).fold(1.0, f32::max)
 }
 
-/// What is kept of former courses is that of each round, however a session comes there; nobody has to ask for it in between.
+/// The former courses that are kept are those of each round, however a session gets there; nobody has to ask for them
+/// in between.
 #[test]
 fn former_courses_are_those_of_their_rounds_and_the_same_stepped_or_at_once() {
     for recipe in OLD {
@@ -98,8 +100,8 @@ fn former_courses_are_those_of_their_rounds_and_the_same_stepped_or_at_once() {
     }
 }
 
-/// A stretch rests from 2.6 on, and a loop that is nearly closed from 3.3 on; what moves beside it may add to that until all of it
-/// rests.
+/// A stretch rests from 2.6 on, and a loop that is nearly closed from 3.3 on; what moves beside it may add to that
+/// until all of it rests.
 #[test]
 fn no_stretch_becomes_a_knot() {
     const MOST: f32 = 4.0;
@@ -114,7 +116,7 @@ fn no_stretch_becomes_a_knot() {
     }
 }
 
-/// Whether two lines of discs overlap.
+/// Returns `true` if two lines of discs overlap.
 fn overlap(a: &[Place], b: &[Place]) -> bool {
     let widest = |line: &[Place]| line.iter().map(|place| place.half).fold(0.0, f32::max);
     let most = widest(a) + widest(b);
@@ -148,7 +150,7 @@ fn lakes_overlap_neither_rivers_nor_each_other() {
     assert!(seen > 100, "{seen} lakes");
 }
 
-/// However many necks are cut, there are never many lakes, and none is older than it takes silt to fill it.
+/// There are never many lakes, however many necks are cut, and none is older than the time in which silt fills it.
 #[test]
 fn lakes_grow_old_and_are_gone() {
     const OLDEST: u32 = 160;
@@ -208,7 +210,7 @@ fn no_round_of_old_rivers_takes_long() {
     }
 }
 
-/// A river's course: where its vertices lie, how wide they count, and how far along it they are, in widths.
+/// The course of a river: the position of each vertex, its width, and its distance along the course in widths.
 fn course(meander: &Meander, river: u32) -> Vec<(Vec2, f32, f32)> {
     let (network, spacing) = (meander.network(), meander.settings().spacing);
     let own = &network.vertices[network.rivers[river as usize].vertex_range()];
@@ -222,7 +224,7 @@ fn course(meander: &Meander, river: u32) -> Vec<(Vec2, f32, f32)> {
     own.iter().map(place).collect()
 }
 
-/// The longest way of a course that keeps within a quarter of its width of a straight line, in widths.
+/// The longest part of a course that stays within a quarter of its width of a straight line, in widths.
 fn longest_chord(course: &[(Vec2, f32, f32)]) -> f32 {
     let is_straight = |from: usize, to: usize| {
         let ((a, width, _), b) = (course[from], course[to].0);
@@ -236,7 +238,7 @@ fn longest_chord(course: &[(Vec2, f32, f32)]) -> f32 {
     (0..course.len()).map(chord).fold(0.0, f32::max)
 }
 
-/// How much a course turns from the width above each vertex to the width below it, in degrees.
+/// The turn of a course from the width above each vertex to the width below it, in degrees.
 fn turns(course: &[(Vec2, f32, f32)]) -> Vec<f32> {
     let place = |along: f32| course[course.partition_point(|at| at.2 < along).min(course.len() - 1)].0;
     let length = course[course.len() - 1].2;
@@ -244,8 +246,8 @@ fn turns(course: &[(Vec2, f32, f32)]) -> Vec<f32> {
     inner.map(|&(at, _, s)| (at - place(s - 1.0)).angle_to(place(s + 1.0) - at).abs().to_degrees()).collect()
 }
 
-/// No line is longer than those that grow, and hardly a corner is sharp: what turns by more than 75° in two widths is at most a
-/// thirtieth of the great rivers of `flow`, and an eighth of those of `bend`, which wind more.
+/// No line is longer than those that grow, and hardly a corner is sharp: what turns by more than 75° in two widths is
+/// at most a thirtieth of the great rivers of `flow`, and an eighth of those of `bend`, which wind more.
 #[test]
 fn old_courses_are_neither_chords_nor_hooks() {
     for (model, most) in [("bend", 1.0 / 8.0), ("flow", 1.0 / 30.0)] {

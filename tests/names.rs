@@ -1,4 +1,5 @@
-//! Names: distinct within a map, the same whatever is trimmed or shaped, one's own kept, and none that breaks a file.
+//! Names are distinct within a map and the same whatever is trimmed or shaped; own names are kept, and none breaks a
+//! file.
 #![cfg(feature = "pack")]
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
@@ -14,7 +15,7 @@ use riverseed::recipe::{Key, OwnNames, Recipe, link};
 use riverseed::{Session, export};
 use serde_json::Value;
 
-/// The names of rivers by their identities, with what kind each is.
+/// The names of rivers and their kinds, by the rivers' identities.
 fn rivers(session: &Session) -> BTreeMap<u32, (String, String)> {
     Names::of(session).rivers.into_iter().map(|river| (river.identity, (river.name, river.kind))).collect()
 }
@@ -163,7 +164,7 @@ fn a_reach_keeps_its_word_however_long_it_winds() {
     assert_eq!(own[identity], "The Old Man");
 }
 
-/// What both files hold of names.
+/// The names in both files.
 fn files(session: &Session) -> (Value, Value) {
     let (mut geojson, mut json) = (Vec::new(), Vec::new());
     export::geojson::write(&mut geojson, session).unwrap();
@@ -195,7 +196,7 @@ fn hostile_names_break_no_file() {
         assert!(roxmltree::Document::parse(&svg).is_ok() && !svg.contains("<script"));
         assert_eq!(link::read(geojson["riverseed"].as_str().unwrap()).as_ref(), Ok(session.recipe()));
     }
-    // Ten thousand bytes, and what turns the direction of writing.
+    // Ten thousand bytes, and characters that change the direction of text.
     for long in ["x".repeat(10_000), format!("1.{}", "\u{202e}abc".repeat(2500))] {
         let (recipe, notices) = link::read_leniently(&format!("names={long}"));
         assert!(!notices.is_empty());

@@ -1,5 +1,5 @@
-//! What the network promises, on random networks of both growers: no two rivers cross, no tributary is ever detached, every
-//! river reaches its mouth, widths never shrink below a junction.
+//! Promises of the network, tried on random networks of all growers: no two rivers cross, no tributary is ever
+//! detached, every river reaches its mouth, and widths never shrink below a junction.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 mod common;
@@ -35,7 +35,8 @@ fn shaped(recipe: &Recipe) -> Meander {
     shaping.meander().unwrap().clone()
 }
 
-/// Two segments with no end in common never meet. A sweep from west to east, with nothing of the guard's.
+/// Checks that two segments without a common end never meet, by a sweep from west to east that shares nothing with the
+/// guard.
 fn check_no_crossing(network: &Network, when: &str) {
     let downstream = network.downstream();
     let at = |i: u32| network.vertices[i as usize].at;
@@ -169,7 +170,8 @@ proptest! {
     }
 }
 
-/// No segment crosses a ridge, or runs farther into the sea than its own line is wide: cells along the coast reach over it.
+/// No segment crosses a ridge, or runs farther into the sea than its own line is wide: cells along the coast reach over
+/// it.
 fn check_land(network: &Network, land: &Land, when: &str) {
     const OVER_THE_COAST: f32 = 4.0;
     let ridges: Vec<&[Vec2]> = land.ridges().iter().flat_map(|ridge| ridge.windows(2)).collect();
@@ -205,7 +207,7 @@ proptest! {
     }
 }
 
-/// Looks at a network in its first rounds, in every so manieth, and in its last.
+/// Checks a network in its first rounds, in every `every`th round and in the last.
 fn check_network(link: &str, every: u32) {
     let mut meander = shaped(&link::read(link).unwrap());
     let size = meander.settings().domain.size;

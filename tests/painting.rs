@@ -208,7 +208,8 @@ fn past_courses_have_a_colour_each_and_without_any_the_map_is_plain() {
     assert!(count(&pixels("great-rivers=0&meander-rounds=9"), RIVER) > 1000);
 }
 
-/// Each style after another that shows the same relief, on land with a coast and without; and growing again from the start.
+/// Each style after another that shows the same relief, on land with a coast and without; and growing again from the
+/// start.
 #[test]
 fn changing_the_style_of_a_finished_map_gives_the_picture_of_a_fresh_one() {
     for land in ["island", "rectangle"] {
@@ -233,13 +234,15 @@ fn changing_the_style_of_a_finished_map_gives_the_picture_of_a_fresh_one() {
     }
 }
 
-/// What changes of a finished map's picture from one recipe to the next, and after how many parts that picture is given up for another.
+/// A change of a finished map's picture from one recipe to the next, and the number of parts after which that picture
+/// is abandoned for another.
 type Change = (usize, u32, bool, u32);
 
 proptest! {
     #![proptest_config(cases(12))]
 
-    /// Whatever is kept of a relief, of rivers and of ground, and wherever painting is broken off.
+    /// The picture is that of a fresh one whatever is kept of a relief, of rivers and of ground, and wherever painting
+    /// is broken off.
     #[test]
     fn a_picture_painted_in_parts_is_that_of_a_fresh_one(
         changes in prop::collection::vec((0..Style::ALL.len(), 0u32..3, any::<bool>(), 0u32..40), 2..9), has_coast in any::<bool>(),

@@ -8,7 +8,7 @@ use riverseed::recipe::preset::{PRESETS, Preset};
 use riverseed::recipe::{Key, Recipe, link, table::TABLE};
 use riverseed::tree::Hydrology;
 
-/// What a preset leaves to its user: the land, its mouths, how fine the network is, and how it looks.
+/// The keys that a preset leaves to its user: the land, its mouths, the fineness of the network, and its looks.
 const LEFT: [Key; 20] = [
     Key::Seed,
     Key::Edition,

@@ -100,7 +100,8 @@ fn check_heights(rasters: &Rasters) {
     }
 }
 
-/// By how many metres a river's cell stands above the lowest bank that water would leave it over: one that does not touch its next cell.
+/// The height in metres by which a river's cell stands above the lowest bank that water would leave it over: one that
+/// does not touch its next cell.
 fn dam(rasters: &Rasters, cell: usize) -> f32 {
     let heights = rasters.relief().heights();
     let place = |cell: usize| Vec2::new((cell % rasters.columns) as f32, (cell / rasters.columns) as f32);
@@ -161,7 +162,7 @@ fn water_runs_to_the_sea_on_usual_maps() {
     }
 }
 
-/// How far a point lies from a segment.
+/// The distance of a point from a segment.
 fn distance(point: Vec2, from: Vec2, to: Vec2) -> f32 {
     let way = to - from;
     let share = (point - from).dot(way) / way.length_squared().max(f32::MIN_POSITIVE);

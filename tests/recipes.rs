@@ -1,4 +1,4 @@
-//! Recipes come from strangers: whatever the text, reading it ends, and what it gives is in range.
+//! Recipes come from strangers: reading any text ends, and its result is in range.
 #![cfg(feature = "json")]
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
@@ -16,7 +16,7 @@ fn assert_in_range(recipe: &Recipe) {
     }
 }
 
-/// Text that looks like a link, nearly.
+/// Text that almost looks like a link.
 fn mangled_link() -> impl Strategy<Value = String> {
     let names: Vec<&str> = TABLE.iter().map(|parameter| parameter.name).chain(["preset", "depth", ""]).collect();
     let presets = preset::PRESETS.iter().map(|preset| preset.name);
@@ -55,7 +55,8 @@ fn as_json(recipe: &Recipe) -> String {
     serde_json::to_string(&riverseed::export::json::recipe(recipe)).unwrap()
 }
 
-/// Leniently, text becomes a recipe in range; strictly, the same one, or it is refused and something was said of it.
+/// Checks that text becomes a recipe in range when read leniently, and strictly the same one or a refusal that lenient
+/// reading reports.
 fn check_link(text: &str) {
     let (recipe, notices) = link::read_leniently(text);
     assert_in_range(&recipe);
@@ -88,7 +89,7 @@ proptest! {
     }
 }
 
-/// Whether what is said of a refused JSON recipe names one of its members, or the place where it is no JSON.
+/// Returns `true` if the error of a refused JSON recipe names one of its members, or the place where it is not JSON.
 fn names_what_is_wrong(error: &RecipeError, text: &str) -> bool {
     let said = error.to_string();
     let is_named = |name: &str| {
@@ -100,10 +101,10 @@ fn names_what_is_wrong(error: &RecipeError, text: &str) -> bool {
     is_placed || is_of_preset || JSON_NAMES.into_iter().chain(TABLE.iter().map(|row| row.name)).any(is_named)
 }
 
-/// Names in JSON that are no parameter's.
+/// Names in JSON that are not those of parameters.
 const JSON_NAMES: [&str; 4] = ["preset", "recipe", "nodes", "x"];
 
-/// Text that looks like a JSON recipe, nearly.
+/// Text that almost looks like a JSON recipe.
 fn mangled_json() -> impl Strategy<Value = String> {
     let names: Vec<&str> = TABLE.iter().map(|parameter| parameter.name).chain(JSON_NAMES).collect();
     let words = [

@@ -1,4 +1,4 @@
-//! Relief: every river falls, every drop of water finds the sea, and nothing else disturbs it.
+//! Relief: every river falls, all water finds the sea, and nothing else affects it.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 mod common;
@@ -41,7 +41,7 @@ fn around(relief: &Relief, cell: usize) -> Vec<usize> {
         .collect()
 }
 
-/// Whether the sea lies beyond the border of a cell at it.
+/// Returns `true` if the sea lies beyond the border of the map at a cell.
 fn leaves_the_map(session: &Session, relief: &Relief, cell: usize) -> bool {
     let sides = session.recipe().sides(Key::Sides);
     let (column, row) = (cell % relief.columns(), cell / relief.columns());
@@ -80,8 +80,8 @@ fn cells_of(relief: &Relief, course: &[Vec2]) -> Vec<usize> {
     cells
 }
 
-/// Where rivers do not fall from one cell of their paths to a later one, counted. Cells that are passed more than once are left out:
-/// there the lower river counts.
+/// The number of places where rivers do not fall from one cell of their paths to a later one. Cells that are passed
+/// more than once are left out, since the lower river counts there.
 fn climbs(session: &Session, relief: &Relief) -> usize {
     let network = session.network().unwrap();
     let course = |river| network.course(river).map(|vertex| vertex.at).collect::<Vec<_>>();
@@ -123,7 +123,7 @@ fn no_land_of_usual_maps_is_a_pit() {
     }
 }
 
-/// The relief of a session on a finer grid, with so many cells on the longer side.
+/// The relief of a session on a finer grid, with a number of cells on the longer side.
 #[cfg(feature = "files")]
 fn finer(session: &Session, cells: u32) -> Relief {
     let mut settings = session.relief_settings();
@@ -181,7 +181,8 @@ fn finer_grids_keep_the_heights_of_rivers_and_the_shape_of_the_land() {
         let network = session.network().unwrap();
         let rivers = network.vertices.iter().filter(|vertex| own.at(vertex.at) > 0.0);
         let off: Vec<f32> = rivers.map(|vertex| (finer.at(vertex.at) - own.at(vertex.at)).abs() / highest).collect();
-        // Within the fall of a cell or two, rivers having no stairs of cells here; lower where they would stand on dams.
+        // Within the fall of a cell or two, rivers having no stairs of cells here; lower where they would stand on
+        // dams.
         let (half, one) = (share_above(&off, 0.005), share_above(&off, 0.01));
         assert!(
             off.len() > 1000 && half < 0.05 && one < 0.005 && share_above(&off, 0.03) == 0.0,

@@ -1,5 +1,5 @@
-//! What woods and hills promise: off the water, by true banks and exactly; off letters and the coast; trees that stay where they are whatever
-//! moves around them; and the same picture however it is painted.
+//! Promises of woods and hills: they keep off the water, measured exactly from the true banks, and off letters and the
+//! coast; trees stay where they are whatever moves around them; and the picture is the same however it is painted.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 #![cfg(feature = "names")]
 
@@ -22,14 +22,14 @@ use riverseed::recipe::link;
 use riverseed::river_map::RiverMap;
 use riverseed::{Key, Picture, Session, labels, scenery};
 
-/// A session whose rivers are finished.
+/// Finishes the rivers of a link.
 fn finished(link: &str) -> Session {
     let mut session = Session::new(link::read(link).unwrap()).unwrap();
     session.finish().unwrap();
     session
 }
 
-/// The same with other values of some parameters.
+/// Finishes the rivers of a link with other values of some parameters.
 fn finished_with(link: &str, more: &[(Key, &str)]) -> Session {
     let mut recipe = link::read(link).unwrap();
     more.iter().for_each(|(key, text)| recipe.set(*key, text).unwrap());
@@ -38,7 +38,7 @@ fn finished_with(link: &str, more: &[(Key, &str)]) -> Session {
     session
 }
 
-/// What stands on a map, and what it is placed by, on a picture so many pixels wide.
+/// The scenery of a map on a picture `width` pixels wide, and the input that it is placed by.
 fn placed(session: &Session, width: f32) -> (Vec<Standing>, SceneryInput<'_>) {
     let size = session.domain().size;
     let map = RiverMap::of(session).unwrap();
@@ -71,7 +71,7 @@ fn shapes(one: &Standing) -> (geo::Polygon<f64>, Vec<geo::LineString<f64>>) {
     (geo::Polygon::new(line(&shape.silhouette, one), vec![]), strokes)
 }
 
-/// How far a glyph is from the banks of some lines, by discs along those.
+/// The distance of a glyph from the banks of some lines, measured by discs along them.
 fn clearance(one: &Standing, lines: &[&[Place]]) -> f64 {
     let (silhouette, strokes) = shapes(one);
     let mut nearest = f64::MAX;
@@ -84,7 +84,7 @@ fn clearance(one: &Standing, lines: &[&[Place]]) -> f64 {
     nearest
 }
 
-/// The discs that some lines are made of, so dense that they leave out next to nothing, as far as they come near.
+/// The discs along some lines near a place, so dense that hardly anything is left out.
 fn discs_near(at: Vec2, reach: f32, lines: &[&[Place]]) -> Vec<Place> {
     const DISCS: u32 = 16;
     let is_near = |pair: &&[Place]| {
@@ -196,7 +196,8 @@ proptest! {
     }
 }
 
-/// What becomes of a finished map: woods and hills in tenths, the style, and after how many parts its picture is given up for another.
+/// A change of a finished map: woods and hills in tenths, the style, and the number of parts after which its picture is
+/// abandoned for another.
 type Change = (u32, u32, &'static str, u32);
 
 proptest! {

@@ -1,9 +1,9 @@
-//! The JSON Schema of a network's JSON form: what it says of recipes is the table of parameters, what `docs/files.md` says of
-//! the form is what it says. That networks are valid is a test of the page's (`www/tests/unit/schema.test.ts`), where a validator costs
-//! little.
+//! The JSON Schema of a network's JSON form. Its part on recipes follows the table of parameters, and the description
+//! in `docs/files.md` follows the schema. A test of the page (`www/tests/unit/schema.test.ts`), where a validator costs
+//! little, checks that networks are valid.
 //!
-//! `RIVERSEED_REFRESH=1 cargo test --all-features --test schema` writes the schema's part about recipes and the page's table again,
-//! and then fails.
+//! `RIVERSEED_REFRESH=1 cargo test --all-features --test schema` writes the schema's part about recipes and the page's
+//! table again, and then fails.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 #![cfg(feature = "pack")]
 
@@ -16,7 +16,7 @@ use serde_json::{Map, Value, json};
 const SCHEMA: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/src/export/network.schema.json");
 const PAGE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/files.md");
 
-/// Who holds this reads or writes the files alone: a refresh writes what the other test reads.
+/// Guards the files: a refresh in one test writes what the other reads.
 static FILES: Mutex<()> = Mutex::new(());
 
 fn files() -> MutexGuard<'static, ()> {
@@ -27,7 +27,7 @@ fn schema() -> Value {
     serde_json::from_str(&fs::read_to_string(SCHEMA).unwrap()).unwrap()
 }
 
-/// What the table of parameters says of recipes, as a schema.
+/// The schema of recipes, from the table of parameters.
 fn recipe_schema() -> Value {
     let row = |parameter: &Parameter| {
         let mut row = json!({ "description": parameter.help });
@@ -71,7 +71,7 @@ fn the_schema_s_recipe_is_the_table_of_parameters() {
     );
 }
 
-/// What the page says of a member: its description, then its own members, each with what it holds.
+/// The description of a member for the page, then those of its members.
 fn told(member: &Value) -> String {
     let description = member["description"].as_str().unwrap();
     let own = if member["type"] == "array" { &member["items"]["properties"] } else { &member["properties"] };

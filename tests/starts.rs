@@ -1,4 +1,5 @@
-//! What drawn rivers promise: every river starts where one is drawn, and a drawn course is the trunk of a river, whatever grows.
+//! Promises of drawn rivers: every river starts where one is drawn, and a drawn course is the trunk of a river,
+//! whatever grows.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 mod common;
@@ -30,7 +31,7 @@ fn roots(tree: &Tree) -> impl Iterator<Item = Vec2> {
     (0..tree.len()).filter(|&node| tree.parent_of(node).is_none()).map(|node| tree.at[node])
 }
 
-/// How far from where it is drawn a mouth may lie: nowhere else; in a cell of water beside it; or at an outlet of its land.
+/// Checks the position of a mouth: where it is drawn, in a cell of water beside it, or at an outlet of its land.
 fn is_at(growth: &Growth, root: Vec2, start: &Start) -> bool {
     let away = root.distance(start.mouth.at);
     match growth.settings().method {
@@ -62,7 +63,7 @@ proptest! {
     }
 }
 
-/// How far along a course the place nearest to a point lies, and how far from it the point, in units.
+/// The position along a course of the point nearest to a place, and the distance between the two, in units.
 fn along(course: &[Vec2], point: Vec2) -> (f32, f32) {
     let mut passed = 0.0;
     let pieces = course.windows(2).map(|pair| {
@@ -74,8 +75,8 @@ fn along(course: &[Vec2], point: Vec2) -> (f32, f32) {
     pieces.min_by(|a, b| a.1.total_cmp(&b.1)).unwrap()
 }
 
-/// How far from a course its river may lie, and how far it may fall short of its ends: a piece; the cells by which it cuts corners; or
-/// the distance to the next parcel, and where edges are broken to the one after it.
+/// The distance that a river may keep from its course, and from the ends of it: a piece; the cells by which it cuts
+/// corners; or the distance to the next parcel, and where edges are broken to the one after it.
 fn strays(settings: &GrowthSettings) -> f32 {
     match settings.method {
         GrowthMethod::Colonize => settings.step,

@@ -1,9 +1,10 @@
-//! Statistics of networks, as medians over eight fixed seeds at 20,000 attractors: drainage, and space colonization along valleys, are like
-//! nature's basins, and free of what eyes dislike in a map of the paper's space colonization.
+//! Statistics of networks, as medians over eight fixed seeds at 20,000 attractors. Drainage, and space colonization
+//! along valleys, resemble nature's basins and lack the features that people dislike in a map of the paper's space
+//! colonization.
 //!
-//! Nature's values are those of single basins, so a single basin is what is measured: a rectangle with one mouth. A map with several
-//! coasts has many small basins, of too few orders for the ratios to say much; `cargo test --test statistics -- --nocapture` prints them for
-//! such lands too, by the test of what eyes dislike.
+//! Nature's values are those of single basins, so a single basin is measured: a rectangle with one mouth. A map with
+//! several coasts has many small basins, of too few orders for meaningful ratios. `cargo test --test statistics --
+//! --nocapture` prints them for such lands too, in the test of disliked features.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use std::ops::RangeInclusive;
@@ -32,14 +33,14 @@ fn of_seeds<T>(link: &str, measure: impl Fn(Session) -> T) -> Vec<T> {
     (0..8).map(|seed| measure(session(seed))).collect()
 }
 
-/// The mean of the two in the middle of eight; what is too small to be measured is none of them.
+/// The mean of the two middle values of eight. Networks that are too small to be measured are left out.
 fn median(values: impl Iterator<Item = Option<f64>>) -> Option<f64> {
     let mut values: Vec<f64> = values.flatten().collect();
     values.sort_by(f64::total_cmp);
     (values.len() == 8).then(|| (values[3] + values[4]) / 2.0)
 }
 
-/// Of one basin, trimmed so: R_B, R_L, T_1, c and Hack's exponent, each the median of eight.
+/// Measures of a basin trimmed by a number of nodes: R_B, R_L, T_1, c and Hack's exponent, each the median of eight.
 fn ratios_of_a_basin(grower: &str, nodes: u32) -> [Option<f64>; 5] {
     let rows = of_seeds(&format!("land=rectangle&mouths=1&{grower}"), |mut session| {
         while session.growth().ending().is_none() {

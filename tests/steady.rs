@@ -1,5 +1,6 @@
-//! Sliders that keep the map: a notch more sea, rougher coasts or a few more parcels or attractors, and the greater rivers of drainage, and of
-//! space colonization that follows valleys, stay where they are. Medians over eight fixed seeds; `cargo test --test steady -- --nocapture` prints them.
+//! Sliders that keep the map: after a small change (more sea, rougher coasts, or a few more parcels or attractors), the
+//! greater rivers of drainage, and of space colonization along valleys, stay where they are. Medians over eight fixed
+//! seeds; `cargo test --test steady -- --nocapture` prints them.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use std::collections::BTreeMap;
@@ -11,7 +12,8 @@ use riverseed::recipe::link;
 use riverseed::session::Session;
 use riverseed::{Key, Recipe};
 
-/// The table's defaults, written out as they were when these bars were set. Courses are what growth and shaping make: no meanders.
+/// The table's defaults, written out as they were when these bars were set. Courses are what growth and shaping make:
+/// no meanders.
 const DEFAULTS: &str = "attractors=12000&aspect=1.6&roughness=1&mouths=0&mouth-spacing=0&shores=nesw&sides=s&scatter=random&reach=2.3\
                         &kill=1.1&step=0.38&momentum=0&curl=0.7&stretch=8&valley-spacing=32&concavity=0.5&captures=5&hardness=0.5\
                         &hardness-scale=36&bending=2&channel-area=8&trim=7&simplify=60&width=16&meander=none";
@@ -69,7 +71,8 @@ fn points(network: &Network, every: f32) -> Vec<Vec2> {
     points
 }
 
-/// How much is kept of the greater rivers of a link, as medians over eight seeds: after each notch, and of another seed.
+/// The kept share of the greater rivers of a link, as medians over eight seeds: after each small change, and for
+/// another seed.
 fn kept(link: &str) -> Vec<f64> {
     let of_seed = |seed: u32| {
         let recipe = |seed: u32| link::read(&format!("seed=s{seed}&{DEFAULTS}&{link}")).unwrap();
@@ -103,7 +106,8 @@ fn told(link: &str, kept: &[f64]) -> String {
 #[test]
 fn notches_of_a_slider_keep_the_greater_rivers() {
     for land in ["land=island&sea=0.6", "land=continent&sea=0.3"] {
-        // For comparison: there is no bar for space colonization without valleys, whose fronts meet elsewhere after any change.
+        // For comparison: there is no bar for space colonization without valleys, whose fronts meet elsewhere after any
+        // change.
         let colonized = kept(&format!("{land}&growth=colonize&valleys=0"));
         for grower in ["growth=drainage&valleys=0", "growth=drainage&valleys=0.2", "growth=colonize&valleys=0.2"] {
             let link = format!("{land}&{grower}");

@@ -1,4 +1,4 @@
-//! Back and forth through the making of a map: the same pictures as on the way.
+//! Moving back and forth through the making of a map shows the same pictures as on the way.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use riverseed::picture::Picture;

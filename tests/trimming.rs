@@ -107,7 +107,7 @@ fn trimming_takes_most_short_branches() {
     assert!(counts.is_sorted_by(|a, b| a > b), "{counts:?}");
 }
 
-/// A tree, and what of it the recipe trims.
+/// A tree, and the trimming by its recipe.
 fn grown_and_threshold(link: &str) -> (Tree, Trim) {
     let recipe = link::read(&plain(link)).unwrap();
     let mut growth = Growth::new(GrowthSettings::of(&recipe)).unwrap();

@@ -1,4 +1,5 @@
-//! How much work a step of a session is at most, whatever the recipe, in elementary steps: what keeps a page from freezing.
+//! The greatest work of a session's step, whatever the recipe, in elementary steps: the bound that keeps a page from
+//! freezing.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 #[path = "common/lands.rs"]
@@ -21,7 +22,7 @@ fn coasts(seed: &str, lines: u32, points: u32) -> String {
     (0..lines).map(|_| format!(".{}", line())).collect()
 }
 
-/// The most elementary steps that a step of a session takes, by phase.
+/// The greatest number of elementary steps in a step of a session, by phase.
 #[derive(Default)]
 struct Most(BTreeMap<String, u64>);
 
@@ -45,7 +46,7 @@ impl Most {
         while self.count(&format!("{:?}", session.phase()), || session.advance(1).unwrap()) {}
     }
 
-    /// No call took more than the bound.
+    /// Checks that no call took more than the bound.
     fn check(&self, session: &Session) {
         let bound = bound(session);
         for (phase, most) in &self.0 {
@@ -55,8 +56,8 @@ impl Most {
     }
 }
 
-/// What a step may take at most: a map of land is a million cells and more, whatever grows on it; and rivers meander the longer
-/// the more of them there are, by attractors or by cells of a Brownian tree.
+/// The bound for a step. A map of land is a million cells and more, whatever grows on it, and meandering takes longer
+/// the more rivers there are, by attractors or by cells of a Brownian tree.
 fn bound(session: &Session) -> u64 {
     8_000_000 + 250 * u64::from(session.growth().total_discharge())
 }
@@ -69,8 +70,8 @@ fn check(recipe: &str) {
     most.check(&session);
 }
 
-/// A mouth more was searched for among fifty thousand places, all of them again for each, in a single tick: over 100 million
-/// elementary steps, and as much for the next.
+/// A mouth more was searched for among fifty thousand places, all of them again for each, in a single tick: over 100
+/// million elementary steps, and as much for the next.
 #[test]
 fn no_drawn_coast_of_random_points_holds_a_tick() {
     for (seed, lines) in [("a", 1), ("b", 1), ("c", 8)] {
@@ -124,7 +125,8 @@ fn parcels_of_little_land_are_laid_out_with_little_work() {
     }
 }
 
-/// However many parcels there are, a tick settles some thousand of them; what begins and ends a round looks at each once.
+/// However many parcels there are, a tick settles some thousand of them; what begins and ends a round looks at each
+/// once.
 #[test]
 fn a_tick_of_drainage_is_a_small_part_of_a_round() {
     const RECIPE: &str = "growth=drainage&land=rectangle&attractors=300000&valleys=0.5&captures=2&bending=0";
@@ -174,8 +176,8 @@ fn no_land_holds_a_step_however_its_rivers_grow_and_meander() {
     }
 }
 
-/// However many rivers there are, however wide, straight or winding: each step of their relief is a small part of it. The worst for
-/// valleys are wide rivers with many vertices; for ridges, many long ones.
+/// However many rivers there are, however wide, straight or winding: each step of their relief is a small part of it.
+/// The worst for valleys are wide rivers with many vertices; for ridges, many long ones.
 #[test]
 fn no_relief_holds_a_step() {
     let ridges = coasts("e", 1, 200).replacen('.', "..", 1);
@@ -209,8 +211,8 @@ fn no_relief_holds_a_step() {
     }
 }
 
-/// A change of how rivers are shaped made all steps up to the first round of meandering in one call. Now it makes none, and a
-/// change of land or growth only plants.
+/// A change of how rivers are shaped made all steps up to the first round of meandering in one call. Now it makes none,
+/// and a change of land or growth only plants.
 #[test]
 fn no_change_holds_a_page() {
     for growth in ["colonize&step=0.5", "drainage&channel-area=2"] {

@@ -1,5 +1,5 @@
-//! What can go wrong, as the exceptions of Python: a recipe or an option that is no good is a `ValueError`, too little memory a
-//! `MemoryError`. The words are the library's own, which name the key, the value and what is allowed.
+//! Errors as exceptions of Python: a wrong recipe or option is a `ValueError`, too little memory a `MemoryError`. The
+//! messages are the library's, which name the key, the value and what is allowed.
 
 use std::io;
 
@@ -13,7 +13,7 @@ use riverseed::recipe::RecipeError;
 use riverseed::relief::ReliefError;
 use riverseed::session::SessionError;
 
-/// Why there is no map.
+/// The reason why there is no map.
 pub enum Failure {
     /// The recipe or an option is refused.
     Refused(String),
@@ -23,11 +23,11 @@ pub enum Failure {
     Other(String),
 }
 
-/// What a function of the library returned.
+/// The result of a function of the library.
 pub type Done<T> = Result<T, Failure>;
 
 impl Failure {
-    /// The same, of this option.
+    /// Names an option in the error.
     pub fn of_option(self, option: &str) -> Self {
         match self {
             Self::Refused(message) => Self::Refused(format!("{option}: {message}")),
@@ -87,7 +87,7 @@ impl From<ExportError> for Failure {
     }
 }
 
-/// Writing to memory fails for the library's own reasons only.
+/// Writing to memory fails only for the library's own reasons.
 impl From<io::Error> for Failure {
     fn from(error: io::Error) -> Self {
         match error.get_ref().and_then(|inner| inner.downcast_ref::<ExportError>()) {

@@ -1,4 +1,4 @@
-//! A map as the bytes of a file, those that the command line writes.
+//! A map as the bytes of a file, the same as the command line writes.
 
 use std::io::{self, Write};
 
@@ -12,7 +12,7 @@ use crate::failure::{Done, Failure};
 use crate::map::Map;
 use crate::relief::rasters;
 
-/// What decides a file besides its map.
+/// The options of a file, besides its map.
 pub struct Options {
     form: Form,
     size: u32,
@@ -22,10 +22,10 @@ pub struct Options {
 }
 
 impl Options {
-    /// The longer side of a picture in pixels, unless another is asked for: that of the command line.
+    /// The default length of a picture's longer side in pixels, as on the command line.
     const SIZE: u32 = 1200;
 
-    /// Reads the options of a file, and refuses those that its form has no use for.
+    /// Reads the options of a file, and refuses those that do not apply to its form.
     pub fn read(
         form: &str,
         size: Option<u32>,
@@ -61,7 +61,7 @@ pub fn forms() -> Vec<&'static str> {
     Form::all().map(Form::name).collect()
 }
 
-/// Lists the rasters of which each can be a file.
+/// Lists the rasters that can be written to a file.
 pub fn layers() -> Vec<&'static str> {
     Layer::ALL.map(Layer::name).to_vec()
 }
@@ -106,7 +106,7 @@ fn raster(rasters: &Rasters, layer: Layer) -> Done<Vec<u8>> {
     written(|out| Ok(png::write_raster(out, rasters, layer).map_err(io::Error::from)?))
 }
 
-/// Writes text, which ends with a line as files do.
+/// Writes text that ends with a line break, as files do.
 fn write_text(out: &mut Vec<u8>, session: &Session, options: &Options) -> Done<()> {
     match options.form {
         Form::Svg if options.has_svg_text => out.write_all(svg::svg_with_text(session)?.as_bytes())?,

@@ -1,6 +1,7 @@
-//! What Python asks of Riverseed: a recipe in, a map out, and its files and arrays. `riverseed/__init__.py` is the face there.
+//! The compiled part of the Python package: takes a recipe and returns a map, its files and its arrays.
+//! `riverseed/__init__.py` is the public face.
 //!
-//! Everything long runs without the interpreter's lock, in steps between which signals are heard ([`steps`]).
+//! Long work runs without the interpreter's lock, in steps between which signals are handled ([`steps`]).
 
 mod arrays;
 mod failure;

@@ -1,4 +1,5 @@
-//! The rivers of a map: the columns of the JSON form as arrays. A list of the library becomes an array as it is, without a copy.
+//! The rivers of a map: the columns of the JSON form as arrays. A list of the library becomes an array as it is,
+//! without a copy.
 
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -14,7 +15,7 @@ use crate::map::Map;
 /// Points and offsets as their lists grow, and the columns of a river, which has several vertices.
 const BYTES_A_VERTEX: usize = 48;
 
-/// Measures the network; None for what it is too small for.
+/// Measures the network; None for measures that it is too small for.
 pub fn measures<'py>(py: Python<'py>, map: &Map) -> PyResult<Bound<'py, PyDict>> {
     let measured = map.read(py, |session| Ok(Measures::of(session)))?;
     let dict = PyDict::new(py);

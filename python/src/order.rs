@@ -1,4 +1,4 @@
-//! What a call asks for: a link, and parameters over it.
+//! The arguments of a call: a link, and parameters that override it.
 
 use riverseed::recipe::{Recipe, link};
 

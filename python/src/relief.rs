@@ -39,7 +39,7 @@ pub fn cells<'py>(py: Python<'py>, map: &Map, raster_size: Option<u32>) -> PyRes
     Ok(fields)
 }
 
-/// What is known of each cell, row by row.
+/// The columns of a map's cells, row by row.
 struct Columns {
     heights: Vec<f32>,
     widths: Vec<f32>,

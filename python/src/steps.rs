@@ -1,5 +1,5 @@
-//! Long work, step by step: without the interpreter's lock, so that other threads go on, and with an ear for signals, so that a person
-//! who presses Ctrl+C is heard.
+//! Long work in steps. It runs without the interpreter's lock, so that other threads go on, and handles signals between
+//! steps, so that Ctrl+C takes effect.
 
 use std::time::Duration;
 #[expect(clippy::disallowed_types, reason = "how long a person waits to be heard; no step depends on it")]
@@ -9,13 +9,13 @@ use pyo3::prelude::*;
 
 use crate::failure::Done;
 
-/// How long signals wait at most, but for a step that takes longer.
+/// The greatest time that signals wait, apart from steps that take longer.
 const MOMENT: Duration = Duration::from_millis(50);
 
-/// Makes step after step until one says that there is no more to do.
+/// Runs step after step until one returns that there is no more to do.
 ///
 /// # Errors
-/// That of a step, or of the handler of a signal, `KeyboardInterrupt` for one.
+/// Returns the error of a step, or that of a signal's handler, such as `KeyboardInterrupt`.
 pub fn run(py: Python<'_>, mut step: impl FnMut() -> Done<bool> + Send) -> PyResult<()> {
     while py.detach(|| goes_on_after_a_moment(&mut step))? {
         py.check_signals()?;

@@ -75,13 +75,13 @@ choices! {
         Basin = "basin", "around a lake";
         /// The whole domain, with the sea beyond its sides.
         Rectangle = "rectangle", "the whole rectangle";
-        /// What a person drew: the recipe's outline.
+        /// A hand-drawn land: the recipe's outline.
         Drawn = "drawn", "drawn by hand";
     }
 
     /// A method of growing a tree of rivers.
     GrowthMethod of Growth {
-        /// Drainage: water goes where it costs least, and the more there is of it the less it costs.
+        /// Drainage: water takes the cheapest way, and the more there is of it, the less it costs.
         Drainage = "drainage", "drainage";
         /// Space colonization: attractors draw rivers on.
         Colonize = "colonize", "space colonization";
@@ -109,7 +109,7 @@ choices! {
     MeanderModel of Meander {
         /// Each bend moves outward and downstream by its own curvature (Hodgin, Dragons Abound).
         Bend = "bend", "bends grow outward";
-        /// By the curvature upstream of it, too (Howard and Knutson 1984): bends skew and travel.
+        /// Each bend also moves by the curvature upstream (Howard and Knutson 1984): bends skew and travel.
         Flow = "flow", "bends skew and travel";
         /// Not at all.
         None = "none", "none";

@@ -1,4 +1,4 @@
-//! What calls there are, and what each may be given.
+//! The commands and their arguments.
 
 use std::ffi::OsString;
 use std::path::PathBuf;
@@ -37,7 +37,7 @@ fn render_command() -> Command {
                 .value_name("OUT")
                 .required(true)
                 .action(ArgAction::Append)
-                .help("A file to write; its ending says what: .png, .svg, .geojson, .json, .zip for all that games need, or one raster of that: .heights.png, .land.png, .rivers.png, .flow.png, .basins.png; or - for JSON, a line a map, on standard output. May be given again: a map is grown once for all of its files")
+                .help("A file to write, in the form of its ending: .png, .svg, .geojson, .json, .zip (a game pack), or a raster of it: .heights.png, .land.png, .rivers.png, .flow.png, .basins.png; or - for JSON on standard output, one line per map. Repeat the option for several files: each map is grown only once")
                 .value_parser(value_parser!(PathBuf)),
         )
         .arg(
@@ -52,27 +52,27 @@ fn render_command() -> Command {
             Arg::new("raster-size")
                 .long("raster-size")
                 .value_name("PIXELS")
-                .help("The longer side of rasters, alone or in a ZIP: at most 4096; at least, and by default, a pixel for 2 units of the map, which is 500 on a square map")
+                .help("The longer side of rasters, alone or in a ZIP, up to 4096. The minimum and default is one pixel for 2 units of the map: 500 on a square map")
                 .value_parser(value_parser!(u32)),
         )
         .arg(
             Arg::new("ratio")
                 .long("ratio")
                 .value_name("RATIO")
-                .help("Pixels of the screen to a CSS pixel, from 0.5 to 4 in quarters: letters in a PNG are at least 11 CSS pixels large [default: 1]")
+                .help("Device pixels per CSS pixel, from 0.5 to 4 in quarters. Letters in a PNG are never smaller than 11 CSS pixels [default: 1]")
                 .value_parser(ratio),
         )
         .arg(
             Arg::new("svg-text")
                 .long("svg-text")
                 .action(ArgAction::SetTrue)
-                .help("Write labels in SVG as text on paths, for readers that have EB Garamond, and not as outlines"),
+                .help("Write labels in SVG as text on paths instead of outlines, for readers that have EB Garamond"),
         )
         .args(batch_arguments())
         .args(TABLE.iter().map(render_option))
 }
 
-/// The options of many maps in one call.
+/// The options for many maps in one call.
 fn batch_arguments() -> [Arg; 4] {
     let argument = |name: &'static str| Arg::new(name).long(name).help_heading("Many maps");
     let further = |name: &'static str| argument(name).requires("seeds");
@@ -80,33 +80,33 @@ fn batch_arguments() -> [Arg; 4] {
         argument("seeds")
             .value_name("FILE|FROM..TO")
             .conflicts_with(Key::Seed.parameter().name)
-            .help("Make a map of each seed: of each line of a file, of standard input (-), or of each number of a range, TO too. {seed} in the name of each OUT stands for the seed. Files that are there and whole are not made again")
+            .help("Render one map per seed: from the lines of a file, from standard input (-), or from an inclusive range. {seed} in each OUT stands for the seed. Complete files are skipped")
             .value_parser(value_parser!(OsString)),
         further("shard")
             .value_name("I/N")
-            .help("Make the I-th of N shares of the maps only, as one of N machines")
+            .help("Render only the I-th of N shares of the maps, as one of N machines")
             .value_parser(str::parse::<Shard>),
         further("threads")
             .value_name("N")
-            .help("How many maps are made at once [default: one for each core]")
+            .help("Number of maps rendered at a time [default: one per core]")
             .value_parser(threads),
-        further("again").action(ArgAction::SetTrue).help("Make files again that are there"),
+        further("again").action(ArgAction::SetTrue).help("Render files again even if they are complete"),
     ]
 }
 
 fn threads(text: &str) -> Result<usize, String> {
     let threads = text.parse().ok().filter(|threads| (1..=1024).contains(threads));
-    threads.ok_or_else(|| "it has to be from 1 to 1024".into())
+    threads.ok_or_else(|| "must be from 1 to 1024".into())
 }
 
 fn ratio(text: &str) -> Result<f32, String> {
     let ratio = text.parse::<f32>().ok().filter(|ratio| (0.5..=4.0).contains(ratio) && (ratio * 4.0).fract() == 0.0);
-    ratio.ok_or_else(|| "it has to be from 0.5 to 4, in quarters".into())
+    ratio.ok_or_else(|| "must be from 0.5 to 4, in quarters".into())
 }
 
 fn measure_command() -> Command {
     Command::new("measure")
-        .about("Prints what is measured of a recipe's rivers, and what nature has")
+        .about("Prints measures of a recipe's rivers, beside those of natural rivers")
         .after_help(MIXED)
         .args(recipe_arguments())
         .arg(Arg::new("json").long("json").action(ArgAction::SetTrue).help("Print JSON"))
@@ -115,14 +115,14 @@ fn measure_command() -> Command {
 
 fn names_command() -> Command {
     Command::new("names")
-        .about("Prints the names of a recipe's rivers, greatest first, and the marks by which 'names' gives others")
+        .about("Prints the names of a recipe's rivers, greatest first, with the marks for 'names'")
         .after_help(MIXED)
         .args(recipe_arguments())
         .args(TABLE.iter().map(option))
 }
 
-/// How a recipe is given.
-const MIXED: &str = "Link, file and options may be mixed; of values given twice the later wins.";
+/// The rule for a recipe that is given in several ways.
+const MIXED: &str = "Link, file and options may be mixed. If a value is given twice, the later one counts.";
 
 fn recipe_arguments() -> [Arg; 3] {
     [
@@ -130,7 +130,7 @@ fn recipe_arguments() -> [Arg; 3] {
         Arg::new("recipe")
             .long("recipe")
             .value_name("FILE")
-            .help("A JSON recipe, or a network that `riverseed render` wrote")
+            .help("A JSON recipe, or a network written by `riverseed render`")
             .value_parser(value_parser!(PathBuf)),
         Arg::new("preset").long("preset").value_name("NAME").help("A named set of values, read first"),
     ]
@@ -138,13 +138,13 @@ fn recipe_arguments() -> [Arg; 3] {
 
 fn outline_command() -> Command {
     Command::new("outline")
-        .about("Traces a PNG of a land, white on black, and prints the outline to give to a recipe")
-        .after_help("White is land, black or transparent is water, a third colour makes ridges.")
+        .about("Traces a PNG of a land, white on black, and prints its outline for a recipe")
+        .after_help("White is land, black or transparent is water, a third colour is a ridge.")
         .arg(
             Arg::new("image")
                 .value_name("IMAGE")
                 .required(true)
-                .help("A PNG, at most 4096 pixels a side")
+                .help("A PNG, up to 4096 pixels a side")
                 .value_parser(value_parser!(PathBuf)),
         )
         .arg(
@@ -158,21 +158,21 @@ fn outline_command() -> Command {
 
 fn verify_command() -> Command {
     Command::new("verify")
-        .about("Checks that this machine gives the same rivers and pixels as all others")
-        .after_help("Exit code 1, and the links that differ, if it does not.")
+        .about("Checks that this machine gives the same rivers and pixels as every other one")
+        .after_help("If it does not, prints the links that differ and exits with code 1.")
         .arg(
             Arg::new("digests")
                 .long("digests")
                 .value_name("FILE")
-                .help("Digests to compare with, other than those of this version: lines of a digest and a link")
+                .help("Digests to compare with instead of those of this version: lines of a digest and a link")
                 .value_parser(value_parser!(PathBuf)),
         )
 }
 
-/// The option of a parameter. That of the land takes a picture, too.
+/// The option of a parameter. `--land` also takes a picture.
 fn option(parameter: &'static Parameter) -> Arg {
     let help = match parameter.key {
-        Key::Land => format!("{} Or a PNG that is the land itself: white is land, black water.", parameter.help),
+        Key::Land => format!("{} Or a PNG of the land: white is land, black is water.", parameter.help),
         _ => parameter.help.into(),
     };
     Arg::new(parameter.name)
@@ -183,8 +183,8 @@ fn option(parameter: &'static Parameter) -> Arg {
         .help_heading("Parameters")
 }
 
-/// The same of `riverseed render`: `--attractors` alone asks for the attractors in JSON; with a number it sets how many. Both may be
-/// given.
+/// The option of a parameter for `riverseed render`. `--attractors` without a number asks for the attractors in JSON;
+/// with a number it sets how many there are. Both may be given.
 fn render_option(parameter: &'static Parameter) -> Arg {
     match parameter.key {
         Key::Attractors => option(parameter)

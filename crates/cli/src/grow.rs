@@ -1,4 +1,4 @@
-//! Growing, with a word about what did not come of it.
+//! Growth, with warnings about its shortfalls.
 
 use indicatif::{ProgressBar, ProgressStyle};
 use riverseed::recipe::{Key, LandKind, Recipe};
@@ -38,13 +38,13 @@ pub fn grow(order: Order, progress: &ProgressBar, say: Say<'_>) -> Result<Sessio
     Ok(session)
 }
 
-/// Whether a drawn land is asked for and nothing that could be land is drawn.
+/// Returns `true` if a drawn land is asked for, but nothing is drawn that could be land.
 fn is_undrawn(session: &Session) -> bool {
     let recipe = session.recipe();
     recipe.get::<LandKind>() == LandKind::Drawn && session.land().is_none() && recipe.rivers().is_empty()
 }
 
-/// A bar on standard error for long work; invisible where that is not a terminal.
+/// A progress bar on standard error for long work; invisible if that is not a terminal.
 pub fn progress(recipe: &Recipe, size: u32) -> ProgressBar {
     const LONG_GROWTH: u32 = 200_000;
     const LONG_PAINTING: u32 = 4096;

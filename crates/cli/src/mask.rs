@@ -1,4 +1,4 @@
-//! `--land map.png`: a picture that is the land itself. Links have room for its outline only.
+//! `--land map.png`: a picture that is the land itself. Links only have room for its outline.
 
 use std::path::Path;
 
@@ -13,18 +13,18 @@ use super::order::Order;
 use super::outline::{read_picture, say_if_longer};
 use super::{Failure, say};
 
-/// Whether a value of `--land` is the path of a picture, and not a kind of land.
+/// Returns `true` if a value of `--land` is the path of a picture, and not a kind of land.
 pub fn is_picture(value: &str) -> bool {
     Path::new(value).extension().is_some_and(|ending| ending.eq_ignore_ascii_case("png"))
 }
 
-/// The picture that `--land` names, if it names one.
+/// The path of the picture that `--land` names, if it names one.
 pub fn path(matches: &ArgMatches) -> Option<&Path> {
     let value = matches.get_one::<String>(Key::Land.parameter().name)?;
     is_picture(value).then(|| Path::new(value))
 }
 
-/// The recipe on the land of a picture: drawn land, of the picture's aspect, with its outline for links.
+/// Makes the recipe for the land in a picture: drawn land, with the picture's aspect, and its outline for links.
 pub fn order(path: &Path, mut recipe: Recipe, given: Vec<String>) -> Result<Order, Failure> {
     let image = read_picture(path)?;
     let Outlined { aspect, outline } = outlined(path, &image)?;
@@ -32,7 +32,7 @@ pub fn order(path: &Path, mut recipe: Recipe, given: Vec<String>) -> Result<Orde
     for (key, value) in values {
         let before = recipe.clone();
         recipe.set(key, value)?;
-        // A link that this command wrote may be given again, with the same picture.
+        // A link that this command wrote may be given again with the same picture.
         if given.iter().any(|name| *name == key.parameter().name) && before != recipe {
             let reason = format!("the picture determines '{}', and another value is given", key.parameter().name);
             return Err(Failure::Land { path: path.into(), reason });
@@ -48,7 +48,7 @@ struct Outlined {
     outline: String,
 }
 
-/// What links hold of a picture, and a word about how much that is.
+/// Traces the outline for links, and reports how detailed it is.
 fn outlined(path: &Path, image: &Image) -> Result<Outlined, Failure> {
     let traced = trace(image.width, image.height, &image.rgba).map_err(|error| refused(path, &error))?;
     let lines = traced.outline.coasts().iter().chain(traced.outline.ridges());

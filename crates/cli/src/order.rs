@@ -1,4 +1,4 @@
-//! What a call asks for: link, file and options as one recipe.
+//! The recipe of a call, from its link, file and options.
 
 use std::fs::File;
 use std::io::Read;
@@ -12,10 +12,10 @@ use riverseed::recipe::{Key, LandKind, Recipe, RecipeError, json, link};
 
 use super::{Failure, mask, say};
 
-/// What a call asks for: a recipe, and the land itself if that is given as a picture.
+/// The recipe of a call, and the land itself if it is given as a picture.
 pub struct Order {
     pub recipe: Recipe,
-    /// The names that were given on purpose.
+    /// The names of parameters that were given on purpose.
     pub given: Vec<String>,
     pub land: Option<Arc<Land>>,
 }
@@ -29,7 +29,8 @@ impl Order {
         }
     }
 
-    /// Warns of values that were given and have no effect in any of the files, of each of which it is said whether it is a picture.
+    /// Warns of given values that have no effect in any of the files. `are_pictures` holds `true` for each file that is
+    /// a picture.
     pub fn say_what_is_idle(&self, are_pictures: &[bool]) {
         let kind = if self.land.is_some() { LandKind::Drawn } else { Land::kind_of(&self.recipe) };
         let reason = |key, is_picture| match (key, &self.land) {
@@ -49,9 +50,9 @@ impl Order {
     }
 }
 
-/// Reads link, file and options in the order in which they were given. Returns the names that were given on purpose, too: a
-/// network's file states every parameter, so of a file only those count that it states differently from the default. A picture of a land
-/// is no part of a recipe.
+/// Reads link, file and options in the order in which they were given. Also returns the names of parameters that were
+/// given on purpose. A network's file states every parameter, so only those that differ from the default count. A
+/// picture of a land is not a part of the recipe.
 fn recipe(matches: &ArgMatches) -> Result<(Recipe, Vec<String>), Failure> {
     let mut parts: Vec<(usize, Vec<(String, String)>)> = Vec::new();
     let mut part = |id: &str, pairs: Vec<(String, String)>| {
@@ -74,7 +75,7 @@ fn recipe(matches: &ArgMatches) -> Result<(Recipe, Vec<String>), Failure> {
             part(name, vec![(name.into(), value.clone())]);
         }
     }
-    // A preset is read first, wherever it stands.
+    // A preset is read first, wherever it occurs.
     parts.sort_by_key(|(index, pairs)| (pairs.iter().all(|(name, _)| name != link::PRESET), *index));
     let mut given: Vec<String> = Vec::new();
     let mut recipe = Recipe::default();
@@ -88,12 +89,12 @@ fn recipe(matches: &ArgMatches) -> Result<(Recipe, Vec<String>), Failure> {
     Ok((recipe, given))
 }
 
-/// Whether a recipe's value of a parameter is not the default.
+/// Returns `true` if a recipe's value of a parameter is not the default.
 fn is_set(recipe: &Recipe, name: &str) -> bool {
     Key::from_name(name).is_some_and(|key| *recipe.value(key) != key.parameter().default_value())
 }
 
-/// Reads a recipe's file, but not without end.
+/// Reads a recipe's file, up to a limit.
 fn read_recipe(path: &Path) -> Result<String, Failure> {
     let mut text = String::new();
     let file = File::open(path).map_err(Failure::file(path))?;

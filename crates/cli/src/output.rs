@@ -1,7 +1,7 @@
-//! The file that a call writes: whole or not at all, whatever ends the process.
+//! The output file of a call: it is written as a whole or not at all, whatever ends the process.
 //!
-//! On Linux it has no name while it is written, so that no signal leaves a part of it. Elsewhere, and on file systems
-//! that know no such files, it is begun only when the rivers have grown, under a passing name.
+//! On Linux the file has no name while it is written, so that no signal leaves a part of it. Elsewhere, and on file
+//! systems without such files, writing begins only when the rivers have grown, under a temporary name.
 
 use std::fs::{self, File, Permissions};
 use std::io::{self, BufWriter, Write};
@@ -11,36 +11,36 @@ use tempfile::{Builder, NamedTempFile};
 
 use super::Failure;
 
-/// A place to write to.
+/// A destination for output.
 pub struct Output {
-    /// As it was given, for messages.
+    /// The path as it was given, for messages.
     given: PathBuf,
     way: Way,
 }
 
 enum Way {
-    /// The output replaces a file, if there is one, and keeps its permissions.
+    /// The output replaces the file, if there is one, and keeps its permissions.
     Replace { path: PathBuf, permissions: Option<Permissions>, unnamed: Option<File> },
-    /// The path is not a file that could be replaced, but a pipe, a device, or a link to nothing.
+    /// The path is not a file that can be replaced, but a pipe, a device, or a broken link.
     Through,
 }
 
 impl Output {
-    /// Looks at what there is, before the work begins, and leaves nothing behind.
+    /// Checks the destination before the work begins, and leaves nothing behind.
     ///
     /// # Errors
-    /// If nothing can be written there.
+    /// Fails if nothing can be written there.
     pub fn open(given: &Path) -> Result<Self, Failure> {
         let way = Way::of(given).map_err(Failure::file(given))?;
         Ok(Self { given: given.into(), way })
     }
 
-    /// Whether it will be a file, and nothing that somebody reads while it is written.
+    /// Returns `true` if the output will be a file, and not a stream that somebody reads while it is written.
     pub fn is_file(&self) -> bool {
         matches!(self.way, Way::Replace { .. })
     }
 
-    /// Writes it.
+    /// Writes the output.
     pub fn write(self, write: impl FnOnce(&mut dyn Write) -> Result<(), Failure>) -> Result<(), Failure> {
         let Self { given, way } = self;
         match way {
@@ -81,7 +81,7 @@ impl Way {
     }
 }
 
-/// Whether a path is that of a pipe, which waits for somebody to read it.
+/// Returns `true` if a path is that of a pipe, which waits for a reader.
 #[cfg(unix)]
 pub fn is_pipe(path: &Path) -> bool {
     use std::os::unix::fs::FileTypeExt;
@@ -94,12 +94,12 @@ pub fn is_pipe(_: &Path) -> bool {
     false
 }
 
-/// The folder that a file lies in.
+/// The folder that contains a file.
 pub fn folder(path: &Path) -> &Path {
     path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
-/// Writes into a file, and gives it back.
+/// Writes into a target and returns it.
 fn filled<Target: Write>(
     file: Target,
     given: &Path,
@@ -114,7 +114,7 @@ fn filled<Target: Write>(
     out.out.into_inner().map_err(|error| Failure::file(given)(error.into_error()))
 }
 
-/// A writer that keeps the system's error, of which encoders hand on the text alone: a full disk is to be known as one.
+/// A writer that keeps the system's error. Encoders pass on only its text, but a full disk must be recognized as one.
 struct Watched<Target: Write> {
     out: BufWriter<Target>,
     error: Option<i32>,
@@ -130,10 +130,10 @@ impl<Target: Write> Write for Watched<Target> {
     }
 }
 
-/// A file without a name; `None` where the system has no such files.
+/// Opens a file without a name; `None` where the system has no such files.
 ///
 /// # Errors
-/// If no file can be written in the folder.
+/// Fails if no file can be written in the folder.
 #[cfg(target_os = "linux")]
 fn unnamed(folder: &Path) -> io::Result<Option<File>> {
     use std::os::unix::fs::OpenOptionsExt;
@@ -147,7 +147,7 @@ fn unnamed(folder: &Path) -> io::Result<Option<File>> {
     let flags = OFlags::TMPFILE.bits() as i32;
     match File::options().read(true).write(true).mode(0o666).custom_flags(flags).open(folder) {
         Ok(file) => Ok(Some(file)),
-        // How file systems and kernels answer that know no such files.
+        // The answers of file systems and kernels without such files.
         Err(error) if matches!(Errno::from_io_error(&error), Some(Errno::OPNOTSUPP | Errno::ISDIR | Errno::INVAL)) => {
             Ok(None)
         }
@@ -161,11 +161,11 @@ fn unnamed(_: &Path) -> io::Result<Option<File>> {
     Ok(None)
 }
 
-/// Where Linux names the open files of a process.
+/// The folder in which Linux lists the open files of a process.
 #[cfg(target_os = "linux")]
 const NAMES_OF_FILES: &str = "/proc/self/fd";
 
-/// Puts a file without a name in its place. A name cannot be given to another file at once, so this one has a passing name
+/// Gives a file without a name its place. Such a file cannot replace another one directly, so it has a temporary name
 /// for a moment.
 #[cfg(target_os = "linux")]
 fn publish(file: &File, path: &Path, permissions: Option<Permissions>) -> io::Result<()> {
@@ -186,7 +186,7 @@ fn publish(_: &File, _: &Path, _: Option<Permissions>) -> io::Result<()> {
     Err(io::ErrorKind::Unsupported.into())
 }
 
-/// A file under a passing name.
+/// Opens a file under a temporary name.
 fn named(path: &Path) -> io::Result<NamedTempFile> {
     let mut builder = builder();
     #[cfg(unix)]
@@ -200,7 +200,7 @@ fn builder() -> Builder<'static, 'static> {
     builder
 }
 
-/// Puts a file under a passing name in its place.
+/// Moves a file from its temporary name to its place.
 fn replace(file: NamedTempFile, path: &Path, permissions: Option<Permissions>) -> io::Result<()> {
     if let Some(permissions) = permissions {
         file.as_file().set_permissions(permissions)?;

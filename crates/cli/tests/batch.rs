@@ -222,7 +222,7 @@ fn what_is_wrong_with_a_call_is_named_and_nothing_is_made() {
         (&["--seeds", "1..3", "-o", "map.json"], 2, "has to hold '{seed}'"),
         (&["--seeds", "1..3", "-o", "{seed}/map.json"], 2, "not in that of a folder"),
         (&["--seeds", "1..3", "-o", "{seed}{seed}.json"], 2, "only once"),
-        (&["--seeds", "1..3", "-o", "{seed}.json", "-o", "{seed}.json"], 2, "another output may name the same file"),
+        (&["--seeds", "1..3", "-o", "{seed}.json", "-o", "{seed}.json"], 2, "two outputs may write the same file"),
         (&["--seeds", "1..3", "-o", "-", "-o", "-"], 2, "given twice"),
         (&["--seeds", "1..3", "-o", "{seed}.gif"], 2, "the ending of the output is none of"),
         (&["--seeds", "1..3", "-o", "no/folder/{seed}.json"], 1, "no/folder/{seed}.json: No such file"),

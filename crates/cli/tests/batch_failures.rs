@@ -123,7 +123,7 @@ fn where_no_threads_can_be_had_the_maps_are_made_on_one() {
         let output = call.output().unwrap();
         (output.status.code(), String::from_utf8(output.stderr).unwrap())
     };
-    let said = "riverseed: maps are made on 1 thread, since no more can be had: ";
+    let said = "riverseed: could start only 1 thread: ";
     let (code, text) = made("1..5");
     assert!(code == Some(0) && text.starts_with(said) && text.ends_with("\nriverseed: maps: 5 made\n"), "{text}");
     assert_eq!(made("6..6"), (Some(0), "riverseed: maps: 1 made\n".into()), "no more threads than maps");

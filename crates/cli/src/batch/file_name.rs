@@ -1,18 +1,18 @@
-//! Names of files that hold a seed, whatever text that is.
+//! File names that contain a seed, whatever its text.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use super::super::Failure;
 
-/// What stands for the seed.
+/// The placeholder of the seed.
 const PLACE: &str = "{seed}";
 
-/// Why two outputs of a call are refused.
+/// The reason why two outputs of a call are refused.
 pub const MEETS: &str =
-    "another output may name the same file: in one folder they differ only in what follows '{seed}', from a dot on";
+    "two outputs may write the same file: in one folder, use '{seed}.' followed by different endings";
 
-/// An output with a place for the seed in its name.
+/// An output whose name has a place for the seed.
 pub struct Pattern {
     folder: PathBuf,
     before: String,
@@ -21,7 +21,7 @@ pub struct Pattern {
 
 impl Pattern {
     /// # Errors
-    /// If the path's last part has no place for the seed, or more than one, or a folder has one.
+    /// Fails if the last part of the path does not have exactly one place for the seed, or if a folder has one.
     pub fn of(path: &Path) -> Result<Self, Failure> {
         let refused = |reason| Failure::Pattern { path: path.into(), reason };
         let folder = path.parent().unwrap_or(Path::new(""));
@@ -37,12 +37,12 @@ impl Pattern {
         Ok(Self { folder: folder.into(), before: before.into(), after: after.into() })
     }
 
-    /// The file of a seed. No two seeds have the same, on disks that make no difference between great and small letters either.
+    /// The file of a seed. Different seeds have different files, even on disks that ignore case.
     pub fn path(&self, seed: &str) -> PathBuf {
         self.folder.join(format!("{}{}{}", self.before, escaped(seed), self.after))
     }
 
-    /// Whether a file of some seed may be one of another pattern, too. Escaped seeds have no dots.
+    /// Returns `true` if a file of some seed may also be one of another pattern. Escaped seeds contain no dots.
     pub fn may_meet(&self, other: &Self) -> bool {
         let [own, others] = [self, other].map(|pattern| pattern.after.to_lowercase());
         let are_told_apart = own != others && [&own, &others].iter().all(|after| after.starts_with('.'));
@@ -59,11 +59,11 @@ impl Pattern {
     }
 }
 
-/// The longest that is written for a seed, in bytes; most disks take names of 255.
+/// The greatest length of an escaped seed, in bytes. Most disks allow names of 255.
 const LONGEST: usize = 200;
 
-/// A seed as a part of a file's name: small ASCII letters, digits, `-` and `_` as they are, all else as `%` and two digits for each byte of
-/// UTF-8. What is longer than that ends in `%h` and a hash.
+/// Escapes a seed for a file name: lower-case ASCII letters, digits, `-` and `_` stay; every other byte of UTF-8
+/// becomes `%` and two digits. A longer result ends in `%h` and a hash.
 fn escaped(seed: &str) -> String {
     let is_plain = |byte: u8| byte.is_ascii_lowercase() || byte.is_ascii_digit() || byte == b'_';
     let is_reserved = is_device(seed);
@@ -95,7 +95,7 @@ fn percent(byte: u8) -> String {
     format!("%{byte:02X}")
 }
 
-/// Whether Windows takes a name for a device, whatever its ending.
+/// Returns `true` if Windows takes a name for a device, whatever its ending.
 fn is_device(name: &str) -> bool {
     let is_numbered = |device: &str| {
         name.strip_prefix(device)
@@ -104,7 +104,7 @@ fn is_device(name: &str) -> bool {
     matches!(name, "con" | "prn" | "aux" | "nul") || is_numbered("com") || is_numbered("lpt")
 }
 
-/// FNV-1a (Fowler, Noll, Vo) in 128 bits.
+/// The hash FNV-1a (Fowler, Noll, Vo) with 128 bits.
 fn fnv1a(text: &str) -> u128 {
     const OFFSET_BASIS: u128 = 0x6c62_272e_07bb_0142_62b8_2175_6295_c58d;
     const PRIME: u128 = 0x0000_0000_0100_0000_0000_0000_0000_013b;

@@ -1,5 +1,5 @@
-//! What is there of a map already. Each form holds its recipe's link or, of JSON, the recipe itself near its beginning, and has an end by which
-//! it is known to be whole: that is compared, so that nothing has to be kept about what was made.
+//! Existing files of a map. Each form contains its recipe's link (or for JSON, the recipe itself) near its beginning,
+//! and ends in a way that shows that it is complete. Comparing both makes a record of finished files unnecessary.
 
 use std::fs::{self, File};
 use std::io::{self, Read, Seek, SeekFrom};
@@ -17,21 +17,21 @@ use riverseed::relief::Grid;
 use super::super::form::Form;
 use super::super::map::Options;
 
-/// What is in the place of a file.
+/// The state of a file's place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Found {
-    /// No file, or none that can be read.
+    /// There is no file, or none that can be read.
     Nothing,
-    /// The file, as far as it says itself what it was made by.
+    /// The complete file, as far as its content tells.
     Whole,
-    /// Another file, or a part of one.
+    /// Another file, or an incomplete one.
     Other,
 }
 
 impl Found {
-    /// Looks what is there.
+    /// Examines the place.
     pub fn at(path: &Path, form: Form, recipe: &Recipe, options: Options) -> Self {
-        // Looked at before it is opened: a pipe would wait for somebody to write into it.
+        // Checked before opening, because a pipe would wait for a writer.
         if !fs::metadata(path).is_ok_and(|there| there.is_file()) {
             return Self::Nothing;
         }
@@ -43,14 +43,14 @@ impl Found {
     }
 }
 
-/// By what a file is known.
+/// The features by which a file is recognized.
 enum Wanted {
-    /// How it begins, and how it ends.
+    /// The beginning and the end.
     Text {
         head: String,
         tail: &'static str,
     },
-    /// What stands near its beginning, and how it ends.
+    /// A part near the beginning, and the end.
     Svg {
         metadata: String,
     },
@@ -74,7 +74,7 @@ impl Wanted {
                 let link = serde_json::Value::from(link);
                 Self::Text { head: format!("{{\"type\":\"FeatureCollection\",\"riverseed\":{link},"), tail: "]}\n" }
             }
-            // Of what links hold, XML escapes this alone.
+            // This is the only character of links that XML escapes.
             Form::Svg => Self::Svg { metadata: format!(">{}</metadata>", link.replace('&', "&amp;")) },
             Form::Png => Self::Png(Png::picture(&link, recipe, options)),
             Form::Raster(layer) => Self::Png(Png::raster(&link, layer, recipe, options)),
@@ -99,15 +99,16 @@ impl Wanted {
     }
 }
 
-/// How far from the beginning of a file its link may stand, in bytes: behind a seed as a title, or a few small chunks.
+/// The greatest distance of a link from the beginning of a file, in bytes: it may follow a seed as a title, or a few
+/// small chunks.
 const NEAR: usize = 2048;
 
-/// What is known of a PNG before it is made.
+/// The known parts of a PNG that has not been made yet.
 struct Png {
     sides: [u32; 2],
     /// The chunk with the link.
     chunk: Vec<u8>,
-    /// How the chunk begins that says what a raster's values mean; a picture has none.
+    /// The beginning of the chunk that explains a raster's values; `None` for a picture.
     meaning: Option<Vec<u8>>,
 }
 
@@ -138,16 +139,16 @@ impl Png {
     }
 }
 
-/// How the chunk begins that says what a raster's values mean.
+/// The beginning of the chunk that explains a raster's values.
 const MEANING: &[u8] = b"tEXtDescription\0";
 
-/// Length, kind and content of the chunk that holds a link.
+/// The length, kind and content of the chunk with a link.
 fn chunk(link: &str) -> Vec<u8> {
     let content = format!("{LINK_KEYWORD}\0{link}");
     [&(content.len() as u32).to_be_bytes()[..], b"tEXt", content.as_bytes()].concat()
 }
 
-/// Whether an archive that is whole has this picture and rasters like this one.
+/// Returns `true` if a complete archive contains this picture and rasters like this one.
 fn is_pack(file: &File, picture: &Png, raster: &Png) -> io::Result<bool> {
     let mut buffer = vec![0; RECOMMENDED_BUFFER_SIZE];
     let archive = ZipArchive::from_file(file.try_clone()?, &mut buffer).map_err(io::Error::other)?;

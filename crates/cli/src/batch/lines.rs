@@ -1,38 +1,39 @@
-//! Lines on standard output, in the order of the seeds whatever the threads.
+//! Lines on standard output, in the order of the seeds, whichever thread makes them.
 
 use std::io::{self, Write};
 use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 
-/// Whose turn it is to write. Who is ahead waits, so no more lines are in memory than there are threads.
+/// The turns of writing. Threads that are ahead wait, so there are never more lines in memory than threads.
 #[derive(Default)]
 pub struct Lines {
-    /// The place of the next line; `CLOSED` if there is none any more.
+    /// The place of the next line; `CLOSED` if there are no more.
     next: Mutex<u64>,
     has_passed: Condvar,
 }
 
-/// The turn of a map; it passes when this is dropped, written or not. Every place has to be given one, or the others wait for ever.
+/// The turn of a map. It passes when this is dropped, whether or not a line was written. Every place needs one;
+/// otherwise the others wait for ever.
 pub struct Turn<'a> {
     lines: &'a Lines,
     place: u64,
 }
 
-/// Behind all places: nobody waits.
+/// Beyond all places, so that nobody waits.
 const CLOSED: u64 = u64::MAX;
 
 impl Lines {
-    /// The turn of the map in a place.
+    /// Returns the turn of the map in a place.
     pub fn turn(&self, place: u64) -> Turn<'_> {
         Turn { lines: self, place }
     }
 
-    /// Leaves all lines out that have not been written.
+    /// Drops all lines that have not been written.
     pub fn close(&self) {
         *self.next() = CLOSED;
         self.has_passed.notify_all();
     }
 
-    /// Whether lines are still written.
+    /// Returns `true` while lines are written.
     pub fn is_open(&self) -> bool {
         *self.next() != CLOSED
     }
@@ -43,10 +44,10 @@ impl Lines {
 }
 
 impl Turn<'_> {
-    /// Waits for its turn, and writes, whole as far as it is for the reader to say; nothing if lines are closed.
+    /// Waits for its turn and writes a line; does nothing if lines are closed.
     ///
     /// # Errors
-    /// Those of standard output.
+    /// Returns the errors of standard output.
     pub fn write(self, line: &[u8]) -> io::Result<()> {
         if *self.wait() == CLOSED {
             return Ok(());

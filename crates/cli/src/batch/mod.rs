@@ -123,7 +123,7 @@ impl Run<'_> {
             for i in 1..threads {
                 if let Err(error) = thread::Builder::new().spawn_scoped(scope, || self.make_maps()) {
                     let noun = if i == 1 { "thread" } else { "threads" };
-                    self.report.note(&format!("maps are made on {i} {noun}, since no more can be had: {error}"));
+                    self.report.note(&format!("could start only {i} {noun}: {error}"));
                     break;
                 }
             }

@@ -1,4 +1,5 @@
-//! Where files of many maps may go: nobody looks at each name, so some places are refused in which a single call writes.
+//! Destinations for the files of many maps. Nobody checks each name, so some destinations are refused that a single
+//! call accepts.
 
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
@@ -9,23 +10,24 @@ use clap::ArgMatches;
 use super::super::output::{Output, is_pipe};
 use super::super::{Failure, mask};
 
-/// All places but those of the files that the call reads.
+/// The files that a call reads, which it must not write.
 pub struct Places {
     read: Vec<PathBuf>,
 }
 
 impl Places {
-    /// `seeds` is what `--seeds` names.
+    /// Collects the files that a call reads; `seeds` is the value of `--seeds`.
     pub fn of(matches: &ArgMatches, seeds: &OsStr) -> Self {
         let recipe = matches.get_one::<PathBuf>("recipe").map(PathBuf::as_path);
         let read = [Some(Path::new(seeds)), recipe, mask::path(matches)];
         Self { read: read.into_iter().flatten().filter_map(|path| fs::canonicalize(path).ok()).collect() }
     }
 
-    /// A place for a file of a map.
+    /// Opens the destination of a map's file.
     ///
     /// # Errors
-    /// If nothing can be written there, or this call reads what is there, or it is a pipe, by which all would wait for a reader.
+    /// Fails if nothing can be written there, if this call reads the file, or if it is a pipe, at which all maps would
+    /// wait for a reader.
     pub fn open(&self, path: &Path) -> Result<Output, Failure> {
         let refused = |reason| Err(Failure::file(path)(io::Error::other(reason)));
         if fs::canonicalize(path).is_ok_and(|path| self.read.contains(&path)) {

@@ -13,18 +13,18 @@ use riverseed::recipe::{Key, Value};
 
 use super::super::{Failure, Say};
 
-/// The longest list that is read, in bytes.
+/// The greatest length of a list, in bytes.
 const LONGEST_LIST: u64 = 256 << 20;
-/// The most seeds of a list.
+/// The greatest number of seeds in a list.
 const MOST_LISTED: usize = 10_000_000;
-/// The most seeds of a range.
+/// The greatest number of seeds in a range.
 const MOST_IN_RANGE: u64 = 1_000_000_000;
 
-/// Seeds in their order, each once.
+/// Seeds in order, without repeats.
 #[derive(Debug)]
 pub struct Seeds {
     seeds: Kind,
-    /// Lines of the list that are none.
+    /// The number of lines in the list that are not seeds.
     pub faults: u64,
 }
 
@@ -35,10 +35,10 @@ enum Kind {
 }
 
 impl Seeds {
-    /// Reads what `--seeds` names: `FROM..TO`, a file, or `-` for standard input.
+    /// Reads the value of `--seeds`: `FROM..TO`, a file, or `-` for standard input.
     ///
     /// # Errors
-    /// A range or a list that holds no seeds or too many, or a file that cannot be read.
+    /// Fails for a range or a list with no seeds or too many, and for a file that cannot be read.
     pub fn read(source: &OsStr, say: Say<'_>) -> Result<Self, Failure> {
         let name = source.to_string_lossy();
         let refused = |reason: String| Failure::Seeds { seeds: name.clone().into_owned(), reason };
@@ -55,17 +55,17 @@ impl Seeds {
         list.finish(&name, say).map_err(refused)
     }
 
-    /// How many there are in a shard.
+    /// The number of seeds in a shard.
     pub fn count(&self, shard: Shard) -> u64 {
         let all = match &self.seeds {
             Kind::Range { count, .. } => *count,
             Kind::List(seeds) => seeds.len() as u64,
         };
-        // Of 10, the third of four shards has the places 2 and 6.
+        // The third of four shards of 10 has the places 2 and 6.
         all.saturating_sub(shard.index).div_ceil(shard.count)
     }
 
-    /// The one in a place of a shard; `None` behind the last.
+    /// The seed in a place of a shard; `None` beyond the last.
     pub fn get(&self, shard: Shard, place: u64) -> Option<Cow<'_, str>> {
         let place = place.checked_mul(shard.count)?.checked_add(shard.index)?;
         match &self.seeds {
@@ -75,7 +75,7 @@ impl Seeds {
     }
 }
 
-/// First and count of a range; `None` if a text is none.
+/// The first number and the count of a range; `None` if the text is not a range.
 fn range(text: &str) -> Option<Result<(u64, u64), &'static str>> {
     let (first, last) = text.split_once("..")?;
     let is_sign_or_digit = |c: char| c.is_ascii_digit() || matches!(c, '.' | '-' | '+' | '=');
@@ -92,24 +92,24 @@ fn between(first: &str, last: &str) -> Result<(u64, u64), &'static str> {
     if count < MOST_IN_RANGE { Ok((first, count + 1)) } else { Err("a range holds at most 1000000000 seeds") }
 }
 
-/// A list as it is read.
+/// A list while it is read.
 #[derive(Default)]
 struct List {
     seeds: Vec<Arc<str>>,
-    /// The same.
+    /// The same seeds as a set.
     known: BTreeSet<Arc<str>>,
     empty: u64,
     repeated: u64,
     faults: u64,
-    /// Why it is refused as a whole.
+    /// The reason to refuse the whole list.
     refusal: Option<String>,
 }
 
 impl List {
-    /// More faults than that are counted and not said.
+    /// The number of faults that are reported; further ones are only counted.
     const FAULTS: u64 = 20;
 
-    /// Reads a list of so many seeds at most.
+    /// Reads a list of up to `most` seeds.
     fn read(source: impl BufRead, most: usize, name: &str, say: Say<'_>) -> io::Result<Self> {
         let too_long = || Some(format!("a list holds at most {most} seeds, in {} MB", LONGEST_LIST >> 20));
         let mut list = Self::default();
@@ -140,7 +140,7 @@ impl List {
         Ok(list)
     }
 
-    /// Takes a line; its end, and blanks around, are no part of the seed.
+    /// Adds a line. Its end, and spaces around it, are not part of the seed.
     fn add(&mut self, line: &[u8]) -> Result<(), String> {
         let text = str::from_utf8(line).map_err(|_| "the text is not UTF-8")?;
         let seed = match Key::Seed.parameter().parse(text.trim()) {
@@ -177,12 +177,12 @@ impl List {
     }
 }
 
-/// Whether a text begins with one of UTF-16's byte order marks.
+/// Returns `true` if a text begins with one of UTF-16's byte order marks.
 fn is_utf_16(text: &[u8]) -> bool {
     text.starts_with(&[0xff, 0xfe]) || text.starts_with(&[0xfe, 0xff])
 }
 
-/// Which of the seeds a call makes: every `count`-th, from the one at `index` on.
+/// The share of seeds that a call renders: every `count`-th, beginning with the one at `index`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Shard {
     index: u64,
