@@ -48,7 +48,7 @@ async function expectPictureOf(page: Page, { part, step }: Moment): Promise<void
   await expect.poll(async () => (await shown(page)).sha256).toBe(expected);
 }
 
-test("a thumb that goes back and forth shows what was seen when the map grew", async ({ page }) => {
+test("a thumb that goes back and forth shows what was seen when the map grew @core", async ({ page }) => {
   const said = complaints(page);
   await openFinished(page, LINK);
   await go(page, "Home");

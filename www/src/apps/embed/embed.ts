@@ -3,13 +3,16 @@
 import "./embed.css";
 import "../widget/define.ts";
 import { linkOf } from "../../browser/address.ts";
-import { el } from "../../browser/dom.ts";
+import { el, find } from "../../browser/dom.ts";
 import { aspectOf } from "../widget/attributes.ts";
 import { Heights } from "./heights.ts";
 import { HostPage } from "./host-page.ts";
 import { heightMessage } from "./messages.ts";
 import { correctionsNote, failureNote } from "./notes.ts";
 import { readQuery } from "./query.ts";
+
+/** It is said until this script runs. */
+find("#missing", HTMLElement).remove();
 
 const root = document.documentElement;
 const host = new HostPage(window);

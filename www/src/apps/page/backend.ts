@@ -1,5 +1,6 @@
 /** The two places that the page's renderer can run in: a worker, and the page itself. */
 
+import { PageError } from "../../engine/errors.ts";
 import { type FullCore, loadFull } from "../../engine/full.ts";
 import { limited, SCRIPT_MS } from "../../engine/time-limits.ts";
 import type { Backend, InitReply } from "../../host/protocol.ts";
@@ -109,6 +110,15 @@ function handOver(
 
 /** What most visitors never need. */
 async function openPageBackend({ tell }: Listener<Answer>, core: FullCore): Promise<Backend<Question>> {
-  const { open } = await limited(SCRIPT_MS, "its script", () => import("../page-worker/page-backend.ts"));
+  const { open } = await limited(SCRIPT_MS, "its script", importPageBackend);
   return open(core, tell);
+}
+
+/** Comes after the page's script and its engine have arrived: if it does not, the server has most likely replaced it. */
+async function importPageBackend(): Promise<typeof import("../page-worker/page-backend.ts")> {
+  try {
+    return await import("../page-worker/page-backend.ts");
+  } catch (error) {
+    throw new PageError("file-missing", String(error));
+  }
 }

@@ -394,6 +394,8 @@ async function begin({ core, renderHost }: Engines): Promise<void> {
   page.start();
 }
 
-// What a script in the built page would ask for if this one did not come: build/preload.ts.
-clearTimeout((globalThis as { engineTimer?: number }).engineTimer);
+/** What scripts in the built page's HTML leave to this one as soon as it runs: build/preload.ts and build/changed.ts. */
+const early = globalThis as { engineTimer?: number; hasPageBegun?: boolean };
+clearTimeout(early.engineTimer);
+early.hasPageBegun = true;
 posterIsSeen().then(() => begin(openEngines()).catch(fail));

@@ -6,14 +6,16 @@
 import { RESIZE_PAUSE_MS } from "../../browser/canvas.ts";
 import { DARK_PAGES } from "../../browser/dark-pages.ts";
 import { isRecoverable, named, PageError } from "../../engine/errors.ts";
+import type { Summary } from "../../engine/types.ts";
 import type { Reading, Status } from "../../host/protocol.ts";
 import type { Client } from "../../host/render-host.ts";
 import type { State } from "../../player/frame-loop.ts";
 import type { ShowMode } from "../../player/river-player.ts";
 import { ASPECT, aspectOf, linkOf, OBSERVED, type Properties, reflect, upgrade } from "./attributes.ts";
 import { importPageBackend, renderHost } from "./backend.ts";
-import type { RiverSeedEventMap } from "./events.ts";
+import type { CompleteDetail, RiverSeedEventMap } from "./events.ts";
 import { type FileRequest, linkToRead, type Report } from "./protocol.ts";
+import { Outcome, type Present, type RiverSeedPhase } from "./state.ts";
 import { countIn, ENGLISH, type Strings, type Told } from "./strings.ts";
 import { type Does, View } from "./view.ts";
 import { watch } from "./visibility.ts";
@@ -54,7 +56,13 @@ export class RiverSeed extends Base {
   #aspect = ASPECT.default;
   #link: ReturnType<typeof linkToRead> | undefined;
   #reading: Reading | undefined;
+  /** Of what is on the canvas. */
   #status: Status | undefined;
+  /** Of what is asked for; nothing until the engine has read that. */
+  #present: Present | undefined;
+  #outcome = new Outcome();
+  /** How many links it has asked the engine to show after the first, as `Reading` counts them. */
+  #links = 0;
   readonly #view = new View(this.attachShadow({ mode: "open" }), () => this.#press());
   readonly #client: Client<Blob> = { hear: (report) => this.#hear(report), moved: () => this.#move() };
 
@@ -64,7 +72,7 @@ export class RiverSeed extends Base {
     upgrade(this);
     this.#life = new AbortController();
     this.#listen(this.#life.signal);
-    this.#follow();
+    this.#follow(true);
   }
 
   disconnectedCallback(): void {
@@ -88,6 +96,31 @@ export class RiverSeed extends Base {
     this.#followSoon();
   }
 
+  /** The link of the rivers that the attributes ask for: canonical as soon as the engine has read it. */
+  get link(): string {
+    return this.#now?.link ?? linkOf(this);
+  }
+
+  /** The numbers of these rivers, as far as they have grown; null before they begin. */
+  get summary(): Summary | null {
+    return this.#now?.summary ?? null;
+  }
+
+  /** How far these rivers are. */
+  get phase(): RiverSeedPhase {
+    const phase = this.#now?.phase ?? (this.#hasBegun ? "loading" : "idle");
+    return this.#present === "failed" ? "failed" : phase;
+  }
+
+  /**
+   * Resolves when these rivers are finished, and rejects with the error if they cannot be. There is a new promise when the attributes ask
+   * for other rivers, the element leaves the document, or finished rivers grow again; one that was waiting rejects with an `AbortError`.
+   */
+  get finished(): Promise<CompleteDetail> {
+    this.#catchUp();
+    return this.#outcome.promise;
+  }
+
   /** Goes on; a finished river grows again. One that waits to be seen begins. */
   play(): void {
     this.#ask("play");
@@ -100,11 +133,15 @@ export class RiverSeed extends Base {
   /** From the mouths again; after a failure, a new try. */
   restart(): void {
     if (this.#id === undefined) {
-      if (this.#hasFailed) this.#hasBegun = this.#hasFailed = false;
+      if (this.#hasFailed) {
+        this.#hasBegun = this.#hasFailed = false;
+        this.#renew();
+      }
       this.#shape(this.#aspect);
       this.play();
     } else {
       this.#asked = "play";
+      this.#growAgain();
       renderHost.send(this.#id, { do: "replay" });
     }
   }
@@ -122,6 +159,7 @@ export class RiverSeed extends Base {
 
   #ask(what: "play" | "pause"): void {
     this.#asked = what;
+    if (what === "play") this.#growAgain();
     if (this.#id === undefined) this.#beginIfDue();
     else renderHost.send(this.#id, { do: what });
   }
@@ -156,8 +194,39 @@ export class RiverSeed extends Base {
   }
 
   #file(file: FileRequest): Promise<Blob> {
+    if (!this.isConnected) throw new DOMException("this river-seed is in no document", "InvalidStateError");
     const wasmUrl = this.#wasmUrl;
     return renderHost.ask({ ...file, link: this.#linkNow, wasmUrl }, wasmUrl);
+  }
+
+  // ---- how far it is
+
+  /** How the rivers stand that are asked for now. */
+  get #now(): Exclude<Present, "failed"> | undefined {
+    this.#catchUp();
+    return this.#present === "failed" ? undefined : this.#present;
+  }
+
+  /** A script that has just changed attributes reads of the new rivers. */
+  #catchUp(): void {
+    if (this.#isChanging && this.#life) this.#follow();
+  }
+
+  /** From here on other rivers are asked for, or the same ones again; whoever waits for the last ones is told why they do not come. */
+  #renew(why = ""): void {
+    this.#present = undefined;
+    this.#outcome.failed(new DOMException(why, "AbortError"));
+    this.#outcome = new Outcome();
+  }
+
+  #growAgain(): void {
+    if (this.#now?.state === "finished") this.#renew();
+  }
+
+  #advance({ link }: Reading, status: Status): void {
+    if (status.state !== "finished") this.#growAgain();
+    this.#present = { link, ...status };
+    if (status.state === "finished") this.#outcome.done({ link, summary: status.summary });
   }
 
   // ---- its life
@@ -187,11 +256,12 @@ export class RiverSeed extends Base {
   }
 
   /** Brings everything in line with the attributes. */
-  #follow(): void {
+  #follow(isArriving = false): void {
     const before = this.#link;
     const link = this.#linkNow;
     const isNew = link.text !== before?.text || link.options.dark !== before.options.dark;
     this.#link = link;
+    if (isNew && !isArriving) this.#renew("other rivers are asked for");
     // What failed with one recipe may do with another.
     if (isNew && this.#hasFailed) this.#hasBegun = this.#hasFailed = false;
     if (isNew) this.#shape(aspectOf(link.text));
@@ -199,6 +269,7 @@ export class RiverSeed extends Base {
     // What stood there before is of another river.
     if (isNew && this.#id === undefined) this.#status = undefined;
     if (isNew && this.#id !== undefined) {
+      this.#links++;
       renderHost.send(this.#id, { do: "show", link, how: this.#how, size: this.#view.fit() });
     }
     this.#finishIfStill();
@@ -234,6 +305,7 @@ export class RiverSeed extends Base {
     renderHost.send(id, { do: "open", canvas, link: this.#linkNow, how, size });
     if (this.#asked === "pause") renderHost.send(id, { do: "pause" });
     this.#id = id;
+    this.#links = 0;
     this.#rest();
   }
 
@@ -253,6 +325,7 @@ export class RiverSeed extends Base {
     this.#life = undefined;
     this.#isNear = this.#hasFailed = false;
     this.#close();
+    this.#renew("the river-seed was removed");
   }
 
   /** Gives up the river and its canvas. */
@@ -289,7 +362,7 @@ export class RiverSeed extends Base {
   // ---- what it hears
 
   #hear(report: Report): void {
-    if (report.is === "failed") this.#fail(new PageError(report.code, report.message));
+    if (report.is === "failed") this.#fail(new PageError(report.code, report.message), report.links);
     if (report.is === "shown") this.#show(report.reading, report);
   }
 
@@ -297,6 +370,7 @@ export class RiverSeed extends Base {
     const before = this.#status?.state;
     this.#status = { state, phase, summary };
     this.#reading = reading;
+    if (reading.links === this.#links) this.#advance(reading, this.#status);
     this.#asked = undefined;
     if (reading.aspect !== this.#aspect) this.#shape(reading.aspect);
     // Of a river that is not to be seen growing nothing is seen before it is finished.
@@ -317,14 +391,21 @@ export class RiverSeed extends Base {
     this.#emit("ready", { link, notices });
   }
 
-  #fail(error: PageError): void {
+  /** Something failed after so many links had been asked for. */
+  #fail(error: PageError, links = this.#links): void {
     // Without names a map is a map, though the word of that may come before it.
-    if (error.code !== "no-chart" && (!isRecoverable(error) || !this.#isShown)) {
+    const isMap = error.code === "no-chart";
+    if (!isMap && (!isRecoverable(error) || !this.#isShown)) {
       this.#hasFailed = true;
       this.#status = undefined;
       this.#close();
       this.#shape(this.#aspect);
       this.#view.note(this.#strings.failed);
+    }
+    // Of an earlier link, and its rivers stay: those that are asked for are yet to come.
+    if (!isMap && (this.#hasFailed || links === this.#links)) {
+      this.#present = "failed";
+      this.#outcome.failed(error);
     }
     void this.#report(error);
   }
@@ -374,6 +455,7 @@ export class RiverSeed extends Base {
 reflect(RiverSeed.prototype);
 
 export type * from "./events.ts";
+export type { RiverSeedPhase } from "./state.ts";
 export type { Strings } from "./strings.ts";
 
 /** The events of every element, and those that this one has of its own. */
