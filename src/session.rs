@@ -25,7 +25,7 @@ use crate::relief::{Relief, ReliefError, ReliefSettings};
 use crate::tree::{Hydrology, Tree};
 
 #[cfg(feature = "controls")]
-pub(crate) use drafts::SessionDrafts;
+pub(crate) use drafts::{OF_COASTS, OF_RELIEF, SessionDrafts};
 pub use error::SessionError;
 #[cfg(feature = "controls")]
 pub use moments::{Moment, Timeline};

@@ -90,6 +90,12 @@ impl Grid {
         Self { cells, runs, land, columns: columns as i32, rows: rows as i32, size: domain.size }
     }
 
+    /// Counts the cells that a domain is cut into.
+    pub fn cells_on(domain: &Domain) -> usize {
+        let (columns, rows) = extent(domain.size);
+        columns * rows
+    }
+
     /// The share of the cells that is land, ridges included.
     pub fn share_of_land(&self) -> f32 {
         self.land as f32 / self.cells.len() as f32

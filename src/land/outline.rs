@@ -2,7 +2,6 @@
 
 use glam::Vec2;
 
-#[cfg(feature = "files")]
 use super::cell::CELL_SIZE;
 use super::coast_distance::{CoastDistance, Piece};
 #[cfg(feature = "files")]
@@ -97,6 +96,31 @@ impl Drawing {
             &self.edges(),
             &self.crossings(domain, spacing, Vec2::ZERO).into_land(),
         )
+    }
+
+    /// Counts the cells that are certainly land and those that are certainly water, without measuring a distance: squares of the lattice
+    /// whose four corners are alike. Such a square of land is water only if coasts pass through all four of its corners, and a coast
+    /// passes through few: one for each spacing of its length, and two more for each edge. As many squares are not counted.
+    pub fn certain_cells(&self, domain: &Domain, spacing: f32) -> [usize; 2] {
+        let crossings = self.crossings(domain, spacing, Vec2::ZERO);
+        let columns = crossings.columns;
+        let is_land = crossings.into_land();
+        let (mut land, mut water) = (0_usize, 0_usize);
+        // The last row and column of corners lie at the border of the domain or beyond it.
+        let rows = || is_land.chunks(columns);
+        for (upper, lower) in rows().zip(rows().skip(1)).take(rows().len().saturating_sub(2)) {
+            for column in 0..columns.saturating_sub(2) {
+                match [upper[column], upper[column + 1], lower[column], lower[column + 1]] {
+                    [true, true, true, true] => land += 1,
+                    [false, false, false, false] => water += 1,
+                    _ => {}
+                }
+            }
+        }
+        let edges = self.edges();
+        let passed: usize = edges.iter().map(|[a, b]| (distance(*a, *b) / spacing) as usize + 2).sum();
+        let cells = (spacing * spacing / (CELL_SIZE * CELL_SIZE)) as usize;
+        [land.saturating_sub(passed) * cells, water * cells]
     }
 
     /// The cells whose middles lie within an odd number of coasts. Unlike a coarse lattice, this loses no detail.

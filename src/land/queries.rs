@@ -69,12 +69,11 @@ impl Land {
         Some(Arc::new(Self::new(&shape.domain, coast_distance, shape.ridges())))
     }
 
-    /// The kind of land of a recipe: the one it names, or the plain rectangle if it names a drawn land for which
-    /// [`Land::of`] is `None`. For a drawn land this takes some milliseconds, nearly as long as [`Land::of`].
+    /// Tells which kind of land a recipe gives: the one that it names, or the plain rectangle if it names a drawn land and
+    /// [`Land::of`] finds none. It makes no land, unless a drawn one is next to nothing or next to everything.
     pub fn kind_of(recipe: &Recipe) -> LandKind {
-        let is_undrawn = || drawn(&Shape::of(recipe), recipe).is_none();
         match recipe.get() {
-            LandKind::Drawn if is_undrawn() => LandKind::Rectangle,
+            LandKind::Drawn if !is_drawn(recipe) => LandKind::Rectangle,
             kind => kind,
         }
     }
@@ -270,20 +269,37 @@ impl Land {
     }
 }
 
-/// The cells, coast distances and lines of a recipe's outline. `None` if there is no outline, or if it leaves no water
-/// or hardly any land, in which case it counts as the plain rectangle. This is the only place that decides it.
+/// Makes the cells and coast distances of a recipe's outline, with its lines; `None` if there is no outline, or it leaves no water or
+/// next to no land: the drawing then counts as the plain rectangle. This is the only place that decides it.
 fn drawn(shape: &Shape, recipe: &Recipe) -> Option<(Grid, CoastDistance, Drawing)> {
     let drawing = Drawing::of(recipe.outline()?, shape);
+    let (grid, coast_distance) = measured(shape, &drawing)?;
+    Some((grid, coast_distance, drawing))
+}
+
+fn measured(shape: &Shape, drawing: &Drawing) -> Option<(Grid, CoastDistance)> {
     let coast_distance = drawing.coast_distance(&shape.domain, CoastDistance::COARSE_SPACING);
     let grid = Grid::above_water(&shape.domain, &coast_distance);
-    (LEAST_DRAWN..1.0).contains(&grid.share_of_land()).then_some((grid, coast_distance, drawing))
+    (LEAST_DRAWN..1.0).contains(&grid.share_of_land()).then_some((grid, coast_distance))
+}
+
+/// Tells whether [`drawn`] finds a land, which mostly shows without measuring one.
+fn is_drawn(recipe: &Recipe) -> bool {
+    let shape = Shape::of(recipe);
+    recipe.outline().is_some_and(|outline| {
+        let drawing = Drawing::of(outline, &shape);
+        let [land, water] = drawing.certain_cells(&shape.domain, CoastDistance::COARSE_SPACING);
+        let all = Grid::cells_on(&shape.domain);
+        let is_certain = land as f32 / all as f32 >= LEAST_DRAWN && water > 0;
+        is_certain || measured(&shape, &drawing).is_some()
+    })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::lands::lands_with_a_share_of_sea;
-    use crate::recipe::link;
+    use crate::recipe::{GridPoint, Outline, link};
 
     fn land(text: &str) -> Arc<Land> {
         Land::of(&link::read(&format!("aspect=1.5&{text}")).unwrap()).unwrap()
@@ -319,6 +335,34 @@ mod tests {
         assert!(Land::draft_of(&link::read("land=rectangle").unwrap()).is_none());
         let drawn = link::read("land=drawn&outline=.MzMzzMMzzMzMMzzM").unwrap();
         assert!(Land::of(&drawn).is_some() && Land::draft_of(&drawn) == Land::of(&drawn));
+    }
+
+    #[test]
+    fn kind_of_a_drawn_land_is_that_of_its_land_and_needs_no_measuring_of_an_ordinary_one() {
+        let square = |from: f32, to: f32| vec![[from, from], [to, from], [to, to], [from, to]];
+        // Land that coasts pass through along every line of the lattice counts for less than it looks.
+        let slits: Vec<[f32; 2]> =
+            (0..40).flat_map(|i| [[i as f32 / 125.0, 0.9], [i as f32 / 125.0, 0.1], [i as f32 / 125.0, 0.9]]).collect();
+        let mut rings = vec![(square(0.2, 0.8), true), (square(0.0, 1.0), false), (slits, false)];
+        // Specks with nearly the least share that counts, and waters of next to no cells.
+        rings.extend((0..40).map(|i| (square(0.5, 0.59 + 0.0005 * i as f32), false)));
+        rings.extend((1..20).map(|i| (square(0.0, 1.0 - 0.0005 * i as f32), false)));
+        let mut kinds = [0, 0];
+        for (ring, is_ordinary) in rings {
+            let ring = ring.into_iter().map(|at| GridPoint::nearest(at.into())).collect();
+            let outline = Outline::new(vec![ring], vec![], vec![]).unwrap();
+            for roughness in ["0", "0.8"] {
+                let text = format!("land=drawn&aspect=1&roughness={roughness}&outline={outline}");
+                let recipe = link::read(&text).unwrap();
+                let before = work::steps();
+                let kind = Land::kind_of(&recipe);
+                assert!(!is_ordinary || work::steps() == before, "{text}");
+                let is_land = Land::of(&recipe).is_some();
+                assert_eq!(kind == LandKind::Drawn, is_land, "{text}");
+                kinds[usize::from(is_land)] += 1;
+            }
+        }
+        assert!(kinds[0] > 10 && kinds[1] > 10, "{kinds:?}");
     }
 
     #[test]

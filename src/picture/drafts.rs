@@ -3,29 +3,67 @@
 use std::sync::Arc;
 
 use super::{Picture, is_same};
-use crate::paint::{Painted, Rect, Rivers};
+use crate::paint::{Painted, Rivers};
 use crate::recipe::{Key, Recipe};
-use crate::session::{Generation, Phase, Session};
+use crate::session::{Generation, OF_COASTS, OF_RELIEF, Phase, Session};
+
+/// What another recipe changes of what can be drafted.
+enum Change {
+    Nothing,
+    Relief,
+    /// How many times as wide rivers are.
+    Width(f32),
+    Coasts,
+}
+
+impl Change {
+    /// Compares a recipe with a session's; `None` if it differs in anything that has no draft.
+    fn between(session: &Session, wanted: &Recipe) -> Option<Self> {
+        let recipe = session.recipe();
+        if recipe == wanted {
+            return Some(Self::Nothing);
+        }
+        if let Some(times) = session.widening_to(wanted) {
+            return Some(Self::Width(times));
+        }
+        let kinds = [(OF_RELIEF, Self::Relief), (OF_COASTS, Self::Coasts)];
+        kinds.into_iter().find_map(|(keys, change)| recipe.differs_in(wanted, &keys).then_some(change))
+    }
+}
 
 impl Picture {
-    /// Paints the rivers of a session as they are, be they finished or not, in one go: without a chart, so many times as wide, and on the
-    /// ground that the picture shows, even if its relief is that of other rivers. It lasts until `paint` paints anything else. Returns the
-    /// rectangle that changed; `None`, and nothing has, if there are no rivers, or the ground is that of another land.
-    pub fn paint_draft(&mut self, session: &Session, times: f32) -> Option<Rect> {
+    /// Does a part of painting a draft of another recipe over the rivers of a session that are there, without a chart. It lasts until
+    /// `paint` paints anything else, and the picture changes with the last part. A session's own recipe shows its rivers as they are,
+    /// finished or not. `None`, and nothing is painted, if there can be no draft: if the recipe differs in more than width, in more than
+    /// mountains and plains, or in more than coasts, or what that draft begins with is not there.
+    pub fn paint_draft(&mut self, session: &Session, wanted: &Recipe) -> Option<Painted> {
+        match Change::between(session, wanted)? {
+            Change::Nothing if !self.is_on_land_of(session) => self.paint_land_draft(session, wanted),
+            Change::Nothing => {
+                self.paint_relief_draft(session, wanted).or_else(|| self.paint_width_draft(session, 1.0))
+            }
+            Change::Relief => self.paint_relief_draft(session, wanted),
+            Change::Width(times) => self.paint_width_draft(session, times),
+            Change::Coasts => self.paint_land_draft(session, wanted),
+        }
+    }
+
+    /// Paints the rivers of a session as they are, finished or not, in one go: without a chart, so many times as wide, and on the ground
+    /// that the picture shows, even if its relief is that of other rivers. `None`, and nothing changes, if there are no rivers, or the
+    /// ground is that of another land.
+    fn paint_width_draft(&mut self, session: &Session, times: f32) -> Option<Painted> {
         let (network, recipe) = (session.network()?, session.recipe());
         if !self.is_on_land_of(session) {
             return None;
         }
         let changed = self.painter.paint_draft(network, recipe.get(), recipe.get(), times)?;
         self.rivers_of = Some(session.tree_generation());
-        Some(changed)
+        Some(Painted::Whole(Some(changed)))
     }
 
-    /// Does a part of painting the finished rivers of a session, without a chart, with nearly the relief that they would have by another
-    /// recipe, of other mountains or plains alone; by its own, with the very one. The picture changes with the last part. It lasts until
-    /// `paint` paints anything else. `None`, and nothing is painted, if that is another recipe in more, or no relief of these rivers has
-    /// been solved.
-    pub fn paint_relief_draft(&mut self, session: &Session, wanted: &Recipe) -> Option<Painted> {
+    /// Does a part of painting finished rivers with nearly the relief that another recipe would give them; by the session's own, with the
+    /// exact one. `None` if no relief of these rivers has been solved.
+    fn paint_relief_draft(&mut self, session: &Session, wanted: &Recipe) -> Option<Painted> {
         let ((network, rounds), past) = session.network().zip(session.rounds()).zip(session.past())?;
         if !self.is_on_land_of(session) {
             return None;
@@ -42,11 +80,9 @@ impl Picture {
         Some(self.painter.paint_rivers(&rivers))
     }
 
-    /// Does a part of painting the finished rivers of a session, without a relief or a chart, on other coasts: nearly those that another
-    /// recipe gives, or the session's own, if that is the session's recipe. The rivers stay as they are: they end at the new coast, or short
-    /// of it. The picture changes with the last part. It lasts until `paint` paints anything else. `None`, and nothing is painted, if the
-    /// recipe differs in more than coasts, or there are no finished rivers.
-    pub fn paint_land_draft(&mut self, session: &Session, wanted: &Recipe) -> Option<Painted> {
+    /// Does a part of painting finished rivers, without a relief, on nearly the coasts of another recipe, or on the session's own. The
+    /// rivers stay as they are: they end at the new coast, or short of it. `None` if there are no finished rivers.
+    fn paint_land_draft(&mut self, session: &Session, wanted: &Recipe) -> Option<Painted> {
         let ((network, rounds), past) = session.network().zip(session.rounds()).zip(session.past())?;
         if !matches!(session.phase(), Phase::Relief | Phase::Finished) {
             return None;
@@ -86,7 +122,7 @@ mod tests {
             picture.paint(&session);
             let before = painted(&session);
             // Wider on the same courses, and back.
-            assert!(picture.paint_draft(&session, 3.0).is_some(), "{style}");
+            assert!(picture.paint_width_draft(&session, 3.0).is_some(), "{style}");
             assert_eq!(picture.pixmap().data() != before, style != "skeleton", "{style}");
             picture.paint(&session);
             assert!(picture.pixmap().data() == before, "{style}");
@@ -95,7 +131,7 @@ mod tests {
             while session.rounds() != Some(1) {
                 session.advance(1).unwrap();
             }
-            assert!(picture.paint_draft(&session, 1.0).is_some(), "{style}");
+            assert!(picture.paint_width_draft(&session, 1.0).is_some(), "{style}");
             let draft = picture.pixmap().data();
             let kept = draft.chunks(4).zip(before.chunks(4)).filter(|(now, then)| now == then).count();
             // Of these courses a skeleton so small shows no difference.
@@ -109,13 +145,13 @@ mod tests {
     #[test]
     fn draft_needs_rivers_and_the_ground_of_their_land() {
         let mut session = finished(SMALL);
-        assert_eq!(Picture::new(100, 80).unwrap().paint_draft(&session, 1.0), None);
+        assert_eq!(Picture::new(100, 80).unwrap().paint_width_draft(&session, 1.0), None);
         let mut picture = Picture::new(100, 80).unwrap();
         picture.paint(&session);
         session.change(link::read(&format!("{SMALL}&land=valley")).unwrap()).unwrap();
-        assert_eq!(picture.paint_draft(&session, 1.0), None);
+        assert_eq!(picture.paint_width_draft(&session, 1.0), None);
         while session.advance(50).unwrap() {}
-        assert_eq!(picture.paint_draft(&session, 1.0), None);
+        assert_eq!(picture.paint_width_draft(&session, 1.0), None);
         picture.paint(&session);
         assert!(picture.pixmap().data() == painted(&session));
     }
@@ -154,7 +190,7 @@ mod tests {
 
     /// Paints a draft to its end.
     fn draft(picture: &mut Picture, session: &Session, wanted: &Recipe) -> Option<()> {
-        while matches!(picture.paint_relief_draft(session, wanted)?, Painted::Part) {}
+        while matches!(picture.paint_draft(session, wanted)?, Painted::Part) {}
         Some(())
     }
 

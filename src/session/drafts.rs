@@ -66,5 +66,5 @@ impl SessionDrafts {
     }
 }
 
-const OF_RELIEF: [Key; 2] = [Key::Mountains, Key::Plains];
-const OF_COASTS: [Key; 2] = [Key::Sea, Key::Roughness];
+pub(crate) const OF_RELIEF: [Key; 2] = [Key::Mountains, Key::Plains];
+pub(crate) const OF_COASTS: [Key; 2] = [Key::Sea, Key::Roughness];

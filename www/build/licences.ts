@@ -6,9 +6,7 @@ import type { Plugin } from "vite";
 const LICENCES = ["LICENSE-APACHE", "LICENSE-MIT", "THIRD-PARTY.txt"];
 /** The npm packages whose code is in the site: what writes archives of game packs, and videos, and what keeps the page. */
 const PACKAGES = [
-  "fast-png",
   "fflate",
-  "iobuffer",
   "mediabunny",
   "workbox-core",
   "workbox-precaching",

@@ -8,9 +8,8 @@ use super::rivers::{River, pair, read_options};
 use crate::objects::{coded, object, set};
 use riverseed::dice;
 use riverseed::paint::{Framing, Painted};
-use riverseed::picture::Picture;
 use riverseed::recipe::preset::{COUNTRIES, PRESETS, Preset};
-use riverseed::recipe::reading;
+use riverseed::recipe::reading::{self, Reading};
 use riverseed::recipe::table::TABLE;
 use riverseed::recipe::{Decimal, GridPoint, Key, Kind, LONGEST_OUTLINE, Outline, Parameter};
 
@@ -51,6 +50,8 @@ export interface Lines {
   /** Each from its mouth; of one point if nothing more of it is drawn. */
   readonly rivers: readonly Float32Array[];
 }
+/** What came of painting a draft: a part, of which nothing is seen yet; all of it; or nothing, since there can be none. */
+export type Drafted = "part" | "whole" | "impossible";
 "#;
 
 #[wasm_bindgen]
@@ -65,30 +66,51 @@ impl River {
         }
     }
 
-    /// Does a part of painting, for a moment, what a slider that still moves makes of its rivers: without a chart, and on the ground that is
-    /// there, even if its relief is that of other rivers. Of its own link it shows them as they are. It does not go over to another, of which
-    /// it shows something once its rivers are finished: of one that has but another width, that on their courses; of one that has but other
-    /// mountains or plains, nearly their relief; of one that has but other coasts, those, with the rivers that are there. Returns whether
-    /// there is more to do, until which nothing is seen of it; undefined if it can show nothing.
-    #[wasm_bindgen(js_name = paintDraft)]
-    pub fn paint_draft(
+    /// Takes the recipe of another link, read as `readLink` does, for `paintDraft` to show, until it takes another or goes over to one.
+    pub fn draft(
         &mut self,
         text: &str,
         #[wasm_bindgen(unchecked_optional_param_type = "ReadOptions")] options: &JsValue,
-    ) -> Option<bool> {
-        let wanted = reading::read(text, read_options(options)).recipe;
-        let (picture, session) = (self.picture.as_mut()?, &self.session);
-        let widened = |picture: &mut Picture| {
-            let changed = picture.paint_draft(session, session.widening_to(&wanted)?)?;
-            Some(Painted::Whole(Some(changed)))
-        };
-        let drafted = picture.paint_relief_draft(session, &wanted).or_else(|| widened(picture));
-        let changed = match drafted.or_else(|| picture.paint_land_draft(session, &wanted))? {
-            Painted::Part => return Some(true),
-            Painted::Whole(changed) => changed,
-        };
-        self.dirty = changed.or(self.dirty);
-        Some(false)
+    ) {
+        self.drafted = Some(reading::read(text, read_options(options)));
+    }
+
+    /// Paints a part of a draft of the recipe that `draft` took, without going over to it: a recipe of another width, of other mountains
+    /// and plains, or of other coasts alone, once these rivers are finished. It has no labels, and lasts until the next `paint`.
+    #[wasm_bindgen(js_name = paintDraft, unchecked_return_type = "Drafted")]
+    pub fn paint_draft(&mut self) -> String {
+        let wanted = self.picture.as_mut().zip(self.drafted.as_ref());
+        let painted = wanted.and_then(|(picture, reading)| picture.paint_draft(&self.session, &reading.recipe));
+        self.drafted_as(painted)
+    }
+
+    /// Paints the rivers as they are by now, finished or not, over the ground that is there, even if its relief is that of other rivers.
+    /// It has no labels, and lasts until the next `paint`.
+    #[wasm_bindgen(js_name = paintUnfinished, unchecked_return_type = "Drafted")]
+    pub fn paint_unfinished(&mut self) -> String {
+        let painted = self.picture.as_mut().and_then(|picture| picture.paint_draft(&self.session, self.session.recipe()));
+        self.drafted_as(painted)
+    }
+
+    /// Goes over to the recipe that `draft` took, as `change` does, and says what has to run again.
+    #[wasm_bindgen(js_name = adoptDraft, unchecked_return_type = "Stage | \"none\"")]
+    pub fn adopt_draft(&mut self) -> Result<String, JsValue> {
+        self.drafted.take().map_or_else(|| Ok("none".into()), |reading| self.change_to(reading))
+    }
+}
+
+impl River {
+    /// Notes which pixels a draft changed, and says what came of it.
+    fn drafted_as(&mut self, painted: Option<Painted>) -> String {
+        if let Some(Painted::Whole(changed)) = painted {
+            self.dirty = changed.or(self.dirty);
+        }
+        match painted {
+            Some(Painted::Part) => "part",
+            Some(Painted::Whole(_)) => "whole",
+            None => "impossible",
+        }
+        .into()
     }
 }
 

@@ -33,7 +33,7 @@ impl River {
     /// Error if there is not enough memory.
     pub fn copy(&self) -> Result<Self, JsValue> {
         let session = self.session.try_clone().map_err(|error| session_error(&error))?;
-        Ok(Self { session, notices: self.notices.clone(), picture: None, dirty: None })
+        Ok(Self::of(session, self.notices.clone()))
     }
 
     /// Makes a step of the relief of finished rivers, in a style that shows none too, so that files find it made. Returns whether one

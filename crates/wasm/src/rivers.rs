@@ -112,6 +112,34 @@ pub struct River {
     pub(super) notices: Vec<Notice>,
     pub(super) picture: Option<Picture>,
     pub(super) dirty: Option<Rect>,
+    /// The recipe that drafts show.
+    #[cfg(feature = "controls")]
+    pub(super) drafted: Option<Reading>,
+}
+
+impl River {
+    /// A river without a picture.
+    pub(super) fn of(session: Session, notices: Vec<Notice>) -> Self {
+        Self {
+            session,
+            notices,
+            picture: None,
+            dirty: None,
+            #[cfg(feature = "controls")]
+            drafted: None,
+        }
+    }
+
+    /// Goes over to a recipe and says what has to run again. After an error everything is as before.
+    pub(super) fn change_to(&mut self, Reading { recipe, notices, .. }: Reading) -> Result<String, JsValue> {
+        let stage = self.session.change(recipe).map_err(|error| session_error(&error))?;
+        self.notices = notices;
+        #[cfg(feature = "controls")]
+        {
+            self.drafted = None;
+        }
+        Ok(stage.map_or("none", Stage::name).into())
+    }
 }
 
 #[wasm_bindgen]
@@ -125,7 +153,7 @@ impl River {
     ) -> Result<Self, JsValue> {
         let Reading { recipe, notices, .. } = reading::read(text, read_options(options));
         let session = Session::new(recipe).map_err(|error| session_error(&error))?;
-        Ok(Self { session, notices, picture: None, dirty: None })
+        Ok(Self::of(session, notices))
     }
 
     /// Goes over to the recipe of another link and says what has to run again. If it throws, everything is as before.
@@ -135,10 +163,7 @@ impl River {
         text: &str,
         #[wasm_bindgen(unchecked_optional_param_type = "ReadOptions")] options: &JsValue,
     ) -> Result<String, JsValue> {
-        let Reading { recipe, notices, .. } = reading::read(text, read_options(options));
-        let stage = self.session.change(recipe).map_err(|error| session_error(&error))?;
-        self.notices = notices;
-        Ok(stage.map_or("none", Stage::name).into())
+        self.change_to(reading::read(text, read_options(options)))
     }
 
     /// The canonical link of its recipe: defaults left out.

@@ -6,6 +6,7 @@ import type { Core } from "./wasm.ts";
 import { once, start } from "./wasm-module.ts";
 
 export type {
+  Drafted,
   Inspector,
   Lines,
   Measure,

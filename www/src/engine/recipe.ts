@@ -1,4 +1,4 @@
-/** The recipe on show, always in the core's own spelling: what the page changes, the core reads and answers. */
+/** The recipe on show, always in the core's own spelling: the page changes values, the core reads the link once and answers. */
 
 import type { Reading } from "./full.ts";
 import { linkText } from "./link-text.ts";
@@ -9,17 +9,19 @@ export class Recipe {
   #values: ReadonlyMap<string, string> = new Map();
   #idle: ReadonlyMap<string, string> = new Map();
   readonly #notices = new Map<string, string>();
-  #defaults: ReadonlyMap<string, string>;
+  /** Read when they are first asked for, which the first picture need not wait for. */
+  #defaults: ReadonlyMap<string, string> | undefined;
   /** Whether somebody chose how it looks: the author of a link, or a person at the controls. */
-  #isStyled = false;
+  #isStyled: boolean;
 
-  /** On a dark page a recipe that nobody has given a style is shown in that for dark pages. */
+  /** Takes the first link. On a dark page a recipe that nobody has given a style is shown in that for dark pages. */
   constructor(
     private readonly readLink: (text: string, options?: ReadOptions) => Reading,
+    text = "",
     private readonly isOnDark: () => boolean = () => false,
   ) {
-    this.#reading = this.#take("");
-    this.#defaults = this.#values;
+    this.#reading = this.#take(text);
+    this.#isStyled = this.#reading.namesStyle;
   }
 
   /** The canonical link to share; where a page's own style would stand in for a style that was chosen, with that. */
@@ -32,6 +34,11 @@ export class Recipe {
     return this.#reading.link;
   }
 
+  /** The width of the map over its height. */
+  get aspect(): number {
+    return Number(this.#values.get("aspect"));
+  }
+
   /** The values of what is shown. */
   get values(): ReadonlyMap<string, string> {
     return this.#values;
@@ -39,6 +46,7 @@ export class Recipe {
 
   /** The value that every key has on this page if nobody says otherwise. */
   get defaults(): ReadonlyMap<string, string> {
+    this.#defaults ??= new Map(this.#readHere("").values);
     return this.#defaults;
   }
 
@@ -52,7 +60,7 @@ export class Recipe {
     return this.#notices;
   }
 
-  /** What a widget does not grow of it, in words. */
+  /** Says in words what a widget does not grow of it. */
   get widgetNotices(): string[] {
     return this.readLink(this.link, { widget: true }).notices.map(({ message }) => message);
   }
@@ -86,7 +94,7 @@ export class Recipe {
 
   /** The page has become dark, or light. */
   refresh(): void {
-    this.#defaults = new Map(this.#readHere("").values);
+    this.#defaults = undefined;
     this.set([]);
   }
 

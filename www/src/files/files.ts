@@ -1,28 +1,27 @@
-/** Finished rivers as the files that widgets make, too: pictures and shapes. */
+/** Makes files of finished rivers that widgets make, too: pictures and shapes. */
 
-import type { Size } from "../browser/canvas.ts";
 import type { FullRiver } from "../engine/full.ts";
 import type { River } from "../engine/types.ts";
-import { Blitter } from "../player/blit.ts";
 import { askChartForFile, type FileMeans } from "../player/chart-maker.ts";
-import { type Canvas, contextOf } from "../player/river-player.ts";
+import type { Course } from "./course.ts";
+import { riverPng } from "./river-png.ts";
 
-/** Pixels on the long side of a PNG: a full page in print, and on any screen more than there is. */
+/** Pixels on the long side of a game pack's picture: a full page in print, and more than any screen has. */
 export const LONG_SIDE_PX = 3000;
-/** What growing for a file may take at a time, so that the page goes on answering. */
+/** Growing for a file may take this long at a time, so that the page goes on answering. */
 const SLICE_MS = 12;
 
-/** What pictures are taken out of, and what their files take. */
+/** The memory that holds pictures, and what else files need. */
 export interface Painting extends FileMeans {
   readonly memory: WebAssembly.Memory;
 }
 
-/** Its picture, `longSide` pixels on the long side. */
-export async function pngOf(river: River, core: Painting, longSide: number): Promise<Blob> {
-  return encoded(await finished(river, () => drawn(river, core, longSide)));
+/** Grows a river to its end and makes a PNG of it, `longSide` pixels on the long side. */
+export function pngOf(river: River, core: Painting, longSide: number): Promise<Blob> {
+  return finished(river, () => picture(river, core, sidesFor(river.aspect, longSide)));
 }
 
-/** Its shapes. */
+/** Grows a river to its end and makes an SVG of it. */
 export function svgOf(river: FullRiver, core: FileMeans): Promise<Blob> {
   return finished(river, async () => {
     const chart = river.wantsChart() ? await askChartForFile(river, core, (chart) => chart.svg()) : [];
@@ -55,35 +54,22 @@ function stepsFor(milliseconds: number, step: () => boolean): boolean {
   return true;
 }
 
-/** Painted for the file rather than enlarged from the screen. */
-export async function drawn(river: River, core: Painting, longSide: number): Promise<Canvas> {
-  const { width, height } = sizeFor(river.aspect, longSide);
+/** Paints a finished river for a file, rather than enlarging it from the screen, and writes that as PNG. */
+export async function picture(river: River, core: Painting, [width = 1, height = 1]: Iterable<number>): Promise<Blob> {
   river.resize(width, height);
   if (river.wantsChart()) {
     river.takeChart(await askChartForFile(river, core, (chart) => chart.masks(width, height, 1, new Float32Array())));
   }
   core.holdOn();
   while (river.paint());
-  const canvas = bareCanvas(width, height);
-  new Blitter(contextOf(canvas), core.memory).blit(river);
-  return canvas;
+  return riverPng(river, core.memory, "rgb", SILENT);
 }
 
-/** A canvas of no page, where there is such a thing: a worker has no other. */
-function bareCanvas(width: number, height: number): Canvas {
-  if ("OffscreenCanvas" in globalThis) return new OffscreenCanvas(width, height);
-  // biome-ignore lint/style/noRestrictedGlobals: a worker does not come here
-  return Object.assign(document.createElement("canvas"), { width, height });
-}
+/** Tells nobody how far it is, and lets others have their turn. */
+export const SILENT: Course = { tell: () => {}, pause: () => new Promise((resume) => setTimeout(resume)) };
 
-export function encoded(canvas: Canvas): Promise<Blob> {
-  if ("convertToBlob" in canvas) return canvas.convertToBlob({ type: "image/png" });
-  return new Promise((done, failed) => {
-    canvas.toBlob((blob) => (blob ? done(blob) : failed(new Error("the browser made no picture"))), "image/png");
-  });
-}
-
-function sizeFor(aspect: number, longSide: number): Size {
+/** The sides of a picture of all of the map, as near to its shape as whole pixels come. */
+function sidesFor(aspect: number, longSide: number): [width: number, height: number] {
   const shrink = longSide / Math.max(aspect, 1);
-  return { width: Math.max(1, Math.round(aspect * shrink)), height: Math.max(1, Math.round(shrink)) };
+  return [Math.max(1, Math.round(aspect * shrink)), Math.max(1, Math.round(shrink))];
 }

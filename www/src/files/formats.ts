@@ -1,8 +1,8 @@
-/** Finished rivers in every format that the page offers. A module of its own: widgets need not load what writes archives. */
+/** Makes files of finished rivers in every format that the page offers. Apart from `files.ts`: widgets need not load what writes archives. */
 
 import type { FullCore, FullRiver } from "../engine/full.ts";
 import { askChartForFile } from "../player/chart-maker.ts";
-import { drawn, encoded, finished, inSlices, LONG_SIDE_PX, type Painting, svgOf } from "./files.ts";
+import { finished, inSlices, LONG_SIDE_PX, type Painting, picture, svgOf } from "./files.ts";
 import type { Format } from "./format-names.ts";
 import { contentsOf, packed } from "./game-pack.ts";
 
@@ -23,15 +23,14 @@ export function fileOf(river: FullRiver, core: FileCore, format: Format): Promis
   return FORMATS[format](river, core);
 }
 
-/** All that games need, and the picture. */
+/** Packs the picture and all that games need besides. */
 async function packOf(river: FullRiver, core: FileCore): Promise<Blob> {
-  const [contents, canvas] = await raised(river, async () => {
+  const [contents, map] = await raised(river, async () => {
     const contents = contentsOf(river, await namesOf(river, core));
-    return [contents, await drawn(river, core, LONG_SIDE_PX)] as const;
+    return [contents, await picture(river, core, river.sidesFor(LONG_SIDE_PX))] as const;
   });
-  const picture = await (await encoded(canvas)).arrayBuffer();
   core.holdOn();
-  return packed(contents, picture);
+  return packed(contents, map);
 }
 
 /** Makes something of a river and its relief, in a style that shows none too. */

@@ -1,10 +1,11 @@
 /** A map's files for a game, as one archive: rasters, rivers, the picture, and a text that says by which scale. */
 
-import { encode } from "fast-png";
 import { strToU8, zipSync } from "fflate";
 import type { FullRiver } from "../engine/full.ts";
+import { SILENT } from "./files.ts";
+import { pngOf } from "./png.ts";
 
-/** What the archive is made of, out of the engine's memory. */
+/** The contents of an archive, copied out of the engine's memory. */
 export interface Contents {
   readme: string;
   geojson: string;
@@ -33,16 +34,24 @@ export function contentsOf(river: FullRiver, names: Uint32Array): Contents {
   }
 }
 
-/** The archive. */
-export function packed({ readme, geojson, columns, rows, rasters }: Contents, picture: ArrayBuffer): Blob {
+/** Makes the archive, with the picture of the map. */
+export async function packed({ readme, geojson, columns, rows, rasters }: Contents, map: Blob): Promise<Blob> {
   const files: Record<string, Uint8Array> = { "README.txt": strToU8(readme) };
-  for (const { name, values, texts } of rasters) {
-    const depth = values instanceof Uint16Array ? 16 : 8;
-    files[`${name}.png`] = encode({ width: columns, height: rows, data: values, depth, channels: 1, text: texts });
-  }
+  for (const raster of rasters) files[`${raster.name}.png`] = await bytesOf(await rasterPng(raster, columns, rows));
   files["map.geojson"] = strToU8(geojson);
-  files["map.png"] = new Uint8Array(picture);
+  files["map.png"] = await bytesOf(map);
   return new Blob([zipSync(files, { mtime: EARLIEST })], { type: "application/zip" });
+}
+
+function rasterPng({ values, texts }: Raster, width: number, height: number): Promise<Blob> {
+  const bytes = new Uint8Array(values.buffer, values.byteOffset, values.byteLength);
+  const length = width * values.BYTES_PER_ELEMENT;
+  const rows = (first: number, count: number): Uint8Array => bytes.subarray(first * length, (first + count) * length);
+  return pngOf({ width, height, pixels: values instanceof Uint16Array ? "grey16" : "grey8", rows, texts }, SILENT);
+}
+
+async function bytesOf(file: Blob): Promise<Uint8Array> {
+  return new Uint8Array(await file.arrayBuffer());
 }
 
 /** Files have no time, so that a river always gives the same archive: the first day that the format knows. */

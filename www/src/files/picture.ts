@@ -4,10 +4,7 @@ import type { FullRiver } from "../engine/full.ts";
 import { type Course, grow, partOf } from "./course.ts";
 import { CARD, type CardOrder, changed, type PictureOrder } from "./order.ts";
 import { type MakerCore, paint } from "./painting.ts";
-import { pngOf } from "./png.ts";
-
-/** The keyword under which pictures carry their link, as those of the command line do. */
-const LINK_KEYWORD = "riverseed";
+import { riverPng } from "./river-png.ts";
 
 /** By when rivers are grown and the picture is painted, as shares of a file's course. */
 const GROWN = 0.2;
@@ -22,7 +19,7 @@ export async function pictureOf(order: PictureOrder | CardOrder, core: MakerCore
     await paint(river, core, partOf(course, GROWN, PAINTED));
     const isTransparent = order.kind === "picture" && order.isTransparent;
     if (isTransparent) river.cutOut();
-    return await written(river, core, isTransparent, partOf(course, PAINTED, 1));
+    return await riverPng(river, core.memory, isTransparent ? "rgba" : "rgb", partOf(course, PAINTED, 1));
   } finally {
     river.free();
   }
@@ -31,13 +28,6 @@ export async function pictureOf(order: PictureOrder | CardOrder, core: MakerCore
 function sidesFor(river: FullRiver, { longerSide }: PictureOrder): [width: number, height: number] {
   const [width = 0, height = 0] = river.sidesFor(longerSide);
   return [width, height];
-}
-
-function written(river: FullRiver, { memory }: MakerCore, isTransparent: boolean, course: Course): Promise<Blob> {
-  const { width, height, link } = river;
-  const rows = (first: number, count: number): Uint8Array =>
-    new Uint8Array(memory.buffer, river.pixelsPointer() + first * width * 4, count * width * 4);
-  return pngOf({ width, height, rows, isTransparent, texts: { [LINK_KEYWORD]: link } }, course);
 }
 
 /** The map with its title in letters that are read in small, too, and of names no more than there is room for. */

@@ -1,6 +1,6 @@
 /**
- * PNG, written some rows at a time: a canvas of the greatest pictures is more than many browsers give, some browsers change a canvas's pixels
- * by a little when they are read, and none says how far it is.
+ * The one encoder of PNG, some rows at a time. A browser's canvas does not serve: the largest pictures are more than many browsers give,
+ * some change pixels by a little when they are read, and none says how far it is.
  */
 
 import type { Course } from "./course.ts";
@@ -8,13 +8,30 @@ import type { Course } from "./course.ts";
 export interface PngImage {
   width: number;
   height: number;
-  /** RGBA pixels of some rows; they may be gone when the next are asked for. */
+  pixels: Pixels;
+  /** The pixels of some rows, as they lie in memory; they may be gone when the next are asked for. */
   rows(first: number, count: number): Uint8Array;
-  /** Whether pixels have an opacity. */
-  isTransparent: boolean;
   /** Texts by keyword, in Latin letters. */
   texts: Readonly<Record<string, string>>;
 }
+
+/** How pixels lie in memory and in the file: RGBA in memory, with an opacity in the file or without; grey of 8 bits; grey of 16. */
+export type Pixels = "rgb" | "rgba" | "grey8" | "grey16";
+
+/** The format's number of a kind of colour, bits a channel, and how many bytes a pixel takes in memory and in the file. */
+interface Layout {
+  colour: number;
+  depth: number;
+  inMemory: number;
+  inFile: number;
+}
+
+const LAYOUTS: Readonly<Record<Pixels, Layout>> = {
+  rgb: { colour: 2, depth: 8, inMemory: 4, inFile: 3 },
+  rgba: { colour: 6, depth: 8, inMemory: 4, inFile: 4 },
+  grey8: { colour: 0, depth: 8, inMemory: 1, inFile: 1 },
+  grey16: { colour: 0, depth: 16, inMemory: 2, inFile: 2 },
+};
 
 /** About how many bytes of rows are written at a time. */
 const BAND_BYTES = 1 << 19;
@@ -22,8 +39,8 @@ const BAND_BYTES = 1 << 19;
 const SIGNATURE = new Uint8Array([137, 80, 78, 71, 13, 10, 26, 10]);
 
 export async function pngOf(image: PngImage, course: Course): Promise<Blob> {
-  const { width, height, isTransparent, texts } = image;
-  const parts: BlobPart[] = [SIGNATURE, ...chunk("IHDR", header(width, height, isTransparent))];
+  const { texts } = image;
+  const parts: BlobPart[] = [SIGNATURE, ...chunk("IHDR", header(image))];
   for (const [keyword, text] of Object.entries(texts)) parts.push(...chunk("tEXt", latin(`${keyword}\0${text}`)));
   const zlib = new CompressionStream("deflate");
   const packing = collect(zlib.readable, (bytes) => parts.push(...chunk("IDAT", bytes)));
@@ -32,12 +49,12 @@ export async function pngOf(image: PngImage, course: Course): Promise<Blob> {
   return new Blob(parts, { type: "image/png" });
 }
 
-/** Rows, each behind the number of its filter, into what packs them. */
+/** Writes rows, each behind the number of its filter, into a stream that packs them. */
 async function filter(image: PngImage, packed: WritableStream<BufferSource>, course: Course): Promise<void> {
-  const { width, height, isTransparent } = image;
+  const { width, height, pixels } = image;
   const writer = packed.getWriter();
-  const filters = new RowFilters(width, isTransparent ? 4 : 3);
-  const most = Math.max(1, Math.floor(BAND_BYTES / (width * 4)));
+  const filters = new RowFilters(width, LAYOUTS[pixels]);
+  const most = Math.max(1, Math.floor(BAND_BYTES / (width * LAYOUTS[pixels].inMemory)));
   try {
     for (let first = 0; first < height; first += most) {
       const count = Math.min(most, height - first);
@@ -62,7 +79,7 @@ async function collect(stream: ReadableStream<Uint8Array>, take: (bytes: Uint8Ar
   }
 }
 
-/** The filters of rows: each takes away what is known of a byte by those before it. */
+/** Filters rows: each filter takes away what is known of a byte by those before it. */
 class RowFilters {
   readonly #length: number;
   #above: Uint8Array;
@@ -72,15 +89,15 @@ class RowFilters {
 
   constructor(
     width: number,
-    private readonly channels: number,
+    private readonly layout: Layout,
   ) {
-    this.#length = width * channels;
+    this.#length = width * layout.inFile;
     this.#above = new Uint8Array(this.#length);
     this.#row = new Uint8Array(this.#length);
     this.#tried = [1, 2, 3, 4].map(() => new Uint8Array(this.#length));
   }
 
-  /** The rows that follow on the last, of RGBA pixels, each by the filter that leaves least. */
+  /** Filters the rows that follow on the last, each by the filter that leaves least. */
   filtered(pixels: Uint8Array, count: number): Uint8Array<ArrayBuffer> {
     const filtered = new Uint8Array((this.#length + 1) * count);
     const bytes = pixels.length / count;
@@ -94,30 +111,30 @@ class RowFilters {
     return filtered;
   }
 
+  /** Takes a row as it lies in the file: without opacity if there is none, and the larger byte of 16 bits first. */
   #take(pixels: Uint8Array, from: number): void {
     const row = this.#row;
-    if (this.channels === 4) {
-      row.set(pixels.subarray(from, from + this.#length));
-      return;
-    }
-    for (let to = 0, at = from; to < row.length; to += 3, at += 4) {
+    const { inMemory, inFile } = this.layout;
+    if (inMemory === inFile) row.set(pixels.subarray(from, from + this.#length));
+    for (let to = 0, at = from; inMemory > inFile && to < row.length; to += 3, at += 4) {
       row[to] = pixels[at] ?? 0;
       row[to + 1] = pixels[at + 1] ?? 0;
       row[to + 2] = pixels[at + 2] ?? 0;
     }
+    if (this.layout.depth === 16) swapPairs(row);
   }
 
-  /** Tries all, and says which leaves the least sum: its place in the list. */
+  /** Tries all filters. Returns the place in the list of the one that leaves the least sum. */
   #best(): number {
     const [sub, up, average, paeth] = this.#tried;
     if (!sub || !up || !average || !paeth) return 0;
-    const [row, above, { channels }] = [this.#row, this.#above, this];
+    const [row, above, step] = [this.#row, this.#above, this.layout.inFile];
     let [bySub, byUp, byAverage, byPaeth] = [0, 0, 0, 0];
     for (let i = 0; i < row.length; i++) {
       const here = row[i] ?? 0;
-      const left = i < channels ? 0 : (row[i - channels] ?? 0);
+      const left = i < step ? 0 : (row[i - step] ?? 0);
       const upper = above[i] ?? 0;
-      const corner = i < channels ? 0 : (above[i - channels] ?? 0);
+      const corner = i < step ? 0 : (above[i - step] ?? 0);
       const afterSub = (here - left) & 255;
       sub[i] = afterSub;
       bySub += rest(afterSub);
@@ -136,6 +153,11 @@ class RowFilters {
   }
 }
 
+/** Swaps the bytes of numbers of 16 bits, whose smaller byte lies first in the memory of every browser's machine. */
+function swapPairs(row: Uint8Array): void {
+  for (let i = 0; i < row.length; i += 2) [row[i], row[i + 1]] = [row[i + 1] ?? 0, row[i] ?? 0];
+}
+
 /** How far a byte is from 0, either way. */
 function rest(byte: number): number {
   return byte < 128 ? byte : 256 - byte;
@@ -150,13 +172,12 @@ function likeliest(left: number, upper: number, corner: number): number {
   return byUpper <= byCorner ? upper : corner;
 }
 
-function header(width: number, height: number, isTransparent: boolean): Uint8Array<ArrayBuffer> {
+function header({ width, height, pixels }: PngImage): Uint8Array<ArrayBuffer> {
   const bytes = new Uint8Array(13);
   const view = new DataView(bytes.buffer);
   view.setUint32(0, width);
   view.setUint32(4, height);
-  // Eight bits a channel, and colours with an opacity or without.
-  bytes.set([8, isTransparent ? 6 : 2], 8);
+  bytes.set([LAYOUTS[pixels].depth, LAYOUTS[pixels].colour], 8);
   return bytes;
 }
 

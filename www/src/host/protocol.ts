@@ -5,21 +5,11 @@
 
 import type { CanvasSize } from "../browser/canvas.ts";
 import type { Code } from "../engine/errors.ts";
-import type { Notice, Phase, Summary } from "../engine/types.ts";
+import type { Phase, Summary } from "../engine/types.ts";
 import type { State } from "../player/frame-loop.ts";
-import type { Canvas, LinkToRead, ShowMode } from "../player/river-player.ts";
+import type { Canvas, LinkToRead, Reading, ShowMode } from "../player/river-player.ts";
 
-/** A link as the core understood it. */
-export interface Reading {
-  /** The canonical link: what is drawn. */
-  link: string;
-  seed: string;
-  aspect: number;
-  /** What had to be corrected. */
-  notices: readonly Notice[];
-  /** How many links the scene had been asked to show by then, the first not counted. */
-  links: number;
-}
+export type { Reading } from "../player/river-player.ts";
 
 /** Puts a river on a canvas. */
 export interface Opening {

@@ -7,7 +7,7 @@ import { isEngineUnsure } from "../engine/unsure.ts";
 import type { Frames } from "../player/frame-loop.ts";
 import { type PlayerEvents, type RiverMaker, RiverPlayer } from "../player/river-player.ts";
 import type { SharedClock } from "../player/shared-clock.ts";
-import type { Opening, Reading, Report, SceneCommand } from "./protocol.ts";
+import type { Opening, Report, SceneCommand } from "./protocol.ts";
 
 /** What is asked of a river while there is one. */
 type Request = Exclude<SceneCommand, { do: "close" }>;
@@ -15,10 +15,6 @@ type Request = Exclude<SceneCommand, { do: "close" }>;
 export class Scene<R extends River = River> {
   #size: CanvasSize;
   #player: RiverPlayer<R> | undefined;
-  /** Of the river on the canvas. */
-  #reading: Reading | undefined;
-  /** How many links it has been asked to show after the first. */
-  #links = 0;
   /** What came before the river was created. */
   #early: Request[] = [];
   #isOver = false;
@@ -58,13 +54,7 @@ export class Scene<R extends River = River> {
     const { id, canvas, link, how } = this.opening;
     const events: PlayerEvents = {
       sizeFor: () => this.#size,
-      created: ({ link, seed, aspect, notices }) => {
-        this.#reading = { link, seed, aspect, notices, links: this.#links };
-      },
-      changed: (state, phase, summary) => {
-        const reading = this.#reading;
-        if (reading) this.tell({ id, is: "shown", reading, state, phase, summary });
-      },
+      changed: (reading, state, phase, summary) => this.tell({ id, is: "shown", reading, state, phase, summary }),
       failed: (thrown) => this.#fail(thrown),
     };
     const player = new RiverPlayer(this.maker, canvas, link, this.frames, events, this.clock);
@@ -77,7 +67,6 @@ export class Scene<R extends River = River> {
   #follow(command: Request, player: RiverPlayer<R>): void {
     switch (command.do) {
       case "show":
-        this.#links++;
         this.#size = command.size;
         player.show(command.link, command.how);
         break;
@@ -105,7 +94,13 @@ export class Scene<R extends River = River> {
     const error = named(thrown);
     this.#mayFree &&= !isEngineUnsure(error);
     if (!isRecoverable(error)) this.#player?.close();
-    this.tell({ id: this.opening.id, is: "failed", code: error.code, message: error.message, links: this.#links });
+    this.tell({
+      id: this.opening.id,
+      is: "failed",
+      code: error.code,
+      message: error.message,
+      links: this.#player?.links ?? 0,
+    });
   }
 
   #close(): void {

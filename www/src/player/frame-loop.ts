@@ -1,6 +1,6 @@
 /**
  * The frame loop: how far to go before the next picture. It knows the time and nothing of pixels; what grows and meanders
- * is the same to the bit however the work is sliced.
+ * is the same to the bit however the work is sliced. What it is at is one of five cases; each frame takes one step from there.
  */
 
 import type { Phase } from "../engine/types.ts";
@@ -45,10 +45,45 @@ export interface Frames {
   now(): number;
 }
 
-/**
- * growing: animated, meanders too; paused: animated, held; settling: to the end as fast as the page bears; finished: nothing to do.
- */
+/** Animated, in bends too; held; on its way to the end as fast as the page bears; with nothing left to do. */
 export type State = "growing" | "paused" | "settling" | "finished";
+
+type Course =
+  | { is: "paused" }
+  | { is: "finished" }
+  /** `last` is the time of the last frame; `pace` is the phase that is being animated, and the seconds, at 1x, that it has been. */
+  | { is: "growing"; last?: number | undefined; pace?: { phase: Phase; spent: number } | undefined }
+  | Settling
+  | Following;
+
+/** To the finished river without animation. */
+interface Settling {
+  is: "settling";
+  /** The phase in which it began. */
+  from: Phase;
+  /** Whether the grown tree is worth a picture before it becomes rivers. */
+  showsTree: boolean;
+  /** Whether a picture has shown anything new. */
+  hasShown: boolean;
+  shownAt: number;
+}
+
+/** After a hand that still moves: to something that can be shown, and to the finished river when the hand rests. */
+interface Following {
+  is: "following";
+  from: Phase;
+  /** When the hand moved last. */
+  since: number;
+  /** What pictures have shown of the new river. */
+  shown: "nothing" | "tree" | "rivers";
+  shownAt: number;
+}
+
+/** Whether a picture is to be painted: none; in a frame to come; in the next, which makes no steps; in the next, the rest of it. */
+type Picture = "none" | "due" | "next" | "begun";
+
+/** Who looks on: somebody; nobody, for now; nobody any more. */
+type Audience = "here" | "away" | "gone";
 
 export interface FrameLoopEvents {
   /**
@@ -79,26 +114,10 @@ const GROWING: Pace = {
 
 export class FrameLoop {
   #speed = 1;
-  #state: State = "paused";
+  #course: Course = { is: "paused" };
+  #picture: Picture = "none";
+  #audience: Audience = "here";
   #handle: number | undefined;
-  #last: number | undefined;
-  /** The phase that is being animated, and the seconds, at 1x, that it has been. */
-  #paced: Phase | undefined;
-  #spent = 0;
-  #shownAt = 0;
-  #redraw = false;
-  #isResting = false;
-  #isOver = false;
-  /** While settling: in which phase it began, whether the tree is worth a picture before it becomes rivers, and whether any grown one was shown. */
-  #from: Phase = "growing";
-  #showsTree = false;
-  #isShown = false;
-  /** While it follows a hand: since when that may rest; whether rivers were shown. */
-  #movedAt: number | undefined;
-  #isDrafted = false;
-  /** The next frame paints and makes no steps: the last one had no time to, or not for all. */
-  #paintsNext = false;
-  #isPainting = false;
 
   constructor(
     private readonly river: Growing,
@@ -107,39 +126,39 @@ export class FrameLoop {
   ) {}
 
   get state(): State {
-    return this.#state;
+    return stateOf(this.#course);
   }
 
   /** Times the ordinary speed; `Infinity` grows as fast as the budget allows. */
   set speed(speed: number) {
     this.#speed = speed;
     // From where it stands, however fast it came there.
-    this.#paced = undefined;
+    if (this.#course.is === "growing") this.#course.pace = undefined;
   }
 
   /** Whether another recipe would throw away what nobody has seen yet. */
   get isBusy(): boolean {
-    return this.#isPainting || (this.#state === "settling" && !this.#isShown);
+    return this.#picture === "begun" || hidesNews(this.#course);
   }
 
   /** Animates a river from where it stands. */
   watch(): void {
-    this.#enter("growing");
+    this.#enter({ is: "growing" });
   }
 
   /** Goes on; a finished river starts again. */
   play(): void {
-    if (this.#state === "finished") this.river.restart();
+    if (this.state === "finished") this.river.restart();
     this.watch();
   }
 
   pause(): void {
-    if (this.#runs) this.#enter("paused");
+    if (this.#runs) this.#enter({ is: "paused" });
   }
 
-  /** Stands still where the river is, be it its end, and shows it: somebody has moved it. */
+  /** Pauses at the current step, even the last, and repaints: somebody has moved the river there. */
   hold(): void {
-    this.#enter("paused");
+    this.#enter({ is: "paused" });
   }
 
   toggle(): void {
@@ -153,93 +172,91 @@ export class FrameLoop {
     this.watch();
   }
 
-  /** To the finished river without animation, in slices; if asked for, the grown tree is shown on the way. */
+  /** Goes to the finished river without animation, in slices; if asked for, the grown tree is shown on the way. */
   settle(showsTree: boolean): void {
-    this.#shownAt = this.frames.now();
-    this.#from = this.river.phase;
-    this.#showsTree = showsTree;
-    this.#isShown = this.#isDrafted = false;
-    this.#enter("settling");
+    const [shownAt, from] = [this.frames.now(), this.river.phase];
+    this.#enter({ is: "settling", from, showsTree, hasShown: false, shownAt });
   }
 
   /**
-   * After a hand that still moves: to something that can be shown, a grown tree, or rivers as far as they have meandered by then; and to
-   * the finished river when the hand rests. If it has been shown otherwise, and the hand rests, there at once.
+   * Follows a hand that still moves: to a grown tree, or to rivers as far as they have meandered by then, and to the finished river when
+   * the hand rests. `isShown`: a draft has shown it already, and the hand rests, so it goes to the finished river at once.
    */
   follow(isShown = false): void {
-    this.settle(true);
-    this.#movedAt = isShown ? Number.NEGATIVE_INFINITY : this.frames.now();
-    this.#isShown = this.#isDrafted = isShown;
+    const [shownAt, from] = [this.frames.now(), this.river.phase];
+    const since = isShown ? Number.NEGATIVE_INFINITY : shownAt;
+    this.#enter({ is: "following", from, since, shown: isShown ? "rivers" : "nothing", shownAt });
   }
 
-  /** The frame that is due, now. */
+  /** Takes the frame that is due, now. */
   hurry(): void {
     if (this.#handle === undefined) return;
     this.frames.cancel(this.#handle);
     this.#frame(this.frames.now());
   }
 
-  /** One more picture, whatever the state: something late changed. */
+  /** Paints one more picture, whatever the state: something late changed. */
   redraw(): void {
-    this.#redraw = true;
+    if (this.#picture === "none") this.#picture = "due";
     this.#wake();
   }
 
-  /** No more steps until it is seen again. A picture that is due is still painted. */
+  /** Makes no more steps until it is seen again. A picture that is due is still painted. */
   rest(): void {
-    this.#isResting = true;
-    this.#last = undefined;
-    if (!this.#redraw) this.halt();
+    if (this.#audience === "here") this.#audience = "away";
+    if (this.#picture === "none") this.halt();
+    else this.#forgetTime();
   }
 
   wake(): void {
-    this.#isResting = false;
+    if (this.#audience === "away") this.#audience = "here";
     this.#goOn();
   }
 
-  /** No more frames, unless something is asked for again. */
+  /** Takes no more frames, unless something is asked for again. */
   halt(): void {
     if (this.#handle !== undefined) this.frames.cancel(this.#handle);
     this.#handle = undefined;
-    this.#last = undefined;
+    this.#forgetTime();
   }
 
-  /** No frames any more, whatever is asked for: the one that this may be in does not go on, either. */
+  /** Takes no frames any more, whatever is asked for: the one that this may be in does not go on, either. */
   close(): void {
     this.halt();
-    this.#isOver = true;
+    this.#audience = "gone";
   }
 
   #goOn(): void {
-    if (this.#redraw || this.#isStepping) this.#wake();
+    if (this.#picture !== "none" || this.#isStepping) this.#wake();
   }
 
   get #runs(): boolean {
-    return this.#state === "growing" || this.#state === "settling";
+    return this.state === "growing" || this.state === "settling";
   }
 
   get #isStepping(): boolean {
-    return this.#runs && !this.#isResting;
+    return this.#runs && this.#audience === "here";
   }
 
-  #enter(state: State): void {
-    this.#last = undefined;
-    this.#paced = undefined;
-    this.#movedAt = undefined;
-    this.#redraw = true;
-    this.#paintsNext = this.#isPainting = false;
-    this.#become(state);
+  /** After a pause in frames the animation goes on from where it was. */
+  #forgetTime(): void {
+    if (this.#course.is === "growing") this.#course.last = undefined;
+  }
+
+  #enter(course: Course): void {
+    this.#picture = "due";
+    this.#become(course);
     this.#wake();
   }
 
-  #become(state: State): void {
-    if (state === this.#state) return;
-    this.#state = state;
-    this.events.changed(state);
+  #become(course: Course): void {
+    const before = this.state;
+    this.#course = course;
+    if (this.state !== before) this.events.changed(this.state);
   }
 
   #wake(): void {
-    if (!this.#isOver) this.#handle ??= this.frames.request((now) => this.#frame(now));
+    if (this.#audience !== "gone") this.#handle ??= this.frames.request((now) => this.#frame(now));
   }
 
   #frame(now: number): void {
@@ -252,75 +269,70 @@ export class FrameLoop {
     }
   }
 
+  /** Makes the steps that are due, and the picture. A picture that the last frame had no time for comes first. */
   #step(now: number): void {
-    const began = this.frames.now();
-    const before = this.river.phase;
-    const isDue = this.#isStepping && before !== "finished" && !this.#paintsNext;
-    if (isDue && !this.#waitsForRest) this.#proceed(now, before);
-    const shows = this.#paintsNext || this.#isWorthShowing(now, before);
-    // A hand waits for no other frame: its steps have a budget that leaves room for a draft.
-    const isForHand = this.#movedAt !== undefined && !this.#isShown;
-    this.#paintsNext = shows && !isForHand && !this.#paintsNext && this.frames.now() - began > LONG_STEPS_MS;
-    if (shows && !this.#paintsNext) this.#show(now);
+    if (this.#picture === "next" || this.#picture === "begun") this.#show(now);
+    else {
+      const [began, before] = [this.frames.now(), this.river.phase];
+      if (this.#isStepping && before !== "finished") this.#proceed(now, before);
+      // A hand waits for no other frame: its steps have a budget that leaves room for a draft.
+      const mayWait = this.#course.is !== "following" || this.#course.shown !== "nothing";
+      if (this.#isWorthShowing(now, before)) {
+        if (mayWait && this.frames.now() - began > LONG_STEPS_MS) this.#picture = "next";
+        else this.#show(now);
+      }
+    }
     this.#goOn();
   }
 
-  /** Whether there is a picture to be painted. Of a river that settles, seldom. */
+  /** Makes the steps that are due, within the budget. */
+  #proceed(now: number, phase: Phase): void {
+    const course = this.#course;
+    if (course.is === "growing") {
+      const elapsed = course.last === undefined ? 0 : Math.min(now - course.last, LONGEST_STEP_MS);
+      course.last = now;
+      this.#animate(course, phase, (elapsed * this.#speed) / 1000);
+    } else if (course.is === "settling") this.#advance(phase, 1, SETTLE_BUDGET_MS);
+    else if (course.is === "following") this.#follow(course, phase);
+  }
+
+  /** Until something is seen, goes to a draft; then waits for the hand to rest. */
+  #follow({ shown, since }: Following, phase: Phase): void {
+    if (shown === "nothing") this.#makeDraft(phase);
+    else if (this.frames.now() - since >= REST_MS) this.#advance(phase, 1, SETTLE_BUDGET_MS);
+  }
+
+  /** Tells whether there is a picture to be painted. Of a river that settles, seldom. */
   #isWorthShowing(now: number, before: Phase): boolean {
     const { phase } = this.river;
-    if (this.#state !== "settling" || phase === "finished") return true;
+    const course = this.#course;
+    if ((course.is !== "settling" && course.is !== "following") || phase === "finished") return true;
+    const isFollowing = course.is === "following";
+    if (isFollowing && (phase === "meandering" || phase === "relief")) return course.shown !== "rivers";
     const isGrown = before === "growing" && phase !== before;
-    if (this.#movedAt !== undefined && (phase === "meandering" || phase === "relief")) return !this.#isDrafted;
-    return (isGrown && this.#showsTree) || now - this.#shownAt >= SETTLE_QUIET_MS;
+    return (isGrown && (isFollowing || course.showsTree)) || now - course.shownAt >= SETTLE_QUIET_MS;
   }
 
   #show(now: number): void {
     const { phase } = this.river;
-    this.#isPainting = this.#paint();
-    this.#redraw = this.#paintsNext = this.#isPainting;
-    if (this.#isPainting) return;
-    this.#shownAt = now;
-    this.#isShown ||= this.#showsNew(phase);
-    this.#isDrafted ||= this.#isShown && phase !== "shaping";
-    if (this.#runs && phase === "finished") this.#become("finished");
+    this.#picture = this.#paint() ? "begun" : "none";
+    if (this.#picture === "begun") return;
+    note(this.#course, phase, now);
+    if (this.#runs && phase === "finished") this.#become({ is: "finished" });
     if (!this.isBusy) this.events.ready();
-  }
-
-  /** Whether a picture in this phase shows something of what settles: until there are other rivers, or another relief, the old stay in it. */
-  #showsNew(phase: Phase): boolean {
-    if (phase === "shaping") return this.#from === "growing";
-    if (phase === "relief") return this.#movedAt !== undefined;
-    return phase !== "growing";
-  }
-
-  /** Whether the hand that it follows may move on, and has seen something. */
-  get #waitsForRest(): boolean {
-    return this.#movedAt !== undefined && this.#isShown && this.frames.now() - this.#movedAt < REST_MS;
   }
 
   /** Paints within the budget. Returns whether there is more to do. */
   #paint(): boolean {
     const end = this.frames.now() + PAINT_BUDGET_MS;
-    const asDraft = this.#movedAt !== undefined && this.river.phase !== "finished";
+    const asDraft = this.#course.is === "following" && this.river.phase !== "finished";
     while (this.events.draw(asDraft)) {
       if (this.frames.now() >= end) return true;
     }
     return false;
   }
 
-  /** Makes the steps that are due, within the budget. */
-  #proceed(now: number, phase: Phase): void {
-    if (this.#state === "settling") {
-      if (this.#movedAt !== undefined && !this.#isShown) this.#makeDraft(phase);
-      else this.#advance(phase, 1, SETTLE_BUDGET_MS);
-      return;
-    }
-    const elapsed = this.#last === undefined ? 0 : Math.min(now - this.#last, LONGEST_STEP_MS);
-    this.#last = now;
-    this.#animate(phase, (elapsed * this.#speed) / 1000);
-  }
-
-  /** Steps until there is something new to be shown, or the budget is spent. */
+  /** Makes steps until there is something new to be shown, or the budget is spent. */
   #makeDraft(before: Phase): void {
     const end = this.frames.now() + DRAFT_BUDGET_MS;
     const { river } = this;
@@ -330,15 +342,14 @@ export class FrameLoop {
   }
 
   /** Advances by some seconds of the animation. What does not fit makes it longer, rather than falling ever further behind. */
-  #animate(phase: Phase, seconds: number): void {
+  #animate(course: Extract<Course, { is: "growing" }>, phase: Phase, seconds: number): void {
     const pace = this.#paceOf(phase);
-    if (this.#paced !== phase) {
-      this.#paced = phase;
-      this.#spent = pace.seconds * pace.timeAt(this.river.progress);
+    if (course.pace?.phase !== phase) {
+      course.pace = { phase, spent: pace.seconds * pace.timeAt(this.river.progress) };
     }
-    const spent = this.#spent + seconds;
+    const spent = course.pace.spent + seconds;
     const share = spent < pace.seconds ? pace.shareAt(spent / pace.seconds) : 1;
-    if (this.#advance(phase, share, FRAME_BUDGET_MS)) this.#spent = spent;
+    if (this.#advance(phase, share, FRAME_BUDGET_MS)) course.pace.spent = spent;
   }
 
   #paceOf(phase: Phase): Pace {
@@ -348,7 +359,7 @@ export class FrameLoop {
   }
 
   /**
-   * Steps until so much of the phase is done, 1 for its end; returns whether there was time for them. One step at a time: a step
+   * Makes steps until this share of the phase is done, 1 for its end. Returns whether there was time for them. One step at a time: a step
    * is far longer than asking the clock, and the longest bounds how late a frame can be. Another phase begins with another frame,
    * so that its first picture is seen.
    */
@@ -361,5 +372,27 @@ export class FrameLoop {
       if (this.frames.now() >= end) return !isDue();
     }
     return true;
+  }
+}
+
+function stateOf({ is }: Course): State {
+  return is === "following" ? "settling" : is;
+}
+
+/** Tells whether a river settles of which no picture has shown anything new. */
+function hidesNews(course: Course): boolean {
+  return course.is === "settling" ? !course.hasShown : course.is === "following" && course.shown === "nothing";
+}
+
+/** Notes what a picture in a phase has shown of a river that settles: until there are other rivers, or another relief, the old stay in it. */
+function note(course: Course, phase: Phase, now: number): void {
+  if (course.is !== "settling" && course.is !== "following") return;
+  course.shownAt = now;
+  const isOfRivers =
+    phase === "meandering" || phase === "finished" || (phase === "relief" && course.is === "following");
+  const isNews = isOfRivers || (phase === "shaping" && course.from === "growing");
+  if (course.is === "settling") course.hasShown ||= isNews;
+  else if (isNews || course.shown !== "nothing") {
+    course.shown = phase === "shaping" && course.shown !== "rivers" ? "tree" : "rivers";
   }
 }

@@ -1,35 +1,21 @@
-/**
- * A river on a canvas: grows and draws it, and says how far it is. It knows no document, so that it works in a worker as well.
- */
+/** A river on a canvas: grows and draws it, and reports how far it is. It knows no document, so that it works in a worker as well. */
 
-import type { CanvasSize, Framing } from "../browser/canvas.ts";
+import type { CanvasSize } from "../browser/canvas.ts";
 import type { Phase, ReadOptions, River, Summary } from "../engine/types.ts";
 import { Blitter } from "./blit.ts";
 import { ChartMaker, type LoadCharts } from "./chart-maker.ts";
+import { type Drafting, Drafts } from "./drafts.ts";
 import { FrameLoop, type Frames, type Growing, REST_MS, type State } from "./frame-loop.ts";
 import type { SharedClock } from "./shared-clock.ts";
+import type { Canvas, LinkToRead, Reading, ShowMode, Wanted } from "./showing.ts";
 
-export type Canvas = HTMLCanvasElement | OffscreenCanvas;
-
-/**
- * watch: see it grow and meander; settle: as soon as may be, for a slider that is being dragged: the tree when it is grown, or a draft of
- * the rivers, and when the hand rests its finished rivers; still: nothing but finished rivers.
- */
-export type ShowMode = "watch" | "settle" | "still";
-
-/** A link, and how it is to be read. */
-export interface LinkToRead {
-  text: string;
-  options?: ReadOptions;
-}
+export type * from "./showing.ts";
 
 export interface PlayerEvents {
-  /** The canvas is about to hold a river of this shape: how many pixels should it have? None if it is not shown. */
+  /** Asks how many pixels the canvas should have for a river of this shape; none if it is not shown. */
   sizeFor(aspect: number): CanvasSize;
-  /** The river is of another link from now on. */
-  created?(river: River): void;
-  /** Something of the picture changed: the state, or in it the river. */
-  changed(state: State, phase: Phase, summary: Summary): void;
+  /** Something of the picture changed: the link, the state, or in it the river. */
+  changed(reading: Reading, state: State, phase: Phase, summary: Summary): void;
   failed(error: unknown): void;
 }
 
@@ -39,21 +25,12 @@ const COUNT_EVERY_MS = 250;
 /** A hand is followed at once, but for what comes sooner than this after the last: that waits for a frame, and the latest alone is shown. */
 const AT_ONCE_MS = 16;
 
-/** A draft on courses that are there may take so long at once: a hand sees it sooner than in parts, a frame each. */
-const DRAFT_AT_ONCE_MS = 46;
-
-/** A river that can show a part of its map, and drafts, as those of the full engine can. */
-interface Framed {
+/** What rivers of the full engine can do besides: show a part of their map, and drafts. */
+interface Controlled extends Drafting {
   frame(framing: Float32Array): void;
-  paintDraft(text: string, options?: ReadOptions): boolean | undefined;
 }
 
-interface Wanted {
-  link: LinkToRead;
-  how: ShowMode;
-}
-
-/** What of an engine makes rivers: a lean one, or a full one. */
+/** The part of an engine that makes rivers: a lean one, or a full one. */
 export interface RiverMaker<R> {
   readonly engine: { readonly River: new (text: string, options?: ReadOptions) => R };
   readonly memory: WebAssembly.Memory;
@@ -61,29 +38,27 @@ export interface RiverMaker<R> {
   readonly loadCharts: LoadCharts;
 }
 
-export class RiverPlayer<R extends River & Partial<Framed> = River> {
+export class RiverPlayer<R extends River & Partial<Controlled> = River> {
+  /** What it is to go over to, until it has. */
   #wanted: Wanted | undefined;
-  /** The one that is shown by a draft of what there is, until the hand rests; and the one whose draft is being painted. */
-  #drafted: { wanted: Wanted; at: number } | undefined;
-  #drafting: Wanted | undefined;
-  #shown: LinkToRead;
-  #link = "";
+  #reading: Reading;
+  /** How many links it was asked to show after the first. */
+  #links = 0;
   #followedAt = Number.NEGATIVE_INFINITY;
-  /** Before then there are no labels: the hand may move on. */
-  #labelsFrom = Number.NEGATIVE_INFINITY;
-  #labelling: number | undefined;
   #applying: number | undefined;
-  #counted = Number.NEGATIVE_INFINITY;
-  #told: Phase | undefined;
+  /** Before this time there are no labels, since the hand may move on; and the frame that looks whether it has come. */
+  #labelling: { from: number; handle: number } | undefined;
+  /** What was reported last. */
+  #told: { phase: Phase; at: number } | undefined;
   #canRun = true;
-  #ratio = 1;
-  #framing: Framing | undefined;
+  #view: Pick<CanvasSize, "ratio" | "framing"> = { ratio: 1 };
   readonly #river: R;
   /** As it grows by the clock that it shares with others, if there is one. */
   readonly #growing: Growing;
   readonly #loop: FrameLoop;
   readonly #blitter: Blitter;
   readonly #chartMaker: ChartMaker;
+  readonly #drafts: Drafts;
 
   /** Puts a river on the canvas at tick 0. Throws what the core throws. */
   constructor(
@@ -96,8 +71,8 @@ export class RiverPlayer<R extends River & Partial<Framed> = River> {
   ) {
     this.#blitter = new Blitter(contextOf(canvas), core.memory);
     this.#river = new core.engine.River(link.text, link.options);
-    this.#shown = link;
-    this.#tellOfLink();
+    this.#reading = this.#readRiver();
+    this.#drafts = new Drafts(this.#river, () => frames.now());
     this.#chartMaker = new ChartMaker(core.loadCharts, {
       arrived: () => this.#attempt(() => this.#redraw()),
       failed: (error) => this.#attempt(() => events.failed(error)),
@@ -113,7 +88,12 @@ export class RiverPlayer<R extends River & Partial<Framed> = River> {
 
   /** The canonical link of the river that is on the canvas. */
   get link(): string {
-    return this.#link;
+    return this.#reading.link;
+  }
+
+  /** How many links it was asked to show after the first. */
+  get links(): number {
+    return this.#links;
   }
 
   /** The river on the canvas, to be looked at; after a failure nothing of it may be called, so there is none. */
@@ -178,6 +158,7 @@ export class RiverPlayer<R extends River & Partial<Framed> = River> {
    */
   show(link: LinkToRead, how: ShowMode): void {
     this.#wanted = { link, how };
+    this.#links++;
     if (how !== "watch" && this.#loop.isBusy) return;
     const follow = (): void => {
       this.#applyNow();
@@ -199,7 +180,8 @@ export class RiverPlayer<R extends River & Partial<Framed> = River> {
     this.#canRun = false;
     this.clock?.leave(this.#growing);
     this.#loop.close();
-    for (const handle of [this.#applying, this.#labelling]) if (handle !== undefined) this.frames.cancel(handle);
+    for (const handle of [this.#applying, this.#labelling?.handle])
+      if (handle !== undefined) this.frames.cancel(handle);
   }
 
   /** Stops for good, if it has not, and gives the river's memory back, once. */
@@ -217,13 +199,12 @@ export class RiverPlayer<R extends River & Partial<Framed> = River> {
   #apply(): void {
     const wanted = this.#wanted;
     if (!wanted || this.#showsDraft(wanted)) return;
-    const isDrafted = this.#isDrafted;
+    const isDrafted = this.#drafts.areShown;
     // It has seen a draft of this very link, and has not moved since.
-    const isAtRest = this.#drafted?.wanted === wanted;
-    this.#wanted = this.#drafted = this.#drafting = undefined;
-    const stage = this.#change(wanted.link, isDrafted);
-    this.#shown = wanted.link;
-    this.#tellOfLink();
+    const isAtRest = this.#drafts.seenSince(wanted) !== undefined;
+    this.#wanted = undefined;
+    const stage = this.#change(wanted, isDrafted);
+    this.#reading = this.#readRiver();
     if (stage === "none") {
       // The picture stays, unless it is a draft; that it is of this link is news. What settles goes on.
       if (isDrafted || this.state === "settling") this.#loop.redraw();
@@ -241,71 +222,63 @@ export class RiverPlayer<R extends River & Partial<Framed> = River> {
     if (wanted.how === "settle" && stage === "relief" && !isDrafted) this.#labelAtRest(this.frames.now() + REST_MS);
   }
 
-  get #isDrafted(): boolean {
-    return (this.#drafted ?? this.#drafting) !== undefined;
-  }
-
   /** Goes over to a link. One that is refused leaves no draft behind. */
-  #change({ text, options }: LinkToRead, isDrafted: boolean): ReturnType<River["change"]> {
+  #change(wanted: Wanted, isDrafted: boolean): ReturnType<River["change"]> {
     try {
-      return this.#river.change(text, options);
+      return this.#drafts.leaveFor(wanted);
     } catch (error) {
       if (isDrafted) this.#loop.redraw();
       throw error;
     }
   }
 
-  /** One more picture, unless a draft is shown: then there will be one anyway, at rest. */
+  /** Paints one more picture, unless a draft is shown: then there will be one anyway, at rest. */
   #redraw(): void {
-    if (!this.#isDrafted) this.#loop.redraw();
+    if (!this.#drafts.areShown) this.#loop.redraw();
   }
 
   /**
-   * Another width is shown at once on the courses that are there, which it will change a little, other mountains nearly as they will be, and
-   * other coasts around the rivers that are there: the river goes over to them when the hand rests. Returns whether that is so, and not yet.
+   * Shows a draft for sliders of width, relief and coasts; the exact river follows when the hand has rested for `REST_MS`. Returns whether a
+   * draft is on the canvas, or on its way there.
    */
   #showsDraft(wanted: Wanted): boolean {
     const { state } = this;
     const isThere = state === "finished" || (state === "settling" && this.#river.phase === "relief");
     if (wanted.how !== "settle" || !isThere || !this.#canRun) return false;
     const now = this.frames.now();
-    if (this.#drafted?.wanted !== wanted) {
-      if (!this.#drafted && wanted.link.text === this.#link) return false;
-      // What was begun is seen first: a fast hand would starve it.
-      if (!this.#paintDraft(this.#drafting ?? wanted, now)) return false;
-    } else if (now - this.#drafted.at >= REST_MS) return false;
+    const seenAt = this.#drafts.seenSince(wanted);
+    const isResting = seenAt !== undefined && now - seenAt >= REST_MS;
+    if (isResting || (seenAt === undefined && !this.#paintDraft(wanted, now))) return false;
     this.#applying ??= this.frames.request(() => this.#applyNow());
     return true;
   }
 
-  /** Paints a draft, or as much of it as there is time for. Returns whether there can be one. */
+  /** Paints a part of a draft. Returns whether there can be one. */
   #paintDraft(wanted: Wanted, now: number): boolean {
-    const { text, options } = wanted.link;
-    let isMore: boolean | undefined;
-    do isMore = this.#river.paintDraft?.(text, options);
-    while (isMore && this.frames.now() - now < DRAFT_AT_ONCE_MS);
-    this.#drafting = isMore ? wanted : undefined;
-    if (isMore === undefined) return false;
-    // Nothing is made exactly of what the hand has left.
+    if (!this.#drafts.isOnCanvas && wanted.link.text === this.link) return false;
+    const drafted = this.#drafts.paint(wanted, now);
+    if (drafted === "impossible") return false;
+    // No step is made for what the hand has left.
     this.#loop.halt();
-    if (isMore) return true;
-    this.#blitter.blit(this.#river);
-    this.#drafted = { wanted, at: now };
+    if (drafted === "whole") this.#blitter.blit(this.#river);
     return true;
   }
 
-  #labelAtRest(time: number): void {
-    this.#labelsFrom = time;
-    this.#labelling ??= this.frames.request(() => {
-      this.#labelling = undefined;
-      if (this.frames.now() < this.#labelsFrom) this.#labelAtRest(this.#labelsFrom);
-      else if (this.state === "finished") this.#attempt(() => this.#redraw());
-    });
+  #labelAtRest(from: number): void {
+    const handle = this.#labelling?.handle ?? this.frames.request(() => this.#labelNow());
+    this.#labelling = { from, handle };
   }
 
-  #tellOfLink(): void {
-    this.#link = this.#river.link;
-    this.events.created?.(this.#river);
+  #labelNow(): void {
+    const from = this.#labelling?.from ?? 0;
+    this.#labelling = undefined;
+    if (this.frames.now() < from) this.#labelAtRest(from);
+    else if (this.state === "finished") this.#attempt(() => this.#redraw());
+  }
+
+  #readRiver(): Reading {
+    const { link, seed, aspect, notices } = this.#river;
+    return { link, seed, aspect, notices, links: this.#links };
   }
 
   /** After a draft the hand rests, and waits for the exact map: there are no more drafts. */
@@ -316,26 +289,28 @@ export class RiverPlayer<R extends River & Partial<Framed> = River> {
   }
 
   #draw(asDraft: boolean): boolean {
-    const { text, options } = this.#shown;
-    const isMore = asDraft ? this.#river.paintDraft?.(text, options) : undefined;
-    if (isMore ?? this.#paint()) return true;
+    const drafted = asDraft ? this.#river.paintUnfinished?.() : undefined;
+    const isMore = drafted === undefined || drafted === "impossible" ? this.#paint() : drafted === "part";
+    if (isMore) return true;
     this.#blitter.blit(this.#river);
-    const still = this.state === "finished" || this.state === "paused";
-    const isNews = still || this.#told !== this.#river.phase;
-    if (isNews || this.frames.now() - this.#counted >= COUNT_EVERY_MS) this.#tell();
+    const isStill = this.state === "finished" || this.state === "paused";
+    const told = this.#told;
+    const isNews = isStill || told?.phase !== this.#river.phase;
+    if (isNews || this.frames.now() - told.at >= COUNT_EVERY_MS) this.#tell();
     return false;
   }
 
   /** Does a part of painting. Returns whether there is more to do. */
   #paint(): boolean {
-    const mayLabel = this.frames.now() >= this.#labelsFrom;
-    return (mayLabel && this.#chartMaker.lay(this.#river, this.#ratio, this.#framing)) || this.#river.paint();
+    const { ratio, framing } = this.#view;
+    const mayLabel = !this.#labelling || this.frames.now() >= this.#labelling.from;
+    return (mayLabel && this.#chartMaker.lay(this.#river, ratio, framing)) || this.#river.paint();
   }
 
   #tell(): void {
-    this.#counted = this.frames.now();
-    this.#told = this.#river.phase;
-    this.events.changed(this.state, this.#told, this.#river.summary());
+    const { phase } = this.#river;
+    this.#told = { phase, at: this.frames.now() };
+    this.events.changed(this.#reading, this.state, phase, this.#river.summary());
   }
 
   /** At once, not in the next frame: what follows a pen or a slider is seen twice as often. */
@@ -348,25 +323,25 @@ export class RiverPlayer<R extends River & Partial<Framed> = River> {
     const river = this.#river;
     const { width, height, ratio, framing } = this.events.sizeFor(river.aspect);
     if (width === 0 || height === 0) return;
+    const before = this.#view;
     // As finely as letters are measured.
-    const isAsDense = Math.round(ratio * 4) === Math.round(this.#ratio * 4);
+    const isAsDense = Math.round(ratio * 4) === Math.round(before.ratio * 4);
     const isAsLarge = width === river.width && height === river.height && isAsDense;
-    const isFramed = `${framing}` === `${this.#framing}`;
+    const isFramed = `${framing}` === `${before.framing}`;
     if (isAsLarge && isFramed && width === canvas.width && height === canvas.height) return;
     if (!isAsLarge) river.resize(width, height);
     river.frame?.(new Float32Array(framing ?? []));
-    this.#ratio = ratio;
-    this.#framing = framing;
+    this.#view = framing ? { ratio, framing } : { ratio };
     // Setting its size empties a canvas, so it is filled again before the browser can show that.
     canvas.width = width;
     canvas.height = height;
     while (this.#paint());
     this.#blitter.blit(river);
     // A draft is shown again, in the new size.
-    this.#drafted = this.#drafting = undefined;
+    this.#drafts.forget();
   }
 
-  /** Whatever is asked after the end is passed over. */
+  /** Does some work; after the end, nothing. */
   #attempt(work: () => void): void {
     if (!this.#canRun) return;
     try {

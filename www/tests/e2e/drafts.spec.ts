@@ -37,7 +37,7 @@ async function openHeld(page: Page): Promise<void> {
 test("while a slider moves its rivers are drafts without labels, and nothing is made exactly before the hand rests @core", async ({
   page,
 }) => {
-  const drafts = await countCalls(page, "river_paintDraft");
+  const drafts = await countCalls(page, "river_paintUnfinished");
   const steps = await countCalls(page, "river_advance");
   const labels = await countCalls(page, "river_takeChart");
   await openHeld(page);
@@ -118,6 +118,31 @@ for (const [what, [first, by], [second, by2]] of [
     expect((await steps()).onPage).toBeGreaterThan(made);
     await expectPictureOfAddress(page);
   });
+
+test("each link of a moving slider is read once by the page and once by the core, however many parts its draft has", async ({
+  page,
+}) => {
+  const reads = await countCalls(page, "readLink");
+  const drafts = await countCalls(page, "river_draft");
+  const parts = await countCalls(page, "river_paintDraft");
+  const adopted = await countCalls(page, "river_adoptDraft");
+  const changes = await countCalls(page, "river_change");
+  await openHeld(page);
+  const all = async () => [(await reads()).onPage, (await drafts()).onPage, (await changes()).onPage];
+  const before = await all();
+  const painted = (await parts()).onPage;
+  for (let i = 0; i < 3; i++) {
+    await move(page, "#field-mountains", 1);
+    await page.clock.runFor(100);
+  }
+  expect((await parts()).onPage - painted).toBeGreaterThan(3);
+  expect(await all()).toEqual(before.map((count, i) => count + (i < 2 ? 3 : 0)));
+  const [, , changed] = await all();
+  // At rest the core goes over to what it has read.
+  await page.clock.runFor(5000);
+  expect([(await adopted()).onPage, (await changes()).onPage]).toEqual([1, changed]);
+  await expectPictureOfAddress(page);
+});
 
 test("whatever slider moved, the map after it is that of the address, to the pixel", async ({ page }) => {
   const said = complaints(page);

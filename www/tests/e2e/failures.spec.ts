@@ -213,7 +213,7 @@ test("memory that runs out before the rivers are there is said, and no tree stan
 });
 
 async function panicOnASlider(page: Page): Promise<void> {
-  await trapOn(page, "river_change");
+  await trapOn(page, "river_adoptDraft");
   await page.goto("./?growth=colonize&attractors=300");
   await finished(page);
   await unfold(page);
@@ -244,7 +244,7 @@ test("a panic while a link is read leaves advice, not a dead page", async ({ pag
 });
 
 test("a river too large for this device is refused and the last one stays", async ({ page }) => {
-  await trapOn(page, "river_change", "too-large");
+  await trapOn(page, "river_adoptDraft", "too-large");
   await page.goto("./?growth=colonize&attractors=300");
   await finished(page);
   await unfold(page);

@@ -14,7 +14,8 @@ function image(width: number, height: number, isTransparent: boolean) {
     pixels.set([x < 9 ? 77 : (x * 3 + y) & 255, (x + y * 2) & 255, noise, isTransparent ? (y * 7) & 255 : 255], i * 4);
   }
   const rows = (first: number, count: number) => pixels.slice(first * width * 4, (first + count) * width * 4);
-  return { width, height, rows, isTransparent, texts: { riverseed: "seed=a%C4%81" }, pixels };
+  const texts = { riverseed: "seed=a%C4%81" };
+  return { width, height, rows, pixels: isTransparent ? ("rgba" as const) : ("rgb" as const), texts, bytes: pixels };
 }
 
 test.each([
@@ -31,17 +32,30 @@ test.each([
   const channels = isTransparent ? 4 : 3;
   expect([read.width, read.height, read.channels, read.depth]).toEqual([width, height, channels, 8]);
   expect(read.text).toEqual({ riverseed: "seed=a%C4%81" });
-  const expected = isTransparent ? picture.pixels : picture.pixels.filter((_, i) => i % 4 !== 3);
+  const expected = isTransparent ? picture.bytes : picture.bytes.filter((_, i) => i % 4 !== 3);
   expect(Buffer.from(read.data as Uint8Array).equals(Buffer.from(expected))).toBe(true);
   expect(shares).toEqual([...shares].sort((a, b) => a - b));
   expect(shares.at(-1)).toBe(1);
+});
+
+test.each([
+  ["grey8", Uint8Array.from({ length: 37 * 23 }, (_, i) => i * 7)],
+  ["grey16", Uint16Array.from({ length: 37 * 23 }, (_, i) => i * 777)],
+] as const)("numbers come out of a picture of %s as they were put in", async (pixels, numbers) => {
+  const bytes = new Uint8Array(numbers.buffer);
+  const length = bytes.length / 23;
+  const rows = (first: number, count: number) => bytes.subarray(first * length, (first + count) * length);
+  const file = await pngOf({ width: 37, height: 23, pixels, rows, texts: {} }, still);
+  const read = decode(await file.arrayBuffer(), { checkCrc: true });
+  expect([read.width, read.height, read.channels, read.depth]).toEqual([37, 23, 1, pixels === "grey8" ? 8 : 16]);
+  expect([...read.data]).toEqual([...numbers]);
 });
 
 test("what smooth ground takes is little: a row is written as what differs from those before it", async () => {
   const width = 500;
   const slope = new Uint8Array(width * width * 4).map((_, i) => ((i >> 2) % width) / 2 + (i >> 2) / width / 2);
   const rows = (first: number, count: number) => slope.slice(first * width * 4, (first + count) * width * 4);
-  const file = await pngOf({ width, height: width, rows, isTransparent: false, texts: {} }, still);
+  const file = await pngOf({ width, height: width, rows, pixels: "rgb", texts: {} }, still);
   expect(file.size).toBeLessThan(width * width * 3 * 0.02);
 });
 

@@ -1,4 +1,4 @@
-import { expect, test } from "vitest";
+import { expect, test, vi } from "vitest";
 import { isAdjustable } from "../../src/controls/controls.ts";
 import { isShown, unaskedChanges } from "../../src/controls/presets.ts";
 import { Recipe } from "../../src/engine/recipe.ts";
@@ -107,7 +107,7 @@ test("fresh seeds are words that a link reads back", () => {
 });
 
 test("on a dark page a recipe without a style is shown in the dark one, and its link stays canonical", () => {
-  const recipe = new Recipe(engine.readLink, () => true);
+  const recipe = new Recipe(engine.readLink, "", () => true);
   recipe.open("seed=rimu");
   expect(recipe.link).toBe("seed=rimu&edition=1");
   expect(recipe.shown).toBe("seed=rimu&edition=1&style=night");
@@ -119,7 +119,7 @@ test("on a dark page a recipe without a style is shown in the dark one, and its 
 });
 
 test("on a dark page a style that was chosen is shown, and told by the link, which is read back to the same", () => {
-  const recipe = new Recipe(engine.readLink, () => true);
+  const recipe = new Recipe(engine.readLink, "", () => true);
   for (const style of ["ink", "atlas", "dark"]) {
     recipe.open("seed=rimu");
     recipe.set([["style", style]]);
@@ -141,7 +141,7 @@ test("on a light page nothing is shown but what the recipe says", () => {
 
 test("when pages become dark, a style that was chosen stays, and where none was the dark one is the default", () => {
   let isDark = false;
-  const recipe = new Recipe(engine.readLink, () => isDark);
+  const recipe = new Recipe(engine.readLink, "", () => isDark);
   const flip = (): void => {
     isDark = !isDark;
     recipe.refresh();
@@ -167,4 +167,16 @@ test("what a widget does not grow is told, of a recipe that is shown whole", () 
   expect(recipe.widgetNotices).toEqual(["attractors: 20001 exceeds the widget's limit: 20000 is used"]);
   recipe.open("");
   expect(recipe.widgetNotices).toEqual([]);
+});
+
+test("a link is read once when it is opened, once a change, and the defaults when they are first asked for", () => {
+  const readLink = vi.fn(engine.readLink);
+  const recipe = new Recipe(readLink, "seed=rimu&aspect=2");
+  expect([recipe.seed, recipe.aspect, recipe.link, recipe.shown.length > 0]).toEqual(["rimu", 2, recipe.shown, true]);
+  expect(readLink).toHaveBeenCalledTimes(1);
+  for (const sea of ["0.3", "0.4", "0.5"]) recipe.set([["sea", sea]]);
+  expect(readLink).toHaveBeenCalledTimes(4);
+  for (let i = 0; i < 2; i++)
+    expect(recipe.defaults.get("aspect")).toBe(engine.readLink("").values.find(([key]) => key === "aspect")?.[1]);
+  expect(readLink).toHaveBeenCalledTimes(5);
 });

@@ -83,21 +83,13 @@ test("a change that is refused while its draft is seen leaves the map that was t
   const before = seen();
   one.show({ text: `${link}&sea=0.7` }, "settle");
   expect(Buffer.compare(seen(), before)).not.toBe(0);
-  vi.spyOn(one.river as engine.River, "change").mockImplementation(() => {
+  vi.spyOn(one.river as engine.River, "adoptDraft").mockImplementation(() => {
     throw new Error("no memory");
   });
   frames(display);
   expect(refused).toHaveBeenCalledOnce();
   expect([one.state, Buffer.compare(seen(), before)]).toEqual(["finished", 0]);
 });
-
-/** Until nothing is left to do, what is fetched late included. */
-async function rest(display: Display): Promise<void> {
-  for (let i = 0; i < 3; i++) {
-    frames(display);
-    await new Promise((done) => setImmediate(done));
-  }
-}
 
 /** A display on a slow machine: each look at the clock finds it later. */
 class SlowDisplay extends Display {
@@ -106,6 +98,36 @@ class SlowDisplay extends Display {
   override now(): number {
     this.#late += 12;
     return super.now() + this.#late;
+  }
+}
+
+test("the core reads each link of a moving slider once, and goes over to what it has read when the hand rests", () => {
+  const link = "seed=kea&land=island&attractors=600&style=atlas";
+  // So slow that each part of a draft takes a frame.
+  const [one, display] = player(link, rethrow, () => SIZE, new SlowDisplay());
+  one.start("still");
+  frames(display);
+  const river = one.river as engine.River;
+  const [draft, paintDraft] = [vi.spyOn(river, "draft"), vi.spyOn(river, "paintDraft")];
+  const [adoptDraft, change] = [vi.spyOn(river, "adoptDraft"), vi.spyOn(river, "change")];
+  one.show({ text: `${link}&mountains=2` }, "settle");
+  for (let i = 0; i < 8; i++) display.frame();
+  expect(paintDraft.mock.calls.length).toBeGreaterThan(1);
+  expect([draft, adoptDraft, change].map(({ mock }) => mock.calls.length)).toEqual([1, 0, 0]);
+  frames(display);
+  expect([draft, adoptDraft, change].map(({ mock }) => mock.calls.length)).toEqual([1, 1, 0]);
+  expect([one.state, one.link.includes("mountains=2")]).toEqual(["finished", true]);
+  const [fresh, other] = player(`${link}&mountains=2`);
+  fresh.start("still");
+  frames(other);
+  expect(Buffer.compare(shown(one), shown(fresh))).toBe(0);
+});
+
+/** Until nothing is left to do, what is fetched late included. */
+async function rest(display: Display): Promise<void> {
+  for (let i = 0; i < 3; i++) {
+    frames(display);
+    await new Promise((done) => setImmediate(done));
   }
 }
 

@@ -24,7 +24,7 @@ import type { Insets, Point } from "./map/camera.ts";
 import { covered } from "./map/covered.ts";
 import { MapAlone } from "./map/map-alone.ts";
 import { MapWords } from "./map/map-words.ts";
-import { RiverViewport } from "./map/viewport.ts";
+import { type MapLink, RiverViewport } from "./map/viewport.ts";
 import { keepForOffline } from "./offline.ts";
 import { Choices } from "./panel/choices.ts";
 import { MapNames } from "./panel/map-names.ts";
@@ -247,7 +247,7 @@ class Page {
 
   #show(how: ShowMode, isStep = false): void {
     this.#showRecipe(isStep);
-    this.#viewport.show(this.#recipe.shown, howFor(how));
+    this.#viewport.show(mapOf(this.#recipe), howFor(how));
   }
 
   #showRecipe(isStep = false): void {
@@ -346,6 +346,11 @@ function middleOf({ left, top, right, bottom }: Insets): Point {
   return { x: (left + innerWidth - right) / 2, y: (top + innerHeight - bottom) / 2 };
 }
 
+/** The map that a recipe shows. */
+function mapOf({ shown, aspect }: Recipe): MapLink {
+  return { link: shown, aspect };
+}
+
 function forTheCurious(): HTMLElement {
   return el("summary", {}, el("h2", {}, "For the curious"));
 }
@@ -378,10 +383,10 @@ async function begin({ core, renderHost }: Engines): Promise<void> {
   const own = await core;
   const recipe = new Recipe(
     (text, options) => own.engine.readLink(text, options),
+    linkOf(location) || firstLink(),
     () => prefersDark.matches,
   );
-  recipe.open(linkOf(location) || firstLink());
-  const viewport = new RiverViewport(renderHost, elements, recipe.shown, recipe.defaults.get("aspect") ?? "", covered);
+  const viewport = new RiverViewport(renderHost, elements, mapOf(recipe), covered);
   viewport.start(howFor("watch"));
   await turn();
   const page = new Page(own, recipe, viewport, renderHost);

@@ -1,6 +1,6 @@
 import { beforeEach, expect, test, vi } from "vitest";
 import type { PageRenderHost } from "../../../src/apps/page/backend.ts";
-import { RiverViewport, type ViewportElements } from "../../../src/apps/page/map/viewport.ts";
+import { type MapLink, RiverViewport, type ViewportElements } from "../../../src/apps/page/map/viewport.ts";
 import type { Answer, Question } from "../../../src/apps/page-worker/protocol.ts";
 import type { Summary } from "../../../src/engine/types.ts";
 import type { Command, Report } from "../../../src/host/protocol.ts";
@@ -100,6 +100,11 @@ async function moved(host: StandIn): Promise<void> {
   await Promise.resolve();
 }
 
+/** A link with the aspect that it says. */
+function map(link: string): MapLink {
+  return { link, aspect: Number(/aspect=(.*)/.exec(link)?.[1] ?? 1.6) };
+}
+
 async function opened(isHeard = true) {
   const host = new StandIn();
   const zoom = { closer: new Element(), farther: new Element(), all: new Element() };
@@ -108,8 +113,7 @@ async function opened(isHeard = true) {
   const viewport = new RiverViewport(
     host as unknown as PageRenderHost,
     elements as unknown as ViewportElements,
-    "seed=one",
-    "1.6",
+    map("seed=one"),
     () => ({ left: 0, top: 0, right: 0, bottom: 0 }),
   );
   viewport.start("watch");
@@ -120,7 +124,7 @@ async function opened(isHeard = true) {
     host.client?.hear({
       id: 1,
       is: "shown",
-      reading: { link, seed: "", aspect: 1, notices: [], links },
+      reading: { ...map(link), seed: "", notices: [], links },
       state,
       phase: state === "finished" ? "finished" : "growing",
       summary: SUMMARY,
@@ -141,8 +145,8 @@ test("a river is opened in its place's pixels, at the speed that was chosen befo
 test("nothing is told of a river that another is to follow", async () => {
   const { events, viewport, elements, shown } = await opened();
   shown("seed=one", 0);
-  viewport.show("seed=two", "settle");
-  viewport.show("seed=three", "settle");
+  viewport.show(map("seed=two"), "settle");
+  viewport.show(map("seed=three"), "settle");
   expect(elements.frame.dataset).toHaveProperty("pending", "");
   shown("seed=one", 0, "finished");
   shown("seed=two", 1, "finished");
@@ -158,9 +162,9 @@ test("nothing is told of a river that another is to follow", async () => {
 test("a failure is told of if nothing newer was asked for, and the river that was there is told of again", async () => {
   const { events, viewport, shown, failed, elements } = await opened();
   shown("seed=one&aspect=2", 0, "finished");
-  viewport.show("seed=two&aspect=3", "settle");
+  viewport.show(map("seed=two&aspect=3"), "settle");
   expect(shapeOf(elements.mapPlace)).toBeCloseTo(3);
-  viewport.show("seed=three&aspect=4", "settle");
+  viewport.show(map("seed=three&aspect=4"), "settle");
   failed(1);
   expect(events.failed).not.toHaveBeenCalled();
   failed(2);
@@ -173,7 +177,7 @@ test("a failure is told of if nothing newer was asked for, and the river that wa
 
 test("a first river that fails is told of, whatever was asked for since: nothing follows it", async () => {
   const { events, viewport, failed } = await opened();
-  viewport.show("seed=two", "settle");
+  viewport.show(map("seed=two"), "settle");
   failed(0);
   expect(events.failed).toHaveBeenCalledTimes(1);
   expect(viewport.link).toBe("");
@@ -181,7 +185,7 @@ test("a first river that fails is told of, whatever was asked for since: nothing
 
 test("a trap is told of whatever was asked for since, and so is that there are no names", async () => {
   const { events, viewport, failed } = await opened();
-  viewport.show("seed=two", "settle");
+  viewport.show(map("seed=two"), "settle");
   failed(0, "no-chart");
   failed(0, "panic");
   expect(events.failed.mock.calls.map(([{ code }]) => code)).toEqual(["no-chart", "panic"]);
@@ -227,7 +231,7 @@ test("what was asked of a renderer that answered no more is done in the next", a
   shown("seed=one", 0, "finished");
   await moved(host);
   expect(host.last("open")).toMatchObject({ how: "still" });
-  viewport.show("seed=two", "settle");
+  viewport.show(map("seed=two"), "settle");
   await moved(host);
   expect(host.last("open")).toMatchObject({ link: { text: "seed=two" } });
 });
@@ -247,7 +251,7 @@ test("a picture is moved at once to where it will be, and painted there when the
   expect(elements.canvas.style["transform"]).toBe("");
   expect(elements.frame.dataset["framing"]).not.toBe(first);
   // A river that is on its way brings its own framing with it.
-  viewport.show("seed=two", "settle");
+  viewport.show(map("seed=two"), "settle");
   elements.zoom.all.click();
   await vi.runAllTimersAsync();
   expect(elements.frame.dataset["framing"]).not.toBe(first);
@@ -263,7 +267,7 @@ test("names are those of the link that was shown last, or none", async () => {
   host.answer = { link: "seed=one", texts: ["t", "Kauri", ""] };
   expect(await viewport.names(12)).toEqual(["t", "Kauri", ""]);
   const asked = viewport.names(12);
-  viewport.show("seed=two", "settle");
+  viewport.show(map("seed=two"), "settle");
   expect(await asked).toEqual([]);
 });
 

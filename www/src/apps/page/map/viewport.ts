@@ -1,6 +1,6 @@
 /**
  * The viewport: the picture's place on the page, which is the whole window, and the part of the map that is seen in it. The river itself
- * is in the renderer: commands go there, and reports of it come back.
+ * is in the renderer: commands go there, and reports come back. The viewport remembers what was asked for last, and what was reported last.
  */
 
 import { backingSize, type CanvasSize, type Framing, observeSize, RESIZE_PAUSE_MS } from "../../../browser/canvas.ts";
@@ -48,32 +48,48 @@ export interface ViewportEvents {
 /** How another renderer takes a river over that was in a state, or was to be: not at the same step, but to the same end. */
 const HOW: Record<State, ShowMode> = { growing: "watch", paused: "watch", settling: "settle", finished: "still" };
 
+/** A map to be shown: its canonical link, and its width over its height. */
+export interface MapLink {
+  link: string;
+  aspect: number;
+}
+
+/** The map that was asked for last. */
+interface Wanted extends MapLink {
+  how: ShowMode;
+  /** Its number among the links since the renderer has the canvas; only reports of it count, or of later ones. */
+  number: number;
+  /** What its picture will show, until it does. */
+  framing?: Framing | undefined;
+}
+
+/** The map that was reported last. */
+interface Shown extends MapLink {
+  state: State;
+}
+
 type SceneReport = Exclude<Report<Answer>, { is: "answer" }>;
 
 export class RiverViewport {
   /** Its number at the render host, while it has a river there. */
   #id: number | undefined;
-  /** What is to be shown, and of the river that is: its link and how it stands. */
-  #wanted: { link: string; how: ShowMode };
-  #link = "";
-  #state: State = "paused";
+  #wanted: Wanted;
+  #shown: Shown | undefined;
   #speed = 1;
-  /** What was asked for, until there is word of it: it may be asked before there is a river, or of a worker that no longer answers. */
+  /** The state that was asked for, until it is reported: there may be no river yet, or a worker that no longer answers. */
   #asked: State | undefined;
   #events: ViewportEvents | undefined;
-  /** What there was to be told before anybody listened. */
+  /** Reports from before anybody listened. */
   readonly #untold: ((events: ViewportEvents) => void)[] = [];
-  /** How many links were shown since the renderer has the canvas, and which of them is to be heard of. */
+  /** How many links were shown since the renderer has the canvas. */
   #links = 0;
-  #heard = 0;
   /** The canvas that is not seen before there is something on it. */
   #next: HTMLCanvasElement | undefined;
   #isOver = false;
   #isCovered = false;
   readonly #camera = new Camera();
-  /** What the picture shows, and what it will once there is a river of the link that was shown last. */
+  /** What the picture shows. */
   #framing: Framing | undefined;
-  #nextFraming: Framing | undefined;
   #resizing: ReturnType<typeof setTimeout> | undefined;
   readonly #observer = new ResizeObserver(() => this.#resizeSoon());
   readonly #client = { hear: (report: Report<Answer>) => this.#hear(report), moved: () => this.#move() };
@@ -81,14 +97,11 @@ export class RiverViewport {
   constructor(
     private readonly renderHost: PageRenderHost,
     private readonly elements: ViewportElements,
-    /** The first link. */
-    link: string,
-    /** The aspect of links that say none. */
-    private readonly ordinaryAspect: string,
+    first: MapLink,
     /** What of the picture's place other things cover. */
     private readonly covered: () => Insets,
   ) {
-    this.#wanted = { link, how: "watch" };
+    this.#wanted = { ...first, how: "watch", number: 0 };
     this.#listenToHand();
     observeSize(this.#observer, elements.frame);
     document.addEventListener("visibilitychange", () => this.#rest());
@@ -102,11 +115,11 @@ export class RiverViewport {
 
   /** The link of the river that is on the viewport; empty while there is none. */
   get link(): string {
-    return this.#link;
+    return this.#shown?.link ?? "";
   }
 
   get state(): State {
-    return this.#state;
+    return this.#shown?.state ?? "paused";
   }
 
   set speed(speed: number) {
@@ -121,7 +134,7 @@ export class RiverViewport {
   }
 
   toggle(): void {
-    const state = this.#asked ?? this.#state;
+    const state = this.#asked ?? this.state;
     this.#asked = state === "growing" || state === "settling" ? "paused" : "growing";
     this.#send({ do: "toggle" });
   }
@@ -132,14 +145,14 @@ export class RiverViewport {
     void this.#enter();
   }
 
-  show(link: string, how: ShowMode): void {
-    this.#wanted = { link, how };
+  show({ link, aspect }: MapLink, how: ShowMode): void {
+    this.#wanted = { link, aspect, how, number: this.#wanted.number, framing: this.#wanted.framing };
     this.#asked = undefined;
     if (this.#id === undefined) return;
-    this.#heard = ++this.#links;
+    this.#wanted.number = ++this.#links;
     this.elements.frame.dataset["pending"] = "";
-    const size = this.#sizeFor(link);
-    this.#nextFraming = size.framing;
+    const size = this.#size();
+    this.#wanted.framing = size.framing;
     this.#send({ do: "show", link: { text: link }, how, size });
   }
 
@@ -227,12 +240,12 @@ export class RiverViewport {
 
   #open(id: number): void {
     const { link, how } = this.#wanted;
-    const state = this.#asked ?? (this.#link === link ? this.#state : undefined);
+    const state = this.#asked ?? (this.#shown?.link === link ? this.#shown.state : undefined);
     const canvas = this.#next ?? this.elements.canvas;
     this.#id = id;
-    this.#links = this.#heard = 0;
-    const size = this.#sizeFor(link);
-    this.#nextFraming = size.framing;
+    this.#links = this.#wanted.number = 0;
+    const size = this.#size();
+    this.#wanted.framing = size.framing;
     this.#send({ do: "open", canvas, link: { text: link }, how: state ? HOW[state] : how, size });
     this.#send({ do: "speed", speed: this.#speed });
     if (state === "paused") this.#send({ do: "pause" });
@@ -256,14 +269,13 @@ export class RiverViewport {
 
   #show({ reading, state, phase, summary }: Extract<SceneReport, { is: "shown" }>): void {
     this.#reveal();
-    this.#link = reading.link;
-    this.#state = state;
+    this.#shown = { link: reading.link, aspect: reading.aspect, state };
     this.#asked = undefined;
-    // Of a river that another is to follow nothing is said any more.
-    if (reading.links < this.#heard) return;
+    // Another link is on its way.
+    if (reading.links < this.#wanted.number) return;
     delete this.elements.frame.dataset["pending"];
-    this.#becomeFramed(this.#nextFraming);
-    this.#nextFraming = undefined;
+    this.#becomeFramed(this.#wanted.framing);
+    this.#wanted.framing = undefined;
     this.#tell((events) => events.changed(state, phase, summary));
   }
 
@@ -271,10 +283,10 @@ export class RiverViewport {
     const error = new PageError(code, message);
     if (isRecoverable(error) && code !== "no-chart") {
       // Another link is on its way, which may do; but without a first river nothing follows.
-      if (links < this.#links && this.#link !== "") return;
+      if (links < this.#links && this.#shown) return;
       // The river that was there stays, in its own shape.
-      this.#heard = 0;
-      this.#wanted.link = this.#link;
+      const { aspect } = this.#shown ?? this.#wanted;
+      this.#wanted = { ...this.#wanted, link: this.link, aspect, number: 0 };
       void this.#resize();
       delete this.elements.frame.dataset["pending"];
     }
@@ -299,7 +311,7 @@ export class RiverViewport {
   #listenToHand(): void {
     const { frame, zoom } = this.elements;
     const follow = (move: (stage: Stage) => void): void => {
-      move(this.#stageFor(this.#wanted.link));
+      move(this.#stage());
       this.#followCamera();
     };
     const zoomBy = (factor: number, about?: Point): void =>
@@ -314,15 +326,15 @@ export class RiverViewport {
     zoom.all.addEventListener("click", all);
   }
 
-  #stageFor(link: string): Stage {
+  /** The picture's place for the map that was asked for last. */
+  #stage(): Stage {
     const { width, height } = this.elements.frame.getBoundingClientRect();
-    const aspect = Number(new URLSearchParams(link).get("aspect") ?? this.ordinaryAspect);
-    return { width, height, insets: this.covered(), aspect };
+    return { width, height, insets: this.covered(), aspect: this.#wanted.aspect };
   }
 
   /** The picture is moved at once, and painted anew when the hand rests. */
   #followCamera(): void {
-    const stage = this.#stageFor(this.#wanted.link);
+    const stage = this.#stage();
     this.#placeMap(stage);
     this.#movePicture(stage);
     this.#resizeSoon();
@@ -349,14 +361,14 @@ export class RiverViewport {
     if (!framing || this.#isOver) return;
     this.#framing = framing;
     this.elements.frame.dataset["framing"] = framing.join(" ");
-    this.#movePicture(this.#stageFor(this.#wanted.link));
+    this.#movePicture(this.#stage());
   }
 
-  /** How many pixels a link's picture has, and what it shows. */
-  #sizeFor(link: string): CanvasSize {
+  /** How many pixels the picture has, and what it shows. */
+  #size(): CanvasSize {
     const size = backingSize(this.elements.frame.getBoundingClientRect(), window.devicePixelRatio);
     if (size.width === 0 || size.height === 0) return { ...size, ratio: 1 };
-    const stage = this.#stageFor(link);
+    const stage = this.#stage();
     this.#placeMap(stage);
     return { ...size, ratio: size.width / stage.width, framing: this.#camera.framingOn(stage) };
   }
@@ -368,14 +380,14 @@ export class RiverViewport {
 
   async #resize(): Promise<void> {
     const of = this.#id;
-    const size = this.#sizeFor(this.#wanted.link);
+    const size = this.#size();
     if (of === undefined || size.width === 0) return;
-    // The river of the link that was shown last, not there yet, is painted at this size, too.
-    if (this.#nextFraming) this.#nextFraming = size.framing;
+    // The map that was asked for last, not there yet, is painted at this size, too.
+    if (this.#wanted.framing) this.#wanted.framing = size.framing;
     this.#send({ do: "resize", size });
     // Answered once that is done.
     await this.#ask({ about: "now", of }).catch(() => {});
-    if (!this.#nextFraming) this.#becomeFramed(size.framing);
+    if (!this.#wanted.framing) this.#becomeFramed(size.framing);
   }
 
   get #isUnseen(): boolean {
