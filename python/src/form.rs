@@ -7,7 +7,7 @@ use pyo3::types::PyBytes;
 use riverseed::domain::Domain;
 use riverseed::export::rasters::Rasters;
 use riverseed::export::{ExportError, Form, geojson, json, pack, png, svg};
-use riverseed::recipe::{Recipe, link};
+use riverseed::recipe::{Recipe, link, shown};
 use riverseed::session::Session;
 
 use crate::failure::{Done, Failure, raised};
@@ -126,10 +126,4 @@ fn written(write: impl FnOnce(&mut Vec<u8>) -> Done<()>) -> Done<Vec<u8>> {
     let mut bytes = Vec::new();
     write(&mut bytes)?;
     Ok(bytes)
-}
-
-/// A hostile text must not fill the screen.
-fn shown(text: &str) -> String {
-    const MOST: usize = 40;
-    text.chars().take(MOST).map(|c| if c.is_control() { char::REPLACEMENT_CHARACTER } else { c }).collect()
 }

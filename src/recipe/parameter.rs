@@ -1,7 +1,8 @@
 //! A parameter: its key, its stage, the kind of value it takes, and how that is read, checked and written.
 
 use super::choice::Word;
-use super::error::{RecipeError, shown};
+use super::error::RecipeError;
+use super::hidden::shown;
 use super::key::Key;
 #[cfg(feature = "names")]
 use super::names::OwnNames;
