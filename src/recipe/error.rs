@@ -125,17 +125,3 @@ pub enum RecipeError {
         found: &'static str,
     },
 }
-
-/// Shortens a value for an error message, so that hostile text does not fill the screen.
-pub(super) fn shown(value: &str) -> String {
-    const MOST: usize = 40;
-    let mut shown = String::new();
-    for (i, c) in value.chars().enumerate() {
-        if i == MOST {
-            shown.push('…');
-            break;
-        }
-        shown.push(if c.is_control() { char::REPLACEMENT_CHARACTER } else { c });
-    }
-    shown
-}

@@ -7,6 +7,7 @@ use serde_json::Value as Json;
 
 use super::Recipe;
 use super::error::RecipeError;
+use super::hidden::shown;
 use super::link;
 
 /// The longest JSON recipe that is read, in bytes. A network of a million nodes fits.
@@ -45,7 +46,7 @@ fn text_of(key: &str, value: Json) -> Result<String, RecipeError> {
         Json::Array(_) => "a list",
         Json::Object(_) => "an object",
     };
-    Err(RecipeError::JsonType { key: super::error::shown(key), found })
+    Err(RecipeError::JsonType { key: shown(key), found })
 }
 
 /// The members of a recipe object in order, with repeats: a map would silently keep the last of them.
@@ -115,7 +116,7 @@ fn pass_over_network<'de, A: MapAccess<'de>>(mut map: A) -> Result<(), A::Error>
     let mut seen = vec![String::from(NETWORK[0])];
     while let Some(key) = map.next_key::<String>()? {
         if !NETWORK.contains(&key.as_str()) {
-            return Err(A::Error::custom(format_args!("'{}' does not belong in a network", super::error::shown(&key))));
+            return Err(A::Error::custom(format_args!("'{}' does not belong in a network", shown(&key))));
         }
         if seen.contains(&key) {
             return Err(A::Error::custom(format_args!("'{key}' is given more than once")));

@@ -7,7 +7,8 @@
 use std::fmt;
 use std::str::FromStr;
 
-use super::error::{RecipeError, shown};
+use super::error::RecipeError;
+use super::hidden::{shown, visible};
 use super::key::Key;
 #[cfg(feature = "names")]
 use super::names::OwnNames;
@@ -165,7 +166,7 @@ fn correct(recipe: &mut Recipe, key: Key, text: &str, error: &RecipeError) -> No
     let used = parameter.text_of(recipe.value(key));
     let message = match error {
         RecipeError::UnknownEdition { .. } => format!("{error}: the picture may differ from the one shared"),
-        _ => format!("{error}: {} is used", if used.is_empty() { "nothing" } else { &used }),
+        _ => format!("{error}: {} is used", if used.is_empty() { "nothing".into() } else { visible(&used) }),
     };
     Notice { key: parameter.name.into(), message }
 }

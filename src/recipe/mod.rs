@@ -8,6 +8,7 @@
 
 pub mod choice;
 mod error;
+mod hidden;
 mod inactive;
 #[cfg(feature = "json")]
 pub mod json;
@@ -24,6 +25,7 @@ mod value;
 
 pub use choice::{Cartouche, Choice, CourseShape, GrowthMethod, Labels, LandKind, MeanderModel, Scatter, Style, Word};
 pub use error::RecipeError;
+pub use hidden::{shown, visible};
 pub use key::Key;
 #[cfg(feature = "names")]
 pub use names::{Mark, NamesError, OwnNames};

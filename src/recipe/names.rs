@@ -5,6 +5,8 @@ use std::fmt;
 
 use thiserror::Error;
 
+use super::hidden::{is_hidden, shown};
+
 /// The greatest length of the text and of one name, and the greatest number of entries.
 const LONGEST: usize = 400;
 const LONGEST_NAME: usize = 40;
@@ -144,7 +146,7 @@ impl OwnNames {
     fn add(&mut self, entry: &str) -> Result<(), NamesError> {
         let (mark, name) = entry.split_once('.').unwrap_or((entry, ""));
         let known = Mark::parse(mark.trim()).filter(|_| entry.contains('.'));
-        let mark = known.ok_or_else(|| NamesError::Mark { mark: super::error::shown(mark) })?;
+        let mark = known.ok_or_else(|| NamesError::Mark { mark: shown(mark) })?;
         let (name, length) = (name.trim(), name.trim().chars().count());
         if length > LONGEST_NAME {
             return Err(NamesError::LongName { mark, length });
@@ -161,7 +163,7 @@ impl OwnNames {
     /// # Errors
     /// Refuses a name that is too long, one name too many, and an invalid mark.
     pub fn with(&self, mark: &str, name: Option<&str>) -> Result<Self, NamesError> {
-        let wrong = || NamesError::Mark { mark: super::error::shown(mark) };
+        let wrong = || NamesError::Mark { mark: shown(mark) };
         let mark = Mark::parse(mark).ok_or_else(wrong)?;
         let others = Self { entries: self.entries.iter().filter(|(named, _)| *named != mark).cloned().collect() };
         let entry = name.map(|name| format!("{mark}.{}", name.replace('_', " ")));
@@ -191,13 +193,6 @@ impl fmt::Display for OwnNames {
 
 fn entries(text: &str) -> impl Iterator<Item = &str> {
     text.split('_').map(str::trim).filter(|entry| !entry.is_empty())
-}
-
-/// Returns `true` for characters that cannot be seen but change a text: control characters, tags, noncharacters, and
-/// those that separate lines, join or divide letters or change the direction of text.
-fn is_hidden(c: char) -> bool {
-    let is_unseen = matches!(c, '\u{ad}' | '\u{34f}' | '\u{61c}' | '\u{180e}' | '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2060}'..='\u{206f}' | '\u{feff}' | '\u{fffd}'..='\u{ffff}' | '\u{e0000}'..='\u{e007f}');
-    c.is_control() || is_unseen
 }
 
 #[cfg(test)]

@@ -1,7 +1,8 @@
 //! A parameter: its key, its stage and its kind of value, with reading, checking and writing of values.
 
 use super::choice::Word;
-use super::error::{RecipeError, shown};
+use super::error::RecipeError;
+use super::hidden::shown;
 use super::key::Key;
 #[cfg(feature = "names")]
 use super::names::OwnNames;

@@ -25,7 +25,6 @@ pub struct Reading {
     pub notices: Vec<Notice>,
     /// `true` if the link names a style.
     pub names_style: bool,
-    is_dark: bool,
 }
 
 /// Reads link text as [`link::read_leniently`] does, then applies the options. Never fails.
@@ -38,15 +37,15 @@ pub fn read(text: &str, options: ReadOptions) -> Reading {
     if options.widget {
         notices.extend(widget_limit(recipe.get()).keep(&mut recipe));
     }
-    Reading { recipe, notices, names_style, is_dark: options.dark }
+    Reading { recipe, notices, names_style }
 }
 
 impl Reading {
-    /// The canonical link to share. It shows the same rivers on a page like this one; if no style was named, a page of
-    /// the other kind uses its own.
+    /// The canonical link to share. It has the style that the link named, even the default one; if none was named, each
+    /// page that shows it uses its own.
     pub fn shared_link(&self) -> String {
         link::write_if(&self.recipe, |parameter, is_default| match parameter.key {
-            Key::Style if self.is_dark => self.names_style,
+            Key::Style => self.names_style,
             _ => !is_default,
         })
     }
@@ -160,7 +159,12 @@ mod tests {
         let shared = |text, options| read(text, options).shared_link();
         assert_eq!(shared("seed=a", DARK), "seed=a&edition=1");
         assert_eq!(shared("seed=a&style=ink", DARK), "seed=a&edition=1&style=ink");
-        assert_eq!(shared("seed=a&style=ink", PAGE), "seed=a&edition=1");
+        assert_eq!(shared("seed=a", PAGE), "seed=a&edition=1");
+        assert_eq!(shared("style=atlas&seed=a", PAGE), "seed=a&edition=1&style=atlas");
+        // The default of a light page, too: a dark one would draw its own.
+        let chosen = shared("seed=a&style=ink", PAGE);
+        assert_eq!(chosen, "seed=a&edition=1&style=ink");
+        assert_eq!(read(&chosen, DARK).recipe.get::<Style>(), Style::Ink);
         for text in ["", "style=ink", "style=dark&curl=1", "style=atlas", "style=neon"] {
             for options in [PAGE, DARK, WIDGET] {
                 let first = read(text, options);

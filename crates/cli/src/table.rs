@@ -59,7 +59,7 @@ where they begin.
 a name of at most 40 characters; an underscore ends it. The mark is a river's identity, `m` and the identity for the stretch where it meanders, `s`,
 `l` or `i` and a number for a sea, a lake or an island, or `t` for the map; `i0` is the main land, after which the map is called. No name after
 the full stop takes a thing's name away. `riverseed names` prints the marks of a map. A mark that the map has not is kept and does nothing.
-Files hold names as they were typed; control characters, and those that turn the direction of writing, are refused. On the map a character that EB Garamond has no letter for is left out. The page keeps `names` and `labels` in its links, and draws none yet.
+Files hold names as they were typed; control characters, and those that turn the direction of writing, are refused. On the map a character that EB Garamond has no letter for is left out.
 
 ## Limits
 

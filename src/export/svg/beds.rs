@@ -32,6 +32,6 @@ fn draw(out: &mut Text, beds: [&[PastCourse]; 2], layers: [(f32, Colour); 2], co
         for bed in beds.into_iter().flatten() {
             outline(&mut path, &Banks::of_line(bed.line.iter().map(wide).collect(), courses), courses);
         }
-        out.text("<path fill=\"").colour(colour).text("\" d=\"").text(path.data()).text("\"/>\n");
+        out.text("<path fill=\"").colour(colour).text("\" d=\"").path(&path).text("\"/>\n");
     }
 }

@@ -35,7 +35,7 @@ pub(super) fn ground(out: &mut Text, size: Vec2, land: Option<&Land>, relief: Op
         return;
     };
     let shown = &SmoothedDistance::of(land.coast_distance());
-    out.text("<clipPath id=\"shore\"><path d=\"").text(&level(shown, -RIVERS_END, 1)).text("\"/></clipPath>\n");
+    out.text("<clipPath id=\"shore\"><path d=\"").path(&level(shown, -RIVERS_END, 1)).text("\"/></clipPath>\n");
     out.text("<g id=\"sea\">\n<rect");
     sheet(out, size, palette.deep);
     let steps = if palette.fade > 0.0 { SHADES } else { 0 };
@@ -71,7 +71,7 @@ fn grid(out: &mut Text, size: Vec2, palette: &Palette) {
         let mut path = Path::default();
         lines(look, [Vec2::ZERO, size]).iter().for_each(|ends| path.line(ends));
         out.text("<path class=\"grid\" fill=\"none\" stroke-opacity=\"").units(look.strength).text("\"");
-        line(out, look.colour, Grid::WIDTH, path.data());
+        line(out, look.colour, Grid::WIDTH, &path);
     }
 }
 
@@ -109,7 +109,7 @@ fn hachures(out: &mut Text, strokes: &[Stroke], look: &Hachures) {
         path.close();
     }
     out.text("<path id=\"hachures\" fill-opacity=\"").units(look.strength).text("\" fill=\"").colour(look.colour);
-    out.text("\" d=\"").text(path.data()).text("\"/>\n");
+    out.text("\" d=\"").path(&path).text("\"/>\n");
 }
 
 /// All basins of each colour, with a gap between them.
@@ -146,14 +146,14 @@ fn area(out: &mut Text, land: &SmoothedDistance, height: f32, colour: Colour) {
     fill(out, colour, &level(land, height, 2));
 }
 
-fn fill(out: &mut Text, colour: Colour, data: &str) {
-    out.text("<path fill=\"").colour(colour).text("\" d=\"").text(data).text("\"/>\n");
+fn fill(out: &mut Text, colour: Colour, path: &Path) {
+    out.text("<path fill=\"").colour(colour).text("\" d=\"").path(path).text("\"/>\n");
 }
 
 /// The end of a path that is a line.
-fn line(out: &mut Text, colour: Colour, width: f32, data: &str) {
+fn line(out: &mut Text, colour: Colour, width: f32, path: &Path) {
     out.text(" stroke=\"").colour(colour).text("\" stroke-width=\"").units(width);
-    out.text("\" stroke-linecap=\"round\" stroke-linejoin=\"round\" d=\"").text(data).text("\"/>\n");
+    out.text("\" stroke-linecap=\"round\" stroke-linejoin=\"round\" d=\"").path(path).text("\"/>\n");
 }
 
 /// Ridges, stroke by stroke.
@@ -164,23 +164,23 @@ fn ridges(out: &mut Text, land: &Land, palette: &Palette) {
         path.line(&[from - aside * half_from, to - aside * half_to, to + aside * half_to, from + aside * half_from]);
         path.close();
     }
-    if !path.data().is_empty() {
-        out.text("<path id=\"ridges\" fill=\"").colour(palette.ridge).text("\" d=\"").text(path.data()).text("\"/>\n");
+    if !path.is_empty() {
+        out.text("<path id=\"ridges\" fill=\"").colour(palette.ridge).text("\" d=\"").path(&path).text("\"/>\n");
     }
 }
 
 /// The rings around all that lies higher than a level.
-fn level(land: &SmoothedDistance, level: f32, every: usize) -> String {
+fn level(land: &SmoothedDistance, level: f32, every: usize) -> Path {
     path_of(land.rings_above(level), every)
 }
 
 /// Rings as a path, of one point in so many.
 #[inline(never)]
-fn path_of(rings: Vec<Vec<Vec2>>, every: usize) -> String {
+fn path_of(rings: Vec<Vec<Vec2>>, every: usize) -> Path {
     let mut path = Path::default();
     for ring in rings {
         let points: Vec<Vec2> = ring.into_iter().step_by(every).collect();
         path.ring(&points);
     }
-    path.into_data()
+    path
 }

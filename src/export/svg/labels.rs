@@ -27,7 +27,7 @@ pub fn chart(map: &RiverMap<'_>, is_text: bool) -> ChartText {
         scenery::draw(&mut letters, size, &crate::scenery::scenery(map, &placed), look);
     }
     draw(&mut letters, &placed, label_look(map.options.style), is_text);
-    ChartText { halo: halo.0, labels: letters.0 }
+    ChartText { halo: halo.into_string(), labels: letters.into_string() }
 }
 
 /// Writes the mask that leaves rivers out around letters.
@@ -40,15 +40,15 @@ fn draw_halo(out: &mut Text, size: Vec2, labels: &[Label]) {
     for label in labels.iter().filter(|label| !label.kind.is_afloat()) {
         out.text("<path stroke=\"#000\" stroke-linejoin=\"round\" stroke-width=\"")
             .units(2.0 * label.kind.halo() * label.em);
-        out.text("\" d=\"").text(outlines(label).data()).text("\"/>\n");
+        out.text("\" d=\"").path(&outlines(label)).text("\"/>\n");
     }
     out.text("<g stroke=\"#000\" stroke-linecap=\"round\">\n");
     for label in labels.iter().filter(|label| !label.kind.is_block()) {
         let mut path = Path::default();
         label.spaces().for_each(|ends| path.line(&ends));
-        if !path.data().is_empty() {
+        if !path.is_empty() {
             out.text("<path stroke-width=\"").units(2.0 * SPACE * label.em);
-            out.text("\" d=\"").text(path.data()).text("\"/>\n");
+            out.text("\" d=\"").path(&path).text("\"/>\n");
         }
     }
     for label in labels.iter().filter(|label| !label.cleared.is_empty()) {
@@ -75,13 +75,11 @@ fn draw(out: &mut Text, labels: &[Label], look: LabelLook, is_text: bool) {
 }
 
 /// The cartouche or the legend: the first of its labels has the lines of all.
-fn draw_block(out: &mut Text, labels: &[&Label], look: LabelLook, is_text: bool, [id, baseline]: [&str; 2]) {
-    let [first, others @ ..] = labels else { return };
-    out.text("<g id=\"").text(id).text("\" role=\"img\" aria-label=\"").escaped(&first.text);
-    for other in others {
-        out.text(", ").escaped(&other.text);
-    }
-    out.text("\" fill=\"").colour(look.ink).text("\">\n");
+fn draw_block(out: &mut Text, labels: &[&Label], look: LabelLook, is_text: bool, [id, baseline]: [&'static str; 2]) {
+    let [first, ..] = labels else { return };
+    let said: Vec<&str> = labels.iter().map(|label| label.text.as_str()).collect();
+    out.text("<g id=\"").text(id).text("\" role=\"img\"").attribute("aria-label", &said.join(", "));
+    out.text(" fill=\"").colour(look.ink).text("\">\n");
     draw_ground(out, first, look);
     draw_lines(out, &first.strokes, look.ink);
     draw_each(out, labels, look, is_text, baseline);
@@ -125,7 +123,7 @@ fn draw_seal(out: &mut Text, label: &Label, look: LabelLook) {
     square(out);
     out.text(">\n");
     draw_lines(out, &label.strokes, [0xff; 3]);
-    out.text("<path d=\"").text(outlines(label).data()).text("\"/>\n</mask>\n<g id=\"seal\" role=\"img\"><title>");
+    out.text("<path d=\"").path(&outlines(label)).text("\"/>\n</mask>\n<g id=\"seal\" role=\"img\"><title>");
     out.escaped(&label.text).text("</title><rect mask=\"url(#left-out)\" fill=\"").colour(look.mark).text("\"");
     square(out);
     out.text("/></g>\n");
@@ -145,10 +143,10 @@ fn draw_strokes(out: &mut Text, strokes: &[Stroke]) {
     let mut path = Path::default();
     strokes.iter().for_each(|stroke| path.line(&stroke.ends));
     out.text("<path stroke-width=\"").units(strokes.first().map_or(0.0, |stroke| 2.0 * stroke.half));
-    out.text("\" d=\"").text(path.data()).text("\"/>\n");
+    out.text("\" d=\"").path(&path).text("\"/>\n");
 }
 
-fn draw_each(out: &mut Text, labels: &[&Label], look: LabelLook, is_text: bool, id: &str) {
+fn draw_each(out: &mut Text, labels: &[&Label], look: LabelLook, is_text: bool, id: &'static str) {
     let mut next = 0;
     for label in labels {
         out.text("<g role=\"img\"");
@@ -159,7 +157,7 @@ fn draw_each(out: &mut Text, labels: &[&Label], look: LabelLook, is_text: bool, 
         let lines = if is_text { lines(label) } else { Vec::new() };
         for (text, letters) in &lines {
             out.text("<defs><path id=\"").text(id).text("-").whole(next).text("\" d=\"");
-            out.text(baseline(letters, label.em).data()).text("\"/></defs><text");
+            out.path(&baseline(letters, label.em)).text("\"/></defs><text");
             halo(out, label, look);
             out.text(" font-family=\"EB Garamond, Garamond, serif\" font-style=\"italic\" font-size=\"")
                 .units(label.em);
@@ -170,7 +168,7 @@ fn draw_each(out: &mut Text, labels: &[&Label], look: LabelLook, is_text: bool, 
         if lines.is_empty() {
             out.text("<path");
             halo(out, label, look);
-            out.text(" d=\"").text(outlines(label).data()).text("\"/>");
+            out.text(" d=\"").path(&outlines(label)).text("\"/>");
         }
         out.text("</g>\n");
     }

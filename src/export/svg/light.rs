@@ -58,9 +58,9 @@ fn area(out: &mut Text, relief: &Relief, colour: Colour, opacity: f32, values: i
         // Edges so soft need no more than every third point.
         path.ring(&ring.into_iter().step_by(3).collect::<Vec<Vec2>>());
     }
-    if path.data().is_empty() {
+    if path.is_empty() {
         return;
     }
     out.text("<path fill=\"").colour(colour).text("\" fill-opacity=\"").units(opacity);
-    out.text("\" d=\"").text(path.data()).text("\"/>\n");
+    out.text("\" d=\"").path(&path).text("\"/>\n");
 }

@@ -101,7 +101,7 @@ pub fn with_chart(session: &Session, chart: &ChartText) -> Result<String, Export
         beds::draw_past(&mut out, past, look, courses);
         out.text("</g>\n");
     }
-    out.text(&chart.halo);
+    out.written(&chart.halo);
     let clip = if chart.halo.is_empty() { clip } else { masked(clip) };
     out.text("<g id=\"rivers").text(clip).text("\" fill=\"").colour(palette.river).text("\">\n");
     draw_rivers(&mut out, network, basins.as_ref(), width(palette.lines), courses);
@@ -114,9 +114,9 @@ pub fn with_chart(session: &Session, chart: &ChartText) -> Result<String, Export
         draw_lakes(&mut out, network, basins.as_ref());
     }
     out.text("</g>\n");
-    out.text(&chart.labels);
+    out.written(&chart.labels);
     out.text("</g>\n</svg>");
-    Ok(out.0)
+    Ok(out.into_string())
 }
 
 /// The end of a group's attributes that the halo masks.
@@ -192,7 +192,7 @@ fn draw_lakes(out: &mut Text, network: &Network, basins: Option<&InBasins>) {
 fn shape(out: &mut Text, banks: &Banks, courses: CourseShape) {
     let mut path = Path::default();
     outline(&mut path, banks, courses);
-    out.text("\" d=\"").text(path.data()).text("\"/>\n");
+    out.text("\" d=\"").path(&path).text("\"/>\n");
 }
 
 /// Down the left bank, round the end, and up the right bank.

@@ -16,19 +16,19 @@ pub fn lines(lines: &[Vec<Vec2>], courses: CourseShape) -> String {
             path.smooth(points);
         }
     }
-    path.into_data()
+    path.data().to_owned()
 }
 
 /// Points: lines without length, which are seen if their ends are round.
 pub fn dots(points: &[Vec2]) -> String {
     let mut path = Path::default();
     points.iter().for_each(|&at| path.line(&[at, at]));
-    path.into_data()
+    path.data().to_owned()
 }
 
 /// An area within some rings, with smooth borders.
 pub fn area(rings: &[Vec<Vec2>]) -> String {
     let mut path = Path::default();
     rings.iter().filter(|ring| ring.len() > 2).for_each(|ring| path.ring(ring));
-    path.into_data()
+    path.data().to_owned()
 }

@@ -19,12 +19,12 @@ pub(super) struct Path {
 impl Path {
     /// As it stands in the attribute `d`.
     pub fn data(&self) -> &str {
-        &self.data.0
+        self.data.as_str()
     }
 
-    /// As it stands in the attribute `d`.
-    pub fn into_data(self) -> String {
-        self.data.0
+    /// Tells whether nothing is drawn.
+    pub fn is_empty(&self) -> bool {
+        self.data().is_empty()
     }
 
     /// Begins a line.
@@ -115,7 +115,7 @@ impl Path {
         }
     }
 
-    fn command(&mut self, letter: &str) {
+    fn command(&mut self, letter: &'static str) {
         self.data.text(letter);
         self.is_after_number = false;
     }

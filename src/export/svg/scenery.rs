@@ -41,7 +41,7 @@ pub(super) fn draw(out: &mut Text, size: Vec2, all: &[Standing], look: SceneryLo
 }
 
 /// The beginning of a mask in which silhouettes have a colour.
-fn mask(out: &mut Text, id: &str, size: Vec2, silhouettes: &str) {
+fn mask(out: &mut Text, id: &'static str, size: Vec2, silhouettes: &'static str) {
     out.text("<mask id=\"").text(id).text("\" maskUnits=\"userSpaceOnUse\" x=\"0\" y=\"0\"").sized(size);
     out.text(" color=\"").text(silhouettes).text("\">\n");
 }
@@ -56,10 +56,10 @@ fn symbol(out: &mut Text, number: u8, look: SceneryLook) {
     let shape = &SHAPES[usize::from(number)];
     out.text("<symbol id=\"");
     name(out, number);
-    out.text("\" overflow=\"visible\"><path fill=\"currentColor\" d=\"").text(path(&[shape.silhouette], true).data());
+    out.text("\" overflow=\"visible\"><path fill=\"currentColor\" d=\"").path(&path(&[shape.silhouette], true));
     out.text("\"/><g fill=\"none\" stroke=\"#fff\" stroke-linecap=\"round\" stroke-linejoin=\"round\"><path stroke-opacity=\"");
-    out.units(look.shade).text("\" d=\"").text(path(shape.shade, false).data());
-    out.text("\"/><path d=\"").text(path(shape.outline, false).data()).text("\"/></g></symbol>\n");
+    out.units(look.shade).text("\" d=\"").path(&path(shape.shade, false));
+    out.text("\"/><path d=\"").path(&path(shape.outline, false)).text("\"/></g></symbol>\n");
 }
 
 fn path(strokes: &[PenStroke], is_closed: bool) -> Path {
@@ -74,7 +74,7 @@ fn path(strokes: &[PenStroke], is_closed: bool) -> Path {
     path
 }
 
-fn group<'a>(out: &mut Text, id: &str, all: impl Iterator<Item = &'a Standing>) {
+fn group<'a>(out: &mut Text, id: &'static str, all: impl Iterator<Item = &'a Standing>) {
     let mut all = all.peekable();
     if all.peek().is_none() {
         return;

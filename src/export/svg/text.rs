@@ -1,19 +1,44 @@
 //! The text of an SVG file as it is written, piece by piece.
 //!
+//! Markup is what stands in this program's source, so [`Text::text`] takes nothing that is made while it runs. A word from outside, of a
+//! seed or a name, has two ways in, and both escape it: [`Text::escaped`] and [`Text::attribute`].
+//!
 //! Its pieces are functions of their own, never inlined: `write!` would be plainer, and three times as much code to
 //! download.
 
+use super::path::Path;
 use crate::paint::palette::Colour;
 
 /// A text in the making.
 #[derive(Debug, Default)]
-pub(super) struct Text(pub String);
+pub(super) struct Text(String);
 
 impl Text {
+    /// The text so far.
+    pub fn as_str(&self) -> &str {
+        &self.0
+    }
+
+    /// The finished text.
+    pub fn into_string(self) -> String {
+        self.0
+    }
+
+    /// Appends markup.
+    pub fn text(&mut self, markup: &'static str) -> &mut Self {
+        self.written(markup)
+    }
+
+    /// Appends what another `Text` has written: here, or in another module of the page.
     #[inline(never)]
-    pub fn text(&mut self, text: &str) -> &mut Self {
-        self.0.push_str(text);
+    pub fn written(&mut self, markup: &str) -> &mut Self {
+        self.0.push_str(markup);
         self
+    }
+
+    /// Appends the data of a path.
+    pub fn path(&mut self, path: &Path) -> &mut Self {
+        self.written(path.data())
     }
 
     /// A whole number.
@@ -69,16 +94,25 @@ impl Text {
         self
     }
 
-    /// Text as XML has it. What XML cannot hold, even escaped, is shown as the sign for that.
+    /// Appends an attribute, escaped.
+    #[cfg(feature = "names")]
+    pub fn attribute(&mut self, name: &'static str, value: &str) -> &mut Self {
+        self.text(" ").text(name).text("=\"").escaped(value).text("\"")
+    }
+
+    /// Appends a text, escaped so that it neither begins an element nor ends an attribute, which all stand in double quotes. A character that
+    /// XML cannot hold is replaced by U+FFFD.
+    #[inline(never)]
     pub fn escaped(&mut self, text: &str) -> &mut Self {
         for c in text.chars() {
             match c {
-                '&' => self.text("&amp;"),
-                '<' => self.text("&lt;"),
-                '>' => self.text("&gt;"),
-                '\0'..='\u{1f}' | '\u{7f}'..='\u{9f}' | '\u{fffe}' | '\u{ffff}' => self.text("\u{fffd}"),
-                c => self.text(c.encode_utf8(&mut [0; 4])),
-            };
+                '&' => self.0.push_str("&amp;"),
+                '<' => self.0.push_str("&lt;"),
+                '>' => self.0.push_str("&gt;"),
+                '"' => self.0.push_str("&quot;"),
+                '\0'..='\u{1f}' | '\u{7f}'..='\u{9f}' | '\u{fffe}' | '\u{ffff}' => self.0.push('\u{fffd}'),
+                c => self.0.push(c),
+            }
         }
         self
     }
@@ -95,6 +129,22 @@ mod tests {
             assert_eq!(Text::default().hundredths(hundredths).0, text);
         }
         assert_eq!(Text::default().whole(u32::MAX).text(" ").whole(0).0, format!("{} 0", u32::MAX));
+    }
+
+    #[test]
+    fn a_text_neither_begins_an_element_nor_ends_an_attribute() {
+        let word = "a\" b='c' <d>&e;]]>\n\t\0\u{85}\u{fffe}\u{ffff}\u{202e}";
+        let escaped = "a&quot; b='c' &lt;d&gt;&amp;e;]]&gt;\u{fffd}\u{fffd}\u{fffd}\u{fffd}\u{fffd}\u{fffd}\u{202e}";
+        assert_eq!(Text::default().escaped(word).0, escaped);
+    }
+
+    #[cfg(feature = "names")]
+    #[test]
+    fn an_attribute_ends_where_its_value_ends() {
+        assert_eq!(
+            Text::default().attribute("aria-label", "\" onfocus=\"x").0,
+            " aria-label=\"&quot; onfocus=&quot;x\""
+        );
     }
 
     #[test]

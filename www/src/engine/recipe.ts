@@ -24,7 +24,7 @@ export class Recipe {
     this.#isStyled = this.#reading.namesStyle;
   }
 
-  /** The canonical link to share; where a page's own style would stand in for a style that was chosen, with that. */
+  /** The canonical link to share, with the style that was chosen, if one was, even the default. */
   get link(): string {
     return this.#reading.sharedLink;
   }

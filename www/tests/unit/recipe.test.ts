@@ -132,11 +132,15 @@ test("on a dark page a style that was chosen is shown, and told by the link, whi
   }
 });
 
-test("on a light page nothing is shown but what the recipe says", () => {
+test("a style that was chosen on a light page is told by the link, and so it is shown on dark ones, too", () => {
   const recipe = fresh();
   recipe.open("seed=rimu");
+  expect(recipe.link).toBe("seed=rimu&edition=1");
   recipe.set([["style", "ink"]]);
-  expect([recipe.link, recipe.shown]).toEqual(["seed=rimu&edition=1", "seed=rimu&edition=1"]);
+  expect([recipe.link, recipe.shown]).toEqual(["seed=rimu&edition=1&style=ink", "seed=rimu&edition=1"]);
+  const onDark = new Recipe(engine.readLink, () => true);
+  onDark.open(recipe.link);
+  expect(onDark.values.get("style")).toBe("ink");
 });
 
 test("when pages become dark, a style that was chosen stays, and where none was the dark one is the default", () => {

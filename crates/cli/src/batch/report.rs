@@ -3,6 +3,7 @@
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use indicatif::{ProgressBar, ProgressStyle};
+use riverseed::recipe::visible;
 
 use super::super::{Failure, say};
 
@@ -64,7 +65,7 @@ impl Report {
     }
 
     fn say(&self, seed: &str, text: &str) {
-        self.note(&format!("seed '{seed}': {text}"));
+        self.note(&format!("seed '{}': {text}", visible(seed)));
     }
 
     /// Says what is of no single map.
