@@ -122,9 +122,3 @@ fn written(write: impl FnOnce(&mut Vec<u8>) -> Done<()>) -> Done<Vec<u8>> {
     write(&mut bytes)?;
     Ok(bytes)
 }
-
-/// Shortens a hostile text, so that it does not fill the screen.
-fn shown(text: &str) -> String {
-    const MOST: usize = 40;
-    text.chars().take(MOST).map(|c| if c.is_control() { char::REPLACEMENT_CHARACTER } else { c }).collect()
-}
