@@ -8,7 +8,7 @@ use riverseed::domain::Domain;
 use riverseed::export::rasters::Rasters;
 use riverseed::export::{ExportError, Form, geojson, json, pack, png, svg};
 use riverseed::recipe::{Recipe, link};
-use riverseed::session::Session;
+use riverseed::{Map, Session};
 
 use crate::failure::{Done, Failure, raised};
 use crate::map;
@@ -74,8 +74,8 @@ pub fn render<'py>(
             py.detach(|| written(|out| Ok(png::write_raster(out, &rasters, layer).map_err(io::Error::from)?)))?
         }
         Form::Svg | Form::GeoJson | Form::Json => {
-            let session = map::grow(py, recipe)?;
-            py.detach(|| written(|out| write_text(out, &session, options.form)))?
+            let map = map::grow(py, recipe)?.finish().map_err(Failure::from)?;
+            py.detach(|| written(|out| write_text(out, &map, options.form)))?
         }
     };
     Ok(PyBytes::new(py, &bytes))
@@ -90,9 +90,9 @@ pub fn check_raster_size(recipe: &Recipe, size: Option<u32>) -> Done<()> {
 /// The rasters of a finished map.
 pub fn rasters(py: Python<'_>, session: &mut Session, size: Option<u32>) -> PyResult<Rasters> {
     map::raise_relief(py, session)?;
-    let session = &*session;
+    let map = session.finish().map_err(Failure::from)?;
     let made: Result<Rasters, ExportError> =
-        py.detach(|| size.map_or_else(|| Rasters::new(session), |size| Rasters::with_size(session, size)));
+        py.detach(|| size.map_or_else(|| Rasters::new(&map), |size| Rasters::with_size(&map, size)));
     raised(made)
 }
 
@@ -102,22 +102,22 @@ fn with_picture(py: Python<'_>, recipe: Recipe, options: &Options) -> PyResult<V
     let is_pack = options.form == Form::Pack;
     let rasters = is_pack.then(|| rasters(py, &mut session, options.raster_size)).transpose()?;
     map::paint(py, &mut picture, &session)?;
-    let pixmap = picture.pixmap();
+    let (map, pixmap) = (session.finish().map_err(Failure::from)?, picture.pixmap());
     let bytes = py.detach(|| {
         written(|out| match &rasters {
-            Some(rasters) => Ok(pack::write(out, &session, rasters, pixmap)?),
-            None => Ok(png::write(out, pixmap, &link::write(session.recipe())).map_err(io::Error::from)?),
+            Some(rasters) => Ok(pack::write(out, &map, rasters, pixmap)?),
+            None => Ok(png::write(out, pixmap, &link::write(map.recipe())).map_err(io::Error::from)?),
         })
     });
     raised(bytes)
 }
 
 /// Texts end with a line, as files do.
-fn write_text(out: &mut Vec<u8>, session: &Session, form: Form) -> Done<()> {
+fn write_text(out: &mut Vec<u8>, map: &Map, form: Form) -> Done<()> {
     match form {
-        Form::Svg => out.write_all(svg::svg(session)?.as_bytes())?,
-        Form::GeoJson => geojson::write(&mut *out, session)?,
-        _ => json::write(&mut *out, session, false)?,
+        Form::Svg => out.write_all(svg::svg(map)?.as_bytes())?,
+        Form::GeoJson => geojson::write(&mut *out, map)?,
+        _ => json::write(&mut *out, map, None)?,
     }
     Ok(writeln!(out)?)
 }

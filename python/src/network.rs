@@ -9,19 +9,21 @@ use riverseed::name::Names;
 use riverseed::network::{NONE, Network, Vertex};
 use riverseed::prune::Pruned;
 use riverseed::recipe::link;
-use riverseed::session::Session;
+use riverseed::Map;
 use riverseed::tree::NO_PARENT;
 
+use crate::failure::Failure;
 use crate::map;
 use crate::order::{self, Parameters};
 
 /// Makes the arrays of a map, by the names of the fields of `riverseed.Network`.
 #[pyfunction]
 pub fn network<'py>(py: Python<'py>, link: &str, parameters: Parameters) -> PyResult<Bound<'py, PyDict>> {
-    let session = map::grow(py, order::recipe(link, parameters)?)?;
-    let parts = py.detach(|| Parts::of(&session));
+    let mut session = map::grow(py, order::recipe(link, parameters)?)?;
+    let map = session.finish().map_err(Failure::from)?;
+    let parts = py.detach(|| Parts::of(&map));
     let summary = session.summary();
-    let size = session.domain().size;
+    let size = map.domain().size;
     let fields = PyDict::new(py);
     fields.set_item("link", link::write(session.recipe()))?;
     fields.set_item("size", (size.x, size.y))?;
@@ -30,7 +32,7 @@ pub fn network<'py>(py: Python<'py>, link: &str, parameters: Parameters) -> PyRe
     fields.set_item("unreached", summary.unreached)?;
     fields.set_item("complete", summary.ending == Some(Ending::Complete))?;
     fields.set_item("title", parts.names.title.as_str())?;
-    fields.set_item("measures", measures(py, parts.measures.as_ref())?)?;
+    fields.set_item("measures", measures(py, &parts.measures)?)?;
     fields.set_item("nodes", nodes(py, parts.pruned, parts.ticks)?)?;
     fields.set_item("rivers", rivers(py, parts.network, &parts.names)?)?;
     fields.set_item("oxbows", oxbows(py, parts.network)?)?;
@@ -43,26 +45,26 @@ struct Parts<'a> {
     pruned: Pruned,
     ticks: Vec<u32>,
     names: Names,
-    measures: Option<Measures>,
+    measures: Measures,
 }
 
 impl<'a> Parts<'a> {
-    fn of(session: &'a Session) -> Self {
-        let pruned = session.pruned();
+    fn of(map: &'a Map) -> Self {
+        let pruned = map.pruned();
         Self {
-            network: session.network().unwrap_or(Network::EMPTY),
+            network: map.network(),
             ticks: pruned.tree.ticks().collect(),
             pruned,
-            names: Names::of(session),
-            measures: Measures::of(session),
+            names: Names::of(map),
+            measures: Measures::of(map),
         }
     }
 }
 
-fn measures<'py>(py: Python<'py>, measured: Option<&Measures>) -> PyResult<Bound<'py, PyDict>> {
+fn measures<'py>(py: Python<'py>, measured: &Measures) -> PyResult<Bound<'py, PyDict>> {
     let dict = PyDict::new(py);
     for measure in &measure::TABLE {
-        dict.set_item(measure.name, measured.and_then(measure.value))?;
+        dict.set_item(measure.name, (measure.value)(measured))?;
     }
     Ok(dict)
 }

@@ -8,6 +8,7 @@
 mod brownian;
 mod colonize;
 mod drainage;
+mod grown;
 mod growth;
 mod mouths;
 mod scatter;
@@ -22,6 +23,7 @@ pub use colonize::Colonize;
 #[doc(hidden)]
 pub use colonize::{Pull, curl_toward, stem_nodes};
 pub use drainage::{Capture, Drainage, DrainageSettings};
+pub use grown::Grown;
 pub use growth::Growth;
 pub use mouths::Mouth;
 #[doc(hidden)]
@@ -35,6 +37,7 @@ use thiserror::Error;
 
 /// How growth came to its end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Ending {
     /// No node could grow any more, as the paper intends.
     Complete,

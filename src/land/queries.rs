@@ -99,25 +99,25 @@ impl Land {
         Self { coast_distance, grid, regions, ridges, rivers: Vec::new(), borders, hides }
     }
 
-    /// Its cells as stretches of one kind, row after row: of each the kind, and how many cells there are.
+    /// How many cells in a row are water, then land, and so on, row after row; ridges are land.
     pub(crate) fn stretches(&self) -> Vec<u32> {
-        let stretches = self.grid.cells.chunk_by(|a, b| a == b);
-        stretches.flat_map(|stretch| [stretch[0] as u32, stretch.len() as u32]).collect()
+        let is_land = |cell: &Cell| *cell != Cell::Water;
+        let cells = &self.grid.cells;
+        let starts_dry = cells.first().is_some_and(is_land).then_some(0);
+        let lengths = cells.chunk_by(|a, b| is_land(a) == is_land(b)).map(|stretch| stretch.len() as u32);
+        starts_dry.into_iter().chain(lengths).collect()
     }
 
-    /// The land of such stretches, as something to look at: where rivers may run on it is not known. `None` if that is not as many cells
-    /// as cover a domain of this size.
-    #[cfg(feature = "names")]
+    /// The land of such stretches on a domain of this size, with its coast distances, ridges and drawn rivers; `None` if they are not
+    /// as many cells as cover the domain.
     pub(crate) fn of_stretches(
-        size: Vec2,
+        domain: &Domain,
         coast_distance: CoastDistance,
         stretches: &[u32],
-        ridges: Vec<Vec<Vec2>>,
+        [ridges, rivers]: [Vec<Vec<Vec2>>; 2],
     ) -> Option<Self> {
-        let grid = Grid::of_stretches(size, stretches)?;
-        let regions = regions_of(&grid.runs);
-        let (rivers, borders) = (Vec::new(), Obstacles::default());
-        Some(Self { coast_distance, grid, regions, ridges, rivers, borders, hides: Hides::Nothing })
+        let grid = Grid::of_stretches(domain, stretches)?;
+        Some(Self { rivers, ..Self::on(grid, coast_distance, ridges) })
     }
 
     /// The height of every point.

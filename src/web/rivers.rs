@@ -12,7 +12,6 @@ use crate::recipe::link::{self, Notice};
 use crate::recipe::reading::{self, ReadOptions, Reading};
 use crate::recipe::table::TABLE;
 use crate::recipe::{Key, Parameter, Stage, Value};
-use crate::river_map::{RiverMap, wire};
 use crate::session::{Phase, Session, SessionError, Shortfall};
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -205,10 +204,10 @@ impl River {
         self.picture.as_ref().map_or_else(|| is_to_be_charted(&self.session), has_none)
     }
 
-    /// What a `Chart` is made of; nothing as long as it grows.
+    /// Its finished map, for a `Chart`; nothing until it is finished.
     #[wasm_bindgen(js_name = mapData)]
     pub fn map_data(&self) -> Vec<u32> {
-        RiverMap::of(&self.session).map_or_else(Vec::new, |map| wire::write(&map))
+        self.session.map().map_or_else(Vec::new, |map| map.to_wire())
     }
 
     /// Takes the chart of its rivers as they are, the `masks` of a `Chart` for a picture of its size, which is then painted with it. Other
