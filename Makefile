@@ -8,6 +8,7 @@ setup := scripts/setup.sh
 run := scripts/env.sh
 wasm := scripts/env.sh --wasm
 npm := $(run) npm --silent --prefix www run
+lap := @scripts/laps.sh lap
 wasm32 := --target wasm32-unknown-unknown --no-default-features
 
 # The files in tests/ that also run as wasm, in a browser.
@@ -20,7 +21,7 @@ free_port := require("net").createServer().listen(0, "127.0.0.1", function () { 
 .PHONY: help
 help: ## this list
 	@echo "make TARGET, where TARGET is"
-	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  %-13s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  %-18s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
 
 # ---- use it
 
@@ -31,15 +32,18 @@ demo: wasm ## build everything and serve the page here; its address is printed
 .PHONY: site
 site: widget ## build the page, with the widget's files, into www/dist, to be served from any folder of any server
 	@$(npm) build
+	$(lap) "the page, built"
 
 .PHONY: widget
 widget: wasm ## build <river-seed> into www/dist-widget, and weigh it
 	@$(npm) build:widget
+	$(lap) "the element, built"
 
 .PHONY: wasm
 wasm: ## build the wasm packages into www/pkg, www/pkg-full, www/pkg-trace and www/pkg-chart, and weigh them
 	@$(setup) rust wasm node
 	@$(run) scripts/lib/lock.sh target/wasm.lock "another build of the wasm packages" node scripts/wasm.mjs
+	$(lap) "the wasm packages, built"
 
 .PHONY: package
 package: tarball ## pack what is published into target/package: the npm package, and the crate, by a dry run
@@ -56,71 +60,127 @@ wheel: ## the Python package as a wheel, in target/package
 
 # ---- prove it
 
+# The first tier, of minutes: each promise is tried once. Tests of the second say so themselves: `#[ignore = "second tier"]` in Rust,
+# no @core in the title in the browser.
 .PHONY: test
-test: test-scripts test-rust test-hydrology test-batch test-python test-wasm test-page test-browser lighthouse test-firefox test-package ## every test there is
+test: clock test-rust test-page test-wasm test-browser ## the tests of the first tier, and how long each part of them takes
+	@scripts/laps.sh table
+
+.PHONY: test-all
+test-all: test test-more ## every test there is
+	@scripts/laps.sh table
+
+.PHONY: test-more
+test-more: test-scripts test-rust-more test-crate test-hydrology test-batch test-python test-wasm-more test-browser-more lighthouse test-firefox test-package
+
+.PHONY: clock
+clock:
+	@scripts/laps.sh start
 
 .PHONY: test-scripts
 test-scripts: ## what set-up, builds and checks decide, with stand-ins for apt, rustup, npm and the like
 	@$(setup) node
 	$(run) www/node_modules/bats/bin/bats tests/scripts
+	$(lap) "set-up, builds and checks"
 
 .PHONY: test-rust
-test-rust: ## the core, natively
+test-rust: ## the core and the command line, natively
 	@$(setup) rust
 	$(run) cargo test --all-features
+	$(lap) "Rust, natively"
+
+.PHONY: test-rust-more
+test-rust-more: ## the slow ones of them
+	@$(setup) rust
+	$(run) cargo test --all-features --tests -- --ignored
+	$(lap) "Rust, natively: what is slow"
+
+.PHONY: test-crate
+test-crate: ## the crate as its users have it: packed, and compiled by itself
+	@$(setup) rust
 	scripts/crate.sh verify
+	$(lap) "the crate, packed and compiled"
 
 # The command line as the tests of the core have it: built with other features, all would be compiled again.
 .PHONY: program
 program:
 	@$(setup) rust
-	@$(run) cargo test --quiet --all-features --no-run --test command_line
+	@$(run) cargo test --quiet --all-features --no-run --package riverseed-cli
 
 # These three are skipped, with a word, where Python or its packages cannot be had.
 .PHONY: test-hydrology
 test-hydrology: program ## another's hydrology library finds nothing to fill on the relief, and our rivers where we drew them
 	@scripts/hydrology.sh target/debug/riverseed
+	$(lap) "relief, read by a hydrology library"
 
 .PHONY: test-batch
 test-batch: program ## a distributed engine makes the maps that one call makes, also if a worker is killed
 	@scripts/batch.sh target/debug/riverseed
+	$(lap) "many maps, by a distributed engine"
 
 .PHONY: test-python
 test-python: program ## the Python package, as a wheel that is built and installed: the bytes of the command line, arrays, threads, types
 	@scripts/python.sh test target/debug/riverseed
+	$(lap) "the Python package"
 
-.PHONY: test-wasm
-test-wasm: ## the core as wasm, in headless Chromium: the same pictures to the bit
+.PHONY: webdriver
+webdriver:
 	@$(setup) rust wasm browser
 	@mkdir -p target
 	@$(run) bash -c 'sed "s|\$$CHROME|$$CHROME|" scripts/webdriver.json' > target/webdriver.json
+
+.PHONY: test-wasm
+test-wasm: webdriver ## the core as wasm, in headless Chromium: the same pictures to the bit, of a third of the committed recipes
 	$(wasm) cargo test $(wasm32) --features files,controls $(WASM_TESTS:%=--test %)
+	$(lap) "wasm, in a browser: a third of the recipes"
+
+.PHONY: test-wasm-more
+test-wasm-more: webdriver ## the same of the other recipes
+	$(wasm) cargo test $(wasm32) --features files,controls $(WASM_TESTS:%=--test %) -- --ignored
+	$(lap) "wasm, in a browser: the other recipes"
 
 .PHONY: test-page
 test-page: wasm ## the TypeScript, without a browser
 	$(npm) test
+	$(lap) "TypeScript, without a browser"
 
 # On a free port, since a page served by another checkout must not be what is tested.
+e2e := PORT=$$(node -e '$(free_port)') $(npm) e2e --
+
 .PHONY: test-browser
-test-browser: site widget ## the page and the widget in Chromium, end to end
+test-browser: site widget ## the page and the widget in Chromium, end to end: each promise once
 	@$(setup) browser
-	@PORT=$$(node -e '$(free_port)') $(npm) e2e
+	@$(e2e) --grep @core
+	$(lap) "page and element in Chromium: each promise once"
+
+.PHONY: test-browser-more
+test-browser-more: site widget ## the same in all windows, colours and inputs
+	@$(setup) browser
+	@$(e2e) --grep-invert @core
+	$(lap) "page and element in Chromium: all else"
 
 # Skipped, with a word, where its package cannot be had.
 .PHONY: lighthouse
 lighthouse: site ## what Lighthouse says of the site: accessibility, best practices, search engines, and that nothing moves
 	@$(setup) browser
 	@$(npm) lighthouse
+	$(lap) "Lighthouse"
 
 .PHONY: test-firefox
 test-firefox: site ## the page in a second engine
 	@$(setup) firefox
 	$(npm) firefox
+	$(lap) "the page in Firefox"
 
 .PHONY: test-arch
 test-arch: ## the same rivers and pixels on 64-bit ARM, in an emulator; not part of `make test`
 	@$(setup) rust
 	scripts/arch.sh
+
+.PHONY: newest
+newest: ## the committed digests with the newest versions of all dependencies that Cargo.toml allows; not part of `make test`
+	@$(setup) rust
+	scripts/newest.sh
 
 .PHONY: test-package
 test-package: tarball ## the npm package, as its users have it: in Node, with frameworks, in two browsers
@@ -128,9 +188,10 @@ test-package: tarball ## the npm package, as its users have it: in Node, with fr
 	@$(npm) package:unpack
 	$(npm) package:test
 	@PORT=$$(node -e '$(free_port)') $(npm) package:e2e
+	$(lap) "the npm package, as its users have it"
 
 .PHONY: check
-check: widget ## format, lints, types, documentation, weights and licences: not one warning
+check: clock widget ## format, lints, types, documentation, weights and licences: not one warning
 	@$(setup) lint supply
 	$(run) scripts/supply.sh check
 	@$(run) node scripts/wasm.mjs weigh
@@ -144,14 +205,21 @@ check: widget ## format, lints, types, documentation, weights and licences: not 
 	$(run) cargo clippy --quiet --locked --manifest-path python/Cargo.toml --target-dir target/python -- -D warnings
 	scripts/python.sh check
 	$(wasm) cargo clippy --quiet --lib --examples $(wasm32) -- -D warnings
-	$(wasm) cargo clippy --quiet --lib $(WASM_TESTS:%=--test %) $(wasm32) --features rivers,tracing,files,controls -- -D warnings
-	$(wasm) cargo clippy --quiet --lib $(wasm32) --features charts -- -D warnings
+	$(wasm) cargo clippy --quiet --lib $(WASM_TESTS:%=--test %) $(wasm32) --features files,controls -- -D warnings
+	$(wasm) cargo clippy --quiet $(wasm32) --package riverseed-wasm --features rivers,tracing,files,controls -- -D warnings
+	$(wasm) cargo clippy --quiet $(wasm32) --package riverseed-wasm --features charts -- -D warnings
 	RUSTDOCFLAGS="-D warnings" $(run) cargo doc --quiet --no-deps --all-features
 	RUSTDOCFLAGS="-D warnings" $(wasm) cargo doc --quiet --no-deps --lib $(wasm32)
-	RUSTDOCFLAGS="-D warnings" $(wasm) cargo doc --quiet --no-deps --lib $(wasm32) --features rivers,tracing,files,controls
+	RUSTDOCFLAGS="-D warnings" $(wasm) cargo doc --quiet --no-deps $(wasm32) --package riverseed-wasm --features rivers,tracing,files,controls,charts
 	scripts/crate.sh pack
 	$(npm) types
 	$(npm) lint
+	$(lap) "formats, lints, types, licences"
+
+.PHONY: prose
+prose: ## count how doc comments begin, module by module; fails where a module that has been rewritten slips back
+	@$(setup) node
+	@$(run) node scripts/prose.mjs
 
 # ---- look for faults that the tests do not know
 
@@ -195,9 +263,9 @@ goldens: ## redraw the golden pictures and digests; then look at them and say in
 .PHONY: docs
 docs: wasm ## write what is generated in docs/ again: the parameters, the JSON form, the figures, the tables of the element
 	@echo "A run that writes pages fails on purpose; the run after it must pass."
-	-@RIVERSEED_REFRESH=1 $(run) cargo test --all-features --quiet --no-fail-fast --test documents --test schema
+	-@RIVERSEED_REFRESH=1 $(run) cargo test --all-features --quiet --no-fail-fast --test documents --test schema --test program
 	@$(npm) element-page
-	@$(run) cargo test --all-features --quiet --test documents --test schema
+	@$(run) cargo test --all-features --quiet --test documents --test schema --test program documents
 	@git status --short docs
 
 .PHONY: clean

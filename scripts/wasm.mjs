@@ -11,14 +11,16 @@ import { execFileSync } from "node:child_process";
 import { createHash } from "node:crypto";
 import { existsSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
-import { dirname, join } from "node:path";
+import { dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 import { brotliCompressSync, gzipSync } from "node:zlib";
 
 process.chdir(join(dirname(fileURLToPath(import.meta.url)), ".."));
 const { parse } = createRequire(join(process.cwd(), "www/package.json"))("smol-toml");
+const folder = "crates/wasm";
+const crate = "riverseed-wasm";
 const settings = parse(readFileSync("wasm-pack.toml", "utf8"));
-const optimiser = parse(readFileSync("Cargo.toml", "utf8")).package.metadata["wasm-pack"].profile.release["wasm-opt"];
+const optimiser = parse(readFileSync(`${folder}/Cargo.toml`, "utf8")).package.metadata["wasm-pack"].profile.release["wasm-opt"];
 const packages = Object.values(settings.packages).map((one) => ({ ...settings.build, ...one }));
 
 switch (process.argv[2]) {
@@ -52,7 +54,8 @@ function ask(...command) {
 }
 
 function buildPackages() {
-  const inputs = digestOf([...sources(), "Cargo.toml", "Cargo.lock", ".cargo/config.toml", "wasm-pack.toml"]);
+  const settings = ["Cargo.toml", `${folder}/Cargo.toml`, "Cargo.lock", ".cargo/config.toml", "wasm-pack.toml"];
+  const inputs = digestOf([...sources(), ...settings]);
   const tools = ask("sh", "-c", "rustc -vV && wasm-bindgen --version && wasm-opt --version");
   const made = { inputs, script: digestOf(["scripts/wasm.mjs"]), tools };
   for (const one of packages) {
@@ -71,12 +74,12 @@ function buildPackage({ target, "out-dir": dir, "out-name": name, profile, cargo
   // cargo would see by itself that nothing changed, but the optimiser would still take its ten seconds.
   console.log(`Building the wasm package ${dir} (2 minutes the first time, then half a minute)`);
   rmSync(dir, { recursive: true, force: true });
-  // Builds with other features have the same file name, and cargo would take one for another. What we depend on stays.
-  run("cargo", "clean", "--quiet", "--package", "riverseed", `--${profile}`, "--target", "wasm32-unknown-unknown");
+  // Builds with other features have the same file name, and cargo would take one for another. The library stays.
+  run("cargo", "clean", "--quiet", "--package", crate, `--${profile}`, "--target", "wasm32-unknown-unknown");
   // no-install: wasm-pack would fetch tools, ours are there and have the right versions. Bootstrap: for the sake of one flag below.
   run(
-    ...["env", "RUSTC_BOOTSTRAP=1", "wasm-pack", "--quiet", "build", "--mode", "no-install", `--${profile}`, "--target", target],
-    ...["--out-dir", dir, "--out-name", name, "--", ...cargo, "--features", features.join(",")],
+    ...["env", "RUSTC_BOOTSTRAP=1", "wasm-pack", "--quiet", "build", folder, "--mode", "no-install", `--${profile}`, "--target", target],
+    ...["--out-dir", resolve(dir), "--out-name", name, "--", ...cargo, "--features", features.join(",")],
     ...["--config", compilerFlags()],
   );
   writeFileSync(stampOf(dir), JSON.stringify({ ...made, outputs: outputs(dir) }));
@@ -103,7 +106,7 @@ function compilerFlags() {
 
 /** All that is compiled. */
 function sources() {
-  return filesIn("src").filter((file) => !file.startsWith(join("src", "bin")));
+  return ["src", join(folder, "src")].flatMap(filesIn);
 }
 
 function outputs(dir) {

@@ -243,7 +243,7 @@ impl ChartKey {
 }
 
 /// Whether a session is finished, and its recipe wants a chart.
-pub(crate) fn is_to_be_charted(session: &Session) -> bool {
+pub fn is_to_be_charted(session: &Session) -> bool {
     session.is_finished() && session.recipe().is_annotated()
 }
 

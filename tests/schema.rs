@@ -5,7 +5,7 @@
 //! `RIVERSEED_REFRESH=1 cargo test --all-features --test schema` writes the schema's part about recipes and the page's table again,
 //! and then fails.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
-#![cfg(feature = "cli")]
+#![cfg(feature = "pack")]
 
 use std::fs;
 use std::sync::{Mutex, MutexGuard, PoisonError};

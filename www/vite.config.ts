@@ -1,4 +1,5 @@
 import { defineConfig } from "vite";
+import { tellsOfMissingFiles } from "./build/changed.ts";
 import { countries } from "./build/countries.ts";
 import { crawlers } from "./build/crawlers.ts";
 import { gallery, SHEET } from "./build/gallery/plugin.ts";
@@ -20,6 +21,7 @@ export default defineConfig({
     preloadEngine("index.html"),
     countries(),
     offline("index.html"),
+    tellsOfMissingFiles("index.html"),
     // After what writes scripts into pages.
     contentSecurityPolicy(),
     wholeAddresses(process.env["RIVERSEED_SITE"]),

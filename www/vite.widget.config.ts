@@ -45,7 +45,7 @@ function environment(name: string, entries: readonly string[]): EnvironmentOptio
       outDir: FOLDER,
       emptyOutDir: false,
       rolldownOptions: {
-        input: Object.fromEntries(entries.map((entry) => [entry, `src/widget/${entry}.ts`])),
+        input: Object.fromEntries(entries.map((entry) => [entry, `src/apps/widget/${entry}.ts`])),
         preserveEntrySignatures: "exports-only",
         output: {
           entryFileNames: "[name].js",

@@ -35,7 +35,10 @@ pub(crate) fn unnamed(map: &Map) -> Result<Json<'_>, ExportError> {
 }
 
 /// The same with names that were made elsewhere.
-pub(crate) fn named(map: &Map, names: Names) -> Result<Json<'_>, ExportError> {
+///
+/// # Errors
+/// As [`collection`].
+pub fn named(map: &Map, names: Names) -> Result<Json<'_>, ExportError> {
     const BYTES_A_VERTEX: usize = 16;
     let network = rivers(map, BYTES_A_VERTEX)?;
     let relief = map.make_relief()?;

@@ -30,8 +30,14 @@ pub(crate) fn unnamed<'a>(map: &'a Map, attractors: Option<&[Vec2]>) -> Result<J
 }
 
 /// The same with names that were made elsewhere; without, what they are made of is left out, too.
+///
+/// # Errors
+/// As [`json`].
 #[inline(never)] // one copy is enough
-pub(crate) fn compose<'a>(
+///
+/// # Errors
+/// As [`network`].
+pub fn compose<'a>(
     map: &'a Map,
     attractors: Option<&[Vec2]>,
     names: Option<Names>,

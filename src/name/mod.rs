@@ -26,10 +26,6 @@ mod wire;
 #[cfg(feature = "names")]
 mod word;
 
-#[cfg(feature = "names")]
-#[doc(hidden)]
-pub use namer::first_words as words;
-
 use glam::Vec2;
 
 /// The name of a river.

@@ -68,13 +68,6 @@ impl Names {
     }
 }
 
-/// The first words of a seed's own language, for those who look at many.
-#[doc(hidden)]
-pub fn first_words(seed: &str, count: u64) -> impl Iterator<Item = String> {
-    let language = Language::new(seed, 0);
-    (0..count).map(move |number| word::word(&language, number))
-}
-
 /// The language and the names of one's own by which names are given.
 struct Namer {
     language: Language,

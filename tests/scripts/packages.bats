@@ -67,8 +67,8 @@ built() {
   built 8
   echo "# changed" >>"$checkout/.cargo/config.toml"
   built 12
-  mkdir "$checkout/src/bin"
-  echo "fn main() {}" >"$checkout/src/bin/riverseed.rs"
+  mkdir -p "$checkout/crates/cli/src"
+  echo "fn main() {}" >"$checkout/crates/cli/src/main.rs"
   built 12
 }
 
@@ -141,4 +141,13 @@ built() {
     never_said "wasm.mjs weigh"
     never_said "run weigh"
   done
+}
+
+@test "in one call of make nothing is built or tested twice" {
+  run env -u MAKEFLAGS -u MAKELEVEL make -C "$project" --dry-run --no-print-directory check test-all
+  succeeded
+  said "cargo test"
+  local twice
+  twice=$(grep -v 'scripts/setup.sh\|scripts/laps.sh' <<<"$output" | sort | uniq -d)
+  [[ -z $twice ]] || fail "twice: $twice"
 }

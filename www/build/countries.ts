@@ -3,7 +3,7 @@
 import { readFileSync } from "node:fs";
 import type { Plugin } from "vite";
 import { countries as allCountries, initSync, readLink } from "../pkg-full/riverseed_full.js";
-import { Camera } from "../src/page/camera.ts";
+import { Camera } from "../src/apps/page/map/camera.ts";
 import { drawAll, type Order } from "./gallery/drawing.ts";
 import type { Shot } from "./gallery/shots.ts";
 
@@ -11,7 +11,7 @@ import type { Shot } from "./gallery/shots.ts";
 const SIZE = { width: 216, height: 136 };
 /** What of a picture stays free around a map that is seen whole. */
 const MARGIN_PX = 6;
-/** The files that the page asks for: `COUNTRY_PICTURES` of src/page/choices.ts. */
+/** The files that the page asks for: `COUNTRY_PICTURES` of src/apps/page/panel/choices.ts. */
 const FOLDER = "countries";
 
 interface Picture extends Order {

@@ -90,7 +90,7 @@ async function workerWith(files: readonly { url: string; revision: string | null
     build: {
       write: false,
       target: targets(),
-      lib: { entry: "src/offline/service-worker.ts", formats: ["iife"], name: "worker", fileName: () => WORKER },
+      lib: { entry: "src/apps/offline/service-worker.ts", formats: ["iife"], name: "worker", fileName: () => WORKER },
     },
   });
   const [built] = Array.isArray(made) ? made : [made];

@@ -1,6 +1,6 @@
 /**
  * The poster: the map of a visit without a link, as a picture that stands where the map will stand until that is there, and for
- * visitors without scripts. By day and by night, in the window's shape, as `firstLink` in src/page/page.ts says.
+ * visitors without scripts. By day and by night, in the window's shape, as `firstLink` in src/apps/page/page.ts says.
  */
 
 import type { Plugin } from "vite";

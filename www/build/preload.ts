@@ -34,7 +34,7 @@ export function preloadEngine(...pages: readonly string[]): Plugin {
   };
 }
 
-/** src/page/backend.ts takes it over, and hears whether it was refused before that. Where no canvas can be handed to it, there is none. */
+/** src/apps/page/backend.ts takes it over, and hears whether it was refused before that. Where no canvas can be handed to it, there is none. */
 function beginsWorker(fileName: string): string {
   return `if ("transferControlToOffscreen" in HTMLCanvasElement.prototype) try {
   const worker = (globalThis.earlyWorker = new Worker("./${fileName}", { type: "module" }));
@@ -42,7 +42,7 @@ function beginsWorker(fileName: string): string {
 } catch {}`;
 }
 
-/** src/page/page.ts takes the timer back once it is there. */
+/** src/apps/page/page.ts takes the timer back once it is there. */
 function asksFor(fileName: string): string {
   const link = `{ rel: "preload", as: "fetch", type: "application/wasm", crossOrigin: "", href: "./${fileName}" }`;
   return `{

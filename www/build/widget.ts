@@ -13,7 +13,7 @@ export function widgetFiles(): Plugin {
     // The dev server has no built files, and needs none.
     configureServer: ({ middlewares }) => {
       middlewares.use((request, _response, next) => {
-        if (request.url?.startsWith(`/${FOLDER}/river-seed.js`)) request.url = "/src/widget/river-seed.ts";
+        if (request.url?.startsWith(`/${FOLDER}/river-seed.js`)) request.url = "/src/apps/widget/river-seed.ts";
         next();
       });
     },

@@ -2,7 +2,7 @@
 
 import type { ClassAttributes, HTMLAttributes } from "react";
 import type { RiverSeedListeners, RiverSeedMarkup } from "./jsx.js";
-import type { RiverSeed } from "./src/widget/element.js";
+import type { RiverSeed } from "./src/apps/widget/element.js";
 
 type Theirs = Omit<HTMLAttributes<RiverSeed>, keyof RiverSeedMarkup | keyof RiverSeedListeners>;
 

@@ -28,6 +28,11 @@ function tablesOf({ attributes, members, events, cssParts, cssProperties }) {
       one.default?.replaceAll('"', "") ?? "",
       one.description,
     ]),
+    state: table(["property", "type", "what it tells"], members.filter(isState), (one) => [
+      `\`${one.name}\``,
+      `\`${one.type.text.replaceAll('"', "").replaceAll(" | ", ", ")}\``,
+      one.description,
+    ]),
     methods: table(["method", "what it does"], members.filter(isMethod), (one) => [
       `\`${signature(one)}\``,
       one.description,
@@ -42,6 +47,7 @@ function tablesOf({ attributes, members, events, cssParts, cssProperties }) {
   };
 }
 
+const isState = ({ readonly }) => readonly;
 const isMethod = ({ kind }) => kind === "method";
 
 function signature({ name, parameters = [] }) {

@@ -14,10 +14,11 @@ const EMBED = ["river-seed.js", "worker.js", "riverseed_bg.wasm"];
 const EMBED_HERE = ["river-seed.js", "tag-page-backend.js", "riverseed_bg.wasm"];
 
 // The element was 6,000: giving up what never answers, and reopening what answers no more, took 600; the attributes of drainage and
-// of courses take 60, those of labels and scenery 80. The embed was 170,000: styles with relief take it 6,000 over that, charts 6,000 more,
+// of courses take 60, those of labels and scenery 80, the state
+// that scripts can read 400. The embed was 170,000: styles with relief take it 6,000 over that, charts 6,000 more,
 // the renderer that the page shares 500 where there is no worker, and what that does for drafts and for rivers side by side 500.
 const LIMITS = [
-  ["element and loader", ["river-seed.js"], 6_800],
+  ["element and loader", ["river-seed.js"], 7_250],
   ["glue", withImports("core.js"), 5_000],
   ["whole embed", EMBED, 183_300],
   ["whole embed, without a worker", EMBED_HERE, 183_900],

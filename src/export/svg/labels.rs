@@ -17,7 +17,7 @@ use crate::paint::palette::Colour;
 use crate::paint::{LabelLook, label_look, scenery_look};
 
 /// The labels of a map as they are written, with the halo that is taken out of its rivers.
-pub(crate) fn chart(map: &Map, is_text: bool) -> ChartText {
+pub fn chart(map: &Map, is_text: bool) -> ChartText {
     let size = map.domain().size;
     let placed = labels(map, [Vec2::ZERO, size], 1.0);
     let [mut halo, mut letters] = [Text::default(), Text::default()];

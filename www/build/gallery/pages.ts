@@ -1,6 +1,6 @@
 /** The gallery's pages as HTML, without a script: the overview, and a page for each map. */
 
-import { elementSnippet, escaped, titleOf } from "../../src/share/snippets.ts";
+import { elementSnippet, escaped, titleOf } from "../../src/apps/page/share/snippets.ts";
 import { policyFor } from "../policy.ts";
 import { baseOf } from "../social.ts";
 import type { Entry } from "./recipes.ts";

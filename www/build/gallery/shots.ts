@@ -1,7 +1,7 @@
 /** Which pictures of a map the site has, and how large they are. */
 
+import { Camera, type Insets } from "../../src/apps/page/map/camera.ts";
 import type { Size } from "../../src/browser/canvas.ts";
-import { Camera, type Insets } from "../../src/page/camera.ts";
 
 /** A picture of a map as it is asked of scripts/draw-maps.mjs. */
 export interface Shot extends Size {

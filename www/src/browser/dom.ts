@@ -38,11 +38,11 @@ export function mapLayer(name: string): SVGSVGElement {
   return svg("svg", attributes);
 }
 
-/** An element that index.html promises. */
+/** An element that the page's HTML has. */
 export function find<Type extends Element>(selector: string, type: new () => Type): Type {
   const element = document.querySelector(selector);
   if (element instanceof type) return element;
-  throw new Error(`index.html has no ${selector}`);
+  throw new Error(`the page has no ${selector}`);
 }
 
 /** Sets what differs: a value that is set again moves the caret of the person typing. */

@@ -47,6 +47,13 @@ const ADVICE: Record<Code, Advice> = {
       "check that the server sends the scripts and the .wasm file completely.",
     reload: true,
   },
+  "file-missing": {
+    title: "This site has just changed",
+    text:
+      "One of its files is gone, or belongs to another version. Load the page again. For the site’s owner: if it stays " +
+      "so, upload all .js and .wasm files of one build, the .wasm files beside the scripts.",
+    reload: true,
+  },
   "no-files": {
     title: "A part of Riverseed did not arrive",
     text: "The part that makes files could not be downloaded. Check the connection and try again.",

@@ -9,6 +9,7 @@ export const CODES = [
   "wasm-mime",
   "wasm-csp",
   "wasm-timeout",
+  "file-missing",
   "no-files",
   "no-tracing",
   "no-chart",

@@ -8,6 +8,9 @@ const SIMD_PROBE = new Uint8Array([
   0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0, 253, 15, 253, 98, 11,
 ]);
 
+/** What servers answer for a file that they do not have: "not found" and "gone". */
+const GONE: ReadonlySet<number> = new Set([404, 410]);
+
 /** Asked before the download, so that an old browser does not fetch what it cannot run. */
 function isSupported(): boolean {
   return typeof WebAssembly === "object" && WebAssembly.validate(SIMD_PROBE);
@@ -39,7 +42,7 @@ export async function start<T>(
     return await link(compiled);
   } catch (error) {
     // Script and wasm from different builds do not link: a stale cache, or half an upload.
-    if (error instanceof WebAssembly.LinkError) throw new PageError("wasm-fetch", error.message);
+    if (error instanceof WebAssembly.LinkError) throw new PageError("file-missing", error.message);
     throw error;
   }
 }
@@ -77,7 +80,9 @@ async function download(url: string, signal: AbortSignal): Promise<Response> {
   } catch (error) {
     throw new PageError("wasm-fetch", String(error));
   }
-  if (!response.ok) throw new PageError("wasm-fetch", `the server answered ${response.status} for ${url}`);
+  const { ok, status } = response;
+  if (!ok)
+    throw new PageError(GONE.has(status) ? "file-missing" : "wasm-fetch", `the server answered ${status} for ${url}`);
   return response;
 }
 

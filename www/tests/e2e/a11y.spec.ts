@@ -2,10 +2,13 @@ import { expect, test } from "@playwright/test";
 import { violations } from "./axe.ts";
 import { finished, openFinished, openPanel, openStopped, openUnfolded, unfold } from "./riverpage.ts";
 import { OPENED } from "./states.ts";
+import { core } from "./tiers.ts";
 
 for (const colorScheme of ["light", "dark"] as const) {
   for (const width of [1440, 820, 390]) {
-    test(`axe finds nothing: ${colorScheme}, ${width} wide`, async ({ page }) => {
+    test(`axe finds nothing: ${colorScheme}, ${width} wide${core(colorScheme === "light" ? width === 1440 : width === 390)}`, async ({
+      page,
+    }) => {
       await page.emulateMedia({ colorScheme });
       await page.setViewportSize({ width, height: 900 });
       await openFinished(page, "preset=trimmed-curl&attractors=300&mouths=900");
@@ -26,7 +29,9 @@ for (const colorScheme of ["light", "dark"] as const) {
     });
   }
 
-  test(`axe finds nothing in any state that the page can be in: ${colorScheme}`, async ({ page }) => {
+  test(`axe finds nothing in any state that the page can be in: ${colorScheme}${core(colorScheme === "light")}`, async ({
+    page,
+  }) => {
     await page.emulateMedia({ colorScheme });
     await openFinished(page, "preset=trimmed-curl&attractors=300");
     for (const [state, open] of Object.entries(OPENED)) {
@@ -36,7 +41,7 @@ for (const colorScheme of ["light", "dark"] as const) {
   });
 }
 
-test("axe finds nothing in a failure", async ({ page }) => {
+test("axe finds nothing in a failure @core", async ({ page }) => {
   await page.route("**/*.wasm", (route) => route.abort());
   await page.goto("./");
   await expect(page.getByRole("alert")).toBeVisible();
@@ -51,7 +56,7 @@ test("axe finds nothing in forced colours, and the sliders are the system's", as
   expect(appearance).toBe("auto");
 });
 
-test("the picture is one image with a name, and growth can be paused", async ({ page }) => {
+test("the picture is one image with a name, and growth can be paused @core", async ({ page }) => {
   await openStopped(page, "seed=rimu&attractors=300");
   await expect(page.getByRole("button", { name: "Pause" })).toBeVisible();
   await page.clock.resume();

@@ -16,7 +16,7 @@ function hideButtons(page: Page): Promise<void> {
   });
 }
 
-test("each river of the post is the one that its link leads to", async ({ page }) => {
+test("each river of the post is the one that its link leads to @core", async ({ page }) => {
   const said = complaints(page);
   await page.goto(POST);
   await hideButtons(page);

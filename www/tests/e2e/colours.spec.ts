@@ -85,34 +85,52 @@ async function expectReadable(page: Page, where: string): Promise<void> {
   }
 }
 
-for (const colorScheme of ["light", "dark"] as const) {
-  test.describe(`every button can be read, ${colorScheme}`, () => {
-    test.use({ colorScheme });
+const SCHEMES = ["light", "dark"] as const;
+type Scheme = (typeof SCHEMES)[number];
 
-    test("at rest, under the pointer, with the focus, while it is pressed, and when it stays so", async ({ page }) => {
-      // A pressed style, a pressed preset, and notices.
-      await openUnfolded(page, "preset=trimmed-curl&attractors=300&depth=3");
-      await expect(page.getByRole("button", { pressed: true })).toHaveCount(2);
-      for (const [where, open] of Object.entries(OPENED)) {
-        await open(page);
-        await expectReadable(page, where);
-      }
-    });
+/** On a light page and on a dark one, once no colour is on its way any more. */
+async function inBoth(page: Page, look: (colorScheme: Scheme) => Promise<void>): Promise<void> {
+  for (const colorScheme of SCHEMES) {
+    await page.emulateMedia({ colorScheme });
+    await page.evaluate(() => Promise.all(document.getAnimations().map((animation) => animation.finished)));
+    await look(colorScheme);
+  }
+}
 
-    test("when the engine has failed", async ({ page }) => {
-      await openFailed(page);
-      await page.evaluate(() => {
-        for (const button of document.querySelectorAll("button")) button.disabled = false;
-      });
-      await expectReadable(page, "failed");
-    });
-
-    test("and seen when it can do nothing", async ({ page }) => {
-      await openUnfolded(page, "preset=trimmed-curl&attractors=300&depth=3");
-      await page.evaluate(() => {
-        for (const button of document.querySelectorAll("button")) button.disabled = true;
-      });
-      expect(await faint(page)).toEqual([]);
-    });
+/** Looks at the page while no button can be used. */
+async function whileIdle(page: Page, look: () => Promise<void>): Promise<void> {
+  const usable = page.locator("button:enabled");
+  await usable.evaluateAll((buttons: HTMLButtonElement[]) => {
+    for (const button of buttons) Object.assign(button, { disabled: true }).dataset["wasUsable"] = "";
+  });
+  await look();
+  await page.locator("[data-was-usable]").evaluateAll((buttons: HTMLButtonElement[]) => {
+    for (const button of buttons) {
+      button.disabled = false;
+      delete button.dataset["wasUsable"];
+    }
   });
 }
+
+test("every button can be read at rest, under the pointer, with the focus, while it is pressed, and when it stays so @core", async ({
+  page,
+}) => {
+  // A pressed style, a pressed preset, and notices.
+  await openUnfolded(page, "preset=trimmed-curl&attractors=300&depth=3");
+  await expect(page.getByRole("button", { pressed: true })).toHaveCount(2);
+  await whileIdle(page, () =>
+    inBoth(page, async (scheme) => expect(await faint(page), `of no use, ${scheme}`).toEqual([])),
+  );
+  for (const [where, open] of Object.entries(OPENED)) {
+    await open(page);
+    await inBoth(page, (scheme) => expectReadable(page, `${where}, ${scheme}`));
+  }
+});
+
+test("every button can be read when the engine has failed", async ({ page }) => {
+  await openFailed(page);
+  await page.evaluate(() => {
+    for (const button of document.querySelectorAll("button")) button.disabled = false;
+  });
+  await inBoth(page, (scheme) => expectReadable(page, `failed, ${scheme}`));
+});

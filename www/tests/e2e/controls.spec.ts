@@ -15,6 +15,7 @@ import {
   shown,
   stopClock,
 } from "./riverpage.ts";
+import { core } from "./tiers.ts";
 
 /** Few attractors: these tests are about controls. */
 const SMALL = "seed=kauri&growth=colonize&attractors=300&edition=1";
@@ -82,7 +83,7 @@ function rowsIn(page: Page, keys: readonly string[]): Promise<{ text: string; he
 }
 
 for (const link of CONTEXTS) {
-  test(`every row of the table has a control with its label, and its help or why it is idle: ?${link}`, async ({
+  test(`every row of the table has a control with its label, and its help or why it is idle: ?${link}${core(link === CONTEXTS[0])}`, async ({
     page,
   }) => {
     await openUnfolded(page, link);
@@ -100,7 +101,7 @@ for (const link of CONTEXTS) {
   });
 }
 
-test("an idle control keeps its value and has it again", async ({ page }) => {
+test("an idle control keeps its value and has it again @core", async ({ page }) => {
   await openUnfolded(page, `${SMALL}&land=island&sea=0.3`);
   const land = page.getByLabel("Land", { exact: true });
   const sea = page.getByRole("slider", { name: "How much sea", exact: true });
@@ -201,7 +202,7 @@ for (const [link, few] of byContext(drawn.filter(({ min }) => min !== undefined)
   });
 }
 
-test("a slider that is dragged ends on the picture of its last value", async ({ page }) => {
+test("a slider that is dragged ends on the picture of its last value @core", async ({ page }) => {
   await openUnfolded(page, "seed=kauri&growth=colonize&attractors=3000");
   const slider = row(page, "curl").getByRole("slider");
   await slider.scrollIntoViewIfNeeded();
@@ -273,7 +274,7 @@ test("sides are ticked, and the last one stays", async ({ page }) => {
   await expect(page.locator("#notices")).toBeHidden();
 });
 
-test("an exact value can be typed; one out of range is clamped and said", async ({ page }) => {
+test("an exact value can be typed; one out of range is clamped and said @core", async ({ page }) => {
   await openUnfolded(page, SMALL);
   const curl = page.getByLabel("Curl, exact value");
   await curl.fill("0.123");
@@ -303,7 +304,7 @@ for (const preset of engine.presets()) {
   });
 }
 
-test("the dice give a new seed that can be read", async ({ page }) => {
+test("the dice give a new seed that can be read @core", async ({ page }) => {
   await fixChance(page);
   await openUnfolded(page, SMALL);
   const field = page.getByLabel("Seed", { exact: true });
@@ -319,7 +320,7 @@ test("the dice give a new seed that can be read", async ({ page }) => {
   await expectPictureOfAddress(page);
 });
 
-test("typing a seed grows it, Enter at once, an empty box nothing", async ({ page }) => {
+test("typing a seed grows it, Enter at once, an empty box nothing @core", async ({ page }) => {
   await openUnfolded(page, SMALL);
   const field = page.getByLabel("Seed", { exact: true });
   await field.fill("Waikato");
@@ -342,7 +343,7 @@ test("Reset all goes back to the defaults and keeps the seed", async ({ page }) 
   await expectPictureOfAddress(page);
 });
 
-test("everything can be reached and used by keyboard alone", async ({ page }) => {
+test("everything can be reached and used by keyboard alone @core", async ({ page }) => {
   await openUnfolded(page, SMALL);
   // The focus begins at the top again, and what was unfolded is so still.
   await page.reload();
@@ -373,7 +374,7 @@ test("everything can be reached and used by keyboard alone", async ({ page }) =>
     expect(order.some((name) => name.startsWith(heading))).toBe(true);
 });
 
-test("Space plays and pauses from the page, and stays a space in the seed", async ({ page }) => {
+test("Space plays and pauses from the page, and stays a space in the seed @core", async ({ page }) => {
   await ownClock(page);
   await openFinished(page, "seed=kauri&attractors=300");
   await stopClock(page);

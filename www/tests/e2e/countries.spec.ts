@@ -28,7 +28,7 @@ test("every kind of country has a picture on its button, which is not fetched be
   expect(said).toEqual([]);
 });
 
-test("on phones the kinds of country stand in one row, and what follows is in sight", async ({ page }) => {
+test("on phones the kinds of country stand in one row, and what follows is in sight @core", async ({ page }) => {
   await page.setViewportSize({ width: 390, height: 844 });
   await openFinished(page, "attractors=300");
   await openPanel(page);

@@ -15,7 +15,7 @@ async function expectPicture(page: Page, link: string): Promise<void> {
 
 test.use({ colorScheme: "dark" });
 
-test("a dark page shows the dark style, and its address does not name it", async ({ page }) => {
+test("a dark page shows the dark style, and its address does not name it @core", async ({ page }) => {
   await openFinished(page, LINK);
   await expectPicture(page, `${LINK}&style=night`);
   await expectAddress(page, "style", null);

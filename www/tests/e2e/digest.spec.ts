@@ -1,6 +1,6 @@
 import { readFileSync } from "node:fs";
 import { expect, test } from "@playwright/test";
-import { linesOf } from "../../src/digest/lines.ts";
+import { linesOf } from "../../src/apps/digest/lines.ts";
 
 const committed = linesOf(readFileSync(new URL("../../../tests/digest.txt", import.meta.url), "utf8"));
 

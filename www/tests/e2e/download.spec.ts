@@ -6,6 +6,7 @@ import { pictureOf } from "../core.ts";
 import { full } from "../full.ts";
 import { complaints, countCalls, openFinished, openStopped, ownClock, stopClock } from "./riverpage.ts";
 import { bytesOf, choose, download, saveButton } from "./saving.ts";
+import { core } from "./tiers.ts";
 
 const LINK = "seed=puriri&attractors=300";
 /** The same on a plain rectangle, whose rivers run south, for long enough to leave lakes. */
@@ -17,7 +18,7 @@ interface Feature {
 }
 
 for (const style of ["ink", "dark", "atlas", "night", "skeleton"]) {
-  test(`an SVG, shown by a browser, is the picture of the page: ${style}`, async ({ page }) => {
+  test(`an SVG, shown by a browser, is the picture of the page: ${style}${core(style === "ink")}`, async ({ page }) => {
     const said = complaints(page);
     await openFinished(page, `${LINK}&aspect=1.5&land=island&style=${style}`);
     const { name, bytes } = await download(page, "Drawing");
@@ -66,7 +67,7 @@ function plain(value: object): object {
   return JSON.parse(JSON.stringify(value));
 }
 
-test("GeoJSON holds every river and lake, with the north up", async ({ page }) => {
+test("GeoJSON holds every river and lake, with the north up @core", async ({ page }) => {
   await openFinished(page, PLAIN);
   const { name, bytes } = await download(page, "Map data");
   expect(name).toBe("puriri.geojson");
@@ -86,7 +87,7 @@ test("GeoJSON holds every river and lake, with the north up", async ({ page }) =
   }
 });
 
-test("JSON holds the whole network", async ({ page }) => {
+test("JSON holds the whole network @core", async ({ page }) => {
   await openFinished(page, PLAIN);
   const { name, bytes } = await download(page, "Network");
   expect(name).toBe("puriri.json");
@@ -109,7 +110,7 @@ test("JSON holds the whole network", async ({ page }) => {
   expect(file.recipe).toMatchObject({ seed: "puriri", attractors: 300, land: "rectangle" });
 });
 
-test("the game pack holds rasters, rivers, the picture and a text", async ({ page }) => {
+test("the game pack holds rasters, rivers, the picture and a text @core", async ({ page }) => {
   const said = complaints(page);
   await openFinished(page, LINK);
   const { name, bytes } = await download(page, "Game pack");

@@ -34,7 +34,7 @@ async function openHeld(page: Page): Promise<void> {
   await page.clock.runFor(2000);
 }
 
-test("while a slider moves its rivers are drafts without labels, and nothing is made exactly before the hand rests", async ({
+test("while a slider moves its rivers are drafts without labels, and nothing is made exactly before the hand rests @core", async ({
   page,
 }) => {
   const drafts = await countCalls(page, "river_paintDraft");

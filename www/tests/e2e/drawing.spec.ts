@@ -100,7 +100,9 @@ async function choose(page: Page, buffer: Buffer): Promise<void> {
   await page.locator("#picture").setInputFiles({ name: "land.png", mimeType: "image/png", buffer });
 }
 
-test("a coast drawn with the mouse is in the link, and the link draws the same picture afresh", async ({ page }) => {
+test("a coast drawn with the mouse is in the link, and the link draws the same picture afresh @core", async ({
+  page,
+}) => {
   await openTool(page);
   const before = await shown(page);
   await draw(page, BLOB);
@@ -166,7 +168,7 @@ for (const pointerType of ["pen", "touch"]) {
   });
 }
 
-test("a real finger draws and does not scroll", async ({ browser }) => {
+test("a real finger draws and does not scroll @core", async ({ browser }) => {
   const page = await browser.newPage({ viewport: { width: 390, height: 844 }, hasTouch: true });
   await openTool(page);
   const box = await page.locator("#sketch").boundingBox();
@@ -209,7 +211,7 @@ test("ridges, undo and clear change the link, and escape ends drawing", async ({
   await expect(page.getByRole("button", { name: "Draw", exact: true })).toBeFocused();
 });
 
-test("a river is drawn by hand, a touch is a mouth, and both go with undo", async ({ page }) => {
+test("a river is drawn by hand, a touch is a mouth, and both go with undo @core", async ({ page }) => {
   await openTool(page);
   await draw(page, BLOB);
   await expect.poll(() => linesIn(page).coasts.length).toBe(1);
@@ -298,7 +300,7 @@ test("choosing a drawn land in the list opens the tool", async ({ page }) => {
   await expect(page.getByRole("group", { name: "Drawing a land" })).toBeVisible();
 });
 
-test("a picture is traced: its coast, its ridge and its shape are the map's, and what is kept is shown", async ({
+test("a picture is traced: its coast, its ridge and its shape are the map's, and what is kept is shown @core", async ({
   page,
 }) => {
   await openFinished(page, SMALL);
@@ -342,7 +344,7 @@ test("a picture can be dropped onto the map, and pasted", async ({ page }) => {
   }
 });
 
-test("a picture that cannot be a land is refused with a message, and the map stays", async ({ page }) => {
+test("a picture that cannot be a land is refused with a message, and the map stays @core", async ({ page }) => {
   await openFinished(page, SMALL);
   const before = await shown(page);
   for (const [name, buffer, message] of [

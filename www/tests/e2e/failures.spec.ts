@@ -12,11 +12,55 @@ async function expectFailure(page: Page, code: string, advice: RegExp): Promise<
   await expect(page.getByRole("heading", { name: "Riverseed" })).toBeVisible();
 }
 
-test("the engine's file is missing", async ({ page }) => {
-  await page.route("**/*.wasm", (route) => route.fulfill({ status: 404, body: "not here" }));
+/** What a half-uploaded site answers for a file of the other build. */
+async function missing(page: Page, files: string | RegExp): Promise<void> {
+  await page.route(files, (route) => route.fulfill({ status: 404, contentType: "text/html", body: "not here" }));
+}
+
+test("the engine's file is missing: the site has changed, and a new load finds it @core", async ({ page }) => {
+  await missing(page, "**/*.wasm");
   await page.goto("./");
-  await expectFailure(page, "wasm-fetch", /Check the connection/);
+  await expectFailure(page, "file-missing", /Load the page again/);
+  await expect(page.getByRole("heading", { name: "This site has just changed" })).toBeVisible();
+  await page.unroute("**/*.wasm");
+  await page.getByRole("button", { name: "Load again" }).click();
+  await finished(page);
 });
+
+test("the worker's script and what stands in for it are missing: the site has changed", async ({ page }) => {
+  await missing(page, /\/page-(worker|backend)-[^/]*\.js$/);
+  await page.goto("./?attractors=300");
+  await expectFailure(page, "file-missing", /Load the page again/);
+  await expect(page.getByRole("alert")).toHaveCount(1);
+});
+
+for (const [what, files] of [
+  ["all its scripts and styles", /\/assets\/.*\.(js|css|wasm)$/],
+  ["its script", /\/assets\/index-[^/]*\.js$/],
+  ["a module that its script imports", /\/assets\/(?!index-|page-worker-)[^/]*\.js$/],
+  ["its style sheet", /\/assets\/index-[^/]*\.css$/],
+] as const) {
+  test(`a page of one build whose files are another's says so: without ${what}`, async ({ page }) => {
+    let loads = 0;
+    page.on("request", (request) => {
+      if (request.isNavigationRequest()) loads++;
+    });
+    await missing(page, files);
+    await page.goto("./?attractors=300#here");
+    await expect(page.getByRole("alert")).toContainText("This site has just changed");
+    await expect(page.getByText("Preparing the rivers")).toBeHidden();
+    await expect(page.getByText("may have been blocked")).toBeHidden();
+    // It never loads itself again: a site that stays so would be asked for ever.
+    expect(loads).toBe(1);
+    await page.getByRole("button", { name: "Load again" }).click();
+    await expect(page.getByRole("alert")).toContainText("This site has just changed");
+    expect(loads).toBe(2);
+    await page.unroute(files);
+    await page.getByRole("button", { name: "Load again" }).click();
+    await finished(page);
+    await expect(page.getByRole("alert")).toBeHidden();
+  });
+}
 
 test("the connection breaks", async ({ page }) => {
   await page.route("**/*.wasm", (route) => route.abort());
@@ -62,7 +106,7 @@ async function runUntil(page: Page, isSeen: () => Promise<boolean>): Promise<voi
     .toBe(true);
 }
 
-test("an engine that never comes is given up by name, and a new load finds it", async ({ page }) => {
+test("an engine that never comes is given up by name, and a new load finds it @core", async ({ page }) => {
   await page.clock.install();
   await page.route("**/*.wasm", () => {});
   await page.goto("./?attractors=300");
@@ -82,7 +126,7 @@ test("the page of digests gives up as well", async ({ page }) => {
   await expect(page.locator("#verdict")).toContainText("nothing came from");
 });
 
-test("a browser without WebAssembly, which asks for nothing again", async ({ page }) => {
+test("a browser without WebAssembly, which asks for nothing again @core", async ({ page }) => {
   let downloads = 0;
   await page.route("**/*.wasm", (route) => {
     downloads++;
@@ -141,7 +185,7 @@ async function trap(page: Page): Promise<void> {
   await everywhere(page, () => Object.assign(globalThis, { trap: true }) && undefined, undefined);
 }
 
-test("a panic while growing stops the river and says so, once", async ({ page }) => {
+test("a panic while growing stops the river and says so, once @core", async ({ page }) => {
   const warnings: string[] = [];
   page.on("console", (message) => {
     if (message.type() === "warning") warnings.push(message.text());
@@ -158,7 +202,7 @@ test("a panic while growing stops the river and says so, once", async ({ page })
   await finished(page);
 });
 
-test("memory that runs out before the rivers are there is said, and no tree stands in their place", async ({
+test("memory that runs out before the rivers are there is said, and no tree stands in their place @core", async ({
   page,
 }) => {
   await trapOn(page, "river_advance", "no-memory");
@@ -252,7 +296,7 @@ test("dice that cannot be thrown say so, and the map stays", async ({ page }) =>
 
 test.describe("without JavaScript", () => {
   test.use({ javaScriptEnabled: false });
-  test("the page says what it needs", async ({ page }) => {
+  test("the page says what it needs @core", async ({ page }) => {
     await page.goto("./");
     // By element: looking for text, Playwright passes <noscript> over.
     await expect(page.locator("noscript p")).toBeVisible();
@@ -265,4 +309,6 @@ test("a page whose script never comes says so after a while", async ({ page }) =
   await page.goto("./");
   await expect(page.getByText("Preparing the rivers")).toBeVisible();
   await expect(page.getByText("it needs a web server")).toBeVisible();
+  // Nobody knows that the site has changed: its server was not reached.
+  await expect(page.getByText("has just changed")).toBeHidden();
 });

@@ -15,7 +15,7 @@ test("at first what shapes a map most stands in the panel, and all else under he
   await expect(page.getByRole("slider", { name: "Curl" })).toHaveCount(0);
 });
 
-test("groups fold and unfold by mouse and keys, and are so again next time", async ({ page }) => {
+test("groups fold and unfold by mouse and keys, and are so again next time @core", async ({ page }) => {
   await openWithPanel(page, SMALL);
   await group(page, "Bends").locator("summary").click();
   await expect(page.getByRole("slider", { name: "Curl" })).toBeVisible();

@@ -25,7 +25,7 @@ async function growSome(page: Page, link: string): Promise<void> {
   expect((await shown(page)).sha256).not.toBe(start.sha256);
 }
 
-test("a visitor sees a river grow, and then its counts", async ({ page }) => {
+test("a visitor sees a river grow, and then its counts @core", async ({ page }) => {
   const said = complaints(page);
   const states = await recordStates(page);
   await openStopped(page);
@@ -41,7 +41,7 @@ test("a visitor sees a river grow, and then its counts", async ({ page }) => {
   expect(said).toEqual([]);
 });
 
-test("the finished river is announced once, and is the picture's alternative", async ({ page }) => {
+test("the finished river is announced once, and is the picture's alternative @core", async ({ page }) => {
   await openStopped(page, "seed=rimu&attractors=300");
   await expect(page.locator("#canvas")).toHaveAttribute("aria-label", /still growing/);
   await page.clock.resume();
@@ -50,14 +50,14 @@ test("the finished river is announced once, and is the picture's alternative", a
   await expect(page.locator("#canvas")).toHaveAttribute("aria-label", /^River network grown from the seed “rimu”: \d/);
 });
 
-test("the animated river ends as the one that is drawn at once", async ({ page }) => {
+test("the animated river ends as the one that is drawn at once @core", async ({ page }) => {
   await page.goto("./?seed=totara&attractors=800");
   await finished(page);
   const { width, height, sha256, framing } = await shown(page);
   expect(sha256).toBe(pictureOf("seed=totara&attractors=800", width, height, framing).sha256);
 });
 
-test("pause holds the river, play goes on to the same end", async ({ page }) => {
+test("pause holds the river, play goes on to the same end @core", async ({ page }) => {
   await growSome(page, "seed=matai&attractors=800");
   await page.getByRole("button", { name: "Pause" }).click();
   await page.clock.runFor(100);

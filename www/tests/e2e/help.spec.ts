@@ -7,7 +7,7 @@ function seed(page: Page): string | null {
   return address(page).get("seed");
 }
 
-test("a sheet says what each key does, and goes by Escape", async ({ page }) => {
+test("a sheet says what each key does, and goes by Escape @core", async ({ page }) => {
   await openFinished(page, LINK);
   await page.keyboard.press("?");
   const sheet = page.getByRole("dialog", { name: "Riverseed" });

@@ -1,5 +1,6 @@
 import { expect, type Page, test } from "@playwright/test";
 import { complaints, expectPictureOfAddress, finished, openFinished, unfold } from "./riverpage.ts";
+import { core } from "./tiers.ts";
 
 const LINK = "seed=kauri&attractors=300&style=atlas&labels=some";
 
@@ -113,7 +114,9 @@ test("while rivers grow the window takes any size, and at last they are those of
 });
 
 for (const [width, height] of WINDOWS.filter(([width]) => width > 1))
-  test(`in a window of ${width} by ${height} there is a map, and the dice can be thrown`, async ({ page }) => {
+  test(`in a window of ${width} by ${height} there is a map, and the dice can be thrown${core(width === 320)}`, async ({
+    page,
+  }) => {
     const said = complaints(page);
     await page.setViewportSize({ width, height });
     await openFinished(page, LINK);

@@ -41,7 +41,7 @@ async function violationsInFrame(page: Page): Promise<string[]> {
 
 const river = (page: Page) => page.frameLocator("iframe").first().locator("river-seed");
 
-test("the iframe that Share copies draws the same river on another origin", async ({ page, blog, baseURL }) => {
+test("the iframe that Share copies draws the same river on another origin @core", async ({ page, blog, baseURL }) => {
   await openFinished(page, LINK);
   await page.getByRole("button", { name: "Share" }).click();
   await page.getByRole("button", { name: "Copy iframe" }).click();
@@ -77,7 +77,7 @@ test("the page around is told the height that fits, once, and again when the wid
   await expect.poll(heard).toEqual([300, 375]);
 });
 
-test("with the host script an iframe is as high as its river", async ({ page, blog, baseURL }) => {
+test("with the host script an iframe is as high as its river @core", async ({ page, blog, baseURL }) => {
   await openFramed(
     { page, blog, baseURL },
     { query: `${LINK}&aspect=2`, more: `<script src="SITE/embed-host.js"></script>` },
@@ -200,7 +200,7 @@ test("what had to be corrected is shown over the river, as text, and can be dism
   await expect(note).toBeHidden();
 });
 
-test("a failure is said in the river's place, by its name, and the page around gives it room", async ({
+test("a failure is said in the river's place, by its name, and the page around gives it room @core", async ({
   page,
   blog,
   baseURL,
@@ -212,8 +212,51 @@ test("a failure is said in the river's place, by its name, and the page around g
     `<iframe src="SITE/embed.html?${LINK}" title="Rivers" width="300" height="60"></iframe>`,
   );
   const note = page.frameLocator("iframe").getByRole("alert");
-  await expect(note).toContainText("wasm-fetch");
-  await expect(note).toContainText("Check the connection");
+  await expect(note).toContainText("file-missing");
+  await expect(note).toContainText("Load the page again");
   const height = await note.evaluate((element) => element.getBoundingClientRect().height);
   await expect.poll(async () => (await heard()).at(-1)).toBeGreaterThanOrEqual(Math.floor(height));
+});
+
+/** An iframe that has no origin: its files are fetched as by a page of another site. */
+const SANDBOXED = `<iframe src="SITE/embed.html?${LINK}" title="Rivers" width="480" height="300" sandbox="allow-scripts"></iframe>`;
+
+test("a sandboxed iframe without an origin says what it lacks", async ({ page, blog, baseURL }) => {
+  await openElsewhere({ page, blog, baseURL }, SANDBOXED);
+  const frame = page.frameLocator("iframe");
+  await expect(frame.getByText("The rivers did not load.")).toBeVisible();
+  await expect(frame.getByText("allow-scripts allow-same-origin")).toBeVisible();
+  await expect(frame.locator("river-seed")).toHaveCount(0);
+});
+
+test("where the site sends CORS for its assets, a sandboxed iframe without an origin draws the same river", async ({
+  page,
+  blog,
+  baseURL,
+}) => {
+  await page.route("**/assets/**", async (route) => {
+    const response = await route.fetch();
+    await route.fulfill({ response, headers: { ...response.headers(), "access-control-allow-origin": "*" } });
+  });
+  await openElsewhere({ page, blog, baseURL }, SANDBOXED.replace("<iframe", '<iframe style="border:0"'));
+  const frame = page.frameLocator("iframe");
+  await expect(frame.locator(":root")).toHaveAttribute("data-state", "ready");
+  await expect.poll(() => showsRiver(page, page.locator("iframe"), LINK)).toBe(true);
+  await expect(frame.getByText("The rivers did not load.")).toHaveCount(0);
+});
+
+test("a slow script does not make an iframe say that something is missing", async ({ page }) => {
+  await page.route("**/assets/embed-*.js", () => {});
+  await page.goto(`./embed.html?${LINK}`, { waitUntil: "commit" });
+  await expect(page.locator("#missing")).toBeAttached();
+  await expect(page.locator("#missing")).toBeHidden();
+});
+
+test.describe("without JavaScript", () => {
+  test.use({ javaScriptEnabled: false });
+  test("an iframe asks for it, and for nothing else", async ({ page }) => {
+    await page.goto(`./embed.html?${LINK}`);
+    await expect(page.locator("noscript p")).toBeVisible();
+    await expect(page.locator("#missing")).toBeHidden();
+  });
 });

@@ -4,6 +4,7 @@ import { expect, type Page, test } from "@playwright/test";
 import { engine } from "../core.ts";
 import { violations } from "./axe.ts";
 import { complaints, finished, openFinished, openPanel, openStopped, runUntil } from "./riverpage.ts";
+import { core } from "./tiers.ts";
 
 const COLONIZED = "seed=kauri&land=island&growth=colonize&valleys=0&attractors=900&meander-rounds=4&style=ink";
 const DRAINED = "seed=kauri&land=island&growth=drainage&attractors=1500&meander-rounds=4&style=ink";
@@ -56,7 +57,9 @@ for (const [link, alive] of [
   [COLONIZED, /Alive: ([\d,]+)\./],
   [DRAINED, /No way to the sea yet: ([\d,]+)\./],
 ] as const) {
-  test(`at a moment of growth what is left, and the tips, are those of then: ${link}`, async ({ page }) => {
+  test(`at a moment of growth what is left, and the tips, are those of then: ${link}${core(link === COLONIZED)}`, async ({
+    page,
+  }) => {
     const said = complaints(page);
     await openFinished(page, link);
     await page.keyboard.press("a");

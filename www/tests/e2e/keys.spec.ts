@@ -13,7 +13,7 @@ function riverCard(page: Page) {
   return page.locator(".river-card");
 }
 
-test("no key reaches the map behind an open dialog", async ({ page }) => {
+test("no key reaches the map behind an open dialog @core", async ({ page }) => {
   await openFinished(page, LINK);
   await page.keyboard.press("r");
   await expect.poll(() => address(page).get("seed")).not.toBe("kauri");

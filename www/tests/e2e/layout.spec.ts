@@ -1,6 +1,7 @@
 import { expect, type Page, test } from "@playwright/test";
-import { openFinished } from "./riverpage.ts";
+import { openFinished, resize } from "./riverpage.ts";
 import { LONG_SEEDS, linkOfSeed, OPENED, openFailed } from "./states.ts";
+import { core } from "./tiers.ts";
 
 /** How much further than the window the page can be scrolled, and how far a wheel over the picture scrolls it. */
 async function scrolls(page: Page): Promise<[number, number]> {
@@ -10,29 +11,48 @@ async function scrolls(page: Page): Promise<[number, number]> {
   return page.evaluate(() => [document.documentElement.scrollHeight - innerHeight, scrollY]);
 }
 
-for (const [width, height] of [
+/** Each state is reached in the first of these windows, where that is hardest, and then seen in all. */
+const DESKS = [
   [1024, 768],
   [1440, 900],
   [1920, 1080],
-] as const) {
-  test.describe(`on a desk, ${width} by ${height}`, () => {
-    test.use({ viewport: { width, height } });
+] as const;
+const WINDOWS = [
+  [320, 568],
+  [370, 780],
+  [768, 1024],
+  [1024, 768],
+  [1440, 900],
+] as const;
 
-    test("the page never scrolls, in no state", async ({ page }) => {
-      await openFinished(page, linkOfSeed(LONG_SEEDS.letters));
-      await expect(page.locator("#notices")).toBeVisible();
-      for (const [state, open] of Object.entries(OPENED)) {
-        await open(page);
-        expect(await scrolls(page), state).toEqual([0, 0]);
-      }
-    });
-
-    test("the page does not scroll when the engine has failed", async ({ page }) => {
-      await openFailed(page);
-      expect(await scrolls(page)).toEqual([0, 0]);
-    });
-  });
+/** Does the same in windows of several sizes, and goes back to the first. */
+async function inEach(
+  page: Page,
+  windows: readonly (readonly [number, number])[],
+  look: (size: string) => Promise<void>,
+): Promise<void> {
+  const [first = [0, 0], ...others] = windows;
+  for (const [width, height] of [first, ...others]) {
+    await resize(page, width, height);
+    await look(`${width} by ${height}`);
+  }
+  await resize(page, ...first);
 }
+
+test("on a desk the page never scrolls, in no state @core", async ({ page }) => {
+  await resize(page, ...DESKS[0]);
+  await openFinished(page, linkOfSeed(LONG_SEEDS.letters));
+  await expect(page.locator("#notices")).toBeVisible();
+  for (const [state, open] of Object.entries(OPENED)) {
+    await open(page);
+    await inEach(page, DESKS, async (size) => expect(await scrolls(page), `${state}, ${size}`).toEqual([0, 0]));
+  }
+});
+
+test("on a desk the page does not scroll when the engine has failed", async ({ page }) => {
+  await openFailed(page);
+  await inEach(page, DESKS, async (size) => expect(await scrolls(page), size).toEqual([0, 0]));
+});
 
 /** What is seen and stands out of the window sideways, or can be scrolled sideways; of dialogs, upward and downward too. */
 function outside(page: Page): Promise<string[]> {
@@ -63,27 +83,19 @@ function outside(page: Page): Promise<string[]> {
   });
 }
 
-for (const [width, height] of [
-  [320, 568],
-  [370, 780],
-  [768, 1024],
-  [1024, 768],
-  [1440, 900],
-] as const) {
-  for (const [kind, seed] of Object.entries(LONG_SEEDS)) {
-    test(`nothing stands out of the window, and nothing lies over the controls: ${kind}, ${width} wide`, async ({
-      page,
-    }) => {
-      await page.setViewportSize({ width, height });
-      await openFinished(page, linkOfSeed(seed));
+for (const [kind, seed] of Object.entries(LONG_SEEDS)) {
+  test(`nothing stands out of the window, and nothing lies over the controls: ${kind}${core(kind === "letters")}`, async ({
+    page,
+  }) => {
+    await resize(page, ...WINDOWS[0]);
+    await openFinished(page, linkOfSeed(seed));
+    await inEach(page, WINDOWS, async () => {
       // Told that something else covers it, Playwright would not click.
       await page.getByRole("button", { name: "A new seed by chance" }).click({ trial: true });
-      for (const [state, open] of Object.entries(OPENED)) {
-        await open(page);
-        // Until the map is painted in its new place, the picture from before stands in for it.
-        await expect(page.locator("#canvas")).not.toHaveAttribute("style", /transform/);
-        expect(await outside(page), state).toEqual([]);
-      }
     });
-  }
+    for (const [state, open] of Object.entries(OPENED)) {
+      await open(page);
+      await inEach(page, WINDOWS, async (size) => expect(await outside(page), `${state}, ${size}`).toEqual([]));
+    }
+  });
 }

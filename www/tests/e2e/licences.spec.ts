@@ -3,7 +3,7 @@
 import { readFileSync } from "node:fs";
 import { expect, test } from "@playwright/test";
 
-test("the notices of the crates in the wasm modules are served with the page", async ({ request }) => {
+test("the notices of the crates in the wasm modules are served with the page @core", async ({ request }) => {
   const response = await request.get("./THIRD-PARTY.txt");
   expect(response.ok()).toBe(true);
   const text = await response.text();

@@ -15,6 +15,7 @@ import {
   shown,
   stopClock,
 } from "./riverpage.ts";
+import { core } from "./tiers.ts";
 
 for (const link of [
   "seed=kauri",
@@ -22,7 +23,9 @@ for (const link of [
   "seed=kea&style=skeleton&preset=momentum&attractors=900&aspect=0.7",
   "land=archipelago&attractors=900&sea=0.6",
 ]) {
-  test(`opening ?${link} shows the picture that the River class draws`, async ({ page }) => {
+  test(`opening ?${link} shows the picture that the River class draws${core(link === "seed=kauri")}`, async ({
+    page,
+  }) => {
     await openFinished(page, link);
     const { width, height, sha256, framing } = await shown(page);
     const expected = pictureOf(link, width, height, framing);
@@ -33,7 +36,9 @@ for (const link of [
   });
 }
 
-test("a slider that is dragged makes one entry of the history, and writes at a bounded rate", async ({ page }) => {
+test("a slider that is dragged makes one entry of the history, and writes at a bounded rate @core", async ({
+  page,
+}) => {
   await page.addInitScript(() => {
     const writes: number[] = [];
     Object.assign(globalThis, { writes });
@@ -76,7 +81,7 @@ test("loading the address bar's link again shows the same picture", async ({ pag
   expect(await shown(page)).toEqual(before);
 });
 
-test("what had to be corrected in a link is shown, can be dismissed, and a river is there", async ({ page }) => {
+test("what had to be corrected in a link is shown, can be dismissed, and a river is there @core", async ({ page }) => {
   await openFinished(page, "curl=99&mouths=junk&depth=3&seed=rimu");
   const notes = page.locator("#notices");
   await expect(notes.getByRole("listitem")).toHaveCount(3);
@@ -98,7 +103,7 @@ test("what a social network hangs on to a link is not reported, and not kept", a
   await expect(page.locator(".corrected")).toHaveCount(0);
 });
 
-test("hostile text stays text", async ({ page }) => {
+test("hostile text stays text @core", async ({ page }) => {
   const evil = `<img src=x onerror="globalThis.harmed=1"><script>globalThis.harmed=1</script>`;
   const query = new URLSearchParams({ seed: evil.slice(0, 60), [evil]: "1", style: evil });
   await openFinished(page, query.toString());
@@ -114,7 +119,7 @@ for (const [name, query] of [
   ["half a surrogate", "seed=%ED%A0%80"],
   ["everything at its smallest", smallest()],
 ] as const) {
-  test(`${name} leaves no blank page`, async ({ page }) => {
+  test(`${name} leaves no blank page${core(name === "broken escapes")}`, async ({ page }) => {
     await openFinished(page, query);
     await expect(page.locator("#failure")).toBeHidden();
     expect(await page.locator("#caption").textContent()).toContain("Strahler order");
@@ -126,7 +131,7 @@ function smallest(): string {
   return new URLSearchParams(values).toString();
 }
 
-test("a link in the fragment, and going back, change the picture without a reload", async ({ page }) => {
+test("a link in the fragment, and going back, change the picture without a reload @core", async ({ page }) => {
   await openFinished(page, "seed=first&attractors=300");
   const first = await shown(page);
   await page.evaluate(() => {

@@ -9,7 +9,7 @@ function card(page: Page) {
   return page.locator(".inside-card");
 }
 
-test("each key lays something over the map, with a sentence, and takes it away", async ({ page }) => {
+test("each key lays something over the map, with a sentence, and takes it away @core", async ({ page }) => {
   const said = complaints(page);
   await openFinished(page, LINK);
   for (const [key, name] of Object.entries(KEYS)) {

@@ -15,7 +15,7 @@ async function painted(page: Page, before: Framing): Promise<Framing> {
   return framing(page);
 }
 
-test("the picture fills the window, and the map lies in what of it nothing covers", async ({ page }) => {
+test("the picture fills the window, and the map lies in what of it nothing covers @core", async ({ page }) => {
   await page.setViewportSize({ width: 1440, height: 900 });
   await openFinished(page, LINK);
   expect(await page.locator("#canvas").boundingBox()).toEqual({ x: 0, y: 0, width: 1440, height: 900 });
@@ -29,7 +29,7 @@ test("the picture fills the window, and the map lies in what of it nothing cover
   await expectPictureOfAddress(page);
 });
 
-test("a wheel over the map brings what lies under it closer, sharp", async ({ page }) => {
+test("a wheel over the map brings what lies under it closer, sharp @core", async ({ page }) => {
   await openFinished(page, LINK);
   const first = await framing(page);
   const place = { x: 500, y: 300 };
@@ -45,7 +45,7 @@ test("a wheel over the map brings what lies under it closer, sharp", async ({ pa
   expect(await painted(page, closer)).toEqual(first);
 });
 
-test("the map is dragged, and keys move and zoom it", async ({ page }) => {
+test("the map is dragged, and keys move and zoom it @core", async ({ page }) => {
   await openFinished(page, LINK);
   let last = await framing(page);
   await page.locator("#frame").focus();
@@ -72,7 +72,7 @@ test("the map is dragged, and keys move and zoom it", async ({ page }) => {
   expect(dragged[1]).toBeCloseTo(last[1] - (40 / width) * last[2], 5);
 });
 
-test("buttons zoom, and say when there is no farther", async ({ page }) => {
+test("buttons zoom, and say when there is no farther @core", async ({ page }) => {
   await openFinished(page, LINK);
   const [closer, farther, all] = ["Zoom in", "Zoom out", "Show all of the map"].map((name) =>
     page.getByRole("button", { name }),
@@ -88,7 +88,7 @@ test("buttons zoom, and say when there is no farther", async ({ page }) => {
   await expect.poll(() => framing(page)).toEqual(first);
 });
 
-test("a part of the map has labels of its own, as the engine places them", async ({ page }) => {
+test("a part of the map has labels of its own, as the engine places them @core", async ({ page }) => {
   await openFinished(page, `${LINK}&labels=many`);
   const first = await framing(page);
   await page.mouse.move(400, 300);
@@ -98,7 +98,7 @@ test("a part of the map has labels of its own, as the engine places them", async
   expect(sha256).not.toBe(pictureOf(LINK, width, height, closer).sha256);
 });
 
-test("the strip shows this map in every style, and pressing one takes it", async ({ page }) => {
+test("the strip shows this map in every style, and pressing one takes it @core", async ({ page }) => {
   await openFinished(page, LINK);
   const styles = page.getByRole("region", { name: "Style" }).getByRole("button");
   await expect(page.getByRole("button", { name: "Atlas", exact: true })).toHaveAttribute("aria-pressed", "true");
@@ -117,7 +117,7 @@ test("the strip shows this map in every style, and pressing one takes it", async
   await expectPictureOfAddress(page);
 });
 
-test("undo and redo follow every change, and Back is undo", async ({ page }) => {
+test("undo and redo follow every change, and Back is undo @core", async ({ page }) => {
   await openFinished(page, LINK);
   const undo = page.getByRole("button", { name: "Undo", exact: true });
   const redo = page.getByRole("button", { name: "Redo", exact: true });
@@ -195,7 +195,7 @@ test("the seeds of a visit can be gone through", async ({ page }) => {
   await expect(after).toBeDisabled();
 });
 
-test("a country sets land and growth, but for what is kept", async ({ page }) => {
+test("a country sets land and growth, but for what is kept @core", async ({ page }) => {
   await openFinished(page, LINK);
   await page.getByRole("button", { name: "Shape…" }).click();
   await page.getByRole("button", { name: "Keep How much sea" }).click();
@@ -210,7 +210,7 @@ test("a country sets land and growth, but for what is kept", async ({ page }) =>
   await expect(country).toHaveAttribute("aria-pressed", "true");
 });
 
-test("the panel opens beside the map, is remembered, and Escape closes it", async ({ page }) => {
+test("the panel opens beside the map, is remembered, and Escape closes it @core", async ({ page }) => {
   await page.setViewportSize({ width: 1440, height: 900 });
   await openFinished(page, LINK);
   const panel = page.getByRole("region", { name: "Recipe" });
@@ -232,7 +232,7 @@ test("the panel opens beside the map, is remembered, and Escape closes it", asyn
   await expect(open).toBeFocused();
 });
 
-test("a visit without a link begins with a country that has relief and names", async ({ page }) => {
+test("a visit without a link begins with a country that has relief and names @core", async ({ page }) => {
   await openFinished(page);
   await expectAddress(page, "style", "atlas");
   await expectAddress(page, "labels", "some");

@@ -23,7 +23,7 @@ async function paused(page: Page, phase: string): Promise<string> {
   return (await shown(page)).sha256;
 }
 
-test("rivers that have grown meander before one's eyes, and come to the end that the core comes to", async ({
+test("rivers that have grown meander before one's eyes, and come to the end that the core comes to @core", async ({
   page,
 }) => {
   const phases = await recordPhases(page);

@@ -1,7 +1,7 @@
 import { expect, test } from "@playwright/test";
 import { finished, fixChance, ownClock, recordStates, stopClock } from "./riverpage.ts";
 
-test("who prefers less motion sees finished rivers only, and can still play one", async ({ page }) => {
+test("who prefers less motion sees finished rivers only, and can still play one @core", async ({ page }) => {
   const states = await recordStates(page);
   await fixChance(page);
   await ownClock(page);

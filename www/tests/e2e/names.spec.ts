@@ -44,7 +44,7 @@ test("a map without labels fetches nothing of what makes them, and one that gets
   expect(urls.filter((url) => CHARTS.test(url)).length).toBe(1);
 });
 
-test("names on the map are listed, can be typed over, and are in the link", async ({ page }) => {
+test("names on the map are listed, can be typed over, and are in the link @core", async ({ page }) => {
   await openWithPanel(page, `${LINK}&labels=some`);
   await page.getByRole("heading", { name: "Names" }).click();
   const fields = page.locator(".names input");
@@ -69,7 +69,7 @@ test("names on the map are listed, can be typed over, and are in the link", asyn
   await expect(fields.first()).toBeFocused();
 });
 
-test("offline, the map has no labels, and a note says so", async ({ page }) => {
+test("offline, the map has no labels, and a note says so @core", async ({ page }) => {
   await page.route(CHARTS, (route) => route.abort());
   await openWithPanel(page, `${LINK}&labels=some`);
   await expect(page.locator("#notices")).toContainText("The map is shown without names");

@@ -30,7 +30,7 @@ async function isControlled(page: Page): Promise<boolean> {
   return await page.evaluate(() => navigator.serviceWorker.controller !== null);
 }
 
-test("after a visit the map is drawn without a connection, with names, and so is any other", async ({
+test("after a visit the map is drawn without a connection, with names, and so is any other @core", async ({
   page,
   context,
 }) => {
@@ -83,7 +83,7 @@ test("the element's files and the page for iframes go by untouched", async ({ pa
     expect(answers.get(path), path).toBe(false);
 });
 
-test("an open page keeps its version; the next visit has the new one", async ({ page, blog, context }) => {
+test("an open page keeps its version; the next visit has the new one @core", async ({ page, blog, context }) => {
   const html = await readFile(join(SITE, "index.html"), "utf8");
   const worker = await readFile(join(SITE, "service-worker.js"), "utf8");
   const revision = /url:`index\.html`,revision:`(\w+)`/.exec(worker)?.[1] ?? "";

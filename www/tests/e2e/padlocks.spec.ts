@@ -12,7 +12,7 @@ function country(page: Page, name: string) {
   return page.getByRole("group", { name: "Countries" }).getByRole("button", { name });
 }
 
-test("the padlock of a group keeps all its values, those too that stand in front", async ({ page }) => {
+test("the padlock of a group keeps all its values, those too that stand in front @core", async ({ page }) => {
   await openWithPanel(page, LINK);
   await padlock(page, "all of Land").click();
   for (const name of ["all of Land", "Land", "How much sea", "How wild a coast"])

@@ -1,6 +1,7 @@
 import { expect, type Page, test } from "@playwright/test";
 import { violations } from "./axe.ts";
 import { complaints, expectPictureOfAddress, finished, openFinished } from "./riverpage.ts";
+import { core } from "./tiers.ts";
 
 const LINK = "seed=kauri&land=island&growth=drainage&attractors=1500&meander-rounds=5&aspect=0.5";
 
@@ -34,7 +35,7 @@ async function withScreen(page: Page, has: boolean): Promise<() => Promise<strin
 }
 
 for (const has of [true, false]) {
-  test(`two taps leave the map alone, ${has ? "over the whole screen" : "in a browser without full screen"}, and two more bring all back`, async ({
+  test(`two taps leave the map alone, ${has ? "over the whole screen" : "in a browser without full screen"}, and two more bring all back${core(has)}`, async ({
     page,
   }) => {
     const said = complaints(page);
@@ -78,7 +79,7 @@ test("the browser's own way out of full screen brings all back, too", async ({ p
   await expect(page.locator(".bar")).toBeVisible();
 });
 
-test("one tap is a river's, and a pinch zooms", async ({ page }) => {
+test("one tap is a river's, and a pinch zooms @core", async ({ page }) => {
   const asked = await withScreen(page, true);
   await openFinished(page, LINK);
   await page.locator("#frame").focus();

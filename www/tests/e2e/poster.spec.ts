@@ -7,6 +7,7 @@ import sharp from "sharp";
 import { POSTERS } from "../../build/poster.ts";
 import { engine } from "../core.ts";
 import { address, complaints, openFinished, shown } from "./riverpage.ts";
+import { core } from "./tiers.ts";
 
 const WINDOWS = [
   { width: 1440, height: 900 },
@@ -27,7 +28,9 @@ function posters(page: Page): string[] {
 }
 
 for (const size of WINDOWS)
-  test(`it stands where the map will: ${size.width} by ${size.height}`, async ({ page }) => {
+  test(`it stands where the map will: ${size.width} by ${size.height}${core(size.width === 1440 || size.width === 390)}`, async ({
+    page,
+  }) => {
     await page.setViewportSize(size);
     const asked = posters(page);
     await openFinished(page);
@@ -59,7 +62,7 @@ for (const colorScheme of ["light", "dark"] as const)
       expect(said).toEqual([]);
     });
 
-test("a visit with a link neither shows nor fetches it", async ({ page }) => {
+test("a visit with a link neither shows nor fetches it @core", async ({ page }) => {
   const asked = posters(page);
   await openFinished(page, "seed=rimu&attractors=300");
   await expect(page.locator(".poster")).toBeHidden();

@@ -1,5 +1,6 @@
 import { expect, test } from "@playwright/test";
 import { complaints, finished } from "./riverpage.ts";
+import { core } from "./tiers.ts";
 
 const ENGINE = /\/riverseed_full_bg[^/]*\.wasm$/;
 
@@ -7,7 +8,9 @@ for (const [visit, address] of [
   ["with a link", "./?attractors=300"],
   ["for the first time, on a slow line,", "./"],
 ] as const)
-  test(`who comes ${visit} has the engine fetched once, and before its script has come`, async ({ page }) => {
+  test(`who comes ${visit} has the engine fetched once, and before its script has come${core(visit === "with a link")}`, async ({
+    page,
+  }) => {
     const said = complaints(page);
     const asked: string[] = [];
     page.on("request", (request) => asked.push(new URL(request.url()).pathname));

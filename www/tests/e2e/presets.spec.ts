@@ -10,7 +10,7 @@ function press(page: Page, name: string): Promise<void> {
   return page.getByRole("button", { name, exact: true }).click();
 }
 
-test("what a preset changes unasked is said, and taken back by one click", async ({ page }) => {
+test("what a preset changes unasked is said, and taken back by one click @core", async ({ page }) => {
   await openUnfolded(page, CHOSEN);
   const notices = page.locator("#notices");
   await press(page, "Curl");

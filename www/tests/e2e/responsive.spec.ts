@@ -1,133 +1,163 @@
 import { expect, type Page, test } from "@playwright/test";
-import { openFinished, openPanel, openUnfolded } from "./riverpage.ts";
+import { openFinished, openPanel, openUnfolded, resize } from "./riverpage.ts";
+import { core } from "./tiers.ts";
 
-const SIZES = [
-  { name: "desk", width: 1440, height: 900 },
-  { name: "tablet", width: 820, height: 1180 },
-  { name: "phone", width: 390, height: 844 },
-  { name: "small phone", width: 320, height: 568 },
-  { name: "phone on its side", width: 844, height: 390 },
-];
+/** Windows on a desk and in the hand. A page is opened in the first of a row, and then its window is made the others'. */
+const ROWS = {
+  "on a desk and a tablet": [
+    [1440, 900],
+    [820, 1180],
+  ],
+  "on phones": [
+    [390, 844],
+    [320, 568],
+    [844, 390],
+  ],
+} as const;
 
-for (const { name, ...viewport } of SIZES) {
-  test.describe(`${name}, ${viewport.width} by ${viewport.height}`, () => {
-    test.use({ viewport });
+for (const [where, sizes] of Object.entries(ROWS)) {
+  const opened = async (page: Page, open: typeof openFinished, link: string): Promise<void> => {
+    await resize(page, ...sizes[0]);
+    await open(page, link);
+  };
 
-    for (const link of ["seed=kauri", "aspect=4", "aspect=0.25"]) {
-      test(`all of the map is in sight, beside what lies over the picture, and nothing scrolls sideways: ?${link}`, async ({
-        page,
-      }) => {
-        await openFinished(page, link);
-        const overflow = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
-        expect(overflow).toBeLessThanOrEqual(0);
-        const map = await page.locator("#map-place").boundingBox();
-        const bar = await page.locator(".bar").boundingBox();
-        if (!map || !bar) throw new Error("no map");
-        expect(map.x).toBeGreaterThanOrEqual(0);
-        expect(map.y).toBeGreaterThanOrEqual(0);
-        expect(map.x + map.width).toBeLessThanOrEqual(viewport.width);
-        expect(map.y + map.height).toBeLessThanOrEqual(bar.y);
-        const asked = Number(new URLSearchParams(link).get("aspect") ?? 1.6);
-        expect(Math.abs(map.width / map.height / asked - 1)).toBeLessThan(0.02);
-        for (const name of ["A new seed by chance", "Replay", "Save", "Share", "Undo", "Shape…"])
-          await expect(page.getByRole("button", { name, exact: true })).toBeInViewport({ ratio: 1 });
-      });
-    }
-
-    test("every control can be brought into sight and is large enough for a finger", async ({ page }) => {
-      await openUnfolded(page, "attractors=300&curl=1");
-      const controls = page.locator("button, input, select, summary, label.side");
-      // In the page, in one go: there are hundreds.
-      const wrong = await controls.evaluateAll(async (all) => {
-        const isInSight = (control: Element): Promise<boolean> =>
-          new Promise((done) => {
-            control.scrollIntoView({ block: "center", inline: "center" });
-            const observer = new IntersectionObserver(([entry]) => {
-              observer.disconnect();
-              done((entry?.intersectionRatio ?? 0) > 0);
-            });
-            observer.observe(control);
-          });
-        const found: string[] = [];
-        let count = 0;
-        for (const control of all) {
-          const size = (): number => {
-            const { width, height } = control.getBoundingClientRect();
-            return Math.min(width, height);
-          };
-          if (!control.checkVisibility({ visibilityProperty: true }) || size() === 0) continue;
-          count++;
-          // Names that come meanwhile move what is below them: then once more.
-          if (!(await isInSight(control)) && !(await isInSight(control)))
-            found.push(`out of sight: ${control.outerHTML}`);
-          // A checkbox is as large as the label around it.
-          const isBox = control.getAttribute("type") === "checkbox";
-          if (!isBox && size() < 24) found.push(`${size()} pixels: ${control.outerHTML}`);
-        }
-        return { found, count };
-      });
-      expect(wrong.found).toEqual([]);
-      expect(wrong.count).toBeGreaterThan(100);
-    });
-
-    test("what has the focus is not hidden behind the picture", async ({ page }) => {
-      await openFinished(page, "attractors=300");
-      await page.locator("#seed").focus();
-      for (let i = 0; i < 30; i++) {
-        await page.keyboard.press("Tab");
-        const hidden = await page.evaluate(async () => {
-          // A row that scrolls to what has the focus does so with the next frame.
-          await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
-          const element = document.activeElement;
-          if (!element || element === document.body) return "";
-          const { left, top, width, height } = element.getBoundingClientRect();
-          const hit = document.elementFromPoint(left + width / 2, top + height / 2);
-          return hit && (element.contains(hit) || hit.contains(element)) ? "" : element.outerHTML;
-        });
-        expect(hidden).toBe("");
+  for (const link of ["seed=kauri", "aspect=4", "aspect=0.25"]) {
+    test(`all of the map is in sight, beside what lies over the picture, and nothing scrolls sideways: ${where}, ?${link}${core(link === "seed=kauri")}`, async ({
+      page,
+    }) => {
+      await opened(page, openFinished, link);
+      for (const [width, height] of sizes) {
+        await resize(page, width, height);
+        await expectWhole(page, width, Number(new URLSearchParams(link).get("aspect") ?? 1.6));
       }
     });
+  }
+
+  test(`every control can be brought into sight and is large enough for a finger: ${where}${core(where === "on phones")}`, async ({
+    page,
+  }) => {
+    await opened(page, openUnfolded, "attractors=300&curl=1");
+    for (const size of sizes) {
+      await resize(page, ...size);
+      await expectFitForFingers(page, `${size}`);
+    }
+  });
+
+  test(`what has the focus is not hidden behind the picture: ${where}`, async ({ page }) => {
+    await opened(page, openFinished, "attractors=300");
+    for (const size of sizes) {
+      await resize(page, ...size);
+      await expectFocusInSight(page, `${size}`);
+    }
   });
 }
 
-for (const [width, height] of [
-  [1440, 900],
-  [1280, 800],
-  [1100, 700],
-  [820, 1180],
-  [390, 844],
-] as const) {
-  test(`the screen shows the picture's own pixels, not a stretched copy, ${width} by ${height}`, async ({ page }) => {
-    await page.setViewportSize({ width, height });
-    await openFinished(page, "land=island&attractors=300");
-    await page.evaluate(() => {
-      for (const over of document.querySelectorAll<HTMLElement>(".masthead, .caption, .zoom, .bar, .styles, .notices"))
-        over.style.visibility = "hidden";
+async function expectWhole(page: Page, windowWidth: number, aspect: number): Promise<void> {
+  const overflow = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+  expect(overflow).toBeLessThanOrEqual(0);
+  const map = await page.locator("#map-place").boundingBox();
+  const bar = await page.locator(".bar").boundingBox();
+  if (!map || !bar) throw new Error("no map");
+  expect(map.x).toBeGreaterThanOrEqual(0);
+  expect(map.y).toBeGreaterThanOrEqual(0);
+  expect(map.x + map.width).toBeLessThanOrEqual(windowWidth);
+  expect(map.y + map.height).toBeLessThanOrEqual(bar.y);
+  expect(Math.abs(map.width / map.height / aspect - 1)).toBeLessThan(0.02);
+  for (const name of ["A new seed by chance", "Replay", "Save", "Share", "Undo", "Shape…"])
+    await expect(page.getByRole("button", { name, exact: true })).toBeInViewport({ ratio: 1 });
+}
+
+async function expectFitForFingers(page: Page, size: string): Promise<void> {
+  const controls = page.locator("button, input, select, summary, label.side");
+  // In the page, in one go: there are hundreds.
+  const wrong = await controls.evaluateAll(async (all) => {
+    const isInSight = (control: Element): Promise<boolean> =>
+      new Promise((done) => {
+        control.scrollIntoView({ block: "center", inline: "center" });
+        const observer = new IntersectionObserver(([entry]) => {
+          observer.disconnect();
+          done((entry?.intersectionRatio ?? 0) > 0);
+        });
+        observer.observe(control);
+      });
+    const found: string[] = [];
+    let count = 0;
+    for (const control of all) {
+      const size = (): number => {
+        const { width, height } = control.getBoundingClientRect();
+        return Math.min(width, height);
+      };
+      if (!control.checkVisibility({ visibilityProperty: true }) || size() === 0) continue;
+      count++;
+      // Names that come meanwhile move what is below them: then once more.
+      if (!(await isInSight(control)) && !(await isInSight(control))) found.push(`out of sight: ${control.outerHTML}`);
+      // A checkbox is as large as the label around it.
+      const isBox = control.getAttribute("type") === "checkbox";
+      if (!isBox && size() < 24) found.push(`${size()} pixels: ${control.outerHTML}`);
+    }
+    return { found, count };
+  });
+  expect(wrong.found, size).toEqual([]);
+  expect(wrong.count, size).toBeGreaterThan(100);
+}
+
+async function expectFocusInSight(page: Page, size: string): Promise<void> {
+  await page.locator("#seed").focus();
+  for (let i = 0; i < 30; i++) {
+    await page.keyboard.press("Tab");
+    const hidden = await page.evaluate(async () => {
+      // A row that scrolls to what has the focus does so with the next frame.
+      await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+      const element = document.activeElement;
+      if (!element || element === document.body) return "";
+      const { left, top, width, height } = element.getBoundingClientRect();
+      const hit = document.elementFromPoint(left + width / 2, top + height / 2);
+      return hit && (element.contains(hit) || hit.contains(element)) ? "" : element.outerHTML;
     });
-    const different = async (): Promise<number> => {
-      const screen = `data:image/png;base64,${(await page.screenshot()).toString("base64")}`;
-      return page.locator("#canvas").evaluate(async (canvas: HTMLCanvasElement, screen) => {
-        const image = new Image();
-        image.src = screen;
-        await image.decode();
-        const { width, height } = canvas;
-        const copied = (source: CanvasImageSource, left = 0, top = 0): Uint8ClampedArray => {
-          const context = Object.assign(document.createElement("canvas"), { width, height }).getContext("2d");
-          context?.drawImage(source, left, top);
-          return context?.getImageData(0, 0, width, height).data ?? new Uint8ClampedArray();
-        };
-        const { left, top } = canvas.getBoundingClientRect();
-        const seen = copied(image, -Math.round(left), -Math.round(top));
-        const own = copied(canvas);
-        return [...own].filter((byte, i) => byte !== seen[i]).length;
-      }, screen);
-    };
-    // Once the map is painted in its place.
-    await expect.poll(different).toBe(0);
-  });
+    expect(hidden, size).toBe("");
+  }
 }
 
-test("a screen with fine pixels gets a fine picture, up to two to the CSS pixel", async ({ browser }) => {
+test("the screen shows the picture's own pixels, not a stretched copy, in windows of every size @core", async ({
+  page,
+}) => {
+  await openFinished(page, "land=island&attractors=300");
+  await page.evaluate(() => {
+    for (const over of document.querySelectorAll<HTMLElement>(".masthead, .caption, .zoom, .bar, .styles, .notices"))
+      over.style.visibility = "hidden";
+  });
+  const different = async (): Promise<number> => {
+    const screen = `data:image/png;base64,${(await page.screenshot()).toString("base64")}`;
+    return page.locator("#canvas").evaluate(async (canvas: HTMLCanvasElement, screen) => {
+      const image = new Image();
+      image.src = screen;
+      await image.decode();
+      const { width, height } = canvas;
+      const copied = (source: CanvasImageSource, left = 0, top = 0): Uint8ClampedArray => {
+        const context = Object.assign(document.createElement("canvas"), { width, height }).getContext("2d");
+        context?.drawImage(source, left, top);
+        return context?.getImageData(0, 0, width, height).data ?? new Uint8ClampedArray();
+      };
+      const { left, top } = canvas.getBoundingClientRect();
+      const seen = copied(image, -Math.round(left), -Math.round(top));
+      const own = copied(canvas);
+      return [...own].filter((byte, i) => byte !== seen[i]).length;
+    }, screen);
+  };
+  for (const size of [
+    [1440, 900],
+    [1280, 800],
+    [1100, 700],
+    [820, 1180],
+    [390, 844],
+  ] as const) {
+    await resize(page, ...size);
+    // Once the map is painted in its place.
+    await expect.poll(different, `${size}`).toBe(0);
+  }
+});
+
+test("a screen with fine pixels gets a fine picture, up to two to the CSS pixel @core", async ({ browser }) => {
   for (const [ratio, expected] of [
     [1, 1],
     [2, 2],
@@ -143,31 +173,36 @@ test("a screen with fine pixels gets a fine picture, up to two to the CSS pixel"
   }
 });
 
-for (const [width, height] of [
-  [320, 568],
-  [768, 1024],
-  [1024, 768],
-  [1280, 800],
-  [1440, 900],
-] as const) {
-  for (const panel of ["closed", "open"]) {
-    test(`what lies over the map lies over nothing else, ${width} by ${height}, the panel ${panel}`, async ({
-      page,
-    }) => {
-      await page.setViewportSize({ width, height });
-      await openFinished(page, "attractors=300&curl=99");
-      await expect(page.locator("#notices")).toBeVisible();
-      if (panel === "open") await openPanel(page);
-      // A sheet from below lies over the styles, and a notice over that.
-      const isSheet = panel === "open" && width < 1000;
-      const always = ".bar, .panel, .masthead h1, .masthead p, .gallery-link, .title, #caption, .zoom";
-      const beside = isSheet ? always : `${always}, .styles`;
-      expect(await overlapping(page, beside)).toEqual([]);
-      await page.getByRole("button", { name: "Draw", exact: true }).click();
-      await expect(page.locator("#tools")).toBeVisible();
-      expect(await overlapping(page, `${beside}, .tools${isSheet ? "" : ", .notices"}`)).toEqual([]);
-    });
-  }
+for (const panel of ["closed", "open"]) {
+  test(`what lies over the map lies over nothing else, the panel ${panel}${core(panel === "open")}`, async ({
+    page,
+  }) => {
+    await resize(page, 320, 568);
+    await openFinished(page, "attractors=300&curl=99");
+    await expect(page.locator("#notices")).toBeVisible();
+    if (panel === "open") await openPanel(page);
+    for (const isDrawn of [false, true]) {
+      if (isDrawn) {
+        await page.getByRole("button", { name: "Draw", exact: true }).click();
+        await expect(page.locator("#tools")).toBeVisible();
+      }
+      for (const [width, height] of [
+        [320, 568],
+        [768, 1024],
+        [1024, 768],
+        [1280, 800],
+        [1440, 900],
+      ] as const) {
+        await resize(page, width, height);
+        // A sheet from below lies over the styles, and a notice over that.
+        const isSheet = panel === "open" && width < 1000;
+        const always = ".bar, .panel, .masthead h1, .masthead p, .gallery-link, .title, #caption, .zoom";
+        const beside = isSheet ? always : `${always}, .styles`;
+        const seen = isDrawn ? `${beside}, .tools${isSheet ? "" : ", .notices"}` : beside;
+        expect(await overlapping(page, seen), `${width} by ${height}, drawing: ${isDrawn}`).toEqual([]);
+      }
+    }
+  });
 }
 
 /** Which of some elements, as far as they are seen, lie over each other. */

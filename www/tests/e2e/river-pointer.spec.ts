@@ -23,7 +23,7 @@ function card(page: Page) {
   return page.locator(".river-card");
 }
 
-test("a river under the mouse is told by name and order, with its basin and its way to the sea; Escape hides it", async ({
+test("a river under the mouse is told by name and order, with its basin and its way to the sea; Escape hides it @core", async ({
   page,
 }) => {
   const said = complaints(page);
@@ -61,7 +61,7 @@ test("it goes with the map", async ({ page }) => {
   await expect(card(page)).toBeVisible();
 });
 
-test("a tap shows a river, and a tap elsewhere hides it", async ({ browser }) => {
+test("a tap shows a river, and a tap elsewhere hides it @core", async ({ browser }) => {
   const context = await browser.newContext({ hasTouch: true, viewport: { width: 820, height: 900 } });
   const page = await context.newPage();
   await openFinished(page, LINK);

@@ -149,6 +149,14 @@ export async function expectAddress(page: Page, key: string, value: string | nul
   await expect.poll(() => address(page).get(key), { intervals: [50] }).toBe(value);
 }
 
+/** Makes the window another size, and waits until the map is painted for it. */
+export async function resize(page: Page, width: number, height: number): Promise<void> {
+  await page.setViewportSize({ width, height });
+  // The page hears of it with the next frame.
+  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+  if (await page.locator("#map-place").isVisible()) await painted(page);
+}
+
 /** Waits until the map is painted for where it lies: what moves it, as a panel that opens, moves the old picture at first. */
 async function painted(page: Page): Promise<void> {
   await expect.poll(() => page.locator("#canvas").evaluate((canvas) => canvas.style.transform)).toBe("");

@@ -39,7 +39,7 @@ function share(pixels: Uint8Array, is: (pixel: Uint8Array) => boolean): number {
   return (4 * count) / pixels.length;
 }
 
-test("the picture for screens is the command line's of that size, to the bit, and carries its link", async ({
+test("the picture for screens is the command line's of that size, to the bit, and carries its link @core", async ({
   page,
 }) => {
   await openFinished(page, NAMED);
@@ -130,7 +130,9 @@ async function savedBy(page: Page, button: string): Promise<Saved> {
 /** The picture that a card is: the map as large as covers it, with its title. */
 const OF_CARD = `${LINK}&cartouche=plain&label-size=1.6`;
 
-test("a card is a picture of 1200 × 630 with the map's title, from the dialog and from Share", async ({ page }) => {
+test("a card is a picture of 1200 × 630 with the map's title, from the dialog and from Share @core", async ({
+  page,
+}) => {
   await openFinished(page, LINK);
   const card = await download(page, "Card");
   expect(card.name).toBe("puriri-atlas-card.png");
@@ -173,7 +175,7 @@ function played(page: Page, { name, bytes }: Saved): Promise<{ seconds: number; 
   );
 }
 
-test("an animation is a video of the growth that plays, six seconds long", async ({ page }) => {
+test("an animation is a video of the growth that plays, six seconds long @core", async ({ page }) => {
   const said = complaints(page);
   await openFinished(page, `seed=puriri&attractors=800&aspect=1.5&style=atlas&land=island`);
   const video = await download(page, "Animation");
@@ -345,7 +347,7 @@ test("a file that cannot be made is told of in words, and the map stays", async 
   await expect(page.locator("#frame")).toHaveAttribute("data-state", "finished");
 });
 
-test("the dialog is used by keys, and gives the focus back", async ({ page }) => {
+test("the dialog is used by keys, and gives the focus back @core", async ({ page }) => {
   await openFinished(page, LINK);
   const button = page.getByRole("button", { name: "Save", exact: true });
   await button.focus();

@@ -1,5 +1,5 @@
 import { expect, type Page, test } from "@playwright/test";
-import { elementSnippet, iframeSnippet } from "../../src/share/snippets.ts";
+import { elementSnippet, iframeSnippet } from "../../src/apps/page/share/snippets.ts";
 import { engine } from "../core.ts";
 import { address, fixChance, openFinished } from "./riverpage.ts";
 
@@ -42,14 +42,14 @@ function recipeOf(attributes: [string, string][]): string {
   return engine.readLink(new URLSearchParams(values).toString()).link;
 }
 
-test("the link that is copied is the one of the rivers on show", async ({ page }) => {
+test("the link that is copied is the one of the rivers on show @core", async ({ page }) => {
   await openShare(page);
   const link = new URL(await copied(page, "link"));
   expect(link.search).toBe(`?${address(page)}`);
   expect(link.search.slice(1)).toBe(engine.readLink(LINK).link);
 });
 
-test("the element that is copied has the same recipe, and a link to it inside", async ({ page }) => {
+test("the element that is copied has the same recipe, and a link to it inside @core", async ({ page }) => {
   await openShare(page);
   const html = await copied(page, "element");
   const attributes = await parsed(page, html, "river-seed");
@@ -76,7 +76,7 @@ for (const [name, before, after] of [
   });
 }
 
-test("a parser finds a seed in every snippet, and nothing else, whatever signs it has", async ({ page }) => {
+test("a parser finds a seed in every snippet, and nothing else, whatever signs it has @core", async ({ page }) => {
   for (const seed of [
     `"><img src=x onerror=alert(1)>`,
     "' onload='alert(1)",

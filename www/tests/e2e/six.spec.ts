@@ -26,7 +26,7 @@ async function openFromPanel(page: Page): Promise<void> {
   await expect(sheet(page)).toBeVisible();
 }
 
-test("the panel opens six maps of the same attractors, each of its own pattern, and Escape leads back", async ({
+test("the panel opens six maps of the same attractors, each of its own pattern, and Escape leads back @core", async ({
   page,
 }) => {
   const said = complaints(page);
@@ -47,7 +47,9 @@ test("the panel opens six maps of the same attractors, each of its own pattern, 
   expect(said).toEqual([]);
 });
 
-test("the one that is chosen is taken for the map, with as many attractors as it was shown with", async ({ page }) => {
+test("the one that is chosen is taken for the map, with as many attractors as it was shown with @core", async ({
+  page,
+}) => {
   await openFinished(page, "seed=kauri&land=island&growth=drainage&attractors=9000&style=ink&width=9");
   await openFromPanel(page);
   await expect(sheet(page)).toContainText("the same 3,000 attractors");

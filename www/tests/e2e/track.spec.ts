@@ -1,7 +1,7 @@
 import { createHash } from "node:crypto";
 import { expect, type Page, test } from "@playwright/test";
-import type { Moment } from "../../src/page/protocol.ts";
-import { momentAt, shareOf } from "../../src/page/track.ts";
+import { momentAt, shareOf } from "../../src/apps/page/timeline/track.ts";
+import type { Moment } from "../../src/apps/page-worker/protocol.ts";
 import { engine, pixelsOf } from "../core.ts";
 import { violations } from "./axe.ts";
 import { complaints, expectPictureOfAddress, finished, openFinished, openStopped, shown } from "./riverpage.ts";
@@ -48,7 +48,7 @@ async function expectPictureOf(page: Page, { part, step }: Moment): Promise<void
   await expect.poll(async () => (await shown(page)).sha256).toBe(expected);
 }
 
-test("a thumb that goes back and forth shows what was seen when the map grew", async ({ page }) => {
+test("a thumb that goes back and forth shows what was seen when the map grew @core", async ({ page }) => {
   const said = complaints(page);
   await openFinished(page, LINK);
   await go(page, "Home");

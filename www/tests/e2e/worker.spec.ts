@@ -26,7 +26,7 @@ async function expectPicture(page: Page, link: string): Promise<void> {
     .toBe(true);
 }
 
-test("the page's own thread makes and grows nothing: its worker does", async ({ page }) => {
+test("the page's own thread makes and grows nothing: its worker does @core", async ({ page }) => {
   const said = complaints(page);
   const created = await countCalls(page, "river_new");
   const grown = await countCalls(page, "river_advance");
@@ -51,7 +51,7 @@ test("the page's own thread makes and grows nothing: its worker does", async ({ 
   expect(said).toEqual([]);
 });
 
-test("without a canvas for workers the page draws the same pixels, and asks for no worker", async ({ page }) => {
+test("without a canvas for workers the page draws the same pixels, and asks for no worker @core", async ({ page }) => {
   const said = complaints(page);
   await openFinished(page, LINK);
   await expectPicture(page, LINK);
@@ -148,7 +148,7 @@ test("a worker that ends is replaced, and the river goes on in another, on a can
   expect(said).toEqual([]);
 });
 
-test("in a hidden tab the worker rests, and goes on when it is seen", async ({ page }) => {
+test("in a hidden tab the worker rests, and goes on when it is seen @core", async ({ page }) => {
   await page.goto("./?seed=miro&attractors=4000&meander-rounds=400");
   await page.getByRole("slider", { name: "Speed" }).press("Home");
   await expect(page.locator("#frame")).toHaveAttribute("data-state", "growing");

@@ -99,7 +99,7 @@ test("parts are those of the shadow tree, and custom properties those of its sty
     Array.from(own.shadowRoot?.querySelectorAll("[part]") ?? [], (one) => one.getAttribute("part") ?? ""),
   );
   expect(parts.sort()).toEqual(names(element.cssParts));
-  const sheet = readFileSync(new URL("../../src/widget/sheet.css", import.meta.url), "utf8");
+  const sheet = readFileSync(new URL("../../src/apps/widget/sheet.css", import.meta.url), "utf8");
   expect([...new Set(sheet.match(/--river-seed-[\w-]+/g))].sort()).toEqual(names(element.cssProperties));
 });
 

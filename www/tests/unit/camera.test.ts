@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { Camera, type Stage, transformBetween } from "../../src/page/camera.ts";
+import { Camera, type Stage, transformBetween } from "../../src/apps/page/map/camera.ts";
 
 const INSETS = { left: 10, top: 20, right: 150, bottom: 80 };
 const STAGE: Stage = { width: 1440, height: 900, insets: INSETS, aspect: 1.6 };

@@ -11,7 +11,7 @@ test("the tables of the element's page are current: `make docs` writes them", ()
 
 test("the element's page has every table once", () => {
   const places = [...page.matchAll(/<!-- table: (\w+) -->\n\n\|/g)].map(([, name]) => name);
-  expect(places).toEqual(["attributes", "methods", "events", "parts", "properties"]);
+  expect(places).toEqual(["attributes", "state", "methods", "events", "parts", "properties"]);
 });
 
 test("the element's page links to no file, since npm shows it too", () => {

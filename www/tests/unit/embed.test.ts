@@ -1,8 +1,8 @@
 import { afterEach, beforeEach, describe, expect, test, vi } from "vitest";
-import { Heights, REST_MS } from "../../src/embed/heights.ts";
-import { hostOrigin } from "../../src/embed/host-page.ts";
-import { themeIn } from "../../src/embed/messages.ts";
-import { readQuery } from "../../src/embed/query.ts";
+import { Heights, REST_MS } from "../../src/apps/embed/heights.ts";
+import { hostOrigin } from "../../src/apps/embed/host-page.ts";
+import { themeIn } from "../../src/apps/embed/messages.ts";
+import { readQuery } from "../../src/apps/embed/query.ts";
 
 describe("the query", () => {
   test("is a link with the element's attributes among it", () => {

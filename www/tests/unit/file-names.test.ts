@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { fileName } from "../../src/share/file-names.ts";
+import { fileName } from "../../src/apps/page/save/file-names.ts";
 import { engine } from "../core.ts";
 
 test("a file is called after its seed, its style and its size", () => {

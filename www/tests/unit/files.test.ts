@@ -1,6 +1,6 @@
 import { expect, test, vi } from "vitest";
-import { drawn } from "../../src/player/files.ts";
-import { fileOf } from "../../src/player/formats.ts";
+import { drawn } from "../../src/files/files.ts";
+import { fileOf } from "../../src/files/formats.ts";
 import { loadCharts } from "../charts.ts";
 import { differing, pixelsOf } from "../core.ts";
 import { full, memory } from "../full.ts";

@@ -1,7 +1,7 @@
 import { decode } from "fast-png";
 import { strFromU8, unzipSync } from "fflate";
 import { expect, test, vi } from "vitest";
-import { contentsOf, packed } from "../../src/player/game-pack.ts";
+import { contentsOf, packed } from "../../src/files/game-pack.ts";
 import { namesOf } from "../charts.ts";
 import { full } from "../full.ts";
 

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { pixelsOf, pngSize } from "../../src/land/image-file.ts";
+import { pixelsOf, pngSize } from "../../src/apps/page/land/image-file.ts";
 
 function head(width: number, height: number): Uint8Array<ArrayBuffer> {
   const bytes = new Uint8Array(24);

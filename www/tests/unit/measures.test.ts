@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
+import { asText, summed, told } from "../../src/apps/page/panel/measures.ts";
 import type { Measure } from "../../src/engine/full.ts";
-import { asText, summed, told } from "../../src/page/measures.ts";
 import { engine } from "../core.ts";
 
 const NATURE = { median: 1.32, least: 1.21, most: 1.54, source: "11 river basins" };

@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
+import { longerSideOf, ownSizeOf, SaveChoices } from "../../src/apps/page/save/save-choices.ts";
 import { SIZES } from "../../src/files/order.ts";
-import { longerSideOf, ownSizeOf, SaveChoices } from "../../src/share/save-choices.ts";
 
 function keeper(first?: string) {
   const kept = new Map<string, string>(first === undefined ? [] : [["riverseed-save", first]]);

@@ -1,5 +1,5 @@
 import { beforeEach, describe, expect, it } from "vitest";
-import { SeedTrail } from "../../src/page/seed-trail.ts";
+import { SeedTrail } from "../../src/apps/page/panel/seed-trail.ts";
 
 /** A button that can be pressed, as far as a trail knows one. */
 class Button {

@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
-import { pathText } from "../../src/land/overlay.ts";
-import { type LineKind, pointsOf, Sketch, tally } from "../../src/land/sketch.ts";
+import { pathText } from "../../src/apps/page/land/overlay.ts";
+import { type LineKind, pointsOf, Sketch, tally } from "../../src/apps/page/land/sketch.ts";
 import { engine } from "../core.ts";
 import { traceImage } from "../tracing.ts";
 

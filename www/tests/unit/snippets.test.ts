@@ -1,5 +1,11 @@
 import { expect, test } from "vitest";
-import { elementSnippet, iframeSnippet, markdownSnippet, type Shared, titleOf } from "../../src/share/snippets.ts";
+import {
+  elementSnippet,
+  iframeSnippet,
+  markdownSnippet,
+  type Shared,
+  titleOf,
+} from "../../src/apps/page/share/snippets.ts";
 
 const shared = (link: string): Shared => ({
   link,

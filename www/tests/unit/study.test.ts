@@ -1,11 +1,11 @@
 import { readFileSync } from "node:fs";
 import { expect, test } from "vitest";
-import { grownPiece } from "../../src/study/grown.ts";
-import { isWellCovered, measure, SIDE } from "../../src/study/piece.ts";
-import rivers from "../../src/study/real.json";
-import { keepTally, tallyIn } from "../../src/study/tally.ts";
-import { tellTale } from "../../src/study/tell-tale.ts";
-import { thin } from "../../src/study/thin.ts";
+import { grownPiece } from "../../src/apps/study/grown.ts";
+import { isWellCovered, measure, SIDE } from "../../src/apps/study/piece.ts";
+import rivers from "../../src/apps/study/real.json";
+import { keepTally, tallyIn } from "../../src/apps/study/tally.ts";
+import { tellTale } from "../../src/apps/study/tell-tale.ts";
+import { thin } from "../../src/apps/study/thin.ts";
 import { engine, memory } from "../core.ts";
 
 /** A piece with straight rivers from some pixels to others. */
@@ -127,5 +127,5 @@ test("a grown piece is as well covered as those of the world", async () => {
 test("every piece of the world's rivers says where it is", () => {
   expect(rivers).toHaveLength(44);
   for (const { kilometresPerPixel } of rivers) expect(kilometresPerPixel).toBeGreaterThanOrEqual(2.5);
-  expect(readFileSync("src/study/real.png").readUInt32BE(16)).toBe(11 * SIDE);
+  expect(readFileSync("src/apps/study/real.png").readUInt32BE(16)).toBe(11 * SIDE);
 });

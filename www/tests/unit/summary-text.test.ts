@@ -1,8 +1,8 @@
 import { expect, test } from "vitest";
+import { linesOf } from "../../src/apps/digest/lines.ts";
+import { speedName } from "../../src/apps/page/timeline/transport.ts";
 import { backingSize } from "../../src/browser/canvas.ts";
 import { count } from "../../src/browser/count.ts";
-import { linesOf } from "../../src/digest/lines.ts";
-import { speedName } from "../../src/page/transport.ts";
 import { alternative, caption, remainderOf, sentence } from "../../src/player/summary-text.ts";
 import { engine } from "../core.ts";
 

@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
+import { readQuery } from "../../src/apps/embed/query.ts";
 import { linkOf } from "../../src/browser/address.ts";
 import { withoutTrackers } from "../../src/browser/trackers.ts";
-import { readQuery } from "../../src/embed/query.ts";
 import { engine } from "../core.ts";
 
 const TRACKERS = "utm_source=news&utm_campaign=a%20b&fbclid=IwAR0&gclid=x&mc_cid=1&ref=blog&msclkid=&igshid";

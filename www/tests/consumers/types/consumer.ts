@@ -33,6 +33,16 @@ made.restart();
 const png: Promise<Blob> = made.toBlob();
 const svg: Promise<string> = made.toSVG();
 
+// State.
+const link: string = made.link;
+const sources: number | undefined = made.summary?.sources;
+const isOver: boolean = made.phase === "finished" || made.phase === "failed";
+made.finished.then(({ link, summary }) => [link.toUpperCase(), summary.sources.toFixed()]);
+// @ts-expect-error: only read.
+made.link = "seed=kauri";
+// @ts-expect-error: no such phase.
+made.phase === "asleep";
+
 // Events, typed by name.
 made.addEventListener("ready", ({ detail }) => detail.link.toUpperCase());
 made.addEventListener("complete", ({ detail, currentTarget }) => [detail.summary.sources.toFixed(), currentTarget]);
@@ -59,4 +69,4 @@ export const vue: InstanceType<GlobalComponents["river-seed"]>["$props"] = {
 // @ts-expect-error: not one of the lands.
 export const moon: SvelteHTMLElements["river-seed"] = { land: "moon" };
 
-export { found, isOurs, png, svg };
+export { found, isOurs, isOver, link, png, sources, svg };

@@ -2,6 +2,7 @@ import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import type { Page } from "@playwright/test";
 import type { AxeResults } from "axe-core";
+import { core } from "../tiers.ts";
 import { expect, type Host, test } from "./hosts.ts";
 import { type Heard, heard, listen, post } from "./post.ts";
 
@@ -40,7 +41,7 @@ const FORMS = [
 ];
 
 for (const attributes of FORMS) {
-  test(`axe finds nothing: <river-seed ${attributes}>`, async ({ page, blog }) => {
+  test(`axe finds nothing: <river-seed ${attributes}>${core(attributes === "controls")}`, async ({ page, blog }) => {
     const events = await open(page, blog, `<river-seed ${SMALL} ${attributes}><p>A river.</p></river-seed>`);
     await heard(events, "ready");
     expect(await violations(page)).toEqual([]);
@@ -60,7 +61,7 @@ test("axe finds nothing in a failure, and in forced colours", async ({ page, blo
   expect(await violations(page)).toEqual([]);
 });
 
-test("the picture is an image with a name that is true of it", async ({ page, blog }) => {
+test("the picture is an image with a name that is true of it @core", async ({ page, blog }) => {
   // So that it is not finished before it was looked at.
   await page.addInitScript(() => {
     document.addEventListener("ready", ({ target }) => (target as RiverSeed).pause(), true);
@@ -96,7 +97,7 @@ test("the author's words come first, and may be none", async ({ page, blog }) =>
   expect(await page.locator("river-seed").nth(0).getAttribute("role")).toBeNull();
 });
 
-test("growth that begins by itself can be paused, by keys too, and goes on", async ({ page, blog }) => {
+test("growth that begins by itself can be paused, by keys too, and goes on @core", async ({ page, blog }) => {
   const events = await open(page, blog, `<river-seed ${LONG}></river-seed>`);
   await heard(events, "ready");
   const pause = page.getByRole("button", { name: "Pause the rivers" });

@@ -19,7 +19,7 @@ async function change(page: Page, work: (river: RiverSeed) => void): Promise<voi
   await page.locator("river-seed").evaluate(work);
 }
 
-test("attributes are the table's keys, two of them with a prefix", async ({ page, blog }) => {
+test("attributes are the table's keys, two of them with a prefix @core", async ({ page, blog }) => {
   const events = await open(
     page,
     blog,
@@ -92,7 +92,7 @@ test("what changes in one turn changes once, and what is the same changes nothin
   expect(links).toEqual([canonical("seed=a&attractors=300"), link, canonical("seed=c&attractors=301&curl=0.4")]);
 });
 
-test("ready comes once, before complete; progress in between", async ({ page, blog }) => {
+test("ready comes once, before complete; progress in between @core", async ({ page, blog }) => {
   await page.emulateMedia({ reducedMotion: "no-preference" });
   const events = await open(page, blog, '<river-seed attractors="300"></river-seed>');
   await heard(events, "complete");
@@ -105,7 +105,7 @@ test("ready comes once, before complete; progress in between", async ({ page, bl
 const JUNK = `<river-seed seed="${"x".repeat(500)}" attractors="many" aspect="-3" reach="1e99" river-style="<b>" outline="!!!"
   recipe="%%%&=&seed&frogs=7&amp;curl=NaN" theme="pink" loading="never" still="sideways" lang="no language"></river-seed>`;
 
-test("junk is corrected, and reported", async ({ page, blog }) => {
+test("junk is corrected, and reported @core", async ({ page, blog }) => {
   const said = complaints(page);
   const events = await open(page, blog, JUNK);
   const { detail } = await heard(events, "ready");

@@ -1,5 +1,6 @@
 import type { Page } from "@playwright/test";
 import { complaints } from "../riverpage.ts";
+import { core } from "../tiers.ts";
 import { expect, test } from "./hosts.ts";
 import { canonical, expectPicture, heard, listen, post, STRICT } from "./post.ts";
 
@@ -11,7 +12,7 @@ function workers(page: Page): string[] {
   return page.workers().map((worker) => worker.url());
 }
 
-test("a plain page shows the core's picture, from a worker", async ({ page, blog }) => {
+test("a plain page shows the core's picture, from a worker @core", async ({ page, blog }) => {
   const said = complaints(page);
   const events = await listen(page);
   blog.answer("/", { body: post(`<river-seed ${ATTRIBUTES}></river-seed>`) });
@@ -34,7 +35,7 @@ test("a script from another origin works as well, in a worker too", async ({ pag
   expect(said).toEqual([]);
 });
 
-test("a strict policy is kept: nothing inline, nothing evaluated", async ({ page, blog }) => {
+test("a strict policy is kept: nothing inline, nothing evaluated @core", async ({ page, blog }) => {
   const said = complaints(page);
   const events = await listen(page);
   blog.headers = { "content-security-policy": STRICT };
@@ -95,7 +96,7 @@ test("included twice, under two addresses, it is there once", async ({ page, blo
 });
 
 for (const place of ["a worker", "the page"]) {
-  test(`twenty on a page share one engine in ${place}`, async ({ page, blog }) => {
+  test(`twenty on a page share one engine in ${place}${core(place === "a worker")}`, async ({ page, blog }) => {
     const events = await listen(page);
     if (place === "the page") blog.headers = { "content-security-policy": "worker-src 'none'" };
     const seeds = Array.from({ length: 20 }, (_, i) => `seed${i}`);

@@ -32,10 +32,10 @@ async function expectFailure(page: Page, events: () => Promise<Heard[]>, code: s
   expect((await events()).map(({ type }) => type)).toEqual(["error"]);
 }
 
-test("the engine's file is missing: the fallback stays, and a new try finds it", async ({ page, blog }) => {
+test("the engine's file is missing: the fallback stays, and a new try finds it @core", async ({ page, blog }) => {
   blog.answer(ENGINE, { status: 404, headers: { "content-type": "text/html" }, body: "not here" });
   const events = await open(page, blog);
-  await expectFailure(page, events, "wasm-fetch", /Check the connection/);
+  await expectFailure(page, events, "file-missing", /\.wasm files beside the scripts/);
   blog.forget(ENGINE);
   await page.locator("river-seed").evaluate((river: HTMLElementTagNameMap["river-seed"]) => river.restart());
   await heard(events, "complete");
@@ -96,7 +96,7 @@ for (const [what, style, fallback] of [
   });
 }
 
-test("a river that cannot be leaves no room, one that then can has its room back", async ({ page, blog }) => {
+test("a river that cannot be leaves no room, one that then can has its room back @core", async ({ page, blog }) => {
   blog.answer(ENGINE, { status: 404 });
   const events = await open(page, blog, WIDGET);
   await heard(events, "error");
@@ -130,7 +130,7 @@ test("it is said once: on the console, unless the page says that it has heard", 
   blog.answer(ENGINE, { status: 404 });
   const events = await open(page, blog);
   await heard(events, "error");
-  await expect.poll(() => warnings).toEqual([expect.stringMatching(/^river-seed: wasm-fetch: .*404/)]);
+  await expect.poll(() => warnings).toEqual([expect.stringMatching(/^river-seed: file-missing: .*404/)]);
   await page.evaluate(() => {
     document.addEventListener("error", (event) => event.preventDefault(), true);
     document.querySelector("river-seed")?.restart();

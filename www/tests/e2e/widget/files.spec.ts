@@ -1,6 +1,7 @@
 import { createHash } from "node:crypto";
 import type { Page } from "@playwright/test";
 import { pictureOf } from "../../core.ts";
+import { core } from "../tiers.ts";
 import { expect, type Host, test } from "./hosts.ts";
 import { canonical, heard, listen, post } from "./post.ts";
 
@@ -32,7 +33,10 @@ async function open(page: Page, blog: Host, place: string): Promise<void> {
 for (const place of ["a worker", "the page"]) {
   const link = canonical("seed=rimu&attractors=300&meander-rounds=60");
 
-  test(`a PNG is of the finished river, at a size of choice: ${place}`, async ({ page, blog }) => {
+  test(`a PNG is of the finished river, at a size of choice: ${place}${core(place === "a worker")}`, async ({
+    page,
+    blog,
+  }) => {
     await open(page, blog, place);
     expect(await png(page, 240)).toEqual({ width: 240, height: 150, sha256: pictureOf(link, 240, 150).sha256 });
     const [width, shown] = await page.locator("river-seed").evaluate(async (river: RiverSeed) => {
@@ -42,7 +46,7 @@ for (const place of ["a worker", "the page"]) {
     expect(width).toBe(shown);
   });
 
-  test(`an SVG is of the finished river, by the full engine, which is fetched for it: ${place}`, async ({
+  test(`an SVG is of the finished river, by the full engine, which is fetched for it: ${place}${core(place === "a worker")}`, async ({
     page,
     blog,
   }) => {

@@ -32,7 +32,7 @@ async function isGrowing(page: Page): Promise<boolean> {
   return (await probe(page)).steps > before.steps;
 }
 
-test("nothing is fetched for a river far below, until the reader comes near", async ({ page, blog }) => {
+test("nothing is fetched for a river far below, until the reader comes near @core", async ({ page, blog }) => {
   const events = await open(page, blog, `${BELOW}${LONG}`);
   await page.waitForFunction(() => customElements.get("river-seed"));
   await frames(page);
@@ -95,7 +95,7 @@ test("a move in the document is no end and no beginning", async ({ page, blog })
   expect((await events()).filter(({ type }) => type === "ready")).toHaveLength(1);
 });
 
-test("ten rounds of coming and going leave nothing behind", async ({ page, blog }) => {
+test("ten rounds of coming and going leave nothing behind @core", async ({ page, blog }) => {
   await page.emulateMedia({ reducedMotion: "reduce" });
   const events = await open(page, blog, "");
   const bytes: number[] = [];

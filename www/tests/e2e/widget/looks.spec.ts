@@ -1,6 +1,7 @@
 import type { Page } from "@playwright/test";
-import { elementSnippet } from "../../../src/share/snippets.ts";
+import { elementSnippet } from "../../../src/apps/page/share/snippets.ts";
 import { engine } from "../../core.ts";
+import { core } from "../tiers.ts";
 import { expect, type Host, test } from "./hosts.ts";
 import { canonical, expectPicture, frames, type Heard, heard, listen, post } from "./post.ts";
 
@@ -32,7 +33,10 @@ for (const [attributes, aspect] of [
   ['recipe="aspect=0.8"', 0.8],
   ['aspect="77"', 4],
 ] as const) {
-  test(`nothing moves when the river comes: ${attributes || "the default"}`, async ({ page, blog }) => {
+  test(`nothing moves when the river comes: ${attributes || "the default"}${core(attributes === "")}`, async ({
+    page,
+    blog,
+  }) => {
     const moved = await shifts(page);
     // What docs/element.md recommends for the time before the script has come.
     const style = `<style>river-seed:not(:defined) { display: block; aspect-ratio: ${aspect}; min-height: 0; overflow: hidden }</style>`;
@@ -102,7 +106,10 @@ test("what stands in the river's place is seen until there is one", async ({ pag
   await expect(fallback).toBeHidden();
 });
 
-test("who prefers less motion sees the finished river, at once, and can still play it", async ({ page, blog }) => {
+test("who prefers less motion sees the finished river, at once, and can still play it @core", async ({
+  page,
+  blog,
+}) => {
   await page.emulateMedia({ reducedMotion: "reduce" });
   const events = await open(page, blog, '<river-seed attractors="300" controls></river-seed>');
   await heard(events, "complete");
@@ -238,7 +245,10 @@ test("an author's style sheet has the last word", async ({ page, blog }) => {
 
 test.describe("labels", () => {
   for (const place of ["a worker", "the page"]) {
-    test(`come with a module of their own, and only if they are asked for: ${place}`, async ({ page, blog }) => {
+    test(`come with a module of their own, and only if they are asked for: ${place}${core(place === "a worker")}`, async ({
+      page,
+      blog,
+    }) => {
       if (place === "the page") blog.headers = { "content-security-policy": "worker-src 'none'" };
       const events = await listen(page);
       const attributes = 'seed="kauri" land="island" growth="drainage" attractors="1500" meander-rounds="5"';

@@ -73,7 +73,7 @@ async function giveUpTwice(page: Page, blog: Host, events: () => Promise<Heard[]
   await until(page, async () => (await events()).length > 0);
 }
 
-test("an engine that never comes is given up by name, and a new try finds it", async ({ page, blog }) => {
+test("an engine that never comes is given up by name, and a new try finds it @core", async ({ page, blog }) => {
   blog.answer(ENGINE, { hangs: true });
   const events = await open(page, blog, widget("rimu"));
   const river = page.locator("#rimu");

@@ -15,7 +15,7 @@ vi.mock("../../../src/engine/full.ts", () => {
 });
 
 const opened: object[] = [];
-vi.mock("../../../src/page/page-backend.ts", () => ({
+vi.mock("../../../src/apps/page-worker/page-backend.ts", () => ({
   open: (core: object) => {
     opened.push(core);
     return { isReplaceable: false, take: () => {}, close: () => {} };
@@ -68,7 +68,7 @@ function forget(): void {
 afterEach(() => vi.unstubAllGlobals());
 
 async function open() {
-  const { openEngines } = await import("../../../src/page/backend.ts");
+  const { openEngines } = await import("../../../src/apps/page/backend.ts");
   return openEngines();
 }
 

@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
+import { Inspections } from "../../../src/apps/page-worker/inspections.ts";
 import { turn } from "../../../src/browser/turn.ts";
 import type { Charts } from "../../../src/engine/charts.ts";
-import { Inspections } from "../../../src/page/inspections.ts";
 import type { RiverPlayer } from "../../../src/player/river-player.ts";
 import { charts } from "../../charts.ts";
 import { full } from "../../full.ts";

@@ -1,6 +1,6 @@
 import { expect, test, vi } from "vitest";
-import { meansOf } from "../../../src/page/means.ts";
-import type { Answer, Question } from "../../../src/page/protocol.ts";
+import { meansOf } from "../../../src/apps/page-worker/means.ts";
+import type { Answer, Question } from "../../../src/apps/page-worker/protocol.ts";
 import type { RiverPlayer } from "../../../src/player/river-player.ts";
 import { charts } from "../../charts.ts";
 import { full, memory } from "../../full.ts";

@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
-import type { PointedRiver } from "../../../src/page/protocol.ts";
-import { courseOf, measuresOf, titleOf } from "../../../src/page/river-words.ts";
+import { courseOf, measuresOf, titleOf } from "../../../src/apps/page/look-inside/river-words.ts";
+import type { PointedRiver } from "../../../src/apps/page-worker/protocol.ts";
 
 const RIVER: PointedRiver = {
   link: "",

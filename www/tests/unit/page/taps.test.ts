@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { DoubleTap, type Touch } from "../../../src/page/taps.ts";
+import { DoubleTap, type Touch } from "../../../src/apps/page/map/taps.ts";
 
 function touch(timeStamp: number, more: Partial<Touch> = {}): Touch {
   return { pointerType: "touch", isPrimary: true, clientX: 100, clientY: 100, timeStamp, ...more };

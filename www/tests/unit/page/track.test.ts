@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
-import type { Moment } from "../../../src/page/protocol.ts";
-import { inWords, momentAt, shareOf, stepped } from "../../../src/page/track.ts";
+import { inWords, momentAt, shareOf, stepped } from "../../../src/apps/page/timeline/track.ts";
+import type { Moment } from "../../../src/apps/page-worker/protocol.ts";
 
 const MAPS = [
   { ticks: 40, rounds: 12 },

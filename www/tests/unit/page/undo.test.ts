@@ -1,6 +1,6 @@
 import { beforeEach, expect, test, vi } from "vitest";
+import { Undo, type UndoElements } from "../../../src/apps/page/undo.ts";
 import { AddressBar } from "../../../src/browser/address.ts";
-import { Undo, type UndoElements } from "../../../src/page/undo.ts";
 
 const PAGE = "https://rivers.example/";
 

@@ -1,9 +1,9 @@
 import { beforeEach, expect, test, vi } from "vitest";
+import type { PageRenderHost } from "../../../src/apps/page/backend.ts";
+import { RiverViewport, type ViewportElements } from "../../../src/apps/page/map/viewport.ts";
+import type { Answer, Question } from "../../../src/apps/page-worker/protocol.ts";
 import type { Summary } from "../../../src/engine/types.ts";
-import type { PageRenderHost } from "../../../src/page/backend.ts";
-import type { Answer, Question } from "../../../src/page/protocol.ts";
-import { RiverViewport, type ViewportElements } from "../../../src/page/viewport.ts";
-import type { Command, Report } from "../../../src/renderer/protocol.ts";
+import type { Command, Report } from "../../../src/host/protocol.ts";
 
 type Sent = Command<Question>;
 interface Client {

@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
+import { ASPECT, aspectOf, linkOf, OBSERVED } from "../../../src/apps/widget/attributes.ts";
+import { RiverSeed } from "../../../src/apps/widget/element.ts";
 import { attributeOf, NUMBERS, TEXTS } from "../../../src/engine/attribute-names.ts";
-import { ASPECT, aspectOf, linkOf, OBSERVED } from "../../../src/widget/attributes.ts";
-import { RiverSeed } from "../../../src/widget/element.ts";
 import { engine, parameter } from "../../core.ts";
 
 /** As much of an element as is asked for its attributes. */

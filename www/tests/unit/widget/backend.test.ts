@@ -1,14 +1,14 @@
 import { afterEach, beforeEach, expect, type Mock, test, vi } from "vitest";
+import type { Question } from "../../../src/apps/widget/protocol.ts";
 import { PAINTING_SILENCE_MS, WORKER_SILENCE_MS } from "../../../src/engine/time-limits.ts";
-import type { Backend as AnyBackend, Command } from "../../../src/renderer/protocol.ts";
-import type { Listener as AnyListener } from "../../../src/renderer/worker-backend.ts";
-import type { Question } from "../../../src/widget/protocol.ts";
+import type { Backend as AnyBackend, Command } from "../../../src/host/protocol.ts";
+import type { Listener as AnyListener } from "../../../src/host/worker-backend.ts";
 
 type Backend = AnyBackend<Question>;
 type Listener = AnyListener<Blob>;
 
 const HERE: Backend = { isReplaceable: false, take: () => {}, close: () => {} };
-vi.mock("../../../src/widget/page-backend.ts", () => ({ open: async () => HERE }));
+vi.mock("../../../src/apps/widget/page-backend.ts", () => ({ open: async () => HERE }));
 
 /** A worker that does what a test says. */
 class StandIn {
@@ -65,7 +65,7 @@ function listener(): Record<keyof Listener, Mock<() => void>> {
 
 /** Begins to open a backend; its worker says nothing yet. */
 async function begin(to: Listener = listener()): Promise<{ backend: Promise<Backend>; worker: StandIn }> {
-  const { openBackend } = await import("../../../src/widget/backend.ts");
+  const { openBackend } = await import("../../../src/apps/widget/backend.ts");
   const backend = openBackend(to, undefined);
   const worker = StandIn.all.at(-1);
   if (!worker) throw new Error("no worker was tried");
@@ -192,7 +192,7 @@ test("after two workers that did not answer no third is tried", async () => {
     backend.take(PAUSE);
     vi.advanceTimersByTime(WORKER_SILENCE_MS);
   }
-  const { openBackend } = await import("../../../src/widget/backend.ts");
+  const { openBackend } = await import("../../../src/apps/widget/backend.ts");
   expect(await openBackend(listener(), undefined)).toBe(HERE);
   expect(StandIn.all).toHaveLength(2);
 });

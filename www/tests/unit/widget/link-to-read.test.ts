@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { linkToRead } from "../../../src/widget/protocol.ts";
+import { linkToRead } from "../../../src/apps/widget/protocol.ts";
 import { engine } from "../../core.ts";
 
 /** The river of what a widget asks for. */

@@ -1,0 +1,218 @@
+//! What a page of controls asks for, and a widget does without: the parameter table, presets, seeds by chance, drawn lines.
+
+use glam::Vec2;
+use js_sys::{Array, Float32Array, Object};
+use wasm_bindgen::prelude::*;
+
+use super::rivers::{River, pair, read_options};
+use crate::objects::{coded, object, set};
+use riverseed::dice;
+use riverseed::paint::{Framing, Painted};
+use riverseed::picture::Picture;
+use riverseed::recipe::preset::{COUNTRIES, PRESETS, Preset};
+use riverseed::recipe::reading;
+use riverseed::recipe::table::TABLE;
+use riverseed::recipe::{Decimal, GridPoint, Key, Kind, LONGEST_OUTLINE, Outline, Parameter};
+
+#[wasm_bindgen(typescript_custom_section)]
+const TYPES: &str = r#"
+/** A row of the parameter table. */
+export interface Parameter {
+  readonly key: string;
+  readonly label: string;
+  readonly help: string;
+  /** The heading it stands under. */
+  readonly group: string;
+  /** The earliest stage that runs again when it changes. */
+  readonly stage: Stage;
+  readonly kind: "text" | "integer" | "number" | "choice" | "sides" | "outline";
+  readonly min?: number;
+  readonly max?: number;
+  readonly step?: number;
+  readonly unit?: string;
+  readonly scale?: "linear" | "log";
+  readonly maxLength?: number;
+  readonly choices?: readonly { readonly value: string; readonly label: string }[];
+  /** As link text. */
+  readonly default: string;
+}
+/** A named set of values; what it leaves out keeps its default. */
+export interface Preset {
+  readonly name: string;
+  readonly label: string;
+  readonly help: string;
+  readonly values: readonly (readonly [key: string, value: string])[];
+}
+/** Lines of a drawn land, each as x and y in turn, in fractions of the map's width and height. */
+export interface Lines {
+  /** Closed: the last point is joined to the first. */
+  readonly coasts: readonly Float32Array[];
+  readonly ridges: readonly Float32Array[];
+  /** Each from its mouth; of one point if nothing more of it is drawn. */
+  readonly rivers: readonly Float32Array[];
+}
+"#;
+
+#[wasm_bindgen]
+impl River {
+    /// Shows another part of the map, or what lies around it: how far the picture's western edge lies east of the map's and its northern
+    /// edge south of the map's, and how wide the picture is, all in widths of the map. Four more say how much other things cover of its
+    /// western, northern, eastern and southern edge. Another number of them, and what is too large, too small or too far away, is all that
+    /// covers the picture.
+    pub fn frame(&mut self, framing: &[f32]) {
+        if let Some(picture) = &mut self.picture {
+            picture.frame(&self.session, Framing::of(framing));
+        }
+    }
+
+    /// Does a part of painting, for a moment, what a slider that still moves makes of its rivers: without a chart, and on the ground that is
+    /// there, even if its relief is that of other rivers. Of its own link it shows them as they are. It does not go over to another, of which
+    /// it shows something once its rivers are finished: of one that has but another width, that on their courses; of one that has but other
+    /// mountains or plains, nearly their relief; of one that has but other coasts, those, with the rivers that are there. Returns whether
+    /// there is more to do, until which nothing is seen of it; undefined if it can show nothing.
+    #[wasm_bindgen(js_name = paintDraft)]
+    pub fn paint_draft(
+        &mut self,
+        text: &str,
+        #[wasm_bindgen(unchecked_optional_param_type = "ReadOptions")] options: &JsValue,
+    ) -> Option<bool> {
+        let wanted = reading::read(text, read_options(options)).recipe;
+        let (picture, session) = (self.picture.as_mut()?, &self.session);
+        let widened = |picture: &mut Picture| {
+            let changed = picture.paint_draft(session, session.widening_to(&wanted)?)?;
+            Some(Painted::Whole(Some(changed)))
+        };
+        let drafted = picture.paint_relief_draft(session, &wanted).or_else(|| widened(picture));
+        let changed = match drafted.or_else(|| picture.paint_land_draft(session, &wanted))? {
+            Painted::Part => return Some(true),
+            Painted::Whole(changed) => changed,
+        };
+        self.dirty = changed.or(self.dirty);
+        Some(false)
+    }
+}
+
+/// The parameter table.
+#[wasm_bindgen(unchecked_return_type = "Parameter[]")]
+pub fn parameters() -> Array {
+    TABLE.iter().map(row).collect()
+}
+
+/// The presets of links.
+#[wasm_bindgen(unchecked_return_type = "Preset[]")]
+pub fn presets() -> Array {
+    list(PRESETS)
+}
+
+/// Countries to begin with. Links do not know them.
+#[wasm_bindgen(unchecked_return_type = "Preset[]")]
+pub fn countries() -> Array {
+    list(COUNTRIES)
+}
+
+fn list(presets: &[Preset]) -> Array {
+    let values = |preset: &Preset| -> Array {
+        let canonical = |(key, text): &(Key, &str)| pair(key.parameter().name, &canonical(key.parameter(), text));
+        preset.values.iter().map(canonical).collect()
+    };
+    let view = |preset: &Preset| {
+        object(&[
+            ("name", preset.name.into()),
+            ("label", preset.label.into()),
+            ("help", preset.help.into()),
+            ("values", values(preset).into()),
+        ])
+    };
+    presets.iter().map(view).collect()
+}
+
+/// A new seed, a word that can be said aloud.
+#[wasm_bindgen(js_name = freshSeed)]
+pub fn fresh_seed() -> Result<String, JsValue> {
+    getrandom::u64().map(dice::word).map_err(|error| coded("no-randomness", &error.to_string()))
+}
+
+/// The outline of lines with any number of points, simplified until it fits a link. Throws an Error if that is no land.
+#[wasm_bindgen(js_name = outlineOf)]
+pub fn outline_of(
+    coasts: Vec<Float32Array>,
+    ridges: Vec<Float32Array>,
+    rivers: Vec<Float32Array>,
+) -> Result<String, JsValue> {
+    let [coasts, ridges, rivers] = [coasts, ridges, rivers].map(|lines| lines.iter().map(points).collect());
+    let outline = Outline::from_polylines(coasts, ridges, rivers);
+    outline.map(|outline| outline.to_string()).map_err(|error| coded("no-land", &error.to_string()))
+}
+
+/// The lines of an outline. Throws an Error if the text is none.
+#[wasm_bindgen(js_name = outlineLines, unchecked_return_type = "Lines")]
+pub fn outline_lines(text: &str) -> Result<Object, JsValue> {
+    let outline = Outline::parse(text).map_err(|error| coded("bad-params", &error.to_string()))?;
+    let flat = |line: &Vec<GridPoint>| -> Vec<f32> { line.iter().flat_map(|at| at.fraction().to_array()).collect() };
+    let lines =
+        |lines: &[Vec<GridPoint>]| lines.iter().map(|line| Float32Array::from(&flat(line)[..])).collect::<Array>();
+    let lines = [("coasts", outline.coasts()), ("ridges", outline.ridges()), ("rivers", outline.rivers())]
+        .map(|(kind, of_kind)| (kind, lines(of_kind).into()));
+    Ok(object(&lines))
+}
+
+/// The points of a line given as x and y in turn; half a point at the end is left out.
+fn points(line: &Float32Array) -> Vec<Vec2> {
+    line.to_vec().chunks_exact(2).map(Vec2::from_slice).collect()
+}
+
+/// A value in the one spelling that links are written in.
+fn canonical(parameter: &Parameter, text: &str) -> String {
+    parameter.parse(text).map_or_else(|_| text.into(), |value| parameter.text_of(&value))
+}
+
+/// A row of the parameter table.
+fn row(parameter: &Parameter) -> Object {
+    let row = object(&[
+        ("key", parameter.name.into()),
+        ("label", parameter.label.into()),
+        ("help", parameter.help.into()),
+        ("kind", kind_name(parameter.kind).into()),
+        ("group", parameter.group.into()),
+        ("stage", parameter.stage.name().into()),
+        ("unit", parameter.unit.into()),
+        ("scale", if parameter.logarithmic { "log" } else { "linear" }.into()),
+        ("default", parameter.text_of(&parameter.default_value()).into()),
+    ]);
+    describe(parameter.kind, &row);
+    row
+}
+
+fn kind_name(kind: Kind) -> &'static str {
+    match kind {
+        Kind::Text { .. } => "text",
+        Kind::Integer { .. } => "integer",
+        Kind::Number { .. } => "number",
+        Kind::Outline => "outline",
+        Kind::Choice { .. } => "choice",
+        Kind::Sides { .. } => "sides",
+    }
+}
+
+/// Says in a row what values its parameter takes.
+fn describe(kind: Kind, row: &Object) {
+    let range =
+        |[min, max, step]: [f64; 3]| set(row, &[("min", min.into()), ("max", max.into()), ("step", step.into())]);
+    match kind {
+        Kind::Text { longest, .. } => set(row, &[("maxLength", longest.into())]),
+        Kind::Integer { min, max, .. } => range([min.into(), max.into(), 1.0]),
+        Kind::Number { min, max, step, .. } => range([min, max, step].map(Decimal::to_f64)),
+        Kind::Outline => set(row, &[("maxLength", LONGEST_OUTLINE.into())]),
+        Kind::Choice { choices } => {
+            set(row, &[("choices", choices_of(choices.iter().map(|word| (word.name, word.label))).into())])
+        }
+        Kind::Sides { .. } => {
+            let sides = [("n", "North"), ("e", "East"), ("s", "South"), ("w", "West")];
+            set(row, &[("choices", choices_of(sides.into_iter()).into())]);
+        }
+    }
+}
+
+fn choices_of(choices: impl Iterator<Item = (&'static str, &'static str)>) -> Array {
+    choices.map(|(value, label)| object(&[("value", value.into()), ("label", label.into())])).collect()
+}

@@ -1,0 +1,168 @@
+//! What a page asks a finished map about its rivers.
+
+use glam::Vec2;
+use js_sys::{Object, Uint32Array};
+use wasm_bindgen::prelude::*;
+
+use super::rivers::River;
+use crate::objects::object;
+use riverseed::export::svg::overlay;
+use riverseed::inspect::{Inspector as Rivers, RiverFacts, Spot, former_ways, tips};
+use riverseed::land::{Land, SmoothedDistance};
+use riverseed::network::NONE;
+use riverseed::recipe::{CourseShape, LandKind};
+
+#[wasm_bindgen(typescript_custom_section)]
+const TYPES: &str = r#"
+/** A river that was pointed at. Marks are those by which names know rivers; areas are in square units, places in shares of the map. */
+export interface RiverFacts {
+  readonly mark: number;
+  /** Strahler's order at its end, and where it is pointed at. */
+  readonly order: number;
+  readonly orderHere: number;
+  /** In units. */
+  readonly length: number;
+  /** The share of all land that it drains, and how much land that is. */
+  readonly share: number;
+  readonly area: number;
+  /** The rivers that its water comes to, one after the other; none if it reaches the sea itself. */
+  readonly into: Uint32Array;
+  /** What the last of them runs into. */
+  readonly endsIn: "sea" | "lake";
+  /** The place on it. */
+  readonly x: number;
+  readonly y: number;
+  /** From there to the sea, and the land that it drains: paths of SVG, in units. */
+  readonly way: string;
+  readonly basin: string;
+}
+"#;
+
+/// The rivers of a finished map, to be asked about.
+#[wasm_bindgen]
+pub struct Inspector {
+    rivers: Rivers,
+    /// Width and height of the map, in units.
+    size: Vec2,
+    courses: CourseShape,
+    /// What rivers run into.
+    ends_in: &'static str,
+    /// The last river that was asked about, and its basin: a pointer stays on one for a while.
+    last: (u32, String),
+}
+
+#[wasm_bindgen]
+impl River {
+    /// What can be laid over it at any moment, as a path of SVG, in units: 0 is its attractors, or the parcels of drainage; 1 those of them that
+    /// still pull, or have found no way to the sea yet; 2 where its rivers begin, as far as they have grown; and what no river may cross, where
+    /// not all is land: 3 is around all land, beyond which there is water, 4 along its ridges. Of drainage, 5 is where the greatest streams were
+    /// captured, 6 how their water ran before.
+    pub fn shapes(&self, of: u8) -> String {
+        let growth = self.session.growth();
+        let dots = match of {
+            0 => growth.scattered(),
+            1 => growth.left(),
+            2 => tips(&self.session),
+            3 | 4 => return self.masks(of == 3),
+            _ => {
+                let ways = former_ways(&self.session);
+                if of > 5 {
+                    return overlay::lines(&ways, CourseShape::Grown);
+                }
+                ways.iter().map(|way| way[0]).collect()
+            }
+        };
+        overlay::dots(&dots)
+    }
+
+    /// Width and height of its map, how far an attractor pulls, and how near a river comes that uses it up: all in units.
+    pub fn lengths(&self) -> Vec<f32> {
+        let growth = self.session.growth().settings();
+        let Vec2 { x, y } = self.session.domain().size;
+        vec![x, y, growth.reach, growth.kill]
+    }
+
+    /// Its rivers to be asked about, as they are now; nothing until they are finished, and where there is not enough memory.
+    pub fn inspector(&self) -> Option<Inspector> {
+        let rivers = Rivers::new(&self.session.map()?)?;
+        let (size, recipe) = (self.session.domain().size, self.session.recipe());
+        let ends_in = if Land::kind_of(recipe) == LandKind::Basin { "lake" } else { "sea" };
+        Some(Inspector { rivers, size, courses: recipe.get(), ends_in, last: (NONE, String::new()) })
+    }
+}
+
+impl River {
+    fn masks(&self, is_water: bool) -> String {
+        let Some(land) = self.session.land() else { return String::new() };
+        if is_water {
+            overlay::area(&SmoothedDistance::of(land.coast_distance()).rings_above(0.0))
+        } else {
+            overlay::lines(land.ridges(), CourseShape::Grown)
+        }
+    }
+}
+
+#[wasm_bindgen]
+impl Inspector {
+    /// Lines on its rivers, as a path of SVG: from 1 on the streams of that order, each from where it begins to where it ends; 0 is the
+    /// stretches that stay where they are when others meander, 255 short ones across the great rivers, to the outside of each bend, the longer
+    /// the sharper that is.
+    pub fn lines(&self, of: u8) -> String {
+        if of == u8::MAX {
+            return overlay::lines(&self.rivers.curvature(), CourseShape::Grown);
+        }
+        let vertices = &self.rivers.network().vertices;
+        let is_meant = |vertex: usize| match of {
+            0 => vertices[vertex].mobility == 0.0,
+            order => self.rivers.orders()[vertex] == order,
+        };
+        overlay::lines(&self.rivers.stretches(is_meant), self.courses)
+    }
+
+    /// The marks of the rivers that reach the sea.
+    pub fn mouths(&self) -> Vec<u32> {
+        let network = self.rivers.network();
+        network.mouths().iter().map(|&river| network.rivers[river as usize].identity).collect()
+    }
+
+    /// The river at a point, in shares of the map's width and height, or the nearest within reach, in units; nothing if there is none.
+    #[wasm_bindgen(unchecked_return_type = "RiverFacts | undefined")]
+    pub fn at(&mut self, x: f32, y: f32, reach: f32) -> Option<Object> {
+        let spot = self.rivers.nearest(Vec2::new(x, y) * self.size, reach)?;
+        Some(self.facts(&spot))
+    }
+
+    /// The river of a mark, from its source; nothing if there is none.
+    #[wasm_bindgen(unchecked_return_type = "RiverFacts | undefined")]
+    pub fn of(&mut self, mark: u32) -> Option<Object> {
+        let spot = self.rivers.source(mark)?;
+        Some(self.facts(&spot))
+    }
+
+    fn facts(&mut self, spot: &Spot) -> Object {
+        let RiverFacts { identity, order, order_here, length, share, area, into } = self.rivers.facts(spot);
+        let way: Vec<Vec2> = self.rivers.way_to_the_sea(spot).iter().map(|place| place.at).collect();
+        let Vec2 { x, y } = spot.place.at / self.size;
+        object(&[
+            ("mark", identity.into()),
+            ("order", order.into()),
+            ("orderHere", order_here.into()),
+            ("length", length.into()),
+            ("share", share.into()),
+            ("area", area.into()),
+            ("into", Uint32Array::from(&into[..]).into()),
+            ("endsIn", self.ends_in.into()),
+            ("x", x.into()),
+            ("y", y.into()),
+            ("way", overlay::lines(&[way], self.courses).into()),
+            ("basin", self.basin(spot.river).into()),
+        ])
+    }
+
+    fn basin(&mut self, river: u32) -> &str {
+        if self.last.0 != river {
+            self.last = (river, overlay::area(&self.rivers.basin(river)));
+        }
+        &self.last.1
+    }
+}

@@ -1,0 +1,50 @@
+//! What is measured of rivers, for a page that shows it beside what nature has.
+
+use js_sys::{Array, Object};
+use wasm_bindgen::prelude::*;
+
+use super::rivers::River;
+use crate::objects::{object, set};
+use riverseed::measure::{Measure, Measures, Nature, TABLE};
+
+#[wasm_bindgen(typescript_custom_section)]
+const TYPES: &str = r#"
+/** A measure of a network of rivers. */
+export interface Measure {
+  readonly name: string;
+  readonly help: string;
+  readonly unit: string;
+  /** How many decimal places say something. */
+  readonly places: number;
+  /** None of a network that is too small for it. */
+  readonly value?: number;
+  /** None where rivers of the world cannot be compared with those of a map. */
+  readonly nature?: { readonly median?: number; readonly least: number; readonly most: number; readonly source: string };
+}
+"#;
+
+#[wasm_bindgen]
+impl River {
+    /// What is measured of the rivers; nothing until they are finished.
+    #[wasm_bindgen(unchecked_return_type = "Measure[]")]
+    pub fn measures(&self) -> Array {
+        let measures = self.session.map().as_ref().map(Measures::of);
+        measures.iter().flat_map(|measures| TABLE.iter().map(move |measure| row(measure, measures))).collect()
+    }
+}
+
+fn row(measure: &Measure, measures: &Measures) -> Object {
+    let row = object(&[
+        ("name", measure.name.into()),
+        ("help", measure.help.into()),
+        ("unit", measure.unit.into()),
+        ("places", measure.places.into()),
+        ("value", (measure.value)(measures).into()),
+    ]);
+    if let Some(Nature { median, least, most, source }) = measure.nature {
+        let range =
+            [("median", median.into()), ("least", least.into()), ("most", most.into()), ("source", source.into())];
+        set(&row, &[("nature", object(&range).into())]);
+    }
+    row
+}

@@ -1,0 +1,324 @@
+//! Links, and a river.
+
+use js_sys::{Array, Object, Reflect};
+use wasm_bindgen::prelude::*;
+
+use crate::objects::{coded, object};
+use riverseed::grow::Ending;
+use riverseed::land::Land;
+use riverseed::paint::{ChartMasks, PaintError, Painted, Rect};
+use riverseed::picture::{Picture, is_to_be_charted};
+use riverseed::recipe::link::{self, Notice};
+use riverseed::recipe::reading::{self, ReadOptions, Reading};
+use riverseed::recipe::table::TABLE;
+use riverseed::recipe::{Key, Parameter, Stage, Value};
+use riverseed::session::{Phase, Session, SessionError, Shortfall};
+
+#[wasm_bindgen(typescript_custom_section)]
+const TYPES: &str = r#"
+/** The stages of a river, in the order in which they run. */
+export type Stage = "land" | "grow" | "prune" | "shape" | "relief" | "name" | "paint";
+/** What a river's next step does: a tick of growth; rivers made of the tree, in a few; a round of meandering; a part of the relief; nothing. */
+export type Phase = "growing" | "shaping" | "meandering" | "relief" | "finished";
+/** Something in a link that had to be corrected. */
+export interface Notice {
+  readonly key: string;
+  readonly message: string;
+}
+/** Where the rivers of a link are to be seen. */
+export interface ReadOptions {
+  /** In a widget: the recipe is kept within its limits. */
+  readonly widget?: boolean;
+  /** On a dark page: if the link names no style, it is the one for dark pages. */
+  readonly dark?: boolean;
+}
+/** A link as it was understood. */
+export interface Reading {
+  /** The canonical link of what is drawn: defaults left out. */
+  readonly link: string;
+  /** The canonical link to share: it names a style only where the text that was read did. */
+  readonly sharedLink: string;
+  /** Whether the text names a style. */
+  readonly namesStyle: boolean;
+  /** Every parameter's value as link text. */
+  readonly values: readonly (readonly [key: string, value: string])[];
+  /** The keys that do nothing in this recipe, and why. */
+  readonly idle: readonly (readonly [key: string, reason: string])[];
+  readonly notices: readonly Notice[];
+}
+/** What a picture shows, in numbers. */
+export interface Summary {
+  /** How its rivers grow: a word of the parameter `growth`. */
+  readonly growth: string;
+  readonly ticks: number;
+  readonly nodes: number;
+  readonly mouths: number;
+  readonly sources: number;
+  readonly order: number;
+  /** Attractors scattered, or parcels of drainage; 0 for a Brownian tree. */
+  readonly attractors: number;
+  /** How many of them no river reaches. */
+  readonly unreached: number;
+  /** Rounds that rivers have meandered. */
+  readonly rounds: number;
+  /** Oxbow lakes that they have left. */
+  readonly oxbows: number;
+  /** Whether everything is done, meandering included. */
+  readonly finished: boolean;
+  /** Why growth ended early; null if it did not. */
+  readonly stopped: string | null;
+}
+"#;
+
+/// Reads a link leniently. Total: never throws, whatever the text.
+#[wasm_bindgen(js_name = readLink, unchecked_return_type = "Reading")]
+pub fn read_link(
+    text: &str,
+    #[wasm_bindgen(unchecked_optional_param_type = "ReadOptions")] options: &JsValue,
+) -> Object {
+    let reading = reading::read(text, read_options(options));
+    let Reading { recipe, .. } = &reading;
+    let value = |parameter: &Parameter| pair(parameter.name, &parameter.text_of(recipe.value(parameter.key)));
+    let land = Land::kind_of(recipe);
+    let idle = |row: &Parameter| recipe.inactive_reason(row.key, land).map(|reason| pair(row.name, reason));
+    object(&[
+        ("link", link::write(recipe).into()),
+        ("sharedLink", reading.shared_link().into()),
+        ("namesStyle", reading.names_style.into()),
+        ("values", TABLE.iter().map(value).collect::<Array>().into()),
+        ("idle", TABLE.iter().filter_map(idle).collect::<Array>().into()),
+        ("notices", list(&reading.notices).into()),
+    ])
+}
+
+/// What a page says of where rivers are to be seen; what it leaves out is not so.
+pub(super) fn read_options(given: &JsValue) -> ReadOptions {
+    let is = |name: &str| Reflect::get(given, &JsValue::from_str(name)).is_ok_and(|value| value.is_truthy());
+    ReadOptions { widget: is("widget"), dark: is("dark") }
+}
+
+fn list(notices: &[Notice]) -> Array {
+    let notice = |Notice { key, message }: &Notice| {
+        object(&[("key", key.as_str().into()), ("message", message.as_str().into())])
+    };
+    notices.iter().map(notice).collect()
+}
+
+/// A river: a recipe, its tree as far as it has grown, and its picture, if it has been given a size.
+#[wasm_bindgen]
+pub struct River {
+    pub(super) session: Session,
+    pub(super) notices: Vec<Notice>,
+    pub(super) picture: Option<Picture>,
+    pub(super) dirty: Option<Rect>,
+}
+
+#[wasm_bindgen]
+impl River {
+    /// Plants the recipe of a link, which is read as `readLink` does. It has no picture until it is given a size. Throws
+    /// an Error with a `code`.
+    #[wasm_bindgen(constructor)]
+    pub fn new(
+        text: &str,
+        #[wasm_bindgen(unchecked_optional_param_type = "ReadOptions")] options: &JsValue,
+    ) -> Result<Self, JsValue> {
+        let Reading { recipe, notices, .. } = reading::read(text, read_options(options));
+        let session = Session::new(recipe).map_err(|error| session_error(&error))?;
+        Ok(Self { session, notices, picture: None, dirty: None })
+    }
+
+    /// Goes over to the recipe of another link and says what has to run again. If it throws, everything is as before.
+    #[wasm_bindgen(unchecked_return_type = "Stage | \"none\"")]
+    pub fn change(
+        &mut self,
+        text: &str,
+        #[wasm_bindgen(unchecked_optional_param_type = "ReadOptions")] options: &JsValue,
+    ) -> Result<String, JsValue> {
+        let Reading { recipe, notices, .. } = reading::read(text, read_options(options));
+        let stage = self.session.change(recipe).map_err(|error| session_error(&error))?;
+        self.notices = notices;
+        Ok(stage.map_or("none", Stage::name).into())
+    }
+
+    /// The canonical link of its recipe: defaults left out.
+    #[wasm_bindgen(getter)]
+    pub fn link(&self) -> String {
+        link::write(self.session.recipe())
+    }
+
+    /// The seed of its recipe.
+    #[wasm_bindgen(getter)]
+    pub fn seed(&self) -> String {
+        self.session.recipe().seed().into()
+    }
+
+    /// What of its link was wrong, or beyond a widget's limits.
+    #[wasm_bindgen(getter, unchecked_return_type = "readonly Notice[]")]
+    pub fn notices(&self) -> Array {
+        list(&self.notices)
+    }
+
+    /// Gives it a picture of this size, which is then painted again. If it throws, everything is as before.
+    pub fn resize(&mut self, width_px: u32, height_px: u32) -> Result<(), JsValue> {
+        self.picture = Some(Picture::new(width_px, height_px).map_err(|error| paint_error(&error))?);
+        Ok(())
+    }
+
+    /// Goes back to tick 0.
+    pub fn restart(&mut self) -> Result<(), JsValue> {
+        self.session.restart().map_err(|error| session_error(&error))
+    }
+
+    /// Advances by this number of steps at most: ticks of growth, then a few that make rivers of the tree, then rounds of
+    /// meandering, then the relief part by part, if the style shows one. Returns whether there is more to do. Throws an Error with
+    /// the code `no-memory` if there is not enough for one of these: what is there then is no picture of the recipe.
+    pub fn advance(&mut self, steps: u32) -> Result<bool, JsValue> {
+        self.session.advance(steps).map_err(|error| coded("no-memory", &error.to_string()))
+    }
+
+    /// What the next step does.
+    #[wasm_bindgen(getter, unchecked_return_type = "Phase")]
+    pub fn phase(&self) -> String {
+        match self.session.phase() {
+            Phase::Growing => "growing",
+            Phase::Shaping => "shaping",
+            Phase::Meandering => "meandering",
+            Phase::Relief => "relief",
+            Phase::Finished => "finished",
+        }
+        .into()
+    }
+
+    /// Draws what is new, or does a part of that, which takes a few milliseconds. Returns whether there is more to do: until there is not,
+    /// no pixel changes.
+    pub fn paint(&mut self) -> bool {
+        let painted = self.picture.as_mut().map(|picture| picture.paint_part(&self.session));
+        self.dirty = painted.and_then(Painted::changed);
+        painted == Some(Painted::Part)
+    }
+
+    /// Whether its rivers are finished, and its recipe wants a chart of them that its picture, if there is one, has not got.
+    #[wasm_bindgen(js_name = wantsChart)]
+    pub fn wants_chart(&self) -> bool {
+        let has_none = |picture: &Picture| picture.wants_chart(&self.session);
+        self.picture.as_ref().map_or_else(|| is_to_be_charted(&self.session), has_none)
+    }
+
+    /// Its finished map, for a `Chart`; nothing until it is finished.
+    #[wasm_bindgen(js_name = mapData)]
+    pub fn map_data(&self) -> Vec<u32> {
+        self.session.map().map_or_else(Vec::new, |map| map.to_wire())
+    }
+
+    /// Takes the chart of its rivers as they are, the `masks` of a `Chart` for a picture of its size, which is then painted with it. Other
+    /// bytes are an empty chart.
+    #[wasm_bindgen(js_name = takeChart)]
+    pub fn take_chart(&mut self, masks: &[u8]) {
+        if let Some(picture) = &mut self.picture {
+            picture.take_chart(&self.session, ChartMasks::from_bytes(masks).unwrap_or_default());
+        }
+    }
+
+    /// What the last `paint` changed: x, y, width, height.
+    pub fn dirty(&self) -> Vec<u32> {
+        self.dirty.map_or_else(|| vec![0; 4], |r| vec![r.left, r.top, r.right - r.left, r.bottom - r.top])
+    }
+
+    /// Where the picture's bytes begin in the module's memory: RGBA, opaque; 0 without a picture.
+    #[wasm_bindgen(js_name = pixelsPointer)]
+    pub fn pixels_pointer(&self) -> u32 {
+        self.picture.as_ref().map_or(0, |picture| picture.pixmap().data().as_ptr() as u32)
+    }
+
+    /// How many bytes the picture has; 0 without one.
+    #[wasm_bindgen(js_name = pixelsLength)]
+    pub fn pixels_length(&self) -> u32 {
+        self.picture.as_ref().map_or(0, |picture| picture.pixmap().data().len() as u32)
+    }
+
+    /// Width of the picture in pixels; 0 without one.
+    #[wasm_bindgen(getter)]
+    pub fn width(&self) -> u32 {
+        self.picture.as_ref().map_or(0, |picture| picture.pixmap().width())
+    }
+
+    /// Height of the picture in pixels; 0 without one.
+    #[wasm_bindgen(getter)]
+    pub fn height(&self) -> u32 {
+        self.picture.as_ref().map_or(0, |picture| picture.pixmap().height())
+    }
+
+    /// Width of the domain over its height.
+    #[wasm_bindgen(getter)]
+    pub fn aspect(&self) -> f64 {
+        match self.session.recipe().value(Key::Aspect) {
+            Value::Number(aspect) => aspect.to_f64(),
+            _ => 1.0,
+        }
+    }
+
+    /// How far the phase has come, from 0 to 1: growth by what is drained, meandering by its rounds, relief by its parts.
+    #[wasm_bindgen(getter)]
+    pub fn progress(&self) -> f32 {
+        self.session.progress()
+    }
+
+    /// How many rounds the rivers will have meandered.
+    #[wasm_bindgen(getter)]
+    pub fn rounds(&self) -> u32 {
+        self.session.recipe().integer(Key::MeanderRounds)
+    }
+
+    /// The picture in numbers.
+    #[wasm_bindgen(unchecked_return_type = "Summary")]
+    pub fn summary(&self) -> Object {
+        let summary = self.session.summary();
+        let growth = Key::Growth.parameter().text_of(self.session.recipe().value(Key::Growth));
+        let stopped = match (summary.ending, summary.shortfall()) {
+            (Some(Ending::NodeLimit), _) => Some("The tree grew to its limit of nodes and was stopped."),
+            (_, Some(Shortfall::NoRiver)) => Some("No river grew: no land lies open to the sea."),
+            (_, Some(Shortfall::Unreached)) => Some(UNREACHED),
+            (_, Some(Shortfall::CutOff)) => Some(CUT_OFF),
+            (_, None) => None,
+        };
+        object(&[
+            ("growth", growth.into()),
+            ("ticks", summary.ticks.into()),
+            ("nodes", summary.nodes.into()),
+            ("mouths", summary.mouths.into()),
+            ("sources", summary.sources.into()),
+            ("order", summary.order.into()),
+            ("attractors", summary.attractors.into()),
+            ("unreached", summary.unreached.into()),
+            ("rounds", summary.rounds.into()),
+            ("oxbows", summary.oxbows.into()),
+            ("finished", self.session.is_finished().into()),
+            ("stopped", stopped.map_or(JsValue::NULL, JsValue::from)),
+        ])
+    }
+}
+
+const UNREACHED: &str =
+    "Rivers do not reach all land: a shorter step, a longer kill distance or reach, or mouths less far apart helps.";
+const CUT_OFF: &str = "Rivers do not reach all land: a gap in the ridges, or more mouths, helps.";
+
+pub(super) fn session_error(error: &SessionError) -> JsValue {
+    let code = match error {
+        SessionError::OtherMap { .. } => "bad-params",
+        // All others are of memory.
+        _ => "too-large",
+    };
+    coded(code, &error.to_string())
+}
+
+pub(super) fn paint_error(error: &PaintError) -> JsValue {
+    let code = match error {
+        PaintError::Size { width: 0, .. } | PaintError::Size { height: 0, .. } => "bad-params",
+        _ => "too-large",
+    };
+    coded(code, &error.to_string())
+}
+
+pub(super) fn pair(name: &str, text: &str) -> Array {
+    [name, text].into_iter().map(JsValue::from_str).collect()
+}

@@ -1,0 +1,41 @@
+//! The tracing of pictures: a wasm package of its own, which a page fetches when somebody opens a picture.
+
+use js_sys::Object;
+use wasm_bindgen::prelude::*;
+
+use crate::objects::{coded, object};
+use riverseed::land::trace;
+
+#[wasm_bindgen(typescript_custom_section)]
+const TYPES: &str = r#"
+/** What tracing made of a picture. */
+export interface Traced {
+  readonly outline: string;
+  /** How many coasts the picture shows; the outline may have room for fewer. */
+  readonly coasts: number;
+  readonly ridges: number;
+  /** Width over height of the map that the outline is for. */
+  readonly aspect: number;
+  /** Whether the picture is longer than that: what is at its long sides goes on beyond them. */
+  readonly isLonger: boolean;
+}
+"#;
+
+/// Traces a picture: white land, black water, a third colour for ridges. Throws an Error if it shows no coast.
+#[wasm_bindgen(js_name = traceImage, unchecked_return_type = "Traced")]
+pub fn trace_image(rgba: &[u8], width_px: u32, height_px: u32) -> Result<Object, JsValue> {
+    let traced = trace::trace(width_px, height_px, rgba).map_err(|error| coded("no-land", &error.to_string()))?;
+    Ok(object(&[
+        ("outline", traced.outline.to_string().into()),
+        ("coasts", traced.coasts.into()),
+        ("ridges", traced.ridges.into()),
+        ("aspect", traced.aspect.into()),
+        ("isLonger", traced.is_longer.into()),
+    ]))
+}
+
+/// The longest side of a picture that is traced, in pixels.
+#[wasm_bindgen(js_name = longestTracedSide)]
+pub fn longest_traced_side() -> u32 {
+    trace::LONGEST_SIDE
+}

@@ -1,0 +1,42 @@
+/**
+ * A site that is half uploaded has the HTML of one build and the files of another. Then the page's own script may be missing, which could
+ * say so; a small script in the HTML does.
+ */
+
+import type { Plugin } from "vite";
+import { withEarlyScript } from "./early.ts";
+
+/** What a page shows then; index.html has it. */
+const NOTE = 'id="changed"';
+
+export function tellsOfMissingFiles(page: string): Plugin {
+  return {
+    name: "tells-of-missing-files",
+    apply: "build",
+    transformIndexHtml: {
+      order: "post",
+      handler(html, { path }) {
+        if (path.slice(1) !== page) return html;
+        if (!html.includes(NOTE)) throw new Error(`${page} has no element with ${NOTE}`);
+        return withEarlyScript(html, SCRIPT);
+      },
+    },
+  };
+}
+
+/**
+ * An error event does not say why a file failed. The server is asked for the file again: only if it has no such file, or a page of its own in
+ * its place, has the site changed. If the server cannot be reached or a browser extension blocks the file, the page's other words stand.
+ * Once the page's own script runs, it reports what is missing: src/page/page.ts.
+ */
+const SCRIPT = `addEventListener("error", async ({ target }) => {
+  if (globalThis.hasPageBegun) return;
+  const isScript = target instanceof HTMLScriptElement;
+  if (!isScript && !(target instanceof HTMLLinkElement && /^(stylesheet|modulepreload)$/.test(target.rel))) return;
+  const answer = await fetch(isScript ? target.src : target.href, { method: "HEAD", cache: "no-store" }).catch(() => {});
+  if (!answer || (answer.ok && !/html/.test(answer.headers.get("content-type")))) return;
+  if (document.readyState === "loading") await new Promise((done) => addEventListener("DOMContentLoaded", done));
+  document.getElementById("facade").hidden = true;
+  document.getElementById("changed").hidden = false;
+  document.getElementById("load-again").onclick = () => location.reload();
+}, true);`;

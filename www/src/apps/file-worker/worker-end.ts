@@ -1,0 +1,27 @@
+/** The end of the line that is in a worker which makes one file. */
+
+import { loadCharts } from "../../engine/charts.ts";
+import { named } from "../../engine/errors.ts";
+import { loadFull } from "../../engine/full.ts";
+import type { Course } from "../../files/course.ts";
+import type { Order, Said } from "../../files/order.ts";
+import type { MakerCore } from "../../files/painting.ts";
+
+const say = (said: Said): void => self.postMessage(said);
+
+/** Nothing waits for a turn here, and what is no longer wanted ends with the worker. */
+const course: Course = { tell: (share) => say({ is: "at", share }), pause: () => Promise.resolve() };
+
+/** Answers the first message, which is the order. */
+export function serve<Made extends Order>(make: (order: Made, core: MakerCore, course: Course) => Promise<Blob>): void {
+  const answer = async (order: Made): Promise<void> => {
+    try {
+      say({ is: "made", file: await make(order, { ...(await loadFull()), loadCharts }, course) });
+    } catch (thrown) {
+      const { code, message } = named(thrown);
+      say({ is: "failed", code, message });
+    }
+  };
+  self.addEventListener("message", ({ data }: MessageEvent<Made>) => void answer(data), { once: true });
+  say({ is: "open" });
+}

@@ -1,0 +1,181 @@
+/**
+ * Whoever the page's renderer asks about the rivers of a finished map: made when somebody first asks, and kept for that map. What can be laid
+ * over any map, its river itself is asked.
+ */
+
+import type { Charts } from "../../engine/charts.ts";
+import type { FullRiver, Inspector } from "../../engine/full.ts";
+import { askChart } from "../../player/chart-maker.ts";
+import type { RiverPlayer } from "../../player/river-player.ts";
+import type { LiveOverlayName, Overlay, OverlayName, PointedRiver, RiverPlace } from "./protocol.ts";
+
+type Player = RiverPlayer<FullRiver>;
+
+/** All of them: how many there are, nobody asks. */
+const ALL_RIVERS = 0xffff_ffff;
+/** What may be done of a relief before the page is heard again. */
+const SLICE_MS = 8;
+/** As many colours as basins have. */
+const BASIN_KINDS = 6;
+
+interface Inspected {
+  inspector: Inspector;
+  size: readonly [width: number, height: number];
+  /** By mark. */
+  names: ReadonlyMap<string, string>;
+}
+
+interface Kept {
+  player: Player;
+  link: string;
+  made: Promise<Inspected | undefined>;
+}
+
+export class Inspections {
+  #kept: Kept | undefined;
+
+  constructor(private readonly loadCharts: () => Promise<Charts>) {}
+
+  /** The river at a place of a player's map; none if there is none, or the map is not finished, or not the same any more. */
+  async river(player: Player | undefined, place: RiverPlace): Promise<PointedRiver | undefined> {
+    if (player?.state !== "finished") return;
+    const kept = this.#keptFor(player);
+    const inspected = await kept.made;
+    if (!inspected || this.#kept !== kept || player.link !== kept.link) return;
+    const { inspector, size, names } = inspected;
+    const river =
+      "mark" in place ? inspector.of(Number(place.mark)) : inspector.at(place.x, place.y, place.reach * size[0]);
+    if (!river) return;
+    const nameOf = (mark: number): string => names.get(String(mark)) ?? "";
+    const into = Array.from(river.into, nameOf);
+    // By its mark all of it is meant, and it is shown from its source.
+    const orderHere = "mark" in place ? river.order : river.orderHere;
+    return { ...river, orderHere, link: kept.link, size, mark: String(river.mark), name: nameOf(river.mark), into };
+  }
+
+  /** Something to be laid over a player's map; none while there is none. */
+  async overlay(player: Player | undefined, name: OverlayName): Promise<Overlay | undefined> {
+    if (player?.river && isLive(name)) return live(player.river, player.link, name);
+    if (isLive(name) || player?.state !== "finished") return;
+    const kept = this.#keptFor(player);
+    const inspected = await kept.made;
+    if (!inspected || !player.river || this.#kept !== kept || player.link !== kept.link) return;
+    const { inspector, size } = inspected;
+    return { link: kept.link, size, kinds: overlays[name](inspector) };
+  }
+
+  #keptFor(player: Player): Kept {
+    const kept = this.#kept;
+    if (kept?.player === player && kept.link === player.link) return kept;
+    // Questions that still wait for the old one get no answer; its inspector is freed, if one could be made.
+    kept?.made.then(
+      (inspected) => inspected?.inspector.free(),
+      () => {},
+    );
+    const made = this.#make(player, player.link);
+    const next = { player, link: player.link, made };
+    this.#kept = next;
+    const forget = (): void => {
+      if (this.#kept === next) this.#kept = undefined;
+    };
+    made.then((inspected) => inspected ?? forget(), forget);
+    return next;
+  }
+
+  async #make(player: Player, link: string): Promise<Inspected | undefined> {
+    const river = (): FullRiver | undefined =>
+      player.link === link && player.state === "finished" ? player.river : undefined;
+    // A map without names can be asked about, too.
+    const charts = await this.loadCharts().catch(() => undefined);
+    while (riseFor(river(), SLICE_MS)) await new Promise((done) => setTimeout(done));
+    // The inspector last: nothing that fails leaves it behind.
+    const [size, names] = [sizeOf(river()), namesOf(river(), charts)];
+    const inspector = river()?.inspector();
+    return inspector && { inspector, size, names };
+  }
+}
+
+/** What the engine calls lines on rivers that are no order. */
+const LINES = { held: 0, curvature: 255 } as const;
+
+/** What of a finished map each overlay shows, kind by kind. */
+const overlays: Record<Exclude<OverlayName, LiveOverlayName>, (inspector: Inspector) => string[][]> = {
+  orders,
+  basins,
+  flow: orders,
+  held: (inspector) => [[inspector.lines(LINES.held)]],
+  curvature: (inspector) => [[inspector.lines(LINES.curvature)]],
+};
+
+/** What the engine calls shapes that any map has. */
+const SHAPES = { attractors: 0, left: 1, tips: 2, land: 3, ridges: 4, captures: 5, formerWays: 6 } as const;
+
+/** What of any map the others do. */
+const liveOverlays: Record<LiveOverlayName, (river: FullRiver) => string[][]> = {
+  attractors,
+  sources: (river) => [[river.shapes(SHAPES.tips)]],
+  reach: attractors,
+  masks: (river) => [[river.shapes(SHAPES.land)], [river.shapes(SHAPES.ridges)]],
+  captures: (river) => [[river.shapes(SHAPES.formerWays)], [river.shapes(SHAPES.captures)]],
+};
+
+function isLive(name: OverlayName): name is LiveOverlayName {
+  return name in liveOverlays;
+}
+
+function live(river: FullRiver, link: string, name: LiveOverlayName): Overlay {
+  const laid = { link, size: sizeOf(river), kinds: liveOverlays[name](river) };
+  if (name !== "attractors" && name !== "reach") return laid;
+  const { attractors: all, unreached: left } = river.summary();
+  const [, , reach = 0, kill = 0] = river.lengths();
+  return { ...laid, counts: { all, left }, reaches: [reach, kill] };
+}
+
+/** All of them, and those that are left over these. */
+function attractors(river: FullRiver): string[][] {
+  return [[river.shapes(SHAPES.attractors)], [river.shapes(SHAPES.left)]];
+}
+
+function sizeOf(river: FullRiver | undefined): [width: number, height: number] {
+  const [width = 1, height = 1] = river?.lengths() ?? [];
+  return [width, height];
+}
+
+/** The streams of an order, a path each. */
+function streams(inspector: Inspector, order: number): string[] {
+  return inspector
+    .lines(order)
+    .split(/(?=M)/)
+    .filter((stream) => stream !== "");
+}
+
+/** The streams of all orders. */
+function orders(inspector: Inspector): string[][] {
+  const all: string[][] = [];
+  for (let order = 1; ; order++) {
+    const ofOrder = streams(inspector, order);
+    if (ofOrder.length === 0) return all;
+    all.push(ofOrder);
+  }
+}
+
+/** The land of the rivers that reach the sea, each in one of some kinds. */
+function basins(inspector: Inspector): string[][] {
+  const kinds: string[][] = Array.from({ length: BASIN_KINDS }, () => []);
+  for (const [i, mark] of inspector.mouths().entries()) kinds[i % BASIN_KINDS]?.push(inspector.of(mark)?.basin ?? "");
+  return kinds;
+}
+
+/** Makes some of a relief, by which basins are known. Returns whether there is more to do. */
+function riseFor(river: FullRiver | undefined, milliseconds: number): boolean {
+  const end = performance.now() + milliseconds;
+  let isLeft = river?.raiseRelief() ?? false;
+  while (isLeft && performance.now() < end) isLeft = river?.raiseRelief() ?? false;
+  return isLeft;
+}
+
+function namesOf(river: FullRiver | undefined, charts: Charts | undefined): Map<string, string> {
+  if (!river || !charts) return new Map();
+  const texts = askChart(river, charts, (chart) => chart.greatest(ALL_RIVERS));
+  return new Map(texts.flatMap((mark, i) => (i % 3 === 0 ? [[mark, texts[i + 1] ?? ""] as const] : [])));
+}

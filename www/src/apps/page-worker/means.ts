@@ -1,0 +1,105 @@
+/** What the page's renderer makes rivers with, and how it answers questions about them. */
+
+import type { FullCore, FullRiver, Measure } from "../../engine/full.ts";
+import { fileOf } from "../../files/formats.ts";
+import type { Means } from "../../host/renderer.ts";
+import { askChart } from "../../player/chart-maker.ts";
+import type { RiverPlayer } from "../../player/river-player.ts";
+import { SharedClock } from "../../player/shared-clock.ts";
+import { type Thumbnail, thumbnails } from "../../player/thumbnails.ts";
+import { Inspections } from "./inspections.ts";
+import type { Answer, Names, Question, QuestionAbout } from "./protocol.ts";
+import { Timelines } from "./timelines.ts";
+
+type Player = RiverPlayer<FullRiver>;
+
+/** A step that takes long is announced. */
+export function meansOf(core: FullCore, holdOn: () => void = () => {}): Means<FullRiver, Question, Answer> {
+  const maker = { ...core, loadCharts };
+  const inspections = new Inspections(loadCharts);
+  const timelines = new Timelines();
+  return {
+    maker,
+    // There is one river only.
+    shareMs: Number.POSITIVE_INFINITY,
+    clock: new SharedClock(),
+    async answer(question, playerOf) {
+      switch (question.about) {
+        case "file": {
+          const { of, link, format } = question;
+          return fileOf(copyFor(link, playerIn(of, playerOf), core), { ...maker, holdOn }, format);
+        }
+        case "names":
+          return namesOn(playerIn(question.of, playerOf), question.count);
+        case "renamed": {
+          const { names, mark, name } = question;
+          const { Chart } = await loadCharts();
+          return Chart.renamed(names, mark, name);
+        }
+        case "thumbnails":
+          return thumbnailsOf(playerIn(question.of, playerOf), core, question);
+        case "measures":
+          return measuresOf(playerIn(question.of, playerOf));
+        case "river":
+          return inspections.river(playerIn(question.of, playerOf), question.place);
+        case "overlay":
+          return inspections.overlay(playerIn(question.of, playerOf), question.name);
+        case "making":
+          return timelines.making(playerIn(question.of, playerOf), question.to);
+        case "now":
+          return;
+      }
+    },
+  };
+}
+
+function playerIn(of: number | undefined, playerOf: (id: number) => Player | undefined): Player | undefined {
+  return of === undefined ? undefined : playerOf(of);
+}
+
+/** Most maps have no names. */
+async function loadCharts() {
+  const charts = await import("../../engine/charts.ts");
+  return charts.loadCharts();
+}
+
+/** A river of a link, for a file: as far as the one on show has come, and with a future of its own. */
+function copyFor(link: string, player: Player | undefined, { engine }: FullCore): FullRiver {
+  const river = player?.river?.copy();
+  if (!river) return new engine.River(link);
+  try {
+    river.change(link);
+    return river;
+  } catch (error) {
+    river.free();
+    throw error;
+  }
+}
+
+async function namesOn(player: Player | undefined, count: number): Promise<Names | undefined> {
+  const charts = await loadCharts();
+  // By now there may be another river, or none.
+  const river = player?.river;
+  if (!player || !river || player.state !== "finished") return;
+  return { link: player.link, texts: askChart(river, charts, (chart) => chart.greatest(count)) };
+}
+
+function measuresOf(player: Player | undefined): readonly Measure[] | undefined {
+  return player?.state === "finished" ? player.river?.measures() : undefined;
+}
+
+/** While they are made, the river on show comes first. */
+async function thumbnailsOf(
+  player: Player | undefined,
+  { memory }: FullCore,
+  { styles, size }: QuestionAbout<"thumbnails">,
+): Promise<Thumbnail[] | undefined> {
+  const river = player?.river;
+  if (!player || !river || player.state !== "finished") return;
+  const { link } = player;
+  const stays = (): boolean => player.link === link && player.state === "finished";
+  const pause = (): Promise<boolean> => new Promise((done) => setTimeout(() => done(stays())));
+  const made: Thumbnail[] = [];
+  for await (const thumbnail of thumbnails(river.copy(), memory, styles, size, pause)) made.push(thumbnail);
+  return stays() ? made : undefined;
+}

@@ -1,0 +1,13 @@
+/** The page's renderer on the page itself, in slices, where workers are refused. */
+
+import type { FullCore } from "../../engine/full.ts";
+import type { Backend, Report } from "../../host/protocol.ts";
+import { Renderer } from "../../host/renderer.ts";
+import { meansOf } from "./means.ts";
+import type { Answer, Question } from "./protocol.ts";
+
+export function open(core: FullCore, tell: (report: Report<Answer>) => void): Backend<Question> {
+  const renderer = new Renderer(meansOf(core), tell);
+  // The engine is the page's own: it stays.
+  return { isReplaceable: false, take: (command) => renderer.take(command), close: () => {} };
+}

@@ -1,0 +1,70 @@
+/** Back and forth through the making of a map, where it is made. */
+
+import type { FullRiver, Timeline } from "../../engine/full.ts";
+import type { RiverPlayer } from "../../player/river-player.ts";
+import type { Making, Moment } from "./protocol.ts";
+
+type Player = RiverPlayer<FullRiver>;
+
+const PARTS = ["growth", "bends", "map"] as const;
+/** What steps may take before others are heard again. */
+const SLICE_MS = 8;
+
+interface Kept {
+  player: Player;
+  link: string;
+  timeline: Timeline;
+}
+
+export class Timelines {
+  #kept: Kept | undefined;
+  /** How many times somebody wanted to go elsewhere. */
+  #wishes = 0;
+
+  async making(player: Player | undefined, to: Moment | undefined): Promise<Making | undefined> {
+    if (!player?.river) return;
+    const kept = this.#keptFor(player);
+    if (kept && to) await this.#go(kept, to);
+    const { river, link } = player;
+    if (!river) return;
+    const [part = 0, step = 0] = river.moment();
+    const [ticks = 0, rounds = 0] = kept?.timeline.lengths() ?? [];
+    const at = { part: PARTS[part] ?? "map", step };
+    return { link, at, progress: river.progress, lengths: kept ? { ticks, rounds } : undefined };
+  }
+
+  /** What is kept of a map, from when it was finished first until there is another. */
+  #keptFor(player: Player): Kept | undefined {
+    const kept = this.#kept;
+    if (kept?.player === player && kept.link === player.link) return kept;
+    kept?.timeline.free();
+    this.#kept = undefined;
+    const timeline = player.state === "finished" ? player.river?.timeline() : undefined;
+    if (timeline) this.#kept = { player, link: player.link, timeline };
+    return this.#kept;
+  }
+
+  /** Shows what there is on the way, as often as there is time to. */
+  async #go(kept: Kept, { part, step }: Moment): Promise<void> {
+    const wish = ++this.#wishes;
+    const { player, link, timeline } = kept;
+    const river = (): FullRiver | undefined =>
+      wish === this.#wishes && this.#kept === kept && player.link === link ? player.river : undefined;
+    const number = PARTS.indexOf(part);
+    player.hold();
+    while (advance(river(), SLICE_MS, (river) => river.seek(timeline, number, step)))
+      await new Promise((done) => setTimeout(done));
+    if (!river()) return;
+    if (part === "map") player.finish();
+    else player.hold();
+  }
+}
+
+/** Makes steps for some time. Returns whether there is more to do. */
+function advance(river: FullRiver | undefined, milliseconds: number, step: (river: FullRiver) => boolean): boolean {
+  if (!river) return false;
+  const end = performance.now() + milliseconds;
+  let isLeft = step(river);
+  while (isLeft && performance.now() < end) isLeft = step(river);
+  return isLeft;
+}

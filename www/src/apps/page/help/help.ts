@@ -1,0 +1,61 @@
+/** The sheet of keys: what the page is, and what each key does. The same list answers the keys that stand for a button. */
+
+import { el } from "../../../browser/dom.ts";
+import { isCombined, isTaken } from "../../../browser/keys.ts";
+
+export interface HelpElements {
+  dialog: HTMLDialogElement;
+  open: HTMLButtonElement;
+  close: HTMLButtonElement;
+  list: HTMLElement;
+}
+
+/** A key for what a button does. */
+export interface Shortcut {
+  key: string;
+  says: string;
+  button: HTMLButtonElement;
+}
+
+/** Keys that other parts of the page answer. */
+const OTHERS: readonly (readonly [keys: string, says: string])[] = [
+  ["Space", "play or pause, when no control has the focus"],
+  ["+ − 0", "zoom in, out, all of the map, which arrow keys move when it has the focus"],
+  [
+    "A T K M X",
+    "look inside a map, while it grows, too: attractors, tips, reach and kill, masks, captured streams; again: away",
+  ],
+  ["O B D C F", "inside a finished map: orders, basins, flow, curvature, frozen courses"],
+  [", .", "a step back in the making of a finished map, a step on"],
+  ["N", "on the map: the next of its greatest rivers, its way to the sea and its basin; with Shift, the one before"],
+  ["W", "the map alone, over the whole screen, as two taps of a finger on it do; again, or Esc: back"],
+  ["Ctrl Z", "undo; with Shift, redo; while drawing, take the last line back"],
+  ["← →", "on a slider: one step; Page Up and Page Down: a large one; so does the wheel"],
+  ["Enter", "in the seed box: grow at once"],
+  ["Esc", "close what is open, one thing at a time; while drawing: done"],
+];
+
+export class HelpSheet {
+  constructor(
+    private readonly elements: HelpElements,
+    private readonly shortcuts: readonly Shortcut[],
+  ) {
+    const { dialog, open, close, list } = elements;
+    open.addEventListener("click", () => dialog.showModal());
+    close.addEventListener("click", () => dialog.close());
+    const rows = [...shortcuts.map(({ key, says }) => [key, says] as const), ...OTHERS, ["?", "this sheet"] as const];
+    list.replaceChildren(...rows.map(([keys, says]) => rowOf(keys, says)));
+    document.addEventListener("keydown", (event) => this.#onKey(event));
+  }
+
+  #onKey(event: KeyboardEvent): void {
+    if (isTaken(event) || isCombined(event) || event.repeat) return;
+    if (event.key === "?") this.elements.dialog.showModal();
+    else this.shortcuts.find(({ key }) => key === event.key.toLowerCase())?.button.click();
+  }
+}
+
+function rowOf(keys: string, says: string): HTMLElement {
+  const caps = keys.split(" ").flatMap((key) => [el("kbd", {}, key.length === 1 ? key.toUpperCase() : key), " "]);
+  return el("div", {}, el("dt", {}, ...caps), el("dd", {}, says));
+}

@@ -1,0 +1,192 @@
+/**
+ * Looking inside: what a map is made of, laid over it by a button or a key, with a sentence on what one sees. Some of it is there while the map
+ * grows, and at any moment of its making.
+ */
+
+import { el, mapLayer, setText, svg } from "../../../browser/dom.ts";
+import { isCombined, isTaken } from "../../../browser/keys.ts";
+import type { Overlay, OverlayName } from "../../page-worker/protocol.ts";
+import type { Point } from "../map/camera.ts";
+import { LOOKS, type Look, MOST_KINDS } from "./looks.ts";
+import { ReachCircles } from "./reach-circles.ts";
+
+export interface InsideElements {
+  /** Lies where the map does. */
+  mapPlace: HTMLElement;
+  /** The picture's place. */
+  frame: HTMLElement;
+  /** The place of its buttons in the panel. */
+  inside: HTMLElement;
+}
+
+export interface InsideEvents {
+  /** What there is to be laid over the map; none while there is nothing of the kind. */
+  overlay(name: OverlayName): Promise<Overlay | undefined>;
+  /** The middle of the part of the map that is seen, on the page. */
+  middle(): Point;
+}
+
+export class LookInside {
+  readonly #svg = mapLayer("inside");
+  readonly #name = el("p", { class: "inside-name" });
+  readonly #sentence = el("p");
+  readonly #legend = el("div");
+  /** Numbers that change all the time are not read aloud. */
+  readonly #card = el(
+    "div",
+    { class: "inside-card", hidden: true },
+    el("div", { role: "status" }, this.#name, this.#sentence),
+    this.#legend,
+  );
+  readonly #buttons = new Map<OverlayName, HTMLButtonElement>();
+  readonly #circles: ReachCircles;
+  #growth = "";
+  #isFinished = false;
+  #look: Look | undefined;
+  #shown: Look | undefined;
+  /** Whether there is an answer to come, and whether to ask again after it. */
+  #isAsking = false;
+  #isStale = false;
+
+  constructor(
+    elements: InsideElements,
+    private readonly events: InsideEvents,
+  ) {
+    this.#circles = new ReachCircles(elements, () => events.middle());
+    elements.mapPlace.prepend(this.#svg);
+    elements.frame.after(this.#card);
+    elements.inside.replaceChildren(this.#group());
+    document.addEventListener("keydown", (event) => this.#onKey(event));
+  }
+
+  /** The map has come to something else. What is not there while it grows comes back with its end. */
+  follow(state: string, growth: string): void {
+    this.#isFinished = state === "finished";
+    this.#growth = growth;
+    for (const { name, of } of LOOKS) {
+      const button = this.#buttons.get(name);
+      if (!button) continue;
+      button.disabled = of?.includes(growth) === false;
+      button.title = button.disabled ? "Rivers that grow as these do have none." : "";
+    }
+    this.refresh();
+  }
+
+  /** The map may stand at another moment. */
+  refresh(): void {
+    void this.#lay();
+  }
+
+  #group(): HTMLElement {
+    const buttons = LOOKS.map((look) => {
+      const button = el(
+        "button",
+        { type: "button", "aria-pressed": "false", "aria-keyshortcuts": look.key },
+        look.label,
+        " ",
+        el("kbd", { "aria-hidden": "true" }, look.key),
+      );
+      button.addEventListener("click", () => this.#toggle(look));
+      this.#buttons.set(look.name, button);
+      return button;
+    });
+    const list = el("div", { class: "inside-buttons" }, ...buttons);
+    return el("section", { class: "inside-group", "aria-label": "Look inside" }, el("h3", {}, "Look inside"), list);
+  }
+
+  #onKey(event: KeyboardEvent): void {
+    if (isTaken(event) || isCombined(event) || event.shiftKey || event.repeat) return;
+    const look = LOOKS.find(({ key }) => key === event.key.toUpperCase());
+    if (!look || this.#buttons.get(look.name)?.disabled) return;
+    event.preventDefault();
+    this.#toggle(look);
+  }
+
+  /** Takes away what is laid over the map. */
+  escape(): boolean {
+    if (!this.#look) return false;
+    this.#toggle(this.#look);
+    return true;
+  }
+
+  #toggle(look: Look): void {
+    this.#look = this.#look === look ? undefined : look;
+    for (const [name, button] of this.#buttons) button.setAttribute("aria-pressed", String(name === this.#look?.name));
+    void this.#lay();
+  }
+
+  /** What is to be seen as the map is now, if anything is. */
+  get #meant(): Look | undefined {
+    const look = this.#look;
+    return look && (look.isLive || this.#isFinished) && !this.#buttons.get(look.name)?.disabled ? look : undefined;
+  }
+
+  /** One question at a time, so that while a map grows there are answers, and the last of them counts. */
+  async #lay(): Promise<void> {
+    this.#isStale = this.#isAsking;
+    if (this.#isAsking) return;
+    const look = this.#meant;
+    if (look !== this.#shown) this.#clear();
+    if (!look) return;
+    this.#isAsking = true;
+    const overlay = await this.events.overlay(look.name).catch(() => undefined);
+    this.#isAsking = false;
+    const isMeant = look === this.#meant;
+    if (overlay && isMeant) this.#show(look, overlay);
+    else this.#clear();
+    if (this.#isStale || !isMeant) await this.#lay();
+  }
+
+  #show(look: Look, overlay: Overlay): void {
+    this.#shown = look;
+    this.#draw(look, overlay);
+    this.#describe(look, overlay);
+  }
+
+  #clear(): void {
+    this.#shown = undefined;
+    this.#circles.hide();
+    this.#svg.replaceChildren();
+    this.#svg.setAttribute("hidden", "");
+    this.#card.hidden = true;
+  }
+
+  #draw({ name }: Look, overlay: Overlay): void {
+    const { size, kinds } = overlay;
+    const [width, height] = size;
+    this.#svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
+    this.#svg.removeAttribute("hidden");
+    this.#svg.dataset["look"] = name;
+    const groups = kinds.map((paths, i) => {
+      // Arrows belong to each stream; all else of a kind is one path, which is drawn much faster.
+      const data = name === "flow" || name === "basins" ? paths : [paths.join("")];
+      const lines = data.filter((d) => d !== "").map((d) => svg("path", { d: withFrame(name, i, d, size) }));
+      return svg("g", { "data-kind": Math.min(i + 1, MOST_KINDS) }, ...lines);
+    });
+    const besides = name === "flow" ? [arrow()] : name === "reach" ? [this.#circles.element] : [];
+    this.#svg.replaceChildren(...besides, ...groups);
+    if (name === "reach") this.#circles.show(overlay);
+  }
+
+  #describe(look: Look, overlay: Overlay): void {
+    const isEmpty = overlay.kinds.every((paths) => paths.every((path) => path === ""));
+    setText(this.#name, look.label);
+    setText(this.#sentence, isEmpty ? "There are none on this map." : look.sentence(this.#growth));
+    this.#legend.replaceChildren(...(look.legend?.(overlay, this.#growth) ?? []));
+    this.#card.hidden = false;
+  }
+}
+
+/** Water is all that is not land, the sea beyond the map too, as far as it is seen. */
+function withFrame(name: OverlayName, kind: number, path: string, [width, height]: Overlay["size"]): string {
+  return name === "masks" && kind === 0
+    ? `M${-9 * width} ${-9 * height}H${10 * width}V${10 * height}H${-9 * width}z${path}`
+    : path;
+}
+
+/** The head of an arrow, in units: so it grows with the map. */
+function arrow(): SVGElement {
+  const place = { viewBox: "0 0 10 10", refX: 9, refY: 5, orient: "auto" };
+  const size = { markerUnits: "userSpaceOnUse", markerWidth: 15, markerHeight: 15 };
+  return svg("marker", { id: "flow-arrow", ...place, ...size }, svg("path", { d: "M0 0L10 5L0 10L3 5z" }));
+}

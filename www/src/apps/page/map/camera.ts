@@ -1,0 +1,109 @@
+/** The camera: which part of the map the picture shows, and where on the page the map lies. Lengths on the page are CSS pixels. */
+
+import type { Box, Framing, Size } from "../../../browser/canvas.ts";
+
+/** What of the picture's place other things cover, from each side. */
+export interface Insets {
+  left: number;
+  top: number;
+  right: number;
+  bottom: number;
+}
+
+/** A picture's place: how large it is, how much of it is covered, and the map's width over its height. */
+export interface Stage extends Size {
+  insets: Insets;
+  aspect: number;
+}
+
+export interface Point {
+  x: number;
+  y: number;
+}
+
+/** At 1 all of the map is seen; at the most a stream is as wide as a hand. */
+const MOST_ZOOM = 16;
+/** However much is covered, the map is no smaller than this share of its place. */
+const LEAST_SHARE = 1 / 18;
+
+export class Camera {
+  #zoom = 1;
+  /** The point of the map in the middle of what is free, in shares of its sides. */
+  #at: Point = { x: 0.5, y: 0.5 };
+
+  /** Whether all of the map is seen. */
+  get showsAll(): boolean {
+    return this.#zoom === 1;
+  }
+
+  get isClosest(): boolean {
+    return this.#zoom === MOST_ZOOM;
+  }
+
+  /** All of the map. */
+  reset(): void {
+    this.#zoom = 1;
+    this.#at = { x: 0.5, y: 0.5 };
+  }
+
+  /** Where the map lies on the page. */
+  boxOn(stage: Stage): Box {
+    const width = widthOf(stage) * this.#zoom;
+    const height = width / stage.aspect;
+    const { x, y } = middleOf(stage);
+    return { x: x - this.#at.x * width, y: y - this.#at.y * height, width, height };
+  }
+
+  /** What the picture shows. */
+  framingOn(stage: Stage): Framing {
+    const { x, y, width } = this.boxOn(stage);
+    const { left, top, right, bottom } = stage.insets;
+    const covered = [left, top, right, bottom].map((inset) => Math.min(inset, stage.width) / width);
+    return [-x / width, -y / width, stage.width / width, ...covered];
+  }
+
+  /** Closer or farther, about a point of the page that stays where it is. */
+  zoomBy(factor: number, about: Point | undefined, stage: Stage): void {
+    const { x, y } = about ?? middleOf(stage);
+    const before = this.boxOn(stage);
+    const zoom = Math.min(MOST_ZOOM, Math.max(1, this.#zoom * factor));
+    const grown = zoom / this.#zoom;
+    this.#zoom = zoom;
+    this.#put({ x: x + (before.x - x) * grown, y: y + (before.y - y) * grown }, stage);
+  }
+
+  /** Moves the map over the page. */
+  moveBy(dx: number, dy: number, stage: Stage): void {
+    const { x, y } = this.boxOn(stage);
+    this.#put({ x: x + dx, y: y + dy }, stage);
+  }
+
+  /** Puts the map's corner at a point of the page, as far as some of the map stays in the middle; all of it has but one place. */
+  #put(corner: Point, stage: Stage): void {
+    if (this.showsAll) {
+      this.reset();
+      return;
+    }
+    const { width, height } = this.boxOn(stage);
+    const middle = middleOf(stage);
+    const share = (length: number): number => Math.min(1, Math.max(0, length));
+    this.#at = { x: share((middle.x - corner.x) / width), y: share((middle.y - corner.y) / height) };
+  }
+}
+
+/** How wide the map is when all of it is seen. */
+function widthOf({ width, height, insets, aspect }: Stage): number {
+  const free = { across: width - insets.left - insets.right, down: height - insets.top - insets.bottom };
+  return Math.max(Math.min(free.across, free.down * aspect), width * LEAST_SHARE);
+}
+
+function middleOf({ width, height, insets }: Stage): Point {
+  return { x: (width + insets.left - insets.right) / 2, y: (height + insets.top - insets.bottom) / 2 };
+}
+
+/** How a picture with one framing is to be moved and scaled to stand for another, on a place of this width. */
+export function transformBetween(shown: Framing, wanted: Framing, width: number): string {
+  const scale = shown[2] / wanted[2];
+  const [x, y] = [0, 1].map((axis) => (((shown[axis] ?? 0) - (wanted[axis] ?? 0)) / wanted[2]) * width);
+  return scale === 1 && x === 0 && y === 0 ? "" : `translate(${x}px, ${y}px) scale(${scale})`;
+}

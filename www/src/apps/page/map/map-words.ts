@@ -1,0 +1,52 @@
+/** The map on show in words: the caption below it, the picture's text alternative, and the announcement of its end. */
+
+import { count } from "../../../browser/count.ts";
+import { setText } from "../../../browser/dom.ts";
+import type { Phase, Summary } from "../../../engine/types.ts";
+import type { State } from "../../../player/frame-loop.ts";
+import { alternative, caption, sentence } from "../../../player/summary-text.ts";
+import { isRiver } from "../look-inside/river-pointer.ts";
+import type { Named } from "../panel/name-list.ts";
+import { Announcer } from "../status.ts";
+
+export interface MapWordsElements {
+  caption: HTMLElement;
+  canvas: HTMLElement;
+  announcement: HTMLElement;
+}
+
+/** How many of the greatest rivers the text alternative names. */
+const TOLD_RIVERS = 3;
+
+export class MapWords {
+  readonly #announcer: Announcer;
+  /** What the caption says of the greatest river, once its name is known. */
+  #greatest = "";
+
+  /** The canvas may be replaced by another. */
+  constructor(private readonly elements: MapWordsElements) {
+    this.#announcer = new Announcer(elements.announcement);
+  }
+
+  /** The map has come to something else, or is another one. */
+  follow(seed: string, state: State, phase: Phase, summary: Summary): void {
+    if (state !== "finished") this.#greatest = "";
+    caption(state, phase, summary).forEach((line, i) => {
+      setText(this.elements.caption.children[i], line === "" ? this.#greatest : line);
+    });
+    this.elements.canvas.setAttribute("aria-label", alternative(seed, phase, summary, count));
+    if (state === "finished") this.#announcer.say(`Finished: ${sentence(summary)}`);
+    else this.#announcer.hush();
+  }
+
+  /** The names on the finished map are known: whoever does not see the labels is told the greatest rivers. */
+  tell(names: readonly Named[], seed: string, phase: Phase, summary: Summary): void {
+    const rivers = names.filter(({ mark, name }) => isRiver(mark) && name !== "").slice(0, TOLD_RIVERS);
+    if (rivers.length === 0) return;
+    this.#greatest = `Greatest: ${rivers[0]?.name}`;
+    if (!summary.stopped) setText(this.elements.caption.children[1], this.#greatest);
+    const greatest = rivers.map(({ name }) => name).join(", ");
+    const told = `${alternative(seed, phase, summary, count)} Its greatest rivers: ${greatest}.`;
+    this.elements.canvas.setAttribute("aria-label", told);
+  }
+}

@@ -1,0 +1,396 @@
+/** The page: puts the parts together. The recipe says what is shown; everything else follows it. */
+
+import "../../style/page.css";
+import { AddressBar, addressOf, linkOf } from "../../browser/address.ts";
+import { el } from "../../browser/dom.ts";
+import { answerEscape } from "../../browser/keys.ts";
+import { turn } from "../../browser/turn.ts";
+import { Disclosures } from "../../controls/disclosure.ts";
+import { isRecoverable, named, type PageError } from "../../engine/errors.ts";
+import type { FullCore, Preset } from "../../engine/full.ts";
+import { Recipe } from "../../engine/recipe.ts";
+import type { Phase, Summary } from "../../engine/types.ts";
+import type { State } from "../../player/frame-loop.ts";
+import type { ShowMode } from "../../player/river-player.ts";
+import { remainderOf } from "../../player/summary-text.ts";
+import { type Engines, openEngines, type PageRenderHost } from "./backend.ts";
+import { elements } from "./elements.ts";
+import { HelpSheet } from "./help/help.ts";
+import { shortcuts } from "./help/shortcuts.ts";
+import { OwnLand } from "./land/own-land.ts";
+import { LookInside } from "./look-inside/look-inside.ts";
+import { RiverPointer } from "./look-inside/river-pointer.ts";
+import type { Insets, Point } from "./map/camera.ts";
+import { covered } from "./map/covered.ts";
+import { MapAlone } from "./map/map-alone.ts";
+import { MapWords } from "./map/map-words.ts";
+import { RiverViewport } from "./map/viewport.ts";
+import { keepForOffline } from "./offline.ts";
+import { Choices } from "./panel/choices.ts";
+import { MapNames } from "./panel/map-names.ts";
+import { MeasuresView } from "./panel/measures.ts";
+import { Panel } from "./panel/panel.ts";
+import { PresetNote } from "./panel/preset-note.ts";
+import { firstLink, howFor, prefersDark } from "./preferences.ts";
+import { Downloads } from "./save/downloads.ts";
+import { SaveDialog } from "./save/save-dialog.ts";
+import { copy } from "./share/share.ts";
+import { ShareDialog } from "./share/share-dialog.ts";
+import { SixWays } from "./six/six-ways.ts";
+import { showFailure, showNotices } from "./status.ts";
+import { Track } from "./timeline/track.ts";
+import { Transport } from "./timeline/transport.ts";
+import { Undo } from "./undo.ts";
+
+class Page {
+  readonly #recipe: Recipe;
+  readonly #choices: Choices;
+  readonly #viewport: RiverViewport;
+  readonly #transport: Transport;
+  readonly #ownLand: OwnLand;
+  readonly #undo = new Undo(
+    elements.undo,
+    () => this.#address.flush(),
+    () => this.#ownLand.isOpen,
+  );
+  readonly #address = new AddressBar((link, isStep) => this.#undo.write(this.#six.inAddress(link), isStep));
+  readonly #names: MapNames;
+  readonly #measures: MeasuresView;
+  readonly #words = new MapWords(elements);
+  readonly #riverPointer = new RiverPointer(
+    { ...elements, stage: elements.drawing.stage },
+    {
+      river: (place) => this.#viewport.river(place),
+      greatest: () => this.#names.greatest(),
+      covered,
+    },
+  );
+  readonly #inside = new LookInside(elements, {
+    overlay: (name) => this.#viewport.overlay(name),
+    middle: () => middleOf(covered()),
+  });
+  readonly #track = new Track(elements.bar, {
+    making: async (to) => {
+      const making = await this.#viewport.making(to);
+      if (to) this.#inside.refresh();
+      return making;
+    },
+  });
+  readonly #six: SixWays;
+  readonly #presetNote: PresetNote;
+
+  constructor(
+    private readonly core: FullCore,
+    recipe: Recipe,
+    viewport: RiverViewport,
+    renderHost: PageRenderHost,
+  ) {
+    const { engine } = core;
+    this.#recipe = recipe;
+    this.#viewport = viewport;
+    this.#names = new MapNames(viewport, recipe, {
+      changed: (names) => this.#set([["names", names]], "settle"),
+      refused: (message) => this.#note(message),
+    });
+    this.#presetNote = new PresetNote(engine.parameters(), (link) => this.#undoPresets(link));
+    const disclosures = new Disclosures(() => localStorage);
+    this.#choices = new Choices(engine, disclosures, this.#names.list, {
+      set: (values, how, isGradual) => this.#set(values, how, isGradual),
+      press: (preset) => this.#press(preset),
+      draw: () => this.#ownLand.ask(),
+      failed: (error) => this.#failBeside(error),
+    });
+    this.#transport = this.#makeTransport();
+    this.#ownLand = new OwnLand(engine, {
+      values: () => this.#recipe.values,
+      changed: (values) => this.#set(values, "settle"),
+      refused: (message) => this.#note(message),
+      failed: (error) => this.#failBeside(error),
+    });
+    const paper = disclosures.details(
+      "For the curious",
+      false,
+      { class: "group" },
+      forTheCurious(),
+      this.#choices.presets,
+    );
+    this.#measures = new MeasuresView(disclosures, {
+      measures: () => this.#viewport.measures(),
+      copy: (text) => this.#copy(text, "Measures copied.", text),
+    });
+    elements.presets.replaceChildren(paper, this.#measures.element);
+    this.#six = new SixWays(renderHost, engine.presets(), {
+      shared: () => ({ values: this.#recipe.values, kept: this.#choices.kept }),
+      changed: (isOpen) => this.#cover(isOpen),
+      take: (preset, all) => this.#press(preset, all),
+      copy: () => this.#copiedAddress(),
+      failed: (error) => this.#failBeside(error),
+    });
+    this.#choices.presets.append(this.#six.button);
+    new HelpSheet(elements.help, shortcuts());
+    const alone = new MapAlone(elements.mapAlone, () => this.#viewport.refit());
+    const panel = new Panel(elements.panel, disclosures, () => this.#viewport.refit());
+    answerEscape([this.#riverPointer, this.#ownLand, panel, this.#inside, alone]);
+    this.#listen();
+  }
+
+  /** Goes with the first river. */
+  start(): void {
+    this.#transport.enable();
+    const { dice, land, download, copy, reset, sharing, drawing, panel, zoom } = elements;
+    for (const button of [dice, land, download, sharing.open, copy, reset, drawing.draw, panel.open, zoom.closer])
+      button.disabled = false;
+    // First, so that the address goes on saying so.
+    if (this.#six.areAskedFor) this.#six.open();
+    this.#showRecipe();
+    this.#viewport.listen({
+      changed: (state, phase, summary) => this.#follow(state, phase, summary),
+      failed: (error) => this.#fail(error),
+    });
+  }
+
+  #makeTransport(): Transport {
+    return new Transport(elements.transport, {
+      toggle: () => this.#viewport.toggle(),
+      speed: (speed) => {
+        this.#viewport.speed = speed;
+      },
+    });
+  }
+
+  #listen(): void {
+    elements.reset.addEventListener("click", () => this.#open(`seed=${encodeURIComponent(this.#recipe.seed)}`));
+    const downloads = new Downloads(this.#recipe, {
+      make: (link, format) => this.#viewport.file(link, format),
+      failed: (error) => this.#failBeside(error),
+    });
+    new SaveDialog(elements.saving, this.#recipe, downloads, () => localStorage);
+    new ShareDialog(elements.sharing, this.#recipe, downloads);
+    elements.copy.addEventListener("click", () => void this.#copyLink());
+    // What stands over the bar begins where it ends.
+    new ResizeObserver(() => {
+      document.documentElement.style.setProperty("--bar-height", `${elements.bar.offsetHeight}px`);
+      this.#viewport.refit();
+    }).observe(elements.bar);
+    // Not hashchange as well: it follows the popstate of another fragment, whose link would be opened twice.
+    window.addEventListener("popstate", () => this.#followAddress());
+    prefersDark.addEventListener("change", () => this.#followScheme());
+    window.addEventListener("pagehide", () => this.#address.flush());
+  }
+
+  #press(preset: Preset, all: readonly Preset[] = this.core.engine.presets()): void {
+    const values = this.#choices.unkept(preset);
+    this.#presetNote.press({ ...preset, values }, all, this.#recipe, () => this.#set(values, "watch"));
+    this.#showNotices();
+  }
+
+  /** The map rests while six others lie over it, and the address says which are seen. */
+  #cover(isCovered: boolean): void {
+    this.#viewport.isCovered = isCovered;
+    this.#address.show(this.#recipe.link);
+  }
+
+  /** Back to the recipe from before the presets. */
+  #undoPresets(link: string): void {
+    this.#open(link);
+    this.#choices.focusPreset();
+  }
+
+  /** Changes some values of what is shown: a step that can be undone, or a part of one if they change little by little. */
+  #set(values: Iterable<readonly [key: string, value: string]>, how: ShowMode, isGradual = how === "settle"): void {
+    this.#attempt(() => {
+      const changes = [...values];
+      this.#presetNote.forget();
+      this.#recipe.set(changes);
+      this.#show(how, this.#undo.isStep(isGradual ? changes.map(([key]) => key).join() : undefined));
+    });
+  }
+
+  /** Shows another link in place of everything; as a step that can be undone, unless it is where one led. */
+  #open(link: string, isStep = true): void {
+    this.#attempt(() => {
+      this.#presetNote.forget();
+      this.#recipe.open(link);
+      this.#choices.replaceSeed(this.#recipe.seed);
+      this.#show("watch", isStep && this.#undo.isStep());
+    });
+  }
+
+  /** Runs what asks the engine for something in answer to a person, and shows its failure. */
+  #attempt(work: () => void): void {
+    try {
+      work();
+    } catch (error) {
+      this.#fail(error);
+    }
+  }
+
+  /** The address changed under the page: somebody pasted a link over it, or went back to one. */
+  #followAddress(): void {
+    const link = linkOf(location);
+    const areAskedFor = this.#six.areAskedFor;
+    this.#undo.arrived();
+    this.#address.drop();
+    if (!areAskedFor) this.#six.close();
+    if (link !== this.#recipe.link) this.#open(link, false);
+    if (areAskedFor) this.#six.open();
+    this.#address.show(this.#recipe.link);
+  }
+
+  /** The reader's pages have become dark, or light. */
+  #followScheme(): void {
+    this.#attempt(() => {
+      this.#recipe.refresh();
+      this.#show("settle");
+    });
+  }
+
+  #show(how: ShowMode, isStep = false): void {
+    this.#showRecipe(isStep);
+    this.#viewport.show(this.#recipe.shown, howFor(how));
+  }
+
+  #showRecipe(isStep = false): void {
+    const { link, values, seed } = this.#recipe;
+    this.#address.show(link, isStep);
+    document.documentElement.dataset["style"] = values.get("style") ?? "";
+    this.#choices.show(this.#recipe);
+    this.#ownLand.show(values);
+    elements.title.textContent = seed;
+    document.title = seed === "" ? "Riverseed" : `${seed} · Riverseed`;
+    this.#showNotices();
+  }
+
+  #showNotices(): void {
+    showNotices(elements.notices, [...this.#recipe.notices.values(), ...this.#presetNote.notes], () => {
+      this.#recipe.dismissNotices();
+      this.#presetNote.forget();
+      this.#showNotices();
+    });
+  }
+
+  /** The viewport changed: the caption, the text alternative and the announcement follow. */
+  #follow(state: State, phase: Phase, summary: Summary): void {
+    elements.facade.hidden = true;
+    this.#transport.show(state);
+    elements.frame.dataset["state"] = state;
+    this.#riverPointer.follow(state);
+    this.#inside.follow(state, summary.growth);
+    void this.#track.follow();
+    elements.frame.dataset["phase"] = phase;
+    this.#words.follow(this.#recipe.seed, state, phase, summary);
+    if (state === "finished") void this.#finished(phase, summary);
+    else this.#names.list.hold();
+  }
+
+  async #finished(phase: Phase, summary: Summary): Promise<void> {
+    // Nobody asked for them: the map is as good without.
+    this.#refreshThumbnails().catch(warn);
+    void this.#measures.refresh(remainderOf(summary));
+    void keepForOffline();
+    const { seed } = this.#recipe;
+    this.#words.tell(await this.#names.refresh(), seed, phase, summary);
+  }
+
+  #refreshThumbnails(): Promise<void> {
+    return this.#choices.strip.refresh(
+      () => this.#recipe.link,
+      (styles, size) => this.#viewport.thumbnails(styles, size),
+    );
+  }
+
+  /** The river that was to be shown cannot be. */
+  #fail(thrown: unknown): void {
+    const error = named(thrown);
+    if (error.code === "no-chart") this.#note(error.message);
+    else if (isRecoverable(error) && this.#viewport.link !== "") {
+      // The core kept the river it had, so the page goes back to that one's values.
+      this.#recipe.restore(this.#viewport.link);
+      this.#showRecipe();
+      this.#note(error.message);
+    } else {
+      this.#viewport.close();
+      fail(error);
+    }
+  }
+
+  /** Something else failed than the river on show, which goes on unless the engine has stopped. */
+  #failBeside(thrown: unknown): void {
+    const error = named(thrown);
+    if (error.code === "panic") this.#fail(error);
+    else this.#note(error.message);
+  }
+
+  #note(message: string): void {
+    showNotices(elements.notices, [message], () => this.#showNotices());
+  }
+
+  async #copy(text: string, done: string, instead: string): Promise<void> {
+    elements.shared.textContent = (await copy(text)) ? done : instead;
+  }
+
+  async #copyLink(): Promise<void> {
+    elements.shared.textContent = await this.#copiedAddress();
+  }
+
+  /** Copies the address of what is seen; what is said of that. */
+  async #copiedAddress(): Promise<string> {
+    this.#address.flush();
+    const address = addressOf(this.#six.inAddress(this.#recipe.link), location.href);
+    return (await copy(address)) ? "Link copied." : `Copy this link: ${address}`;
+  }
+}
+
+/** The middle of what nothing covers of the window, which the map fills. */
+function middleOf({ left, top, right, bottom }: Insets): Point {
+  return { x: (left + innerWidth - right) / 2, y: (top + innerHeight - bottom) / 2 };
+}
+
+function forTheCurious(): HTMLElement {
+  return el("summary", {}, el("h2", {}, "For the curious"));
+}
+
+/** A failure that leaves no picture: shown in its place, and once on the console. */
+function fail(thrown: unknown): void {
+  const error = warn(thrown);
+  elements.facade.hidden = true;
+  showFailure(elements.failure, error);
+}
+
+/** On the console, for the owner of the site. */
+function warn(thrown: unknown): PageError {
+  const error = named(thrown);
+  console.warn(`riverseed: ${error.code}: ${error.message}`);
+  return error;
+}
+
+/** Where a poster stands for the map, that is painted before the engine is asked for: the visitor sees it a moment sooner. */
+async function posterIsSeen(): Promise<void> {
+  const isLinked = "linked" in document.documentElement.dataset;
+  if (isLinked || document.hidden || !PerformanceObserver.supportedEntryTypes.includes("paint")) return;
+  await new Promise<void>((done) => {
+    new PerformanceObserver(() => done()).observe({ type: "paint", buffered: true });
+  });
+}
+
+/** The first river is on its way before the page is made, which takes as long as its first picture does. */
+async function begin({ core, renderHost }: Engines): Promise<void> {
+  const own = await core;
+  const recipe = new Recipe(
+    (text, options) => own.engine.readLink(text, options),
+    () => prefersDark.matches,
+  );
+  recipe.open(linkOf(location) || firstLink());
+  const viewport = new RiverViewport(renderHost, elements, recipe.shown, recipe.defaults.get("aspect") ?? "", covered);
+  viewport.start(howFor("watch"));
+  await turn();
+  const page = new Page(own, recipe, viewport, renderHost);
+  await turn();
+  page.start();
+}
+
+/** What scripts in the built page's HTML leave to this one as soon as it runs: build/preload.ts and build/changed.ts. */
+const early = globalThis as { engineTimer?: number; hasPageBegun?: boolean };
+clearTimeout(early.engineTimer);
+early.hasPageBegun = true;
+posterIsSeen().then(() => begin(openEngines()).catch(fail));

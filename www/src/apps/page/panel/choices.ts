@@ -1,0 +1,131 @@
+/** All that a visitor chooses a map by: seed, kind of country and of land, style, presets, and the panel's controls. */
+
+import type { Control } from "../../../controls/control.ts";
+import { type Controls, controls } from "../../../controls/controls.ts";
+import type { Disclosures } from "../../../controls/disclosure.ts";
+import { LandChoice } from "../../../controls/land-choice.ts";
+import { Padlocks } from "../../../controls/padlocks.ts";
+import { PresetButtons, type Presets, presets } from "../../../controls/presets.ts";
+import { SeedBox } from "../../../controls/seed.ts";
+import type { FullCore, Parameter, Preset } from "../../../engine/full.ts";
+import type { Recipe } from "../../../engine/recipe.ts";
+import type { ShowMode } from "../../../player/river-player.ts";
+import { elements } from "../elements.ts";
+import { SeedTrail } from "./seed-trail.ts";
+import { StyleStrip } from "./style-strip.ts";
+
+type Values = readonly (readonly [key: string, value: string])[];
+
+export interface ChoicesEvents {
+  /** Some values are to be others, in a step that can be undone, or little by little in one: what settles does, unless something else is said. */
+  set(values: Values, how: ShowMode, isGradual?: boolean): void;
+  /** A preset of links is pressed. */
+  press(preset: Preset): void;
+  /** A land is to be drawn. */
+  draw(): void;
+  failed(error: unknown): void;
+}
+
+/** What build/countries.ts draws, beside the page. */
+const COUNTRY_PICTURES = "./countries";
+
+export class Choices {
+  readonly strip: StyleStrip;
+  readonly #padlocks = new Padlocks(() => localStorage);
+  readonly #trail = new SeedTrail(elements.trail, (seed) => this.#goToSeed(seed));
+  readonly #controls: Controls;
+  readonly #presets: Presets;
+  readonly #countries: PresetButtons;
+  readonly #seedBox: SeedBox;
+  readonly #land: LandChoice;
+
+  constructor(
+    private readonly engine: FullCore["engine"],
+    disclosures: Disclosures,
+    /** The control of names. */
+    names: Control,
+    private readonly events: ChoicesEvents,
+  ) {
+    const table = engine.parameters();
+    const parameter = (wanted: string): Parameter | undefined => table.find(({ key }) => key === wanted);
+    const choose = (values: Values): void => this.#choose(values);
+    this.#controls = controls(table, choose, disclosures, this.#padlocks, new Map([["names", names]]));
+    this.#presets = presets(engine.presets(), (preset) => events.press(preset));
+    this.#countries = new PresetButtons(
+      "Countries",
+      engine.countries(),
+      (country) => events.set(this.unkept(country), "watch"),
+      ({ name }) => `${COUNTRY_PICTURES}/${name}.webp`,
+    );
+    this.#seedBox = new SeedBox(elements.seedForm, elements.seed, (seed) =>
+      events.set([["seed", seed]], "watch", true),
+    );
+    describeSeed(parameter("seed"));
+    this.#land = new LandChoice(elements.land, parameter("land"), (kind) => choose([["land", kind]]));
+    this.strip = new StyleStrip(elements.styles, parameter("style"), (style) => choose([["style", style]]));
+    elements.dice.addEventListener("click", () => this.#throwDice());
+    elements.controls.replaceChildren(this.#controls.element);
+    elements.countries.replaceChildren(this.#countries.element);
+  }
+
+  /** The presets of links, for their place in the panel. */
+  get presets(): HTMLElement {
+    return this.#presets.element;
+  }
+
+  /** The parameters that presets may not change. */
+  get kept(): ReadonlySet<string> {
+    return this.#padlocks.kept;
+  }
+
+  /** What a preset sets, but for what is kept as it is. */
+  unkept({ values }: Preset): Preset["values"] {
+    return values.filter(([key]) => !this.kept.has(key));
+  }
+
+  show({ values, idle, defaults, seed }: Recipe): void {
+    this.#trail.show(seed);
+    this.strip.show(values.get("style") ?? "");
+    this.#controls.show({ values, idle, defaults });
+    this.#presets.show(values);
+    this.#countries.show(values);
+    this.#seedBox.show(seed);
+    this.#land.show(values.get("land") ?? "");
+  }
+
+  /** The seed is another, whatever is typed in its box. */
+  replaceSeed(seed: string): void {
+    this.#seedBox.replace(seed);
+  }
+
+  /** Puts the focus on the preset that was pressed last. */
+  focusPreset(): void {
+    this.#presets.focus();
+  }
+
+  /** A control has other values. Whoever chooses a drawn land has to draw one. */
+  #choose(values: Values): void {
+    this.events.set(values, "settle");
+    if (values.some(([key, text]) => key === "land" && text === "drawn")) this.events.draw();
+  }
+
+  #throwDice(): void {
+    try {
+      this.#goToSeed(this.engine.freshSeed());
+    } catch (error) {
+      this.events.failed(error);
+    }
+  }
+
+  #goToSeed(seed: string): void {
+    this.replaceSeed(seed);
+    this.events.set([["seed", seed]], "watch");
+  }
+}
+
+/** What the table says of the seed, for the box that index.html has. */
+function describeSeed(seed: Parameter | undefined): void {
+  if (!seed) return;
+  if (seed.maxLength !== undefined) elements.seed.maxLength = seed.maxLength;
+  elements.seedHelp.textContent = seed.help;
+}

@@ -1,0 +1,149 @@
+/** How river-like the rivers on show are: what is measured of them, in plain words, beside what rivers of the world have. Never one score. */
+
+import { el, setText } from "../../../browser/dom.ts";
+import type { Disclosures } from "../../../controls/disclosure.ts";
+import type { Measure } from "../../../engine/full.ts";
+
+/** What a measure says to whoever is no hydrologist. */
+interface Plain {
+  name: string;
+  label: string;
+  /** What is said of a value below and above what nature has. */
+  below: string;
+  above: string;
+}
+
+const PLAIN: readonly Plain[] = [
+  { name: "bifurcation-ratio", label: "Small streams for each larger one", below: "fewer", above: "more" },
+  { name: "length-ratio", label: "How much longer each larger one is", below: "less", above: "more" },
+  { name: "tokunaga-t1", label: "Side branches just below its size", below: "fewer", above: "more" },
+  { name: "tokunaga-c", label: "How many more the smaller they are", below: "fewer", above: "more" },
+  { name: "hack-exponent", label: "How long basins are drawn out", below: "rounder", above: "longer" },
+  { name: "sinuosity", label: "How winding", below: "straighter", above: "more winding" },
+  { name: "junction-angle", label: "The angle at which rivers meet", below: "sharper", above: "wider" },
+  { name: "umbrellas", label: "Trunks that meet like ribs of an umbrella", below: "", above: "" },
+  { name: "parallels", label: "Rivers that run side by side", below: "", above: "" },
+  { name: "along-coast", label: "Rivers that run along a coast", below: "", above: "" },
+];
+
+const NATURAL = "as in nature";
+const TOO_SMALL = "too few rivers to tell";
+
+/** A row, as it is shown and copied. */
+export interface Told {
+  label: string;
+  help: string;
+  value: string;
+  /** Beside nature, if that can be told. */
+  verdict: string;
+  nature: string;
+  /** Where on its bar the value lies, and the range of nature, from 0 to 1. */
+  bar?: { value: number; least: number; most: number } | undefined;
+}
+
+export function told(measures: readonly Measure[]): Told[] {
+  return PLAIN.flatMap((plain) => {
+    const measure = measures.find(({ name }) => name === plain.name);
+    return measure ? [toldOf(measure, plain)] : [];
+  });
+}
+
+function toldOf({ help, unit, places, value, nature }: Measure, { label, below, above }: Plain): Told {
+  const written = (number: number): string => `${number.toFixed(places)}${unit === "" ? "" : ` ${unit}`}`;
+  const range = nature ? `${nature.least.toFixed(places)} to ${written(nature.most)} (${nature.source})` : "";
+  if (value === undefined) return { label, help, value: "", verdict: TOO_SMALL, nature: range };
+  const row = { label, help, value: written(value), verdict: "", nature: range };
+  if (!nature) return row;
+  const { least, most } = nature;
+  // Judged as it is written: who reads 45 is not told that it is less than 45.
+  const shown = Number(value.toFixed(places));
+  const verdict = shown < least ? `${below} than in nature` : shown > most ? `${above} than in nature` : NATURAL;
+  return { ...row, verdict, bar: barOf(value, least, most) };
+}
+
+/** A bar on which nature takes the middle third; what lies far off stands at its end. */
+function barOf(value: number, least: number, most: number): Told["bar"] {
+  const from = least - (most - least);
+  const share = (value - from) / (3 * (most - least));
+  return { value: Math.min(1, Math.max(0, share)), least: 1 / 3, most: 2 / 3 };
+}
+
+/** All that is told in one sentence. */
+export function summed(rows: readonly Told[]): string {
+  const off = rows.filter(({ verdict }) => verdict.endsWith(" than in nature"));
+  if (!rows.some(({ verdict }) => verdict === NATURAL || off.length > 0)) return "Too few rivers to measure.";
+  if (off.length === 0) return "All that can be compared is as in nature.";
+  const words = off.map(({ label, verdict }) => `${label.toLowerCase()}: ${verdict.replace(" than in nature", "")}`);
+  return `As in nature, but for these: ${words.join("; ")}.`;
+}
+
+/** The rows as lines of text. */
+export function asText(rows: readonly Told[]): string {
+  const line = ({ label, value, verdict, nature }: Told): string =>
+    [`${label}: ${value === "" ? verdict : value}`, value === "" ? "" : verdict, nature && `nature: ${nature}`]
+      .filter((part) => part !== "")
+      .join("; ");
+  return rows.map(line).join("\n");
+}
+
+export interface MeasuresEvents {
+  /** Of the finished map on show; none while there is none. */
+  measures(): Promise<readonly Measure[]>;
+  copy(text: string): Promise<void>;
+}
+
+export class MeasuresView {
+  readonly element: HTMLDetailsElement;
+  readonly #summary = el("p");
+  readonly #rows = el("dl", { class: "measures" });
+  readonly #rest = el("p", { class: "help" });
+  readonly #copy = el("button", { type: "button" }, "Copy as text");
+  #told: readonly Told[] = [];
+
+  constructor(
+    disclosures: Disclosures,
+    private readonly events: MeasuresEvents,
+  ) {
+    const heading = el("summary", {}, el("h2", {}, "How river-like?"));
+    const study = el("p", {}, "Can you tell them apart? ", el("a", { href: "./real-or-grown.html" }, "Real or grown?"));
+    const all = el("div", { class: "measured" }, this.#summary, this.#rows, this.#rest, this.#copy, study);
+    this.element = disclosures.details("How river-like?", false, { class: "group" }, heading, all);
+    this.element.addEventListener("toggle", () => void this.refresh());
+    this.#copy.addEventListener("click", () => void events.copy(asText(this.#told)));
+    this.#show([]);
+  }
+
+  /** Another river is finished. To measure takes time, so only while somebody looks. */
+  async refresh(rest?: string): Promise<void> {
+    if (rest !== undefined) setText(this.#rest, rest);
+    if (!this.element.open) return;
+    this.#show(told(await this.events.measures().catch(() => [])));
+  }
+
+  #show(rows: readonly Told[]): void {
+    this.#told = rows;
+    this.#copy.disabled = rows.length === 0;
+    setText(this.#summary, rows.length === 0 ? "Measured when the rivers are finished." : summed(rows));
+    this.#rows.replaceChildren(...rows.map(rowOf));
+  }
+}
+
+function rowOf({ label, help, value, verdict, nature, bar }: Told): HTMLElement {
+  const said = [
+    el("span", { class: "measure-value" }, value),
+    ...(bar ? [barElement(bar)] : []),
+    el("span", {}, verdict),
+  ];
+  const source = nature === "" ? [] : [el("dd", { class: "help" }, `In nature ${nature}.`)];
+  return el("div", { title: help }, el("dt", {}, label), el("dd", { class: "measure" }, ...said), ...source);
+}
+
+/** Says no more than the words beside it. */
+function barElement({ value, least, most }: NonNullable<Told["bar"]>): HTMLElement {
+  const tick = el("i");
+  tick.style.insetInlineStart = `${100 * value}%`;
+  const element = el("span", { class: "measure-bar", "aria-hidden": "true" }, tick);
+  element.style.setProperty("--least", `${100 * least}%`);
+  element.style.setProperty("--most", `${100 * most}%`);
+  return element;
+}

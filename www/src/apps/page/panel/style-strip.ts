@@ -1,0 +1,89 @@
+/** The strip of styles: a small picture of the map on show in each of them. */
+
+import { el } from "../../../browser/dom.ts";
+import type { Parameter } from "../../../engine/full.ts";
+import type { Thumbnail } from "../../../player/thumbnails.ts";
+
+/** The small pictures, in CSS pixels. */
+const SIZE = { width: 112, height: 64 };
+
+/** In the order in which they are offered; what is not here follows. */
+const FIRST = ["atlas", "night", "survey", "parchment", "basins", "past-courses", "ink-wash", "orbit", "blueprint"];
+
+/** Makes pictures of the map on show, in its own pixels; none if it is another by then. */
+export type MakeThumbnails = (
+  styles: readonly string[],
+  size: { width: number; height: number },
+) => Promise<readonly Thumbnail[]>;
+
+export class StyleStrip {
+  readonly #buttons = new Map<string, { button: HTMLButtonElement; canvas: HTMLCanvasElement }>();
+  /** The map that the small pictures are of. */
+  #map: string | undefined;
+  readonly #ratio = Math.min(2, Math.max(1, Math.ceil(window.devicePixelRatio)));
+
+  constructor(
+    private readonly place: HTMLElement,
+    style: Parameter | undefined,
+    choose: (style: string) => void,
+  ) {
+    const choices = style?.choices ?? [];
+    const rank = (value: string): number => (FIRST.indexOf(value) + FIRST.length + 1) % (FIRST.length + 1);
+    for (const { value } of [...choices].sort((a, b) => rank(a.value) - rank(b.value))) {
+      const { width, height } = this.#size;
+      const canvas = el("canvas", { width, height, "aria-hidden": "true" });
+      const button = el(
+        "button",
+        { type: "button", class: "style", "aria-pressed": "false" },
+        canvas,
+        el("span", {}, nameOf(value)),
+      );
+      button.addEventListener("click", () => choose(value));
+      // Browsers leave what is seen in part where it is.
+      button.addEventListener("focus", () => button.scrollIntoView({ block: "nearest", inline: "nearest" }));
+      this.#buttons.set(value, { button, canvas });
+      place.append(button);
+    }
+  }
+
+  /** The map of a link is finished: pictures of it are made, unless there are some of these very rivers, whose style alone has changed. */
+  async refresh(link: () => string, make: MakeThumbnails): Promise<void> {
+    const map = unstyled(link());
+    if (map === this.#map || this.place.getClientRects().length === 0) return;
+    const made = await make([...this.#buttons.keys()], this.#size).catch((thrown: unknown) => {
+      // It would fail again.
+      this.#map = map;
+      throw thrown;
+    });
+    if (made.length === 0 || unstyled(link()) !== map) return;
+    this.#map = map;
+    for (const thumbnail of made) this.#draw(thumbnail);
+  }
+
+  /** Of a picture, in its own pixels. */
+  get #size(): { width: number; height: number } {
+    return { width: SIZE.width * this.#ratio, height: SIZE.height * this.#ratio };
+  }
+
+  show(style: string): void {
+    for (const [value, { button }] of this.#buttons) button.setAttribute("aria-pressed", String(value === style));
+  }
+
+  #draw({ style, width, height, pixels }: Thumbnail): void {
+    const image = new ImageData(pixels, width, height);
+    this.#buttons.get(style)?.canvas.getContext("2d")?.putImageData(image, 0, 0);
+  }
+}
+
+/** A link but for its style. */
+function unstyled(link: string): string {
+  const values = new URLSearchParams(link);
+  values.delete("style");
+  return values.toString();
+}
+
+/** A style's name: its word, as people write it. */
+function nameOf(value: string): string {
+  const words = value.replaceAll("-", " ");
+  return words.charAt(0).toUpperCase() + words.slice(1);
+}

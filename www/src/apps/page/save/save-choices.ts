@@ -1,0 +1,81 @@
+/** What somebody last chose to save, remembered where the browser lets the page remember anything. */
+
+import type { Keeper } from "../../../controls/disclosure.ts";
+import { OWN_SIZES, SIZES } from "../../../files/order.ts";
+
+export const KINDS = ["png", "svg", "geojson", "json", "zip", "card", "animation"] as const;
+export type Kind = (typeof KINDS)[number];
+
+export type SizeName = keyof typeof SIZES | "own";
+export const SIZE_NAMES: readonly SizeName[] = [...(Object.keys(SIZES) as (keyof typeof SIZES)[]), "own"];
+
+/** What is chosen. */
+export interface Choices {
+  kind: Kind;
+  size: SizeName;
+  /** The longer side of a picture of one's own size, in pixels. */
+  ownSize: number;
+  isTransparent: boolean;
+  hasNames: boolean;
+}
+
+const KEPT_AS = "riverseed-save";
+
+/** What is chosen until somebody chooses. */
+export const FIRST: Choices = { kind: "png", size: "screen", ownSize: 3000, isTransparent: false, hasNames: true };
+
+export class SaveChoices {
+  #now: Choices;
+
+  constructor(private readonly keeper: () => Keeper) {
+    this.#now = { ...FIRST, ...this.#kept() };
+  }
+
+  get now(): Readonly<Choices> {
+    return this.#now;
+  }
+
+  set(changes: Partial<Choices>): void {
+    this.#now = { ...this.#now, ...changes };
+    try {
+      this.keeper().setItem(KEPT_AS, JSON.stringify(this.#now));
+    } catch {
+      // It holds for this visit all the same.
+    }
+  }
+
+  /** What of it is still a choice: who knows what wrote there. */
+  #kept(): Partial<Choices> {
+    try {
+      const kept: unknown = JSON.parse(this.keeper().getItem(KEPT_AS) ?? "{}");
+      return typeof kept === "object" && kept !== null ? choicesOf(kept as Record<keyof Choices, unknown>) : {};
+    } catch {
+      return {};
+    }
+  }
+}
+
+function choicesOf({ kind, size, ownSize, isTransparent, hasNames }: Record<keyof Choices, unknown>): Partial<Choices> {
+  const known = <Value>(value: unknown, all: readonly Value[]): Value | undefined => all.find((one) => one === value);
+  const own = typeof ownSize === "number" ? ownSizeOf(String(ownSize)) : undefined;
+  const read = {
+    kind: known(kind, KINDS),
+    size: known(size, SIZE_NAMES),
+    ownSize: own,
+    isTransparent: known(isTransparent, [true, false]),
+    hasNames: known(hasNames, [true, false]),
+  };
+  return Object.fromEntries(Object.entries(read).filter(([, value]) => value !== undefined));
+}
+
+/** A size of one's own, as it is typed; nothing if no picture can have it. */
+export function ownSizeOf(text: string): number | undefined {
+  const { min, max } = OWN_SIZES;
+  const size = /^\s*\d{1,6}\s*$/.test(text) ? Number(text) : Number.NaN;
+  return size >= min && size <= max ? size : undefined;
+}
+
+/** The longer side of the picture that is chosen, in pixels. */
+export function longerSideOf({ size, ownSize }: Readonly<Choices>): number {
+  return size === "own" ? ownSize : SIZES[size];
+}

@@ -1,0 +1,178 @@
+/** Six side by side: the variants of the river paper, on the same attractors and by one clock. Choosing one takes it for the map. */
+
+import { count } from "../../../browser/count.ts";
+import { el, setText } from "../../../browser/dom.ts";
+import { isShown } from "../../../controls/presets.ts";
+import type { Preset } from "../../../engine/full.ts";
+import { linkText } from "../../../engine/link-text.ts";
+import type { ShowMode } from "../../../player/river-player.ts";
+import type { PageRenderHost } from "../backend.ts";
+import { Variant } from "./variant.ts";
+
+export interface SideBySideElements {
+  dialog: HTMLDialogElement;
+  about: HTMLElement;
+  clock: HTMLElement;
+  play: HTMLButtonElement;
+  copy: HTMLButtonElement;
+  close: HTMLButtonElement;
+  status: HTMLElement;
+  variants: HTMLElement;
+}
+
+export interface SideBySideEvents {
+  /** It covers the map from now on, or does not any more. */
+  changed(isOpen: boolean): void;
+  /** One was chosen. */
+  take(preset: Preset, all: readonly Preset[]): void;
+  /** Copies the address, and says so. */
+  copy(): Promise<string>;
+  how(): ShowMode;
+}
+
+/** What all six are made of. */
+export interface SharedValues {
+  values: ReadonlyMap<string, string>;
+  /** What presets may not change here. */
+  kept: ReadonlySet<string>;
+}
+
+/** More of them cannot be told apart where six maps share a window. */
+export const MOST_ATTRACTORS = 3000;
+
+/** Without what could not be read so small. */
+const BARE: readonly (readonly [key: string, value: string])[] = [["labels", "none"]];
+
+export class SideBySide {
+  #variants: readonly Variant[] = [];
+  /** The links of what is shown. */
+  #links = "";
+
+  constructor(
+    private readonly elements: SideBySideElements,
+    private readonly renderHost: PageRenderHost,
+    private readonly presets: readonly Preset[],
+    private readonly events: SideBySideEvents,
+  ) {
+    const { dialog, play, copy, close } = elements;
+    close.addEventListener("click", () => dialog.close());
+    dialog.addEventListener("close", () => this.#leave());
+    play.addEventListener("click", () => this.#toggle());
+    copy.addEventListener("click", () => {
+      void events.copy().then((said) => setText(elements.status, said));
+    });
+  }
+
+  get isOpen(): boolean {
+    return this.elements.dialog.open;
+  }
+
+  /** Shows them with these values; in place of those that are shown, if they have others. */
+  open(shared: SharedValues): void {
+    const presets = withSameValues(this.presets, shared);
+    const links = presets.map((preset) => linkWith(shared, preset)).join("\n");
+    if (this.isOpen && links === this.#links) return;
+    this.#clear();
+    this.#links = links;
+    this.#describe(shared, presets);
+    this.#variants = presets.map((preset) => this.#variant(shared, preset, presets));
+    this.elements.variants.replaceChildren(...this.#variants.map(({ element }) => element));
+    this.#lay();
+    for (const variant of this.#variants) void variant.open(this.events.how());
+    this.#show();
+  }
+
+  close(): void {
+    this.elements.dialog.close();
+  }
+
+  #describe(shared: SharedValues, presets: readonly Preset[]): void {
+    const { dialog, about, status } = this.elements;
+    setText(status, "");
+    const isHeld = this.presets.some(({ values }) => values.some(([key]) => shared.kept.has(key)));
+    about.replaceChildren(...inWords(shared.values, presets, isHeld));
+    dialog.style.setProperty("--aspect", shared.values.get("aspect") ?? "1");
+  }
+
+  #variant(shared: SharedValues, preset: Preset, presets: readonly Preset[]): Variant {
+    const { label, help } = preset;
+    const of = { link: linkWith(shared, preset), label, help, isCurrent: isShown(preset, shared.values) };
+    return new Variant(this.renderHost, of, {
+      chosen: () => this.#take(preset, presets),
+      changed: () => this.#show(),
+    });
+  }
+
+  /** Puts the sheet over the map, unless it lies there. */
+  #lay(): void {
+    const { dialog, play } = this.elements;
+    const wasOpen = this.isOpen;
+    if (!wasOpen) dialog.showModal();
+    play.focus({ preventScroll: true });
+    if (!wasOpen) this.events.changed(true);
+  }
+
+  #leave(): void {
+    // It may have been opened again since.
+    if (this.isOpen) return;
+    this.#clear();
+    this.events.changed(false);
+  }
+
+  #clear(): void {
+    for (const variant of this.#variants) variant.close();
+    this.#variants = [];
+    this.elements.variants.replaceChildren();
+  }
+
+  #take(preset: Preset, all: readonly Preset[]): void {
+    this.close();
+    this.events.take(preset, all);
+  }
+
+  get #runs(): boolean {
+    return this.#variants.some(({ state }) => state === "growing" || state === "settling");
+  }
+
+  get #isFinished(): boolean {
+    return this.#variants.every(({ state }) => state === "finished" || state === undefined);
+  }
+
+  #toggle(): void {
+    const { status } = this.elements;
+    setText(status, "");
+    const does = this.#isFinished ? "replay" : this.#runs ? "pause" : "play";
+    for (const variant of this.#variants) variant[does]();
+  }
+
+  #show(): void {
+    const { play, clock, status } = this.elements;
+    if (this.#variants.length === 0) return;
+    const isFinished = this.#isFinished && this.#variants.some(({ state }) => state === "finished");
+    play.dataset["icon"] = this.#runs ? "pause" : "play";
+    setText(play.querySelector("span") ?? undefined, this.#runs ? "Pause" : isFinished ? "Replay" : "Play");
+    setText(clock, `Tick ${count(Math.max(...this.#variants.map(({ ticks }) => ticks)))}`);
+    if (isFinished && status.textContent === "") setText(status, "All six are finished.");
+  }
+}
+
+/** The presets with as many attractors as the map has, or as can be told apart; without what is kept as it is. */
+function withSameValues(presets: readonly Preset[], { values, kept }: SharedValues): Preset[] {
+  const isDense = Number(values.get("attractors")) > MOST_ATTRACTORS;
+  const fewer = isDense ? [["attractors", String(MOST_ATTRACTORS)] as [string, string]] : [];
+  return presets.map((preset) => ({
+    ...preset,
+    values: [...preset.values, ...fewer].filter(([key]) => !kept.has(key)),
+  }));
+}
+
+function linkWith({ values }: SharedValues, preset: Preset): string {
+  return linkText(new Map([...values, ...preset.values, ...BARE]));
+}
+
+function inWords(values: ReadonlyMap<string, string>, presets: readonly Preset[], isHeld: boolean): (Node | string)[] {
+  const { attractors, seed = "" } = Object.fromEntries([...values, ...(presets[0]?.values ?? [])]);
+  const same = `The variants of the river paper on the same ${count(Number(attractors))} attractors of “`;
+  const held = isHeld ? " What has a padlock stays as it is." : "";
+  return [same, el("bdi", {}, seed), `”, by one clock. Choose one to take it.${held}`];
+}

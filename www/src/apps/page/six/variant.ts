@@ -1,0 +1,149 @@
+/** One of several rivers that grow side by side: its canvas in a button that takes it, and what it is like so far in words. */
+
+import { backingSize, type CanvasSize, observeSize } from "../../../browser/canvas.ts";
+import { count } from "../../../browser/count.ts";
+import { el, setText } from "../../../browser/dom.ts";
+import type { Phase, Summary } from "../../../engine/types.ts";
+import type { Report } from "../../../host/protocol.ts";
+import type { State } from "../../../player/frame-loop.ts";
+import type { ShowMode } from "../../../player/river-player.ts";
+import type { Answer } from "../../page-worker/protocol.ts";
+import type { PageRenderHost } from "../backend.ts";
+
+/** What is shown, and what is said of it. */
+export interface VariantOf {
+  link: string;
+  label: string;
+  help: string;
+  /** Whether the map behind is one of these. */
+  isCurrent: boolean;
+}
+
+export interface VariantEvents {
+  chosen(): void;
+  changed(): void;
+}
+
+/** Slower than one map alone: six are looked at. */
+const SPEED = 0.5;
+
+export class Variant {
+  readonly element: HTMLButtonElement;
+  readonly #words = el("span", { class: "variant-size" });
+  readonly #client = { hear: (report: Report<Answer>) => this.#hear(report), moved: () => void this.#move() };
+  readonly #observer = new ResizeObserver(() => this.#send({ do: "resize", size: this.#size }));
+  #canvas = newCanvas();
+  #id: number | undefined;
+  #isOver = false;
+  /** How it stands; nothing before there is a picture, and after a failure. */
+  #state: State | undefined;
+  #ticks = 0;
+
+  constructor(
+    private readonly renderHost: PageRenderHost,
+    private readonly of: VariantOf,
+    private readonly events: VariantEvents,
+  ) {
+    const words = el("span", { class: "variant-words" }, el("b", {}, of.label), this.#words);
+    const help = el("span", { class: "help" }, of.help);
+    const attributes = { type: "button", class: "variant", ...(of.isCurrent ? { "aria-current": "true" } : {}) };
+    this.element = el("button", attributes, this.#canvas, words, help);
+    this.element.addEventListener("click", () => events.chosen());
+  }
+
+  get state(): State | undefined {
+    return this.#state;
+  }
+
+  /** How many ticks it has grown. */
+  get ticks(): number {
+    return this.#ticks;
+  }
+
+  /** Begins to grow; its element is on the page. */
+  async open(how: ShowMode): Promise<void> {
+    try {
+      const id = await this.renderHost.enter(this.#client);
+      if (this.#isOver) {
+        this.renderHost.leave(id);
+        return;
+      }
+      this.#id = id;
+      const link = { text: this.of.link };
+      this.#send({ do: "open", canvas: this.#canvas, link, how, size: this.#size, inStep: true });
+      this.#send({ do: "speed", speed: SPEED });
+      observeSize(this.#observer, this.#canvas);
+    } catch (thrown) {
+      this.#fail(String(thrown));
+    }
+  }
+
+  /** Goes on if it stands still, unless it is finished. */
+  play(): void {
+    if (this.#state === "paused") this.#send({ do: "play" });
+  }
+
+  pause(): void {
+    this.#send({ do: "pause" });
+  }
+
+  replay(): void {
+    this.#send({ do: "replay" });
+  }
+
+  close(): void {
+    this.#isOver = true;
+    this.#observer.disconnect();
+    if (this.#id !== undefined) this.renderHost.leave(this.#id);
+    this.#id = undefined;
+  }
+
+  #send(command: Parameters<PageRenderHost["send"]>[1]): void {
+    if (this.#id !== undefined) this.renderHost.send(this.#id, command);
+  }
+
+  get #size(): CanvasSize {
+    const box = this.#canvas.getBoundingClientRect();
+    const size = backingSize(box, window.devicePixelRatio);
+    return { ...size, ratio: size.width > 0 ? size.width / box.width : 1 };
+  }
+
+  /** The renderer answers no more: what was handed over to it does not come back. */
+  async #move(): Promise<void> {
+    this.#id = undefined;
+    if (this.#isOver) return;
+    this.#observer.disconnect();
+    const canvas = newCanvas();
+    this.#canvas.replaceWith(canvas);
+    this.#canvas = canvas;
+    await this.open("settle");
+  }
+
+  #hear(report: Report<Answer>): void {
+    if (report.is === "failed") this.#fail(report.message);
+    if (report.is === "shown") this.#show(report.state, report.phase, report.summary);
+  }
+
+  #show(state: State, phase: Phase, summary: Summary): void {
+    this.#state = state;
+    this.#ticks = summary.ticks;
+    this.element.dataset["state"] = state;
+    this.element.dataset["ticks"] = String(summary.ticks);
+    const { sources, order } = summary;
+    // Numbers that come at different ticks cannot be compared.
+    setText(this.#words, phase === "growing" ? "growing" : `${count(sources)} sources, order ${order}`);
+    this.events.changed();
+  }
+
+  #fail(message: string): void {
+    this.#state = undefined;
+    this.element.dataset["state"] = "failed";
+    setText(this.#words, message);
+    this.events.changed();
+  }
+}
+
+/** Says nothing to a screen reader that its button does not say. */
+function newCanvas(): HTMLCanvasElement {
+  return el("canvas", { "aria-hidden": "true" });
+}

@@ -1,0 +1,91 @@
+/** The element's attributes and the properties that mirror them. */
+
+import { attributeOf, NUMBERS, TEXTS } from "../../engine/attribute-names.ts";
+import { linkText } from "../../engine/link-text.ts";
+
+/** How the element behaves, which is no part of the recipe. */
+const BEHAVIOUR = ["recipe", "loading", "theme", "alt", "wasm-url"] as const;
+
+/** Attributes that are there or not. */
+const FLAGS = ["still", "controls"] as const;
+
+/** The shapes a river may have, and the one it has by default: the box has it before the engine is there. */
+export const ASPECT = { min: 0.25, max: 4, default: 1.6 };
+
+export const OBSERVED = [...[...NUMBERS, ...TEXTS].map(attributeOf), ...BEHAVIOUR, ...FLAGS, "aria-label", "lang"];
+
+/** What an element asks for, as link text for the core to read: its recipe, with its attributes in place of what that says. */
+export function linkOf(element: Element): string {
+  const link = new URLSearchParams(element.getAttribute("recipe")?.replace(/^[?#]/, ""));
+  for (const key of [...NUMBERS, ...TEXTS]) {
+    const text = element.getAttribute(attributeOf(key));
+    if (text !== null) link.set(key, text);
+  }
+  return linkText(link);
+}
+
+/** The shape that a link asks for, until the core has read it. */
+export function aspectOf(link: string): number {
+  const text = new URLSearchParams(link).get("aspect")?.trim();
+  const aspect = text ? Number(text) : Number.NaN;
+  return Number.isFinite(aspect) ? Math.min(ASPECT.max, Math.max(ASPECT.min, aspect)) : ASPECT.default;
+}
+
+/** Gives a class the properties: text and numbers (null without the attribute), and what is there or not. */
+export function reflect(prototype: HTMLElement): void {
+  for (const name of NUMBERS.map(attributeOf)) define(prototype, name, numberIn);
+  for (const name of [...TEXTS.map(attributeOf), ...BEHAVIOUR]) define(prototype, name, textIn);
+  for (const name of FLAGS) define(prototype, name, flagIn);
+}
+
+/** Properties that a script set before the class was known: they would hide the class's own. */
+export function upgrade(element: HTMLElement): void {
+  for (const name of [...OBSERVED.map(camelCase), "i18n"]) {
+    if (!Object.hasOwn(element, name)) continue;
+    const value = Reflect.get(element, name);
+    Reflect.deleteProperty(element, name);
+    Reflect.set(element, name, value);
+  }
+}
+
+type Reader = (element: HTMLElement, name: string) => unknown;
+
+function define(prototype: HTMLElement, attribute: string, read: Reader): void {
+  const name = camelCase(attribute);
+  Object.defineProperty(prototype, name, {
+    configurable: true,
+    enumerable: true,
+    get(this: HTMLElement) {
+      return read(this, attribute);
+    },
+    set(this: HTMLElement, value: unknown) {
+      if (value === null || value === undefined || value === false) this.removeAttribute(attribute);
+      else this.setAttribute(attribute, value === true ? "" : String(value));
+    },
+  });
+}
+
+function flagIn(element: HTMLElement, name: string): boolean {
+  return element.hasAttribute(name);
+}
+
+function textIn(element: HTMLElement, name: string): string | null {
+  return element.getAttribute(name);
+}
+
+function numberIn(element: HTMLElement, name: string): number | null {
+  const text = element.getAttribute(name);
+  return text === null ? null : Number(text);
+}
+
+function camelCase(attribute: string): string {
+  return attribute.replace(/-(\w)/g, (_, letter: string) => letter.toUpperCase());
+}
+
+type CamelCase<Name> = Name extends `${infer First}-${infer Rest}` ? `${First}${Capitalize<CamelCase<Rest>>}` : Name;
+type Property<Key extends string> = CamelCase<Key extends "style" | "width" ? `river-${Key}` : Key> & string;
+
+/** The properties, by type. Null without the attribute, or, of one that is there or not, false. */
+export type Properties = { [Key in (typeof NUMBERS)[number] as Property<Key>]: number | null } & {
+  [Key in (typeof TEXTS | typeof BEHAVIOUR)[number] as Property<Key>]: string | null;
+} & { [Key in (typeof FLAGS)[number]]: boolean };

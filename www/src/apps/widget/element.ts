@@ -1,0 +1,491 @@
+/**
+ * `<river-seed>`: a river in a page that is about something else. This is the class; `define.ts` gives it its name. Importing
+ * it does nothing, on a server as well.
+ */
+
+import { RESIZE_PAUSE_MS } from "../../browser/canvas.ts";
+import { DARK_PAGES } from "../../browser/dark-pages.ts";
+import { isRecoverable, named, PageError } from "../../engine/errors.ts";
+import type { Summary } from "../../engine/types.ts";
+import type { Reading, Status } from "../../host/protocol.ts";
+import type { Client } from "../../host/render-host.ts";
+import type { State } from "../../player/frame-loop.ts";
+import type { ShowMode } from "../../player/river-player.ts";
+import { ASPECT, aspectOf, linkOf, OBSERVED, type Properties, reflect, upgrade } from "./attributes.ts";
+import { importPageBackend, renderHost } from "./backend.ts";
+import type { CompleteDetail, RiverSeedEventMap } from "./events.ts";
+import { type FileRequest, linkToRead, type Report } from "./protocol.ts";
+import { Outcome, type Present, type RiverSeedPhase } from "./state.ts";
+import { countIn, ENGLISH, type Strings, type Told } from "./strings.ts";
+import { type Does, View } from "./view.ts";
+import { watch } from "./visibility.ts";
+
+/** What stands in for the browser's class where there is none. */
+const Base = globalThis.HTMLElement ?? (class {} as typeof HTMLElement);
+
+const STILL = "(prefers-reduced-motion: reduce)";
+
+/** What the button does in each state. */
+const DOES: Record<State, Does> = { growing: "pause", settling: "pause", paused: "play", finished: "replay" };
+
+export interface BlobOptions {
+  /** Pixels on the picture's long side; as many as are shown if left out. */
+  longSide?: number;
+}
+
+// The interface of the same name, below, has the properties that `reflect` adds.
+// biome-ignore lint/suspicious/noUnsafeDeclarationMerging: every one of them is there
+export class RiverSeed extends Base {
+  static readonly observedAttributes: readonly string[] = OBSERVED;
+
+  #strings: Strings = ENGLISH;
+  /** Its number at the render host, while it has a river there. */
+  #id: number | undefined;
+  /** From coming into a document to leaving it. */
+  #life: AbortController | undefined;
+  #isNear = false;
+  /** Attributes have changed in this turn. */
+  #isChanging = false;
+  /** It does not begin again by itself. */
+  #hasBegun = false;
+  #hasFailed = false;
+  #isShown = false;
+  /** What was asked, until the river shows it: it may be asked before there is one, or of a worker that no longer answers. */
+  #asked: "play" | "pause" | "still" | undefined;
+  #resizing: ReturnType<typeof setTimeout> | undefined;
+  #aspect = ASPECT.default;
+  #link: ReturnType<typeof linkToRead> | undefined;
+  #reading: Reading | undefined;
+  /** Of what is on the canvas. */
+  #status: Status | undefined;
+  /** Of what is asked for; nothing until the engine has read that. */
+  #present: Present | undefined;
+  #outcome = new Outcome();
+  /** How many links it has asked the engine to show after the first, as `Reading` counts them. */
+  #links = 0;
+  readonly #view = new View(this.attachShadow({ mode: "open" }), () => this.#press());
+  readonly #client: Client<Blob> = { hear: (report) => this.#hear(report), moved: () => this.#move() };
+
+  connectedCallback(): void {
+    // Somebody moved it.
+    if (this.#life) return;
+    upgrade(this);
+    this.#life = new AbortController();
+    this.#listen(this.#life.signal);
+    this.#follow(true);
+  }
+
+  disconnectedCallback(): void {
+    // A move takes it out and puts it in again in one turn.
+    queueMicrotask(() => {
+      if (!this.isConnected) this.#leave();
+    });
+  }
+
+  attributeChangedCallback(_name: string, before: string | null, now: string | null): void {
+    if (before !== now) this.#followSoon();
+  }
+
+  /** Its strings; those that are set replace the English ones. */
+  get i18n(): Partial<Strings> {
+    return this.#strings;
+  }
+
+  set i18n(strings: Partial<Strings>) {
+    this.#strings = { ...ENGLISH, ...strings };
+    this.#followSoon();
+  }
+
+  /** The link of the rivers that the attributes ask for: canonical as soon as the engine has read it. */
+  get link(): string {
+    return this.#now?.link ?? linkOf(this);
+  }
+
+  /** The numbers of these rivers, as far as they have grown; null before they begin. */
+  get summary(): Summary | null {
+    return this.#now?.summary ?? null;
+  }
+
+  /** How far these rivers are. */
+  get phase(): RiverSeedPhase {
+    const phase = this.#now?.phase ?? (this.#hasBegun ? "loading" : "idle");
+    return this.#present === "failed" ? "failed" : phase;
+  }
+
+  /**
+   * Resolves when these rivers are finished, and rejects with the error if they cannot be. There is a new promise when the attributes ask
+   * for other rivers, the element leaves the document, or finished rivers grow again; one that was waiting rejects with an `AbortError`.
+   */
+  get finished(): Promise<CompleteDetail> {
+    this.#catchUp();
+    return this.#outcome.promise;
+  }
+
+  /** Goes on; a finished river grows again. One that waits to be seen begins. */
+  play(): void {
+    this.#ask("play");
+  }
+
+  pause(): void {
+    this.#ask("pause");
+  }
+
+  /** From the mouths again; after a failure, a new try. */
+  restart(): void {
+    if (this.#id === undefined) {
+      if (this.#hasFailed) {
+        this.#hasBegun = this.#hasFailed = false;
+        this.#renew();
+      }
+      this.#shape(this.#aspect);
+      this.play();
+    } else {
+      this.#asked = "play";
+      this.#growAgain();
+      renderHost.send(this.#id, { do: "replay" });
+    }
+  }
+
+  /** A PNG of the finished river. */
+  async toBlob({ longSide }: BlobOptions = {}): Promise<Blob> {
+    const { width, height } = this.#view.size;
+    return this.#file({ format: "png", longSide: Number(longSide ?? Math.max(width, height, 1)) });
+  }
+
+  /** The finished rivers as the text of an SVG. */
+  async toSVG(): Promise<string> {
+    return (await this.#file({ format: "svg", longSide: 0 })).text();
+  }
+
+  #ask(what: "play" | "pause"): void {
+    this.#asked = what;
+    if (what === "play") this.#growAgain();
+    if (this.#id === undefined) this.#beginIfDue();
+    else renderHost.send(this.#id, { do: what });
+  }
+
+  // ---- what it is asked for
+
+  get #wasmUrl(): string | undefined {
+    const url = this.getAttribute("wasm-url");
+    return url ? new URL(url, document.baseURI).href : undefined;
+  }
+
+  get #isStill(): boolean {
+    return this.hasAttribute("still") || matchMedia(STILL).matches;
+  }
+
+  /** Of the author's choice, or as the page says that it is, or as the reader likes pages. */
+  get #isDark(): boolean {
+    const theme = this.getAttribute("theme");
+    if (theme === "light" || theme === "dark") return theme === "dark";
+    const schemes = getComputedStyle(this).colorScheme.split(" ");
+    if (schemes.includes("dark") !== schemes.includes("light")) return schemes.includes("dark");
+    return matchMedia(DARK_PAGES).matches;
+  }
+
+  get #linkNow() {
+    return linkToRead(linkOf(this), this.#isDark);
+  }
+
+  /** A river that has been seen to its end is not grown before the reader's eyes again. */
+  get #how(): ShowMode {
+    return this.#isStill || (this.#status?.state === "finished" && !this.#isShown) ? "still" : "watch";
+  }
+
+  #file(file: FileRequest): Promise<Blob> {
+    if (!this.isConnected) throw new DOMException("this river-seed is in no document", "InvalidStateError");
+    const wasmUrl = this.#wasmUrl;
+    return renderHost.ask({ ...file, link: this.#linkNow, wasmUrl }, wasmUrl);
+  }
+
+  // ---- how far it is
+
+  /** How the rivers stand that are asked for now. */
+  get #now(): Exclude<Present, "failed"> | undefined {
+    this.#catchUp();
+    return this.#present === "failed" ? undefined : this.#present;
+  }
+
+  /** A script that has just changed attributes reads of the new rivers. */
+  #catchUp(): void {
+    if (this.#isChanging && this.#life) this.#follow();
+  }
+
+  /** From here on other rivers are asked for, or the same ones again; whoever waits for the last ones is told why they do not come. */
+  #renew(why = ""): void {
+    this.#present = undefined;
+    this.#outcome.failed(new DOMException(why, "AbortError"));
+    this.#outcome = new Outcome();
+  }
+
+  #growAgain(): void {
+    if (this.#now?.state === "finished") this.#renew();
+  }
+
+  #advance({ link }: Reading, status: Status): void {
+    if (status.state !== "finished") this.#growAgain();
+    this.#present = { link, ...status };
+    if (status.state === "finished") this.#outcome.done({ link, summary: status.summary });
+  }
+
+  // ---- its life
+
+  #listen(signal: AbortSignal): void {
+    const on = (target: EventTarget, type: string, listener: () => void): void =>
+      target.addEventListener(type, listener, { signal });
+    on(document, "visibilitychange", () => this.#rest());
+    on(matchMedia(DARK_PAGES), "change", () => this.#followSoon());
+    on(matchMedia(STILL), "change", () => this.#finishIfStill());
+    const near = (isNear: boolean): void => {
+      this.#isNear = isNear;
+      this.#rest();
+      this.#beginIfDue();
+    };
+    watch(this, { near, resized: () => this.#resized(signal) }, signal);
+  }
+
+  /** What several attributes change in one turn, changes once. */
+  #followSoon(): void {
+    if (this.#isChanging || !this.#life) return;
+    this.#isChanging = true;
+    queueMicrotask(() => {
+      this.#isChanging = false;
+      if (this.#life) this.#follow();
+    });
+  }
+
+  /** Brings everything in line with the attributes. */
+  #follow(isArriving = false): void {
+    const before = this.#link;
+    const link = this.#linkNow;
+    const isNew = link.text !== before?.text || link.options.dark !== before.options.dark;
+    this.#link = link;
+    if (isNew && !isArriving) this.#renew("other rivers are asked for");
+    // What failed with one recipe may do with another.
+    if (isNew && this.#hasFailed) this.#hasBegun = this.#hasFailed = false;
+    if (isNew) this.#shape(aspectOf(link.text));
+    this.#describe();
+    // What stood there before is of another river.
+    if (isNew && this.#id === undefined) this.#status = undefined;
+    if (isNew && this.#id !== undefined) {
+      this.#links++;
+      renderHost.send(this.#id, { do: "show", link, how: this.#how, size: this.#view.fit() });
+    }
+    this.#finishIfStill();
+    this.#beginIfDue();
+  }
+
+  #shape(aspect: number): void {
+    this.#aspect = aspect;
+    this.#view.shape(aspect, this.#hasFailed);
+  }
+
+  #beginIfDue(): void {
+    const isDue = this.#isNear || this.#asked === "play" || this.getAttribute("loading") === "eager";
+    if (!isDue || this.#hasBegun || !this.#life || this.#view.size.width === 0) return;
+    this.#hasBegun = true;
+    void this.#enter(this.#life.signal);
+  }
+
+  async #enter(signal: AbortSignal): Promise<void> {
+    try {
+      const id = await renderHost.enter(this.#client, this.#wasmUrl);
+      if (signal.aborted) renderHost.leave(id);
+      else this.#open(id);
+    } catch (thrown) {
+      if (!signal.aborted) this.#fail(named(thrown));
+    }
+  }
+
+  #open(id: number): void {
+    const canvas = this.#view.prepare();
+    const size = this.#view.fit();
+    const how = this.#asked === "play" ? "watch" : this.#asked === "still" ? "still" : this.#how;
+    renderHost.send(id, { do: "open", canvas, link: this.#linkNow, how, size });
+    if (this.#asked === "pause") renderHost.send(id, { do: "pause" });
+    this.#id = id;
+    this.#links = 0;
+    this.#rest();
+  }
+
+  /**
+   * The engine stopped in another river, or answers no more, and there is a new one: here it goes on with the same river, as far
+   * as it was. Its canvas is the old engine's: it is seen until the new one has something on another.
+   */
+  #move(): void {
+    this.#id = undefined;
+    const state = this.#status?.state;
+    this.#asked ??= state === "finished" ? "still" : state === "paused" ? "pause" : undefined;
+    if (this.#life) void this.#enter(this.#life.signal);
+  }
+
+  #leave(): void {
+    this.#life?.abort();
+    this.#life = undefined;
+    this.#isNear = this.#hasFailed = false;
+    this.#close();
+    this.#renew("the river-seed was removed");
+  }
+
+  /** Gives up the river and its canvas. */
+  #close(): void {
+    if (this.#id !== undefined) renderHost.leave(this.#id);
+    this.#id = undefined;
+    this.#hasBegun = this.#hasFailed;
+    this.#isShown = false;
+    this.#view.clear();
+  }
+
+  /** Off the screen and in a hidden tab nothing grows. */
+  #rest(): void {
+    if (this.#id === undefined) return;
+    renderHost.send(this.#id, { do: this.#isNear && !document.hidden ? "wake" : "rest" });
+  }
+
+  #finishIfStill(): void {
+    if (this.#id !== undefined && this.#isStill && this.#status?.state === "growing") {
+      renderHost.send(this.#id, { do: "finish" });
+    }
+  }
+
+  #resized(signal: AbortSignal): void {
+    this.#beginIfDue();
+    this.#view.stretch();
+    clearTimeout(this.#resizing);
+    this.#resizing = setTimeout(() => {
+      if (this.#id === undefined || signal.aborted) return;
+      renderHost.send(this.#id, { do: "resize", size: this.#view.fit() });
+    }, RESIZE_PAUSE_MS);
+  }
+
+  // ---- what it hears
+
+  #hear(report: Report): void {
+    if (report.is === "failed") this.#fail(new PageError(report.code, report.message), report.links);
+    if (report.is === "shown") this.#show(report.reading, report);
+  }
+
+  #show(reading: Reading, { state, phase, summary }: Status): void {
+    const before = this.#status?.state;
+    this.#status = { state, phase, summary };
+    this.#reading = reading;
+    if (reading.links === this.#links) this.#advance(reading, this.#status);
+    this.#asked = undefined;
+    if (reading.aspect !== this.#aspect) this.#shape(reading.aspect);
+    // Of a river that is not to be seen growing nothing is seen before it is finished.
+    if (state !== "settling" || phase === "finished") this.#reveal(reading);
+    this.#describe();
+    if (state !== "finished") this.#emit("progress", { phase, summary });
+    else if (before !== "finished") {
+      if (this.getAttribute("alt") !== "") this.#view.say(this.#strings.finished(this.#told(reading, this.#status)));
+      this.#emit("complete", { link: reading.link, summary });
+    }
+  }
+
+  #reveal({ link, notices }: Reading): void {
+    this.#view.reveal();
+    if (this.#isShown) return;
+    this.#isShown = true;
+    if (notices.length > 0) console.warn(`river-seed: ${notices.map(({ message }) => message).join("; ")}`);
+    this.#emit("ready", { link, notices });
+  }
+
+  /** Something failed after so many links had been asked for. */
+  #fail(error: PageError, links = this.#links): void {
+    // Without names a map is a map, though the word of that may come before it.
+    const isMap = error.code === "no-chart";
+    if (!isMap && (!isRecoverable(error) || !this.#isShown)) {
+      this.#hasFailed = true;
+      this.#status = undefined;
+      this.#close();
+      this.#shape(this.#aspect);
+      this.#view.note(this.#strings.failed);
+    }
+    // Of an earlier link, and its rivers stay: those that are asked for are yet to come.
+    if (!isMap && (this.#hasFailed || links === this.#links)) {
+      this.#present = "failed";
+      this.#outcome.failed(error);
+    }
+    void this.#report(error);
+  }
+
+  /** Reports it once: as an event, and on the console unless a listener prevents that. */
+  async #report(error: PageError): Promise<void> {
+    const { code, message } = error;
+    // Fetched when it is needed; if it does not arrive either, the name has to do.
+    const advice = await importPageBackend().then(
+      ({ advice }) => advice(error).text,
+      () => "",
+    );
+    if (this.#emit("error", { code, message, advice })) console.warn(`river-seed: ${code}: ${message}. ${advice}`);
+  }
+
+  // ---- what it says
+
+  /** The picture's name and the button. */
+  #describe(): void {
+    const status = this.#status;
+    const reading = this.#reading;
+    if (!status || !reading) return;
+    const name = this.getAttribute("aria-label") ?? this.getAttribute("alt");
+    this.#view.name(name ?? this.#strings.alternative(this.#told(reading, status)));
+    const isAsked = this.hasAttribute("controls");
+    const isMoving = status.state === "growing" || status.state === "paused";
+    const does = this.#isShown && (isAsked || isMoving || !this.hasAttribute("still")) ? DOES[status.state] : undefined;
+    const isQuiet = !isAsked && !isMoving;
+    this.#view.button(does, does ? this.#strings[does] : "", { isQuiet, isDark: this.#isDark });
+  }
+
+  #told({ seed }: Reading, status: Status): Told {
+    return { ...status, seed, count: countIn(this) };
+  }
+
+  #press(): void {
+    const does = this.#status && DOES[this.#status.state];
+    if (does === "replay") this.restart();
+    else if (does) this[does]();
+  }
+
+  #emit<Type extends keyof RiverSeedEventMap>(type: Type, detail: RiverSeedEventMap[Type]["detail"]): boolean {
+    return this.dispatchEvent(new CustomEvent(type, { detail, cancelable: type === "error" }));
+  }
+}
+
+reflect(RiverSeed.prototype);
+
+export type * from "./events.ts";
+export type { RiverSeedPhase } from "./state.ts";
+export type { Strings } from "./strings.ts";
+
+/** The events of every element, and those that this one has of its own. */
+type Events = Omit<HTMLElementEventMap, keyof RiverSeedEventMap> & RiverSeedEventMap;
+
+export interface RiverSeed extends Properties {
+  addEventListener<Type extends keyof Events>(
+    type: Type,
+    listener: (this: RiverSeed, event: Events[Type]) => void,
+    options?: boolean | AddEventListenerOptions,
+  ): void;
+  addEventListener(
+    type: string,
+    listener: EventListenerOrEventListenerObject,
+    options?: boolean | AddEventListenerOptions,
+  ): void;
+  removeEventListener<Type extends keyof Events>(
+    type: Type,
+    listener: (this: RiverSeed, event: Events[Type]) => void,
+    options?: boolean | EventListenerOptions,
+  ): void;
+  removeEventListener(
+    type: string,
+    listener: EventListenerOrEventListenerObject,
+    options?: boolean | EventListenerOptions,
+  ): void;
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    "river-seed": RiverSeed;
+  }
+}

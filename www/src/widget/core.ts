@@ -1,5 +1,0 @@
-/** The river engine without the element, for programs that draw rivers in a way of their own. */
-
-export { named, PageError } from "../engine/errors.ts";
-export type * from "../engine/types.ts";
-export { type Core, type Engine, load } from "../engine/wasm.ts";
