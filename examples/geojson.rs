@@ -11,8 +11,8 @@ use riverseed::{Recipe, Session, export};
 pub fn write(folder: &Path) -> Result<(), Box<dyn Error>> {
     let recipe: Recipe = "seed=totara&growth=colonize&land=archipelago&mouths=12".parse()?;
     let mut session = Session::new(recipe)?;
-    session.finish()?;
-    Ok(export::geojson::write(BufWriter::new(File::create(folder.join("totara.geojson"))?), &session)?)
+    let map = session.finish()?;
+    Ok(export::geojson::write(BufWriter::new(File::create(folder.join("totara.geojson"))?), &map)?)
 }
 
 fn main() -> Result<(), Box<dyn Error>> {

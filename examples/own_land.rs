@@ -19,8 +19,8 @@ pub fn write(folder: &Path, (width, height, rgba): (u32, u32, &[u8])) -> Result<
     recipe.set(Key::Outline, &traced.outline.to_string())?;
     let land = Land::from_picture(&Domain::of(&recipe), width, height, rgba)?;
     let mut session = Session::on_land(recipe, land)?;
-    session.finish()?;
-    Ok(std::fs::write(folder.join("matai.svg"), export::svg::svg(&session)?)?)
+    let map = session.finish()?;
+    Ok(std::fs::write(folder.join("matai.svg"), export::svg::svg(&map)?)?)
 }
 
 /// A white disc on black: sides in pixels, and RGBA.

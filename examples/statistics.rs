@@ -44,7 +44,7 @@ pub fn statistics(link: &str) -> Result<Statistics, Box<dyn Error>> {
     let recipe: Recipe = link.parse()?;
     let mut session = Session::new(recipe)?;
     let area = session.domain().size;
-    Ok(Statistics::of(session.finish()?, f64::from(area.x * area.y)))
+    Ok(Statistics::of(session.finish()?.network(), f64::from(area.x * area.y)))
 }
 
 fn main() -> Result<(), Box<dyn Error>> {

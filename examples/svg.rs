@@ -9,8 +9,8 @@ use riverseed::{Recipe, Session, export};
 pub fn write(folder: &Path) -> Result<(), Box<dyn Error>> {
     let recipe: Recipe = "seed=rimu&growth=drainage&land=continent&sides=w&style=ink".parse()?;
     let mut session = Session::new(recipe)?;
-    session.finish()?;
-    Ok(std::fs::write(folder.join("rimu.svg"), export::svg::svg(&session)?)?)
+    let map = session.finish()?;
+    Ok(std::fs::write(folder.join("rimu.svg"), export::svg::svg(&map)?)?)
 }
 
 fn main() -> Result<(), Box<dyn Error>> {

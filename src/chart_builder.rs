@@ -2,8 +2,8 @@
 
 use crate::chart::{Label, Scenery};
 use crate::labels::labels;
+use crate::map::Map;
 use crate::paint::{ChartMasks, SceneryPainter, View, letters, scenery_look};
-use crate::river_map::RiverMap;
 use crate::scenery;
 
 /// What has been made of a chart.
@@ -21,7 +21,7 @@ pub struct ChartBuilder {
 impl ChartBuilder {
     /// All of a chart at once: of a map, for a picture so many of whose pixels are one CSS pixel, from 0.5 to 4 in quarters, to the nearest of
     /// which it comes.
-    pub fn whole(map: &RiverMap<'_>, view: &View, ratio: f32) -> ChartMasks {
+    pub fn whole(map: &Map, view: &View, ratio: f32) -> ChartMasks {
         let mut this = Self::default();
         loop {
             if let Some(masks) = this.advance(map, view, ratio) {
@@ -31,7 +31,7 @@ impl ChartBuilder {
     }
 
     /// Does a part of that, which takes some milliseconds, of the same map and for the same picture each time. Returns the chart with the last.
-    pub fn advance(&mut self, map: &RiverMap<'_>, view: &View, ratio: f32) -> Option<ChartMasks> {
+    pub fn advance(&mut self, map: &Map, view: &View, ratio: f32) -> Option<ChartMasks> {
         let Some(labels) = &self.labels else {
             let ratio = ((ratio * 4.0).round() / 4.0).clamp(0.5, 4.0);
             self.labels = Some(labels(map, view.uncovered(), view.scale / ratio));
@@ -41,7 +41,7 @@ impl ChartBuilder {
             self.is_placed = !scenery::input(map, labels).is_some_and(|input| self.scenery.advance(&input));
             return None;
         }
-        let Some(look) = scenery_look(map.options.style).filter(|_| !self.scenery.placed().is_empty()) else {
+        let Some(look) = scenery_look(map.recipe().get()).filter(|_| !self.scenery.placed().is_empty()) else {
             return Some(letters::masks(view, labels));
         };
         if self.painter.is_none() {

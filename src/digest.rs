@@ -39,43 +39,35 @@ pub enum DigestError {
 /// If there is not enough memory.
 pub fn digest(recipe: &Recipe) -> Result<String, DigestError> {
     let mut session = Session::new(recipe.clone())?;
-    while session.advance(u32::MAX)? {}
+    let map = session.finish()?;
     let mut picture = Picture::new(WIDTH, WIDTH)?;
     picture.paint(&session);
     let mut hash = Fnv1a::new();
-    let Pruned { tree, hydrology, origin } = session.pruned();
-    session.tree().at.iter().for_each(|at| hash.words([at.x.to_bits(), at.y.to_bits()]));
-    hash.words(session.tree().parent.iter().copied());
-    hash.words(session.tree().drained.iter().copied());
+    let Pruned { tree, hydrology, origin } = map.pruned();
+    map.tree().at.iter().for_each(|at| hash.words([at.x.to_bits(), at.y.to_bits()]));
+    hash.words(map.tree().parent.iter().copied());
+    hash.words(map.tree().drained.iter().copied());
     hash.words(tree.ticks());
     hash.words(origin);
     hash.words(hydrology.depth);
     hash.words(hydrology.order.into_iter().map(u32::from));
     hash.words(hydrology.magnitude);
     hash.words(hydrology.discharge);
-    if let Some(network) = session.network() {
-        hash.words(network.rivers.iter().flat_map(|river| [river.start, river.end, river.junction, river.parent]));
-        let vertices = network.vertices.iter().chain(network.oxbows.iter().flat_map(|oxbow| &oxbow.vertices));
-        vertices.for_each(|vertex| {
-            let Vertex { at, discharge, left, right, mobility, .. } = *vertex;
-            hash.words([
-                at.x.to_bits(),
-                at.y.to_bits(),
-                discharge,
-                left.to_bits(),
-                right.to_bits(),
-                mobility.to_bits(),
-            ]);
-        });
-    }
-    if let Some(relief) = session.relief() {
+    let network = map.network();
+    hash.words(network.rivers.iter().flat_map(|river| [river.start, river.end, river.junction, river.parent]));
+    let vertices = network.vertices.iter().chain(network.oxbows.iter().flat_map(|oxbow| &oxbow.vertices));
+    vertices.for_each(|vertex| {
+        let Vertex { at, discharge, left, right, mobility, .. } = *vertex;
+        hash.words([at.x.to_bits(), at.y.to_bits(), discharge, left.to_bits(), right.to_bits(), mobility.to_bits()]);
+    });
+    if let Some(relief) = map.shown_relief() {
         hash.words(relief.heights().iter().map(|height| height.to_bits()));
         // Of other maps a relief would have to be made for it.
-        hash.value(&geojson::unnamed(&session)?);
+        hash.value(&geojson::unnamed(&map)?);
     }
     hash.bytes(picture.pixmap().data());
-    hash.bytes(svg::svg(&session)?.as_bytes());
-    hash.value(&json::unnamed(&session, true)?);
+    hash.bytes(svg::svg(&map)?.as_bytes());
+    hash.value(&json::unnamed(&map, Some(&session.growth().scattered()))?);
     Ok(format!("{:016x}", hash.0))
 }
 

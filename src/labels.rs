@@ -9,64 +9,64 @@ use crate::chart::{
 use crate::domain::{AREA, Domain};
 use crate::geometry::distance;
 use crate::glyph::initials;
-use crate::land::{CELL_SIZE, Land, Run};
+use crate::land::{CELL_SIZE, Land, Region, Run};
+use crate::map::Map;
 use crate::memory;
 use crate::name::{Names, PlaceKind, PlaceName, ReachName};
 use crate::network::{NONE, Network, Oxbow, Place};
 use crate::paint::{self, label_look};
 use crate::random::Seed;
-use crate::recipe::{self, Labels};
+use crate::recipe::{self, Key, Labels, Recipe};
 use crate::relief::{METRES, Relief};
-use crate::river_map::{ChartOptions, RiverMap};
 
 /// The smallest letters that can be read: their em in pixels.
 const LEAST_EM: f32 = 11.0;
 
 /// The labels of a picture that shows a part of the map, its north-western and its south-eastern corner, with so many pixels to a unit:
-/// the greatest rivers first. None if the recipe wants none, if rivers are not finished, or if there is not enough memory.
-pub(crate) fn labels(map: &RiverMap<'_>, frame: [Vec2; 2], scale: f32) -> Vec<Label> {
+/// the greatest rivers first. None if the recipe wants none, or if there is not enough memory.
+pub(crate) fn labels(map: &Map, frame: [Vec2; 2], scale: f32) -> Vec<Label> {
     input(map, frame, scale).map_or_else(Vec::new, |input| place(&input, &Raster::new(&input)))
 }
 
 /// What those labels are placed by.
-pub fn input<'a>(map: &RiverMap<'a>, frame: [Vec2; 2], scale: f32) -> Option<Input<'a>> {
+pub fn input(map: &Map, frame: [Vec2; 2], scale: f32) -> Option<Input<'_>> {
     /// A course's places, its pieces, their numbers in squares, and names.
     const BYTES_A_VERTEX: usize = 120;
-    let RiverMap { options, network, land, .. } = map;
-    let (share, cartouche) = (share_of_land(options.labels), options.cartouche);
+    let (recipe, network, land) = (map.recipe(), map.network(), map.land());
+    let (share, cartouche) = (share_of_land(recipe.get()), recipe.get::<recipe::Cartouche>());
     if share == 0.0 && cartouche == recipe::Cartouche::None {
         return None;
     }
-    if !map.is_finished || !memory::can_allocate(Raster::BYTES + network.vertices.len() * BYTES_A_VERTEX) {
+    if !memory::can_allocate(Raster::BYTES + network.vertices.len() * BYTES_A_VERTEX) {
         return None;
     }
-    let mut names = Names::of_map(map);
+    let (mut names, regions) = Names::with_regions(map);
     let least_em = LEAST_EM / scale;
     let marks = if share > 0.0 { marks(map, &names, frame, least_em) } else { Marks::default() };
     let margin = marks.grid.map_or(0.0, |grid| MARGIN * grid.em);
     let reach = |reach: &ReachName| reach_of(network, reach);
-    let land_area = land.map_or(AREA, area);
-    let shown = share_shown(&Domain::with_aspect(options.aspect), frame);
+    let land_area = land.map_or(AREA, |land| area(land));
+    let shown = share_shown(&map.domain(), frame);
     // Of a part, letters are larger than on the whole map, but not as much as all else: there is room for more of them.
     let side = shown.sqrt();
     Some(Input {
         frame: [frame[0] + margin, frame[1] - margin],
         least_em,
-        label_size: options.label_size * side.sqrt() * side.sqrt().sqrt(),
+        label_size: recipe.number(Key::LabelSize) * side.sqrt() * side.sqrt().sqrt(),
         most_area: [land_area, AREA - land_area].map(|area| share * shown * area),
         total_discharge: total_discharge(network),
         reaches: names.reaches.iter().filter_map(reach).collect(),
         cartouche: (cartouche != recipe::Cartouche::None).then(|| Cartouche {
             title: std::mem::take(&mut names.title),
-            seed: options.seed.clone(),
+            seed: recipe.seed().into(),
             is_framed: cartouche == recipe::Cartouche::Framed,
         }),
-        areas: std::mem::take(&mut names.places).into_iter().map(area_of).collect(),
+        areas: names.places.iter().zip(&regions).map(|(place, region)| area_of(place, region)).collect(),
         rivers: rivers(network, names),
         lakes: network.oxbows.iter().map(Oxbow::middle).collect(),
         marks,
-        ridges: land.map_or_else(Vec::new, ridges),
-        coast: land.map(Land::coast_distance),
+        ridges: land.map_or_else(Vec::new, |land| ridges(land)),
+        coast: land.map(|land| land.coast_distance()),
     })
 }
 
@@ -77,17 +77,17 @@ fn share_shown(domain: &Domain, [least, most]: [Vec2; 2]) -> f32 {
 }
 
 /// What the style has besides names.
-fn marks<'a>(map: &RiverMap<'a>, names: &Names, sheet: [Vec2; 2], least_em: f32) -> Marks<'a> {
-    let RiverMap { options, network, relief, .. } = map;
-    match label_look(options.style).marks {
+fn marks<'a>(map: &'a Map, names: &Names, sheet: [Vec2; 2], least_em: f32) -> Marks<'a> {
+    let recipe = map.recipe();
+    match label_look(recipe.get()).marks {
         paint::Marks::None => Marks::default(),
         paint::Marks::SpotHeights { grid } => Marks {
-            elevations: relief.map(|relief| elevations(relief, options.labels)),
-            grid: sheet_grid(options, sheet, least_em, grid),
+            elevations: map.shown_relief().map(|relief| elevations(relief, recipe.get())),
+            grid: sheet_grid(recipe, sheet, least_em, grid),
             ..Marks::default()
         },
-        paint::Marks::Legend => Marks { legend: Some(legend(options, network, names)), ..Marks::default() },
-        paint::Marks::Seal => Marks { seal: Some(seal(&options.seed, &names.title)), ..Marks::default() },
+        paint::Marks::Legend => Marks { legend: Some(legend(recipe, map.network(), names)), ..Marks::default() },
+        paint::Marks::Seal => Marks { seal: Some(seal(recipe.seed(), &names.title)), ..Marks::default() },
     }
 }
 
@@ -101,16 +101,16 @@ fn elevations(relief: &Relief, labels: Labels) -> Elevations<'_> {
 }
 
 /// The grid's letters, in pictures that have room for them.
-fn sheet_grid(options: &ChartOptions, sheet: [Vec2; 2], least_em: f32, every: f32) -> Option<SheetGrid> {
+fn sheet_grid(recipe: &Recipe, sheet: [Vec2; 2], least_em: f32, every: f32) -> Option<SheetGrid> {
     /// The length of the em, in units, and the most of it, as a share of the grid.
     const EM: f32 = 11.0;
     const MOST: f32 = 0.25;
-    let em = EM.max(least_em) * options.label_size;
+    let em = EM.max(least_em) * recipe.number(Key::LabelSize);
     (em <= MOST * every).then_some(SheetGrid { sheet, every, em })
 }
 
-fn legend(options: &ChartOptions, network: &Network, names: &Names) -> Legend {
-    let has_heading = options.cartouche == recipe::Cartouche::None;
+fn legend(recipe: &Recipe, network: &Network, names: &Names) -> Legend {
+    let has_heading = recipe.get::<recipe::Cartouche>() == recipe::Cartouche::None;
     let highest = network.rivers.iter().map(|river| river.order).max().unwrap_or(0);
     let class = |order: u8| {
         let ends = || {
@@ -124,7 +124,7 @@ fn legend(options: &ChartOptions, network: &Network, names: &Names) -> Legend {
         RiverClass { order, count: count as u32, half: ends().map(|end| end.half).sum::<f32>() / count.max(1) as f32 }
     };
     Legend {
-        heading: has_heading.then(|| [names.title.clone(), options.seed.clone()]),
+        heading: has_heading.then(|| [names.title.clone(), recipe.seed().into()]),
         classes: (1..=highest).rev().map(class).filter(|class| class.count > 0).collect(),
     }
 }
@@ -153,7 +153,7 @@ fn area(land: &Land) -> f32 {
 }
 
 /// A sea, a lake or an island with its name.
-fn area_of(place: PlaceName) -> Area {
+fn area_of(place: &PlaceName, region: &Region) -> Area {
     let kind = match place.kind {
         PlaceKind::Sea => AreaKind::Sea,
         PlaceKind::Lake => AreaKind::Lake,
@@ -163,7 +163,7 @@ fn area_of(place: PlaceName) -> Area {
         let [top, left, right] = [run.row, run.start, run.end].map(|cell| cell as f32 * CELL_SIZE);
         Strip { top, left, right }
     };
-    Area { kind, name: forms(&place.name), midst: place.at, strips: place.region.runs.iter().map(strip).collect() }
+    Area { kind, name: forms(&place.name), midst: place.at, strips: region.runs.iter().map(strip).collect() }
 }
 
 pub(crate) fn heights(relief: &Relief) -> Heights<'_> {

@@ -17,16 +17,17 @@
 //! use riverseed::{Recipe, Session, export};
 //!
 //! let recipe: Recipe = "seed=kauri&growth=drainage&land=island".parse()?;
-//! let mut session = Session::new(recipe)?;
-//! let rivers = &session.finish()?.rivers;
+//! let map = Session::new(recipe)?.finish()?;
+//! let rivers = &map.network().rivers;
 //! println!("{} rivers, the greatest of order {:?}", rivers.len(), rivers.iter().map(|river| river.order).max());
 //! # #[cfg(feature = "files")]
-//! std::fs::write(std::env::temp_dir().join("kauri.svg"), export::svg::svg(&session)?)?;
+//! std::fs::write(std::env::temp_dir().join("kauri.svg"), export::svg::svg(&map)?)?;
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
 //! A [`Session`] keeps a recipe together with the results of its stages, for programs that show growth step by step or
-//! change the recipe. A [`Picture`] is its pixels. To turn your own tree into rivers, use [`network::Shaping`].
+//! change the recipe. A [`Map`] is the finished result, and a [`Picture`] is its pixels. To turn your own tree into
+//! rivers, use [`network::Shaping`].
 //!
 //! # Features
 //!
@@ -43,6 +44,7 @@ pub use glam;
 pub use tiny_skia;
 
 pub use land::Land;
+pub use map::{Map, MapId};
 pub use network::{Network, Oxbow, River, Vertex};
 pub use picture::Picture;
 pub use recipe::{
@@ -86,6 +88,7 @@ pub mod land;
 #[cfg(test)]
 #[path = "../tests/common/lands.rs"]
 mod lands;
+pub mod map;
 pub mod measure;
 mod memory;
 pub mod name;
@@ -100,8 +103,6 @@ mod queue;
 pub mod random;
 pub mod recipe;
 pub mod relief;
-#[doc(hidden)]
-pub mod river_map;
 #[cfg(feature = "names")]
 #[doc(hidden)]
 pub mod scenery;

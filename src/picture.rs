@@ -11,11 +11,9 @@ use tiny_skia::Pixmap;
 use crate::chart_builder::ChartBuilder;
 use crate::domain::Domain;
 use crate::land::Land;
+use crate::map::MapId;
 use crate::paint::{ChartMasks, Framing, PaintError, Painted, Painter, Progress, Rect, Rivers, View};
 use crate::recipe::{Key, Style};
-use crate::river_map::ChartOptions;
-#[cfg(feature = "names")]
-use crate::river_map::RiverMap;
 #[cfg(feature = "controls")]
 use crate::session::SessionDrafts;
 use crate::session::{Generation, Phase, Session};
@@ -195,7 +193,7 @@ impl Picture {
         }
         #[cfg(feature = "names")]
         if self.wants_chart(session)
-            && let Some(map) = RiverMap::of(session)
+            && let Some(map) = session.map()
         {
             let (view, ratio) = (*self.view(), self.ratio);
             if self.builder.as_ref().is_none_or(|(of, _)| *of != now) {
@@ -234,20 +232,19 @@ impl Picture {
 /// What a chart is of: woods, hills and marks of one style are none for another.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct ChartKey {
-    generation: Generation,
+    map: MapId,
     style: Option<Style>,
 }
 
 impl ChartKey {
     fn of(session: &Session) -> Self {
-        let style = ChartOptions::of(session.recipe()).deciding_style();
-        Self { generation: session.map_generation(), style }
+        Self { map: session.map_id(), style: session.recipe().annotating_style() }
     }
 }
 
 /// Whether a session is finished, and its recipe wants a chart.
 pub fn is_to_be_charted(session: &Session) -> bool {
-    session.phase() == Phase::Finished && ChartOptions::of(session.recipe()).any()
+    session.is_finished() && session.recipe().is_annotated()
 }
 
 /// Whether land is the very same, shaped once.

@@ -17,11 +17,12 @@ use self::relief::ReliefStage;
 use crate::domain::Domain;
 use crate::grow::{GrowError, Growth, GrowthSettings};
 use crate::land::Land;
+use crate::map::{Map, MapId};
 use crate::memory;
 use crate::network::{Meander, Network, NetworkSettings, PastCourses, ShapeError, Shaping, ask_for_memory};
 use crate::prune::{self, Pruned, Trim};
 use crate::recipe::{Key, Recipe, Stage, Style};
-use crate::relief::{Relief, ReliefError, ReliefSettings};
+use crate::relief::{Relief, ReliefSettings};
 use crate::tree::{Hydrology, Tree};
 
 #[cfg(feature = "controls")]
@@ -60,7 +61,7 @@ pub struct Session {
     relief: ReliefStage,
     generation: Generation,
     /// Another one whenever more changes than the style.
-    map_generation: Generation,
+    map_id: MapId,
     /// Another one whenever the trimmed tree is discarded.
     tree_generation: Generation,
 }
@@ -113,7 +114,7 @@ impl Session {
             shaping: None,
             relief: ReliefStage::Waiting,
             generation: Generation::next(),
-            map_generation: Generation::next(),
+            map_id: MapId::next(),
             tree_generation: Generation::next(),
         })
     }
@@ -133,8 +134,12 @@ impl Session {
         if !memory::can_allocate(bytes) {
             return Err(SessionError::Copy { megabytes: (bytes / 1_000_000) as u32 + 1 });
         }
-        let [generation, map_generation, tree_generation] = [(); 3].map(|()| Generation::next());
-        Ok(Self { generation, map_generation, tree_generation, ..self.clone() })
+        let [generation, tree_generation] = [(); 2].map(|()| Generation::next());
+        let mut copy = Self { generation, map_id: MapId::next(), tree_generation, ..self.clone() };
+        // While there is memory for it: steps of either would copy what both share.
+        copy.growth.unshare();
+        copy.shaping.iter_mut().for_each(Shaping::unshare);
+        Ok(copy)
     }
 
     /// The recipe.
@@ -186,7 +191,7 @@ impl Session {
             self.generation = Generation::next();
         }
         if stage.is_some_and(|stage| stage < Stage::Paint) {
-            self.map_generation = Generation::next();
+            self.map_id = MapId::next();
         }
         Ok(stage)
     }
@@ -209,7 +214,7 @@ impl Session {
         #[cfg(feature = "controls")]
         self.forget_ticks();
         self.discard_rivers();
-        (self.generation, self.map_generation) = (Generation::next(), Generation::next());
+        (self.generation, self.map_id) = (Generation::next(), MapId::next());
         Ok(())
     }
 
@@ -225,9 +230,9 @@ impl Session {
         self.generation
     }
 
-    /// The same for as long as finished rivers, and their names, stay the same, whatever the style.
-    pub(crate) fn map_generation(&self) -> Generation {
-        self.map_generation
+    /// The id of the map that this is becoming, or has become.
+    pub(crate) fn map_id(&self) -> MapId {
+        self.map_id
     }
 
     /// The same for as long as the rivers, made once or several times, are those of one trimmed tree.
@@ -252,14 +257,35 @@ impl Session {
         Ok(!self.is_finished())
     }
 
-    /// Goes on to the end, and returns the finished rivers.
+    /// Goes on to the end, and returns the finished map.
     ///
     /// # Errors
     /// As [`Session::advance`].
-    pub fn finish(&mut self) -> Result<&Network, SessionError> {
-        while self.advance(u32::MAX)? {}
-        // A finished session has a network, if only an empty one.
-        Ok(self.network().unwrap_or(Network::EMPTY))
+    pub fn finish(&mut self) -> Result<Map, SessionError> {
+        loop {
+            if let Some(map) = self.map() {
+                return Ok(map);
+            }
+            self.advance(u32::MAX)?;
+        }
+    }
+
+    /// The finished map, which shares its rivers with the session; `None` as long as there is more to do.
+    pub fn map(&self) -> Option<Map> {
+        let meander = self.meander().filter(|_| self.is_finished())?;
+        Some(Map {
+            id: self.map_id,
+            recipe: self.recipe.clone(),
+            land: self.land.clone(),
+            grown: self.growth.grown()?,
+            tree: self.growth.tree().clone(),
+            trim: self.trim(),
+            network: meander.network().clone(),
+            reaches: meander.reaches().clone(),
+            rounds: meander.rounds(),
+            past: meander.past().clone(),
+            relief: self.relief.relief().cloned(),
+        })
     }
 
     fn step(&mut self) -> Result<bool, SessionError> {
@@ -322,23 +348,6 @@ impl Session {
         Ok(true)
     }
 
-    /// How the relief of this recipe is made of its rivers.
-    pub fn relief_settings(&self) -> ReliefSettings {
-        ReliefSettings::new(&self.recipe, self.land.clone(), self.growth.total_discharge())
-    }
-
-    /// The relief of the rivers as they are, in any style: the session's own, or one that is made at once. [`Session::raise_relief`]
-    /// makes it in steps.
-    ///
-    /// # Errors
-    /// If there is not enough memory.
-    pub fn make_relief(&self) -> Result<Arc<Relief>, ReliefError> {
-        match self.relief.relief() {
-            Some(relief) => Ok(relief.clone()),
-            None => relief::at_once(self.network().unwrap_or(Network::EMPTY), self.relief_settings()),
-        }
-    }
-
     /// The relief; `None` as long as rivers are not finished, and in a style that shows none. It is kept for a later style that
     /// does.
     pub fn relief(&self) -> Option<&Arc<Relief>> {
@@ -376,7 +385,7 @@ impl Session {
 
     /// The rivers; `None` while there are none yet.
     pub fn network(&self) -> Option<&Network> {
-        self.meander().map(Meander::network)
+        self.meander().map(|meander| &**meander.network())
     }
 
     fn meander(&self) -> Option<&Meander> {
@@ -385,12 +394,7 @@ impl Session {
 
     /// The courses that great rivers had before, as far as they have meandered; `None` while there are no rivers yet.
     pub fn past(&self) -> Option<&PastCourses> {
-        self.meander().map(Meander::past)
-    }
-
-    /// Where the great rivers are flat, and meander fully; none while there are no rivers yet.
-    pub fn reaches(&self) -> &[crate::network::Reach] {
-        self.meander().map_or(&[], Meander::reaches)
+        self.meander().map(|meander| &**meander.past())
     }
 
     /// How many rounds the rivers have meandered; `None` while there are none yet.

@@ -53,13 +53,22 @@ impl<'a> Reader<'a> {
         Some(self.0.split_off(..(count as usize).checked_mul(N)?)?.as_chunks().0)
     }
 
-    #[cfg(feature = "names")]
     pub fn list(&mut self) -> Option<Vec<u32>> {
         Some(self.items::<1>()?.as_flattened().to_vec())
     }
 
     pub fn text(&mut self) -> Option<String> {
         self.items::<1>()?.iter().map(|[letter]| char::from_u32(*letter)).collect()
+    }
+
+    pub fn numbers(&mut self) -> Option<Vec<f32>> {
+        Some(self.items::<1>()?.as_flattened().iter().copied().map(f32::from_bits).collect())
+    }
+
+    /// Reads a list of items that have no fixed length.
+    pub fn several<T>(&mut self, mut item: impl FnMut(&mut Self) -> Option<T>) -> Option<Vec<T>> {
+        let [count] = self.take()?;
+        (0..count).map(|_| item(self)).collect()
     }
 
     pub fn points(&mut self) -> Option<Vec<Vec2>> {

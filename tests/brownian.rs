@@ -269,7 +269,7 @@ fn any_two_sensitivities_draw_different_trees_evenly_dense() {
     let land = raster.available() as f32;
     let trees: Vec<(f32, Tree)> = (8..=49)
         .map(|i| i as f32 / 2.0)
-        .map(|sensitivity| (sensitivity, grown(&raster, "kauri", sensitivity).tree().clone()))
+        .map(|sensitivity| (sensitivity, Tree::clone(grown(&raster, "kauri", sensitivity).tree())))
         .collect();
     let share = |tree: &Tree| tree.len() as f32 / land;
     for pair in trees.windows(2) {

@@ -147,7 +147,7 @@ fn the_last_picture_of_growth_is_the_one_of_the_rivers() {
 #[test]
 fn svg_of_rivers_as_grown_has_straight_lines_alone() {
     let rivers = |link: &str| {
-        let text = svg::svg(&finished(&format!("attractors=400&preset=momentum&{link}"))).unwrap();
+        let text = svg::svg(&finished(&format!("attractors=400&preset=momentum&{link}")).map().unwrap()).unwrap();
         text.lines().filter(|line| line.contains("id=\"river-")).map(str::to_owned).collect::<Vec<_>>()
     };
     let is_curved = |path: &String| path.split_once(" d=\"").unwrap().1.contains(['q', 't']);

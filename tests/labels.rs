@@ -17,8 +17,7 @@ use riverseed::labels;
 use riverseed::name::Names;
 use riverseed::paint::View;
 use riverseed::recipe::{Key, link};
-use riverseed::river_map::{OwnMap, RiverMap, wire};
-use riverseed::{Picture, Session};
+use riverseed::{Map, Picture, Session};
 
 /// Finishes the rivers of a link.
 fn finished(link: &str) -> Session {
@@ -28,9 +27,9 @@ fn finished(link: &str) -> Session {
 }
 
 /// The labels of a picture of the whole map, `width` pixels wide, and the input that they are placed by.
-fn placed(session: &Session, width: f32) -> (Vec<Label>, Input<'_>) {
-    let size = session.domain().size;
-    let input = labels::input(&RiverMap::of(session).unwrap(), [Vec2::ZERO, size], width / size.x).unwrap();
+fn placed(map: &Map, width: f32) -> (Vec<Label>, Input<'_>) {
+    let size = map.domain().size;
+    let input = labels::input(map, [Vec2::ZERO, size], width / size.x).unwrap();
     (place(&input, &Raster::new(&input)), input)
 }
 
@@ -49,7 +48,8 @@ fn degrees(along: Vec2) -> f64 {
 }
 
 fn check(session: &Session, width: f32) -> Result<usize, TestCaseError> {
-    let (labels, input) = placed(session, width);
+    let map = session.map().unwrap();
+    let (labels, input) = placed(&map, width);
     for label in labels.iter().filter(|label| label.kind != Kind::Grid) {
         check_shape(label)?;
         match label.river {
@@ -195,7 +195,8 @@ proptest! {
     #[test]
     fn labels_are_those_of_the_twin(link in random_link(300), size in 0.5f64..1.3) {
         let session = finished(&format!("{link}&labels=many&label-size={size:.2}"));
-        let (labels, input) = placed(&session, 1400.0);
+        let map = session.map().unwrap();
+        let (labels, input) = placed(&map, 1400.0);
         prop_assert_eq!(labels, place(&input, &Literal(Piece::all(&input))));
     }
 }
@@ -229,7 +230,8 @@ proptest! {
 fn islands_and_lakes_have_names_too() {
     let counts = |link: &str| {
         let session = finished(link);
-        let (labels, input) = placed(&session, 1400.0);
+        let map = session.map().unwrap();
+        let (labels, input) = placed(&map, 1400.0);
         check(&session, 1400.0).unwrap();
         let islands = input.areas.iter().filter(|area| area.kind == AreaKind::Island).count();
         let count = |kind: Kind| labels.iter().filter(|label| label.kind == kind).count();
@@ -259,7 +261,8 @@ fn the_greatest_river_has_its_name_however_few_have_and_however_many_others_wind
         let link =
             "land=continent&attractors=2000&great-rivers=8&flat-share=0.6&meander-rounds=40&labels=few&label-size=1.5";
         let session = finished(&format!("{link}&seed={seed}"));
-        let (labels, input) = placed(&session, 1400.0);
+        let map = session.map().unwrap();
+        let (labels, input) = placed(&map, 1400.0);
         let greatest = (0..input.rivers.len()).max_by_key(|&river| input.rivers[river].discharge).unwrap();
         let has_name = |label: &Label| label.river == Some(greatest as u32) && label.kind == Kind::River;
         assert!(labels.iter().any(has_name), "{seed}");
@@ -270,7 +273,8 @@ fn the_greatest_river_has_its_name_however_few_have_and_however_many_others_wind
 fn no_letter_of_a_sea_climbs_by_more_than_20_degrees() {
     for (seed, land) in (0..24).flat_map(|seed| ["island", "continent"].map(|land| (seed, land))) {
         let session = finished(&format!("seed={seed}&land={land}&attractors=500&labels=few"));
-        let (labels, _) = placed(&session, 1400.0);
+        let map = session.map().unwrap();
+        let (labels, _) = placed(&map, 1400.0);
         let waters = labels.iter().filter(|label| label.kind == Kind::Water);
         let angles = waters.flat_map(|label| &label.letters).map(|letter| degrees(letter.along).abs());
         let steepest = angles.fold(0.0, f64::max);
@@ -289,7 +293,8 @@ fn labels_belong_to_their_rivers_on_a_dense_map_too() {
 #[test]
 fn no_two_rivers_have_one_label_in_short_either() {
     let session = finished("seed=skye&land=continent&growth=drainage&meander-rounds=60&great-rivers=3&labels=many");
-    let (labels, _) = placed(&session, 1200.0);
+    let map = session.map().unwrap();
+    let (labels, _) = placed(&map, 1200.0);
     let rivers: std::collections::BTreeMap<_, _> = labels.iter().map(|label| (&label.text, label.river)).collect();
     assert!(labels.iter().all(|label| rivers[&label.text] == label.river) && labels.len() > 40);
 }
@@ -302,7 +307,8 @@ fn most_great_rivers_have_their_name() {
     });
     let labelled = |link: String| {
         let session = finished(&link);
-        let (labels, input) = placed(&session, 1400.0);
+        let map = session.map().unwrap();
+        let (labels, input) = placed(&map, 1400.0);
         let mut greatest: Vec<u32> = (0..input.rivers.len() as u32).collect();
         greatest.sort_by_key(|&river| std::cmp::Reverse(input.rivers[river as usize].discharge));
         let count =
@@ -319,14 +325,14 @@ fn a_map_without_labels_asks_for_none_and_one_with_them_has_as_many_as_it_asks_f
     let count = |labels: &str| {
         let session = finished(&format!("land=island&attractors=4000&seed=kauri&labels={labels}"));
         let size = session.domain().size;
-        labels::input(&RiverMap::of(&session).unwrap(), [Vec2::ZERO, size], 1.0)
+        labels::input(&session.map().unwrap(), [Vec2::ZERO, size], 1.0)
             .map_or(0, |input| place(&input, &Raster::new(&input)).len())
     };
     let counts = ["none", "few", "some", "many"].map(count);
     assert!(counts[0] == 0 && counts[1] > 3 && counts.is_sorted_by(|a, b| a < b), "{counts:?}");
     // A recipe that is still growing has none.
     let session = Session::new(link::read("land=island&labels=many").unwrap()).unwrap();
-    assert!(RiverMap::of(&session).is_none());
+    assert_eq!(session.map(), None);
 }
 
 #[test]
@@ -334,8 +340,9 @@ fn a_map_without_labels_asks_for_none_and_one_with_them_has_as_many_as_it_asks_f
 fn svg_has_each_label_as_a_group_with_its_text_and_a_mask_for_rivers() {
     let session = finished("land=island&attractors=4000&seed=kauri&style=atlas&labels=some&names=t.%3Cb%3E");
     let size = session.domain().size;
-    let input = labels::input(&RiverMap::of(&session).unwrap(), [Vec2::ZERO, size], 1.0).unwrap();
-    let text = riverseed::export::svg::svg(&session).unwrap();
+    let map = session.map().unwrap();
+    let input = labels::input(&map, [Vec2::ZERO, size], 1.0).unwrap();
+    let text = riverseed::export::svg::svg(&session.map().unwrap()).unwrap();
     let document = roxmltree::Document::parse(&text).unwrap();
     let by_id = |id: &str| document.descendants().find(|node| node.attribute("id") == Some(id));
     let titles: Vec<&str> =
@@ -345,7 +352,7 @@ fn svg_has_each_label_as_a_group_with_its_text_and_a_mask_for_rivers() {
     assert_eq!(by_id("rivers").unwrap().attribute("mask"), Some("url(#halo)"));
     assert!(by_id("halo").unwrap().descendants().count() > titles.len());
     let titled = finished("land=island&attractors=500&style=atlas&seed=%3Ckea%3E&names=t.A%26B&cartouche=framed");
-    let text = riverseed::export::svg::svg(&titled).unwrap();
+    let text = riverseed::export::svg::svg(&titled.map().unwrap()).unwrap();
     let document = roxmltree::Document::parse(&text).unwrap();
     let cartouche = document.descendants().find(|node| node.attribute("id") == Some("cartouche")).unwrap();
     assert_eq!(cartouche.attribute("aria-label"), Some("A&B, <kea>"));
@@ -354,8 +361,9 @@ fn svg_has_each_label_as_a_group_with_its_text_and_a_mask_for_rivers() {
     // As text on paths, a line each, all letters included.
     let session =
         finished("land=island&attractors=4000&seed=kauri&style=atlas&labels=some&cartouche=plain&names=t.A+B");
-    let texts: Vec<String> = placed(&session, session.domain().size.x).0.into_iter().map(|label| label.text).collect();
-    let text = riverseed::export::svg::svg_with_text(&session).unwrap();
+    let texts: Vec<String> =
+        placed(&session.map().unwrap(), session.domain().size.x).0.into_iter().map(|label| label.text).collect();
+    let text = riverseed::export::svg::svg_with_text(&session.map().unwrap()).unwrap();
     let document = roxmltree::Document::parse(&text).unwrap();
     let paths = document.descendants().filter(|node| node.has_tag_name("textPath"));
     let on_path = |path: roxmltree::Node<'_, '_>| {
@@ -367,7 +375,7 @@ fn svg_has_each_label_as_a_group_with_its_text_and_a_mask_for_rivers() {
     };
     assert_eq!(paths.map(on_path).collect::<Vec<_>>(), texts);
     let bare = finished("land=island&attractors=4000&seed=kauri&style=atlas");
-    let bare = riverseed::export::svg::svg(&bare).unwrap();
+    let bare = riverseed::export::svg::svg(&bare.map().unwrap()).unwrap();
     assert!(!bare.contains("labels") && !bare.contains("mask"));
 }
 
@@ -414,7 +422,7 @@ fn a_seed_that_is_too_long_or_in_other_letters_is_left_out_of_the_cartouche() {
     let texts = |seed: &str| -> Vec<String> {
         let link = format!("land=island&attractors=500&cartouche=framed&names=t.Home&seed={seed}");
         let session = finished(&link);
-        placed(&session, 1200.0).0.into_iter().map(|label| label.text).collect()
+        placed(&session.map().unwrap(), 1200.0).0.into_iter().map(|label| label.text).collect()
     };
     assert_eq!(texts("kea"), ["Home", "kea"]);
     assert_eq!(texts("a long seed of some letters"), ["Home", "a long seed of some letters"]);
@@ -423,18 +431,20 @@ fn a_seed_that_is_too_long_or_in_other_letters_is_left_out_of_the_cartouche() {
     }
     // Without a title there is no cartouche.
     let session = finished("land=island&attractors=500&cartouche=plain&names=t.");
-    assert!(placed(&session, 1200.0).0.is_empty());
+    assert!(placed(&session.map().unwrap(), 1200.0).0.is_empty());
 }
 
 #[test]
 fn a_name_that_is_taken_away_is_on_no_map_and_one_s_own_is() {
     let session = finished("land=island&attractors=4000&seed=kauri&labels=some");
-    let (labels, _) = placed(&session, 1400.0);
+    let map = session.map().unwrap();
+    let (labels, _) = placed(&map, 1400.0);
     let river = labels[0].river.unwrap();
     let identity = session.network().unwrap().rivers[river as usize].identity;
     let texts = |own: &str| -> Vec<String> {
         let session = finished(&format!("land=island&attractors=4000&seed=kauri&labels=some&names={identity}.{own}"));
-        let (labels, _) = placed(&session, 1400.0);
+        let map = session.map().unwrap();
+        let (labels, _) = placed(&map, 1400.0);
         labels
             .into_iter()
             .filter(|label| label.river == Some(river) && label.kind == Kind::River)
@@ -455,11 +465,11 @@ fn a_map_that_is_handed_over_has_the_same_names_and_labels() {
         "land=drawn&outline=.MzMzzMMzzMzMMzzM&attractors=2000&names=t.Home_s0.Sea+of+Glass",
     ] {
         let session = finished(&format!("{link}&seed=kauri&labels=many"));
-        let map = RiverMap::of(&session).unwrap();
-        let own = OwnMap::read(&wire::write(&map)).unwrap();
-        assert_eq!(Names::of_map(&own.map()), Names::of(&session), "{link}");
+        let map = session.map().unwrap();
+        let own = Map::from_wire(&map.to_wire()).unwrap();
+        assert_eq!(Names::of(&own), Names::of(&map), "{link}");
         let view = View::new(&session.domain(), 500, 400).unwrap();
-        let masks = ChartBuilder::whole(&own.map(), &view, 1.0);
+        let masks = ChartBuilder::whole(&own, &view, 1.0);
         assert!(masks == ChartBuilder::whole(&map, &view, 1.0) && !masks.letters.is_empty(), "{link}");
     }
 }
@@ -470,10 +480,10 @@ proptest! {
     #[test]
     fn a_message_that_is_cut_off_is_no_map_and_an_altered_one_is_read_without_a_panic(at in 0usize..60_000, word in any::<u32>(), cut in any::<bool>()) {
         let session = finished("land=island&growth=drainage&attractors=300&seed=kauri&labels=many");
-        let mut data = wire::write(&RiverMap::of(&session).unwrap());
+        let mut data = session.map().unwrap().to_wire();
         let at = at % data.len();
         if cut { data.truncate(at) } else { data[at] = word }
-        let read = OwnMap::read(&data);
+        let read = Map::from_wire(&data);
         prop_assert!(read.is_none() || !cut);
     }
 }

@@ -19,8 +19,7 @@ use riverseed::export::rasters::{Layer, Rasters, Values};
 use riverseed::glam::Vec2;
 use riverseed::paint::View;
 use riverseed::recipe::{Key, Recipe, Style, link};
-use riverseed::river_map::{OwnMap, RiverMap, wire};
-use riverseed::{Picture, Session, labels};
+use riverseed::{Map, Picture, Session, labels};
 
 fn recipe(link: &str, more: &[(Key, &str)]) -> Recipe {
     let mut recipe = link::read(link).unwrap();
@@ -39,9 +38,9 @@ fn finished_link(link: &str) -> Session {
 }
 
 /// The labels of a picture of the whole map, `width` pixels wide, and the input that they are placed by.
-fn placed(session: &Session, width: f32) -> (Vec<Label>, Input<'_>) {
-    let size = session.domain().size;
-    let input = labels::input(&RiverMap::of(session).unwrap(), [Vec2::ZERO, size], width / size.x).unwrap();
+fn placed(map: &Map, width: f32) -> (Vec<Label>, Input<'_>) {
+    let size = map.domain().size;
+    let input = labels::input(map, [Vec2::ZERO, size], width / size.x).unwrap();
     (place(&input, &Raster::new(&input)), input)
 }
 
@@ -81,7 +80,7 @@ struct Exported {
 
 impl Exported {
     fn new(session: &Session) -> Self {
-        let rasters = Rasters::new(session).unwrap();
+        let rasters = Rasters::new(&session.map().unwrap()).unwrap();
         let Values::Words(words) = rasters.values(Layer::Heights) else { unreachable!("heights are words") };
         let metres = words.into_iter().map(|word| rasters.scale.metres(word)).collect();
         Self { metres, step: rasters.scale.metres_a_step, columns: rasters.columns, cell: rasters.cell_size }
@@ -113,7 +112,8 @@ impl Exported {
 
 /// Checks heights. Returns the numbers of summits and of saddles on a map.
 fn check_heights(session: &Session, width: f32) -> Result<[usize; 2], TestCaseError> {
-    let (labels, input) = placed(session, width);
+    let map = session.map().unwrap();
+    let (labels, input) = placed(&map, width);
     let (exported, pieces) = (Exported::new(session), Piece::all(&input));
     let apart = input.marks.elevations.unwrap().apart;
     let mut spots: Vec<Vec2> = Vec::new();
@@ -173,7 +173,8 @@ proptest! {
         let style = ["survey", "blueprint", "ink-wash"][style];
         let more = [(Key::Style, style), (Key::Labels, "few"), (Key::LabelSize, &format!("{size:.2}"))];
         let session = finished(recipe(&link, &more));
-        let (labels, input) = placed(&session, 1400.0);
+        let map = session.map().unwrap();
+        let (labels, input) = placed(&map, 1400.0);
         prop_assert_eq!(labels, place(&input, &Literal(Piece::all(&input))));
     }
 }
@@ -191,7 +192,8 @@ fn maps_with_mountains_tell_the_heights_of_summits_and_of_saddles() {
     }
     // The highest place is told wherever nothing is in its way, and has a triangle.
     let session = finished_link("land=island&seed=kauri&style=survey&labels=some");
-    let (labels, _) = placed(&session, 1440.0);
+    let map = session.map().unwrap();
+    let (labels, _) = placed(&map, 1440.0);
     let highest = of(&labels, Kind::SpotHeight).max_by_key(|label| label.text.parse::<u32>().unwrap()).unwrap();
     assert!(highest.strokes.len() == 4 && of(&labels, Kind::SpotHeight).any(|label| label.strokes.len() == 1));
 }
@@ -202,7 +204,8 @@ fn grid_letters_and_lines_are_those_of_the_grid() {
     let session = finished_link("land=archipelago&seed=moa&attractors=3000&style=survey&labels=some");
     let size = session.domain().size;
     for sheet in [[Vec2::ZERO, size], [Vec2::new(190.0, 100.0), Vec2::new(1010.0, 640.0)]] {
-        let input = labels::input(&RiverMap::of(&session).unwrap(), sheet, 1.2).unwrap();
+        let map = session.map().unwrap();
+        let input = labels::input(&map, sheet, 1.2).unwrap();
         let labels = place(&input, &Raster::new(&input));
         let (grid, [least, most]) = (input.marks.grid.unwrap(), input.frame);
         assert!(grid.sheet == sheet && (least - sheet[0]).min_element() > grid.em);
@@ -242,7 +245,7 @@ fn grid_letters_and_lines_are_those_of_the_grid() {
         check_apart(&labels).unwrap();
     }
     // So small a picture has no room for it.
-    assert!(placed(&session, 200.0).1.marks.grid.is_none());
+    assert!(placed(&session.map().unwrap(), 200.0).1.marks.grid.is_none());
 }
 
 #[test]
@@ -252,9 +255,10 @@ fn a_legend_says_title_seed_scale_and_counts_at_sea_and_off_the_cartouche() {
     {
         let link = format!("land={land}&seed=moa&attractors=2000&style=blueprint&labels=some&cartouche={cartouche}");
         let session = finished_link(&link);
-        let (labels, input) = placed(&session, 1440.0);
+        let map = session.map().unwrap();
+        let (labels, input) = placed(&map, 1440.0);
         let texts: Vec<&str> = of(&labels, Kind::Legend).map(|label| label.text.as_str()).collect();
-        let title = riverseed::name::Names::of(&session).title;
+        let title = riverseed::name::Names::of(&session.map().unwrap()).title;
         let heading = if cartouche == "none" { vec![title.as_str(), "moa"] } else { vec![] };
         assert!(texts.starts_with(&heading) && texts[heading.len()] == "100 units", "{texts:?}");
         let rivers = &session.network().unwrap().rivers;
@@ -282,7 +286,8 @@ fn a_seal_has_the_seed_s_initials_or_the_map_s() {
     let seal = |seed: &str, names: &str| {
         let more = [(Key::Seed, seed), (Key::Names, names)];
         let session = finished(recipe("land=island&attractors=500&style=ink-wash&labels=few", &more));
-        let (labels, input) = placed(&session, 1440.0);
+        let map = session.map().unwrap();
+        let (labels, input) = placed(&map, 1440.0);
         check_apart(&labels).unwrap();
         let seals: Vec<&Label> = of(&labels, Kind::Seal).collect();
         assert_eq!(seals.len(), 1, "{seed}");
@@ -321,7 +326,8 @@ proptest! {
     ) {
         let more = [(Key::Style, style), (Key::Labels, "some"), (Key::Cartouche, cartouche), (Key::LabelSize, &format!("{size:.2}"))];
         let session = finished(recipe(&link, &more));
-        let (labels, input) = placed(&session, width);
+        let map = session.map().unwrap();
+        let (labels, input) = placed(&map, width);
         check_apart(&labels)?;
         let pieces = Piece::all(&input);
         for seal in of(&labels, Kind::Seal) {
@@ -352,10 +358,10 @@ proptest! {
 fn a_map_that_is_handed_over_has_the_same_marks() {
     for style in ["survey", "blueprint", "ink-wash"] {
         let session = finished_link(&format!("land=island&seed=kauri&attractors=3000&labels=some&style={style}"));
-        let map = RiverMap::of(&session).unwrap();
-        let own = OwnMap::read(&wire::write(&map)).unwrap();
+        let map = session.map().unwrap();
+        let own = Map::from_wire(&map.to_wire()).unwrap();
         let view = View::new(&session.domain(), 900, 600).unwrap();
-        let masks = ChartBuilder::whole(&own.map(), &view, 1.0);
+        let masks = ChartBuilder::whole(&own, &view, 1.0);
         assert!(masks == ChartBuilder::whole(&map, &view, 1.0), "{style}");
         assert_eq!(masks.marks.is_empty(), style == "blueprint", "{style}");
     }
@@ -368,12 +374,16 @@ fn maps_without_labels_have_no_marks_and_other_styles_none_either() {
         let link = format!("land=island&seed=kauri&attractors=1000&style={}", style.name);
         let bare = finished_link(&link);
         let size = bare.domain().size;
-        assert!(labels::input(&RiverMap::of(&bare).unwrap(), [Vec2::ZERO, size], 1.0).is_none(), "{}", style.name);
+        assert!(labels::input(&bare.map().unwrap(), [Vec2::ZERO, size], 1.0).is_none(), "{}", style.name);
         let titled = finished_link(&format!("{link}&cartouche=plain"));
-        assert!(placed(&titled, 1200.0).0.iter().all(|label| label.kind.is_of_cartouche()), "{}", style.name);
+        assert!(
+            placed(&titled.map().unwrap(), 1200.0).0.iter().all(|label| label.kind.is_of_cartouche()),
+            "{}",
+            style.name
+        );
         let labelled = finished_link(&format!("{link}&labels=some"));
         let is_mark = |label: &Label| label.kind.is_mark() || label.kind == Kind::Legend;
-        with += usize::from(placed(&labelled, 1200.0).0.iter().any(is_mark));
+        with += usize::from(placed(&labelled.map().unwrap(), 1200.0).0.iter().any(is_mark));
         all += 1;
     }
     assert_eq!((with, all), (3, 12));
@@ -384,8 +394,12 @@ fn maps_without_labels_have_no_marks_and_other_styles_none_either() {
 fn svg_has_marks_a_legend_and_a_seal() {
     let svg = |style: &str| {
         let session = finished_link(&format!("land=island&seed=kauri&attractors=3000&labels=some&style={style}"));
-        let (labels, _) = placed(&session, session.domain().size.x);
-        let texts = [riverseed::export::svg::svg(&session), riverseed::export::svg::svg_with_text(&session)];
+        let map = session.map().unwrap();
+        let (labels, _) = placed(&map, session.domain().size.x);
+        let texts = [
+            riverseed::export::svg::svg(&session.map().unwrap()),
+            riverseed::export::svg::svg_with_text(&session.map().unwrap()),
+        ];
         (labels, texts.map(Result::unwrap))
     };
     let (labels, texts) = svg("survey");
@@ -417,7 +431,8 @@ fn a_seal_is_red_with_letters_left_out() {
     let session = finished_link("land=island&seed=kauri&attractors=500&style=ink-wash&labels=few");
     let mut picture = Picture::new(1440, 900).unwrap();
     picture.paint(&session);
-    let (labels, _) = placed(&session, 1440.0);
+    let map = session.map().unwrap();
+    let (labels, _) = placed(&map, 1440.0);
     let seal = of(&labels, Kind::Seal).next().unwrap();
     let view = *picture.view();
     let pixel = |at: Vec2| {

@@ -17,7 +17,11 @@ use serde_json::Value;
 
 /// The names of rivers and their kinds, by the rivers' identities.
 fn rivers(session: &Session) -> BTreeMap<u32, (String, String)> {
-    Names::of(session).rivers.into_iter().map(|river| (river.identity, (river.name, river.kind))).collect()
+    Names::of(&session.map().unwrap())
+        .rivers
+        .into_iter()
+        .map(|river| (river.identity, (river.name, river.kind)))
+        .collect()
 }
 
 /// A map on which several great rivers wind.
@@ -29,7 +33,7 @@ proptest! {
     #[test]
     fn no_two_things_on_a_map_have_one_name(link in random_link(600)) {
         let session = finished(&link, "style=ink");
-        let Names { rivers, reaches, places, title } = Names::of(&session);
+        let Names { rivers, reaches, places, title } = Names::of(&session.map().unwrap());
         prop_assert_eq!(rivers.len(), session.network().unwrap().rivers.len());
         let rivers = rivers.into_iter().map(|river| river.name);
         let all: Vec<String> = rivers
@@ -107,24 +111,24 @@ const SMALL: &str = "growth=drainage&land=archipelago&attractors=2000&seed=s2&st
 
 #[test]
 fn one_s_own_name_stands_in_the_place_of_another_and_names_its_fork() {
-    let plain = Names::of(&finished(SMALL, ""));
+    let plain = Names::of(&finished(SMALL, "").map().unwrap());
     let fork = (0..30).find_map(|seed| {
         let link = format!("{SMALL}&trim=0").replace("seed=s2", &format!("seed=f{seed}"));
-        let names = Names::of(&finished(&link, ""));
+        let names = Names::of(&finished(&link, "").map().unwrap());
         let fork = names.rivers.iter().find(|river| river.name.contains("Fork of the"))?;
         let parent = names.rivers.iter().find(|river| fork.name.ends_with(&format!(" {}", river.short)))?;
         Some((link, fork.clone(), parent.clone()))
     });
     let (link, fork, parent) = fork.unwrap();
     let over = format!("names={}.Silver", parent.identity);
-    let named = Names::of(&finished(&link, &over));
+    let named = Names::of(&finished(&link, &over).map().unwrap());
     let name = |identity: u32| named.rivers.iter().find(|river| river.identity == identity).unwrap().name.clone();
     assert_eq!(name(parent.identity), "Silver");
     assert_eq!(name(fork.identity), fork.name.replace(&parent.short, "Silver"));
     let (first, second) = (plain.rivers[0].identity, plain.rivers[1].identity);
     let over = format!("names={first}.Silver+Water_{second}._t.Home_i1.Away_s0.Glass_999999.Nowhere_l77.Dry");
     let session = finished(SMALL, &over);
-    let named = Names::of(&session);
+    let named = Names::of(&session.map().unwrap());
     assert_eq!((named.rivers[0].name.as_str(), named.rivers[1].name.as_str()), ("Silver Water", ""));
     assert_eq!(named.rivers[2..], plain.rivers[2..]);
     assert_eq!(named.title, "Home");
@@ -136,7 +140,7 @@ fn one_s_own_name_stands_in_the_place_of_another_and_names_its_fork() {
 
 #[test]
 fn what_is_named_after_a_name_of_one_s_own_has_its_word() {
-    let names = |own: &str| Names::of(&finished(MANY_REACHES, &format!("names={own}")));
+    let names = |own: &str| Names::of(&finished(MANY_REACHES, &format!("names={own}")).map().unwrap());
     assert!(names("i0.The Shire").title.contains("Shire") && !names("i0.The Shire").title.contains("The Shire"));
     let meanders = |names: Names| names.reaches.into_iter().find(|reach| reach.name.ends_with(" Meanders"));
     let reach = meanders(names("")).unwrap();
@@ -150,7 +154,7 @@ fn what_is_named_after_a_name_of_one_s_own_has_its_word() {
 fn a_reach_keeps_its_word_however_long_it_winds() {
     let link = "growth=drainage&land=island&attractors=6000&seed=kauri&style=ink&meander=bend";
     let reaches = |over: &str| -> BTreeMap<u32, String> {
-        let names = Names::of(&finished(link, over));
+        let names = Names::of(&finished(link, over).map().unwrap());
         names.reaches.into_iter().map(|reach| (reach.identity, reach.name)).collect()
     };
     let (some, more) =
@@ -167,14 +171,14 @@ fn a_reach_keeps_its_word_however_long_it_winds() {
 /// The names in both files.
 fn files(session: &Session) -> (Value, Value) {
     let (mut geojson, mut json) = (Vec::new(), Vec::new());
-    export::geojson::write(&mut geojson, session).unwrap();
-    export::json::write(&mut json, session, false).unwrap();
+    export::geojson::write(&mut geojson, &session.map().unwrap()).unwrap();
+    export::json::write(&mut json, &session.map().unwrap(), None).unwrap();
     (serde_json::from_slice(&geojson).unwrap(), serde_json::from_slice(&json).unwrap())
 }
 
 #[test]
 fn hostile_names_break_no_file() {
-    let plain = Names::of(&finished(SMALL, ""));
+    let plain = Names::of(&finished(SMALL, "").map().unwrap());
     let identity = plain.rivers[0].identity;
     for hostile in [
         "</text><script>alert(1)</script>",
@@ -192,7 +196,7 @@ fn hostile_names_break_no_file() {
         let (geojson, json) = files(&session);
         assert_eq!(geojson["features"][0]["properties"]["name"], hostile);
         assert_eq!((&json["rivers"][0]["name"], &json["names"][0]["text"]), (&hostile.into(), &hostile.into()));
-        let svg = export::svg::svg(&session).unwrap();
+        let svg = export::svg::svg(&session.map().unwrap()).unwrap();
         assert!(roxmltree::Document::parse(&svg).is_ok() && !svg.contains("<script"));
         assert_eq!(link::read(geojson["riverseed"].as_str().unwrap()).as_ref(), Ok(session.recipe()));
     }
@@ -210,14 +214,14 @@ fn names_change_nothing_else() {
     let plain = finished(SMALL, "");
     let named = finished(SMALL, "language=7&names=0.Silver_t.Home");
     assert_eq!(plain.network(), named.network());
-    assert_ne!(Names::of(&plain).rivers, Names::of(&named).rivers);
+    assert_ne!(Names::of(&plain.map().unwrap()).rivers, Names::of(&named.map().unwrap()).rivers);
     assert_eq!(riverseed::digest::digest(plain.recipe()).unwrap().len(), 16);
 }
 
 #[test]
 fn files_have_the_names() {
     let session = finished(SMALL, "");
-    let (names, (geojson, json)) = (Names::of(&session), files(&session));
+    let (names, (geojson, json)) = (Names::of(&session.map().unwrap()), files(&session));
     let features = geojson["features"].as_array().unwrap();
     for (i, river) in names.rivers.iter().enumerate() {
         let properties = &features[i]["properties"];
@@ -257,7 +261,7 @@ fn files_have_the_names() {
 fn names_are_read_as_they_were_handed_over() {
     for link in [MANY_REACHES, "land=archipelago&attractors=600&names=t.Hom%C4%93_i1.", "land=rectangle&attractors=300"]
     {
-        let names = Names::of(&finished(link, ""));
+        let names = Names::of(&finished(link, "").map().unwrap());
         let data = names.to_wire();
         let read = Names::from_wire(&data).unwrap();
         assert_eq!((&read.rivers, &read.reaches, &read.title), (&names.rivers, &names.reaches, &names.title), "{link}");

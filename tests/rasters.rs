@@ -15,7 +15,7 @@ use riverseed::export::rasters::{LINK_KEYWORD, Layer, Rasters, Values};
 use riverseed::export::{ExportError, pack, png as to_png};
 use riverseed::network::NONE;
 use riverseed::picture::Picture;
-use riverseed::recipe::{Recipe, link};
+use riverseed::recipe::link;
 use riverseed::relief::METRES;
 use riverseed::session::Session;
 
@@ -122,7 +122,7 @@ fn no_river_of_finer_grids_stands_on_a_dam() {
         [("land=island", 2049), ("land=archipelago", 1025), ("land=basin", 700), ("growth=colonize", 1025)]
     {
         let session = finished(&format!("seed=kea&{text}&attractors=3000"));
-        let rasters = Rasters::with_size(&session, size).unwrap();
+        let rasters = Rasters::with_size(&session.map().unwrap(), size).unwrap();
         let rivers = (0..rasters.columns * rasters.rows).filter(|&cell| rasters.flow().rivers[cell] != NONE);
         let dams: Vec<f32> = rivers.map(|cell| dam(&rasters, cell)).collect();
         // Without a measure against it 2 to 12 in 100, and 20 metres high.
@@ -144,7 +144,7 @@ proptest! {
     #[test]
     fn water_runs_to_the_sea_from_everywhere(text in random_link(2500)) {
         let session = finished(&text);
-        let rasters = Rasters::new(&session).unwrap();
+        let rasters = Rasters::new(&session.map().unwrap()).unwrap();
         check_flow(&session, &rasters);
         check_heights(&rasters);
     }
@@ -155,7 +155,7 @@ fn water_runs_to_the_sea_on_usual_maps() {
     for land in common::lands::every_land() {
         for growth in ["drainage", "colonize", "brownian&sensitivity=24"] {
             let session = finished(&format!("seed=kea&{land}&growth={growth}&attractors=3000"));
-            let rasters = Rasters::new(&session).unwrap();
+            let rasters = Rasters::new(&session.map().unwrap()).unwrap();
             check_flow(&session, &rasters);
             assert!(rasters.flow().mouths.is_empty() || rasters.flow().basins.iter().any(|&basin| basin > 0), "{land}");
         }
@@ -175,7 +175,7 @@ fn water_follows_rivers() {
     const NEAR: f32 = 3.0;
     for text in ["seed=kea&attractors=3000", "seed=rimu&attractors=3000&growth=colonize&land=rectangle"] {
         let session = finished(text);
-        let (rasters, network) = (Rasters::new(&session).unwrap(), session.network().unwrap());
+        let (rasters, network) = (Rasters::new(&session.map().unwrap()).unwrap(), session.network().unwrap());
         let (mut steps, mut astray) = (0, 0);
         for river in network.rivers.iter().filter(|river| river.order > 1) {
             let source = network.vertices[river.start as usize].at / 2.0;
@@ -199,11 +199,13 @@ fn water_follows_rivers() {
 #[test]
 fn any_style_has_the_same_rasters_and_the_highest_land_of_default_maps_is_a_mountain() {
     for seed in ["kauri", "rimu", "kea"] {
-        let rasters = Rasters::new(&finished(&format!("seed={seed}"))).unwrap();
+        let rasters = Rasters::new(&finished(&format!("seed={seed}")).map().unwrap()).unwrap();
         let highest = rasters.scale.metres(u16::MAX);
         assert!((1500.0..3000.0).contains(&highest), "{seed}: {highest} m");
     }
-    let with = |style: &str| Rasters::new(&finished(&format!("seed=kea&attractors=800&style={style}"))).unwrap();
+    let with = |style: &str| {
+        Rasters::new(&finished(&format!("seed=kea&attractors=800&style={style}")).map().unwrap()).unwrap()
+    };
     for layer in Layer::ALL {
         assert_eq!(with("ink").values(layer), with("atlas").values(layer), "{layer:?}");
     }
@@ -212,7 +214,7 @@ fn any_style_has_the_same_rasters_and_the_highest_land_of_default_maps_is_a_moun
 #[test]
 fn every_raster_is_read_back_as_it_was() {
     let session = finished("seed=kea&attractors=800&land=valley");
-    let rasters = Rasters::new(&session).unwrap();
+    let rasters = Rasters::new(&session.map().unwrap()).unwrap();
     for layer in Layer::ALL {
         let (columns, rows, values, texts) = read(&file(&rasters, layer));
         assert_eq!((columns, rows), (rasters.columns, rasters.rows));
@@ -233,8 +235,8 @@ fn finer_rasters_are_true_to_their_scale_and_water_runs_to_the_sea_on_them() {
         ("seed=matai&land=valley&growth=brownian&sensitivity=24", 2048),
     ] {
         let session = finished(text);
-        let rasters = Rasters::with_size(&session, size).unwrap();
-        let (own, map) = (Rasters::new(&session).unwrap(), session.domain().size);
+        let rasters = Rasters::with_size(&session.map().unwrap(), size).unwrap();
+        let (own, map) = (Rasters::new(&session.map().unwrap()).unwrap(), session.domain().size);
         assert_eq!(rasters.columns.max(rasters.rows), size as usize);
         check_flow(&session, &rasters);
         check_heights(&rasters);
@@ -263,19 +265,17 @@ fn finer_rasters_are_true_to_their_scale_and_water_runs_to_the_sea_on_them() {
 fn rasters_of_the_map_s_own_size_are_the_usual_ones_and_none_are_coarser_or_too_large() {
     for (aspect, own) in [("1", 500), ("1.5", 613), ("0.25", 1000)] {
         let session = finished(&format!("seed=kea&attractors=800&aspect={aspect}"));
-        let usual = Rasters::new(&session).unwrap();
-        let asked = Rasters::with_size(&session, own).unwrap();
+        let usual = Rasters::new(&session.map().unwrap()).unwrap();
+        let asked = Rasters::with_size(&session.map().unwrap(), own).unwrap();
         assert!(asked == usual, "{aspect}");
         assert!(Layer::ALL.into_iter().all(|layer| file(&asked, layer) == file(&usual, layer)), "{aspect}");
         for size in [0, own - 1, 4097, u32::MAX] {
-            let refused = Rasters::with_size(&session, size).unwrap_err();
+            let refused = Rasters::with_size(&session.map().unwrap(), size).unwrap_err();
             assert_eq!(refused, ExportError::RasterSize { size, least: own, most: 4096 });
             let text = format!("rasters of this map are from {own} to 4096 pixels long, not {size}");
             assert_eq!(refused.to_string(), text);
         }
     }
-    let growing = Session::new(Recipe::default()).unwrap();
-    assert_eq!(Rasters::with_size(&growing, 2048).unwrap_err(), ExportError::Unfinished);
 }
 
 #[test]
@@ -283,10 +283,10 @@ fn pack_holds_every_file() {
     let session = finished("seed=kea&attractors=300");
     let mut picture = Picture::new(64, 64).unwrap();
     picture.paint(&session);
-    let rasters = Rasters::new(&session).unwrap();
+    let rasters = Rasters::new(&session.map().unwrap()).unwrap();
     let written = || {
         let mut file = Vec::new();
-        pack::write(&mut file, &session, &rasters, picture.pixmap()).unwrap();
+        pack::write(&mut file, &session.map().unwrap(), &rasters, picture.pixmap()).unwrap();
         file
     };
     let file = written();
@@ -309,12 +309,6 @@ fn pack_holds_every_file() {
 }
 
 #[test]
-fn there_are_no_rasters_of_growing_rivers() {
-    let session = Session::new(Recipe::default()).unwrap();
-    assert_eq!(Rasters::new(&session).unwrap_err(), ExportError::Unfinished);
-}
-
-#[test]
 fn rivers_that_a_cutoff_gave_to_another_fall_into_it() {
     let session = finished(
         "seed=f&growth=colonize&valleys=0&land=rectangle&aspect=0.25&mouths=3&sides=n&attractors=1233&kill=0.5&step=0.2\
@@ -323,5 +317,5 @@ fn rivers_that_a_cutoff_gave_to_another_fall_into_it() {
     );
     let rivers = &session.network().unwrap().rivers;
     assert!((0..).zip(rivers).any(|(id, river)| river.parent != NONE && river.parent > id));
-    check_flow(&session, &Rasters::new(&session).unwrap());
+    check_flow(&session, &Rasters::new(&session.map().unwrap()).unwrap());
 }

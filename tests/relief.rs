@@ -126,9 +126,9 @@ fn no_land_of_usual_maps_is_a_pit() {
 /// The relief of a session on a finer grid, with a number of cells on the longer side.
 #[cfg(feature = "files")]
 fn finer(session: &Session, cells: u32) -> Relief {
-    let mut settings = session.relief_settings();
+    let mut settings = session.map().unwrap().relief_settings();
     settings.grid = Grid::with_longer_side(&settings.domain, cells).unwrap();
-    let own = session.make_relief().unwrap();
+    let own = session.map().unwrap().make_relief().unwrap();
     own.on_grid_of(session.network().unwrap(), settings).unwrap()
 }
 
@@ -176,7 +176,7 @@ fn share_above(values: &[f32], bound: f32) -> f32 {
 fn finer_grids_keep_the_heights_of_rivers_and_the_shape_of_the_land() {
     for text in ["seed=kea&attractors=3000", "seed=kea&growth=colonize&land=rectangle&attractors=3000"] {
         let session = finished(text);
-        let (own, finer) = (session.make_relief().unwrap(), finer(&session, 2000));
+        let (own, finer) = (session.map().unwrap().make_relief().unwrap(), finer(&session, 2000));
         let highest = own.quantile(0.99);
         let network = session.network().unwrap();
         let rivers = network.vertices.iter().filter(|vertex| own.at(vertex.at) > 0.0);
@@ -246,7 +246,7 @@ fn after_a_change_of_style_everything_is_as_of_a_fresh_recipe() {
     let painted = |session: &Session| {
         let mut picture = Picture::new(120, 80).unwrap();
         picture.paint(session);
-        (picture.pixmap().data().to_vec(), svg::svg(session).unwrap())
+        (picture.pixmap().data().to_vec(), svg::svg(&session.map().unwrap()).unwrap())
     };
     for land in ["island", "rectangle"] {
         let with = |style: &str| link::read(&format!("seed=kea&land={land}&attractors=900&style={style}")).unwrap();

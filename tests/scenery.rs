@@ -19,8 +19,7 @@ use riverseed::chart::{
 use riverseed::glam::Vec2;
 use riverseed::network::Place;
 use riverseed::recipe::link;
-use riverseed::river_map::RiverMap;
-use riverseed::{Key, Picture, Session, labels, scenery};
+use riverseed::{Key, Map, Picture, Session, labels, scenery};
 
 /// Finishes the rivers of a link.
 fn finished(link: &str) -> Session {
@@ -39,12 +38,11 @@ fn finished_with(link: &str, more: &[(Key, &str)]) -> Session {
 }
 
 /// The scenery of a map on a picture `width` pixels wide, and the input that it is placed by.
-fn placed(session: &Session, width: f32) -> (Vec<Standing>, SceneryInput<'_>) {
-    let size = session.domain().size;
-    let map = RiverMap::of(session).unwrap();
-    let labels = labels::input(&map, [Vec2::ZERO, size], width / size.x)
+fn placed(map: &Map, width: f32) -> (Vec<Standing>, SceneryInput<'_>) {
+    let size = map.domain().size;
+    let labels = labels::input(map, [Vec2::ZERO, size], width / size.x)
         .map_or_else(Vec::new, |input| place(&input, &Raster::new(&input)));
-    let input = scenery::input(&map, &labels).unwrap();
+    let input = scenery::input(map, &labels).unwrap();
     (Scenery::whole(&input), input)
 }
 
@@ -113,7 +111,8 @@ fn polygon(around: &Box) -> geo::Polygon<f64> {
 const SLACK: f64 = 0.01;
 
 fn check(session: &Session, width: f32) -> Result<usize, TestCaseError> {
-    let (all, input) = placed(session, width);
+    let map = session.map().unwrap();
+    let (all, input) = placed(&map, width);
     let water = water(&input);
     for one in &all {
         let clear = clearance(one, &water);
@@ -168,7 +167,8 @@ proptest! {
             finished_with(&format!("{link}&woods=1"), &[(Key::MeanderStrength, &strength), (Key::Style, "ink")])
         };
         let sessions = [session(one), session(other)];
-        let [before, after] = [&sessions[0], &sessions[1]].map(|session| placed(session, 1400.0));
+        let maps = [&sessions[0], &sessions[1]].map(|session| session.map().unwrap());
+        let [before, after] = maps.each_ref().map(|map| placed(map, 1400.0));
         for (here, there) in [(&before, &after), (&after, &before)] {
             let trees: BTreeMap<u32, &Standing> = there.0.iter().map(|tree| (tree.number, tree)).collect();
             for tree in &here.0 {
@@ -188,7 +188,7 @@ proptest! {
     fn more_woods_are_the_same_trees_and_more(link in random_link(300), few in 0u32..90) {
         let trees = |woods: u32| {
             let session = finished_with(&link, &[(Key::Woods, &(f64::from(woods) / 100.0).to_string()), (Key::Style, "atlas")]);
-            let all = if woods == 0 { Vec::new() } else { placed(&session, 1400.0).0 };
+            let all = if woods == 0 { Vec::new() } else { placed(&session.map().unwrap(), 1400.0).0 };
             all.into_iter().map(|tree| (tree.number, tree)).collect::<BTreeMap<_, _>>().into_values().collect::<Vec<_>>()
         };
         let [few, more] = [few, few + 10].map(trees);
@@ -238,7 +238,7 @@ const MAP: &str = "land=island&attractors=3000&seed=kauri";
 fn woods_and_hills_are_on_the_map_as_much_as_is_asked_for() {
     let count = |more: &str| {
         let session = finished(&format!("{MAP}&{more}"));
-        let map = RiverMap::of(&session).unwrap();
+        let map = session.map().unwrap();
         let all = scenery::input(&map, &[]).map_or_else(Vec::new, |input| Scenery::whole(&input));
         let trees = all.iter().filter(|one| one.is_tree()).count();
         (trees, all.len() - trees)
@@ -250,13 +250,14 @@ fn woods_and_hills_are_on_the_map_as_much_as_is_asked_for() {
     assert_eq!(count("woods=0.5&hills=1&style=skeleton"), (0, 0));
     assert!(count("woods=0.5&hills=1&style=survey").1 == 0 && count("woods=0.5&hills=1&style=survey").0 > 100);
     let growing = Session::new(link::read(&format!("{MAP}&woods=1")).unwrap()).unwrap();
-    assert!(RiverMap::of(&growing).is_none());
+    assert_eq!(growing.map(), None);
 }
 
 #[test]
 fn hills_are_higher_where_the_land_is() {
     let session = finished(&format!("{MAP}&style=basins&hills=1"));
-    let (hills, input) = placed(&session, 1400.0);
+    let map = session.map().unwrap();
+    let (hills, input) = placed(&map, 1400.0);
     let height = |one: &Standing| session.relief().unwrap().at(one.foot);
     let mean = |feature: Feature| {
         let heights: Vec<f32> = hills.iter().filter(|one| one.feature() == feature).map(height).collect();
@@ -271,16 +272,17 @@ fn hills_are_higher_where_the_land_is() {
 #[test]
 fn scenery_does_not_depend_on_how_large_a_picture_is() {
     let session = finished(&format!("{MAP}&woods=0.6&hills=0.6"));
-    assert_eq!(placed(&session, 300.0).0, placed(&session, 2000.0).0);
+    assert_eq!(placed(&session.map().unwrap(), 300.0).0, placed(&session.map().unwrap(), 2000.0).0);
 }
 
 #[test]
 #[cfg(feature = "files")]
 fn svg_has_each_tree_and_hill_once_in_the_order_in_which_they_hide_each_other() {
-    let svg = |more: &str| riverseed::export::svg::svg(&finished(&format!("{MAP}&{more}"))).unwrap();
+    let svg = |more: &str| riverseed::export::svg::svg(&finished(&format!("{MAP}&{more}")).map().unwrap()).unwrap();
     let session = finished(&format!("{MAP}&woods=0.6&hills=0.6&labels=some"));
-    let (all, _) = placed(&session, session.domain().size.x);
-    let text = riverseed::export::svg::svg(&session).unwrap();
+    let map = session.map().unwrap();
+    let (all, _) = placed(&map, session.domain().size.x);
+    let text = riverseed::export::svg::svg(&session.map().unwrap()).unwrap();
     let document = roxmltree::Document::parse(&text).unwrap();
     let ids: BTreeMap<&str, roxmltree::Node<'_, '_>> =
         document.descendants().filter_map(|node| Some((node.attribute("id")?, node))).collect();

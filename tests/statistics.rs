@@ -92,7 +92,7 @@ fn ratios_of_drainage_and_of_valleys_are_those_of_nature() {
 fn measured(link: &str) -> impl Fn(&str) -> f64 + use<> {
     let rows = of_seeds(link, |mut session| {
         session.finish().unwrap();
-        Measures::of(&session).unwrap()
+        Measures::of(&session.map().unwrap())
     });
     let medians = TABLE.iter().map(|measure| (measure.name, median(rows.iter().map(measure.value))));
     let medians: Vec<(&str, Option<f64>)> = medians.collect();

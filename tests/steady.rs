@@ -37,7 +37,7 @@ impl Courses {
     fn of(recipe: Recipe) -> Self {
         let spacing = (AREA / recipe.number(Key::Attractors)).sqrt();
         let mut session = Session::new(recipe).unwrap();
-        Self { spacing, points: points(session.finish().unwrap(), spacing / 16.0) }
+        Self { spacing, points: points(session.finish().unwrap().network(), spacing / 16.0) }
     }
 
     /// The share of these rivers that lies within half a spacing of those of another map.

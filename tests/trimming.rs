@@ -15,7 +15,7 @@ use riverseed::tree::{Hydrology, Tree};
 fn grown(link: &str) -> Tree {
     let mut growth = Colonize::new(GrowthSettings::of(&link::read(&plain(link)).unwrap())).unwrap();
     while growth.tick() {}
-    growth.tree().clone()
+    Tree::clone(growth.tree())
 }
 
 fn nodes(nodes: u32) -> Trim {
@@ -113,7 +113,7 @@ fn grown_and_threshold(link: &str) -> (Tree, Trim) {
     let mut growth = Growth::new(GrowthSettings::of(&recipe)).unwrap();
     while growth.tick() {}
     let threshold = Trim::new(recipe.number(Key::Trim), growth.node_length(), !growth.mouths_are_chosen());
-    (growth.tree().clone(), threshold)
+    (Tree::clone(growth.tree()), threshold)
 }
 
 const BROWNIAN: &str = "growth=brownian&land=island&sensitivity=20";

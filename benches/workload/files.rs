@@ -6,7 +6,7 @@ use png::{ColorType, Compression, Encoder, EncodingError};
 use riverseed::export;
 use riverseed::picture::Picture;
 use riverseed::recipe::{Recipe, link};
-use riverseed::session::Session;
+use riverseed::{Map, Session};
 
 use tiny_skia::Pixmap;
 
@@ -40,9 +40,9 @@ pub fn whole(growth: &str, attractors: &str) -> Option<Repetition> {
     let recipe = large(growth, attractors)?;
     let vertices = move || -> Option<u32> {
         let mut session = Session::new(recipe.clone()).ok()?;
-        session.finish().ok()?;
-        ["json", "geojson", "svg"].into_iter().try_for_each(|form| written(&session, form).map(drop))?;
-        Some(session.network()?.vertices.len() as u32)
+        let map = session.finish().ok()?;
+        ["json", "geojson", "svg"].into_iter().try_for_each(|form| written(&map, form).map(drop))?;
+        Some(map.network().vertices.len() as u32)
     };
     Some(Box::new(move || vertices().unwrap_or(0)))
 }
@@ -50,17 +50,17 @@ pub fn whole(growth: &str, attractors: &str) -> Option<Repetition> {
 /// Writes a file of a finished map. Returns its length in kB.
 pub fn file(form: &str, attractors: &str) -> Option<Repetition> {
     let mut session = Session::new(large("colonize", attractors)?).ok()?;
-    session.finish().ok()?;
+    let map = session.finish().ok()?;
     let form = form.to_owned();
-    Some(Box::new(move || written(&session, &form).map_or(0, |bytes| (bytes / 1000) as u32)))
+    Some(Box::new(move || written(&map, &form).map_or(0, |bytes| (bytes / 1000) as u32)))
 }
 
-fn written(session: &Session, form: &str) -> Option<u64> {
+fn written(map: &Map, form: &str) -> Option<u64> {
     let mut out = Counter::default();
     match form {
-        "json" => export::json::write(&mut out, session, false).ok()?,
-        "geojson" => export::geojson::write(&mut out, session).ok()?,
-        _ => out.write_all(export::svg::svg(session).ok()?.as_bytes()).ok()?,
+        "json" => export::json::write(&mut out, map, None).ok()?,
+        "geojson" => export::geojson::write(&mut out, map).ok()?,
+        _ => out.write_all(export::svg::svg(map).ok()?.as_bytes()).ok()?,
     }
     Some(out.0)
 }

@@ -2,22 +2,20 @@
 
 use riverseed::picture::Picture;
 use riverseed::recipe::link;
-use riverseed::session::Session;
+use riverseed::{Map, Session};
 
 use super::{Repetition, SIDE};
 
 /// A default map with the rivers of its finished network, except for the keys in `link`.
-fn map(link: &str) -> Option<Session> {
-    let mut session = Session::new(link::read(link).ok()?).ok()?;
-    session.finish().ok()?;
-    Some(session)
+fn map(link: &str) -> Option<Map> {
+    Session::new(link::read(link).ok()?).ok()?.finish().ok()
 }
 
 /// Solves the relief of a default map's finished rivers. Returns the height of one cell, in bits.
 pub fn relief() -> Option<Repetition> {
-    let session = map("style=ink")?;
+    let map = map("style=ink")?;
     Some(Box::new(move || {
-        let Ok(relief) = session.make_relief() else { return 0 };
+        let Ok(relief) = map.make_relief() else { return 0 };
         relief.heights()[relief.heights().len() / 2].to_bits()
     }))
 }

@@ -151,12 +151,13 @@ fn is_finite(network: &Network) -> bool {
 
 /// Checks that all files can be written and hold only numbers.
 fn check_files(session: &Session) {
-    let svg = svg::svg(session).expect("it is finished");
+    let map = session.map().expect("it is finished");
+    let svg = svg::svg(&map).expect("it is finished");
     let paths = svg.split(" d=\"").skip(1).filter_map(|rest| rest.split('"').next());
     assert!(paths.into_iter().all(|path| !path.contains("NaN") && !path.contains("inf")), "{svg}");
     let mut text = Vec::new();
-    geojson::write(&mut text, session).expect("it is finished");
-    json::write(&mut text, session, true).expect("it is finished");
+    geojson::write(&mut text, &map).expect("it is finished");
+    json::write(&mut text, &map, Some(&session.growth().scattered())).expect("it is finished");
     let text = String::from_utf8_lossy(&text);
     // A value that is not a number is written as null.
     assert!(!text.contains("[null") && !text.contains(",null"), "a column with a number that is none");

@@ -5,8 +5,7 @@ use std::io::{self, Write};
 use pyo3::prelude::*;
 use riverseed::export::rasters::{Layer, Rasters};
 use riverseed::export::{Form, geojson, json, pack, png, svg};
-use riverseed::recipe::link;
-use riverseed::session::Session;
+use riverseed::recipe::{link, shown};
 
 use crate::failure::{Done, Failure};
 use crate::map::Map;
@@ -79,15 +78,15 @@ pub fn bytes(py: Python<'_>, map: &Map, options: &Options) -> PyResult<Vec<u8>> 
     match options.form {
         Form::Png => {
             let picture = map.paint(py, options.size, options.ratio)?;
-            map.read(py, |session| {
-                let link = link::write(session.recipe());
+            map.read(py, |map| {
+                let link = link::write(map.recipe());
                 written(|out| Ok(png::write(out, picture.pixmap(), &link).map_err(io::Error::from)?))
             })
         }
         Form::Pack => {
             let rasters = rasters(py, map, options.raster_size)?;
             let picture = map.paint(py, options.size, options.ratio)?;
-            map.read(py, |session| written(|out| Ok(pack::write(out, session, &rasters, picture.pixmap())?)))
+            map.read(py, |map| written(|out| Ok(pack::write(out, map, &rasters, picture.pixmap())?)))
         }
         Form::Raster(layer) => {
             let rasters = rasters(py, map, options.raster_size)?;
@@ -97,7 +96,7 @@ pub fn bytes(py: Python<'_>, map: &Map, options: &Options) -> PyResult<Vec<u8>> 
             if options.form.has_relief() {
                 map.raise_relief(py)?;
             }
-            map.read(py, |session| written(|out| write_text(out, session, options)))
+            map.read(py, |map| written(|out| write_text(out, map, options)))
         }
     }
 }
@@ -107,12 +106,12 @@ fn raster(rasters: &Rasters, layer: Layer) -> Done<Vec<u8>> {
 }
 
 /// Writes text that ends with a line break, as files do.
-fn write_text(out: &mut Vec<u8>, session: &Session, options: &Options) -> Done<()> {
+fn write_text(out: &mut Vec<u8>, map: &riverseed::Map, options: &Options) -> Done<()> {
     match options.form {
-        Form::Svg if options.has_svg_text => out.write_all(svg::svg_with_text(session)?.as_bytes())?,
-        Form::Svg => out.write_all(svg::svg(session)?.as_bytes())?,
-        Form::GeoJson => geojson::write(&mut *out, session)?,
-        _ => json::write(&mut *out, session, false)?,
+        Form::Svg if options.has_svg_text => out.write_all(svg::svg_with_text(map)?.as_bytes())?,
+        Form::Svg => out.write_all(svg::svg(map)?.as_bytes())?,
+        Form::GeoJson => geojson::write(&mut *out, map)?,
+        _ => json::write(&mut *out, map, None)?,
     }
     Ok(writeln!(out)?)
 }

@@ -33,8 +33,13 @@ impl Map {
     }
 
     /// Makes something of the map, without the interpreter's lock.
-    pub fn read<T: Send>(&self, py: Python<'_>, make: impl FnOnce(&Session) -> Done<T> + Send) -> PyResult<T> {
-        Ok(py.detach(|| make(&self.session()))?)
+    pub fn read<T: Send>(&self, py: Python<'_>, make: impl FnOnce(&riverseed::Map) -> Done<T> + Send) -> PyResult<T> {
+        Ok(py.detach(|| make(&self.map()?))?)
+    }
+
+    /// The map as it is now, with its relief if that has been made.
+    fn map(&self) -> Done<riverseed::Map> {
+        self.session().map().ok_or_else(|| Failure::Refused("the map is not finished".into()))
     }
 
     /// Raises the relief, in a style that shows none too. It is made once. The map is locked for one step at a time and never while signals
@@ -45,8 +50,8 @@ impl Map {
 
     /// Paints a picture whose longer side has this many pixels.
     pub fn paint(&self, py: Python<'_>, size: u32, ratio: f32) -> PyResult<Picture> {
-        let mut picture = self.read(py, |session| {
-            let (width, height) = View::sides_for(&session.domain(), size);
+        let mut picture = self.read(py, |map| {
+            let (width, height) = View::sides_for(&map.domain(), size);
             Ok(Picture::new(width, height)?.with_ratio(ratio))
         })?;
         steps::run(py, || Ok(matches!(picture.paint_part(&self.session()), Painted::Part)))?;
@@ -82,7 +87,7 @@ impl Map {
     }
 
     fn link(&self, py: Python<'_>) -> PyResult<String> {
-        self.read(py, |session| Ok(link::write(session.recipe())))
+        self.read(py, |map| Ok(link::write(map.recipe())))
     }
 
     fn recipe<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {

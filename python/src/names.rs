@@ -10,7 +10,7 @@ use crate::map::Map;
 
 /// Makes the fields of each `riverseed.Name`.
 pub fn list<'py>(py: Python<'py>, map: &Map) -> PyResult<Vec<Bound<'py, PyDict>>> {
-    let Names { reaches, places, title, .. } = map.read(py, |session| Ok(Names::of(session)))?;
+    let Names { reaches, places, title, .. } = map.read(py, |map| Ok(Names::of(map)))?;
     let title = std::iter::once(name(py, "title", None, title, &[]));
     let reaches = reaches.into_iter().map(|reach| name(py, "reach", Some(reach.identity), reach.name, &reach.course));
     let places =

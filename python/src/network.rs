@@ -17,10 +17,10 @@ const BYTES_A_VERTEX: usize = 48;
 
 /// Measures the network; None for measures that it is too small for.
 pub fn measures<'py>(py: Python<'py>, map: &Map) -> PyResult<Bound<'py, PyDict>> {
-    let measured = map.read(py, |session| Ok(Measures::of(session)))?;
+    let measured = map.read(py, |map| Ok(Measures::of(map)))?;
     let dict = PyDict::new(py);
     for measure in &measure::TABLE {
-        dict.set_item(measure.name, measured.as_ref().and_then(measure.value))?;
+        dict.set_item(measure.name, (measure.value)(&measured))?;
     }
     Ok(dict)
 }
@@ -29,9 +29,9 @@ pub fn measures<'py>(py: Python<'py>, map: &Map) -> PyResult<Bound<'py, PyDict>>
 pub fn nodes<'py>(py: Python<'py>, map: &Map) -> PyResult<Bound<'py, PyDict>> {
     /// The columns, the trimmed tree, and the hydrology of both trees.
     const BYTES_A_NODE: usize = 128;
-    let Pruned { tree, hydrology, .. } = map.read(py, |session| {
-        ask_for_memory(session.tree().len(), BYTES_A_NODE)?;
-        Ok(session.pruned())
+    let Pruned { tree, hydrology, .. } = map.read(py, |map| {
+        ask_for_memory(map.tree().len(), BYTES_A_NODE)?;
+        Ok(map.pruned())
     })?;
     let fields = PyDict::new(py);
     put(&fields, "x", tree.at.iter().map(|at| at.x).collect())?;
@@ -75,10 +75,9 @@ impl Rivers {
 
 /// Makes the fields of `riverseed.Rivers`.
 pub fn rivers<'py>(py: Python<'py>, map: &Map) -> PyResult<Bound<'py, PyDict>> {
-    let rivers = map.read(py, |session| {
-        let network = session.network().unwrap_or(Network::EMPTY);
-        ask_for_memory(network.vertices.len(), BYTES_A_VERTEX)?;
-        Ok(Rivers::of(network, Names::of(session)))
+    let rivers = map.read(py, |map| {
+        ask_for_memory(map.network().vertices.len(), BYTES_A_VERTEX)?;
+        Ok(Rivers::of(map.network(), Names::of(map)))
     })?;
     let fields = PyDict::new(py);
     put(&fields, "parent", rivers.parent)?;
@@ -112,7 +111,7 @@ impl Oxbows {
 
 /// Makes the fields of `riverseed.Oxbows`.
 pub fn oxbows<'py>(py: Python<'py>, map: &Map) -> PyResult<Bound<'py, PyDict>> {
-    let oxbows = map.read(py, |session| Ok(Oxbows::of(session.network().unwrap_or(Network::EMPTY))))?;
+    let oxbows = map.read(py, |map| Ok(Oxbows::of(map.network())))?;
     let fields = PyDict::new(py);
     put(&fields, "river", oxbows.river)?;
     put(&fields, "born", oxbows.born)?;

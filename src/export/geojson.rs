@@ -15,36 +15,36 @@ use super::rings::GridPoint;
 use super::{ExportError, names_of, rivers};
 use crate::domain::Domain;
 use crate::land::SmoothedDistance;
+use crate::map::Map;
 use crate::name::Names;
 use crate::network::{NONE, Network, hydrology};
 use crate::recipe::link;
 use crate::relief::{CELL_SIZE, Flow, METRES, Relief};
-use crate::session::Session;
 
-/// A session's rivers as they are, and the land that they made: a feature collection, ready to be written.
+/// The rivers of a map, and the land that they made: a feature collection, ready to be written.
 ///
 /// # Errors
-/// If there are no rivers yet, or there is not enough memory.
-pub fn collection(session: &Session) -> Result<Json<'_>, ExportError> {
-    named(session, names_of(session))
+/// If there is not enough memory.
+pub fn collection(map: &Map) -> Result<Json<'_>, ExportError> {
+    named(map, names_of(map))
 }
 
 /// The same without names, which no digest is of.
-pub(crate) fn unnamed(session: &Session) -> Result<Json<'_>, ExportError> {
-    named(session, Names::default())
+pub(crate) fn unnamed(map: &Map) -> Result<Json<'_>, ExportError> {
+    named(map, Names::default())
 }
 
 /// The same with names that were made elsewhere.
 ///
 /// # Errors
-/// As [`geojson`].
-pub fn named(session: &Session, names: Names) -> Result<Json<'_>, ExportError> {
+/// As [`collection`].
+pub fn named(map: &Map, names: Names) -> Result<Json<'_>, ExportError> {
     const BYTES_A_VERTEX: usize = 16;
-    let network = rivers(session, BYTES_A_VERTEX)?;
-    let relief = session.make_relief()?;
+    let network = rivers(map, BYTES_A_VERTEX)?;
+    let relief = map.make_relief()?;
     // Where a river passes another's bend, its cell may be lower than the ones below it.
     let elevations = hydrology::upward(network, |i, below| relief.at(network.vertices[i].at).max(below));
-    let features = Features { network, domain: session.domain(), elevations, names };
+    let features = Features { network, domain: map.domain(), elevations, names };
     let mut lakes = Vec::new();
     for (id, oxbow) in (0..).zip(&network.oxbows) {
         if let Some(ring) = Banks::of_lake(oxbow, 0.0).simple_ring(|at| features.grid(at)) {
@@ -52,16 +52,15 @@ pub fn named(session: &Session, names: Names) -> Result<Json<'_>, ExportError> {
         }
     }
     let count = network.rivers.len();
-    let ground = Ground::new(session, &features, &relief)?;
-    let (land, ridges) =
-        (count + lakes.len() + ground.basins.len(), session.land().map_or(0, |land| land.ridges().len()));
+    let ground = Ground::new(map, &features, &relief)?;
+    let (land, ridges) = (count + lakes.len() + ground.basins.len(), map.land().map_or(0, |land| land.ridges().len()));
     let unnamed = land + ground.land.len() + ridges;
     let all = unnamed + features.named();
     let feature = move |i: usize| match (i.checked_sub(count), i.checked_sub(count + lakes.len()), i.checked_sub(land))
     {
         _ if i >= unnamed => features.name(i - unnamed),
         (_, _, Some(i)) if i < ground.land.len() => ground.land(i),
-        (_, _, Some(i)) => features.ridge(session, i - ground.land.len()),
+        (_, _, Some(i)) => features.ridge(map, i - ground.land.len()),
         (_, Some(i), _) => ground.basin(i),
         (Some(i), ..) => features.lake(lakes[i].0, &lakes[i].1),
         _ => features.river(i as u32),
@@ -69,18 +68,18 @@ pub fn named(session: &Session, names: Names) -> Result<Json<'_>, ExportError> {
     let mut collection = Members::default();
     collection
         .text("type", "FeatureCollection")
-        .owned("riverseed", link::write(session.recipe()))
+        .owned("riverseed", link::write(map.recipe()))
         .value("features", Json::list(all, feature));
     Ok(collection.into())
 }
 
-/// Writes the rivers of a session.
+/// Writes the rivers of a map.
 ///
 /// # Errors
-/// If there are no rivers yet, or there is not enough memory; and those of the writer.
+/// If there is not enough memory; and those of the writer.
 #[cfg(feature = "json")]
-pub fn write(out: impl std::io::Write, session: &Session) -> std::io::Result<()> {
-    let collection = collection(session).map_err(std::io::Error::other)?;
+pub fn write(out: impl std::io::Write, map: &Map) -> std::io::Result<()> {
+    let collection = collection(map).map_err(std::io::Error::other)?;
     Ok(serde_json::to_writer(out, &collection)?)
 }
 
@@ -133,8 +132,8 @@ impl<'a> Features<'a> {
         feature(format!("river-{id}"), "LineString", positions(line), properties)
     }
 
-    fn ridge(&self, session: &Session, i: usize) -> Json<'a> {
-        let line = session.land().and_then(|land| land.ridges().get(i)).map_or(&[][..], Vec::as_slice);
+    fn ridge(&self, map: &Map, i: usize) -> Json<'a> {
+        let line = map.land().and_then(|land| land.ridges().get(i)).map_or(&[][..], Vec::as_slice);
         let mut properties = Members::default();
         properties.text("kind", "ridge").whole("number", i as u32);
         let line = line.iter().map(|at| self.degrees(*at)).collect();
@@ -184,17 +183,17 @@ struct Ground {
 }
 
 impl Ground {
-    fn new(session: &Session, features: &Features, relief: &Relief) -> Result<Self, ExportError> {
+    fn new(map: &Map, features: &Features, relief: &Relief) -> Result<Self, ExportError> {
         // North is up: what ran to the left of a line still does, seen from above.
         let on_grid = |rings: Vec<Vec<Vec2>>| {
             polygons(rings.into_iter().map(|ring| ring.into_iter().map(|at| features.grid(at)).collect()))
         };
-        let size = session.domain().size;
-        let land = match session.land() {
+        let size = map.domain().size;
+        let land = match map.land() {
             Some(land) => SmoothedDistance::of(land.coast_distance()).rings_above(0.0),
             None => vec![vec![Vec2::ZERO, Vec2::new(0.0, size.y), size, Vec2::new(size.x, 0.0)]],
         };
-        let flow = Flow::new(relief, features.network, &session.relief_settings())?;
+        let flow = Flow::new(relief, features.network, &map.relief_settings())?;
         let mut areas = vec![0.0; flow.mouths.len() + 1];
         flow.basins.iter().for_each(|&basin| areas[basin as usize] += CELL_SIZE * CELL_SIZE);
         let basins = (1..).zip(&flow.mouths).zip(flow.basin_rings(&relief.grid()));

@@ -6,26 +6,27 @@ use super::data::{Json, Members};
 use super::names;
 use super::{ExportError, names_of, rivers};
 use crate::grow::Ending;
+use crate::map::Map;
 use crate::measure::{self, Measures};
 use crate::name::Names;
 use crate::network::{NONE, Network, Vertex};
 use crate::prune::Pruned;
 use crate::recipe::table::TABLE;
 use crate::recipe::{self, Key, Recipe, Stage};
-use crate::session::Session;
 use crate::tree::NO_PARENT;
 
-/// The network of a session as it is, ready to be written, with its attractors if asked for.
+/// The network of a map, ready to be written, with the attractors that its tree grew to, if they are given
+/// ([`Growth::scattered`](crate::grow::Growth::scattered)).
 ///
 /// # Errors
-/// If there are no rivers yet, or there is not enough memory.
-pub fn network(session: &Session, with_attractors: bool) -> Result<Json<'_>, ExportError> {
-    compose(session, with_attractors, Some(names_of(session)))
+/// If there is not enough memory.
+pub fn network<'a>(map: &'a Map, attractors: Option<&[Vec2]>) -> Result<Json<'a>, ExportError> {
+    compose(map, attractors, Some(names_of(map)))
 }
 
 /// The same without names and what they are made of, which no digest is of.
-pub(crate) fn unnamed(session: &Session, with_attractors: bool) -> Result<Json<'_>, ExportError> {
-    compose(session, with_attractors, None)
+pub(crate) fn unnamed<'a>(map: &'a Map, attractors: Option<&[Vec2]>) -> Result<Json<'a>, ExportError> {
+    compose(map, attractors, None)
 }
 
 /// The same with names that were made elsewhere; without, what they are made of is left out, too.
@@ -33,12 +34,19 @@ pub(crate) fn unnamed(session: &Session, with_attractors: bool) -> Result<Json<'
 /// # Errors
 /// As [`json`].
 #[inline(never)] // one copy is enough
-pub fn compose(session: &Session, with_attractors: bool, names: Option<Names>) -> Result<Json<'_>, ExportError> {
+///
+/// # Errors
+/// As [`network`].
+pub fn compose<'a>(
+    map: &'a Map,
+    attractors: Option<&[Vec2]>,
+    names: Option<Names>,
+) -> Result<Json<'a>, ExportError> {
     /// Of the nodes' columns, about two nodes a vertex.
     const BYTES_A_VERTEX: usize = 64;
-    let network = rivers(session, BYTES_A_VERTEX)?;
+    let network = rivers(map, BYTES_A_VERTEX)?;
     let mut domain = Members::default();
-    domain.single("width", session.domain().size.x).single("height", session.domain().size.y);
+    domain.single("width", map.domain().size.x).single("height", map.domain().size.y);
     let mut form = Members::default();
     let is_named = names.is_some();
     let named_rivers = names.as_ref().map_or_else(Vec::new, |names| names.rivers.clone());
@@ -51,30 +59,30 @@ pub fn compose(session: &Session, with_attractors: bool, names: Option<Names>) -
         members.value("points", points(course(network, i)));
         Json::from(members)
     };
-    form.value("recipe", values(session.recipe(), is_named))
-        .object("resolved", resolved(session))
+    form.value("recipe", values(map.recipe(), is_named))
+        .object("resolved", resolved(map))
         .object("domain", domain)
-        .object("growth", growth(session))
-        .value("measures", Measures::of(session).as_ref().map_or(Json::Null, measures))
-        .object("nodes", nodes(session.pruned()))
+        .object("growth", growth(map))
+        .value("measures", measures(&Measures::of(map)))
+        .object("nodes", nodes(map.pruned()))
         .value("rivers", Json::list(network.rivers.len(), river))
         .value("oxbows", Json::list(network.oxbows.len(), |i| oxbow(network, i as u32)));
     if let Some(names) = names {
         form.value("names", names::list(names));
     }
-    if with_attractors {
-        form.object("attractors", columns(&session.growth().scattered()));
+    if let Some(attractors) = attractors {
+        form.object("attractors", columns(attractors));
     }
     Ok(form.into())
 }
 
-/// Writes the network of a session, with its attractors if asked for.
+/// Writes the network of a map, with the attractors that its tree grew to, if they are given.
 ///
 /// # Errors
-/// If there are no rivers yet, or there is not enough memory; and those of the writer.
+/// If there is not enough memory; and those of the writer.
 #[cfg(feature = "json")]
-pub fn write(out: impl std::io::Write, session: &Session, with_attractors: bool) -> std::io::Result<()> {
-    let network = network(session, with_attractors).map_err(std::io::Error::other)?;
+pub fn write(out: impl std::io::Write, map: &Map, attractors: Option<&[Vec2]>) -> std::io::Result<()> {
+    let network = network(map, attractors).map_err(std::io::Error::other)?;
     Ok(serde_json::to_writer(out, &network)?)
 }
 
@@ -97,27 +105,26 @@ fn values<'a>(recipe: &Recipe, is_named: bool) -> Json<'a> {
 }
 
 /// The values used, lengths in domain units.
-fn resolved<'a>(session: &Session) -> Members<'a> {
-    let grown = session.growth().settings();
-    let shaped = session.network_settings();
+fn resolved<'a>(map: &Map) -> Members<'a> {
+    let (recipe, grown, shaped) = (map.recipe(), map.grown(), map.network_settings());
     let mut members = Members::default();
     members
         .single("spacing", grown.spacing)
         .single("reach", grown.reach)
         .single("kill", grown.kill)
         .single("step", grown.step)
-        .single("momentum", grown.momentum)
-        .single("curl", grown.curl)
-        .whole("stretch", grown.stretch)
-        .single("sensitivity", grown.sensitivity)
-        .single("trim", session.recipe().number(Key::Trim))
-        .whole("trim-nodes", session.trim().nodes)
+        .single("momentum", recipe.number(Key::Momentum))
+        .single("curl", recipe.number(Key::Curl))
+        .whole("stretch", recipe.integer(Key::Stretch))
+        .single("sensitivity", recipe.number(Key::Sensitivity))
+        .single("trim", recipe.number(Key::Trim))
+        .whole("trim-nodes", map.trim().nodes)
         .single("width", shaped.max_width)
         .whole("total-discharge", shaped.total_discharge)
         .single("vertex-spacing", shaped.spacing)
         .single("simplify", shaped.simplify)
         .single("bank-variation", shaped.bank_variation)
-        .owned("meander", Key::Meander.parameter().text_of(session.recipe().value(Key::Meander)))
+        .owned("meander", Key::Meander.parameter().text_of(recipe.value(Key::Meander)))
         .whole("meander-rounds", shaped.rounds)
         .single("meander-strength", shaped.strength)
         .single("meander-mix", shaped.mix)
@@ -130,14 +137,14 @@ fn resolved<'a>(session: &Session) -> Members<'a> {
     members
 }
 
-fn growth<'a>(session: &Session) -> Members<'a> {
-    let summary = session.summary();
+fn growth<'a>(map: &Map) -> Members<'a> {
+    let grown = map.grown();
     let mut members = Members::default();
     members
-        .whole("ticks", summary.ticks)
-        .whole("attractors", summary.attractors)
-        .whole("unreached", summary.unreached)
-        .value("complete", Json::Truth(summary.ending == Some(Ending::Complete)));
+        .whole("ticks", (map.tree().tick_starts.len() as u32).saturating_sub(1))
+        .whole("attractors", grown.attractors)
+        .whole("unreached", grown.unreached)
+        .value("complete", Json::Truth(grown.ending == Ending::Complete));
     members
 }
 

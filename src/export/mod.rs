@@ -21,16 +21,16 @@ pub use form::Form;
 
 use thiserror::Error;
 
+use crate::map::Map;
 use crate::memory;
 use crate::name::Names;
 use crate::network::Network;
-use crate::session::Session;
 
-/// The names of a session's map; none where there is nothing that makes names.
+/// The names of a map; none where there is nothing that makes names.
 #[cfg_attr(not(feature = "names"), expect(unused_variables, reason = "there are no names"))]
-fn names_of(session: &Session) -> Names {
+fn names_of(map: &Map) -> Names {
     #[cfg(feature = "names")]
-    return Names::of(session);
+    return Names::of(map);
     #[cfg(not(feature = "names"))]
     Names::default()
 }
@@ -39,9 +39,6 @@ fn names_of(session: &Session) -> Names {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum ExportError {
-    /// There are no rivers yet.
-    #[error("the rivers are still growing")]
-    Unfinished,
     /// Rasters of this map cannot have that many pixels.
     #[error("rasters of this map are from {least} to {most} pixels long, not {size}")]
     RasterSize {
@@ -60,9 +57,9 @@ pub enum ExportError {
     },
 }
 
-/// The rivers of a session, if there are any and there is enough memory for each of their vertices.
-fn rivers(session: &Session, bytes_a_vertex: usize) -> Result<&Network, ExportError> {
-    let network = session.network().ok_or(ExportError::Unfinished)?;
+/// The rivers of a map, if there is enough memory for each of their vertices.
+fn rivers(map: &Map, bytes_a_vertex: usize) -> Result<&Network, ExportError> {
+    let network: &Network = map.network();
     let vertices = network.vertices.len() + network.oxbows.iter().map(|oxbow| oxbow.vertices.len()).sum::<usize>();
     let bytes = vertices.saturating_mul(bytes_a_vertex);
     if !memory::can_allocate(bytes) {

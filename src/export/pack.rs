@@ -15,9 +15,9 @@ use tiny_skia::Pixmap;
 use super::rasters::{Layer, Rasters, decimal, shortest};
 #[cfg(feature = "pack")]
 use super::{geojson, png};
-use crate::relief::METRES;
 #[cfg(feature = "pack")]
-use crate::session::Session;
+use crate::map::Map;
+use crate::relief::METRES;
 
 /// The names of the files besides the rasters: the text, the picture, the rivers.
 pub const README: &str = "README.txt";
@@ -57,20 +57,20 @@ pub fn readme(rasters: &Rasters) -> String {
     text
 }
 
-/// Writes the archive, in the ZIP format. `rasters` and `picture` are those of the session. A recipe always gives the same bytes: files
+/// Writes the archive, in the ZIP format. `rasters` and `picture` are those of the map. A recipe always gives the same bytes: files
 /// have no time.
 ///
 /// # Errors
 /// If there are no rivers yet, or there is not enough memory; and those of the writer.
 #[cfg(feature = "pack")]
-pub fn write(out: impl Write, session: &Session, rasters: &Rasters, picture: &Pixmap) -> Result<()> {
+pub fn write(out: impl Write, map: &Map, rasters: &Rasters, picture: &Pixmap) -> Result<()> {
     let mut archive = ZipArchiveWriter::new(out);
     add(&mut archive, README, |file| file.write_all(readme(rasters).as_bytes()))?;
     for layer in Layer::ALL {
         let name = format!("{}.png", layer.name());
         add(&mut archive, &name, |file| Ok(png::write_raster(file, rasters, layer)?))?;
     }
-    add(&mut archive, FEATURES, |file| geojson::write(file, session))?;
+    add(&mut archive, FEATURES, |file| geojson::write(file, map))?;
     add(&mut archive, PICTURE, |file| Ok(png::write(file, picture, &rasters.link)?))?;
     archive.finish().map(drop).map_err(Error::other)
 }

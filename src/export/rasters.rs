@@ -6,10 +6,10 @@ use glam::Vec2;
 
 use super::{ExportError, rivers};
 use crate::domain::Domain;
+use crate::map::Map;
 use crate::network::Network;
 use crate::recipe::link;
 use crate::relief::{CELL_SIZE, Flow, Grid, METRES, Relief, ReliefError, ReliefSettings};
-use crate::session::Session;
 
 const BYTES_A_VERTEX: usize = 40;
 
@@ -121,31 +121,31 @@ impl Scale {
 }
 
 impl Rasters {
-    /// The rasters of a session's rivers as they are, on the map's own grid: a pixel is 2 x 2 units.
+    /// The rasters of a map on its own grid: a pixel is 2 x 2 units.
     ///
     /// # Errors
-    /// If there are no rivers yet, or there is not enough memory.
-    pub fn new(session: &Session) -> Result<Self, ExportError> {
-        let network = rivers(session, BYTES_A_VERTEX)?;
-        Self::of(session, network, session.make_relief()?, &session.relief_settings())
+    /// If there is not enough memory.
+    pub fn new(map: &Map) -> Result<Self, ExportError> {
+        let network = rivers(map, BYTES_A_VERTEX)?;
+        Self::of(map, network, map.make_relief()?, &map.relief_settings())
     }
 
     /// The same with so many pixels on the longer side, from those of the map's own grid (500 of a square map) to [`Grid::MOST`]. Rivers
     /// are as high as on that, but where they would stand on dams; hillsides are solved anew.
     ///
     /// # Errors
-    /// If there are no rivers yet, rasters cannot be that long, or there is not enough memory: some 100 bytes a pixel.
-    pub fn with_size(session: &Session, size: u32) -> Result<Self, ExportError> {
-        let network = rivers(session, BYTES_A_VERTEX)?;
-        let mut settings = session.relief_settings();
+    /// If rasters cannot be that long, or there is not enough memory: some 100 bytes a pixel.
+    pub fn with_size(map: &Map, size: u32) -> Result<Self, ExportError> {
+        let network = rivers(map, BYTES_A_VERTEX)?;
+        let mut settings = map.relief_settings();
         let grid = Self::grid(&settings.domain, size)?;
-        let own = session.make_relief()?;
+        let own = map.make_relief()?;
         if grid == settings.grid {
-            return Self::of(session, network, own, &settings);
+            return Self::of(map, network, own, &settings);
         }
         settings.grid = grid;
         let finer = own.on_grid_of(network, settings.clone())?;
-        Self::of(session, network, finer.into(), &settings)
+        Self::of(map, network, finer.into(), &settings)
     }
 
     /// The pixels of rasters that are so long.
@@ -158,19 +158,14 @@ impl Rasters {
         Grid::with_longer_side(domain, size).ok_or(refused)
     }
 
-    fn of(
-        session: &Session,
-        network: &Network,
-        relief: Arc<Relief>,
-        settings: &ReliefSettings,
-    ) -> Result<Self, ExportError> {
+    fn of(map: &Map, network: &Network, relief: Arc<Relief>, settings: &ReliefSettings) -> Result<Self, ExportError> {
         let flow = Flow::new(&relief, network, settings)?;
         Ok(Self {
-            link: link::write(session.recipe()),
+            link: link::write(map.recipe()),
             columns: relief.columns(),
             rows: relief.rows(),
             cell_size: relief.cell_size(),
-            size: session.domain().size,
+            size: map.domain().size,
             scale: Scale::of(relief.heights()),
             widths: widths(&relief, &flow, network),
             relief,
@@ -313,19 +308,19 @@ impl From<ReliefError> for ExportError {
 mod tests {
     use super::*;
     use crate::memory::testing::with_lists_up_to;
+    use crate::session::Session;
 
     #[test]
     fn rasters_are_refused_where_there_is_no_memory_for_them() {
-        let mut session = Session::new(link::read("attractors=300&style=atlas").unwrap()).unwrap();
-        session.finish().unwrap();
+        let map = Session::new(link::read("attractors=300&style=atlas").unwrap()).unwrap().finish().unwrap();
         // Enough for what the rivers need; the relief is there already.
-        let refused = with_lists_up_to(10_000_000, || Rasters::new(&session)).unwrap_err();
+        let refused = with_lists_up_to(10_000_000, || Rasters::new(&map)).unwrap_err();
         assert!(matches!(refused, ExportError::OutOfMemory { megabytes } if megabytes > 10), "{refused}");
-        assert!(Rasters::new(&session).is_ok());
+        assert!(Rasters::new(&map).is_ok());
         // A finer relief than the one that is there has to be made.
-        let refused = with_lists_up_to(100_000_000, || Rasters::with_size(&session, 2048)).unwrap_err();
+        let refused = with_lists_up_to(100_000_000, || Rasters::with_size(&map, 2048)).unwrap_err();
         assert!(matches!(refused, ExportError::OutOfMemory { megabytes } if megabytes > 100), "{refused}");
-        assert!(Rasters::with_size(&session, 700).is_ok());
+        assert!(Rasters::with_size(&map, 700).is_ok());
     }
 
     #[test]

@@ -1,5 +1,7 @@
 //! Growth by the method that a recipe names.
 
+use std::sync::Arc;
+
 use glam::Vec2;
 
 use super::{Brownian, Capture, Colonize, Drainage, Ending, GrowError, GrowthSettings, Raster, scatter};
@@ -49,11 +51,20 @@ impl Growth {
     }
 
     /// The tree so far.
-    pub fn tree(&self) -> &Tree {
+    pub fn tree(&self) -> &Arc<Tree> {
         match &self.grower {
             Grower::Colonize(growth) => growth.tree(),
             Grower::Brownian(growth) => growth.tree(),
             Grower::Drainage(growth) => growth.tree(),
+        }
+    }
+
+    /// Makes the tree this growth's own, by a copy if it is shared.
+    pub(crate) fn unshare(&mut self) {
+        match &mut self.grower {
+            Grower::Colonize(growth) => growth.unshare(),
+            Grower::Brownian(growth) => growth.unshare(),
+            Grower::Drainage(growth) => growth.unshare(),
         }
     }
 

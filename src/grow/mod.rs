@@ -7,6 +7,7 @@
 mod brownian;
 mod colonize;
 mod drainage;
+mod grown;
 mod growth;
 mod mouths;
 mod scatter;
@@ -21,6 +22,7 @@ pub use colonize::Colonize;
 #[doc(hidden)]
 pub use colonize::{Pull, curl_toward, stem_nodes};
 pub use drainage::{Capture, Drainage, DrainageSettings};
+pub use grown::Grown;
 pub use growth::Growth;
 pub use mouths::Mouth;
 #[doc(hidden)]
@@ -34,6 +36,7 @@ use thiserror::Error;
 
 /// The way growth ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Ending {
     /// No node could grow any more, as in the paper.
     Complete,

@@ -2,9 +2,9 @@
 
 use glam::Vec2;
 
-use crate::network::{NONE, Network};
+use crate::map::Map;
+use crate::network::NONE;
 use crate::relief::{Flow, Grid, rings_around};
-use crate::session::Session;
 
 /// A river for each cell of the relief.
 #[derive(Debug)]
@@ -15,10 +15,10 @@ pub(super) struct RiverBasins {
 }
 
 impl RiverBasins {
-    /// Those of a session's relief, which is made if there is none; `None` if there is not enough memory.
-    pub fn new(session: &Session, network: &Network) -> Option<Self> {
-        let (relief, settings) = (session.make_relief().ok()?, session.relief_settings());
-        let Flow { directions, mut rivers, .. } = Flow::new(&relief, network, &settings).ok()?;
+    /// Those of a map's relief, which is made if there is none; `None` if there is not enough memory.
+    pub fn new(map: &Map) -> Option<Self> {
+        let (relief, settings) = (map.make_relief().ok()?, map.relief_settings());
+        let Flow { directions, mut rivers, .. } = Flow::new(&relief, map.network(), &settings).ok()?;
         let mut is_known = vec![false; directions.len()];
         let mut way = Vec::new();
         for cell in 0..directions.len() {

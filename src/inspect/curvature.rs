@@ -59,7 +59,7 @@ mod tests {
     fn great_rivers_have_lines_that_begin_on_them_and_are_no_longer_than_allowed() {
         let mut session = Session::new(link::read("seed=kea&attractors=3000&meander-rounds=20").unwrap()).unwrap();
         session.finish().unwrap();
-        let inspector = Inspector::new(&session).unwrap();
+        let inspector = Inspector::new(&session.map().unwrap()).unwrap();
         let lines = inspector.curvature();
         assert!(lines.len() > 100);
         for line in lines {

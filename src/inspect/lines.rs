@@ -105,7 +105,7 @@ mod tests {
     fn lines(growth: &str) -> CourseLines {
         let text = format!("seed=kea&land=island&growth={growth}&attractors=900&meander-rounds=8&width=40");
         let mut session = Session::new(link::read(&text).unwrap()).unwrap();
-        CourseLines::new(session.finish().unwrap())
+        CourseLines::new(session.finish().unwrap().network())
     }
 
     /// By looking at every segment there is.

@@ -15,19 +15,21 @@ pub use captures::former_ways;
 pub use growing::tips;
 pub use lines::Spot;
 
+use std::sync::Arc;
+
 use glam::Vec2;
 
 use self::basins::RiverBasins;
 use self::lines::CourseLines;
+use crate::map::Map;
 use crate::measure::land_area;
 use crate::memory;
 use crate::network::{NONE, Network, Place};
-use crate::session::Session;
 
 /// The rivers of a finished map, to be asked about.
 #[derive(Debug)]
 pub struct Inspector {
-    network: Network,
+    network: Arc<Network>,
     lines: CourseLines,
     orders: Vec<u8>,
     basins: RiverBasins,
@@ -56,11 +58,11 @@ pub struct RiverFacts {
 }
 
 impl Inspector {
-    /// The rivers of a session, to be asked about; `None` until they are finished, and where there is not enough memory.
-    pub fn new(session: &Session) -> Option<Self> {
-        /// Of copies and of what is found by place.
+    /// Prepares the rivers of a map to be asked about; `None` if there is not enough memory.
+    pub fn new(map: &Map) -> Option<Self> {
+        /// Of what is found by place.
         const BYTES_A_VERTEX: usize = 120;
-        let network = session.network().filter(|_| session.is_finished())?;
+        let network = map.network();
         if !memory::can_allocate(network.vertices.len() * BYTES_A_VERTEX) {
             return None;
         }
@@ -71,10 +73,10 @@ impl Inspector {
         Some(Self {
             lines: CourseLines::new(network),
             orders: orders::along(network),
-            basins: RiverBasins::new(session, network)?,
+            basins: RiverBasins::new(map)?,
             // That of a Brownian tree is known only nearly.
-            all: session.growth().total_discharge().max(drained).max(1),
-            land_area: land_area(session),
+            all: map.grown().total_discharge.max(drained).max(1),
+            land_area: land_area(map),
             network: network.clone(),
         })
     }

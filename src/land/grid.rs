@@ -7,8 +7,6 @@ use glam::Vec2;
 use super::cell::{CELL_SIZE, Cell};
 use super::coast_distance::CoastDistance;
 use super::obstacles::Obstacles;
-#[cfg(feature = "names")]
-use super::regions::runs;
 use super::regions::{Region, Run, Shore, without};
 use super::walk::walk;
 use crate::domain::Domain;
@@ -45,7 +43,6 @@ impl Grid {
     }
 
     /// Makes a grid from a list of cells, row by row; `true` is land. Rows may have more columns than are needed.
-    #[cfg(feature = "files")]
     pub fn of_cells(domain: &Domain, is_land: &[bool], row_length: usize) -> Self {
         let (columns, rows) = extent(domain.size);
         let mut runs = Vec::new();
@@ -62,21 +59,16 @@ impl Grid {
         Self::of_runs(domain, runs)
     }
 
-    /// Makes a grid from stretches of one kind, which may continue over the ends of rows. Each has two numbers: the
-    /// kind, and the number of cells.
-    #[cfg(feature = "names")]
-    pub fn of_stretches(size: Vec2, stretches: &[u32]) -> Option<Self> {
-        let (columns, rows) = extent(size);
-        let mut cells = Vec::with_capacity(columns * rows);
-        for [kind, count] in stretches.as_chunks().0 {
-            let kind = [Cell::Land, Cell::Water, Cell::Ridge].into_iter().find(|cell| *cell as u32 == *kind)?;
-            let count = (*count as usize).min(columns * rows - cells.len());
-            cells.resize(cells.len() + count, kind);
+    /// Makes a grid from the lengths of stretches of cells, water first, then land, and so on. Stretches may continue
+    /// over the ends of rows. `None` if they do not fit the domain.
+    pub fn of_stretches(domain: &Domain, stretches: &[u32]) -> Option<Self> {
+        let (columns, rows) = extent(domain.size);
+        let mut is_land = Vec::with_capacity(columns * rows);
+        for (length, kind) in stretches.iter().zip([false, true].into_iter().cycle()) {
+            let end = is_land.len() + *length as usize;
+            is_land.resize(end.min(columns * rows + 1), kind);
         }
-        let runs = runs(&cells, Cell::Land, columns);
-        let land = cells.iter().map(|cell| u32::from(*cell != Cell::Water)).sum();
-        let is_whole = cells.len() == columns * rows;
-        is_whole.then_some(Self { cells, runs, land, columns: columns as i32, rows: rows as i32, size })
+        (is_land.len() == columns * rows).then(|| Self::of_cells(domain, &is_land, columns))
     }
 
     fn of_runs(domain: &Domain, runs: Vec<Run>) -> Self {

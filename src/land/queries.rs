@@ -97,25 +97,25 @@ impl Land {
         Self { coast_distance, grid, regions, ridges, rivers: Vec::new(), borders, hides }
     }
 
-    /// The cells as stretches of one kind, row after row. Each has two numbers: the kind, and the number of cells.
+    /// The lengths of stretches of cells, water first, then land, and so on, row after row. Ridges count as land.
     pub(crate) fn stretches(&self) -> Vec<u32> {
-        let stretches = self.grid.cells.chunk_by(|a, b| a == b);
-        stretches.flat_map(|stretch| [stretch[0] as u32, stretch.len() as u32]).collect()
+        let is_land = |cell: &Cell| *cell != Cell::Water;
+        let cells = &self.grid.cells;
+        let starts_dry = cells.first().is_some_and(is_land).then_some(0);
+        let lengths = cells.chunk_by(|a, b| is_land(a) == is_land(b)).map(|stretch| stretch.len() as u32);
+        starts_dry.into_iter().chain(lengths).collect()
     }
 
-    /// The land of such stretches, for display only: it does not know where rivers may run. `None` if the number of
-    /// cells does not fit a domain of this size.
-    #[cfg(feature = "names")]
+    /// The land of such stretches, with its coast distances, ridges and drawn rivers. `None` if the number of cells
+    /// does not fit the domain.
     pub(crate) fn of_stretches(
-        size: Vec2,
+        domain: &Domain,
         coast_distance: CoastDistance,
         stretches: &[u32],
-        ridges: Vec<Vec<Vec2>>,
+        [ridges, rivers]: [Vec<Vec<Vec2>>; 2],
     ) -> Option<Self> {
-        let grid = Grid::of_stretches(size, stretches)?;
-        let regions = regions_of(&grid.runs);
-        let (rivers, borders) = (Vec::new(), Obstacles::default());
-        Some(Self { coast_distance, grid, regions, ridges, rivers, borders, hides: Hides::Nothing })
+        let grid = Grid::of_stretches(domain, stretches)?;
+        Some(Self { rivers, ..Self::on(grid, coast_distance, ridges) })
     }
 
     /// The distance of every point from the coast.

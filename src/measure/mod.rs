@@ -27,8 +27,8 @@ use glam::Vec2;
 
 use crate::domain::AREA;
 use crate::land::CELL_SIZE;
+use crate::map::Map;
 use crate::recipe::{GrowthMethod, Key};
-use crate::session::Session;
 
 /// How far above a junction its angle is measured, in spacings.
 pub const ANGLE_SPACINGS: f32 = 3.0;
@@ -66,16 +66,16 @@ pub struct Measures {
 }
 
 impl Measures {
-    /// Measures the rivers of a session; `None` until there are any.
-    pub fn of(session: &Session) -> Option<Self> {
-        let network = session.network()?;
-        let spacing = ruler(session);
-        let pruned = session.pruned();
+    /// Measures the rivers of a map.
+    pub fn of(map: &Map) -> Self {
+        let network = map.network();
+        let spacing = ruler(map);
+        let pruned = map.pruned();
         let order = &pruned.hydrology.order;
         let streams = Streams::of(&pruned.tree, order);
-        let area = land_area(session);
+        let area = land_area(map);
         let density = if area > 0.0 { total_length(network) / area } else { 0.0 };
-        Some(Self {
+        Self {
             bifurcation_ratio: streams.bifurcation_ratio(),
             length_ratio: streams.length_ratio(),
             tokunaga_t1: streams.side_branches(1),
@@ -87,35 +87,35 @@ impl Measures {
             junction_angles: junction_angles(network, ANGLE_SPACINGS * spacing),
             umbrellas: umbrellas(network),
             parallels: parallels(network, spacing),
-            along_coast: along_coast(network, spacing, |at| inland(session, at)),
-        })
+            along_coast: along_coast(network, spacing, |at| inland(map, at)),
+        }
     }
 }
 
 /// What lengths are compared with. The attractors of space colonization lie closer together where there is sea; those of drainage do not, and
 /// a Brownian tree has none.
-fn ruler(session: &Session) -> f32 {
-    match session.recipe().get() {
-        GrowthMethod::Colonize => (AREA / session.recipe().number(Key::Attractors)).sqrt(),
-        GrowthMethod::Drainage | GrowthMethod::Brownian => session.growth().stream_spacing(),
+fn ruler(map: &Map) -> f32 {
+    match map.recipe().get() {
+        GrowthMethod::Colonize => (AREA / map.recipe().number(Key::Attractors)).sqrt(),
+        GrowthMethod::Drainage | GrowthMethod::Brownian => map.grown().stream_spacing,
     }
 }
 
 /// How much land there is, in square units.
-pub(crate) fn land_area(session: &Session) -> f64 {
-    let domain = session.domain().size;
+pub(crate) fn land_area(map: &Map) -> f64 {
+    let domain = map.domain().size;
     let of_cells = |cells: u32| f64::from(cells) * f64::from(CELL_SIZE * CELL_SIZE);
     let all = || f64::from(domain.x) * f64::from(domain.y);
-    session.land().map_or_else(all, |land| land.regions().iter().map(|region| of_cells(region.cells)).sum())
+    map.land().map_or_else(all, |land| land.regions().iter().map(|region| of_cells(region.cells)).sum())
 }
 
 /// How far inland a point lies, in units. All of a rectangle is land, and the sides with mouths are its coasts.
-fn inland(session: &Session, at: Vec2) -> f32 {
-    let beyond = session.domain().size - at;
-    let sides = session.recipe().sides(Key::Sides);
+fn inland(map: &Map, at: Vec2) -> f32 {
+    let beyond = map.domain().size - at;
+    let sides = map.recipe().sides(Key::Sides);
     let from_sides = || {
         let all = [('n', at.y), ('e', beyond.x), ('s', beyond.y), ('w', at.x)];
         all.into_iter().filter(|(side, _)| sides.contains(*side)).map(|(_, far)| far).fold(f32::INFINITY, f32::min)
     };
-    session.land().map_or_else(from_sides, |land| land.coast_distance().height(at))
+    map.land().map_or_else(from_sides, |land| land.coast_distance().height(at))
 }

@@ -28,8 +28,6 @@ mod word;
 
 use glam::Vec2;
 
-use crate::land::Region;
-
 /// The name of a river.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct RiverName {
@@ -89,8 +87,6 @@ pub struct PlaceName {
     pub name: String,
     /// A place in the midst of it.
     pub at: Vec2,
-    /// The cells that it has; none in names that come from another module.
-    pub(crate) region: Region,
 }
 
 /// All names of a map.

@@ -6,32 +6,32 @@ use super::heads::Heads;
 use super::kinds::{self, Size};
 use super::language::Language;
 use super::{Names, PlaceKind, PlaceName, ReachName, RiverName, reaches, regions, word};
-use crate::land::Land;
+use crate::land::{Land, Region};
+use crate::map::Map;
 use crate::network::{Network, Reach};
-use crate::recipe::{Mark, OwnNames, Recipe};
-use crate::river_map::{ChartOptions, RiverMap};
-use crate::session::Session;
+use crate::recipe::{Key, Mark, OwnNames, Recipe};
 use crate::sort;
 use crate::tree::Tree;
 
 impl Names {
-    /// The names of a session's rivers as they are, and of what lies around them; none while there are no rivers.
-    pub fn of(session: &Session) -> Self {
-        RiverMap::of(session).as_ref().map_or_else(Self::default, Self::of_map)
+    /// Names the rivers of a map, and what lies around them.
+    pub fn of(map: &Map) -> Self {
+        Self::with_regions(map).0
     }
 
-    /// The names of a map.
-    pub fn of_map(map: &RiverMap<'_>) -> Self {
-        let RiverMap { network, land, .. } = *map;
-        let namer = Namer::new(&map.options);
-        let rivers = namer.rivers(network, map.tree, map.total_discharge);
+    /// The same, with the region of each place.
+    pub(crate) fn with_regions(map: &Map) -> (Self, Vec<Region>) {
+        let (network, all_reaches) = (map.network(), map.reaches());
+        let namer = Namer::new(map.recipe());
+        let rivers = namer.rivers(network, map.tree(), map.grown().total_discharge);
         let water =
             |reach: &Reach| network.rivers.get(reach.river as usize).map_or(0, |river| network.discharge(river));
-        let order = sort::argsort(map.reaches.iter().map(|reach| u32::MAX - water(reach)));
-        let course = |i: usize| Some((map.reaches[i].river, reaches::course(network, &map.reaches[i])?));
+        let order = sort::argsort(all_reaches.iter().map(|reach| u32::MAX - water(reach)));
+        let course = |i: usize| Some((all_reaches[i].river, reaches::course(network, &all_reaches[i])?));
         let reaches = namer.reaches(order.into_iter().filter_map(course).collect(), &rivers);
-        let places = land.map_or(Vec::new(), |land| namer.places(land));
-        Self { rivers, reaches, places, title: namer.title() }
+        let places = map.land().map_or(Vec::new(), |land| namer.places(land));
+        let (places, regions) = places.into_iter().unzip();
+        (Self { rivers, reaches, places, title: namer.title() }, regions)
     }
 
     /// What each name of a network's map is known by, and the name: rivers, the greatest first, then their reaches, seas, lakes and islands,
@@ -64,7 +64,7 @@ impl Names {
             Mark::Island(number) => number == 0 || is_place(PlaceKind::Island, number),
             Mark::Title => true,
         };
-        OwnNames::readable(&ChartOptions::of(recipe).names).marks().filter(|mark| !is_used(mark)).collect()
+        recipe.own_names().marks().filter(|mark| !is_used(mark)).collect()
     }
 }
 
@@ -75,9 +75,9 @@ struct Namer {
 }
 
 impl Namer {
-    fn new(options: &ChartOptions) -> Self {
-        let language = Language::new(&options.seed, options.language);
-        Self { language, own: OwnNames::readable(&options.names) }
+    fn new(recipe: &Recipe) -> Self {
+        let language = Language::new(recipe.seed(), recipe.integer(Key::Language));
+        Self { language, own: recipe.own_names() }
     }
 
     /// One's own name for something, or another.
@@ -147,7 +147,7 @@ impl Namer {
         named
     }
 
-    fn places(&self, land: &Land) -> Vec<PlaceName> {
+    fn places(&self, land: &Land) -> Vec<(PlaceName, Region)> {
         /// In square units: smaller ones have no names.
         const LEAST_SEA: f32 = 10_000.0;
         const LEAST_LAKE: f32 = 400.0;
@@ -162,7 +162,7 @@ impl Namer {
                 PlaceKind::Lake => self.name(Mark::Lake(number), || kinds::lake(&word(), area)),
                 PlaceKind::Island => self.name(Mark::Island(number), || kinds::island(&word(), area)),
             };
-            (area >= least).then(|| PlaceName { kind, number, name, at: tract.midst(land), region: tract.region })
+            (area >= least).then(|| (PlaceName { kind, number, name, at: tract.midst(land) }, tract.region))
         };
         let seas = seas.into_iter().filter_map(|tract| place(PlaceKind::Sea, LEAST_SEA, tract));
         let lakes = lakes.into_iter().filter_map(|tract| place(PlaceKind::Lake, LEAST_LAKE, tract));

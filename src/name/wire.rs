@@ -1,11 +1,10 @@
 //! Names on the wire: the wasm module that makes names hands them to the one that writes files.
 
 use super::{Names, PlaceKind, PlaceName, ReachName, RiverName};
-use crate::land::Region;
 use crate::wire::{Reader, Writer, point};
 
 impl Names {
-    /// All names, to be handed to another module, which is not told what cells places have.
+    /// Writes all names as numbers, for [`Names::from_wire`] in another module of the same build.
     pub fn to_wire(&self) -> Vec<u32> {
         let mut data = Writer::default();
         data.count(self.rivers.len());
@@ -20,7 +19,7 @@ impl Names {
             data.points(course);
         }
         data.count(self.places.len());
-        for PlaceName { kind, number, name, at, .. } in &self.places {
+        for PlaceName { kind, number, name, at } in &self.places {
             data.push(&[*kind as u32, *number, at.x.to_bits(), at.y.to_bits()]);
             data.text(name);
         }
@@ -30,25 +29,20 @@ impl Names {
 
     /// The names of such a message; `None` if it is something else.
     pub fn from_wire(data: &[u32]) -> Option<Self> {
-        let data = &mut Reader(data);
-        let rivers = list(data, |data| {
+        let mut data = Reader(data);
+        let rivers = data.several(|data| {
             let ([identity], name, short, kind) = (data.take()?, data.text()?, data.text()?, data.text()?);
             Some(RiverName { identity, name, short, kind })
         })?;
-        let reaches = list(data, |data| {
+        let reaches = data.several(|data| {
             let ([river, identity], name, course) = (data.take()?, data.text()?, data.points()?);
             Some(ReachName { river, identity, name, course })
         })?;
-        let places = list(data, |data| {
+        let places = data.several(|data| {
             let ([kind, number, x, y], name) = (data.take()?, data.text()?);
             let kind = *[PlaceKind::Sea, PlaceKind::Lake, PlaceKind::Island].get(kind as usize)?;
-            Some(PlaceName { kind, number, name, at: point([x, y]), region: Region::default() })
+            Some(PlaceName { kind, number, name, at: point([x, y]) })
         })?;
         Some(Self { rivers, reaches, places, title: data.text()? })
     }
-}
-
-fn list<T>(data: &mut Reader<'_>, mut item: impl FnMut(&mut Reader<'_>) -> Option<T>) -> Option<Vec<T>> {
-    let [count] = data.take()?;
-    (0..count).map(|_| item(data)).collect()
 }

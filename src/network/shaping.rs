@@ -101,6 +101,13 @@ impl Shaping {
         };
     }
 
+    /// Makes sure that nobody else has the very rivers that change with the next rounds, by a copy if need be.
+    pub(crate) fn unshare(&mut self) {
+        if let State::Rivers(_, meander) = &mut self.state {
+            meander.unshare();
+        }
+    }
+
     /// Whether there is nothing more to do.
     pub fn is_finished(&self) -> bool {
         self.meander().is_some_and(Meander::is_finished)
@@ -116,7 +123,7 @@ impl Shaping {
 
     /// The rivers; `None` until there are any.
     pub fn network(&self) -> Option<&Network> {
-        self.meander().map(Meander::network)
+        self.meander().map(|meander| &**meander.network())
     }
 
     /// The courses as the tree has them, and the order in which their vertices go; `None` until that is known.

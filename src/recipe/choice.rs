@@ -187,9 +187,9 @@ impl Style {
         matches!(self, Self::Survey | Self::Blueprint | Self::InkWash)
     }
 
-    /// Whether heights stand beside summits.
-    pub fn has_spot_heights(self) -> bool {
-        self == Self::Survey
+    /// Whether it shows the beds in which great rivers ran before.
+    pub fn has_beds(self) -> bool {
+        self == Self::PastCourses
     }
 }
 

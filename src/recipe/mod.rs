@@ -6,6 +6,7 @@
 //!
 //! The parameters themselves stand in one table, [`table::TABLE`].
 
+mod annotation;
 pub mod choice;
 mod error;
 mod hidden;

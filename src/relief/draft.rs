@@ -93,8 +93,9 @@ mod tests {
     fn drafts_of(text: &str) -> (Session, ReliefDrafts) {
         let mut session = Session::new(link::read(text).unwrap()).unwrap();
         session.finish().unwrap();
-        let relief = session.make_relief().unwrap();
-        let drafts = ReliefDrafts::new(&relief, session.network().unwrap(), session.relief_settings()).unwrap();
+        let relief = session.map().unwrap().make_relief().unwrap();
+        let drafts =
+            ReliefDrafts::new(&relief, session.network().unwrap(), session.map().unwrap().relief_settings()).unwrap();
         (session, drafts)
     }
 
@@ -109,9 +110,9 @@ mod tests {
     fn draft_of_the_same_mountains_is_the_relief_itself() {
         for land in every_land() {
             let (session, drafts) = drafts_of(&format!("seed=kauri&{land}&attractors=2000"));
-            let settings = session.relief_settings();
+            let settings = session.map().unwrap().relief_settings();
             let draft = drafts.draft(settings.mountains, settings.plains).unwrap();
-            let exact = session.make_relief().unwrap();
+            let exact = session.map().unwrap().make_relief().unwrap();
             let share = error(&draft, &exact);
             assert!(share < 2e-3, "{land}: {share}");
             let sea = |relief: &Relief| -> Vec<f32> {
@@ -126,12 +127,12 @@ mod tests {
         for land in every_land() {
             let text = format!("seed=kauri&{land}&attractors=2000");
             let (mut session, drafts) = drafts_of(&text);
-            let before = session.make_relief().unwrap();
+            let before = session.map().unwrap().make_relief().unwrap();
             for (mountains, plains) in [(3.0, 200.0), (0.6, 200.0), (1.5, 20.0), (1.5, 400.0), (2.5, 100.0)] {
                 let other = link::read(&format!("{text}&mountains={mountains}&plains={plains}")).unwrap();
                 session.change(other).unwrap();
                 session.finish().unwrap();
-                let exact = session.make_relief().unwrap();
+                let exact = session.map().unwrap().make_relief().unwrap();
                 let (share, without) =
                     (error(&drafts.draft(mountains, plains).unwrap(), &exact), error(&before, &exact));
                 assert!(share < 0.03 && share < 0.25 * without, "{land}, {mountains}, {plains}: {share}, {without}");
@@ -142,8 +143,10 @@ mod tests {
     #[test]
     fn there_is_no_draft_without_memory() {
         let (session, drafts) = drafts_of("attractors=300");
-        let relief = session.make_relief().unwrap();
-        let made = || ReliefDrafts::new(&relief, session.network().unwrap(), session.relief_settings()).map(drop);
+        let relief = session.map().unwrap().make_relief().unwrap();
+        let made = || {
+            ReliefDrafts::new(&relief, session.network().unwrap(), session.map().unwrap().relief_settings()).map(drop)
+        };
         let refused = with_lists_up_to(1000, || (made().is_err(), drafts.draft(2.0, 100.0).is_err()));
         assert_eq!(refused, (true, true));
     }

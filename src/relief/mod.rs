@@ -30,8 +30,8 @@ mod tests;
 
 use glam::Vec2;
 
-#[cfg(feature = "names")]
 use crate::domain::Domain;
+use crate::network::Network;
 use crate::sort::quantile;
 
 #[cfg(feature = "controls")]
@@ -58,8 +58,20 @@ pub struct Relief {
 }
 
 impl Relief {
+    /// Solves the relief of some rivers in one go. [`ReliefSolver`] does it in steps.
+    ///
+    /// # Errors
+    /// If there is not enough memory.
+    pub fn of(network: &Network, settings: ReliefSettings) -> Result<Self, ReliefError> {
+        let mut solver = ReliefSolver::new(network, settings)?;
+        loop {
+            if let Some(relief) = solver.step(network)? {
+                return Ok(relief);
+            }
+        }
+    }
+
     /// The relief of a map with these heights; `None` if that is not one for each of its own cells.
-    #[cfg(feature = "names")]
     pub(crate) fn of_heights(domain: &Domain, heights: Vec<f32>) -> Option<Self> {
         let grid = Grid::of(domain);
         (heights.len() == grid.columns * grid.rows).then_some(Self { grid, heights })

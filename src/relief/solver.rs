@@ -333,7 +333,7 @@ mod tests {
         fn a_junction_has_one_height_on_both_rivers(text in links()) {
             let session = finished(&text);
             let network = session.network().unwrap();
-            let mut solver = ReliefSolver::new(network, session.relief_settings()).unwrap();
+            let mut solver = ReliefSolver::new(network, session.map().unwrap().relief_settings()).unwrap();
             advance_to(&mut solver, network, |part| matches!(part, Part::Finish));
             for ((cells, junction), river) in solver.channels.rivers().zip(&network.rivers) {
                 prop_assert!(cells.windows(2).all(|pair| pair[1].1 < pair[0].1), "a river does not fall");
@@ -348,7 +348,7 @@ mod tests {
     fn lowered(text: &str) -> f32 {
         let session = finished(text);
         let network = session.network().unwrap();
-        let mut solver = ReliefSolver::new(network, session.relief_settings()).unwrap();
+        let mut solver = ReliefSolver::new(network, session.map().unwrap().relief_settings()).unwrap();
         advance_to(&mut solver, network, |part| matches!(part, Part::Lower(0)));
         let before: f32 = water(&solver).iter().sum();
         advance_to(&mut solver, network, |part| matches!(part, Part::Fall));

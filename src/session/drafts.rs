@@ -30,7 +30,8 @@ impl SessionDrafts {
             && self.base.as_ref().is_none_or(|(of, _)| of != recipe)
         {
             (self.base, self.last) = (None, None);
-            let drafts = ReliefDrafts::new(relief, session.network()?, session.relief_settings()).ok()?;
+            let map = session.map()?;
+            let drafts = ReliefDrafts::new(relief, map.network(), map.relief_settings()).ok()?;
             self.base = Some((recipe.clone(), drafts.into()));
             return Some(true);
         }

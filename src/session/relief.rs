@@ -55,13 +55,3 @@ impl ReliefStage {
         }
     }
 }
-
-/// A relief made in one go.
-pub(super) fn at_once(network: &Network, settings: ReliefSettings) -> Result<Arc<Relief>, ReliefError> {
-    let mut solver = ReliefSolver::new(network, settings)?;
-    loop {
-        if let Some(relief) = solver.step(network)? {
-            return Ok(relief.into());
-        }
-    }
-}

@@ -52,7 +52,7 @@ impl Summary {
 
     /// The same once there are rivers, of a trimmed tree with this number of nodes.
     pub(super) fn with_rivers(self, nodes: u32, meander: &Meander) -> Self {
-        let Network { rivers, oxbows, .. } = meander.network();
+        let Network { rivers, oxbows, .. } = &**meander.network();
         Self {
             nodes,
             mouths: rivers.iter().filter(|river| river.junction == NONE).count() as u32,

@@ -105,16 +105,16 @@ fn rivers_that_there_is_no_memory_for_are_an_error_and_come_when_there_is() {
 fn file_that_there_is_no_memory_for_is_refused() {
     use crate::export::{ExportError, geojson, json, svg};
 
-    let session = finished(BENDS);
+    let map = finished(BENDS).map().unwrap();
     let refused = ExportError::OutOfMemory { megabytes: 1 };
     with_lists_up_to(NOTHING, || {
-        assert_eq!(svg::svg(&session).err(), Some(refused));
-        assert_eq!(geojson::collection(&session).map(drop).err(), Some(refused));
-        assert_eq!(json::network(&session, false).map(drop).err(), Some(refused));
+        assert_eq!(svg::svg(&map).err(), Some(refused));
+        assert_eq!(geojson::collection(&map).map(drop).err(), Some(refused));
+        assert_eq!(json::network(&map, None).map(drop).err(), Some(refused));
     });
     let mut starved = grown(BENDS);
     assert!(with_lists_up_to(NOTHING, || starved.advance(1)).is_err());
-    assert_eq!(svg::svg(&starved).err(), Some(ExportError::Unfinished));
+    assert_eq!(starved.map(), None);
 }
 
 #[test]
@@ -335,20 +335,23 @@ fn relief_is_made_in_steps_in_any_style_and_is_that_of_all_styles() {
     assert!(steps > 10, "{steps}");
     assert_eq!((session.phase(), session.relief()), (Phase::Finished, None), "the style shows none");
     let before = work::steps();
-    assert!(session.make_relief().as_ref() == Ok(expected.relief().unwrap()));
+    assert!(session.map().unwrap().make_relief().as_ref() == Ok(expected.relief().unwrap()));
     assert_eq!(work::steps(), before, "nothing is left to do");
     let mut growing = planted(BENDS);
     assert_eq!(growing.raise_relief(), Ok(false), "there are no rivers yet");
     // Other rivers, another relief.
     session.change(recipe(&format!("{BENDS}&style=ink&width=30"))).unwrap();
     finish(&mut session);
-    assert!(session.make_relief().as_ref() != Ok(expected.relief().unwrap()));
-    assert!(session.make_relief() == finished(&format!("{BENDS}&style=dark&width=30")).make_relief());
+    assert!(session.map().unwrap().make_relief().as_ref() != Ok(expected.relief().unwrap()));
+    assert!(
+        session.map().unwrap().make_relief()
+            == finished(&format!("{BENDS}&style=dark&width=30")).map().unwrap().make_relief()
+    );
 }
 
 #[test]
 fn relief_of_a_file_is_refused_where_there_is_no_memory_for_it() {
     let session = finished(BENDS);
-    let refused = with_lists_up_to(NOTHING, || session.make_relief()).unwrap_err();
+    let refused = with_lists_up_to(NOTHING, || session.map().unwrap().make_relief()).unwrap_err();
     assert!(refused.to_string().contains("needs about 17 MB"), "{refused}");
 }

@@ -57,7 +57,7 @@ pub fn length(line: &[DVec2]) -> f64 {
 /// How high each vertex lies over the sea, in metres: as the relief's cell there, or the vertex below it where that is higher.
 pub fn heights(session: &Session) -> Vec<f64> {
     const METRES_A_UNIT: f64 = 25.0;
-    let (network, relief) = (session.network().unwrap(), session.make_relief().unwrap());
+    let (network, relief) = (session.network().unwrap(), session.map().unwrap().make_relief().unwrap());
     let mut heights = vec![f64::NAN; network.vertices.len()];
     // A river stands before those that join it, but for what a cutoff has given to another.
     while heights.iter().any(|height| height.is_nan()) {

@@ -50,11 +50,11 @@ fn written(write: impl FnOnce(&mut Vec<u8>) -> std::io::Result<()>) -> Value {
 }
 
 fn geojson(session: &Session) -> Value {
-    written(|text| to_geojson::write(text, session))
+    written(|text| to_geojson::write(text, &session.map().unwrap()))
 }
 
 fn json(session: &Session) -> Value {
-    written(|text| to_json::write(text, session, true))
+    written(|text| to_json::write(text, &session.map().unwrap(), Some(&session.growth().scattered())))
 }
 
 fn list(value: &Value) -> &[Value] {

@@ -11,7 +11,7 @@ use super::{of_all, some};
 #[test]
 fn data_are_what_the_network_says() {
     of_all(|session| {
-        let (text, network) = (to_svg::svg(session).unwrap(), session.network().unwrap());
+        let (text, network) = (to_svg::svg(&session.map().unwrap()).unwrap(), session.network().unwrap());
         let document = roxmltree::Document::parse(&text).unwrap();
         let (orders, magnitudes) = (orders(network), magnitudes(network));
         let (mut rivers, mut lakes_seen) = (Vec::new(), Vec::new());

@@ -5,13 +5,14 @@ use std::io::{self, Write};
 use clap::ArgMatches;
 use clap::parser::ValueSource;
 use indicatif::ProgressBar;
+use riverseed::Map;
 use riverseed::domain::Domain;
 use riverseed::export;
 use riverseed::export::rasters::Rasters;
+use riverseed::glam::Vec2;
 use riverseed::paint::{LONGEST_SIDE, PaintError, View};
 use riverseed::picture::Picture;
 use riverseed::recipe::{Recipe, link};
-use riverseed::session::Session;
 
 use super::form::{Form, listed};
 use super::grow::grow;
@@ -67,14 +68,16 @@ impl Options {
 }
 
 /// A finished map with all that its files are made of.
-pub struct Map {
-    session: Session,
+pub struct Files {
+    map: Map,
+    /// What its tree grew to, if a file lists that.
+    attractors: Option<Vec<Vec2>>,
     picture: Option<Picture>,
     rasters: Option<Rasters>,
     options: Options,
 }
 
-impl Map {
+impl Files {
     /// Grows a map, for files of these forms.
     ///
     /// # Errors
@@ -95,19 +98,21 @@ impl Map {
         let mut picture = picture.transpose()?;
         let mut session = grow(order, progress, say)?;
         if is_wanted(Form::lists_names) {
-            say_what_is_unused(&session, say);
+            say_what_is_unused(&session.finish()?, say);
         }
         progress.set_message("raising land");
         // Once, for all files.
         while is_wanted(Form::has_relief) && session.raise_relief()? {}
-        let rasters = is_wanted(Form::has_rasters).then(|| rasters(&session, options.raster_size));
+        let map = session.finish()?;
+        let attractors = options.has_attractors.then(|| session.growth().scattered());
+        let rasters = is_wanted(Form::has_rasters).then(|| rasters(&map, options.raster_size));
         let rasters = rasters.transpose()?;
         progress.set_message("painting");
         if let Some(picture) = &mut picture {
             picture.paint(&session);
         }
         progress.set_message("writing");
-        Ok(Self { session, picture, rasters, options })
+        Ok(Self { map, attractors, picture, rasters, options })
     }
 
     /// Writes a file of one of the forms that the map was made for; of another, nothing.
@@ -115,23 +120,21 @@ impl Map {
     /// # Errors
     /// If there is not enough memory; and those of the writer.
     pub fn write(&self, form: Form, out: &mut dyn Write) -> Result<(), Failure> {
-        let Self { session, picture, rasters, options } = self;
+        let Self { map, attractors, picture, rasters, options } = self;
         let written = match (form, picture, rasters) {
             (Form::Png, Some(picture), _) => {
-                export::png::write(out, picture.pixmap(), &link::write(session.recipe())).map_err(io::Error::from)
+                export::png::write(out, picture.pixmap(), &link::write(map.recipe())).map_err(io::Error::from)
             }
-            (Form::Pack, Some(picture), Some(rasters)) => export::pack::write(out, session, rasters, picture.pixmap()),
+            (Form::Pack, Some(picture), Some(rasters)) => export::pack::write(out, map, rasters, picture.pixmap()),
             (Form::Raster(layer), _, Some(rasters)) => {
                 export::png::write_raster(out, rasters, layer).map_err(io::Error::from)
             }
             (Form::Svg, ..) => {
                 let svg = if options.has_svg_text { export::svg::svg_with_text } else { export::svg::svg };
-                svg(session).map_err(io::Error::other).and_then(|text| writeln!(out, "{text}"))
+                svg(map).map_err(io::Error::other).and_then(|text| writeln!(out, "{text}"))
             }
-            (Form::GeoJson, ..) => export::geojson::write(&mut *out, session).and_then(|()| writeln!(out)),
-            (Form::Json, ..) => {
-                export::json::write(&mut *out, session, options.has_attractors).and_then(|()| writeln!(out))
-            }
+            (Form::GeoJson, ..) => export::geojson::write(&mut *out, map).and_then(|()| writeln!(out)),
+            (Form::Json, ..) => export::json::write(&mut *out, map, attractors.as_deref()).and_then(|()| writeln!(out)),
             _ => Ok(()),
         };
         Ok(written?)
@@ -144,7 +147,7 @@ fn picture(recipe: &Recipe, options: Options) -> Result<Picture, PaintError> {
     Ok(Picture::new(width, height)?.with_ratio(options.ratio))
 }
 
-fn rasters(session: &Session, size: Option<u32>) -> io::Result<Rasters> {
-    let rasters = size.map_or_else(|| Rasters::new(session), |size| Rasters::with_size(session, size));
+fn rasters(map: &Map, size: Option<u32>) -> io::Result<Rasters> {
+    let rasters = size.map_or_else(|| Rasters::new(map), |size| Rasters::with_size(map, size));
     rasters.map_err(io::Error::other)
 }

@@ -16,9 +16,9 @@ pub fn measure(matches: &ArgMatches) -> Result<(), Failure> {
     let order = Order::of(matches)?;
     order.say_what_is_idle(&[true]);
     let progress = progress(&order.recipe, 0);
-    let session = grow(order, &progress, &say)?;
+    let map = grow(order, &progress, &say)?.finish()?;
     progress.finish_and_clear();
-    let Some(measures) = Measures::of(&session) else { return Ok(()) };
+    let measures = Measures::of(&map);
     let text = if matches.get_flag("json") { as_json(&measures)? } else { table(&measures) };
     Ok(writeln!(io::stdout().lock(), "{text}")?)
 }

@@ -6,8 +6,8 @@ use std::io::{self, Write};
 use clap::ArgMatches;
 use riverseed::glyph::lacking;
 use riverseed::name::Names;
-use riverseed::recipe::{Cartouche, Key, Labels, Mark, OwnNames, Recipe};
-use riverseed::{Network, River, Session};
+use riverseed::recipe::{Cartouche, Key, Labels, Mark, Recipe};
+use riverseed::{Map, Network, River};
 
 use super::grow::{grow, progress};
 use super::order::Order;
@@ -18,22 +18,21 @@ pub fn names(matches: &ArgMatches) -> Result<(), Failure> {
     let order = Order::of(matches)?;
     order.say_what_is_idle(&[false]);
     let progress = progress(&order.recipe, 0);
-    let session = grow(order, &progress, &say)?;
+    let map = grow(order, &progress, &say)?.finish()?;
     progress.finish_and_clear();
-    let names = Names::of(&session);
-    say_what_is_unused(&session, &say);
-    let network = session.network().unwrap_or(Network::EMPTY);
+    let (names, network) = (Names::of(&map), map.network());
+    say_what_is_unused(&map, &say);
     let mut rows = vec![["mark", "name", "order", "length"].map(String::from)];
     rows.extend(names.marked(network).into_iter().map(|(mark, name)| row(network, mark, name)));
     Ok(writeln!(io::stdout().lock(), "{}", table(&rows))?)
 }
 
 /// Warns of names of one's own that name nothing on the map.
-pub fn say_what_is_unused(session: &Session, say: Say<'_>) {
-    if *session.recipe().value(Key::Names) == Key::Names.parameter().default_value() {
+pub fn say_what_is_unused(map: &Map, say: Say<'_>) {
+    if *map.recipe().value(Key::Names) == Key::Names.parameter().default_value() {
         return;
     }
-    for mark in Names::of(session).unused(session.recipe()) {
+    for mark in Names::of(map).unused(map.recipe()) {
         say(&format!("'names' has no effect on '{mark}': there is no such thing on this map"));
     }
 }
@@ -44,7 +43,7 @@ pub fn say_what_has_no_letters(recipe: &Recipe, say: Say<'_>) {
     if recipe.get::<Labels>() == Labels::None && !has_cartouche {
         return;
     }
-    let own = OwnNames::readable(&Key::Names.parameter().text_of(recipe.value(Key::Names)));
+    let own = recipe.own_names();
     let names: String = own.marks().filter_map(|mark| own.get(mark)).collect();
     if let Some(letters) = listed(&names) {
         say(&format!("'names' is drawn without {letters}: the type has no such letters"));

@@ -8,7 +8,7 @@ use clap::ArgMatches;
 
 use super::form::{Form, form_of};
 use super::grow::progress;
-use super::map::{Map, Options};
+use super::map::{Files, Options};
 use super::order::Order;
 use super::output::Output;
 use super::{Failure, batch, say};
@@ -50,13 +50,13 @@ fn render_one(order: Order, wanted: &[Wanted<'_>], forms: &[Form], options: Opti
     // Files come first: nobody may read the rest to its end.
     outputs.sort_by_key(|(_, output)| !output.as_ref().is_some_and(Output::is_file));
     let progress = progress(&order.recipe, options.longest(forms));
-    let map = Map::make(order, forms, options, &progress, &say)?;
+    let files = Files::make(order, forms, options, &progress, &say)?;
     for (form, output) in outputs {
         match output {
-            Some(output) => output.write(|out| map.write(*form, out))?,
+            Some(output) => output.write(|out| files.write(*form, out))?,
             None => {
                 let mut out = BufWriter::new(io::stdout().lock());
-                map.write(*form, &mut out)?;
+                files.write(*form, &mut out)?;
                 out.flush()?;
             }
         }

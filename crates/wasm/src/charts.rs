@@ -3,34 +3,32 @@
 use wasm_bindgen::prelude::*;
 
 use crate::objects::coded;
+use riverseed::Map;
 use riverseed::chart_builder::ChartBuilder;
-use riverseed::domain::Domain;
 use riverseed::export::svg::ChartText;
 use riverseed::export::svg::labels::chart;
 use riverseed::name::Names;
 use riverseed::paint::{Framing, View};
 use riverseed::recipe::{Mark, OwnNames};
-use riverseed::river_map::OwnMap;
 
 /// What stands on a map besides its rivers, which another module has.
 #[wasm_bindgen]
-pub struct Chart(OwnMap);
+pub struct Chart(Map);
 
 #[wasm_bindgen]
 impl Chart {
     /// The chart of what a river's `mapData` says. Throws an Error if that is no map.
     #[wasm_bindgen(constructor)]
     pub fn new(data: &[u32]) -> Result<Self, JsValue> {
-        OwnMap::read(data).map(Self).ok_or_else(|| coded("bad-params", "This data is of no map."))
+        Map::from_wire(data).map(Self).ok_or_else(|| coded("bad-params", "This data is of no map."))
     }
 
     /// Names: of so many of the greatest rivers, of what has one's own, and of all that is no river; of each in turn its mark, by which `names`
     /// in a link knows it, the name, and `own` or nothing. Names of one's own that are of nothing on this map come last.
     pub fn greatest(&self, rivers: usize) -> Vec<String> {
-        let map = self.0.map();
-        let (names, own) = (Names::of_map(&map), OwnNames::readable(&map.options.names));
-        let marked = names.marked(map.network);
-        let is_great = |i: usize| i < rivers || i >= map.network.rivers.len();
+        let (names, own) = (Names::of(&self.0), self.0.recipe().own_names());
+        let (marked, all) = (names.marked(self.0.network()), self.0.network().rivers.len());
+        let is_great = |i: usize| i < rivers || i >= all;
         let shown = marked.iter().enumerate().filter(|(i, (mark, _))| is_great(*i) || own.get(*mark).is_some());
         let unused = own.marks().filter(|mark| marked.iter().all(|(known, _)| known != mark));
         let unused = unused.map(|mark| (mark, own.get(mark).unwrap_or_default()));
@@ -50,23 +48,22 @@ impl Chart {
 
     /// All names, for the files of `River`.
     pub fn names(&self) -> Vec<u32> {
-        Names::of_map(&self.0.map()).to_wire()
+        Names::of(&self.0).to_wire()
     }
 
     /// What it adds to an SVG file, for `River.svg`.
     pub fn svg(&self) -> Vec<String> {
-        let ChartText { halo, labels } = chart(&self.0.map(), false);
+        let ChartText { halo, labels } = chart(&self.0, false);
         vec![halo, labels]
     }
 
     /// What it lays over a picture of this size, for `River.takeChart`. So many of its pixels are one CSS pixel: letters have 11 of these at
     /// least. The framing is what the picture's `frame` was given, or nothing.
     pub fn masks(&self, width_px: u32, height_px: u32, ratio: f32, framing: &[f32]) -> Result<Vec<u8>, JsValue> {
-        let map = self.0.map();
-        let domain = Domain::with_aspect(map.options.aspect);
+        let domain = self.0.domain();
         let view = View::new(&domain, width_px, height_px);
         let view = view.map_err(|_| coded("bad-params", "A picture has no such size."))?;
         let view = view.framed(&domain, Framing::of(framing));
-        Ok(ChartBuilder::whole(&map, &view, ratio).to_bytes())
+        Ok(ChartBuilder::whole(&self.0, &view, ratio).to_bytes())
     }
 }

@@ -7,6 +7,7 @@ use wasm_bindgen::prelude::*;
 
 use super::rivers::{River, paint_error, session_error};
 use crate::objects::coded;
+use riverseed::Map;
 use riverseed::digest::{self, DigestError};
 use riverseed::export::rasters::{Layer, Rasters, Values};
 use riverseed::export::svg::ChartText;
@@ -65,26 +66,32 @@ impl River {
         }
     }
 
-    /// The map as it is, as the text of an SVG file, with what the `svg` of a `Chart` says, if anything. Throws an Error, as long as the
-    /// tree grows.
+    /// Draws its map as the text of an SVG file, with what the `svg` of a `Chart` says, if anything. Throws an Error until it is finished.
     pub fn svg(&self, chart: Vec<String>) -> Result<String, JsValue> {
         let [halo, labels] = <[String; 2]>::try_from(chart).unwrap_or_default();
-        svg::with_chart(&self.session, &ChartText { halo, labels }).map_err(|error| export_error(&error))
+        svg::with_chart(&self.map()?, &ChartText { halo, labels }).map_err(|error| export_error(&error))
     }
 
-    /// The rivers as they are, as GeoJSON, with the `names` of a `Chart`. Throws an Error, as long as the tree grows.
+    /// Writes its rivers as GeoJSON, with the `names` of a `Chart`. Throws an Error until it is finished.
     #[wasm_bindgen(unchecked_return_type = "object")]
     pub fn geojson(&self, names: &[u32]) -> Result<JsValue, JsValue> {
-        geojson::named(&self.session, named(names)).map_err(|error| export_error(&error)).and_then(|file| to_js(&file))
+        geojson::named(&self.map()?, named(names)).map_err(|error| export_error(&error)).and_then(|file| to_js(&file))
     }
 
-    /// Recipe, nodes and rivers as they are, with the `names` of a `Chart`: what the command line writes as JSON. Throws an Error, as long
-    /// as the tree grows.
+    /// Returns recipe, nodes and rivers, with the `names` of a `Chart`: what the command line writes as JSON. Throws an Error until it is
+    /// finished.
     #[wasm_bindgen(unchecked_return_type = "object")]
     pub fn network(&self, names: &[u32]) -> Result<JsValue, JsValue> {
-        json::compose(&self.session, false, Some(named(names)))
+        json::compose(&self.map()?, None, Some(named(names)))
             .map_err(|error| export_error(&error))
             .and_then(|file| to_js(&file))
+    }
+}
+
+impl River {
+    /// Its finished map.
+    fn map(&self) -> Result<Map, JsValue> {
+        self.session.map().ok_or_else(|| coded("unfinished", "the rivers are still growing"))
     }
 }
 
@@ -94,9 +101,9 @@ pub struct Cells(Rasters);
 
 #[wasm_bindgen]
 impl River {
-    /// The rasters of the rivers as they are. Throws an Error, as long as the tree grows.
+    /// Makes the rasters of its map. Throws an Error until it is finished.
     pub fn cells(&self) -> Result<Cells, JsValue> {
-        Rasters::new(&self.session).map(Cells).map_err(|error| export_error(&error))
+        Rasters::new(&self.map()?).map(Cells).map_err(|error| export_error(&error))
     }
 }
 
@@ -147,8 +154,7 @@ fn named(data: &[u32]) -> Names {
 }
 
 fn export_error(error: &ExportError) -> JsValue {
-    let code = if *error == ExportError::Unfinished { "unfinished" } else { "too-large" };
-    coded(code, &error.to_string())
+    coded("too-large", &error.to_string())
 }
 
 /// Data as plain objects and lists.

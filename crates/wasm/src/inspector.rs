@@ -84,7 +84,7 @@ impl River {
 
     /// Its rivers to be asked about, as they are now; nothing until they are finished, and where there is not enough memory.
     pub fn inspector(&self) -> Option<Inspector> {
-        let rivers = Rivers::new(&self.session)?;
+        let rivers = Rivers::new(&self.session.map()?)?;
         let (size, recipe) = (self.session.domain().size, self.session.recipe());
         let ends_in = if Land::kind_of(recipe) == LandKind::Basin { "lake" } else { "sea" };
         Some(Inspector { rivers, size, courses: recipe.get(), ends_in, last: (NONE, String::new()) })

@@ -25,10 +25,10 @@ export interface Measure {
 
 #[wasm_bindgen]
 impl River {
-    /// What is measured of the rivers; nothing before there are any.
+    /// What is measured of the rivers; nothing until they are finished.
     #[wasm_bindgen(unchecked_return_type = "Measure[]")]
     pub fn measures(&self) -> Array {
-        let measures = Measures::of(&self.session);
+        let measures = self.session.map().as_ref().map(Measures::of);
         measures.iter().flat_map(|measures| TABLE.iter().map(move |measure| row(measure, measures))).collect()
     }
 }

@@ -12,7 +12,6 @@ use riverseed::recipe::link::{self, Notice};
 use riverseed::recipe::reading::{self, ReadOptions, Reading};
 use riverseed::recipe::table::TABLE;
 use riverseed::recipe::{Key, Parameter, Stage, Value};
-use riverseed::river_map::{RiverMap, wire};
 use riverseed::session::{Phase, Session, SessionError, Shortfall};
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -230,10 +229,10 @@ impl River {
         self.picture.as_ref().map_or_else(|| is_to_be_charted(&self.session), has_none)
     }
 
-    /// What a `Chart` is made of; nothing as long as it grows.
+    /// Its finished map, for a `Chart`; nothing until it is finished.
     #[wasm_bindgen(js_name = mapData)]
     pub fn map_data(&self) -> Vec<u32> {
-        RiverMap::of(&self.session).map_or_else(Vec::new, |map| wire::write(&map))
+        self.session.map().map_or_else(Vec::new, |map| map.to_wire())
     }
 
     /// Takes the chart of its rivers as they are, the `masks` of a `Chart` for a picture of its size, which is then painted with it. Other

@@ -8,25 +8,24 @@ use super::path::Path;
 use super::scenery;
 use super::text::Text;
 use crate::chart::{Kind, Label, Placed, Stroke};
-use crate::domain::Domain;
 use crate::geometry::distance;
 use crate::glyph::Typeface;
 use crate::labels::labels;
+use crate::map::Map;
 use crate::paint::letters::SPACE;
 use crate::paint::palette::Colour;
 use crate::paint::{LabelLook, label_look, scenery_look};
-use crate::river_map::RiverMap;
 
 /// The labels of a map as they are written, with the halo that is taken out of its rivers.
-pub fn chart(map: &RiverMap<'_>, is_text: bool) -> ChartText {
-    let size = Domain::with_aspect(map.options.aspect).size;
+pub fn chart(map: &Map, is_text: bool) -> ChartText {
+    let size = map.domain().size;
     let placed = labels(map, [Vec2::ZERO, size], 1.0);
     let [mut halo, mut letters] = [Text::default(), Text::default()];
     draw_halo(&mut halo, size, &placed);
-    if let Some(look) = scenery_look(map.options.style) {
+    if let Some(look) = scenery_look(map.recipe().get()) {
         scenery::draw(&mut letters, size, &crate::scenery::scenery(map, &placed), look);
     }
-    draw(&mut letters, &placed, label_look(map.options.style), is_text);
+    draw(&mut letters, &placed, label_look(map.recipe().get()), is_text);
     ChartText { halo: halo.into_string(), labels: letters.into_string() }
 }
 

@@ -24,21 +24,19 @@ use self::path::Path;
 use self::text::Text;
 use super::banks::{Banks, Width};
 use super::{ExportError, rivers};
+use crate::map::Map;
 use crate::network::{NONE, Network, River};
 use crate::paint::palette::{BasinColours, Palette};
 use crate::paint::relief::Basins;
 use crate::paint::{Lines, palette_of};
 use crate::recipe::{CourseShape, Key, link};
-#[cfg(feature = "names")]
-use crate::river_map::RiverMap;
-use crate::session::Session;
 
-/// The map of a session's rivers as they are: the text of an SVG file.
+/// Draws a map: the text of an SVG file.
 ///
 /// # Errors
-/// If there are no rivers yet, or there is not enough memory.
-pub fn svg(session: &Session) -> Result<String, ExportError> {
-    with_chart(session, &chart_of(session, false))
+/// If there is not enough memory.
+pub fn svg(map: &Map) -> Result<String, ExportError> {
+    with_chart(map, &chart_of(map, false))
 }
 
 /// The same with labels as text on paths: for readers that have EB Garamond, or another face of this kind.
@@ -46,8 +44,8 @@ pub fn svg(session: &Session) -> Result<String, ExportError> {
 /// # Errors
 /// As [`svg`].
 #[cfg(feature = "names")]
-pub fn svg_with_text(session: &Session) -> Result<String, ExportError> {
-    with_chart(session, &chart_of(session, true))
+pub fn svg_with_text(map: &Map) -> Result<String, ExportError> {
+    with_chart(map, &chart_of(map, true))
 }
 
 /// What a chart adds to the file.
@@ -59,11 +57,11 @@ pub struct ChartText {
     pub labels: String,
 }
 
-/// The chart of a session's map; an empty one where there is nothing that makes charts.
+/// The chart of a map; an empty one where there is nothing that makes charts.
 #[cfg_attr(not(feature = "names"), expect(unused_variables, reason = "there are no labels"))]
-fn chart_of(session: &Session, is_text: bool) -> ChartText {
+fn chart_of(map: &Map, is_text: bool) -> ChartText {
     #[cfg(feature = "names")]
-    return RiverMap::of(session).map_or_else(ChartText::default, |map| labels::chart(&map, is_text));
+    return labels::chart(map, is_text);
     #[cfg(not(feature = "names"))]
     ChartText::default()
 }
@@ -72,14 +70,14 @@ fn chart_of(session: &Session, is_text: bool) -> ChartText {
 ///
 /// # Errors
 /// As [`svg`].
-pub fn with_chart(session: &Session, chart: &ChartText) -> Result<String, ExportError> {
+pub fn with_chart(map: &Map, chart: &ChartText) -> Result<String, ExportError> {
     /// Two banks of about a dozen characters a point, in a text that grows by doubling.
     const BYTES_A_VERTEX: usize = 80;
-    let network = rivers(session, BYTES_A_VERTEX)?;
-    let (recipe, land) = (session.recipe(), session.land());
-    let (size, courses) = (session.domain().size, recipe.get());
+    let network = rivers(map, BYTES_A_VERTEX)?;
+    let (recipe, land) = (map.recipe(), map.land());
+    let (size, courses) = (map.domain().size, recipe.get());
     let palette = palette_of(recipe.get());
-    let past = session.past().zip(palette.beds);
+    let past = palette.beds.map(|look| (map.past(), look));
     let mut out = Text::default();
     out.text("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"").units(size.x).text("\" height=\"").units(size.y);
     out.text("\" viewBox=\"0 0 ").units(size.x).text(" ").units(size.y);
@@ -87,8 +85,8 @@ pub fn with_chart(session: &Session, chart: &ChartText) -> Result<String, Export
     out.text("</title>\n<metadata id=\"riverseed\">").escaped(&link::write(recipe));
     out.text("</metadata>\n<clipPath id=\"map\"><path d=\"M0 0H").units(size.x).text("V").units(size.y);
     out.text("H0z\"/></clipPath>\n<g clip-path=\"url(#map)\">\n");
-    let basins = basins(session, network, palette);
-    let relief = session.relief().map(|relief| Raised {
+    let basins = basins(map, network, palette);
+    let relief = map.shown_relief().map(|relief| Raised {
         relief,
         exaggeration: recipe.number(Key::Shade),
         basins: basins.as_ref().map(|(basins, _)| basins),
@@ -138,9 +136,9 @@ fn width(lines: Lines) -> Width {
 type InBasins = (Basins, &'static BasinColours);
 
 /// The basins, if the style has colours for them.
-fn basins(session: &Session, network: &Network, palette: &Palette) -> Option<InBasins> {
+fn basins(map: &Map, network: &Network, palette: &Palette) -> Option<InBasins> {
     let look = palette.relief.and_then(|look| look.basins.as_ref())?;
-    Some((Basins::new(session.relief()?, network, look.colours), look))
+    Some((Basins::new(map.shown_relief()?, network, look.colours), look))
 }
 
 /// The colour of a river, if it has its own.

@@ -32,6 +32,8 @@ mod water;
 
 pub use raster::Raster;
 
+use std::sync::Arc;
+
 use super::{Ending, GrowError};
 use crate::random::{Purpose, Seed, Stream};
 use crate::tree::Tree;
@@ -134,7 +136,7 @@ impl Brownian {
         }
         self.pass.taken = end;
         if self.tree().len() > born_from {
-            self.strands.tree.tick_starts.push(born_from as u32);
+            Arc::make_mut(&mut self.strands.tree).tick_starts.push(born_from as u32);
         }
         if end == self.pass.particles.len() {
             self.begin_pass();
@@ -181,8 +183,12 @@ impl Brownian {
     }
 
     /// The tree so far. A node is a cell of river, or a cell of sea in which a river ends.
-    pub fn tree(&self) -> &Tree {
+    pub fn tree(&self) -> &Arc<Tree> {
         &self.strands.tree
+    }
+
+    pub(super) fn unshare(&mut self) {
+        Arc::make_mut(&mut self.strands.tree);
     }
 
     /// The number of rivers that have reached the sea.

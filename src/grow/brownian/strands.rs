@@ -7,6 +7,8 @@
 //! ends; and no river reaches the sea beside another. Therefore rivers never cut off land: all water around a new cell
 //! is connected, so the land there is too.
 
+use std::sync::Arc;
+
 use glam::{IVec2, Vec2};
 
 use super::raster::Place;
@@ -33,7 +35,7 @@ const NO_NODE: u32 = u32::MAX;
 #[derive(Clone, Debug)]
 pub(super) struct Strands {
     pub water: Water,
-    pub tree: Tree,
+    pub tree: Arc<Tree>,
     /// The number of nodes that are mouths.
     pub mouths: u32,
     /// The node of each cell; none on land and in the sea, except for mouths.
@@ -56,15 +58,16 @@ impl Strands {
         let mut node_of = Vec::new();
         memory::lengthen(&mut node_of, water.raster.cells().len(), NO_NODE)?;
         let tree = Tree { tick_starts: vec![0], ..Tree::default() };
-        Ok(Self { water, tree, mouths: 0, node_of, exact: Vec::new() })
+        Ok(Self { water, tree: tree.into(), mouths: 0, node_of, exact: Vec::new() })
     }
 
     /// Reserves memory for the strands of more particles.
     pub fn reserve(&mut self, particles: usize) -> Result<(), Refused> {
         let nodes = particles * (LONGEST as usize + 1);
-        memory::reserve(&mut self.tree.at, nodes)?;
-        memory::reserve(&mut self.tree.parent, nodes)?;
-        memory::reserve(&mut self.tree.drained, nodes)?;
+        let tree = Arc::make_mut(&mut self.tree);
+        memory::reserve(&mut tree.at, nodes)?;
+        memory::reserve(&mut tree.parent, nodes)?;
+        memory::reserve(&mut tree.drained, nodes)?;
         memory::reserve(&mut self.exact, nodes)
     }
 
@@ -167,9 +170,10 @@ impl Strands {
         let node = self.tree.len() as u32;
         self.node_of[self.water.raster.index(place)] = node;
         self.exact.push(exact);
-        self.tree.at.push(at);
-        self.tree.parent.push(parent);
-        self.tree.drained.push(drained);
+        let tree = Arc::make_mut(&mut self.tree);
+        tree.at.push(at);
+        tree.parent.push(parent);
+        tree.drained.push(drained);
         node
     }
 }

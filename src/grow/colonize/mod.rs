@@ -23,6 +23,8 @@ pub use heading::curl_toward;
 pub use pull::Pull;
 pub use rivers::stem_nodes;
 
+use std::sync::Arc;
+
 use glam::Vec2;
 
 use super::drainage::can_lay_out;
@@ -126,7 +128,7 @@ impl Colonize {
         let nodes = this.rivers.usual_nodes();
         this.rivers.reserve(nodes)?;
         this.pulling.reserve(nodes)?;
-        this.rivers.tree.tick_starts.push(0);
+        Arc::make_mut(&mut this.rivers.tree).tick_starts.push(0);
         let starts = this.settings().starts.clone();
         for (i, mouth) in mouths(this.settings()).into_iter().enumerate() {
             this.plant(mouth, starts.get(i).map_or(&[], |start| &start.course));
@@ -147,7 +149,7 @@ impl Colonize {
             return false;
         }
         let born_from = self.rivers.len();
-        self.rivers.tree.tick_starts.push(born_from as u32);
+        Arc::make_mut(&mut self.rivers.tree).tick_starts.push(born_from as u32);
         if !self.is_searching() {
             self.extend_pilots();
             self.ending = self.pulling.grow(&mut self.rivers, born_from).err();
@@ -156,7 +158,7 @@ impl Colonize {
             self.seed_unreached_land();
         }
         if self.is_searching() {
-            self.rivers.tree.tick_starts.pop();
+            Arc::make_mut(&mut self.rivers.tree).tick_starts.pop();
             return true;
         }
         if self.rivers.len() == born_from && self.is_dry() {
@@ -165,7 +167,7 @@ impl Colonize {
         self.pulling.capture(&mut self.rivers);
         self.pulling.use_up(&mut self.rivers);
         if self.rivers.len() == born_from {
-            self.rivers.tree.tick_starts.pop();
+            Arc::make_mut(&mut self.rivers.tree).tick_starts.pop();
             self.ending.get_or_insert(Ending::Complete);
             self.rivers.drain_the_rest();
         }
@@ -237,8 +239,12 @@ impl Colonize {
 
 impl Colonize {
     /// The tree so far.
-    pub fn tree(&self) -> &Tree {
+    pub fn tree(&self) -> &Arc<Tree> {
         &self.rivers.tree
+    }
+
+    pub(super) fn unshare(&mut self) {
+        Arc::make_mut(&mut self.rivers.tree);
     }
 
     /// The settings of this growth.

@@ -1,5 +1,7 @@
 //! The rivers so far and their attractors: the parts of growth that do not depend on which attractors pull.
 
+use std::sync::Arc;
+
 use glam::Vec2;
 
 use super::attractors::{Attractors, NO_NODE};
@@ -23,7 +25,7 @@ const MOST_NODES_BESIDES: usize = 10_000;
 pub(super) struct Rivers {
     pub settings: GrowthSettings,
     pub attractors: Attractors,
-    pub tree: Tree,
+    pub tree: Arc<Tree>,
     /// The number of steps from the mouth.
     pub from_mouth: Vec<u32>,
     /// The youngest child, and each child's elder sibling, to find twins.
@@ -53,7 +55,7 @@ impl Rivers {
     /// Begins without nodes.
     pub fn new(settings: GrowthSettings, attractors: Attractors) -> Self {
         Self {
-            tree: Tree::default(),
+            tree: Arc::default(),
             from_mouth: Vec::new(),
             youngest: Vec::new(),
             elder: Vec::new(),
@@ -73,9 +75,10 @@ impl Rivers {
     /// Adds a node.
     pub fn add(&mut self, at: Vec2, parent: u32) -> u32 {
         let node = self.len() as u32;
-        self.tree.at.push(at);
-        self.tree.parent.push(parent);
-        self.tree.drained.push(0);
+        let tree = Arc::make_mut(&mut self.tree);
+        tree.at.push(at);
+        tree.parent.push(parent);
+        tree.drained.push(0);
         self.youngest.push(NO_NODE);
         let (elder, from_mouth) = match self.youngest.get_mut(parent as usize) {
             Some(youngest) => (std::mem::replace(youngest, node), self.from_mouth[parent as usize] + 1),
@@ -96,9 +99,10 @@ impl Rivers {
 
     /// Reserves memory for more nodes.
     pub fn reserve(&mut self, nodes: usize) -> Result<(), Refused> {
-        memory::reserve(&mut self.tree.at, nodes)?;
-        memory::reserve(&mut self.tree.parent, nodes)?;
-        memory::reserve(&mut self.tree.drained, nodes)?;
+        let tree = Arc::make_mut(&mut self.tree);
+        memory::reserve(&mut tree.at, nodes)?;
+        memory::reserve(&mut tree.parent, nodes)?;
+        memory::reserve(&mut tree.drained, nodes)?;
         memory::reserve(&mut self.from_mouth, nodes)?;
         memory::reserve(&mut self.youngest, nodes)?;
         memory::reserve(&mut self.elder, nodes)
@@ -203,6 +207,7 @@ impl Rivers {
     #[inline]
     pub fn use_up(&mut self, mut released: impl FnMut(u32, Pull)) {
         let Self { attractors, tree, unreached, .. } = self;
+        let tree = Arc::make_mut(tree);
         attractors.use_up(|owner, pull| {
             tree.drained[owner as usize] += 1;
             *unreached -= 1;
@@ -212,8 +217,9 @@ impl Rivers {
 
     /// Drains attractors that pull to the end without being reached to their nearest node.
     pub fn drain_the_rest(&mut self) {
+        let tree = Arc::make_mut(&mut self.tree);
         for (owner, _) in self.attractors.remaining() {
-            self.tree.drained[owner as usize] += 1;
+            tree.drained[owner as usize] += 1;
         }
     }
 }

@@ -98,7 +98,7 @@ mod tests {
         let Pulling::LowestFirst(valleys) = &mut growth.pulling else { panic!("{link} has no valleys") };
         valleys.nodes_a_tick = nodes_a_tick;
         while growth.tick() {}
-        growth.rivers.tree
+        Tree::clone(&growth.rivers.tree)
     }
 
     #[test]

@@ -50,7 +50,7 @@ pub struct Drainage {
     /// mean before it.
     area: Vec<f32>,
     stage: Stage,
-    tree: Tree,
+    tree: Arc<Tree>,
     /// The node of each parcel that has one.
     node: Vec<u32>,
     /// The number of completed rounds.
@@ -93,7 +93,7 @@ impl Drainage {
             parcels,
             area,
             stage,
-            tree,
+            tree: tree.into(),
             node,
             rounds: 0,
             captures: Captures::default(),
@@ -165,7 +165,12 @@ impl Drainage {
         let is_last = self.rounds > self.settings.drainage.captures;
         if is_last {
             self.raise(&directions, &areas);
-            identities::assign(&mut self.tree, &self.parcels, &self.node, self.settings.domain.size / 2.0);
+            identities::assign(
+                Arc::make_mut(&mut self.tree),
+                &self.parcels,
+                &self.node,
+                self.settings.domain.size / 2.0,
+            );
             self.largest_basin = areas.iter().copied().max();
             self.ending = Some(Ending::Complete);
         }
@@ -176,6 +181,7 @@ impl Drainage {
     /// Adds a node for each parcel that was settled since the last tick.
     fn grow(&mut self) {
         let Self { parcels, stage: Stage::Round(round), tree, node, mouths, .. } = self else { return };
+        let tree = Arc::make_mut(tree);
         let known = tree.len() - *mouths as usize;
         if round.directions().order.len() > known {
             tree.tick_starts.push(tree.len() as u32);
@@ -199,12 +205,13 @@ impl Drainage {
             plant(&self.parcels, directions, parcel, &mut tree, &mut self.node, &mut self.mouths);
         }
         let ticks = self.tree.tick_starts.iter().map(|&start| start.min(tree.len() as u32)).collect();
-        self.tree = Tree { tick_starts: ticks, ..tree };
+        self.tree = Arc::new(Tree { tick_starts: ticks, ..tree });
     }
 
     /// Gives the nodes of the finished tree their elevations: the cost of the way to the sea, with the final areas.
     fn raise(&mut self, directions: &FlowDirections, areas: &[u32]) {
         let Self { parcels, tree, node, settings, .. } = self;
+        let tree = Arc::make_mut(tree);
         let concavity = settings.drainage.concavity;
         let steepness = steepness(parcels.len(), concavity);
         tree.elevation = vec![0.0; tree.len()];
@@ -221,8 +228,12 @@ impl Drainage {
     }
 
     /// The tree so far. While streams capture one another, each round makes another tree ([`Drainage::trees`]).
-    pub fn tree(&self) -> &Tree {
+    pub fn tree(&self) -> &Arc<Tree> {
         &self.tree
+    }
+
+    pub(super) fn unshare(&mut self) {
+        Arc::make_mut(&mut self.tree);
     }
 
     /// The number of trees before this one.

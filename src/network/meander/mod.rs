@@ -13,6 +13,8 @@ mod past;
 mod respace;
 mod rest;
 
+use std::sync::Arc;
+
 use glam::Vec2;
 
 use super::clearance::{ClearanceGrid, NearbyPair};
@@ -46,11 +48,11 @@ const OFF_FRAME: f32 = 8.0;
 #[derive(Clone, Debug)]
 pub struct Meander {
     settings: NetworkSettings,
-    network: Network,
+    network: Arc<Network>,
     guard: ClearanceGrid,
     round: u32,
-    past: PastCourses,
-    reaches: Vec<Reach>,
+    past: Arc<PastCourses>,
+    reaches: Arc<[Reach]>,
     /// Whether anything was stopped by the frame of the map in the last round.
     has_stopped: bool,
 }
@@ -61,7 +63,7 @@ impl Meander {
         widen(&mut network, &settings);
         let great = mobility::assign(&mut network, &settings);
         let reaches = mobility::reaches(&network, &great, &settings);
-        Self { past: PastCourses::of(great), reaches, ..Self::of(network, settings) }
+        Self { past: PastCourses::of(great).into(), reaches: reaches.into(), ..Self::of(network, settings) }
     }
 
     /// Goes on with a network that has its widths and mobility already, wherever it comes from. None of its rivers counts as great.
@@ -69,18 +71,24 @@ impl Meander {
         let guard = ClearanceGrid::new(&settings.domain, settings.spacing);
         Self {
             settings,
-            network,
+            network: network.into(),
             guard,
             round: 0,
-            past: PastCourses::default(),
-            reaches: Vec::new(),
+            past: Arc::default(),
+            reaches: Arc::default(),
             has_stopped: false,
         }
     }
 
     /// The network as it is.
-    pub fn network(&self) -> &Network {
+    pub fn network(&self) -> &Arc<Network> {
         &self.network
+    }
+
+    /// Makes sure that nobody else has this very network, by a copy if need be.
+    pub(in crate::network) fn unshare(&mut self) {
+        Arc::make_mut(&mut self.network);
+        Arc::make_mut(&mut self.past);
     }
 
     /// The settings it is made by.
@@ -89,12 +97,12 @@ impl Meander {
     }
 
     /// The courses that great rivers had before.
-    pub fn past(&self) -> &PastCourses {
+    pub fn past(&self) -> &Arc<PastCourses> {
         &self.past
     }
 
     /// Where the great rivers are flat, and meander fully.
-    pub fn reaches(&self) -> &[Reach] {
+    pub fn reaches(&self) -> &Arc<[Reach]> {
         &self.reaches
     }
 
@@ -108,7 +116,7 @@ impl Meander {
         if self.is_finished() {
             return false;
         }
-        self.past.keep(&self.network, self.round, self.settings.rounds);
+        Arc::make_mut(&mut self.past).keep(&self.network, self.round, self.settings.rounds);
         self.round += 1;
         let (mut downstream, mut step_scale) = (self.network.downstream(), self.step_scale());
         let (mut clearance, mut near) = self.measure(&downstream, &step_scale);
@@ -117,11 +125,11 @@ impl Meander {
             (clearance, near) = self.measure(&downstream, &step_scale);
         }
         if self.freeze(&near) || std::mem::take(&mut self.has_stopped) {
-            mobility::ease_off(&mut self.network, self.settings.spacing);
+            mobility::ease_off(Arc::make_mut(&mut self.network), self.settings.spacing);
         }
         self.move_bends(&downstream, &clearance, &step_scale);
-        respace::respace(&mut self.network, &clearance, &step_scale, &self.settings);
-        lakes::age(&mut self.network.oxbows, self.round);
+        respace::respace(Arc::make_mut(&mut self.network), &clearance, &step_scale, &self.settings);
+        lakes::age(&mut Arc::make_mut(&mut self.network).oxbows, self.round);
         !self.is_finished()
     }
 
@@ -190,7 +198,7 @@ impl Meander {
         let reach = self.reach(downstream, step_scale);
         let mut near = Vec::new();
         let clearance = self.guard.measure(&self.network, downstream, &reach, self.caps(), &mut |pair| near.push(pair));
-        lakes::erode(&mut self.network, downstream, &self.guard, &self.settings);
+        lakes::erode(Arc::make_mut(&mut self.network), downstream, &self.guard, &self.settings);
         (clearance, near)
     }
 
@@ -204,8 +212,8 @@ impl Meander {
         if cuts.is_empty() {
             return false;
         }
-        cutoff::cut(&mut self.network, &cuts, self.round);
-        self.past.keep_loops(&self.network, self.round);
+        cutoff::cut(Arc::make_mut(&mut self.network), &cuts, self.round);
+        Arc::make_mut(&mut self.past).keep_loops(&self.network, self.round);
         true
     }
 
@@ -226,7 +234,7 @@ impl Meander {
                     let river = self.network.rivers[river_of[upper as usize] as usize];
                     let lower = if upper + 1 < river.end { upper + 1 } else { river.junction };
                     for vertex in [upper, lower] {
-                        if let Some(vertex) = self.network.vertices.get_mut(vertex as usize) {
+                        if let Some(vertex) = Arc::make_mut(&mut self.network).vertices.get_mut(vertex as usize) {
                             any |= vertex.mobility > 0.0;
                             vertex.mobility = 0.0;
                         }
@@ -263,7 +271,7 @@ impl Meander {
         };
         let limits = limits(clearance, downstream);
         let NetworkSettings { domain, land, .. } = &self.settings;
-        for ((vertex, way), limit) in self.network.vertices.iter_mut().zip(moves).zip(limits) {
+        for ((vertex, way), limit) in Arc::make_mut(&mut self.network).vertices.iter_mut().zip(moves).zip(limits) {
             if way == Vec2::ZERO {
                 continue;
             }
@@ -339,7 +347,7 @@ mod tests {
             Meander::of(river(&line, 4.0), NetworkSettings { model, rounds, strength: 0.6, ..settings() });
         while meander.round() {}
         assert_eq!(meander.rounds(), if model == MeanderModel::None { 0 } else { rounds });
-        meander.network().clone()
+        Network::clone(meander.network())
     }
 
     #[test]

@@ -51,6 +51,11 @@ impl PastCourses {
         Self { great, rounds: Vec::new() }
     }
 
+    /// Courses that were kept before some rounds, of the rivers that count as great.
+    pub(crate) fn of_rounds(great: Vec<u32>, rounds: Vec<PastRound>) -> Self {
+        Self { great, rounds }
+    }
+
     /// The numbers of the great rivers: those that meander fully where they are flat, the longest first.
     pub fn great_rivers(&self) -> &[u32] {
         &self.great

@@ -316,7 +316,7 @@ mod tests {
             session.finish().unwrap();
             let (relief, network) = (session.relief().unwrap(), session.network().unwrap());
             let basins = Basins::new(relief, network, COLOURS);
-            let flow = Flow::new(relief, network, &session.relief_settings()).unwrap();
+            let flow = Flow::new(relief, network, &session.map().unwrap().relief_settings()).unwrap();
             let of_file = flow.basins.iter().zip(&basins.cells).filter(|(number, _)| **number > 0);
             let (mut same, mut all) = (0, 0);
             for (&number, &colour) in of_file {

@@ -85,7 +85,6 @@ mod tests {
         for &style in Style::ALL {
             let marks = label_look(style).marks;
             assert_eq!(style.has_marks(), marks != Marks::None, "{style:?}");
-            assert_eq!(style.has_spot_heights(), matches!(marks, Marks::SpotHeights { .. }), "{style:?}");
         }
     }
 

@@ -27,7 +27,7 @@ use self::report::{Outcome, Report};
 use self::seeds::Seeds;
 pub use self::seeds::Shard;
 use super::form::Form;
-use super::map::{Map, Options};
+use super::map::{Files, Options};
 use super::order::Order;
 use super::output::{Output, folder};
 use super::render::Wanted;
@@ -159,14 +159,14 @@ impl Run<'_> {
         let forms: Vec<Form> = missing.iter().map(|(form, _)| *form).chain(line).collect();
         let order = Order { recipe, given: Vec::new(), land: self.order.land.clone() };
         let warn = |text: &str| self.report.warn(seed, text);
-        let map = Map::make(order, &forms, self.options, &ProgressBar::hidden(), &warn)?;
+        let files = Files::make(order, &forms, self.options, &ProgressBar::hidden(), &warn)?;
         for (form, path) in missing {
-            self.places.open(&path)?.write(|out| map.write(form, out))?;
+            self.places.open(&path)?.write(|out| files.write(form, out))?;
         }
         if let Some(turn) = turn {
             let mut line = Vec::new();
-            map.write(Form::Json, &mut line).map_err(of_line)?;
-            drop(map); // or as many would wait as there are threads
+            files.write(Form::Json, &mut line).map_err(of_line)?;
+            drop(files); // or as many would wait as there are threads
             self.write_line(turn, &line)?;
         }
         Ok(if is_other { Outcome::Replaced } else { Outcome::Made })

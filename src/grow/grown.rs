@@ -1,0 +1,45 @@
+//! What growth came to, in numbers.
+
+use super::{Ending, Growth};
+
+/// What growth came to, in numbers: how much its tree reached, and the lengths by which it grew, in units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Grown {
+    /// Attractors scattered, or parcels of drainage: 0 for a Brownian tree.
+    pub attractors: u32,
+    /// Attractors that no river came near enough to, or parcels from which no way leads to the sea.
+    pub unreached: u32,
+    /// The discharge of a river that drains everything; for a Brownian tree nearly.
+    pub total_discharge: u32,
+    /// The mean distance between attractors: the unit of the three lengths below in a recipe.
+    pub spacing: f32,
+    /// How far an attractor pulls.
+    pub reach: f32,
+    /// How near a river has to come for an attractor to be done with.
+    pub kill: f32,
+    /// How far a river grows in a tick.
+    pub step: f32,
+    /// About how far apart streams lie: the distance between attractors, or the sensitivity.
+    pub stream_spacing: f32,
+    /// Why growth ended.
+    pub ending: Ending,
+}
+
+impl Growth {
+    /// What growth came to; `None` while it goes on.
+    pub fn grown(&self) -> Option<Grown> {
+        let settings = self.settings();
+        Some(Grown {
+            attractors: self.attractors(),
+            unreached: self.unreached(),
+            total_discharge: self.total_discharge(),
+            spacing: settings.spacing,
+            reach: settings.reach,
+            kill: settings.kill,
+            step: settings.step,
+            stream_spacing: self.stream_spacing(),
+            ending: self.ending()?,
+        })
+    }
+}

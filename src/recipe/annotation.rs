@@ -1,0 +1,42 @@
+//! The annotation that a recipe asks for: labels, a cartouche, woods and hills, as far as its style has them.
+
+use super::Recipe;
+use super::choice::{Cartouche, Labels, Style};
+use super::key::Key;
+#[cfg(feature = "names")]
+use super::names::OwnNames;
+
+impl Recipe {
+    /// How wooded the land is, and how thickly hills stand, from 0 to 1: 0 in a style that does not draw them.
+    pub fn scenery(&self) -> [f32; 2] {
+        let style: Style = self.get();
+        let shown = |key, is_shown: bool| if is_shown { self.number(key) } else { 0.0 };
+        [shown(Key::Woods, style.has_woods()), shown(Key::Hills, style.has_hills())]
+    }
+
+    /// Returns `true` if the map has woods or hills.
+    pub fn has_scenery(&self) -> bool {
+        self.scenery() != [0.0; 2]
+    }
+
+    /// Returns `true` if the map has labels that are no names.
+    pub fn has_marks(&self) -> bool {
+        self.get::<Labels>() != Labels::None && self.get::<Style>().has_marks()
+    }
+
+    /// Returns `true` if the map has labels, a cartouche, woods or hills.
+    pub fn is_annotated(&self) -> bool {
+        self.get::<Labels>() != Labels::None || self.get::<Cartouche>() != Cartouche::None || self.has_scenery()
+    }
+
+    /// The style, if it decides what the annotation consists of; `None` if that would be the same in any other.
+    pub fn annotating_style(&self) -> Option<Style> {
+        (self.has_scenery() || self.has_marks()).then(|| self.get())
+    }
+
+    /// The person's own names.
+    #[cfg(feature = "names")]
+    pub fn own_names(&self) -> OwnNames {
+        OwnNames::readable(&Key::Names.parameter().text_of(self.value(Key::Names)))
+    }
+}
