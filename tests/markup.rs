@@ -10,13 +10,12 @@ use std::sync::LazyLock;
 use common::property::large;
 use form_urlencoded::Serializer;
 use proptest::prelude::*;
-use riverseed::Session;
 use riverseed::chart::{Label, Raster, place};
 use riverseed::export::{ExportError, svg};
 use riverseed::glam::Vec2;
 use riverseed::labels;
 use riverseed::recipe::{Choice, Key, Style, link};
-use riverseed::river_map::RiverMap;
+use riverseed::{Map, Session};
 use roxmltree::Document;
 
 /// A small map with all that a file can say: names, trees and hills, lakes and former beds.
@@ -40,7 +39,7 @@ const SEED: &str = "\" onload=\"x\" '><g a='b'>]]>&e;&#34;--><![CDATA[<?\u{202e}
 const NAME: &str = "\" onload=\"x\" '><g a='b'>]]>&e;-->";
 
 /// With letters as outlines or as text.
-type Form = fn(&Session) -> Result<String, ExportError>;
+type Form = fn(&Map) -> Result<String, ExportError>;
 
 /// The kinds of file, and a cartouche for each. Without one a map has its legend or seal.
 const FILES: [(&str, Form); 3] = [("plain", svg::svg), ("framed", svg::svg_with_text), ("none", svg::svg_with_text)];
@@ -71,11 +70,11 @@ fn grown(map: &str, seed: &str, names: &str) -> Session {
 }
 
 /// Goes through all kinds of file of a map.
-fn of_each_file(session: &mut Session, mut check: impl FnMut(&Session, Form)) {
+fn of_each_file(session: &mut Session, mut check: impl FnMut(&Map, Form)) {
     for style in styles() {
         for (cartouche, form) in FILES {
             dress(session, style, cartouche);
-            check(session, form);
+            check(&session.map().unwrap(), form);
         }
     }
 }
@@ -92,28 +91,28 @@ fn dress(session: &mut Session, style: &str, cartouche: &str) {
 static HARMLESS: LazyLock<Shape> = LazyLock::new(|| {
     let mut all = Shape::new();
     for seed in ["kauri", "rimu"] {
-        of_each_file(&mut grown(MAP, seed, "t.Home_0.Old River"), |session, form| {
-            all.extend(shape(&Document::parse(&form(session).unwrap()).unwrap()));
+        of_each_file(&mut grown(MAP, seed, "t.Home_0.Old River"), |map, form| {
+            all.extend(shape(&Document::parse(&form(map).unwrap()).unwrap()));
         });
     }
     all
 });
 
 /// A file has no element and no attribute that harmless ones lack, and each word stands in it as a text.
-fn check(session: &Session, form: Form) {
-    let text = form(session).unwrap();
-    let document = Document::parse(&text).unwrap_or_else(|error| panic!("{error}: {}", session.recipe()));
+fn check(map: &Map, form: Form) {
+    let text = form(map).unwrap();
+    let document = Document::parse(&text).unwrap_or_else(|error| panic!("{error}: {}", map.recipe()));
     let strange: Vec<_> = shape(&document).difference(&HARMLESS).cloned().collect();
-    assert_eq!(strange, [], "{}", session.recipe());
-    check_words(session, &document);
+    assert_eq!(strange, [], "{}", map.recipe());
+    check_words(map, &document);
 }
 
-fn check_words(session: &Session, document: &Document<'_>) {
-    let recipe = session.recipe();
+fn check_words(map: &Map, document: &Document<'_>) {
+    let recipe = map.recipe();
     let first = |name: &str| document.descendants().find(|node| node.has_tag_name(name)).and_then(|node| node.text());
     assert_eq!(first("title").unwrap_or(""), readable(recipe.seed()));
     assert_eq!(link::read(first("metadata").unwrap()).as_ref(), Ok(recipe));
-    let placed = placed(session);
+    let placed = placed(map);
     let expected: Vec<String> =
         placed.iter().filter(|label| label.kind.is_of_cartouche()).map(|label| readable(&label.text)).collect();
     let cartouche = document.descendants().find(|node| node.attribute("id") == Some("cartouche"));
@@ -126,8 +125,8 @@ fn check_words(session: &Session, document: &Document<'_>) {
     }
 }
 
-fn placed(session: &Session) -> Vec<Label> {
-    let input = labels::input(&RiverMap::of(session).unwrap(), [Vec2::ZERO, session.domain().size], 1.0);
+fn placed(map: &Map) -> Vec<Label> {
+    let input = labels::input(map, [Vec2::ZERO, map.domain().size], 1.0);
     input.map_or_else(Vec::new, |input| place(&input, &Raster::new(&input)))
 }
 
@@ -142,9 +141,9 @@ fn a_hostile_seed_and_name_stay_texts_in_every_style_and_form() {
     let mut session = grown(MAP, SEED, &format!("t.{NAME}_0.{NAME}"));
     assert_eq!(session.recipe().seed(), SEED, "nothing is corrected");
     let mut named = 0;
-    of_each_file(&mut session, |session, form| {
-        check(session, form);
-        named += usize::from(form(session).unwrap().contains("aria-label=\"&quot; onload="));
+    of_each_file(&mut session, |map, form| {
+        check(map, form);
+        named += usize::from(form(map).unwrap().contains("aria-label=\"&quot; onload="));
     });
     assert!(named >= 2 * styles().count(), "the map's name stands in its cartouche");
 }
@@ -155,7 +154,7 @@ fn each_hostile_word_stays_a_text() {
         let mut session = grown("land=island&attractors=150&labels=many", word, &format!("t.{word}_0.{word}"));
         assert_eq!(session.recipe().seed(), *word, "nothing is corrected");
         dress(&mut session, "ink", "plain");
-        [svg::svg, svg::svg_with_text].into_iter().for_each(|form| check(&session, form));
+        [svg::svg, svg::svg_with_text].into_iter().for_each(|form| check(&session.map().unwrap(), form));
     }
 }
 
@@ -214,6 +213,6 @@ proptest! {
         let mut session = grown("land=island&attractors=150&labels=many", &seed, &format!("t.{name}_0.{name}"));
         let (cartouche, form) = FILES[file];
         dress(&mut session, styles().nth(style).unwrap(), cartouche);
-        check(&session, form);
+        check(&session.map().unwrap(), form);
     }
 }

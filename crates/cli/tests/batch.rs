@@ -5,7 +5,7 @@ use std::io::Write;
 use std::path::Path;
 use std::process::{Command, Stdio};
 
-use crate::maps::{self, FORMS, LINK, RIVERSEED, files, folder, names, outcome, render, said};
+use crate::maps::{FORMS, LINK, RIVERSEED, files, folder, names, outcome, render, said};
 
 /// The options that they take.
 const OPTIONS: [&str; 4] = ["--size", "80", "--raster-size", "700"];

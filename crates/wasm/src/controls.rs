@@ -88,7 +88,8 @@ impl River {
     /// It has no labels, and lasts until the next `paint`.
     #[wasm_bindgen(js_name = paintUnfinished, unchecked_return_type = "Drafted")]
     pub fn paint_unfinished(&mut self) -> String {
-        let painted = self.picture.as_mut().and_then(|picture| picture.paint_draft(&self.session, self.session.recipe()));
+        let painted =
+            self.picture.as_mut().and_then(|picture| picture.paint_draft(&self.session, self.session.recipe()));
         self.drafted_as(painted)
     }
 
