@@ -1,5 +1,5 @@
 import type { Page } from "@playwright/test";
-import type { RiverSeed } from "../../../src/widget/element.ts";
+import type { RiverSeed } from "../../../src/apps/widget/element.ts";
 import { engine } from "../../core.ts";
 import { expect, type Host, test } from "./hosts.ts";
 import { canonical, expectPicture, type Heard, heard, listen, post } from "./post.ts";
