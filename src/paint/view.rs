@@ -141,7 +141,6 @@ impl View {
     }
 
     /// The width and height of a picture that shows the whole domain, given the longer of the two.
-    #[cfg(feature = "files")]
     pub fn sides_for(domain: &Domain, longer: u32) -> (u32, u32) {
         let height = Self::height_for(domain, longer);
         if height <= longer { (longer, height) } else { (Self::width_for(domain, longer), longer) }

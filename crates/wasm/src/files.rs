@@ -13,7 +13,6 @@ use riverseed::export::rasters::{Layer, Rasters, Values};
 use riverseed::export::svg::ChartText;
 use riverseed::export::{ExportError, Json, geojson, json, pack, svg};
 use riverseed::name::Names;
-use riverseed::paint::View;
 use riverseed::recipe::link;
 
 /// The digest of a recipe: what proves that two browsers draw and write the same. The link is read strictly.
@@ -42,13 +41,6 @@ impl River {
     #[wasm_bindgen(js_name = raiseRelief)]
     pub fn raise_relief(&mut self) -> Result<bool, JsValue> {
         self.session.raise_relief().map_err(|error| session_error(&error))
-    }
-
-    /// The width and the height of a picture of all of its map, the longer of which is given.
-    #[wasm_bindgen(js_name = sidesFor)]
-    pub fn sides_for(&self, longer_px: u32) -> Vec<u32> {
-        let (width, height) = View::sides_for(&self.session.domain(), longer_px);
-        vec![width, height]
     }
 
     /// How much of the ground of its picture is painted, from 0 to 1, once its rivers are finished.

@@ -6,7 +6,7 @@ use wasm_bindgen::prelude::*;
 use crate::objects::{coded, object};
 use riverseed::grow::Ending;
 use riverseed::land::Land;
-use riverseed::paint::{ChartMasks, PaintError, Painted, Rect};
+use riverseed::paint::{ChartMasks, PaintError, Painted, Rect, View};
 use riverseed::picture::{Picture, is_to_be_charted};
 use riverseed::recipe::link::{self, Notice};
 use riverseed::recipe::reading::{self, ReadOptions, Reading};
@@ -181,6 +181,13 @@ impl River {
     #[wasm_bindgen(getter, unchecked_return_type = "readonly Notice[]")]
     pub fn notices(&self) -> Array {
         list(&self.notices)
+    }
+
+    /// The width and the height of a picture of all of its map, the longer of which is given.
+    #[wasm_bindgen(js_name = sidesFor)]
+    pub fn sides_for(&self, longer_px: u32) -> Vec<u32> {
+        let (width, height) = View::sides_for(&self.session.domain(), longer_px);
+        vec![width, height]
     }
 
     /// Gives it a picture of this size, which is then painted again. If it throws, everything is as before.

@@ -11,7 +11,7 @@ export class Recipe {
   readonly #notices = new Map<string, string>();
   /** Read when they are first asked for, which the first picture need not wait for. */
   #defaults: ReadonlyMap<string, string> | undefined;
-  /** Whether somebody chose how it looks: the author of a link, or a person at the controls. */
+  /** True if somebody chose how it looks: the author of a link, or a person at the controls. */
   #isStyled: boolean;
 
   /** Takes the first link. On a dark page a recipe that nobody has given a style is shown in that for dark pages. */
@@ -55,7 +55,7 @@ export class Recipe {
     return this.#idle;
   }
 
-  /** What had to be clamped or left out, by the key it is about. */
+  /** Values that had to be clamped or left out, by the key they are about. */
   get notices(): ReadonlyMap<string, string> {
     return this.#notices;
   }

@@ -24,7 +24,7 @@ import { type MakerCore, paint } from "./painting.ts";
 const LONGER_SIDE = 1200;
 const RATE = 30;
 
-/** How many frames each part has: six seconds in all. */
+/** The number of frames of each part: six seconds in all. */
 const FRAMES = { growing: 105, meandering: 30, fading: 15, finished: 30 } as const;
 
 /** How far each phase is, at a share of its time. Of young rivers most is trimmed again, so that little is seen of the first third of growth. */
@@ -33,7 +33,7 @@ const PACES = { growing: Math.sqrt, meandering: (share: number) => share } as co
 /** By when each part is over, as a share of the whole. */
 const SHARES = { growing: 0.55, meandering: 0.75, finishing: 0.8 } as const;
 
-/** What browsers can encode, what is played in most places first. */
+/** The formats that browsers can encode, the most widely played first. */
 const CODECS: readonly (readonly [codec: VideoCodec, container: () => OutputFormat])[] = [
   ["avc", () => new Mp4OutputFormat()],
   ["vp9", () => new WebMOutputFormat()],
@@ -71,7 +71,7 @@ function even(length: number): number {
   return Math.max(2, 2 * Math.round(length / 2));
 }
 
-/** What is filmed. */
+/** The river that is filmed. */
 class Scenes {
   constructor(
     private readonly river: FullRiver,

@@ -2,9 +2,9 @@
 
 import type { FullRiver } from "../engine/full.ts";
 
-/** Of one file. */
+/** The course of one file. */
 export interface Course {
-  /** How far it is, from 0 to 1. */
+  /** Reports how far it is, from 0 to 1. */
   tell(share: number): void;
   /** Lets others have their turn. Throws once the file is no longer wanted. */
   pause(): Promise<void>;
@@ -15,7 +15,7 @@ export function partOf(course: Course, from: number, to: number): Course {
   return { tell: (share) => course.tell(from + (to - from) * share), pause: () => course.pause() };
 }
 
-/** What is done between two pauses: less than anybody notices. */
+/** The time between two pauses: less than anybody notices. */
 const SLICE_MS = 12;
 
 /** Takes steps, each of which says whether there are more, and then how far they have come. */

@@ -18,7 +18,7 @@ export interface Painting extends FileMeans {
 
 /** Grows a river to its end and makes a PNG of it, `longSide` pixels on the long side. */
 export function pngOf(river: River, core: Painting, longSide: number): Promise<Blob> {
-  return finished(river, () => picture(river, core, sidesFor(river.aspect, longSide)));
+  return finished(river, () => picture(river, core, longSide));
 }
 
 /** Grows a river to its end and makes an SVG of it. */
@@ -55,7 +55,8 @@ function stepsFor(milliseconds: number, step: () => boolean): boolean {
 }
 
 /** Paints a finished river for a file, rather than enlarging it from the screen, and writes that as PNG. */
-export async function picture(river: River, core: Painting, [width = 1, height = 1]: Iterable<number>): Promise<Blob> {
+export async function picture(river: River, core: Painting, longSide: number): Promise<Blob> {
+  const [width = 1, height = 1] = river.sidesFor(Math.max(1, Math.round(longSide)));
   river.resize(width, height);
   if (river.wantsChart()) {
     river.takeChart(await askChartForFile(river, core, (chart) => chart.masks(width, height, 1, new Float32Array())));
@@ -67,9 +68,3 @@ export async function picture(river: River, core: Painting, [width = 1, height =
 
 /** Tells nobody how far it is, and lets others have their turn. */
 export const SILENT: Course = { tell: () => {}, pause: () => new Promise((resume) => setTimeout(resume)) };
-
-/** The sides of a picture of all of the map, as near to its shape as whole pixels come. */
-function sidesFor(aspect: number, longSide: number): [width: number, height: number] {
-  const shrink = longSide / Math.max(aspect, 1);
-  return [Math.max(1, Math.round(aspect * shrink)), Math.max(1, Math.round(shrink))];
-}

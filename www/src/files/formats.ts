@@ -27,7 +27,7 @@ export function fileOf(river: FullRiver, core: FileCore, format: Format): Promis
 async function packOf(river: FullRiver, core: FileCore): Promise<Blob> {
   const [contents, map] = await raised(river, async () => {
     const contents = contentsOf(river, await namesOf(river, core));
-    return [contents, await picture(river, core, river.sidesFor(LONG_SIDE_PX))] as const;
+    return [contents, await picture(river, core, LONG_SIDE_PX)] as const;
   });
   core.holdOn();
   return packed(contents, map);

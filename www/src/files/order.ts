@@ -26,7 +26,7 @@ export interface AnimationOrder {
 
 export type Order = PictureOrder | CardOrder | AnimationOrder;
 
-/** What a worker says: that it is there, how far the file is, and what became of it. */
+/** A worker's message: that it is there, how far the file is, or the file. */
 export type Said =
   | { is: "open" }
   | { is: "at"; share: number }
@@ -37,7 +37,7 @@ export type Said =
 export const SIZES = { screen: 2000, a4: 3508, a3: 4961, poster: 8192 } as const;
 export const OWN_SIZES = { min: 256, max: 8192 } as const;
 
-/** What social networks show of a link, in pixels. */
+/** The size of the picture that social networks show of a link, in pixels. */
 export const CARD = { width: 1200, height: 630 } as const;
 
 /** A link but for what is written on its map. */

@@ -15,7 +15,7 @@ export interface PngImage {
   texts: Readonly<Record<string, string>>;
 }
 
-/** How pixels lie in memory and in the file: RGBA in memory, with an opacity in the file or without; grey of 8 bits; grey of 16. */
+/** The kind of pixels: RGBA in memory, with an opacity in the file or without; grey of 8 bits; grey of 16. */
 export type Pixels = "rgb" | "rgba" | "grey8" | "grey16";
 
 /** The format's number of a kind of colour, bits a channel, and how many bytes a pixel takes in memory and in the file. */
@@ -158,7 +158,7 @@ function swapPairs(row: Uint8Array): void {
   for (let i = 0; i < row.length; i += 2) [row[i], row[i + 1]] = [row[i + 1] ?? 0, row[i] ?? 0];
 }
 
-/** How far a byte is from 0, either way. */
+/** Returns the distance of a byte from 0, either way. */
 function rest(byte: number): number {
   return byte < 128 ? byte : 256 - byte;
 }

@@ -19,7 +19,7 @@ export interface Opening {
   link: LinkToRead;
   how: ShowMode;
   size: CanvasSize;
-  /** Whether it grows tick by tick with all others of which the same is said. */
+  /** True if it grows tick by tick with all others that do. */
   inStep?: boolean;
 }
 
@@ -39,7 +39,7 @@ export interface Backend<Question> {
   take(command: Command<Question>): void;
   /** Ends it, with all rivers in it. */
   close(): void;
-  /** Whether another can be opened in place of one whose engine has stopped. */
+  /** True if another can be opened in place of one whose engine has stopped. */
   readonly isReplaceable: boolean;
 }
 
@@ -66,7 +66,7 @@ export interface Pong {
   silenceMs?: number;
 }
 
-/** How a river that is shown stands. */
+/** The state of a river on its canvas, with its numbers. */
 export interface Status {
   state: State;
   phase: Phase;

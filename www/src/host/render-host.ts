@@ -7,7 +7,7 @@ import { PageError } from "../engine/errors.ts";
 import type { Backend, Command, Report } from "./protocol.ts";
 import type { Listener } from "./worker-backend.ts";
 
-/** Whoever shows a river, or asks a question, as the render host knows it. */
+/** A client of the render host: it shows a river, or asks a question. */
 export interface Client<Answer = unknown> {
   hear(report: Report<Answer>): void;
   /** The renderer had to be replaced: everything has to be handed over again. */
@@ -25,7 +25,7 @@ export class RenderHost<Question, Answer> {
   #last = 0;
   #leaving: ReturnType<typeof setTimeout> | undefined;
 
-  /** How a renderer is opened, wherever; the address is that of the engine, if it is not beside the script. */
+  /** `open` opens a renderer, wherever; the address is that of the engine, if it is not beside the script. */
   constructor(
     private readonly open: (listener: Listener<Answer>, wasmUrl: string | undefined) => Promise<Backend<Question>>,
   ) {}

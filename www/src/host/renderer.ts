@@ -8,12 +8,12 @@ import type { SharedClock } from "../player/shared-clock.ts";
 import type { Command, Opening, Report } from "./protocol.ts";
 import { Scene } from "./scene.ts";
 
-/** What a renderer makes rivers with, and how it answers questions, given what shows the river of a number. */
+/** The means by which a renderer makes rivers, and answers questions about the river of a number. */
 export interface Means<R extends River, Question, Answer> {
   readonly maker: RiverMaker<R>;
-  /** What all rivers together may take of a frame, if not what is usual: one river alone, which then waits for nothing, all. */
+  /** The time of a frame that all rivers share, if not the usual; a river that is alone may take all, and waits for nothing. */
   readonly shareMs?: number;
-  /** What rivers grow by that are to grow in step. */
+  /** The clock of rivers that grow in step. */
   readonly clock?: SharedClock;
   answer(question: Question, playerOf: (id: number) => RiverPlayer<R> | undefined): Promise<Answer>;
 }
@@ -30,7 +30,7 @@ export class Renderer<R extends River, Question, Answer> {
     this.#scheduler = new SharedScheduler(displayFrames, means.shareMs);
   }
 
-  /** Whether there will be a report without another command. */
+  /** True while a report is to come without another command. */
   get isAtWork(): boolean {
     return this.#scheduler.isAwaited || this.#unanswered > 0;
   }

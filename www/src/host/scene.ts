@@ -9,16 +9,16 @@ import { type PlayerEvents, type RiverMaker, RiverPlayer } from "../player/river
 import type { SharedClock } from "../player/shared-clock.ts";
 import type { Opening, Report, SceneCommand } from "./protocol.ts";
 
-/** What is asked of a river while there is one. */
+/** A command to a river that is there. */
 type Request = Exclude<SceneCommand, { do: "close" }>;
 
 export class Scene<R extends River = River> {
   #size: CanvasSize;
   #player: RiverPlayer<R> | undefined;
-  /** What came before the river was created. */
+  /** Commands from before the river was created. */
   #early: Request[] = [];
   #isOver = false;
-  /** Whether the river can be asked to go. */
+  /** False once the river may not even be freed. */
   #mayFree = true;
 
   constructor(
@@ -26,7 +26,7 @@ export class Scene<R extends River = River> {
     private readonly frames: Frames,
     private readonly opening: Opening,
     private readonly tell: (report: Report<never>) => void,
-    /** What it grows by if others grow by it, too. */
+    /** The clock that it shares with others, if it does. */
     private readonly clock?: SharedClock,
   ) {
     this.#size = opening.size;
@@ -37,7 +37,7 @@ export class Scene<R extends River = River> {
     this.#attempt(() => this.#open());
   }
 
-  /** What shows its river; nothing before the river is created. */
+  /** The player of its river; none before the river is created. */
   get player(): RiverPlayer<R> | undefined {
     return this.#player;
   }

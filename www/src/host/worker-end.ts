@@ -6,7 +6,7 @@ import type { River } from "../engine/types.ts";
 import type { Command, InitReply, Ping, Pong, Report } from "./protocol.ts";
 import type { Renderer } from "./renderer.ts";
 
-/** What a renderer that is being opened says of itself. */
+/** The messages of a renderer that is being opened. */
 export interface Line<Answer> {
   tell(report: Report<Answer>): void;
   /** The engine is coming. */

@@ -1,6 +1,6 @@
 /** Copies the core's pixels to the canvas, only where they changed. */
 
-/** What the core shows of its pixels. */
+/** The core's pixels, where they lie in its memory. */
 export interface Pixels {
   readonly width: number;
   readonly height: number;

@@ -9,11 +9,11 @@ type Chart = InstanceType<Charts["Chart"]>;
 
 export type LoadCharts = () => Promise<Charts>;
 
-/** What of a river a chart is made of, and laid over. */
+/** The part of a river that a chart is made of, and laid over. */
 export type Chartable = Pick<River, "wantsChart" | "mapData" | "takeChart" | "width" | "height">;
 
 export interface ChartMakerEvents {
-  /** What makes charts has come: a picture may be painted with one. */
+  /** The charts module has arrived: a picture may be painted with one. */
   arrived(): void;
   failed(error: PageError): void;
 }
@@ -62,7 +62,7 @@ export class ChartMaker {
   }
 }
 
-/** What a chart of a river says. */
+/** Asks a chart of a river. */
 export function askChart<Said>(river: Chartable, { Chart }: Charts, ask: (chart: Chart) => Said): Said {
   const chart = new Chart(river.mapData());
   try {
@@ -72,14 +72,14 @@ export function askChart<Said>(river: Chartable, { Chart }: Charts, ask: (chart:
   }
 }
 
-/** What a file takes besides its river. */
+/** The means of making a file, besides its river. */
 export interface FileMeans {
   readonly loadCharts: LoadCharts;
   /** Called before a step that takes long: what is painted or written for a file is, in one. */
   holdOn(): void;
 }
 
-/** The same for a file, of a module that may have to be fetched. What follows at once may take as long. */
+/** Asks a chart for a file, and fetches the charts module if need be. Work that follows at once may take as long. */
 export async function askChartForFile<Said>(
   river: Chartable,
   { loadCharts, holdOn }: FileMeans,

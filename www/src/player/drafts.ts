@@ -7,7 +7,7 @@ import type { Wanted } from "./showing.ts";
 /** A draft over the rivers that are there may take this long at once: a hand sees it sooner than in parts, a frame each. */
 const AT_ONCE_MS = 46;
 
-/** What rivers of the full engine can do for it. */
+/** The methods of the full engine's rivers that drafts need. */
 export interface Drafting {
   draft(text: string, options?: ReadOptions): void;
   paintDraft(): Drafted;
@@ -29,12 +29,12 @@ export class Drafts {
     private readonly now: () => number,
   ) {}
 
-  /** Whether the canvas shows a draft. */
+  /** True while the canvas shows a draft. */
   get isOnCanvas(): boolean {
     return this.#draft !== undefined && (this.#draft.is === "seen" || this.#draft.isOverOther);
   }
 
-  /** Whether the canvas shows a draft, or one is begun. */
+  /** True while the canvas shows a draft, or one is begun. */
   get areShown(): boolean {
     return this.#draft?.is === "begun" || this.isOnCanvas;
   }

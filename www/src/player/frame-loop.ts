@@ -10,15 +10,15 @@ export const GROWTH_SECONDS = 2;
 /** At 1x rivers meander at this pace, or a round at most every other frame; many rounds share the time there is for all. */
 export const ROUNDS_PER_SECOND = 40;
 export const MEANDER_SECONDS = 1.2;
-/** What steps may take of a frame that animates: painting, and the rest of the page, need the other 10 ms. */
+/** The time for steps in a frame that animates: painting, and the rest of the page, need the other 10 ms. */
 export const FRAME_BUDGET_MS = 6;
-/** What they may take of a frame when somebody waits for the finished river. */
+/** The time for steps in a frame when somebody waits for the finished river. */
 export const SETTLE_BUDGET_MS = 10;
-/** The same until something of a river that follows a hand is seen, which it is in the same frame: as many rounds as 50 ms leave room for. */
+/** The time for steps until a river that follows a hand shows anything, which it does in the same frame, within 50 ms in all. */
 export const DRAFT_BUDGET_MS = 24;
-/** A hand that has changed nothing for so long rests: what it has left is then made exactly. */
+/** After this time without a change a hand rests, and the river is made exactly. */
 export const REST_MS = 150;
-/** What painting may take of a frame, and a part of it more: a picture that takes longer is painted over several, and seen in the last. */
+/** The time for painting in a frame, exceeded by a part at most. A picture that takes longer is painted over several frames, and seen in the last. */
 export const PAINT_BUDGET_MS = 10;
 /** After steps that took longer than this, painting is left to the next frame: one callback with both would be felt. */
 export const LONG_STEPS_MS = 20;
@@ -27,12 +27,12 @@ export const SETTLE_QUIET_MS = 250;
 /** After a pause in frames (a hidden tab, a busy machine) it goes on from where it was, it does not catch up. */
 const LONGEST_STEP_MS = 100;
 
-/** What grows: the core's river, or a stand-in in a test. */
+/** A river that grows: the core's, or a stand-in in a test. */
 export interface Growing {
   readonly phase: Phase;
-  /** How far the phase has come, from 0 to 1. */
+  /** The share of the phase that is done, from 0 to 1. */
   readonly progress: number;
-  /** How many rounds rivers meander in all. */
+  /** The number of rounds that rivers meander in all. */
   readonly rounds: number;
   /** Goes on by some steps. Returns whether there is more to do, here. */
   advance(steps: number): boolean;
@@ -61,9 +61,9 @@ interface Settling {
   is: "settling";
   /** The phase in which it began. */
   from: Phase;
-  /** Whether the grown tree is worth a picture before it becomes rivers. */
+  /** True if the grown tree is worth a picture before it becomes rivers. */
   showsTree: boolean;
-  /** Whether a picture has shown anything new. */
+  /** True once a picture has shown anything new. */
   hasShown: boolean;
   shownAt: number;
 }
@@ -74,12 +74,12 @@ interface Following {
   from: Phase;
   /** When the hand moved last. */
   since: number;
-  /** What pictures have shown of the new river. */
+  /** The part of the new river that pictures have shown. */
   shown: "nothing" | "tree" | "rivers";
   shownAt: number;
 }
 
-/** Whether a picture is to be painted: none; in a frame to come; in the next, which makes no steps; in the next, the rest of it. */
+/** The picture to be painted: none; one in a frame to come; one in the next frame, which makes no steps; the rest of one, in the next frame. */
 type Picture = "none" | "due" | "next" | "begun";
 
 /** Who looks on: somebody; nobody, for now; nobody any more. */
@@ -97,7 +97,7 @@ export interface FrameLoopEvents {
   failed(error: unknown): void;
 }
 
-/** How a phase is spread over its time; times and shares run from 0 to 1. */
+/** The way a phase is spread over its time; times and shares run from 0 to 1. */
 interface Pace {
   seconds: number;
   shareAt(time: number): number;
@@ -136,7 +136,7 @@ export class FrameLoop {
     if (this.#course.is === "growing") this.#course.pace = undefined;
   }
 
-  /** Whether another recipe would throw away what nobody has seen yet. */
+  /** True while another recipe would throw away work that nobody has seen yet. */
   get isBusy(): boolean {
     return this.#picture === "begun" || hidesNews(this.#course);
   }

@@ -25,7 +25,7 @@ const COUNT_EVERY_MS = 250;
 /** A hand is followed at once, but for what comes sooner than this after the last: that waits for a frame, and the latest alone is shown. */
 const AT_ONCE_MS = 16;
 
-/** What rivers of the full engine can do besides: show a part of their map, and drafts. */
+/** The methods of the full engine's rivers that the lean engine's lack. */
 interface Controlled extends Drafting {
   frame(framing: Float32Array): void;
 }
@@ -39,7 +39,7 @@ export interface RiverMaker<R> {
 }
 
 export class RiverPlayer<R extends River & Partial<Controlled> = River> {
-  /** What it is to go over to, until it has. */
+  /** The link that it is to go over to, until it has. */
   #wanted: Wanted | undefined;
   #reading: Reading;
   /** How many links it was asked to show after the first. */
@@ -48,7 +48,7 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
   #applying: number | undefined;
   /** Before this time there are no labels, since the hand may move on; and the frame that looks whether it has come. */
   #labelling: { from: number; handle: number } | undefined;
-  /** What was reported last. */
+  /** The last report. */
   #told: { phase: Phase; at: number } | undefined;
   #canRun = true;
   #view: Pick<CanvasSize, "ratio" | "framing"> = { ratio: 1 };
@@ -352,7 +352,7 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
   }
 }
 
-/** What is put on a canvas without mixing it with what was there. */
+/** Returns a context that replaces pixels rather than mixing them. */
 export function contextOf(canvas: Canvas): CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D {
   // Both kinds of canvas take the same, which their types do not say of the two together.
   const context = (canvas as OffscreenCanvas).getContext("2d", { alpha: false });

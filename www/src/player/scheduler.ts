@@ -15,7 +15,7 @@ export const displayFrames: Frames = {
   },
 };
 
-/** What all rivers of a thread together may take of a frame, in ms, before the next of them has to wait for the next. */
+/** The time of a frame, in ms, that all rivers of a thread share. A river that comes later waits for the next frame. */
 export const SHARE_MS = 8;
 
 /** One display for many rivers: each has its turn, in the order of asking, and those that come too late go first next time. */
@@ -33,7 +33,7 @@ export class SharedScheduler implements Frames {
     return this.display.now();
   }
 
-  /** Whether some river waits for its turn. */
+  /** True while a river waits for its turn. */
   get isAwaited(): boolean {
     return this.#waiting.size > 0;
   }

@@ -6,7 +6,7 @@ import type { Growing } from "./frame-loop.ts";
 interface Member extends Growing {
   readonly river: Growing;
   ticks: number;
-  /** What its river threw, perhaps in the frame of another: its own loop is to hear of it. Nothing is asked of the river after that. */
+  /** The error that its river threw, perhaps in another's frame, for its own loop to report. Nothing is asked of the river after that. */
   failure: { thrown: unknown } | undefined;
 }
 
@@ -51,7 +51,7 @@ export class SharedClock {
     return this.#members.filter(({ phase }) => phase === "growing");
   }
 
-  /** That of the river that has the longest way to go, so that none is hurried. */
+  /** The pace of the river that has the longest way to go, so that none is hurried. */
   #progress(): number {
     return Math.min(...this.#growing.map(({ river }) => river.progress));
   }

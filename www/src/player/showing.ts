@@ -1,4 +1,4 @@
-/** What a player is asked to show, and what it reports of it: plain data. */
+/** Plain data that go to a player and come back: the map to show, and the map on the canvas. */
 
 import type { Notice, ReadOptions } from "../engine/types.ts";
 
@@ -28,7 +28,7 @@ export interface Reading {
   link: string;
   seed: string;
   aspect: number;
-  /** What had to be corrected. */
+  /** The corrections that were needed. */
   notices: readonly Notice[];
   /** How many links the player had been asked to show by then, the first not counted. */
   links: number;

@@ -20,14 +20,14 @@ export function sizeOf(summary: Summary, written: Count): string {
   return `${rivers}, ${sources}, Strahler order ${written(summary.order)}${oxbows}`;
 }
 
-/** How many attractors, or parcels of drainage, no river reaches. A Brownian tree has neither. */
+/** Counts the attractors, or parcels of drainage, that no river reaches. A Brownian tree has neither. */
 function unreachedOf({ growth, attractors, unreached }: Summary): string {
   if (attractors === 0) return "";
   const name = growth === "drainage" ? "parcel" : "attractor";
   return `; ${count(unreached)} of ${counted(attractors, name, `${name}s`, count)} unreached`;
 }
 
-/** What growth left: how many nodes there are, and what it did not reach. */
+/** Says how many nodes growth made, and how much it did not reach. */
 export function remainderOf(summary: Summary): string {
   const nodes = counted(summary.nodes, "node", "nodes", count);
   return `${nodes}${unreachedOf(summary)}.`;

@@ -4,7 +4,7 @@ import { named } from "../engine/errors.ts";
 import type { FullRiver } from "../engine/full.ts";
 import { isEngineUnsure } from "../engine/unsure.ts";
 
-/** What may be done of them in one task. */
+/** The time for making them in one task. */
 const BUDGET_MS = 8;
 
 export interface Thumbnail {

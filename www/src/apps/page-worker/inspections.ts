@@ -13,7 +13,7 @@ type Player = RiverPlayer<FullRiver>;
 
 /** All of them: how many there are, nobody asks. */
 const ALL_RIVERS = 0xffff_ffff;
-/** What may be done of a relief before the page is heard again. */
+/** The time for making a relief before the page is heard again. */
 const SLICE_MS = 8;
 /** As many colours as basins have. */
 const BASIN_KINDS = 6;
@@ -95,10 +95,10 @@ export class Inspections {
   }
 }
 
-/** What the engine calls lines on rivers that are no order. */
+/** The engine's numbers of lines on rivers that are no order. */
 const LINES = { held: 0, curvature: 255 } as const;
 
-/** What of a finished map each overlay shows, kind by kind. */
+/** The lines of a finished map that each overlay shows, kind by kind. */
 const overlays: Record<Exclude<OverlayName, LiveOverlayName>, (inspector: Inspector) => string[][]> = {
   orders,
   basins,
@@ -107,10 +107,10 @@ const overlays: Record<Exclude<OverlayName, LiveOverlayName>, (inspector: Inspec
   curvature: (inspector) => [[inspector.lines(LINES.curvature)]],
 };
 
-/** What the engine calls shapes that any map has. */
+/** The engine's numbers of shapes that any map has. */
 const SHAPES = { attractors: 0, left: 1, tips: 2, land: 3, ridges: 4, captures: 5, formerWays: 6 } as const;
 
-/** What of any map the others do. */
+/** The shapes of any map that the other overlays show. */
 const liveOverlays: Record<LiveOverlayName, (river: FullRiver) => string[][]> = {
   attractors,
   sources: (river) => [[river.shapes(SHAPES.tips)]],

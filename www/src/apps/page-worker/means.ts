@@ -1,4 +1,4 @@
-/** What the page's renderer makes rivers with, and how it answers questions about them. */
+/** The means by which the page's renderer makes rivers, and answers questions about them. */
 
 import type { FullCore, FullRiver, Measure } from "../../engine/full.ts";
 import { fileOf } from "../../files/formats.ts";

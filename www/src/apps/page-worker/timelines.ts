@@ -7,7 +7,7 @@ import type { Making, Moment } from "./protocol.ts";
 type Player = RiverPlayer<FullRiver>;
 
 const PARTS = ["growth", "bends", "map"] as const;
-/** What steps may take before others are heard again. */
+/** The time for steps before others are heard again. */
 const SLICE_MS = 8;
 
 interface Kept {
@@ -18,7 +18,7 @@ interface Kept {
 
 export class Timelines {
   #kept: Kept | undefined;
-  /** How many times somebody wanted to go elsewhere. */
+  /** Counts the wishes to go elsewhere. */
   #wishes = 0;
 
   async making(player: Player | undefined, to: Moment | undefined): Promise<Making | undefined> {
@@ -33,7 +33,7 @@ export class Timelines {
     return { link, at, progress: river.progress, lengths: kept ? { ticks, rounds } : undefined };
   }
 
-  /** What is kept of a map, from when it was finished first until there is another. */
+  /** Returns the timeline kept of a map, from when it was finished first until there is another. */
   #keptFor(player: Player): Kept | undefined {
     const kept = this.#kept;
     if (kept?.player === player && kept.link === player.link) return kept;

@@ -22,7 +22,7 @@ export interface RiverPointerEvents {
   river(place: RiverPlace): Promise<PointedRiver | undefined>;
   /** The marks of the greatest rivers. */
   greatest(): Promise<readonly string[]>;
-  /** What of the picture's place other things cover. */
+  /** Measures how much of the picture's place other things cover. */
   covered(): Insets;
 }
 

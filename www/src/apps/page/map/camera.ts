@@ -2,7 +2,7 @@
 
 import type { Box, Framing, Size } from "../../../browser/canvas.ts";
 
-/** What of the picture's place other things cover, from each side. */
+/** The part of the picture's place that other things cover, from each side. */
 export interface Insets {
   left: number;
   top: number;
@@ -31,7 +31,7 @@ export class Camera {
   /** The point of the map in the middle of what is free, in shares of its sides. */
   #at: Point = { x: 0.5, y: 0.5 };
 
-  /** Whether all of the map is seen. */
+  /** True while all of the map is seen. */
   get showsAll(): boolean {
     return this.#zoom === 1;
   }
@@ -54,7 +54,7 @@ export class Camera {
     return { x: x - this.#at.x * width, y: y - this.#at.y * height, width, height };
   }
 
-  /** What the picture shows. */
+  /** The part of the map that the picture shows. */
   framingOn(stage: Stage): Framing {
     const { x, y, width } = this.boxOn(stage);
     const { left, top, right, bottom } = stage.insets;
@@ -91,7 +91,7 @@ export class Camera {
   }
 }
 
-/** How wide the map is when all of it is seen. */
+/** Returns the width of the map when all of it is seen. */
 function widthOf({ width, height, insets, aspect }: Stage): number {
   const free = { across: width - insets.left - insets.right, down: height - insets.top - insets.bottom };
   return Math.max(Math.min(free.across, free.down * aspect), width * LEAST_SHARE);
@@ -101,7 +101,7 @@ function middleOf({ width, height, insets }: Stage): Point {
   return { x: (width + insets.left - insets.right) / 2, y: (height + insets.top - insets.bottom) / 2 };
 }
 
-/** How a picture with one framing is to be moved and scaled to stand for another, on a place of this width. */
+/** Returns the transform by which a picture with one framing stands for another, on a place of this width. */
 export function transformBetween(shown: Framing, wanted: Framing, width: number): string {
   const scale = shown[2] / wanted[2];
   const [x, y] = [0, 1].map((axis) => (((shown[axis] ?? 0) - (wanted[axis] ?? 0)) / wanted[2]) * width);

@@ -1,12 +1,12 @@
-/** What of the picture's place other things cover: the map lies in what is left. */
+/** Measures how much of the picture's place other things cover: the map lies in the rest. */
 
 import { elements } from "../elements.ts";
 import type { Insets } from "./camera.ts";
 
-/** What stays free around the map, in CSS pixels. */
+/** The margin around the map, in CSS pixels. */
 const MARGIN_PX = 16;
 
-/** What of the picture's place the name of the page, the bar, the styles and the panel cover. */
+/** Measures what the name of the page, the bar, the styles and the panel cover. */
 export function covered(): Insets {
   const { bar, styles, panel, masthead } = elements;
   const edge = (element: HTMLElement): DOMRect | undefined =>

@@ -10,10 +10,10 @@ export interface GestureEvents {
   all(): void;
 }
 
-/** How far an arrow key moves, in CSS pixels, and how much closer a key brings. */
+/** The step of an arrow key, in CSS pixels, and the factor of a zoom key. */
 const KEY_STEP = 60;
 export const KEY_ZOOM = 1.5;
-/** How much closer a pixel of the wheel brings; fingers on a pad report much smaller steps. */
+/** The factor of a pixel of the wheel; fingers on a pad report much smaller steps. */
 const WHEEL_ZOOM = 0.0015;
 const PAD_ZOOM = 0.01;
 const LINE_PX = 16;
@@ -28,7 +28,7 @@ const ARROWS: Record<string, [dx: number, dy: number]> = {
 export class Gestures {
   /** Where the fingers are, or the mouse. */
   readonly #pointers = new Map<number, Point>();
-  /** What the last of them was: a mouse, a finger, a pen. */
+  /** The kind of the last one: a mouse, a finger, a pen. */
   #kind = "";
 
   constructor(
@@ -89,7 +89,7 @@ export class Gestures {
   }
 }
 
-/** What lies over the map keeps its own gestures: the pen, links and buttons. */
+/** Things that lie over the map keep their own gestures: the pen, links and buttons. */
 export function isOnMap({ target }: Event): boolean {
   return target instanceof Element && target.closest("a, button, .sketch, .failure") === null;
 }

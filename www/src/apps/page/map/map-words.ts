@@ -15,12 +15,12 @@ export interface MapWordsElements {
   announcement: HTMLElement;
 }
 
-/** How many of the greatest rivers the text alternative names. */
+/** The number of the greatest rivers that the text alternative names. */
 const TOLD_RIVERS = 3;
 
 export class MapWords {
   readonly #announcer: Announcer;
-  /** What the caption says of the greatest river, once its name is known. */
+  /** The caption's words about the greatest river, once its name is known. */
   #greatest = "";
 
   /** The canvas may be replaced by another. */

@@ -2,13 +2,13 @@
 
 import type { Point } from "./camera.ts";
 
-/** How long a tap may take, and how much later and how far away the second may end, in ms and CSS pixels. */
+/** The longest time of a tap, and the latest time and the farthest place at which the second may end, in ms and CSS pixels. */
 const TAP_MS = 300;
 const PAUSE_MS = 350;
 const TAP_PX = 12;
 const APART_PX = 40;
 
-/** What of a pointer's event it minds. */
+/** The part of a pointer's event that it reads. */
 export interface Touch {
   readonly pointerType: string;
   readonly isPrimary: boolean;

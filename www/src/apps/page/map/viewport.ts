@@ -45,7 +45,7 @@ export interface ViewportEvents {
   failed(error: PageError): void;
 }
 
-/** How another renderer takes a river over that was in a state, or was to be: not at the same step, but to the same end. */
+/** The way another renderer takes over a river in a state: not at the same step, but to the same end. */
 const HOW: Record<State, ShowMode> = { growing: "watch", paused: "watch", settling: "settle", finished: "still" };
 
 /** A map to be shown: its canonical link, and its width over its height. */
@@ -59,7 +59,7 @@ interface Wanted extends MapLink {
   how: ShowMode;
   /** Its number among the links since the renderer has the canvas; only reports of it count, or of later ones. */
   number: number;
-  /** What its picture will show, until it does. */
+  /** The part of the map that its picture will show, until it does. */
   framing?: Framing | undefined;
 }
 
@@ -81,14 +81,14 @@ export class RiverViewport {
   #events: ViewportEvents | undefined;
   /** Reports from before anybody listened. */
   readonly #untold: ((events: ViewportEvents) => void)[] = [];
-  /** How many links were shown since the renderer has the canvas. */
+  /** Counts the links that were shown since the renderer has the canvas. */
   #links = 0;
   /** The canvas that is not seen before there is something on it. */
   #next: HTMLCanvasElement | undefined;
   #isOver = false;
   #isCovered = false;
   readonly #camera = new Camera();
-  /** What the picture shows. */
+  /** The part of the map that the picture shows. */
   #framing: Framing | undefined;
   #resizing: ReturnType<typeof setTimeout> | undefined;
   readonly #observer = new ResizeObserver(() => this.#resizeSoon());
@@ -98,7 +98,7 @@ export class RiverViewport {
     private readonly renderHost: PageRenderHost,
     private readonly elements: ViewportElements,
     first: MapLink,
-    /** What of the picture's place other things cover. */
+    /** Measures how much of the picture's place other things cover. */
     private readonly covered: () => Insets,
   ) {
     this.#wanted = { ...first, how: "watch", number: 0 };
@@ -166,7 +166,7 @@ export class RiverViewport {
     return (await this.#ask({ about: "thumbnails", of: this.#id, styles, size })) ?? [];
   }
 
-  /** What is measured of the finished map on show. */
+  /** Measures the finished map on show. */
   async measures(): Promise<readonly Measure[]> {
     return (await this.#ask({ about: "measures", of: this.#id })) ?? [];
   }
@@ -188,13 +188,13 @@ export class RiverViewport {
     return river?.link === this.#wanted.link ? river : undefined;
   }
 
-  /** What can be laid over the map; none while there is nothing of the kind, or if it is not the one that was shown last. */
+  /** Returns something to lay over the map; none while there is nothing of the kind, or if it is not the one that was shown last. */
   async overlay(name: OverlayName): Promise<Overlay | undefined> {
     const overlay = await this.#ask({ about: "overlay", of: this.#id, name });
     return overlay?.link === this.#wanted.link ? overlay : undefined;
   }
 
-  /** How far the map has come, if it is the one that was shown last; if a moment is given, after going there. */
+  /** Tells how far the map has come, if it is the one that was shown last; if a moment is given, after going there. */
   async making(to?: Moment): Promise<Making | undefined> {
     const making = await this.#ask({ about: "making", of: this.#id, to });
     return making?.link === this.#wanted.link ? making : undefined;
@@ -364,7 +364,7 @@ export class RiverViewport {
     this.#movePicture(this.#stage());
   }
 
-  /** How many pixels the picture has, and what it shows. */
+  /** Returns the number of pixels of the picture, and the part of the map that it shows. */
   #size(): CanvasSize {
     const size = backingSize(this.elements.frame.getBoundingClientRect(), window.devicePixelRatio);
     if (size.width === 0 || size.height === 0) return { ...size, ratio: 1 };
