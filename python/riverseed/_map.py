@@ -129,7 +129,7 @@ class Map:
             ValueError: There is no such layer, or `raster_size` is out of its range.
         """
         if layer not in _native.LAYERS:
-            message = f"layer: {str(layer)[:40]!r} is none of {', '.join(_native.LAYERS)}"
+            message = f"layer: {str(layer)[:40]!r} is not one of {', '.join(_native.LAYERS)}"
             raise ValueError(message)
         return self._file(f"{layer}.png", raster_size=raster_size)
 

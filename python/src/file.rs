@@ -51,7 +51,7 @@ impl Options {
 }
 
 fn named(form: &str) -> Done<Form> {
-    let refused = || Failure::Refused(format!("form: '{}' is none of {}", shown(form), forms().join(", ")));
+    let refused = || Failure::Refused(format!("form: '{}' is not one of {}", shown(form), forms().join(", ")));
     Form::named(form).ok_or_else(refused)
 }
 

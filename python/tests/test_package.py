@@ -70,7 +70,7 @@ def test_ranges_and_choices_are_those_that_are_kept(keyword: str) -> None:
         with pytest.raises(ValueError, match=re.escape(allowed)):
             riverseed.grow(**{keyword: parameter.maximum + 1})
     if parameter.choices is not None:
-        with pytest.raises(ValueError, match=re.escape(f"'none such' is none of {', '.join(parameter.choices)}")):
+        with pytest.raises(ValueError, match=re.escape(f"'none such' is not one of {', '.join(parameter.choices)}")):
             riverseed.grow(**{keyword: "none such"})
     if parameter.longest is not None:
         with pytest.raises(ValueError, match=f"at most {parameter.longest} are allowed"):

@@ -64,8 +64,8 @@ def test_what_is_no_text_is_refused() -> None:
 def test_options_are_refused_in_words_that_help(small: riverseed.Map) -> None:
     raster_range = "raster_size: rasters of this map are from 633 to 4096 pixels long, not 3"
     refused: list[tuple[Callable[..., object], dict[str, Any], str]] = [
-        (small.raster, {"layer": "gif"}, "layer: 'gif' is none of heights, land, rivers, flow, basins"),
-        (small.raster, {"layer": "x" * 1000}, "layer: 'x{40}' is none of heights, "),
+        (small.raster, {"layer": "gif"}, "layer: 'gif' is not one of heights, land, rivers, flow, basins"),
+        (small.raster, {"layer": "x" * 1000}, "layer: 'x{40}' is not one of heights, "),
         (small.png, {"size": 0}, "size: 0 is not between 1 and 8192"),
         (small.png, {"size": -5}, "size: -5 is not between 1 and 8192"),
         (small.png, {"size": 8193}, "size: 8193 is not between 1 and 8192"),
