@@ -17,7 +17,7 @@ use super::form::{Form, listed};
 use super::grow::grow;
 use super::names::{say_what_has_no_letters, say_what_is_unused};
 use super::order::Order;
-use super::{Failure, Say};
+use super::{Failure, Say, memory};
 
 /// What a call says of files besides the recipe.
 #[derive(Clone, Copy, Debug)]
@@ -95,6 +95,7 @@ impl Map {
         let mut picture = picture.transpose()?;
         let mut session = grow(order, progress, say)?;
         if is_wanted(Form::lists_names) {
+            memory::ask_for_file(&session, Form::Json)?;
             say_what_is_unused(&session, say);
         }
         progress.set_message("raising land");
@@ -104,6 +105,7 @@ impl Map {
         let rasters = rasters.transpose()?;
         progress.set_message("painting");
         if let Some(picture) = &mut picture {
+            memory::ask_for_picture(&session, picture)?;
             picture.paint(&session);
         }
         progress.set_message("writing");
@@ -116,6 +118,7 @@ impl Map {
     /// If there is not enough memory; and those of the writer.
     pub fn write(&self, form: Form, out: &mut dyn Write) -> Result<(), Failure> {
         let Self { session, picture, rasters, options } = self;
+        memory::ask_for_file(session, form)?;
         let written = match (form, picture, rasters) {
             (Form::Png, Some(picture), _) => {
                 export::png::write(out, picture.pixmap(), &link::write(session.recipe())).map_err(io::Error::from)
