@@ -94,7 +94,7 @@ test-wasm: ## the core as wasm, in headless Chromium: the same pictures to the b
 	@$(setup) rust wasm browser
 	@mkdir -p target
 	@$(run) bash -c 'sed "s|\$$CHROME|$$CHROME|" scripts/webdriver.json' > target/webdriver.json
-	$(wasm) cargo test $(wasm32) --features files,controls $(WASM_TESTS:%=--test %)
+	$(wasm) cargo test $(wasm32) --features files,controls,names $(WASM_TESTS:%=--test %)
 
 .PHONY: test-page
 test-page: wasm ## the TypeScript, without a browser

@@ -8,6 +8,7 @@ use crate::paint::PaintError;
 use crate::picture::Picture;
 use crate::prune::Pruned;
 use crate::recipe::Recipe;
+use crate::river_map::ChartOptions;
 use crate::session::{Session, SessionError};
 
 /// The pixel width of the picture that goes into a digest.
@@ -26,20 +27,42 @@ pub enum DigestError {
     /// Its files cannot be written.
     #[error(transparent)]
     Export(#[from] ExportError),
+    /// It wants labels, a cartouche, woods or hills, and the library was built without `names`, which draws them.
+    #[error("there is no digest of a map with labels, a cartouche, woods or hills here: this build draws none of them")]
+    NoChart,
 }
 
 /// Grows, paints and exports a recipe and returns the FNV-1a hash (64 bits) of its tree, its hydrology, its rivers, its
-/// pixels, the text of its SVG and all that its JSON holds but names, and in a style with relief, of that and all that its GeoJSON holds but
-/// names, as 16 hexadecimal digits.
+/// pixels, the text of its SVG and its JSON, and in a style with relief, of that and its GeoJSON, as 16 hexadecimal digits. Names in JSON
+/// and GeoJSON count where the map has labels, a cartouche, woods or hills.
 ///
 /// # Errors
-/// If there is not enough memory.
+/// If there is not enough memory, or this build lacks what draws such a map.
 pub fn digest(recipe: &Recipe) -> Result<String, DigestError> {
+    let has_chart = ChartOptions::of(recipe).any();
+    if has_chart && !cfg!(feature = "names") {
+        return Err(DigestError::NoChart);
+    }
     let mut session = Session::new(recipe.clone())?;
     while session.advance(u32::MAX)? {}
     let mut picture = Picture::new(WIDTH, WIDTH)?;
     picture.paint(&session);
     let mut hash = Fnv1a::new();
+    hash_rivers(&mut hash, &session);
+    if let Some(relief) = session.relief() {
+        hash.words(relief.heights().iter().map(|height| height.to_bits()));
+        // Of other maps a relief would have to be made for it.
+        let write = if has_chart { geojson::collection } else { geojson::unnamed };
+        hash.value(&write(&session)?);
+    }
+    hash.bytes(picture.pixmap().data());
+    hash.bytes(svg::svg(&session)?.as_bytes());
+    let write = if has_chart { json::network } else { json::unnamed };
+    hash.value(&write(&session, true)?);
+    Ok(format!("{:016x}", hash.0))
+}
+
+fn hash_rivers(hash: &mut Fnv1a, session: &Session) {
     let Pruned { tree, hydrology, origin } = session.pruned();
     session.tree().at.iter().for_each(|at| hash.words([at.x.to_bits(), at.y.to_bits()]));
     hash.words(session.tree().parent.iter().copied());
@@ -65,15 +88,6 @@ pub fn digest(recipe: &Recipe) -> Result<String, DigestError> {
             ]);
         });
     }
-    if let Some(relief) = session.relief() {
-        hash.words(relief.heights().iter().map(|height| height.to_bits()));
-        // Of other maps a relief would have to be made for it.
-        hash.value(&geojson::unnamed(&session)?);
-    }
-    hash.bytes(picture.pixmap().data());
-    hash.bytes(svg::svg(&session)?.as_bytes());
-    hash.value(&json::unnamed(&session, true)?);
-    Ok(format!("{:016x}", hash.0))
 }
 
 struct Fnv1a(u64);

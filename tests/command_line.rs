@@ -395,7 +395,8 @@ fn this_machine_is_told_to_draw_as_all_others() {
     let output = riverseed(&["verify"]);
     let (said, wrong) = (String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
     assert!(output.status.success() && wrong.is_empty(), "{said}{wrong}");
-    let count = include_str!("digest.txt").lines().count();
+    let count = [include_str!("digest.txt"), include_str!("digest-charts.txt")].map(|text| text.lines().count());
+    let count: usize = count.iter().sum();
     assert!(
         said.starts_with(&format!("the same bits: {count} of {count} recipes")) && said.lines().count() == 1,
         "{said}"
@@ -424,5 +425,35 @@ fn digests_that_are_none_are_refused() {
         fs::write(&file, text).unwrap();
         let (code, message) = refusal(&["verify", "--digests", file.to_str().unwrap()]);
         assert!(code == 1 && message.contains("no-digests.txt") && message.contains(reason), "{message}");
+    }
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn closed_standard_output_is_an_error_of_commands_that_print() {
+    let calls = [
+        "table",
+        "names seed=kea\\&attractors=100",
+        "measure seed=kea\\&attractors=100",
+        "render seed=kea\\&attractors=100 -o -",
+        "render attractors=100 --seeds 1..2 -o -",
+    ];
+    for call in calls {
+        let by_shell = |redirected: &str| {
+            let call = format!("exec {} {call} {redirected}", env!("CARGO_BIN_EXE_riverseed"));
+            let output = Command::new("sh").args(["-c", &call]).output().unwrap();
+            (output.status.code(), String::from_utf8(output.stderr).unwrap())
+        };
+        let said = "riverseed: standard output is closed: nobody would read what is printed\n";
+        assert_eq!(by_shell(">&-"), (Some(1), said.into()), "{call}");
+        assert_eq!(by_shell(">/dev/null").0, Some(0), "{call}");
+    }
+}
+
+#[test]
+fn path_of_a_folder_is_no_output() {
+    for path in ["s.json/", "s.json/.", "no-such-folder/{seed}.json/"] {
+        let (code, message) = refusal(&["render", "attractors=100", "--seeds", "1..1", "-o", path]);
+        assert_eq!((code, message), (2, format!("riverseed: {path}: this is the path of a folder, not of a file\n")));
     }
 }

@@ -11,7 +11,8 @@ use riverseed::recipe::link;
 use super::Failure;
 
 /// The committed digests: lines of a digest and a link. Every change is tested against them.
-const COMMITTED: &str = include_str!("../../../tests/digest.txt");
+const COMMITTED: &str =
+    concat!(include_str!("../../../tests/digest.txt"), include_str!("../../../tests/digest-charts.txt"));
 
 /// Grows and paints all recipes and compares their digests with the committed ones, or with those of a file.
 pub fn verify(path: Option<&Path>) -> Result<(), Failure> {
