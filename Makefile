@@ -131,12 +131,12 @@ webdriver:
 
 .PHONY: test-wasm
 test-wasm: webdriver ## the core as wasm, in headless Chromium: the same pictures to the bit, of a third of the committed recipes
-	$(wasm) cargo test $(wasm32) --features files,controls $(WASM_TESTS:%=--test %)
+	$(wasm) cargo test $(wasm32) --features files,controls,names $(WASM_TESTS:%=--test %)
 	$(lap) "wasm, in a browser: a third of the recipes"
 
 .PHONY: test-wasm-more
 test-wasm-more: webdriver ## the same of the other recipes
-	$(wasm) cargo test $(wasm32) --features files,controls $(WASM_TESTS:%=--test %) -- --ignored
+	$(wasm) cargo test $(wasm32) --features files,controls,names $(WASM_TESTS:%=--test %) -- --ignored
 	$(lap) "wasm, in a browser: the other recipes"
 
 .PHONY: test-page

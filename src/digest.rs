@@ -3,6 +3,7 @@
 use thiserror::Error;
 
 use crate::export::{ExportError, Json, geojson, json, svg};
+use crate::map::Map;
 use crate::network::Vertex;
 use crate::paint::PaintError;
 use crate::picture::Picture;
@@ -14,7 +15,7 @@ use crate::session::{Session, SessionError};
 const WIDTH: u32 = 160;
 
 /// The committed digests that every change is tested against, one a line: a digest, a space and a link.
-pub const COMMITTED: &str = include_str!("../tests/digest.txt");
+pub const COMMITTED: &str = concat!(include_str!("../tests/digest.txt"), include_str!("../tests/digest-charts.txt"));
 
 /// Why there is no digest.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
@@ -29,20 +30,42 @@ pub enum DigestError {
     /// Its files cannot be written.
     #[error(transparent)]
     Export(#[from] ExportError),
+    /// It wants labels, a cartouche, woods or hills, and the library was built without `names`, which draws them.
+    #[error("there is no digest of a map with labels, a cartouche, woods or hills here: this build draws none of them")]
+    NoChart,
 }
 
 /// Grows, paints and exports a recipe and returns the FNV-1a hash (64 bits) of its tree, its hydrology, its rivers, its
-/// pixels, the text of its SVG and all that its JSON holds but names, and in a style with relief, of that and all that its GeoJSON holds but
-/// names, as 16 hexadecimal digits.
+/// pixels, the text of its SVG and its JSON, and in a style with relief, of that and its GeoJSON, as 16 hexadecimal digits. Names in JSON
+/// and GeoJSON count where the map has labels, a cartouche, woods or hills.
 ///
 /// # Errors
-/// If there is not enough memory.
+/// If there is not enough memory, or this build lacks what draws such a map.
 pub fn digest(recipe: &Recipe) -> Result<String, DigestError> {
+    let has_chart = recipe.is_annotated();
+    if has_chart && !cfg!(feature = "names") {
+        return Err(DigestError::NoChart);
+    }
     let mut session = Session::new(recipe.clone())?;
     let map = session.finish()?;
     let mut picture = Picture::new(WIDTH, WIDTH)?;
     picture.paint(&session);
     let mut hash = Fnv1a::new();
+    hash_rivers(&mut hash, &map);
+    if let Some(relief) = map.shown_relief() {
+        hash.words(relief.heights().iter().map(|height| height.to_bits()));
+        // Of other maps a relief would have to be made for it.
+        let write = if has_chart { geojson::collection } else { geojson::unnamed };
+        hash.value(&write(&map)?);
+    }
+    hash.bytes(picture.pixmap().data());
+    hash.bytes(svg::svg(&map)?.as_bytes());
+    let write = if has_chart { json::network } else { json::unnamed };
+    hash.value(&write(&map, Some(&session.growth().scattered()))?);
+    Ok(format!("{:016x}", hash.0))
+}
+
+fn hash_rivers(hash: &mut Fnv1a, map: &Map) {
     let Pruned { tree, hydrology, origin } = map.pruned();
     map.tree().at.iter().for_each(|at| hash.words([at.x.to_bits(), at.y.to_bits()]));
     hash.words(map.tree().parent.iter().copied());
@@ -60,15 +83,6 @@ pub fn digest(recipe: &Recipe) -> Result<String, DigestError> {
         let Vertex { at, discharge, left, right, mobility, .. } = *vertex;
         hash.words([at.x.to_bits(), at.y.to_bits(), discharge, left.to_bits(), right.to_bits(), mobility.to_bits()]);
     });
-    if let Some(relief) = map.shown_relief() {
-        hash.words(relief.heights().iter().map(|height| height.to_bits()));
-        // Of other maps a relief would have to be made for it.
-        hash.value(&geojson::unnamed(&map)?);
-    }
-    hash.bytes(picture.pixmap().data());
-    hash.bytes(svg::svg(&map)?.as_bytes());
-    hash.value(&json::unnamed(&map, Some(&session.growth().scattered()))?);
-    Ok(format!("{:016x}", hash.0))
 }
 
 struct Fnv1a(u64);

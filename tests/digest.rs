@@ -4,7 +4,7 @@
 //! and then fails, so that nobody refreshes by accident.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
-use riverseed::digest::digest;
+use riverseed::digest::{DigestError, digest};
 use riverseed::recipe::link;
 #[cfg(not(target_arch = "wasm32"))]
 use riverseed::recipe::{Choice, Style};
@@ -14,8 +14,10 @@ use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
 #[cfg(target_arch = "wasm32")]
 wasm_bindgen_test_configure!(run_in_browser);
 
-/// Lines of a digest and a link.
+/// Lines of a digest and a link: of maps without names and scenery, which any build draws.
 const DIGESTS: &str = include_str!("digest.txt");
+/// The same of maps with labels, a cartouche, woods or hills.
+const CHARTS: &str = include_str!("digest-charts.txt");
 
 fn now(link: &str) -> String {
     digest(&link::read(link).unwrap()).unwrap()
@@ -24,9 +26,8 @@ fn now(link: &str) -> String {
 #[test]
 #[cfg(not(target_arch = "wasm32"))]
 fn every_recipe_has_its_committed_digest() {
-    let lines = lines();
-    refresh(&lines);
-    expect_none(&lines.into_iter().filter_map(changed).collect::<Vec<_>>());
+    refresh();
+    expect_none(&lines().into_iter().filter_map(changed).collect::<Vec<_>>());
 }
 
 /// One recipe in so many is tried by `make test`, the others by `make test-all`.
@@ -64,10 +65,27 @@ async fn give_way() {
     js_sys::futures::JsFuture::from(js_sys::Promise::resolve(&later)).await.unwrap();
 }
 
+/// Those that this build has to give.
 fn lines() -> Vec<(&'static str, &'static str)> {
-    let lines: Vec<_> = DIGESTS.lines().filter_map(|line| line.split_once(' ')).collect();
-    assert!(lines.len() >= 50);
+    let charts = if cfg!(feature = "names") { lines_of(CHARTS) } else { Vec::new() };
+    [lines_of(DIGESTS), charts].concat()
+}
+
+fn lines_of(text: &'static str) -> Vec<(&'static str, &'static str)> {
+    let lines: Vec<_> = text.lines().filter_map(|line| line.split_once(' ')).collect();
+    assert!(lines.len() >= 16);
     lines
+}
+
+#[cfg_attr(not(target_arch = "wasm32"), test)]
+#[cfg_attr(target_arch = "wasm32", wasm_bindgen_test)]
+fn map_with_names_or_scenery_has_no_digest_where_nothing_draws_these() {
+    for option in ["labels=many", "labels=few", "cartouche=plain", "woods=0.5", "hills=0.5"] {
+        let recipe = link::read(&format!("seed=kea&attractors=100&{option}")).unwrap();
+        let refused = digest(&recipe).is_err_and(|error| error == DigestError::NoChart);
+        assert_eq!(refused, cfg!(not(feature = "names")), "{option}");
+    }
+    assert!(digest(&link::read("seed=kea&attractors=100&labels=none").unwrap()).is_ok());
 }
 
 /// The link of a line, if its digest is another now.
@@ -91,7 +109,11 @@ fn every_style_has_a_digest() {
 #[cfg_attr(not(target_arch = "wasm32"), test)]
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test)]
 fn digest_tells_recipes_apart() {
-    let links = ["seed=a", "seed=b", "seed=a&trim=125", "seed=a&style=skeleton", "seed=a&width=15"];
+    let mut links = vec!["seed=a", "seed=b", "seed=a&trim=125", "seed=a&style=skeleton", "seed=a&width=15"];
+    if cfg!(feature = "names") {
+        links.extend(["seed=a&labels=many", "seed=a&labels=many&language=7", "seed=a&woods=0.5", "seed=a&hills=0.5"]);
+        links.extend(["seed=a&cartouche=plain", "seed=a&cartouche=plain&names=t.Kea"]);
+    }
     let mut digests: Vec<String> = links.iter().map(|link| now(&format!("{link}&attractors=300"))).collect();
     digests.sort();
     digests.dedup();
@@ -99,11 +121,13 @@ fn digest_tells_recipes_apart() {
 }
 
 #[cfg(not(target_arch = "wasm32"))]
-fn refresh(lines: &[(&str, &str)]) {
+fn refresh() {
     if std::env::var_os("RIVERSEED_REFRESH").is_none() {
         return;
     }
-    let text: String = lines.iter().map(|(_, link)| format!("{} {link}\n", now(link))).collect();
-    std::fs::write(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/digest.txt"), text).unwrap();
+    for (file, lines) in [("digest.txt", lines_of(DIGESTS)), ("digest-charts.txt", lines_of(CHARTS))] {
+        let text: String = lines.iter().map(|(_, link)| format!("{} {link}\n", now(link))).collect();
+        std::fs::write(format!("{}/tests/{file}", env!("CARGO_MANIFEST_DIR")), text).unwrap();
+    }
     panic!("the digests are written again: look at what has changed, then run without RIVERSEED_REFRESH");
 }

@@ -16,7 +16,7 @@ use riverseed::export::{ExportError, pack, png as to_png};
 use riverseed::network::NONE;
 use riverseed::picture::Picture;
 use riverseed::recipe::link;
-use riverseed::relief::METRES;
+use riverseed::relief::{Grid, METRES};
 use riverseed::session::Session;
 
 fn finished(text: &str) -> Session {
@@ -25,18 +25,24 @@ fn finished(text: &str) -> Session {
     session
 }
 
-/// East and south of each direction's code.
-fn offset(code: u8) -> Option<(i32, i32)> {
-    const OFFSETS: [(i32, i32); 8] = [(1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0), (-1, -1), (0, -1), (1, -1)];
-    (code.count_ones() == 1).then(|| OFFSETS[code.trailing_zeros() as usize])
+/// The cell that water runs to; `None` off the map, and at sea.
+fn next(rasters: &Rasters, cell: usize) -> Option<usize> {
+    rasters.flow().next(&rasters.relief().grid(), cell)
 }
 
-/// The cell that water runs to; `None` off the map, and where it stays.
-fn next(rasters: &Rasters, cell: usize) -> Option<usize> {
-    let (east, south) = offset(rasters.flow().directions[cell])?;
-    let column = usize::try_from((cell % rasters.columns) as i32 + east).ok().filter(|&x| x < rasters.columns)?;
-    let row = usize::try_from((cell / rasters.columns) as i32 + south).ok().filter(|&y| y < rasters.rows)?;
-    Some(row * rasters.columns + column)
+/// The cells around one that lie on the map.
+fn around(rasters: &Rasters, cell: usize) -> Vec<usize> {
+    let (row, column) = (cell / rasters.columns, cell % rasters.columns);
+    let rows = row.saturating_sub(1)..(row + 2).min(rasters.rows);
+    let columns = column.saturating_sub(1)..(column + 2).min(rasters.columns);
+    rows.flat_map(|row| columns.clone().map(move |column| row * rasters.columns + column)).collect()
+}
+
+fn heights_of_16_bits(rasters: &Rasters) -> Vec<u16> {
+    match rasters.values(Layer::Heights) {
+        Values::Words(words) => words,
+        Values::Bytes(_) => panic!("no 16 bits"),
+    }
 }
 
 /// Water runs down from everywhere, and all that meets is of one basin.
@@ -44,18 +50,24 @@ fn check_flow(session: &Session, rasters: &Rasters) {
     let (flow, heights) = (rasters.flow(), rasters.relief().heights());
     let mouths = session.network().unwrap().rivers.iter().filter(|river| river.parent == NONE).count();
     assert_eq!(flow.mouths.len(), mouths);
+    let words = heights_of_16_bits(rasters);
+    let has_sea = heights.iter().any(|height| *height <= 0.0);
     for cell in 0..heights.len() {
         if heights[cell] <= 0.0 {
             assert_eq!((flow.directions[cell], flow.basins[cell]), (0, 0), "sea");
             continue;
         }
-        assert!(offset(flow.directions[cell]).is_some(), "water stays on land");
+        assert_eq!(flow.directions[cell].count_ones(), 1, "water stays on land at {cell}");
         // Lower at every step, it reaches the sea.
         if let Some(next) = next(rasters, cell) {
             assert!(heights[next] < heights[cell], "water runs uphill");
+            assert!(words[next] < words[cell], "water runs on the level in 16 bits, from {cell} to {next}");
             let stays = heights[next] > 0.0;
             assert!(!stays || flow.basins[next] == flow.basins[cell], "a basin leaks");
             assert!(!stays || flow.rivers[cell] == NONE || flow.rivers[next] != NONE, "a river ends on land");
+        } else if has_sea {
+            let lower = around(rasters, cell).into_iter().find(|&beside| heights[beside] < heights[cell]);
+            assert_eq!(lower, None, "water leaves the map above land, at {cell}");
         }
         assert!(flow.basins[cell] as usize <= mouths);
     }
@@ -84,15 +96,18 @@ fn file(rasters: &Rasters, layer: Layer) -> Vec<u8> {
     file
 }
 
-/// A file holds each height to half a step, by what it says of itself.
+/// A file holds each height to half a step, by what it says of itself, but where a cell has to stand a step above the next.
 fn check_heights(rasters: &Rasters) {
     let (columns, rows, values, texts) = read(&file(rasters, Layer::Heights));
     let text = |keyword: &str| &texts.iter().find(|(own, _)| own == keyword).unwrap().1;
     assert_eq!((columns, rows, text(LINK_KEYWORD)), (rasters.columns, rasters.rows, &rasters.link));
     let (step, sea) = (text("metres-a-step").parse::<f64>().unwrap(), text("sea-level").parse::<f64>().unwrap());
     let Values::Words(values) = values else { panic!("no 16 bits") };
-    for (&value, &height) in values.iter().zip(rasters.relief().heights()) {
-        let metres = (f64::from(value) - sea) * step;
+    for (cell, &height) in rasters.relief().heights().iter().enumerate() {
+        let (value, rounded) = (values[cell], rasters.scale.step(height));
+        let is_raised = || next(rasters, cell).is_some_and(|next| value == values[next] + 1);
+        assert!(value == rounded || (value > rounded && is_raised()), "{value} for {rounded} at {cell}");
+        let (value, metres) = (rounded, (f64::from(rounded) - sea) * step);
         let off = (metres - f64::from(height * METRES)).abs();
         // The step is written with six decimals.
         assert!(off <= 0.5 * step + 0.04 || (f64::from(value) == sea + 1.0 && off <= step), "{metres} for {height}");
@@ -107,13 +122,15 @@ fn dam(rasters: &Rasters, cell: usize) -> f32 {
     let place = |cell: usize| Vec2::new((cell % rasters.columns) as f32, (cell / rasters.columns) as f32);
     let touch = |one: usize, other: usize| (place(one) - place(other)).abs().max_element() < 1.5;
     let Some(next) = next(rasters, cell) else { return 0.0 };
-    let rows = [cell.saturating_sub(rasters.columns), cell, cell + rasters.columns];
-    let around = rows.into_iter().flat_map(|middle| [middle.saturating_sub(1), middle, middle + 1]);
     let is_bank = |&bank: &usize| {
         let is_dry = rasters.flow().rivers.get(bank) == Some(&NONE) && heights[bank] > 0.0;
         is_dry && touch(bank, cell) && !touch(bank, next)
     };
-    around.filter(is_bank).map(|bank| (heights[cell] - heights[bank]) * METRES).fold(0.0, f32::max)
+    around(rasters, cell)
+        .into_iter()
+        .filter(is_bank)
+        .map(|bank| (heights[cell] - heights[bank]) * METRES)
+        .fold(0.0, f32::max)
 }
 
 #[test]
@@ -159,6 +176,52 @@ fn water_runs_to_the_sea_on_usual_maps() {
             check_flow(&session, &rasters);
             assert!(rasters.flow().mouths.is_empty() || rasters.flow().basins.iter().any(|&basin| basin > 0), "{land}");
         }
+    }
+}
+
+proptest! {
+    #![proptest_config(cases(12))]
+
+    #[test]
+    #[ignore = "second tier"]
+    fn water_runs_to_the_sea_from_everywhere_on_rasters_of_any_size(text in random_link(1200), share in 0.0f32..0.3) {
+        let session = finished(&text);
+        let sizes = Grid::sizes(&session.domain());
+        let size = sizes.start() + ((sizes.end() - sizes.start()) as f32 * share) as u32;
+        let rasters = Rasters::with_size(&session.map().unwrap(), size).unwrap();
+        check_flow(&session, &rasters);
+        check_heights(&rasters);
+    }
+}
+
+#[test]
+#[ignore = "second tier"]
+fn water_runs_to_the_sea_on_rasters_of_several_sizes_of_every_land() {
+    for land in common::lands::every_land() {
+        let session = finished(&format!("seed=tui&{land}&attractors=1200"));
+        for size in [800, 1400] {
+            let rasters = Rasters::with_size(&session.map().unwrap(), size).unwrap();
+            check_flow(&session, &rasters);
+            check_heights(&rasters);
+        }
+    }
+}
+
+#[test]
+fn mouths_at_the_border_without_a_cell_of_sea_beside_them_lead_off_the_map() {
+    let session = finished(
+        "seed=a%3D%22-%3B%26&land=valley&sea=0.1767&sides=nsw&growth=brownian&sensitivity=10&meander=flow\
+         &meander-rounds=40&great-rivers=16",
+    );
+    for (size, some_leave) in [(None, false), (Some(800), true), (Some(1025), false), (Some(1400), true)] {
+        let map = session.map().unwrap();
+        let rasters = size.map_or_else(|| Rasters::new(&map), |size| Rasters::with_size(&map, size)).unwrap();
+        check_flow(&session, &rasters);
+        check_heights(&rasters);
+        let leaves = |cell: usize| rasters.relief().heights()[cell] > 0.0 && next(&rasters, cell).is_none();
+        let leaving: Vec<_> = (0..rasters.columns * rasters.rows).filter(|&cell| leaves(cell)).collect();
+        assert_eq!(!leaving.is_empty(), some_leave, "{size:?}: {leaving:?}");
+        assert!(leaving.iter().all(|&cell| rasters.flow().basins[cell] > 0), "{size:?}: all are rivers' mouths");
     }
 }
 

@@ -7,6 +7,7 @@ mod data;
 mod form;
 pub mod geojson;
 pub mod json;
+mod levels;
 mod names;
 pub mod pack;
 #[cfg(feature = "png")]

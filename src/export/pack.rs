@@ -52,8 +52,7 @@ pub fn readme(rasters: &Rasters) -> String {
     }
     text += &format!("{FEATURES}\n  Land, basins, rivers, lakes and ridges (RFC 7946); heights of rivers in metres.\n");
     text += &format!("{PICTURE}\n  The picture in the style of the recipe.\n");
-    text +=
-        "\nEvery river falls all along its way, no land is a pit, and flow directions lead from all land to the sea.\n";
+    text += "\nEvery river falls all along its way, no land is a pit, and flow directions lead from all land to the sea or off the map.\n";
     text
 }
 

@@ -1,19 +1,22 @@
 //! PNG pictures and rasters, which carry the link they were drawn from.
 
-use std::io::Write;
+use std::io::{Error, Write};
 
 use png::{BitDepth, ColorType, DeflateCompression, Encoder, EncodingError, Filter};
 use tiny_skia::Pixmap;
 
+use super::ExportError;
 use super::rasters::{Layer, Rasters, Values};
+use crate::memory;
 
 pub use super::rasters::LINK_KEYWORD;
 
 /// Writes an opaque picture, with the link of its recipe in a text chunk.
 ///
 /// # Errors
-/// Those of the writer.
+/// If there is not enough memory; and those of the writer.
 pub fn write(out: impl Write, pixmap: &Pixmap, link: &str) -> Result<(), EncodingError> {
+    ask(pixmap.data().len() / 4)?;
     let mut encoder = Encoder::new(out, pixmap.width(), pixmap.height());
     encoder.add_text_chunk(LINK_KEYWORD.into(), link.into())?;
     let rgb: Vec<u8> = pixmap.data().chunks_exact(4).flat_map(|rgba| rgba[..3].iter().copied()).collect();
@@ -23,8 +26,9 @@ pub fn write(out: impl Write, pixmap: &Pixmap, link: &str) -> Result<(), Encodin
 /// Writes a raster in shades of grey, of 8 bits or 16, with the link of its recipe and what its values mean in text chunks.
 ///
 /// # Errors
-/// Those of the writer.
+/// If there is not enough memory; and those of the writer.
 pub fn write_raster(out: impl Write, rasters: &Rasters, layer: Layer) -> Result<(), EncodingError> {
+    ask(rasters.columns * rasters.rows)?;
     let mut encoder = Encoder::new(out, rasters.columns as u32, rasters.rows as u32);
     for (keyword, text) in rasters.texts(layer) {
         encoder.add_text_chunk(keyword.into(), text)?;
@@ -36,6 +40,17 @@ pub fn write_raster(out: impl Write, rasters: &Rasters, layer: Layer) -> Result<
             write_pixels(encoder, (ColorType::Grayscale, BitDepth::Sixteen), &bytes)
         }
     }
+}
+
+/// Asks for the memory that so many pixels take until they are written.
+fn ask(pixels: usize) -> Result<(), EncodingError> {
+    /// Without opacity, filtered, and compressed, in lists that grow by doubling.
+    const BYTES_A_PIXEL: usize = 16;
+    /// Of what compresses.
+    const BYTES: usize = 2_000_000;
+    let bytes = pixels * BYTES_A_PIXEL + BYTES;
+    let refused = |_| ExportError::OutOfMemory { megabytes: (bytes / 1_000_000) as u32 + 1 };
+    Ok(memory::ask(bytes).map_err(refused).map_err(Error::other)?)
 }
 
 /// Writes the pixels, compressed in a half to a third of the time of the crate's balanced setting. By the right filter files of flat

@@ -4,12 +4,14 @@ use std::sync::Arc;
 
 use glam::Vec2;
 
+use super::levels::Levels;
+pub use super::levels::Scale;
 use super::{ExportError, rivers};
 use crate::domain::Domain;
 use crate::map::Map;
 use crate::network::Network;
 use crate::recipe::link;
-use crate::relief::{CELL_SIZE, Flow, Grid, METRES, Relief, ReliefError, ReliefSettings};
+use crate::relief::{Flow, Grid, Relief, ReliefError, ReliefSettings};
 
 const BYTES_A_VERTEX: usize = 40;
 
@@ -33,6 +35,8 @@ pub struct Rasters {
     pub scale: Scale,
     relief: Arc<Relief>,
     flow: Flow,
+    /// The height of each cell in steps of the scale.
+    steps: Vec<u16>,
     /// Of each cell the width of its river, in units; 0 where there is none.
     widths: Vec<f32>,
 }
@@ -61,15 +65,6 @@ pub enum Values {
     Words(Vec<u16>),
 }
 
-/// How heights are written as whole numbers, or steps: 0 is the map's deepest place, the greatest its highest.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Scale {
-    /// The step of the sea's surface: this or less at sea, more on land.
-    pub sea_level: u16,
-    /// How much higher each step is than the one below, in metres.
-    pub metres_a_step: f64,
-}
-
 impl Layer {
     /// All of them.
     pub const ALL: [Self; 5] = [Self::Heights, Self::Land, Self::Rivers, Self::Flow, Self::Basins];
@@ -94,29 +89,6 @@ impl Layer {
             Self::Flow => "flow",
             Self::Basins => "basins",
         }
-    }
-}
-
-impl Scale {
-    /// The finest scale for heights in units.
-    fn of(heights: &[f32]) -> Self {
-        let (deepest, highest) = heights.iter().fold((0.0f32, 0.0f32), |(a, b), &x| (a.min(x), b.max(x)));
-        let (down, up) = (f64::from(-deepest), f64::from(highest).max(f64::from(CELL_SIZE)));
-        // The sea's surface is a whole step, and what lies below it has room.
-        let sea_level = (f64::from(u16::MAX) * down / (down + up)).ceil();
-        Self { sea_level: sea_level as u16, metres_a_step: up * f64::from(METRES) / (f64::from(u16::MAX) - sea_level) }
-    }
-
-    /// The nearest step to a height in units. Land is above the sea, by a step at least.
-    pub fn step(&self, height: f32) -> u16 {
-        let steps = (f64::from(height) * f64::from(METRES) / self.metres_a_step).round();
-        let least = if height > 0.0 { f64::from(self.sea_level) + 1.0 } else { 0.0 };
-        (steps + f64::from(self.sea_level)).max(least).min(f64::from(u16::MAX)) as u16
-    }
-
-    /// The height that a step stands for, in metres over the sea.
-    pub fn metres(&self, step: u16) -> f64 {
-        (f64::from(step) - f64::from(self.sea_level)) * self.metres_a_step
     }
 }
 
@@ -160,13 +132,17 @@ impl Rasters {
 
     fn of(map: &Map, network: &Network, relief: Arc<Relief>, settings: &ReliefSettings) -> Result<Self, ExportError> {
         let flow = Flow::new(&relief, network, settings)?;
+        let grid = relief.grid();
+        let levels = Levels::new(relief.heights(), |cell| flow.next(&grid, cell));
+        let Levels { scale, steps } = levels.map_err(|_| out_of_memory(4 * relief.heights().len()))?;
         Ok(Self {
             link: link::write(map.recipe()),
             columns: relief.columns(),
             rows: relief.rows(),
             cell_size: relief.cell_size(),
             size: map.domain().size,
-            scale: Scale::of(relief.heights()),
+            scale,
+            steps,
             widths: widths(&relief, &flow, network),
             relief,
             flow,
@@ -175,10 +151,12 @@ impl Rasters {
 
     /// The values of a raster.
     pub fn values(&self, layer: Layer) -> Values {
-        let heights = self.relief.heights().iter();
         match layer {
-            Layer::Heights => Values::Words(heights.map(|&height| self.scale.step(height)).collect()),
-            Layer::Land => Values::Bytes(heights.map(|&height| if height > 0.0 { 255 } else { 0 }).collect()),
+            Layer::Heights => Values::Words(self.steps.clone()),
+            Layer::Land => {
+                let heights = self.relief.heights().iter();
+                Values::Bytes(heights.map(|&height| if height > 0.0 { 255 } else { 0 }).collect())
+            }
             Layer::Rivers => Values::Words(self.widths.iter().map(|&width| thousandths(width)).collect()),
             Layer::Flow => Values::Bytes(self.flow.directions.clone()),
             Layer::Basins => Values::Words(self.flow.basins.iter().map(|&basin| basin.min(65_535) as u16).collect()),
@@ -200,7 +178,7 @@ impl Rasters {
                 shortest(f64::from(self.cell_size) * 1000.0, 3)
             ),
             Layer::Flow => " (D8, as ESRI writes it): 1 east, 2 south-east, 4 south, 8 south-west, 16 west, \
-                            32 north-west, 64 north, 128 north-east, 0 at sea."
+                            32 north-west, 64 north, 128 north-east, 0 at sea. At the map's border it may lead off the map."
                 .into(),
             Layer::Basins => ", counted from 1; 0 at sea, and where water runs to the sea in no river.".into(),
         };
@@ -231,6 +209,10 @@ impl Rasters {
     pub fn relief(&self) -> &Relief {
         &self.relief
     }
+}
+
+fn out_of_memory(bytes: usize) -> ExportError {
+    ExportError::OutOfMemory { megabytes: (bytes / 1_000_000) as u32 + 1 }
 }
 
 /// A number with so many decimal places. The tables that print any float would be a fifth of what a page downloads.

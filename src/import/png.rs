@@ -6,6 +6,17 @@ use png::{ColorType, Decoder, DecodingError, Limits, Transformations};
 use thiserror::Error;
 
 use crate::land::trace::LONGEST_SIDE;
+use crate::memory;
+
+/// Asks for the memory that a picture of so many pixels takes while it is decoded.
+fn ask(pixels: usize) -> Result<(), ImportError> {
+    /// Shades of grey with an opacity are two bytes, and become four; at sixteen bits a channel, rows are twice as long before.
+    const BYTES_A_PIXEL: usize = 8;
+    /// Of the decoder.
+    const BYTES: usize = 2_000_000;
+    let bytes = pixels * BYTES_A_PIXEL + BYTES;
+    memory::ask(bytes).map_err(|_| ImportError::OutOfMemory { megabytes: (bytes / 1_000_000) as u32 + 1 })
+}
 
 /// The greatest memory that decoding may take, in bytes: enough for the largest picture at sixteen bits a channel.
 const MEMORY: usize = (LONGEST_SIDE as usize).pow(2) * 8 + (1 << 20);
@@ -36,12 +47,18 @@ pub enum ImportError {
         /// Height, in pixels.
         height: u32,
     },
+    /// There was not enough memory.
+    #[error("the picture needs about {megabytes} MB, and the allocation failed")]
+    OutOfMemory {
+        /// About how much is needed.
+        megabytes: u32,
+    },
 }
 
 /// Reads a picture. Its size is checked before its pixels are decoded.
 ///
 /// # Errors
-/// Fails if the file is not a PNG, or if a side is longer than [`LONGEST_SIDE`].
+/// Fails if the file is not a PNG, if a side is longer than [`LONGEST_SIDE`], or if there is not enough memory.
 pub fn read(from: impl BufRead + Seek) -> Result<Image, ImportError> {
     let mut decoder = Decoder::new_with_limits(from, Limits { bytes: MEMORY });
     decoder.set_transformations(Transformations::normalize_to_color8() | Transformations::ALPHA);
@@ -49,6 +66,7 @@ pub fn read(from: impl BufRead + Seek) -> Result<Image, ImportError> {
     if width.max(height) > LONGEST_SIDE {
         return Err(ImportError::TooLarge { width, height });
     }
+    ask(width as usize * height as usize)?;
     let mut reader = decoder.read_info()?;
     let mut bytes = vec![0; reader.output_buffer_size().unwrap_or_default()];
     let frame = reader.next_frame(&mut bytes)?;
@@ -60,4 +78,24 @@ pub fn read(from: impl BufRead + Seek) -> Result<Image, ImportError> {
         _ => bytes,
     };
     Ok(Image { width, height, rgba })
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+mod tests {
+    use std::io::Cursor;
+
+    use super::*;
+    use crate::memory::testing::with_lists_up_to;
+
+    #[test]
+    fn picture_is_refused_where_there_is_no_memory_for_its_pixels() {
+        let mut file = Vec::new();
+        let mut encoder = png::Encoder::new(&mut file, 1000, 500);
+        encoder.set_color(ColorType::Grayscale);
+        encoder.write_header().unwrap().write_image_data(&[255; 500_000]).unwrap();
+        let read_within = |bytes| with_lists_up_to(bytes, || read(Cursor::new(&file)));
+        assert!(matches!(read_within(3_000_000), Err(ImportError::OutOfMemory { megabytes: 7 })));
+        assert_eq!(read_within(6_000_000).unwrap().rgba.len(), 1_000_000);
+    }
 }

@@ -86,6 +86,13 @@ impl Cells {
         self.inland[cell] <= 0.0 && self.inland[cell] > BEYOND
     }
 
+    /// Whether a cell lies beyond the map.
+    #[cfg(feature = "files")]
+    pub fn is_rim(&self, cell: usize) -> bool {
+        let (row, column) = (cell / self.columns, cell % self.columns);
+        row == 0 || column == 0 || row + 1 == self.rows || column + 1 == self.columns
+    }
+
     /// The cell of a point; of one beyond the map, the nearest.
     #[inline]
     pub fn of(&self, point: Vec2) -> usize {

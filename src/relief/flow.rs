@@ -14,7 +14,8 @@ use crate::sort::{argsort, key};
 #[derive(Clone, Debug, PartialEq)]
 pub struct Flow {
     /// Of each cell, the code of the neighbour that its water runs to (D8): 1 is east, 2 south-east, 4 south, 8 south-west, 16 west, 32
-    /// north-west, 64 north, 128 north-east; 0 at sea. Where the sea lies beyond the map, the direction leads off it.
+    /// north-west, 64 north, 128 north-east; 0 at sea. It leads off the map where the sea lies beyond the border, and from a cell at the
+    /// border that has no lower neighbour.
     pub directions: Vec<u8>,
     /// Of each cell, the number of its basin: that of the mouth by which its water reaches the sea, counted from 1 in the order of
     /// rivers; 0 at sea, and where water runs to the sea in no river.
@@ -27,6 +28,12 @@ pub struct Flow {
 
 /// The codes in the order of [`Field::around`].
 const CODES: [u8; 8] = [16, 1, 32, 64, 128, 8, 4, 2];
+
+/// How far to the east and to the south a code leads.
+fn offset(code: u8) -> Option<(isize, isize)> {
+    const OFFSETS: [(isize, isize); 8] = [(-1, 0), (1, 0), (-1, -1), (0, -1), (1, -1), (-1, 1), (0, 1), (1, 1)];
+    CODES.iter().position(|known| *known == code).map(|i| OFFSETS[i])
+}
 
 impl Flow {
     /// The flow of a relief, which is that of these rivers and settings, their grid included.
@@ -43,6 +50,14 @@ impl Flow {
         let cells = Cells::new(settings).map_err(refused)?;
         let channels = walked(&cells, network, settings.total_discharge).map_err(refused)?;
         Ok(Self::on(&Field { heights: heights_with_rim(&cells, relief), cells }, &channels, network))
+    }
+
+    /// The cell that the water of a cell runs to, on the grid of this flow; `None` off the map, and at sea.
+    pub fn next(&self, grid: &Grid, cell: usize) -> Option<usize> {
+        let (east, south) = offset(self.directions[cell])?;
+        let column = (cell % grid.columns).checked_add_signed(east).filter(|&column| column < grid.columns)?;
+        let row = (cell / grid.columns).checked_add_signed(south).filter(|&row| row < grid.rows)?;
+        Some(row * grid.columns + column)
     }
 
     fn on(field: &Field, channels: &Channels, network: &Network) -> Self {
@@ -133,7 +148,7 @@ impl Field {
         greatest
     }
 
-    /// Of each cell of land, the lower one that its water runs to; itself elsewhere.
+    /// Of each cell of land, the lower one that its water runs to, or one beyond the border; itself elsewhere.
     fn downstream(&self, channels: &Channels, network: &Network) -> Vec<usize> {
         let mut downstream: Vec<usize> = (0..self.heights.len()).collect();
         let mut discharge = vec![None; self.heights.len()];
@@ -154,14 +169,17 @@ impl Field {
         downstream
     }
 
-    /// The neighbour by which the way down is steepest; the cell itself if none is lower.
+    /// The neighbour by which the way down is steepest. If none is lower, one beyond the border: rivers that end at the border do so
+    /// too where the sea begins between the middles of cells. In the middle of the map, the cell itself.
     fn steepest(&self, cell: usize) -> usize {
         let slope = |(beside, code): (usize, u8)| {
             let far = if matches!(code, 1 | 4 | 16 | 64) { 1.0 } else { std::f32::consts::SQRT_2 };
             ((self.heights[cell] - self.heights[beside]) / far, beside)
         };
         let slopes = self.cells.around(cell).into_iter().zip(CODES).map(slope);
-        slopes.fold((0.0, cell), |best, next| if next.0 > best.0 { next } else { best }).1
+        let (slope, steepest) = slopes.fold((0.0, cell), |best, next| if next.0 > best.0 { next } else { best });
+        let beyond = || self.cells.beside(cell).into_iter().find(|&beside| self.cells.is_rim(beside));
+        if slope > 0.0 { steepest } else { beyond().unwrap_or(cell) }
     }
 
     /// Of each cell, the last one of land on its water's way.

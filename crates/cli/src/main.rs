@@ -10,11 +10,13 @@ mod grow;
 mod map;
 mod mask;
 mod measure;
+mod memory;
 mod names;
 mod order;
 mod outline;
 mod output;
 mod render;
+mod stdout;
 mod table;
 mod verify;
 
@@ -30,16 +32,7 @@ use riverseed::session::SessionError;
 use thiserror::Error;
 
 fn main() -> ExitCode {
-    let done = match commands::command().get_matches().subcommand() {
-        Some(("render", matches)) => render::render(matches),
-        Some(("outline", matches)) => outline::outline(matches),
-        Some(("measure", matches)) => measure::measure(matches),
-        Some(("names", matches)) => names::names(matches),
-        Some(("table", _)) => table::print().map_err(Failure::from),
-        Some(("verify", matches)) => verify::verify(matches.get_one::<PathBuf>("digests").map(PathBuf::as_path)),
-        _ => Ok(()),
-    };
-    match done {
+    match memory::ask(memory::START).and_then(|()| run()) {
         Ok(()) => ExitCode::SUCCESS,
         // Who reads has read enough.
         Err(Failure::Output(error) | Failure::File { error, .. }) if error.kind() == io::ErrorKind::BrokenPipe => {
@@ -49,6 +42,19 @@ fn main() -> ExitCode {
             say(&failure.to_string());
             failure.exit_code()
         }
+    }
+}
+
+/// Does what the call asks for.
+fn run() -> Result<(), Failure> {
+    match commands::command().get_matches().subcommand() {
+        Some(("render", matches)) => render::render(matches),
+        Some(("outline", matches)) => outline::outline(matches),
+        Some(("measure", matches)) => measure::measure(matches),
+        Some(("names", matches)) => names::names(matches),
+        Some(("table", _)) => stdout::check().and_then(|()| Ok(table::print()?)),
+        Some(("verify", matches)) => verify::verify(matches.get_one::<PathBuf>("digests").map(PathBuf::as_path)),
+        _ => Ok(()),
     }
 }
 
@@ -73,6 +79,8 @@ enum Failure {
     Digest(#[from] DigestError),
     #[error("{}: the ending of the output is none of .png, .svg, .geojson, .json, .zip", path.display())]
     Ending { path: PathBuf },
+    #[error("{}: this is the path of a folder, not of a file", path.display())]
+    Folder { path: PathBuf },
     #[error("{option} does not go with {endings}")]
     Mismatch { option: &'static str, endings: String },
     #[error("--raster-size: {0}")]
@@ -95,6 +103,10 @@ enum Failure {
     Maps { failed: u64, all: u64 },
     #[error("{failure}: stopped before all {all} maps were there{advice}")]
     Stopped { failure: Box<Self>, all: u64, advice: &'static str },
+    #[error("this needs about {megabytes} MB more, and the allocation failed")]
+    Memory { megabytes: usize },
+    #[error("standard output is closed: nobody would read what is printed")]
+    Closed,
     #[error(transparent)]
     Output(#[from] io::Error),
 }
@@ -104,6 +116,7 @@ impl Failure {
         match self {
             Self::Recipe(_)
             | Self::Ending { .. }
+            | Self::Folder { .. }
             | Self::Mismatch { .. }
             | Self::RasterSize(_)
             | Self::Land { .. }
@@ -118,6 +131,8 @@ impl Failure {
             | Self::Differs { .. }
             | Self::Maps { .. }
             | Self::Stopped { .. }
+            | Self::Memory { .. }
+            | Self::Closed
             | Self::Output(_) => ExitCode::FAILURE,
         }
     }

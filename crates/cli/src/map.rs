@@ -18,7 +18,7 @@ use super::form::{Form, listed};
 use super::grow::grow;
 use super::names::{say_what_has_no_letters, say_what_is_unused};
 use super::order::Order;
-use super::{Failure, Say};
+use super::{Failure, Say, memory};
 
 /// What a call says of files besides the recipe.
 #[derive(Clone, Copy, Debug)]
@@ -98,7 +98,9 @@ impl Files {
         let mut picture = picture.transpose()?;
         let mut session = grow(order, progress, say)?;
         if is_wanted(Form::lists_names) {
-            say_what_is_unused(&session.finish()?, say);
+            let map = session.finish()?;
+            memory::ask_for_file(&map, Form::Json)?;
+            say_what_is_unused(&map, say);
         }
         progress.set_message("raising land");
         // Once, for all files.
@@ -109,6 +111,7 @@ impl Files {
         let rasters = rasters.transpose()?;
         progress.set_message("painting");
         if let Some(picture) = &mut picture {
+            memory::ask_for_picture(&map, picture)?;
             picture.paint(&session);
         }
         progress.set_message("writing");
@@ -121,6 +124,7 @@ impl Files {
     /// If there is not enough memory; and those of the writer.
     pub fn write(&self, form: Form, out: &mut dyn Write) -> Result<(), Failure> {
         let Self { map, attractors, picture, rasters, options } = self;
+        memory::ask_for_file(map, form)?;
         let written = match (form, picture, rasters) {
             (Form::Png, Some(picture), _) => {
                 export::png::write(out, picture.pixmap(), &link::write(map.recipe())).map_err(io::Error::from)

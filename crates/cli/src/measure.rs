@@ -9,10 +9,11 @@ use serde_json::{Map, Value, json};
 
 use super::grow::{grow, progress};
 use super::order::Order;
-use super::{Failure, say};
+use super::{Failure, say, stdout};
 
 /// Measures the rivers of a recipe and prints the table, or JSON.
 pub fn measure(matches: &ArgMatches) -> Result<(), Failure> {
+    stdout::check()?;
     let order = Order::of(matches)?;
     order.say_what_is_idle(&[true]);
     let progress = progress(&order.recipe, 0);

@@ -11,10 +11,11 @@ use riverseed::{Map, Network, River};
 
 use super::grow::{grow, progress};
 use super::order::Order;
-use super::{Failure, Say, say};
+use super::{Failure, Say, say, stdout};
 
 /// Prints the names, greatest rivers first.
 pub fn names(matches: &ArgMatches) -> Result<(), Failure> {
+    stdout::check()?;
     let order = Order::of(matches)?;
     order.say_what_is_idle(&[false]);
     let progress = progress(&order.recipe, 0);

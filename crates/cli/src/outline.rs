@@ -9,10 +9,11 @@ use riverseed::import::png::{Image, ImportError};
 use riverseed::land::trace::{Traced, trace};
 use riverseed::recipe::{GridPoint, LineKind, Recipe, link};
 
-use super::{Failure, say};
+use super::{Failure, say, stdout};
 
 /// Traces a picture and prints its outline, or a link that shows it.
 pub fn outline(matches: &ArgMatches) -> Result<(), Failure> {
+    stdout::check()?;
     let Some(path) = matches.get_one::<PathBuf>("image") else { return Ok(()) };
     let picture = |reason: String| Failure::Picture { path: path.clone(), reason };
     let image = read_picture(path)?;

@@ -11,13 +11,16 @@ use super::grow::progress;
 use super::map::{Files, Options};
 use super::order::Order;
 use super::output::Output;
-use super::{Failure, batch, say};
+use super::{Failure, batch, say, stdout};
 
 /// Writes the files that are asked for.
 pub fn render(matches: &ArgMatches) -> Result<(), Failure> {
     let order = Order::of(matches)?;
     let wanted = matches.get_many::<PathBuf>("output").into_iter().flatten();
     let wanted = wanted.map(|path| Wanted::of(path)).collect::<Result<Vec<_>, _>>()?;
+    if wanted.iter().any(|wanted| wanted.path.is_none()) {
+        stdout::check()?;
+    }
     let forms: Vec<Form> = wanted.iter().map(|wanted| wanted.form).collect();
     let options = Options::of(matches, &forms, &order.recipe)?;
     order.say_what_is_idle(&forms.iter().map(|form| form.is_picture()).collect::<Vec<_>>());

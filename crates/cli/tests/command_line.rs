@@ -422,3 +422,33 @@ fn digests_that_are_none_are_refused() {
         assert!(code == 1 && message.contains("no-digests.txt") && message.contains(reason), "{message}");
     }
 }
+
+#[test]
+#[cfg(target_os = "linux")]
+fn closed_standard_output_is_an_error_of_commands_that_print() {
+    let calls = [
+        "table",
+        "names seed=kea\\&attractors=100",
+        "measure seed=kea\\&attractors=100",
+        "render seed=kea\\&attractors=100 -o -",
+        "render attractors=100 --seeds 1..2 -o -",
+    ];
+    for call in calls {
+        let by_shell = |redirected: &str| {
+            let call = format!("exec {} {call} {redirected}", env!("CARGO_BIN_EXE_riverseed"));
+            let output = Command::new("sh").args(["-c", &call]).output().unwrap();
+            (output.status.code(), String::from_utf8(output.stderr).unwrap())
+        };
+        let said = "riverseed: standard output is closed: nobody would read what is printed\n";
+        assert_eq!(by_shell(">&-"), (Some(1), said.into()), "{call}");
+        assert_eq!(by_shell(">/dev/null").0, Some(0), "{call}");
+    }
+}
+
+#[test]
+fn path_of_a_folder_is_no_output() {
+    for path in ["s.json/", "s.json/.", "no-such-folder/{seed}.json/"] {
+        let (code, message) = refusal(&["render", "attractors=100", "--seeds", "1..1", "-o", path]);
+        assert_eq!((code, message), (2, format!("riverseed: {path}: this is the path of a folder, not of a file\n")));
+    }
+}

@@ -7,6 +7,8 @@ mod command;
 mod command_line;
 mod documents;
 mod land_pictures;
+#[cfg(target_os = "linux")]
+mod little_memory;
 mod maps;
 #[cfg(target_os = "linux")]
 mod output;

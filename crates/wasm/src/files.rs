@@ -15,7 +15,8 @@ use riverseed::export::{ExportError, Json, geojson, json, pack, svg};
 use riverseed::name::Names;
 use riverseed::recipe::link;
 
-/// The digest of a recipe: what proves that two browsers draw and write the same. The link is read strictly.
+/// The digest of a recipe: what proves that two browsers draw and write the same. The link is read strictly. Throws an Error
+/// if the map has labels, a cartouche, woods or hills: another module draws these.
 #[wasm_bindgen(js_name = digest)]
 pub fn digest_of(link: &str) -> Result<String, JsValue> {
     let recipe = link::read(link).map_err(|error| coded("bad-params", &error.to_string()))?;
@@ -23,6 +24,7 @@ pub fn digest_of(link: &str) -> Result<String, JsValue> {
         DigestError::Session(error) => session_error(error),
         DigestError::Paint(error) => paint_error(error),
         DigestError::Export(error) => export_error(error),
+        DigestError::NoChart => coded("bad-params", &error.to_string()),
         _ => coded("too-large", &error.to_string()),
     })
 }

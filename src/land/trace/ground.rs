@@ -14,10 +14,14 @@ pub(super) struct Detail {
 pub(in crate::land) const SPECK: f32 = 1e-4;
 
 impl Detail {
+    const MOST_BLOCKS_A_SIDE: usize = 2048;
+    /// The greatest number of blocks of any picture.
+    pub const MOST_BLOCKS: usize = Self::MOST_BLOCKS_A_SIDE.pow(2);
+
     /// The detail for an outline: finer than the lattice of the coast distances that are made from it.
     pub const OUTLINE: Self = Self { most_blocks: 512, is_softened: true, speck: SPECK };
     /// The detail for a mask: as fine as the cells of land. An islet or a pond of four cells is not a speck.
-    pub const MASK: Self = Self { most_blocks: 2048, is_softened: false, speck: 4e-6 };
+    pub const MASK: Self = Self { most_blocks: Self::MOST_BLOCKS_A_SIDE, is_softened: false, speck: 4e-6 };
 }
 
 /// Blocks of a picture.

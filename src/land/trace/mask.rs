@@ -34,13 +34,13 @@ impl Land {
     /// ```
     ///
     /// # Errors
-    /// Fails if the mask's size is out of range, or if it shows no coast.
+    /// Fails if the mask's size is out of range, if it shows no coast, or if there is not enough memory.
     pub fn from_mask(domain: &Domain, width: u32, height: u32, mask: &[bool]) -> Result<Arc<Self>, TraceError> {
         if mask.len() != width as usize * height as usize {
             return Err(TraceError::Pixels { pixels: mask.len(), width, height });
         }
+        super::check_size(width, height, mask.len() * 4)?;
         let rgba: Vec<u8> = mask.iter().flat_map(|&is_land| if is_land { [255; 4] } else { [0, 0, 0, 255] }).collect();
-        super::check_size(width, height, rgba.len())?;
         let ground = Ground::of(width as usize, height as usize, &rgba, &Detail::MASK);
         let (coasts, _) = lines(&ground, |at| at)?;
         let coasts = without_stairs(coasts, domain.size.x / ground.columns as f32);
@@ -52,7 +52,7 @@ impl Land {
     /// should have the aspect that tracing gives.
     ///
     /// # Errors
-    /// Fails if the picture's size is out of range, or if it shows no coast.
+    /// Fails if the picture's size is out of range, if it shows no coast, or if there is not enough memory.
     pub fn from_picture(domain: &Domain, width: u32, height: u32, rgba: &[u8]) -> Result<Arc<Self>, TraceError> {
         check_is_picture(width, height, rgba)?;
         let ground = Ground::of(width as usize, height as usize, rgba, &Detail::MASK);

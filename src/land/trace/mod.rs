@@ -15,6 +15,7 @@ pub(super) use self::ground::SPECK;
 use self::ground::{Detail, Ground};
 use super::queries::LEAST_DRAWN;
 use super::strokes::DrawError;
+use crate::memory;
 use crate::recipe::Outline;
 
 /// The longest side of a picture that is traced, in pixels.
@@ -63,6 +64,12 @@ pub enum TraceError {
         width: u32,
         /// Height, in pixels.
         height: u32,
+    },
+    /// There was not enough memory.
+    #[error("the picture needs about {megabytes} MB, and the allocation failed")]
+    OutOfMemory {
+        /// Approximate memory that is needed.
+        megabytes: u32,
     },
     /// The picture is transparent everywhere.
     #[error("the picture is empty: all of it is transparent")]
@@ -176,8 +183,22 @@ fn check_size(width: u32, height: u32, bytes: usize) -> Result<(), TraceError> {
     if width.min(height) < SHORTEST_SIDE {
         return Err(TraceError::TooSmall { width, height });
     }
-    let is_whole = bytes == width as usize * height as usize * 4;
-    is_whole.then_some(()).ok_or(TraceError::Bytes { bytes, width, height })
+    if bytes != width as usize * height as usize * 4 {
+        return Err(TraceError::Bytes { bytes, width, height });
+    }
+    ask(width as usize * height as usize)
+}
+
+/// Asks for the memory that a picture of so many pixels takes until it is a land.
+fn ask(pixels: usize) -> Result<(), TraceError> {
+    /// Of a mask's colours.
+    const BYTES_A_PIXEL: usize = 4;
+    /// Of sums and shares, and of the lines around a land.
+    const BYTES_A_BLOCK: usize = 32;
+    /// Of distances from the coast, the grid of land, and lists that are short.
+    const BYTES: usize = 16_000_000;
+    let bytes = pixels * BYTES_A_PIXEL + pixels.min(Detail::MOST_BLOCKS) * BYTES_A_BLOCK + BYTES;
+    memory::ask(bytes).map_err(|_| TraceError::OutOfMemory { megabytes: (bytes / 1_000_000) as u32 + 1 })
 }
 
 #[cfg(test)]

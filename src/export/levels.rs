@@ -1,0 +1,133 @@
+//! Heights as whole numbers of 16 bits, in which water still runs down.
+
+use crate::memory::{Refused, lengthen};
+use crate::relief::{CELL_SIZE, METRES};
+
+/// How heights are written as whole numbers, or steps: 0 is the map's deepest place.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Scale {
+    /// The step of the sea's surface: this or less at sea, more on land.
+    pub sea_level: u16,
+    /// How much higher each step is than the one below, in metres.
+    pub metres_a_step: f64,
+}
+
+impl Scale {
+    /// The finest scale for heights in units that leaves some steps free above the highest.
+    fn of(heights: &[f32], free: u16) -> Self {
+        let most = f64::from(u16::MAX - free);
+        let (deepest, highest) = heights.iter().fold((0.0f32, 0.0f32), |(a, b), &x| (a.min(x), b.max(x)));
+        let (down, up) = (f64::from(-deepest), f64::from(highest).max(f64::from(CELL_SIZE)));
+        // The sea's surface is a whole step, and what lies below it has room.
+        let sea_level = (most * down / (down + up)).ceil();
+        Self { sea_level: sea_level as u16, metres_a_step: up * f64::from(METRES) / (most - sea_level) }
+    }
+
+    /// The nearest step to a height in units. Land is above the sea, by a step at least.
+    pub fn step(&self, height: f32) -> u16 {
+        let steps = (f64::from(height) * f64::from(METRES) / self.metres_a_step).round();
+        let least = if height > 0.0 { f64::from(self.sea_level) + 1.0 } else { 0.0 };
+        (steps + f64::from(self.sea_level)).max(least).min(f64::from(u16::MAX)) as u16
+    }
+
+    /// The height that a step stands for, in metres over the sea.
+    pub fn metres(&self, step: u16) -> f64 {
+        (f64::from(step) - f64::from(self.sea_level)) * self.metres_a_step
+    }
+}
+
+/// The heights of all cells in steps, and the scale of these.
+pub(super) struct Levels {
+    pub scale: Scale,
+    pub steps: Vec<u16>,
+}
+
+impl Levels {
+    /// Rounds heights in units to steps. Where a cell would be as low as the one that its water runs to, which `next` gives, it is raised to
+    /// the step above that.
+    pub fn new(heights: &[f32], next: impl Fn(usize) -> Option<usize>) -> Result<Self, Refused> {
+        /// Steps that are left free at the top, if raised land does not fit below it. Only a slope of tens of thousands of cells without
+        /// a step of its own needs more than the last.
+        const FREE: [u16; 6] = [0, 16, 128, 1024, 8192, 32_768];
+        let mut steps = Vec::new();
+        lengthen(&mut steps, heights.len(), 0)?;
+        let mut scale = Scale::of(heights, 0);
+        for free in FREE {
+            scale = Scale::of(heights, free);
+            if falls(&scale, heights, &next, &mut steps) {
+                break;
+            }
+        }
+        Ok(Self { scale, steps })
+    }
+}
+
+/// Fills in the step of each cell, from the sea upstream. Returns whether all fit below the top of the scale.
+fn falls(scale: &Scale, heights: &[f32], next: impl Fn(usize) -> Option<usize>, steps: &mut [u16]) -> bool {
+    let is_land = |cell: usize| heights[cell] > 0.0;
+    for (step, &height) in steps.iter_mut().zip(heights) {
+        // No cell of land has the step 0: that marks those whose turn comes.
+        *step = if height > 0.0 { 0 } else { scale.step(height) };
+    }
+    let mut fits = true;
+    let mut upstream = Vec::new();
+    for start in 0..heights.len() {
+        let mut cell = Some(start);
+        while let Some(open) = cell.filter(|&cell| is_land(cell) && steps[cell] == 0) {
+            upstream.push(open);
+            cell = next(open);
+        }
+        let mut below = cell.map_or(0, |cell| steps[cell]);
+        while let Some(cell) = upstream.pop() {
+            fits &= below < u16::MAX;
+            below = scale.step(heights[cell]).max(below.saturating_add(1));
+            steps[cell] = below;
+        }
+    }
+    fits
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A slope whose first cell lies at sea; water runs to the cell before.
+    fn slope(heights: &[f32]) -> Levels {
+        Levels::new(heights, |cell| cell.checked_sub(1)).unwrap()
+    }
+
+    fn rises(steps: &[u16]) -> bool {
+        steps.windows(2).all(|pair| pair[0] < pair[1])
+    }
+
+    #[test]
+    fn land_that_steps_tell_apart_is_as_high_as_it_is() {
+        let levels = slope(&[-1.0, 1.0, 2.0, 50.0]);
+        assert_eq!(levels.steps, [-1.0, 1.0, 2.0, 50.0].map(|height| levels.scale.step(height)));
+        assert_eq!((levels.steps[0], levels.steps[3]), (0, u16::MAX));
+    }
+
+    #[test]
+    fn level_land_is_raised_by_a_step_a_cell() {
+        let levels = slope(&[-1.0, 1e-6, 2e-6, 3e-6, 50.0]);
+        let sea = levels.scale.sea_level;
+        assert_eq!(levels.steps[1..4], [sea + 1, sea + 2, sea + 3]);
+    }
+
+    #[test]
+    fn scale_makes_room_where_raised_land_would_not_fit() {
+        for level in [2, 10, 100, 5000, 20_000] {
+            let top = (0..level).map(|i| 50.0 + i as f32 * 4e-6);
+            let levels = slope(&[-1.0].into_iter().chain(top).collect::<Vec<_>>());
+            assert!(rises(&levels.steps), "{level} level cells");
+            let off = levels.scale.metres(levels.steps[1]) - f64::from(50.0 * METRES);
+            assert!(off.abs() <= levels.scale.metres_a_step, "{level}: the lowest is as high as it is");
+        }
+    }
+
+    #[test]
+    fn steps_never_fall_and_never_overflow_on_a_slope_that_is_too_long() {
+        let levels = slope(&(0..70_000).map(|i| i as f32 * 1e-9).collect::<Vec<_>>());
+        assert!(levels.steps.is_sorted() && levels.steps.last() == Some(&u16::MAX));
+    }
+}
