@@ -1,4 +1,4 @@
-//! Who uses whom in `src/` is what ARCHITECTURE.md says, and no two files use each other.
+//! Who uses whom in `src/` is what `docs/layers.toml` says, and no two files use each other.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -6,8 +6,6 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use proc_macro2::{TokenStream, TokenTree};
-
-type Modules = BTreeSet<String>;
 
 /// All files below a folder that end in `.rs`.
 fn files(folder: &Path) -> Vec<PathBuf> {
@@ -61,7 +59,8 @@ fn paths(code: &str, module: &[String]) -> Vec<Vec<String>> {
 
 fn search(trees_here: &[TokenTree], module: &[String], found: &mut Vec<Vec<String>>) {
     for (i, tree) in trees_here.iter().enumerate() {
-        let is_inner = i > 0 && is_sign(&trees_here[i - 1], ':');
+        // A single colon stands before a type or the value of a field, which begins a path.
+        let is_inner = i > 1 && trees_here[i - 2..i].iter().all(|tree| is_sign(tree, ':'));
         match tree {
             TokenTree::Group(group) => search(&trees(group.stream()), module, found),
             TokenTree::Ident(name) if !is_inner && (name == "crate" || name == "super") => {
@@ -121,55 +120,43 @@ fn deepest(modules: &BTreeSet<Vec<String>>, mut path: Vec<String>) -> Option<Vec
     (!path.is_empty()).then_some(path)
 }
 
-/// The rows of ARCHITECTURE's table that are of modules: their names, and what they may use.
-fn rules() -> Vec<(Vec<String>, Modules)> {
-    let text = fs::read_to_string("ARCHITECTURE.md").unwrap();
-    let mut above = Modules::new();
-    let mut rules = Vec::new();
-    for row in text.lines().filter(|line| line.starts_with("| `src/")) {
-        let cells: Vec<&str> = row.trim_matches('|').split(" | ").collect();
-        let places = cells[0].split(", ").map(|place| place.trim_matches([' ', '`']));
-        let names: Vec<String> = places
-            .filter_map(|place| place.strip_prefix("src/"))
-            .map(|place| place.split(['/', '.']).next().unwrap().to_owned())
-            .collect();
-        let mut may_use: Modules = cells[2].split([',', ';', ' ', '`']).map(str::to_owned).collect();
-        if cells[2].starts_with("all above") {
-            may_use.extend(above.iter().cloned());
-        }
-        above.extend(names.iter().cloned());
-        rules.push((names, may_use));
-    }
-    rules
+/// The lines of `[src]` in `docs/layers.toml`, in their order: a layer and the layers that it may use.
+fn layers() -> Vec<(String, BTreeSet<String>)> {
+    let text = fs::read_to_string("docs/layers.toml").unwrap();
+    let lines = text.split("[src]\n").nth(1).unwrap().lines().take_while(|line| !line.starts_with('['));
+    let lines = lines.filter(|line| !line.starts_with('#') && !line.is_empty());
+    let words = |text: &str| text.split('"').skip(1).step_by(2).map(str::to_owned).collect();
+    lines.map(|line| line.split_once(" = ").unwrap()).map(|(name, uses)| (name.replace('"', ""), words(uses))).collect()
+}
+
+/// The layer of a module: the one with the longest name that its path begins with.
+fn layer_of<'a>(names: &[&'a str], module: &[String]) -> &'a str {
+    let path = module.join("/") + "/";
+    let of_path = names.iter().filter(|name| path.starts_with(&format!("{name}/")));
+    of_path.max_by_key(|name| name.len()).unwrap_or_else(|| panic!("docs/layers.toml has no line for src/{path}"))
 }
 
 #[test]
-fn each_module_uses_what_the_table_allows() {
-    let rules = rules();
-    let allowed = |module: &str| {
-        let rows = rules.iter().filter(|(names, _)| names.iter().any(|name| name == module));
-        rows.fold(None, |all: Option<Modules>, (_, may_use)| {
-            Some(all.unwrap_or_default().union(may_use).cloned().collect())
-        })
-    };
-    for (module, used) in uses().into_iter().filter(|(module, _)| !module.is_empty()) {
-        let allowed =
-            allowed(&module[0]).unwrap_or_else(|| panic!("ARCHITECTURE.md has no row for {}", module.join("::")));
-        for other in used.iter().filter(|other| other[0] != module[0]) {
-            assert!(allowed.contains(&other[0]), "{} may not use {}", module.join("::"), other.join("::"));
-        }
+fn each_module_uses_the_layers_of_its_line_and_a_line_names_no_other() {
+    let layers = layers();
+    let names: Vec<&str> = layers.iter().map(|(name, _)| name.as_str()).collect();
+    let mut used: BTreeMap<&str, BTreeSet<String>> = names.iter().map(|name| (*name, BTreeSet::new())).collect();
+    for (module, others) in uses().iter().filter(|(module, _)| !module.is_empty()) {
+        let layer = layer_of(&names, module);
+        let others = others.iter().map(|other| layer_of(&names, other)).filter(|other| *other != layer);
+        used.entry(layer).or_default().extend(others.map(str::to_owned));
+    }
+    for (layer, allowed) in &layers {
+        assert_eq!(&used[layer.as_str()], allowed, "docs/layers.toml: left is what {layer} uses, right what its line says");
     }
 }
 
 #[test]
-fn no_module_that_a_row_names_is_unused() {
-    let uses = uses();
-    let tops: Modules = uses.keys().filter_map(|module| module.first().cloned()).collect();
-    for (names, may_use) in rules().into_iter().filter(|(_, may_use)| !may_use.contains("above")) {
-        let of_row = uses.iter().filter(|(module, _)| module.first().is_some_and(|top| names.contains(top)));
-        let used: Modules = of_row.flat_map(|(_, used)| used.iter().map(|other| other[0].clone())).collect();
-        let stale: Vec<_> = may_use.iter().filter(|name| tops.contains(*name) && !used.contains(*name)).collect();
-        assert!(stale.is_empty(), "{names:?} use no {stale:?}");
+fn layers_stand_below_those_that_they_use() {
+    let mut above = BTreeSet::new();
+    for (layer, uses) in layers() {
+        assert!(uses.is_subset(&above), "{layer} uses layers that do not stand above it: {:?}", &uses - &above);
+        above.insert(layer);
     }
 }
 
@@ -207,5 +194,6 @@ fn paths_are_seen_however_they_are_written() {
         seen("fn f() { matches!(super::kind(), crate::land::Cell::Land) }"),
         ["export::kind", "land::Cell::Land"]
     );
+    assert_eq!(seen("fn f() { A { b: super::c::d(), e: crate::land::F } }"), ["export::c::d", "land::F"]);
     assert_eq!(seen("pub(crate) struct A; // crate::land\nconst B: &str = \"crate::land\";"), [""; 0]);
 }
