@@ -9,7 +9,7 @@ use crate::objects::{coded, object, set};
 use riverseed::dice;
 use riverseed::paint::{Framing, Painted};
 use riverseed::recipe::preset::{COUNTRIES, PRESETS, Preset};
-use riverseed::recipe::reading::{self, Reading};
+use riverseed::recipe::reading;
 use riverseed::recipe::table::TABLE;
 use riverseed::recipe::{Decimal, GridPoint, Key, Kind, LONGEST_OUTLINE, Outline, Parameter};
 

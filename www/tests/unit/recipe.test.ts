@@ -138,7 +138,7 @@ test("a style that was chosen on a light page is told by the link, and so it is 
   expect(recipe.link).toBe("seed=rimu&edition=1");
   recipe.set([["style", "ink"]]);
   expect([recipe.link, recipe.shown]).toEqual(["seed=rimu&edition=1&style=ink", "seed=rimu&edition=1"]);
-  const onDark = new Recipe(engine.readLink, () => true);
+  const onDark = new Recipe(engine.readLink, "", () => true);
   onDark.open(recipe.link);
   expect(onDark.values.get("style")).toBe("ink");
 });
