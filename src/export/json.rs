@@ -37,11 +37,7 @@ pub(crate) fn unnamed<'a>(map: &'a Map, attractors: Option<&[Vec2]>) -> Result<J
 ///
 /// # Errors
 /// As [`network`].
-pub fn compose<'a>(
-    map: &'a Map,
-    attractors: Option<&[Vec2]>,
-    names: Option<Names>,
-) -> Result<Json<'a>, ExportError> {
+pub fn compose<'a>(map: &'a Map, attractors: Option<&[Vec2]>, names: Option<Names>) -> Result<Json<'a>, ExportError> {
     /// Of the nodes' columns, about two nodes a vertex.
     const BYTES_A_VERTEX: usize = 64;
     let network = rivers(map, BYTES_A_VERTEX)?;
