@@ -41,7 +41,7 @@ pub use summary::{Shortfall, Summary};
 /// while session.advance(10)? {
 ///     println!("{:?}: {:.0} %", session.phase(), session.progress() * 100.0);
 /// }
-/// assert!(session.finish()?.rivers.len() > 100);
+/// assert!(session.finish()?.network().rivers.len() > 100);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug)]

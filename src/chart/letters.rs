@@ -36,44 +36,77 @@ pub enum Kind {
     Seal,
 }
 
+/// What a label belongs to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Group {
+    /// Names on the map.
+    Names,
+    Cartouche,
+    Legend,
+    /// What a style has besides names, in an ink of its own.
+    Marks,
+}
+
+/// How labels of a kind are set. Lengths are ems.
+#[derive(Clone, Copy, Debug)]
+struct Setting {
+    group: Group,
+    /// The space between letters besides their advance.
+    tracking: f32,
+    /// How far its halo reaches around outlines.
+    halo: f32,
+    /// Rivers are left as they are around its letters: it stands on open water, or says itself what is cleared.
+    is_afloat: bool,
+}
+
 impl Kind {
-    /// What is between letters besides their advance, in ems.
-    pub fn tracking(self) -> f32 {
+    /// The row of a kind in the table of kinds.
+    fn setting(self) -> Setting {
+        let set = |group, tracking, halo, is_afloat| Setting { group, tracking, halo, is_afloat };
         match self {
-            Self::River | Self::Island | Self::Offshore | Self::Seed => 0.08,
-            Self::Title | Self::Legend => 0.05,
-            Self::SpotHeight | Self::GridLetter | Self::Grid | Self::Seal => 0.03,
-            Self::Reach => 0.16,
-            Self::Water => 0.3,
+            Self::River => set(Group::Names, 0.08, 0.13, false),
+            Self::Reach => set(Group::Names, 0.16, 0.2, false),
+            Self::Water => set(Group::Names, 0.3, 0.13, true),
+            Self::Island => set(Group::Names, 0.08, 0.13, false),
+            Self::Offshore => set(Group::Names, 0.08, 0.13, true),
+            Self::Title => set(Group::Cartouche, 0.05, 0.13, true),
+            Self::Seed => set(Group::Cartouche, 0.08, 0.13, true),
+            Self::Legend => set(Group::Legend, 0.05, 0.13, true),
+            Self::SpotHeight => set(Group::Marks, 0.03, 0.13, false),
+            Self::GridLetter => set(Group::Marks, 0.03, 0.13, true),
+            Self::Grid => set(Group::Marks, 0.03, 0.13, true),
+            Self::Seal => set(Group::Marks, 0.03, 0.13, true),
         }
     }
 
-    /// Whether nothing is taken away around its letters: it stands on open water, or says itself what is cleared.
+    /// The space between letters besides their advance, in ems.
+    pub fn tracking(self) -> f32 {
+        self.setting().tracking
+    }
+
+    /// Returns `true` if rivers are left as they are around its letters: it stands on open water, or says itself what is cleared.
     pub fn is_afloat(self) -> bool {
-        self.is_block() || matches!(self, Self::Water | Self::Offshore | Self::GridLetter | Self::Grid | Self::Seal)
+        self.setting().is_afloat
     }
 
-    /// Whether it is a part of the cartouche.
+    /// Returns `true` if it is a part of the cartouche.
     pub fn is_of_cartouche(self) -> bool {
-        matches!(self, Self::Title | Self::Seed)
+        self.setting().group == Group::Cartouche
     }
 
-    /// Whether it is a part of a block of lines in a corner: the cartouche or the legend.
+    /// Returns `true` if it is a part of a block of lines in a corner: the cartouche or the legend.
     pub fn is_block(self) -> bool {
-        self.is_of_cartouche() || self == Self::Legend
+        matches!(self.setting().group, Group::Cartouche | Group::Legend)
     }
 
-    /// Whether it is a mark, in an ink of its own.
+    /// Returns `true` if it is a mark, in an ink of its own.
     pub fn is_mark(self) -> bool {
-        matches!(self, Self::SpotHeight | Self::GridLetter | Self::Grid | Self::Seal)
+        self.setting().group == Group::Marks
     }
 
     /// How far its halo reaches around outlines, in ems.
     pub fn halo(self) -> f32 {
-        match self {
-            Self::Reach => 0.2,
-            _ => 0.13,
-        }
+        self.setting().halo
     }
 }
 

@@ -19,73 +19,110 @@ pub enum Form {
     Raster(Layer),
 }
 
-const NAMES: [(Form, &str); 10] = [
-    (Form::Png, "png"),
-    (Form::Svg, "svg"),
-    (Form::GeoJson, "geojson"),
-    (Form::Json, "json"),
-    (Form::Pack, "zip"),
-    (Form::Raster(Layer::Heights), "heights.png"),
-    (Form::Raster(Layer::Land), "land.png"),
-    (Form::Raster(Layer::Rivers), "rivers.png"),
-    (Form::Raster(Layer::Flow), "flow.png"),
-    (Form::Raster(Layer::Basins), "basins.png"),
-];
+/// What files hold, and what they can be asked for therefore.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Holds {
+    /// A picture whose size in pixels can be chosen.
+    Pixels,
+    /// Rasters.
+    Rasters,
+    /// Heights, in a style without relief too.
+    Relief,
+    /// Drawn letters.
+    Letters,
+    /// Names as data.
+    Names,
+    /// A picture and no data.
+    PictureAlone,
+}
 
 impl Form {
-    /// All of them.
+    const ALL: [Self; 10] = [
+        Self::Png,
+        Self::Svg,
+        Self::GeoJson,
+        Self::Json,
+        Self::Pack,
+        Self::Raster(Layer::Heights),
+        Self::Raster(Layer::Land),
+        Self::Raster(Layer::Rivers),
+        Self::Raster(Layer::Flow),
+        Self::Raster(Layer::Basins),
+    ];
+
+    /// The row of a form in the table of forms: the ending of its files, and what they hold.
+    const fn row(self) -> (&'static str, &'static [Holds]) {
+        use Holds::{Letters, Names, PictureAlone, Pixels, Rasters, Relief};
+        match self {
+            Self::Png => ("png", &[Pixels, Letters, PictureAlone]),
+            Self::Svg => ("svg", &[Letters, PictureAlone]),
+            Self::GeoJson => ("geojson", &[Relief, Names]),
+            Self::Json => ("json", &[Names]),
+            Self::Pack => ("zip", &[Pixels, Letters, Rasters, Relief]),
+            Self::Raster(Layer::Heights) => ("heights.png", &[Rasters, Relief]),
+            Self::Raster(Layer::Land) => ("land.png", &[Rasters, Relief]),
+            Self::Raster(Layer::Rivers) => ("rivers.png", &[Rasters, Relief]),
+            Self::Raster(Layer::Flow) => ("flow.png", &[Rasters, Relief]),
+            Self::Raster(Layer::Basins) => ("basins.png", &[Rasters, Relief]),
+        }
+    }
+
+    fn holds(self, part: Holds) -> bool {
+        self.row().1.contains(&part)
+    }
+
+    /// All forms.
     pub fn all() -> impl Iterator<Item = Self> {
-        NAMES.iter().map(|(form, _)| *form)
+        Self::ALL.into_iter()
     }
 
-    /// What such a file's name ends with, without the dot before.
+    /// The ending of such a file's name, without the dot before it.
     pub fn name(self) -> &'static str {
-        NAMES.iter().find(|(form, _)| *form == self).map_or("", |(_, name)| name)
+        self.row().0
     }
 
-    /// The form that is called so; `None` if none is.
+    /// The form with this name; `None` if there is none.
     pub fn named(name: &str) -> Option<Self> {
-        NAMES.iter().find(|(_, known)| *known == name).map(|(form, _)| *form)
+        Self::all().find(|form| form.name() == name)
     }
 
-    /// The form of a file by the longest known ending of its name, in capitals or not; `None` if its name has none, or is nothing else, as
-    /// that of a hidden file.
+    /// The form of a file by the longest known ending of its name, in capitals or not. `None` if its name has no known
+    /// ending, or consists of nothing else, like that of a hidden file.
     pub fn of_file(name: &str) -> Option<Self> {
         let name = name.to_ascii_lowercase();
-        let is_of = |(_, ending): &&(Self, &str)| {
-            name.strip_suffix(ending).is_some_and(|rest| rest.len() > 1 && rest.ends_with('.'))
-        };
-        NAMES.iter().filter(is_of).max_by_key(|(_, ending)| ending.len()).map(|(form, _)| *form)
+        let is_of =
+            |form: &Self| name.strip_suffix(form.name()).is_some_and(|rest| rest.len() > 1 && rest.ends_with('.'));
+        Self::all().filter(is_of).max_by_key(|form| form.name().len())
     }
 
-    /// Whether it holds a picture whose size in pixels can be chosen.
+    /// Returns `true` if it holds a picture whose size in pixels can be chosen.
     pub fn has_pixels(self) -> bool {
-        matches!(self, Self::Png | Self::Pack)
+        self.holds(Holds::Pixels)
     }
 
-    /// Whether it holds rasters.
+    /// Returns `true` if it holds rasters.
     pub fn has_rasters(self) -> bool {
-        matches!(self, Self::Raster(_) | Self::Pack)
+        self.holds(Holds::Rasters)
     }
 
-    /// Whether it holds heights, in a style without relief too.
+    /// Returns `true` if it holds heights, in a style without relief too.
     pub fn has_relief(self) -> bool {
-        self.has_rasters() || self == Self::GeoJson
+        self.holds(Holds::Relief)
     }
 
-    /// Whether it is drawn with letters.
+    /// Returns `true` if it is drawn with letters.
     pub fn has_letters(self) -> bool {
-        self.is_picture() || self == Self::Pack
+        self.holds(Holds::Letters)
     }
 
-    /// Whether it lists names as data.
+    /// Returns `true` if it lists names as data.
     pub fn lists_names(self) -> bool {
-        matches!(self, Self::Json | Self::GeoJson)
+        self.holds(Holds::Names)
     }
 
-    /// Whether it is a picture and no data.
+    /// Returns `true` if it is a picture and no data.
     pub fn is_picture(self) -> bool {
-        matches!(self, Self::Png | Self::Svg)
+        self.holds(Holds::PictureAlone)
     }
 }
 

@@ -166,30 +166,63 @@ choices! {
     }
 }
 
+/// What only some styles show of a map.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Shown {
+    /// How high the land is.
+    Relief,
+    Woods,
+    /// Hills as symbols; most styles have their relief for that.
+    Hills,
+    /// Labels that are no names: spot heights and grid letters, a legend, or a seal.
+    Marks,
+    /// The beds in which great rivers ran before.
+    Beds,
+}
+
 impl Style {
-    /// Whether it shows how high the land is.
+    /// The row of a style in the table of what styles show.
+    const fn shown(self) -> &'static [Shown] {
+        use Shown::{Beds, Hills, Marks, Relief, Woods};
+        match self {
+            Self::Ink => &[Woods, Hills],
+            Self::Skeleton => &[],
+            Self::Atlas => &[Relief, Woods],
+            Self::Night => &[Relief, Woods],
+            Self::Survey => &[Relief, Woods, Marks],
+            Self::Basins => &[Relief, Woods, Hills],
+            Self::Parchment => &[Relief, Woods],
+            Self::PastCourses => &[Woods, Hills, Beds],
+            Self::InkWash => &[Relief, Woods, Marks],
+            Self::Orbit => &[Relief],
+            Self::Blueprint => &[Relief, Woods, Marks],
+            Self::Dark => &[Woods, Hills],
+        }
+    }
+
+    /// Returns `true` if it shows how high the land is.
     pub fn has_relief(self) -> bool {
-        !matches!(self, Self::Ink | Self::Skeleton | Self::PastCourses | Self::Dark)
+        self.shown().contains(&Shown::Relief)
     }
 
-    /// Whether woods can be drawn in it.
+    /// Returns `true` if woods can be drawn in it.
     pub fn has_woods(self) -> bool {
-        !matches!(self, Self::Skeleton | Self::Orbit)
+        self.shown().contains(&Shown::Woods)
     }
 
-    /// Whether hills can be drawn in it: others have their relief for that.
+    /// Returns `true` if hills can be drawn in it.
     pub fn has_hills(self) -> bool {
-        matches!(self, Self::Ink | Self::Dark | Self::Basins | Self::PastCourses)
+        self.shown().contains(&Shown::Hills)
     }
 
-    /// Whether its labels are more than names: spot heights and grid letters, a legend, or a seal.
+    /// Returns `true` if it has labels that are no names: spot heights and grid letters, a legend, or a seal.
     pub fn has_marks(self) -> bool {
-        matches!(self, Self::Survey | Self::Blueprint | Self::InkWash)
+        self.shown().contains(&Shown::Marks)
     }
 
-    /// Whether it shows the beds in which great rivers ran before.
+    /// Returns `true` if it shows the beds in which great rivers ran before.
     pub fn has_beds(self) -> bool {
-        self == Self::PastCourses
+        self.shown().contains(&Shown::Beds)
     }
 }
 

@@ -29,7 +29,7 @@ impl Land {
     /// let mask: Vec<bool> = (0..400 * 400).map(is_land).collect();
     /// let land = Land::from_mask(&Domain::of(&recipe), 400, 400, &mask)?;
     /// let mut session = Session::on_land(recipe, land)?;
-    /// assert!(session.finish()?.rivers.len() > 100);
+    /// assert!(session.finish()?.network().rivers.len() > 100);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
