@@ -14,7 +14,7 @@ wasm32 := --target wasm32-unknown-unknown --no-default-features
 # The files in tests/ that also run as wasm, in a browser.
 WASM_TESTS := digest
 # Those that compare with committed files.
-GOLDEN_TESTS := digest golden schema
+GOLDEN_TESTS := --test digest --test all -- digest golden schema
 
 free_port := require("net").createServer().listen(0, "127.0.0.1", function () { console.log(this.address().port); this.close() })
 
@@ -60,8 +60,8 @@ wheel: ## the Python package as a wheel, in target/package
 
 # ---- prove it
 
-# The first tier, of minutes: each promise is tried once. Tests of the second say so themselves: `#[ignore = "second tier"]` in Rust,
-# no @core in the title in the browser.
+# The first tier, of minutes, tries each promise once; the second is everything else. In the browser a test of the first has @core in its
+# title, as wasm a test of the second is ignored; all other tests of Rust and TypeScript are of the first, all other parts of the second.
 .PHONY: test
 test: clock test-rust test-page test-wasm test-browser ## the tests of the first tier, and how long each part of them takes
 	@scripts/laps.sh table
@@ -71,7 +71,7 @@ test-all: test test-more ## every test there is
 	@scripts/laps.sh table
 
 .PHONY: test-more
-test-more: test-scripts test-rust-more test-crate test-hydrology test-batch test-python test-wasm-more test-browser-more lighthouse test-firefox test-package
+test-more: test-scripts test-crate test-hydrology test-batch test-python test-wasm-more test-browser-more lighthouse test-firefox test-package
 
 .PHONY: clock
 clock:
@@ -88,12 +88,6 @@ test-rust: ## the core and the command line, natively
 	@$(setup) rust
 	$(run) cargo test --all-features
 	$(lap) "Rust, natively"
-
-.PHONY: test-rust-more
-test-rust-more: ## the slow ones of them
-	@$(setup) rust
-	$(run) cargo test --all-features --tests -- --ignored
-	$(lap) "Rust, natively: what is slow"
 
 .PHONY: test-crate
 test-crate: ## the crate as its users have it: packed, and compiled by itself
@@ -245,16 +239,16 @@ notices: ## write THIRD-PARTY.txt, here and in python, the notices of the crates
 goldens: ## redraw the golden pictures and digests; then look at them and say in the commit why they changed
 	@$(setup) rust
 	@echo "A run that refreshes goldens fails on purpose; the run after it must pass."
-	-@RIVERSEED_REFRESH=1 $(run) cargo test --all-features --quiet --no-fail-fast $(GOLDEN_TESTS:%=--test %)
-	@$(run) cargo test --all-features --quiet $(GOLDEN_TESTS:%=--test %)
+	-@RIVERSEED_REFRESH=1 $(run) cargo test --all-features --quiet --no-fail-fast $(GOLDEN_TESTS)
+	@$(run) cargo test --all-features --quiet $(GOLDEN_TESTS)
 	@git status --short tests
 
 .PHONY: docs
 docs: wasm ## write what is generated in docs/ again: the parameters, the JSON form, the figures, the tables of the element
 	@echo "A run that writes pages fails on purpose; the run after it must pass."
-	-@RIVERSEED_REFRESH=1 $(run) cargo test --all-features --quiet --no-fail-fast --test documents --test schema
+	-@RIVERSEED_REFRESH=1 $(run) cargo test --all-features --quiet --no-fail-fast --test all -- documents schema
 	@$(npm) element-page
-	@$(run) cargo test --all-features --quiet --test documents --test schema
+	@$(run) cargo test --all-features --quiet --test all -- documents schema
 	@git status --short docs
 
 .PHONY: clean

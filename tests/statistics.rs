@@ -2,7 +2,7 @@
 //! nature's basins, and free of what eyes dislike in a map of the paper's space colonization.
 //!
 //! Nature's values are those of single basins, so a single basin is what is measured: a rectangle with one mouth. A map with several
-//! coasts has many small basins, of too few orders for the ratios to say much; `cargo test --test statistics -- --nocapture` prints them for
+//! coasts has many small basins, of too few orders for the ratios to say much; `cargo test --test all statistics -- --nocapture` prints them for
 //! such lands too, by the test of what eyes dislike.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 

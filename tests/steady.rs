@@ -1,5 +1,5 @@
 //! Sliders that keep the map: a notch more sea, rougher coasts or a few more parcels or attractors, and the greater rivers of drainage, and of
-//! space colonization that follows valleys, stay where they are. Medians over eight fixed seeds; `cargo test --test steady -- --nocapture` prints them.
+//! space colonization that follows valleys, stay where they are. Medians over eight fixed seeds; `cargo test --test all steady -- --nocapture` prints them.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use std::collections::BTreeMap;

@@ -1,12 +1,9 @@
 //! How much work a step of a session is at most, whatever the recipe, in elementary steps: what keeps a page from freezing.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
-#[path = "common/lands.rs"]
-mod lands;
-
 use std::collections::BTreeMap;
 
-use lands::every_land;
+use crate::common::lands::every_land;
 use riverseed::random::{Purpose, Seed};
 use riverseed::recipe::{Stage, link};
 use riverseed::session::{Phase, Session};
