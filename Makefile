@@ -1,5 +1,5 @@
 # Every command of this project. Each first gets what it needs and lacks (scripts/setup.sh), so a fresh clone can start
-# with any of them; the first one takes a quarter of an hour, most of it for tools.
+# with any of them; the first one takes some minutes, most of them for tools.
 
 .NOTPARALLEL: # cargo and the browsers use every core by themselves
 SHELL := bash
@@ -26,7 +26,9 @@ help: ## this list
 # ---- use it
 
 .PHONY: demo
-demo: wasm ## build everything and serve the page here; its address is printed
+demo: ## build what the page needs, as fast as can be, and serve it here; its address is printed
+	@$(setup) rust bindgen node
+	@$(run) scripts/lib/lock.sh target/wasm.lock "another build of the wasm packages" node scripts/wasm.mjs demo
 	@$(npm) dev -- --host 127.0.0.1
 
 .PHONY: site
@@ -99,7 +101,7 @@ test-crate: ## the crate as its users have it: packed, and compiled by itself
 .PHONY: program
 program:
 	@$(setup) rust
-	@$(run) cargo test --quiet --all-features --no-run --test command_line
+	@$(run) cargo test --quiet --all-features --no-run --package riverseed-cli
 
 # These three are skipped, with a word, where Python or its packages cannot be had.
 .PHONY: test-hydrology
@@ -171,6 +173,11 @@ test-arch: ## the same rivers and pixels on 64-bit ARM, in an emulator; not part
 	@$(setup) rust
 	scripts/arch.sh
 
+.PHONY: newest
+newest: ## the committed digests with the newest versions of all dependencies that Cargo.toml allows; not part of `make test`
+	@$(setup) rust
+	scripts/newest.sh
+
 .PHONY: test-package
 test-package: tarball ## the npm package, as its users have it: in Node, with frameworks, in two browsers
 	@$(setup) browser firefox
@@ -194,15 +201,21 @@ check: clock widget ## format, lints, types, documentation, weights and licences
 	$(run) cargo clippy --quiet --locked --manifest-path python/Cargo.toml --target-dir target/python -- -D warnings
 	scripts/python.sh check
 	$(wasm) cargo clippy --quiet --lib --examples $(wasm32) -- -D warnings
-	$(wasm) cargo clippy --quiet --lib $(WASM_TESTS:%=--test %) $(wasm32) --features rivers,tracing,files,controls -- -D warnings
-	$(wasm) cargo clippy --quiet --lib $(wasm32) --features charts -- -D warnings
+	$(wasm) cargo clippy --quiet --lib $(WASM_TESTS:%=--test %) $(wasm32) --features files,controls -- -D warnings
+	$(wasm) cargo clippy --quiet $(wasm32) --package riverseed-wasm --features rivers,tracing,files,controls -- -D warnings
+	$(wasm) cargo clippy --quiet $(wasm32) --package riverseed-wasm --features charts -- -D warnings
 	RUSTDOCFLAGS="-D warnings" $(run) cargo doc --quiet --no-deps --all-features
 	RUSTDOCFLAGS="-D warnings" $(wasm) cargo doc --quiet --no-deps --lib $(wasm32)
-	RUSTDOCFLAGS="-D warnings" $(wasm) cargo doc --quiet --no-deps --lib $(wasm32) --features rivers,tracing,files,controls
+	RUSTDOCFLAGS="-D warnings" $(wasm) cargo doc --quiet --no-deps $(wasm32) --package riverseed-wasm --features rivers,tracing,files,controls,charts
 	scripts/crate.sh pack
 	$(npm) types
 	$(npm) lint
 	$(lap) "formats, lints, types, licences"
+
+.PHONY: prose
+prose: ## count how doc comments begin, module by module; fails where a module that has been rewritten slips back
+	@$(setup) node
+	@$(run) node scripts/prose.mjs
 
 # ---- look for faults that the tests do not know
 
@@ -246,9 +259,9 @@ goldens: ## redraw the golden pictures and digests; then look at them and say in
 .PHONY: docs
 docs: wasm ## write what is generated in docs/ again: the parameters, the JSON form, the figures, the tables of the element
 	@echo "A run that writes pages fails on purpose; the run after it must pass."
-	-@RIVERSEED_REFRESH=1 $(run) cargo test --all-features --quiet --no-fail-fast --test all -- documents schema
+	-@RIVERSEED_REFRESH=1 $(run) cargo test --all-features --quiet --no-fail-fast --test all --test program -- documents schema
 	@$(npm) element-page
-	@$(run) cargo test --all-features --quiet --test all -- documents schema
+	@$(run) cargo test --all-features --quiet --test all --test program -- documents schema
 	@git status --short docs
 
 .PHONY: clean

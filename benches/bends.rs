@@ -6,15 +6,15 @@ use riverseed::network::{Network, River, Vertex, curvature};
 /// One bend, in widths of its river.
 #[derive(Clone, Copy, Debug)]
 pub struct Bend {
-    /// Twice the straight way from inflection to inflection.
+    /// Twice the straight distance between the inflections.
     pub wavelength: f32,
     /// The radius at its apex.
     pub radius: f32,
-    /// The way along the river over the straight way.
+    /// The length along the river divided by the straight distance.
     pub sinuosity: f32,
 }
 
-/// The bends of the stretches where rivers meander freely, and turn by a right angle at least in a bend.
+/// The bends where rivers meander freely, with a turn of a right angle or more in each.
 pub fn bends(network: &Network) -> Vec<Bend> {
     network.rivers.iter().flat_map(|river| of_river(network, river)).collect()
 }
@@ -26,7 +26,7 @@ fn of_river(network: &Network, river: &River) -> Vec<Bend> {
     inflections.windows(2).filter_map(|pair| bend(&course[pair[0]..=pair[1]], &bent[pair[0]..pair[1]])).collect()
 }
 
-/// Curvature over a stride of about a width either way.
+/// The curvature over about a width in both directions.
 fn bent(course: &[&Vertex], i: usize) -> f32 {
     let step = course[i].at.distance(course[(i + 1).min(course.len() - 1)].at).max(1e-3);
     let stride = ((course[i].width() / step) as usize).clamp(1, 8);

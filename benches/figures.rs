@@ -1,5 +1,5 @@
-//! The native side of `make bench`: says its process number, then does a task for every line it is given and answers
-//! with the result. `run.mjs` asks, and times it.
+//! The native side of `make bench`: prints its process number, then runs a task for each line of input and prints the
+//! result. `run.mjs` sends the lines and measures the time.
 
 mod workload;
 

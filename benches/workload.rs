@@ -1,8 +1,8 @@
-//! What `make bench` measures, without a clock: the native program and the wasm module do the same work, and
-//! `run.mjs` times both.
+//! The work that `make bench` measures, without a clock. The native program and the wasm module do the same work, and
+//! `run.mjs` measures both.
 //!
-//! A task is named by a line of words, such as `grow 100000 3`. Each task is made ready once, and then run as often as
-//! it is timed. Ours and tiny-skia's ways of drawing get the same segments with the same widths.
+//! A task is named by a line of words, such as `grow 100000 3`. Each task is prepared once, and then run as often as it
+//! is measured. Our ways of drawing and tiny-skia's get the same segments with the same widths.
 
 use std::collections::BTreeMap;
 
@@ -30,18 +30,18 @@ mod twin;
 /// The side of every picture, in pixels.
 const SIDE: u32 = 1024;
 
-/// How many attractors make a tree with a few more segments than are drawn.
+/// The number of attractors for a tree with slightly more segments than are drawn.
 const ATTRACTORS_FOR_SEGMENTS: u32 = 100_000;
 
-/// Runs a task once. What it returns depends on the task, and is the same natively and as wasm.
+/// A function that runs a task once. Its result depends on the task, and is the same natively and as wasm.
 pub type Repetition = Box<dyn FnMut() -> u32>;
 
-/// All tasks that have been made ready.
+/// All tasks that have been prepared.
 #[derive(Default)]
 pub struct Workload(BTreeMap<String, Repetition>);
 
 impl Workload {
-    /// Makes a task ready, if it is not. `None` if there is no such task.
+    /// Prepares a task, unless it is prepared. `None` if there is no such task.
     pub fn prepare(&mut self, task: &str) -> Option<&mut Repetition> {
         if !self.0.contains_key(task) {
             self.0.insert(task.into(), repetition(task)?);
@@ -96,13 +96,13 @@ fn repetition(task: &str) -> Option<Repetition> {
     }
 }
 
-/// A land drawn by hand, with a lake and a ridge, as the plain rectangle otherwise.
+/// A land drawn by hand with a lake and a ridge; otherwise like the plain rectangle.
 const DRAWN: &str = "land=drawn&outline=.3CgA5Tmy30twyhyhrhz8lJzMgAyja2zMUez8NeyhILtwGsmyI9gAMza2P7WuR8R8UeMDZNGsf_EfmyGsrhMDuDR8wEWuzMa2.jMZmoUa4mZgA.AAzMHr2ZJm__AA__..TMgAcznr";
 
-/// The work all figures agree on: one mouth in a square, kill and step half a spacing, everything that has grown stays.
+/// The settings shared by all figures: one mouth in a square, kill and step half a spacing, and no trimming.
 const BARE: &str = "aspect=1&mouths=1&reach=3&kill=0.5&step=0.5&trim=0";
 
-/// What a link leaves out is as on the plain rectangle, so that no figure changes with a default.
+/// Makes a recipe. Keys that a link leaves out are as on the plain rectangle, so that no figure changes with a default.
 fn recipe(link: &str) -> Option<Recipe> {
     link::read(&plain::plain(link)).ok()
 }

@@ -52,7 +52,7 @@ fn colonized(session: &Session) -> Result<String, std::fmt::Error> {
     }
     let steps = (0..tree.len()).filter_map(|node| Some([tree.at[tree.parent_of(node)?], tree.at[node]]));
     let steps: Vec<_> = steps.collect();
-    // A line from a point to itself, with round ends, is a dot.
+    // A line from a point to itself with round ends is a dot.
     for (lines, colour, width) in
         [(&removed, "#e0d6c0", 14.0), (&pulls, "#d9a441", 2.0), (&live, "#b3541e", 14.0), (&steps, "#1d4e89", 6.0)]
     {
@@ -61,7 +61,7 @@ fn colonized(session: &Session) -> Result<String, std::fmt::Error> {
     Ok(panel)
 }
 
-/// The same rivers after 0, 50 and 150 rounds of meandering, with the oxbow lakes that are left by then.
+/// The same rivers after 0, 50 and 150 rounds of meandering, with their oxbow lakes.
 fn meanders() -> Result<String, Box<dyn Error>> {
     let recipe: Recipe =
         "seed=weka&growth=drainage&land=rectangle&sides=s&aspect=1&mouths=1&attractors=160&valleys=0.2&captures=5&\

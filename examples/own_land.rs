@@ -1,5 +1,5 @@
-//! Rivers on a land of one's own, a PNG that is white where there is land and black where there is water:
-//! `cargo run --features png --example own_land -- land.png`. Without a file it draws a round island.
+//! Rivers on your own land, a PNG that is white on land and black in water: `cargo run --features png --example
+//! own_land -- land.png`. Without a file it draws a round island.
 
 use std::error::Error;
 use std::fs::File;
@@ -10,8 +10,8 @@ use riverseed::domain::Domain;
 use riverseed::land::trace::trace;
 use riverseed::{Key, Land, Recipe, Session, export, import};
 
-/// Writes the land's rivers as SVG into a folder. The recipe has room for an outline of the land, which is what the file's link shows; the
-/// rivers run on the land itself, in full detail.
+/// Writes the land's rivers as SVG into a folder. The recipe holds an outline of the land, as far as there is room for
+/// it, which the file's link shows; the rivers run on the land itself, in full detail.
 pub fn write(folder: &Path, (width, height, rgba): (u32, u32, &[u8])) -> Result<(), Box<dyn Error>> {
     let traced = trace(width, height, rgba)?;
     let mut recipe: Recipe = "seed=matai&growth=drainage&land=drawn".parse()?;

@@ -1,25 +1,26 @@
-//! Statistics of a network: Horton's ratio of bifurcation, sinuosity and drainage density: `cargo run --example statistics`.
+//! Statistics of a network: Horton's ratio of bifurcation, sinuosity and drainage density: `cargo run --example
+//! statistics`.
 
 use std::error::Error;
 
 use riverseed::network::{Network, River};
 use riverseed::{Recipe, Session};
 
-/// What is known of a network.
+/// Statistics of a network.
 #[derive(Debug)]
 pub struct Statistics {
-    /// How many rivers end with each of Strahler's orders, the first first.
+    /// The number of rivers that end with each of Strahler's orders, from order 1.
     pub rivers: Vec<usize>,
-    /// How many times as many rivers of an order there are as of the next, on average (Horton 1945); 3 to 5 in nature.
+    /// The mean ratio of the number of rivers of an order to that of the next (Horton 1945); 3 to 5 in nature.
     pub bifurcation: f64,
-    /// The mean length of rivers over the distance of their ends.
+    /// The mean ratio of a river's length to the distance between its ends.
     pub sinuosity: f64,
-    /// The length of all rivers over the area of the map, in units a square unit.
+    /// The length of all rivers divided by the area of the map, in units per square unit.
     pub density: f64,
 }
 
 impl Statistics {
-    /// Reads them from a network on land of an area, in square units.
+    /// Computes the statistics of a network on land of an area, in square units.
     pub fn of(network: &Network, area: f64) -> Self {
         let highest = network.rivers.iter().map(|river| river.order).max().unwrap_or(0);
         let of_order = |order: u8| network.rivers.iter().filter(|river| river.order == order).count();
@@ -38,7 +39,7 @@ impl Statistics {
     }
 }
 
-/// The statistics of a recipe's rivers.
+/// Computes the statistics of a recipe's rivers.
 pub fn statistics(link: &str) -> Result<Statistics, Box<dyn Error>> {
     let recipe: Recipe = link.parse()?;
     let mut session = Session::new(recipe)?;

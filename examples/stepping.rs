@@ -6,7 +6,7 @@ use std::path::Path;
 
 use riverseed::{Phase, Picture, Recipe, Session, export};
 
-/// How far growth has come in each picture but the last, which shows the finished rivers.
+/// The progress of growth in each picture but the last, which shows the finished rivers.
 const SHARES: [f32; 3] = [0.1, 0.4, 0.9];
 
 /// Writes the pictures into a folder.
@@ -16,7 +16,7 @@ pub fn write(folder: &Path) -> Result<(), Box<dyn Error>> {
     let mut session = Session::new(recipe)?;
     let mut picture = Picture::new(800, 500)?;
     for number in 0..=SHARES.len() {
-        // A step is a tick of growth, a part of the work that makes rivers of the tree, or a round of meandering.
+        // A step is a tick of growth, a part of the work that turns the tree into rivers, or a round of meandering.
         let is_due = |session: &Session| match SHARES.get(number) {
             Some(share) => session.phase() != Phase::Growing || session.progress() >= *share,
             None => session.is_finished(),

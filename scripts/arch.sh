@@ -23,14 +23,14 @@ library=$system/aarch64-linux-gnu
 
 main() {
   is_emulator_there || get_emulator
-  build=(cargo build --features cli)
+  build=(cargo build --package riverseed-cli)
   if use_rustup; then
     say "with rustup's Rust and its standard library for $target"
   else
     has_std_sources || get_debian_rust
     say "with Debian's Rust, and the standard library from its sources"
     # -Z needs the bootstrap variable.
-    build=(env RUSTC_BOOTSTRAP=1 RUSTC="$system/bin/rustc" "$system/bin/cargo" build --features cli
+    build=(env RUSTC_BOOTSTRAP=1 RUSTC="$system/bin/rustc" "$system/bin/cargo" build --package riverseed-cli
       -Z "build-std=std,panic_unwind,proc_macro")
   fi
   verify

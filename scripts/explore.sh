@@ -32,6 +32,7 @@ list_properties() {
     case $file in
       src/lib.rs) of=--lib; folder=src ;;
       tests/all.rs) of=--test=all; folder=tests ;;
+      tests/main.rs) of=--test=program; folder=crates/cli/tests ;;
       *) continue ;;
     esac
     files=$(grep -rl --include='*.rs' 'proptest! {' $folder) || continue

@@ -17,7 +17,7 @@ folders=(. python)
 # notices FOLDER FILE. All crates are looked at, also those for other machines, which no build here has fetched.
 notices() {
   cargo fetch --quiet --locked --manifest-path "$1/Cargo.toml"
-  cargo about generate --frozen --all-features --fail --manifest-path "$1/Cargo.toml" --config .cargo/about.toml \
+  cargo about generate --frozen --workspace --all-features --fail --manifest-path "$1/Cargo.toml" --config .cargo/about.toml \
     --output-file "$2" .cargo/about.hbs
 }
 
@@ -30,13 +30,13 @@ check_notices() {
 }
 
 check_licences() {
-  cargo deny --frozen --manifest-path "$1/Cargo.toml" --config .cargo/deny.toml --log-level warn check licenses bans sources
+  cargo deny --frozen --workspace --manifest-path "$1/Cargo.toml" --config .cargo/deny.toml --log-level warn check licenses bans sources
 }
 
 # The database of advisories is a git repository, which not every machine can reach.
 check_advisories() {
   local said
-  said=$(cargo deny --manifest-path "$1/Cargo.toml" --config .cargo/deny.toml --log-level warn check advisories 2>&1) && return
+  said=$(cargo deny --workspace --manifest-path "$1/Cargo.toml" --config .cargo/deny.toml --log-level warn check advisories 2>&1) && return
   if grep --quiet --ignore-case 'failed to fetch advisory database' <<<"$said"; then
     echo "Advisories are not looked up: their database cannot be reached from here."
   else

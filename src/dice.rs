@@ -1,4 +1,4 @@
-//! Fresh seeds: random bits as a pronounceable word. It only makes new seed texts, and is never part of a picture.
+//! Fresh seeds: turns random bits into a pronounceable word. It only makes new seed texts and never affects a picture.
 
 /// Spells 64 random bits as a word of three or four syllables. Not all bits are used.
 pub fn word(bits: u64) -> String {

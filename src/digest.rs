@@ -13,6 +13,9 @@ use crate::session::{Session, SessionError};
 /// The pixel width of the picture that goes into a digest.
 const WIDTH: u32 = 160;
 
+/// The committed digests that every change is tested against, one a line: a digest, a space and a link.
+pub const COMMITTED: &str = include_str!("../tests/digest.txt");
+
 /// Why there is no digest.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]

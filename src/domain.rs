@@ -1,7 +1,7 @@
 //! The domain: the rectangle that rivers grow in.
 //!
-//! Its area is always a million square units, whatever its aspect, and it knows nothing of pixels: a picture has the
-//! same rivers at 300 and at 3000 of them. x runs east, y runs south, as on a screen.
+//! Its area is always a million square units, whatever its aspect, and it does not depend on pixels: a picture 300
+//! pixels wide has the same rivers as one of 3000. x runs east and y runs south, as on a screen.
 
 use glam::Vec2;
 
@@ -23,19 +23,20 @@ impl Domain {
         Self::with_aspect(recipe.number(Key::Aspect))
     }
 
-    /// The domain of the given width to height.
+    /// The domain with a given ratio of width to height.
     pub fn with_aspect(aspect: f32) -> Self {
         let height = (AREA / aspect).sqrt();
         Self { size: Vec2::new(AREA / height, height) }
     }
 
-    /// How far a point lies from each side, by the side's initial, clockwise from the north; less than 0 beyond it.
+    /// The distance of a point from each side, with the side's initial, clockwise from the north. Negative beyond the
+    /// side.
     pub fn sides(&self, point: Vec2) -> [(char, f32); 4] {
         let far = self.size - point;
         [('n', point.y), ('e', far.x), ('s', far.y), ('w', point.x)]
     }
 
-    /// Whether a point lies in it, its border included.
+    /// Returns `true` if a point lies in the domain or on its border.
     pub fn contains(&self, point: Vec2) -> bool {
         point.x >= 0.0 && point.y >= 0.0 && point.x <= self.size.x && point.y <= self.size.y
     }

@@ -1,20 +1,20 @@
-//! Points, segments and triangles of the plane.
+//! Points, segments and triangles in the plane.
 //!
-//! Lengths are taken here and not by glam, which without its `std` feature computes a square root bit by bit, where every
-//! processor has an instruction for it.
+//! Lengths are computed here and not by glam. Without its `std` feature, glam computes square roots bit by bit, where
+//! every processor has an instruction for them.
 
 use glam::{DVec2, Vec2};
 
 /// A straight piece of a line.
 pub(crate) type Segment = (Vec2, Vec2);
 
-/// Twice the signed area of a triangle; exact but for the last rounding, so that its sign can be trusted.
+/// Twice the signed area of a triangle. Only the last operation rounds, so the sign can be trusted.
 pub(crate) fn doubled_area(a: Vec2, b: Vec2, c: Vec2) -> f64 {
     let (a, b, c): (DVec2, DVec2, DVec2) = (a.into(), b.into(), c.into());
     (b - a).perp_dot(c - a)
 }
 
-/// Whether two segments have a point in common; touching counts.
+/// Returns `true` if two segments have a point in common; touching counts.
 pub fn meet((a, b): (Vec2, Vec2), (c, d): (Vec2, Vec2)) -> bool {
     let boxes_apart = a.max(b).cmplt(c.min(d)).any() || c.max(d).cmplt(a.min(b)).any();
     if boxes_apart {
@@ -24,7 +24,7 @@ pub fn meet((a, b): (Vec2, Vec2), (c, d): (Vec2, Vec2)) -> bool {
     !apart(doubled_area(a, b, c), doubled_area(a, b, d)) && !apart(doubled_area(c, d, a), doubled_area(c, d, b))
 }
 
-/// How far along the first segment, from 0 to 1, the line of the second one meets it; 0 if they are parallel.
+/// The position along the first segment, from 0 to 1, at which it meets the line of the second; 0 if they are parallel.
 pub(crate) fn meeting((a, b): Segment, (c, d): Segment) -> f32 {
     let (from, to) = (doubled_area(c, d, a), doubled_area(c, d, b));
     if from == to { 0.0 } else { (from / (from - to)).clamp(0.0, 1.0) as f32 }
@@ -42,7 +42,7 @@ pub(crate) fn distance(a: Vec2, b: Vec2) -> f32 {
     a.distance_squared(b).sqrt()
 }
 
-/// A vector's direction, as a unit vector; of a vector too short to have one, zero.
+/// The direction of a vector as a unit vector; zero if the vector is too short to have one.
 #[inline]
 pub(crate) fn direction(vector: Vec2) -> Vec2 {
     let length = length(vector);
@@ -57,7 +57,7 @@ pub fn gap((a, b): (Vec2, Vec2), (c, d): (Vec2, Vec2)) -> f32 {
     fast_min(to_second, to_first).sqrt()
 }
 
-/// The squared distance of a point from a segment.
+/// The squared distance between a point and a segment.
 #[inline]
 fn squared_distance(point: Vec2, a: Vec2, b: Vec2) -> f32 {
     let (along, out) = (b - a, point - a);
@@ -74,19 +74,19 @@ fn squared_distance(point: Vec2, a: Vec2, b: Vec2) -> f32 {
     }
 }
 
-/// `f32::min` is several jumps in wasm.
+/// The smaller of two numbers. `f32::min` compiles to several jumps in wasm.
 #[inline]
 pub(crate) fn fast_min(a: f32, b: f32) -> f32 {
     if a < b { a } else { b }
 }
 
-/// The greater one, likewise.
+/// The greater of two numbers. `f32::max` compiles to several jumps in wasm.
 #[inline]
 pub(crate) fn fast_max(a: f32, b: f32) -> f32 {
     if a > b { a } else { b }
 }
 
-/// How far each point of a line lies from its first, along it.
+/// The distance along a line from its first point to each of its points.
 #[inline(never)] // each copy weighs two hundred bytes
 pub(crate) fn lengths(line: &[Vec2]) -> Vec<f32> {
     let mut along = vec![0.0; line.len()];
@@ -96,9 +96,9 @@ pub(crate) fn lengths(line: &[Vec2]) -> Vec<f32> {
     along
 }
 
-/// Whether a point lies in a triangle, its border included.
+/// Returns `true` if a point lies in a triangle or on its border.
 pub(crate) fn is_in_triangle(point: Vec2, a: Vec2, b: Vec2, c: Vec2) -> bool {
-    // In a triangle without an area all points of its line are on the same side of everything.
+    // Every point on the line of a triangle without area is on the same side of all its edges.
     if point.cmplt(a.min(b).min(c)).any() || point.cmpgt(a.max(b).max(c)).any() {
         return false;
     }
@@ -106,12 +106,12 @@ pub(crate) fn is_in_triangle(point: Vec2, a: Vec2, b: Vec2, c: Vec2) -> bool {
     (ab >= 0.0 && bc >= 0.0 && ca >= 0.0) || (ab <= 0.0 && bc <= 0.0 && ca <= 0.0)
 }
 
-/// How far a point lies from the line through two others; from the first if they are one.
+/// The distance of a point from the line through `a` and `b`, or from `a` if both are the same point.
 pub(crate) fn height(point: Vec2, a: Vec2, b: Vec2) -> f32 {
     squared_distance(point, a, b).sqrt()
 }
 
-/// From 0 to 1 as x goes from 0 to 1, level at both ends.
+/// Rises smoothly from 0 to 1 as x goes from 0 to 1, level at both ends.
 pub(crate) fn smooth_step(x: f32) -> f32 {
     let x = x.clamp(0.0, 1.0);
     x * x * (3.0 - 2.0 * x)

@@ -1,16 +1,17 @@
 //! Riverseed: a river network that grows from a word.
 //!
-//! A [recipe](recipe::Recipe) holds a seed text and parameters. Rivers [grow] from their mouths into the [land], as water
-//! drains it, by space colonization or as a Brownian tree, are [trimmed](prune), read for their [hydrology](tree::Hydrology), made into
-//! a [network] of rivers that meander, and [painted](paint). Data flows one way:
+//! A [recipe](recipe::Recipe) holds a seed text and parameters. From it, rivers [grow] from their mouths into the
+//! [land], by drainage, by space colonization or as a Brownian tree. The tree is [trimmed](prune), its
+//! [hydrology](tree::Hydrology) is computed, and it is turned into a [network] of meandering rivers, which is
+//! [painted](paint). Data flows one way:
 //!
 //! ```text
 //! recipe ─► land ─► grow ─► prune ─► network ─► paint / export
 //! ```
 //!
-//! Each stage is a function of its part of the recipe, the stage before it and its own random stream, and is the same
-//! to the bit on every machine: `libm` instead of the platform's functions, sums in fixed point, no clock, no
-//! hash-map order.
+//! Each stage is a function of its part of the recipe, the previous stage and its own random stream. Results are the
+//! same to the bit on every machine: `libm` replaces the platform's functions, sums are in fixed point, and neither
+//! clocks nor the order of hash maps play a part.
 //!
 //! ```
 //! use riverseed::{Recipe, Session, export};
@@ -24,8 +25,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! A [`Session`] holds a recipe with what each stage has made of it, for programs that show growth step by step or
-//! change the recipe; a [`Picture`] is its pixels. To make rivers of a tree of your own, use [`network::Shaping`].
+//! A [`Session`] keeps a recipe together with the results of its stages, for programs that show growth step by step or
+//! change the recipe. A [`Picture`] is its pixels. To turn your own tree into rivers, use [`network::Shaping`].
 //!
 //! # Features
 //!
@@ -34,7 +35,9 @@
 //! - `json`: JSON and GeoJSON as text, and recipes in JSON.
 //! - `png`: PNG, written and read.
 //! - `pack`: the game pack, a ZIP of pictures and data, with `json` and `png`.
-//! - `cli`: the program `riverseed`, with all of these.
+//! - `controls` (default): the parameters' explanations, steps back and forth through growth, and previews while a parameter changes.
+//!
+//! The command line is the crate `riverseed-cli`.
 
 pub use glam;
 pub use tiny_skia;
@@ -49,7 +52,7 @@ pub use recipe::{
 pub use session::{Phase, Session, SessionError, Shortfall, Summary};
 pub use tree::Tree;
 
-// What unit tests share with those in `tests/` names the crate as those do.
+// Code that unit tests share with the tests in `tests/` calls the crate by its name.
 #[cfg(test)]
 extern crate self as riverseed;
 
@@ -107,8 +110,6 @@ mod simplify;
 mod skeletonize;
 mod sort;
 pub mod tree;
-#[cfg(target_arch = "wasm32")]
-mod web;
 mod wire;
 #[doc(hidden)]
 pub mod work;

@@ -1,22 +1,22 @@
-//! Asking for memory before it is taken, so that too little of it is an error and not the end.
+//! Memory is requested before it is used, so that a shortage is an error instead of an abort.
 //!
-//! A test of this crate says how large a list may become, and so sees each refusal: `testing::with_lists_up_to`.
+//! Tests can limit the size of lists to see each refusal: `testing::with_lists_up_to`.
 
-/// There was not enough memory.
+/// A request for memory that was refused.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Refused;
 
-/// Whether this many bytes can be allocated. They are freed at once, for the next allocation.
+/// Returns `true` if this many bytes can be allocated. They are freed at once, for the next allocation.
 pub(crate) fn can_allocate(bytes: usize) -> bool {
     is_allowed(bytes) && Vec::<u8>::new().try_reserve_exact(bytes).is_ok()
 }
 
-/// Asks for bytes that lists of the standard library take soon after.
+/// Checks that memory is available for lists of the standard library that are made soon after.
 pub(crate) fn ask(bytes: usize) -> Result<(), Refused> {
     if can_allocate(bytes) { Ok(()) } else { Err(Refused) }
 }
 
-/// Makes room for at least this many more items, and for more at once, so that many small requests cost little.
+/// Reserves room for `more` items or, so that many small requests are cheap, for a larger number.
 #[inline(never)] // one copy for each kind of list
 pub(crate) fn reserve<T>(list: &mut Vec<T>, more: usize) -> Result<(), Refused> {
     if !is_allowed((list.len() + more).saturating_mul(size_of::<T>())) {
@@ -25,7 +25,7 @@ pub(crate) fn reserve<T>(list: &mut Vec<T>, more: usize) -> Result<(), Refused> 
     list.try_reserve(more).map_err(|_| Refused)
 }
 
-/// Makes a list as long as this, of one item, with no room for more.
+/// Extends a list to a length with copies of an item, and leaves no spare room.
 #[inline(never)] // one copy for each kind of list
 pub(crate) fn lengthen<T: Clone>(list: &mut Vec<T>, length: usize, item: T) -> Result<(), Refused> {
     if !is_allowed(length.saturating_mul(size_of::<T>())) {
@@ -49,7 +49,7 @@ pub(crate) mod testing {
     use std::cell::Cell;
 
     thread_local! {
-        /// The most bytes that this thread may ask for at once.
+        /// The greatest number of bytes that this thread may request at once.
         static MOST: Cell<usize> = const { Cell::new(usize::MAX) };
     }
 
@@ -57,7 +57,7 @@ pub(crate) mod testing {
         bytes <= MOST.get()
     }
 
-    /// Does some work on this thread where no list may have more bytes than this.
+    /// Runs some work on this thread with lists limited to a number of bytes.
     pub(crate) fn with_lists_up_to<Done>(bytes: usize, work: impl FnOnce() -> Done) -> Done {
         let before = MOST.replace(bytes);
         let done = work();

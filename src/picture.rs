@@ -246,7 +246,7 @@ impl ChartKey {
 }
 
 /// Whether a session is finished, and its recipe wants a chart.
-pub(crate) fn is_to_be_charted(session: &Session) -> bool {
+pub fn is_to_be_charted(session: &Session) -> bool {
     session.phase() == Phase::Finished && ChartOptions::of(session.recipe()).any()
 }
 

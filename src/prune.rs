@@ -1,47 +1,48 @@
-//! Trimming (section 4.4 of the paper): short side branches go, a river's own ending stays.
+//! Trimming (section 4.4 of the paper): removes short side branches and keeps the end of each river.
 //!
-//! A node X goes when depth(X) < t and depth(X) < depth(parent(X)) − 1, and with it everything upstream: read
-//! literally, the paper would take only the first node of a side branch and leave the rest hanging in the air.
-//! The second inequality spares the deepest arm of every fork, so basins that meet do not draw apart, every node
-//! that stays keeps its depth, and every source of the trimmed tree was a source before.
+//! A node X is removed if depth(X) < t and depth(X) < depth(parent(X)) − 1, along with everything upstream of it. (Read
+//! literally, the paper removes only the first node of a side branch and leaves the rest disconnected.) The second
+//! condition spares the deepest branch of every fork. Therefore basins that meet do not draw apart, every remaining
+//! node keeps its depth, and every source of the trimmed tree was a source before.
 //!
-//! A Brownian tree has a mouth wherever its particles met the coast, most of them a brook's, so the sea counts as one more fork:
-//! basins go whose longest river is short, but not the deepest of all. Where mouths were asked for, each of them stays.
+//! A Brownian tree has a mouth wherever its particles met the coast, mostly of brooks. The sea then counts as one more
+//! fork: basins whose longest river is short are removed, except the deepest basin. If the recipe asks for mouths, all
+//! of them stay.
 
 use crate::tree::{Hydrology, Tree};
 
-/// Which branches are short enough to be removed.
+/// The branches to remove.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Trim {
-    /// The paper's t, in nodes: a side branch that is less deep goes.
+    /// The paper's t, in nodes: side branches with a lower depth are removed.
     pub nodes: u32,
-    /// Whether basins are side branches of the sea.
+    /// `true` if basins count as side branches of the sea.
     pub treats_sea_as_fork: bool,
-    /// The discharge with which a river begins: what drains less is hillside, and no part of the tree that is trimmed.
+    /// The discharge at which a river begins. Nodes with less are hillside and are removed.
     pub channel_area: u32,
 }
 
 impl Trim {
-    /// The trimming of side branches shorter than a length, of a tree whose nodes lie so far apart, both in units: as many nodes as
-    /// are nearest to that.
+    /// Trims side branches shorter than `length`, in a tree whose nodes are `node_length` apart. Both are in units; the
+    /// length is rounded to whole nodes.
     pub fn new(length: f32, node_length: f32, treats_sea_as_fork: bool) -> Self {
         Self { nodes: (length / node_length).round() as u32, treats_sea_as_fork, channel_area: 0 }
     }
 }
 
-/// A trimmed tree and what is left of the hydrology.
+/// A trimmed tree and its hydrology.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pruned {
-    /// The nodes that stay, in their old order.
+    /// The nodes that stay, in their original order.
     pub tree: Tree,
-    /// Depth and discharge as before (what fell on a trimmed branch still comes down the river it joined); order and magnitude of
-    /// the rivers that are left.
+    /// Depth, order and magnitude of the trimmed tree, and the discharge from before: water of removed branches still
+    /// flows down the rivers that they joined.
     pub hydrology: Hydrology,
-    /// Each node's place in the untrimmed tree.
+    /// The index of each node in the untrimmed tree.
     pub origin: Vec<u32>,
 }
 
-/// Trims a tree; a threshold of 0 leaves it as it is.
+/// Trims a tree. A threshold of 0 leaves it unchanged.
 pub fn trim(tree: &Tree, hydrology: &Hydrology, trim: Trim) -> Pruned {
     let depth = channel_depth(tree, &hydrology.discharge, trim.channel_area);
     let stays = stays(tree, &depth, &hydrology.discharge, trim);
@@ -52,7 +53,7 @@ pub fn trim(tree: &Tree, hydrology: &Hydrology, trim: Trim) -> Pruned {
     Pruned { tree, hydrology, origin }
 }
 
-/// The depth of each node in the tree of channels: 0 at a channel head, and on hillside.
+/// The depth of each node in the tree of channels; 0 at channel heads and on hillside.
 pub fn channel_depth(tree: &Tree, discharge: &[u32], channel_area: u32) -> Vec<u32> {
     let mut depth = vec![0u32; tree.len()];
     for node in (0..tree.len()).rev().filter(|&node| discharge[node] >= channel_area) {
@@ -63,7 +64,8 @@ pub fn channel_depth(tree: &Tree, discharge: &[u32], channel_area: u32) -> Vec<u
     depth
 }
 
-/// Whether each node stays. A parent stands before its children, so one pass lets a removal take all upstream of it.
+/// Returns for each node whether it stays. Parents precede their children, so in one pass a removal reaches everything
+/// upstream.
 pub fn stays(tree: &Tree, depth: &[u32], discharge: &[u32], trim: Trim) -> Vec<bool> {
     let sea = if trim.treats_sea_as_fork { depth.iter().max().map_or(0, |deepest| deepest + 1) } else { 0 };
     let mut stays = vec![true; tree.len()];
@@ -76,9 +78,9 @@ pub fn stays(tree: &Tree, depth: &[u32], discharge: &[u32], trim: Trim) -> Vec<b
     stays
 }
 
-/// The nodes that stay, as a tree of their own.
+/// Copies the nodes that stay into a new tree.
 fn compact(tree: &Tree, stays: &[bool], origin: &[u32], discharge: &[u32]) -> Tree {
-    // The new number of each old node: how many stay before it.
+    // The new index of each old node: the number of nodes before it that stay.
     let mut before = Vec::with_capacity(tree.len() + 1);
     let mut count = 0u32;
     for &stays in stays {
@@ -100,8 +102,8 @@ fn compact(tree: &Tree, stays: &[bool], origin: &[u32], discharge: &[u32]) -> Tr
     }
 }
 
-/// What each node drains besides its children: its discharge less theirs. A trimmed branch's water counts as the
-/// node's own that it joined.
+/// The amount that each node drains itself: its discharge less that of its children. The water of a removed branch
+/// counts as that of the node it joined.
 fn own_share(parent: &[u32], discharge: &[u32]) -> Vec<u32> {
     let mut drained = discharge.to_vec();
     for (&parent, &discharge) in parent.iter().zip(discharge) {

@@ -1,4 +1,4 @@
-//! A queue of numbered items, the cheapest first; of equally cheap ones, that with the lower number.
+//! A queue of numbered items, cheapest first; among equally cheap items, the lowest number first.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -10,7 +10,7 @@ use crate::sort;
 pub(crate) struct Queue(BinaryHeap<Reverse<u64>>);
 
 impl Queue {
-    /// Asks for the memory of more entries.
+    /// Reserves memory for more entries.
     pub fn reserve(&mut self, more: usize) -> Result<(), Refused> {
         if self.0.capacity() - self.0.len() >= more {
             return Ok(());
@@ -26,7 +26,7 @@ impl Queue {
         self.0.push(Reverse(u64::from(sort::key(cost)) << 32 | u64::from(item)));
     }
 
-    /// Takes out the cheapest.
+    /// Removes the cheapest item.
     #[inline]
     pub fn pop(&mut self) -> Option<u32> {
         self.0.pop().map(|Reverse(entry)| entry as u32)

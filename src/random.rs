@@ -1,8 +1,8 @@
-//! Chance, the same everywhere: a seed text becomes 64 bits, and each use of chance has a stream of its own.
+//! Random numbers that are the same everywhere: a seed text becomes 64 bits, and each use of chance has its own stream.
 //!
-//! A stream belongs to one purpose, so a new use of chance never shifts an old one. Where items are visited in no fixed
-//! order (the curl of a growing node), a random number is a hash of *which* item it is for, not of *when* that was
-//! visited: see [`ItemHash`].
+//! A stream serves one purpose, so a new use of chance never shifts an old one. Where items are visited in no fixed
+//! order (such as growing nodes, for their curl), the random number is a hash of the item, not of the moment at which
+//! it is visited: see [`ItemHash`].
 //!
 //! Sources: FNV-1a (Fowler, Noll, Vo; 64 bit) for text, the SplitMix64 finaliser (Steele, Lea, Flood 2014) for
 //! mixing, PCG32 (O'Neill 2014) from `rand_pcg`, which promises stable values.
@@ -11,38 +11,38 @@ use fastnoise_lite::{FastNoiseLite, FractalType, NoiseType};
 use rand::Rng;
 use rand_pcg::Pcg32;
 
-/// The 64 bits that a seed text stands for.
+/// The 64 bits that represent a seed text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Seed(u64);
 
-/// The purpose of a random stream. The numbers are part of every recipe's picture: never change one.
+/// The purpose of a random stream. The numbers decide every picture: never change one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u64)]
 pub enum Purpose {
-    /// Where rivers reach the sea.
+    /// Positions of river mouths.
     Mouths = 1,
-    /// Where attractors lie.
+    /// Positions of attractors.
     Attractors = 2,
-    /// How far each node's direction is turned.
+    /// Turns of each node's direction.
     Curl = 3,
     /// The shape of coasts and ridges.
     Land = 4,
-    /// Where the particles of a Brownian tree are born, in which order, and how they move.
+    /// Births, order and movement of the particles of a Brownian tree.
     Particles = 5,
-    /// How the banks of rivers vary, and where rivers meander.
+    /// Variation of river banks, and places where rivers meander.
     Courses = 6,
-    /// Hard and soft ground, and the heights that valleys are found by.
+    /// Hard and soft ground, and the heights from which valleys are found.
     Ground = 7,
-    /// Where hillsides are steep.
+    /// Steepness of hillsides.
     Relief = 8,
     /// The language of names.
     Names = 9,
-    /// Where trees and hills stand.
+    /// Positions of trees and hills.
     Scenery = 10,
 }
 
 impl Seed {
-    /// Hashes a text. Every text has a seed, the empty one too.
+    /// Hashes a text. Every text has a seed, even an empty one.
     #[inline(never)] // each copy weighs a hundred bytes
     pub fn from_text(text: &str) -> Self {
         const OFFSET_BASIS: u64 = 0xcbf2_9ce4_8422_2325;
@@ -51,18 +51,18 @@ impl Seed {
         Self(mix(fnv1a))
     }
 
-    /// A sequence of random numbers for one purpose.
+    /// Returns a sequence of random numbers for one purpose.
     pub fn stream(self, purpose: Purpose) -> Stream {
         Stream(Pcg32::new(self.0, purpose as u64))
     }
 
-    /// Random numbers for one purpose, each for an item.
+    /// Returns random numbers for one purpose, one for each item.
     pub fn item_hash(self, purpose: Purpose) -> ItemHash {
         ItemHash(mix(self.0 ^ (purpose as u64).wrapping_mul(GOLDEN_GAMMA)))
     }
 
-    /// Fractal noise over the plane for one purpose, from −1 to 1. The index tells one use from another; the frequency is that of the
-    /// broadest octave, each of the others has twice that of the one before.
+    /// Returns fractal noise over the plane, from −1 to 1. `index` separates uses with the same purpose; `frequency` is
+    /// that of the broadest octave and doubles with each further one.
     pub(crate) fn noise(self, purpose: Purpose, index: u32, frequency: f32, octaves: i32) -> FastNoiseLite {
         let mut noise = FastNoiseLite::with_seed(self.item_hash(purpose).bits([index, 0, 0]) as i32);
         noise.set_noise_type(Some(NoiseType::OpenSimplex2));
@@ -78,36 +78,36 @@ impl Seed {
 pub struct Stream(Pcg32);
 
 impl Stream {
-    /// The next number, uniform in `[0, 1)`, a multiple of 2⁻²⁴.
+    /// Returns the next number, uniform in `[0, 1)`, a multiple of 2⁻²⁴.
     pub fn unit(&mut self) -> f32 {
         unit_from_bits(self.bits())
     }
 
-    /// The next 32 random bits.
+    /// Returns the next 32 random bits.
     #[inline]
     pub fn bits(&mut self) -> u32 {
         self.0.next_u32()
     }
 
-    /// The next whole number below `end`; 0 if there is no such number. Uniform to within `end` in 2³².
+    /// Returns the next whole number below `end`, or 0 if there is none. Uniform to within `end` in 2³².
     #[inline]
     pub fn below(&mut self, end: u32) -> u32 {
         ((u64::from(self.bits()) * u64::from(end)) >> 32) as u32
     }
 }
 
-/// Random numbers by item: an item, three numbers that identify it, has the same random number however often and in whatever
-/// order it is looked up.
+/// Random numbers by item. An item is identified by three numbers and always has the same random number, however often
+/// and in whatever order it is asked for.
 #[derive(Clone, Copy, Debug)]
 pub struct ItemHash(u64);
 
 impl ItemHash {
-    /// The number of an item, uniform in `[0, 1)`, a multiple of 2⁻²⁴.
+    /// Returns the number of an item, uniform in `[0, 1)`, a multiple of 2⁻²⁴.
     pub fn unit(self, item: [u32; 3]) -> f32 {
         unit_from_bits(self.bits(item))
     }
 
-    /// The 32 random bits of an item.
+    /// Returns the 32 random bits of an item.
     #[inline(never)] // each copy weighs two hundred bytes
     pub fn bits(self, item: [u32; 3]) -> u32 {
         let [a, b, c] = item;
@@ -126,7 +126,7 @@ fn mix(bits: u64) -> u64 {
     z ^ (z >> 31)
 }
 
-/// The upper 24 bits as a fraction: exact in `f32`, and never 1.
+/// Returns the upper 24 bits as a fraction: exact in `f32`, and never 1.
 fn unit_from_bits(bits: u32) -> f32 {
     const TWO_POW_MINUS_24: f32 = 1.0 / 16_777_216.0;
     (bits >> 8) as f32 * TWO_POW_MINUS_24

@@ -1,8 +1,8 @@
-//! Simplifying lines by the method of Visvalingam and Whyatt (1993): the point that makes the least difference goes
-//! first, and the difference is the area of the triangle with its neighbours.
+//! Line simplification by the method of Visvalingam and Whyatt (1993): the least important point is removed first. A
+//! point's importance is the area of the triangle that it forms with its neighbours.
 //!
-//! Areas compare across lines, and keep their ratios when a drawing is stretched: so any number of lines can share one budget of
-//! points, whatever the shape of their domain.
+//! Areas can be compared across lines and keep their ratios when a drawing is stretched. Therefore any number of lines
+//! can share one budget of points, whatever the shape of their domain.
 
 mod areas;
 
@@ -11,12 +11,12 @@ use glam::Vec2;
 use crate::geometry::fast_max;
 use areas::Areas;
 
-/// No neighbour.
+/// Marks a missing neighbour.
 pub(crate) const NONE: u32 = u32::MAX;
 
-/// The area that each point of a line stands for: at least those of the points that go before it. Dropping all points
-/// below a threshold simplifies the line. Infinite for the ends of an open line, and for the last three points of a
-/// closed one: these never go. O(n log n).
+/// The importance of each point of a line: the area of its triangle, or that of a point removed before it if greater.
+/// Dropping all points below a threshold simplifies the line. Infinite for points that are never removed: the ends of
+/// an open line, and the last three points of a closed one. O(n log n).
 pub(crate) fn significance(points: &[Vec2], is_closed: bool) -> Vec<f32> {
     let count = points.len() as u32;
     let end = |i: u32| if is_closed { i } else { NONE };
@@ -30,7 +30,7 @@ pub(crate) fn significance(points: &[Vec2], is_closed: bool) -> Vec<f32> {
     significance
 }
 
-/// A point of a line, with the neighbours that it has left; without two of them it stays.
+/// A point of a line and its remaining neighbours. A point without two of them stays.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Place {
     pub at: Vec2,
@@ -38,7 +38,7 @@ pub(crate) struct Place {
     pub after: u32,
 }
 
-/// The points that are left of some lines.
+/// Lines with the points that remain.
 pub(crate) struct Lines {
     places: Vec<Place>,
     is_gone: Vec<bool>,
@@ -50,14 +50,14 @@ impl Lines {
         Self { is_gone: vec![false; places.len()], left: places.len(), places }
     }
 
-    /// Takes out one point after the other, the least area first, as long as `may_go` lets the next one go. A point that
-    /// may not is tried again when one of its neighbours has gone. The areas passed to `tell` never decrease.
+    /// Removes one point after the other, the smallest area first, as long as `may_go` allows. A refused point is tried
+    /// again once one of its neighbours has been removed. The areas passed to `tell` never decrease.
     pub fn simplify(mut self, mut may_go: impl FnMut(&Self, [u32; 3]) -> bool, mut tell: impl FnMut(u32, f32)) {
         let mut queue = Areas::with_room_for(self.places.len());
         let mut highest = 0.0;
         (0..self.places.len() as u32).for_each(|i| self.enter(i, &mut queue));
         while let Some((area, i)) = queue.pop() {
-            // An entry is out of date when its point has gone or its neighbours have changed since.
+            // An entry is out of date if its point has been removed or its neighbours have changed.
             let Some(triangle) = self.triangle(i).filter(|triangle| self.area(triangle).to_bits() == area.to_bits())
             else {
                 continue;
@@ -75,12 +75,12 @@ impl Lines {
         self.is_gone[i as usize]
     }
 
-    /// Where a point lies.
+    /// The position of a point.
     pub fn at(&self, i: u32) -> Vec2 {
         self.places[i as usize].at
     }
 
-    /// A point between its neighbours; `None` if it has not two.
+    /// A point between its neighbours; `None` if one of them is missing.
     fn triangle(&self, i: u32) -> Option<[u32; 3]> {
         let Place { before, after, .. } = self.places[i as usize];
         (before != NONE && after != NONE).then_some([before, i, after])
@@ -99,7 +99,7 @@ impl Lines {
 
     fn unlink(&mut self, [before, i, after]: [u32; 3]) -> [u32; 2] {
         self.places[before as usize].after = after;
-        // What follows a tributary's last point is a point of the river that it joins, with neighbours of its own.
+        // The point after a tributary's last point belongs to the river that it joins, and has neighbours there.
         if self.places[after as usize].before == i {
             self.places[after as usize].before = before;
         }

@@ -1,11 +1,12 @@
-//! Thinning by Zhang and Suen (1984): a pattern of pixels becomes lines one pixel wide, as in section 6.1 of the paper.
+//! Thinning by Zhang and Suen (1984): turns a pattern of pixels into lines one pixel wide, as in section 6.1 of the
+//! paper.
 
-/// The least coverage of a pixel that counts as set.
+/// The smallest coverage of a pixel that counts as set.
 pub(crate) const IS_SET: u8 = 128;
 
-/// Thins a mask of the given width in place: pixels that are set come out as 255, all others 0.
+/// Thins a mask of the given width in place. Pixels of the lines become 255, all others 0.
 ///
-/// Only set pixels are visited, so the cost goes with the length of the rivers, not with the size of the picture.
+/// Only set pixels are visited, so the cost depends on the length of the rivers, not on the size of the picture.
 pub(crate) fn thin(pixels: &mut [u8], width: usize) {
     let mut set: Vec<usize> = Vec::new();
     for (i, pixel) in pixels.iter_mut().enumerate() {
@@ -29,7 +30,8 @@ pub(crate) fn thin(pixels: &mut [u8], width: usize) {
     }
 }
 
-/// The eight neighbours as bits, clockwise from the one above (the paper's P2 to P9); outside the picture is empty.
+/// The eight neighbours as bits, clockwise from the one above (the paper's P2 to P9). Pixels outside the picture are
+/// not set.
 fn neighbours(pixels: &[u8], width: usize, i: usize) -> u8 {
     const CLOCKWISE: [(isize, isize); 8] = [(0, -1), (1, -1), (1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0), (-1, -1)];
     let (x, y) = ((i % width) as isize, (i / width) as isize);
@@ -41,14 +43,14 @@ fn neighbours(pixels: &[u8], width: usize, i: usize) -> u8 {
     CLOCKWISE.iter().enumerate().fold(0, |bits, (bit, (dx, dy))| bits | u8::from(is_set(x + dx, y + dy)) << bit)
 }
 
-/// Whether a pixel with these neighbours is taken away in a pass.
+/// Returns `true` if a pixel with these neighbours is removed in this pass.
 fn goes(neighbours: u8, is_first_pass: bool) -> bool {
     const UP: u8 = 1;
     const RIGHT: u8 = 1 << 2;
     const DOWN: u8 = 1 << 4;
     const LEFT: u8 = 1 << 6;
     let all_set = |mask: u8| neighbours & mask == mask;
-    // Steps from empty to set around the circle: the next bit is set where this one is not.
+    // The number of steps from empty to set around the circle: a bit is not set and the next one is.
     let starts = (!neighbours & neighbours.rotate_right(1)).count_ones();
     let keeps_ends_and_insides = (2..=6).contains(&neighbours.count_ones()) && starts == 1;
     let on_the_pass_s_side = if is_first_pass {

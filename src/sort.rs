@@ -1,18 +1,19 @@
-//! Putting things in order, all by one kind of key, and digit by digit: every kind of sort of the standard library adds
-//! four kilobytes to the wasm file, and most lists sorted here are short.
+//! Sorting by one kind of key, digit by digit. Each kind of sort in the standard library would add four kilobytes to
+//! the wasm file, and most lists sorted here are short.
 
-/// The positions of keys in ascending order of the keys; of equal ones, the earlier first.
+/// Returns the positions of keys in ascending order of the keys. Equal keys keep their order.
 pub(crate) fn argsort(keys: impl IntoIterator<Item = u32>) -> Vec<usize> {
     order_of(&keys.into_iter().collect::<Vec<u32>>())
 }
 
 #[inline(never)] // one copy, whatever the keys come from
 fn order_of(keys: &[u32]) -> Vec<usize> {
-    // Each key with its position, so that a long list is read from end to end, and not looked up all over memory.
+    // Each key is stored with its position, so that a long list is read in sequence and not looked up all over memory.
     let mut items: Vec<u64> = (0..).zip(keys).map(|(i, &key): (u64, _)| u64::from(key) << 32 | i).collect();
     let mut sorted = items.clone();
     let differing = keys.iter().fold(0, |differing, key| differing | (key ^ keys[0]));
-    // From the least digit to the greatest: each leaves those equal in it as the lesser ones have put them.
+    // Digits are sorted from the lowest to the highest. Each pass keeps the order of the previous ones among equal
+    // digits.
     for shift in [0, 8, 16, 24].into_iter().filter(|shift| (differing >> shift) as u8 != 0) {
         by_digit(&items, &mut sorted, 32 + shift);
         std::mem::swap(&mut items, &mut sorted);
@@ -20,7 +21,7 @@ fn order_of(keys: &[u32]) -> Vec<usize> {
     items.into_iter().map(|item| item as u32 as usize).collect()
 }
 
-/// Items in ascending order of one byte of theirs; of equal ones, the earlier first (counting sort).
+/// Sorts items by one byte, keeping the order of equal ones (counting sort).
 fn by_digit(items: &[u64], sorted: &mut [u64], shift: u32) {
     const DIGITS: usize = 256;
     let digit = |item: u64| (item >> shift) as usize % DIGITS;
@@ -37,18 +38,18 @@ fn by_digit(items: &[u64], sorted: &mut [u64], shift: u32) {
     }
 }
 
-/// The same of values that are copied out in ascending order.
+/// Returns a copy of the values in ascending order.
 pub(crate) fn sorted(values: &[f32]) -> Vec<f32> {
     argsort(values.iter().map(|&value| key(value))).into_iter().map(|i| values[i]).collect()
 }
 
-/// The value below which a share of all values lies, from the least at 0 to the greatest at 1; 0 of none.
+/// The quantile of some values: the least for a share of 0, the greatest for 1. Returns 0 if there are none.
 pub(crate) fn quantile(values: &[f32], share: f32) -> f32 {
     let index = (share * values.len().saturating_sub(1) as f32) as usize;
     sorted(values).get(index).copied().unwrap_or(0.0)
 }
 
-/// A number's key: as `f32::total_cmp` orders numbers.
+/// The key of a number. Keys are ordered as by `f32::total_cmp`.
 pub(crate) fn key(value: f32) -> u32 {
     let bits = value.to_bits();
     if bits >> 31 == 1 { !bits } else { bits | 1 << 31 }

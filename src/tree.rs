@@ -1,51 +1,51 @@
 //! The tree of rivers as arrays, and its hydrology.
 //!
-//! A node's parent, the node downstream of it, always stands earlier in the list, so one pass from the end to the
-//! start visits every node after all that drain into it.
+//! The parent of a node is the node downstream of it. Parents always precede their children in the list, so one pass
+//! from the end to the start visits every node after all nodes that drain into it.
 
 use glam::Vec2;
 
 /// The parent of a mouth.
 pub const NO_PARENT: u32 = u32::MAX;
 
-/// The identity of a node that no grower made: where a river was made to join another that it crossed.
+/// The identity of a node that no grower made, such as the node at which two crossing rivers were joined.
 pub const UNGROWN: u32 = u32::MAX;
 
-/// The slope at the mouth of a river that drains everything: a few units in a thousand.
+/// The slope at the mouth of a river that drains the whole map: a few units in a thousand.
 pub const LEAST_SLOPE: f32 = 0.055 / 14.0;
 
-/// Nodes that grew from river mouths. A forest, to be exact: one tree a mouth.
+/// The nodes that grew from river mouths. Strictly a forest: one tree for each mouth.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Tree {
-    /// Where each node lies, in domain units.
+    /// The position of each node, in domain units.
     pub at: Vec<Vec2>,
     /// The node downstream, earlier in the list; [`NO_PARENT`] at a mouth.
     pub parent: Vec<u32>,
-    /// How much each node itself drains: the attractors it was nearest to when they were used up or growth ended; of a
-    /// Brownian tree itself, one cell of river (see [`crate::grow::Brownian`]).
+    /// The amount that each node itself drains: the number of attractors nearest to it when they were used up or growth
+    /// ended; in a Brownian tree, one cell of river (see [`crate::grow::Brownian`]).
     pub drained: Vec<u32>,
-    /// The number of nodes before each tick, tick 0 first: the nodes of tick `t` start at `tick_starts[t]`.
+    /// The number of nodes before each tick, from tick 0: the nodes of tick `t` start at `tick_starts[t]`.
     pub tick_starts: Vec<u32>,
-    /// How high each node lies over the sea, in units: a node is higher than its parent. Empty if the way of growing knows no
-    /// elevations, or not yet.
+    /// The elevation of each node above the sea, in units; every node is higher than its parent. Empty if the growth
+    /// method gives no elevations, or has not yet.
     pub elevation: Vec<f32>,
-    /// The number by which each node is known however the tree is trimmed: no two have the same, [`UNGROWN`] apart. Empty if that is its
-    /// place in this list.
+    /// The identity of each node, which trimming does not change. All identities differ, except [`UNGROWN`]. If empty,
+    /// a node's identity is its index.
     pub identity: Vec<u32>,
 }
 
 impl Tree {
-    /// The number by which a node is known; [`UNGROWN`] if it never grew.
+    /// The identity of a node; [`UNGROWN`] if it did not grow.
     pub fn identity_of(&self, node: usize) -> u32 {
         self.identity.get(node).copied().unwrap_or(node as u32)
     }
 
-    /// How many nodes there are.
+    /// The number of nodes.
     pub fn len(&self) -> usize {
         self.at.len()
     }
 
-    /// Whether the tree has no nodes.
+    /// Returns `true` if the tree has no nodes.
     pub fn is_empty(&self) -> bool {
         self.at.is_empty()
     }
@@ -59,7 +59,7 @@ impl Tree {
         }
     }
 
-    /// The tick in which each node grew, 0 at a mouth.
+    /// The tick in which each node grew; 0 at a mouth.
     pub fn ticks(&self) -> impl Iterator<Item = u32> {
         let ends = self.tick_starts.iter().skip(1).copied().chain([self.len() as u32]);
         (0u32..)
@@ -67,29 +67,29 @@ impl Tree {
             .flat_map(|(tick, (start, end))| std::iter::repeat_n(tick, end.saturating_sub(start) as usize))
     }
 
-    /// How many nodes are mouths.
+    /// The number of mouths.
     pub fn mouths(&self) -> usize {
         self.parent.iter().filter(|&&parent| parent == NO_PARENT).count()
     }
 }
 
-/// The hydrology that follows from the shape of a tree, per node.
+/// The hydrology of a tree, for each node.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Hydrology {
-    /// The paper's depth (section 4.4): 0 at a source, else one more than the deepest child.
+    /// The paper's depth (section 4.4): 0 at a source, otherwise one more than that of the deepest child.
     pub depth: Vec<u32>,
-    /// Strahler's stream order: 1 at a source; where two or more children share the highest order, one more than
-    /// that, else the highest.
+    /// Strahler's stream order: 1 at a source; otherwise the highest order among the children, plus one if two or more
+    /// share it.
     pub order: Vec<u8>,
-    /// Shreve's magnitude: the number of sources upstream, 1 at a source itself.
+    /// Shreve's magnitude: the number of sources upstream; 1 at a source.
     pub magnitude: Vec<u32>,
-    /// What is drained at and above the node. Width goes with its square root (Leopold and Maddock 1953), so
-    /// that squared widths add where rivers join.
+    /// The amount drained at the node and upstream of it. Width is proportional to its square root (Leopold and Maddock
+    /// 1953), so squared widths add up where rivers join.
     pub discharge: Vec<u32>,
 }
 
 impl Hydrology {
-    /// Reads a tree. One pass from the sources down.
+    /// Computes the hydrology of a tree in one pass, from the sources down.
     #[inline(never)] // one copy is enough
     pub fn of(tree: &Tree) -> Self {
         let count = tree.len();
@@ -109,8 +109,8 @@ impl Hydrology {
         this
     }
 
-    /// Of each node's arms the one that is its river's own: that with the greatest discharge, of equal ones the longest, then the
-    /// first; [`NO_PARENT`] at a source.
+    /// For each node, the child that continues its river upstream: the one with the greatest discharge; among equals
+    /// the longest, then the first. [`NO_PARENT`] at a source.
     pub fn own_arms(&self, tree: &Tree) -> Vec<u32> {
         let mut own_arm = vec![NO_PARENT; tree.len()];
         let size = |node: u32| (self.discharge[node as usize], self.depth[node as usize]);
@@ -124,13 +124,13 @@ impl Hydrology {
         own_arm
     }
 
-    /// All children have been added to a node: settle its order and magnitude.
+    /// Settles order and magnitude of a node to which all children have been added.
     fn finish(&mut self, node: usize, highest_is_shared: bool) {
         self.order[node] += u8::from(highest_is_shared || self.order[node] == 0);
         self.magnitude[node] = self.magnitude[node].max(1);
     }
 
-    /// Adds a node to the one downstream of it.
+    /// Adds a node to its parent.
     fn flow(&mut self, node: usize, parent: usize, highest_is_shared: &mut bool) {
         self.depth[parent] = self.depth[parent].max(self.depth[node] + 1);
         self.magnitude[parent] += self.magnitude[node];
@@ -150,7 +150,7 @@ impl Hydrology {
 mod tests {
     use super::*;
 
-    /// A tree of the given parents that drains one attractor a node.
+    /// Builds a tree from its parents; each node drains one attractor.
     fn tree(parents: &[i32]) -> Tree {
         Tree {
             at: vec![Vec2::ZERO; parents.len()],

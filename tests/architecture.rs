@@ -25,7 +25,7 @@ fn module_of(file: &Path) -> Vec<String> {
 
 /// The modules of the crate and what each uses outside tests, by their whole paths.
 fn uses() -> BTreeMap<Vec<String>, BTreeSet<Vec<String>>> {
-    let is_of_the_library = |path: &PathBuf| !path.starts_with("src/bin") && !path.ends_with("tests.rs");
+    let is_of_the_library = |path: &PathBuf| !path.ends_with("tests.rs");
     let files = files(Path::new("src")).into_iter().filter(|path| path.extension().is_some_and(|end| end == "rs"));
     let files: Vec<_> = files.filter(is_of_the_library).collect();
     let modules: BTreeSet<Vec<String>> = files.iter().map(|file| module_of(file)).collect();
@@ -131,7 +131,6 @@ fn rules() -> Vec<(Vec<String>, Modules)> {
         let places = cells[0].split(", ").map(|place| place.trim_matches([' ', '`']));
         let names: Vec<String> = places
             .filter_map(|place| place.strip_prefix("src/"))
-            .filter(|place| !place.starts_with("bin/"))
             .map(|place| place.split(['/', '.']).next().unwrap().to_owned())
             .collect();
         let mut may_use: Modules = cells[2].split([',', ';', ' ', '`']).map(str::to_owned).collect();

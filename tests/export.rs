@@ -1,6 +1,6 @@
 //! What is exported opens in the readers that others wrote.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
-#![cfg(feature = "cli")]
+#![cfg(feature = "pack")]
 
 use std::collections::BTreeSet;
 

@@ -1,6 +1,6 @@
 //! What a finished map answers about its rivers.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
-#![cfg(feature = "cli")]
+#![cfg(feature = "pack")]
 
 use crate::common::property::cases;
 use crate::common::random_link;

@@ -1,5 +1,5 @@
 //! Names: distinct within a map, the same whatever is trimmed or shaped, one's own kept, and none that breaks a file.
-#![cfg(feature = "cli")]
+#![cfg(feature = "pack")]
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use std::collections::{BTreeMap, BTreeSet};

@@ -5,7 +5,7 @@
 //! `RIVERSEED_REFRESH=1 cargo test --all-features --test all schema` writes the schema's part about recipes and the page's table again,
 //! and then fails.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
-#![cfg(feature = "cli")]
+#![cfg(feature = "pack")]
 
 use std::fs;
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -100,5 +100,8 @@ fn the_table_of_members_in_the_page_about_files_is_the_schema_s() {
         fs::write(PAGE, format!("{before}{HEAD}{table}\n{after}")).unwrap();
         panic!("the page's table is written again: run without RIVERSEED_REFRESH");
     }
-    assert!(found == table.trim_end(), "write it again: RIVERSEED_REFRESH=1 cargo test --all-features --test all schema");
+    assert!(
+        found == table.trim_end(),
+        "write it again: RIVERSEED_REFRESH=1 cargo test --all-features --test all schema"
+    );
 }

@@ -1,4 +1,4 @@
-//! Drawing segments: ours, and tiny-skia's ways.
+//! Drawing of segments in our way and in tiny-skia's ways.
 
 use glam::Vec2;
 use riverseed::domain::Domain;
@@ -10,7 +10,7 @@ use tiny_skia::{FillRule, LineCap, Mask, Paint, PathBuilder, Pixmap, Stroke, Tra
 use super::growth::{grown, settings};
 use super::{ATTRACTORS_FOR_SEGMENTS, Repetition, SIDE};
 
-/// How many segments are drawn.
+/// The number of segments.
 const SEGMENTS: usize = 100_000;
 
 /// A line whose radius runs from one end to the other, in pixels.
@@ -21,7 +21,7 @@ struct Segment {
     radius_b: f32,
 }
 
-/// The first hundred thousand segments of a tree, as wide as its rivers are.
+/// The first hundred thousand segments of a tree, with the widths of its rivers.
 fn segments() -> Option<Vec<Segment>> {
     let settings = settings(&ATTRACTORS_FOR_SEGMENTS.to_string(), "3")?;
     let growth = grown(&settings)?;
@@ -57,7 +57,7 @@ pub fn capsules() -> Option<Repetition> {
     }))
 }
 
-/// tiny-skia's first way: a ribbon a segment, filled into a mask.
+/// tiny-skia's first way: one ribbon a segment, filled into a mask.
 pub fn mask_ribbons() -> Option<Repetition> {
     let segments = segments()?;
     let mut mask = Mask::new(SIDE, SIDE)?;
@@ -68,7 +68,7 @@ pub fn mask_ribbons() -> Option<Repetition> {
     }))
 }
 
-/// The second: the same onto a picture.
+/// The second way: ribbons filled into a picture.
 pub fn ribbons() -> Option<Repetition> {
     let segments = segments()?;
     let mut pixmap = Pixmap::new(SIDE, SIDE)?;
@@ -81,7 +81,8 @@ pub fn ribbons() -> Option<Repetition> {
     }))
 }
 
-/// The third: a stroke a segment with round ends, of one width, as tiny-skia knows no other.
+/// The third way: one stroke a segment with round ends and one width, because tiny-skia has no strokes of varying
+/// width.
 pub fn strokes() -> Option<Repetition> {
     let segments = segments()?;
     let mut pixmap = Pixmap::new(SIDE, SIDE)?;
@@ -101,7 +102,7 @@ pub fn strokes() -> Option<Repetition> {
     }))
 }
 
-/// Makes a path of each segment, in the memory of the one before, and fills it.
+/// Makes a path for each segment, in the memory of the previous one, and fills it.
 fn fill_ribbons(segments: &[Segment], mut fill: impl FnMut(&tiny_skia::Path)) {
     let mut builder = PathBuilder::new();
     for &Segment { a, radius_a, b, radius_b } in segments {
@@ -116,7 +117,7 @@ fn fill_ribbons(segments: &[Segment], mut fill: impl FnMut(&tiny_skia::Path)) {
     }
 }
 
-/// Keeps the compiler from leaving pixels out; costs little compared with drawing them.
+/// Keeps the compiler from leaving out pixels, at a low cost compared with drawing.
 fn sum(pixels: &[u8]) -> u32 {
     pixels.iter().map(|&pixel| u32::from(pixel)).sum()
 }

@@ -30,12 +30,12 @@ impl Write for Counter {
     }
 }
 
-/// An island of which nothing is trimmed, with all rounds of meandering: what grows with the number of attractors.
+/// An untrimmed island with all rounds of meandering, whose size grows with the number of attractors.
 fn large(growth: &str, attractors: &str) -> Option<Recipe> {
     recipe(&format!("growth={growth}&land=island&mouths=0&trim=0&style=atlas&attractors={attractors}"))
 }
 
-/// Everything of a map, its relief included, and its three files of data; the number of vertices.
+/// Makes a whole map with its relief and its three data files. Returns the number of vertices.
 pub fn whole(growth: &str, attractors: &str) -> Option<Repetition> {
     let recipe = large(growth, attractors)?;
     let vertices = move || -> Option<u32> {
@@ -47,7 +47,7 @@ pub fn whole(growth: &str, attractors: &str) -> Option<Repetition> {
     Some(Box::new(move || vertices().unwrap_or(0)))
 }
 
-/// A file of a map that is finished; its length in kB.
+/// Writes a file of a finished map. Returns its length in kB.
 pub fn file(form: &str, attractors: &str) -> Option<Repetition> {
     let mut session = Session::new(large("colonize", attractors)?).ok()?;
     session.finish().ok()?;
@@ -65,7 +65,8 @@ fn written(session: &Session, form: &str) -> Option<u64> {
     Some(out.0)
 }
 
-/// A picture of a default map as PNG; its length in kB. Ours, or by the crate's own balance of time and size.
+/// Writes a picture of a default map as PNG, with our settings or the crate's own balance of time and size. Returns its
+/// length in kB.
 pub fn png(style: &str, is_balanced: bool) -> Option<Repetition> {
     let recipe = link::read(&format!("style={style}")).ok()?;
     let mut session = Session::new(recipe.clone()).ok()?;

@@ -28,32 +28,32 @@ pub fn all_grown(recipe: &Recipe) -> Option<Growth> {
     Some(growth)
 }
 
-/// Growth from the recipe to the last node; the number of nodes.
+/// Grows from the recipe to the last node. Returns the number of nodes.
 pub fn growth(attractors: &str, reach: &str) -> Option<Repetition> {
     let settings = settings(attractors, reach)?;
     Some(Box::new(move || grown(&settings).map_or(0, |growth| growth.tree().len() as u32)))
 }
 
-/// Shaping a land; how many regions it has.
+/// Shapes a land. Returns the number of regions.
 pub fn shaping(kind: &str) -> Option<Repetition> {
     let recipe = recipe(&format!("land={kind}"))?;
     Some(Box::new(move || Land::of(&recipe).map_or(0, |land| land.regions().len() as u32)))
 }
 
-/// Growth on a land that is there already; the number of nodes.
+/// Grows on an existing land. Returns the number of nodes.
 pub fn growth_on(kind: &str, attractors: &str) -> Option<Repetition> {
     let land = if kind == "drawn" { DRAWN.to_owned() } else { format!("land={kind}") };
     let settings = GrowthSettings::of(&recipe(&format!("{BARE}&{land}&attractors={attractors}"))?);
     Some(Box::new(move || grown(&settings).map_or(0, |growth| growth.tree().len() as u32)))
 }
 
-/// The same by brute force.
+/// Grows by brute force. Returns the number of nodes.
 pub fn the_twin(attractors: &str, reach: &str) -> Option<Repetition> {
     let settings = settings(attractors, reach)?;
     Some(Box::new(move || twin::grow(&settings).len() as u32))
 }
 
-/// How many of 120 trees, six presets with twenty seeds each, are the twin's to the bit.
+/// The number of trees that equal the twin's to the bit, out of 120: six presets with twenty seeds each.
 pub fn equal_variants() -> u32 {
     let links = PRESETS.iter().flat_map(|preset| {
         (0..20u32).map(move |seed| format!("seed={seed}&preset={}&attractors=400&mouths={}", preset.name, 1 + seed % 4))
@@ -79,7 +79,7 @@ fn square(side: &str) -> Option<Raster> {
     Some(Raster::with_sea(side, side, 1.0, Sides::parse("nesw")?))
 }
 
-/// Growth from the raster to the last node; the number of nodes.
+/// Grows from the raster to the last node. Returns the number of nodes.
 pub fn brownian(side: &str, sensitivity: &str) -> Option<Repetition> {
     let (raster, sensitivity) = (square(side)?, sensitivity.parse().ok()?);
     Some(Box::new(move || {
@@ -89,13 +89,13 @@ pub fn brownian(side: &str, sensitivity: &str) -> Option<Repetition> {
     }))
 }
 
-/// The same by a literal search of the disc after every move.
+/// Grows by a literal search of the disc after every move. Returns the number of nodes.
 pub fn literal_brownian(side: &str, sensitivity: &str) -> Option<Repetition> {
     let (raster, sensitivity) = (square(side)?, sensitivity.parse().ok()?);
     Some(Box::new(move || literal::grow(&raster, Seed::from_text("kauri"), sensitivity).len() as u32))
 }
 
-/// Drainage of a square from the recipe to its last round; the number of nodes.
+/// Drains a square, from the recipe to the last round. Returns the number of nodes.
 pub fn drainage(attractors: &str) -> Option<Repetition> {
     let recipe = recipe(&format!("growth=drainage&aspect=1&mouths=0&captures=5&attractors={attractors}"))?;
     Some(Box::new(move || all_grown(&recipe).map_or(0, |growth| growth.tree().len() as u32)))

@@ -1,4 +1,4 @@
-//! From a tree to rivers, and what becomes of rivers.
+//! From a tree to rivers, and work on rivers.
 
 use glam::Vec2;
 use riverseed::grow::Growth;
@@ -12,7 +12,7 @@ use super::bends::{Bend, bends};
 use super::growth::all_grown;
 use super::{Repetition, pairs, recipe};
 
-/// A plain map's tree to its rivers, all rounds of meandering made; the number of vertices.
+/// Turns the tree of a plain map into rivers, with all rounds of meandering. Returns the number of vertices.
 pub fn shaping_of_rivers() -> Option<Repetition> {
     let recipe = recipe("")?;
     let growth = all_grown(&recipe)?;
@@ -34,7 +34,7 @@ fn unshaped(recipe: &Recipe, growth: &Growth) -> Option<Shaping> {
     Shaping::new(&pruned.tree, growth.may_cross(), settings).ok()
 }
 
-/// Some 10,000 vertices of rivers that are halfway through their rounds, on each of several maps side by side.
+/// About 10,000 vertices of rivers halfway through their rounds, on each of several maps side by side.
 fn half_meandered(maps: u32) -> Option<Meander> {
     const ATTRACTORS: &str = "9000";
     let mut recipe = recipe("meander-rounds=400")?;
@@ -73,7 +73,7 @@ fn side_by_side(network: &Network, maps: u32, size: Vec2) -> Network {
     all
 }
 
-/// Rounds of meandering, one after the other; the number of rivers.
+/// Makes rounds of meandering, one after the other. Returns the number of rivers.
 pub fn round(maps: u32) -> Option<Repetition> {
     const ROUNDS: u32 = 12;
     let halfway = half_meandered(maps)?;
@@ -87,7 +87,7 @@ pub fn round(maps: u32) -> Option<Repetition> {
     }))
 }
 
-/// What a round has to know, by all pairs: without moving anything.
+/// The survey for a round by all pairs, without moving anything.
 pub fn all_pairs() -> Option<Repetition> {
     let meander = half_meandered(1)?;
     let network = meander.network().clone();

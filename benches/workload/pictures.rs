@@ -6,12 +6,12 @@ use riverseed::session::Session;
 
 use super::{ATTRACTORS_FOR_SEGMENTS, BARE, Repetition, SIDE, recipe};
 
-/// An island from its link to the finished picture; the number of rivers.
+/// Makes an island from its link to the finished picture. Returns the number of rivers.
 pub fn finished(growth: &str, attractors: &str) -> Option<Repetition> {
     pictured(recipe(&format!("growth={growth}&land=island&mouths=0&attractors={attractors}"))?)
 }
 
-/// A map from its recipe to the finished picture; the number of rivers.
+/// Makes a map from its recipe to the finished picture. Returns the number of rivers.
 pub fn pictured(recipe: Recipe) -> Option<Repetition> {
     let rivers = move || -> Option<u32> {
         let mut session = Session::new(recipe.clone()).ok()?;
@@ -23,7 +23,7 @@ pub fn pictured(recipe: Recipe) -> Option<Repetition> {
     Some(Box::new(move || rivers().unwrap_or(0)))
 }
 
-/// A parameter of the network or of its painting changes, on a plain map that is there already: until the finished picture.
+/// Changes a parameter of the network or of its painting on a finished plain map, up to the finished picture.
 pub fn late(one: &str, other: &str) -> Option<Repetition> {
     let recipes = [recipe(one)?, recipe(other)?];
     let mut session = Session::new(recipes[0].clone()).ok()?;
@@ -41,9 +41,9 @@ pub fn late(one: &str, other: &str) -> Option<Repetition> {
     }))
 }
 
-/// A session that goes from one recipe to another and back, painting each; the number of nodes.
+/// Switches a session from one recipe to another and back, and paints each. Returns the number of nodes.
 pub fn changes(one: &str, other: &str, attractors: u32, common: &str) -> Option<Repetition> {
-    // What a link says twice, it says for the last time.
+    // If a link names a key twice, the last value counts.
     let recipe = |change: &str| {
         let mut recipe = recipe(&format!("{common}&attractors={attractors}"))?;
         if let Some((name, value)) = change.split_once('=') {
@@ -66,7 +66,7 @@ pub fn changes(one: &str, other: &str, attractors: u32, common: &str) -> Option<
     }))
 }
 
-/// Grows the tree, of which rivers are made in the frames that follow; `None` if there is no memory for it.
+/// Grows the tree that is turned into rivers in the following frames. `None` if there is not enough memory.
 fn grow(session: &mut Session) -> Option<()> {
     while session.growth().ending().is_none() {
         session.advance(1).ok()?;
@@ -74,7 +74,7 @@ fn grow(session: &mut Session) -> Option<()> {
     Some(())
 }
 
-/// How many bytes of a picture painted while it grew differ from the picture painted at once.
+/// The number of bytes in which a picture painted during growth differs from the picture painted at once.
 pub fn differing_bytes() -> Option<u32> {
     const TICKS_A_FRAME: u32 = 8;
     let recipe = recipe(&format!("{BARE}&attractors={ATTRACTORS_FOR_SEGMENTS}"))?;

@@ -1,4 +1,4 @@
-//! The relief of finished rivers, and other styles when it is there.
+//! The relief of finished rivers, and changes of style afterwards.
 
 use riverseed::picture::Picture;
 use riverseed::recipe::link;
@@ -6,14 +6,14 @@ use riverseed::session::Session;
 
 use super::{Repetition, SIDE};
 
-/// A default map with the rivers of its finished network, but for what is said.
+/// A default map with the rivers of its finished network, except for the keys in `link`.
 fn map(link: &str) -> Option<Session> {
     let mut session = Session::new(link::read(link).ok()?).ok()?;
     session.finish().ok()?;
     Some(session)
 }
 
-/// The relief of a default map's finished rivers; the height of one cell, in bits.
+/// Solves the relief of a default map's finished rivers. Returns the height of one cell, in bits.
 pub fn relief() -> Option<Repetition> {
     let session = map("style=ink")?;
     Some(Box::new(move || {
@@ -27,8 +27,8 @@ pub fn restyled(style: &str) -> [String; 2] {
     [if style == "atlas" { "night" } else { "atlas" }, style].map(|style| format!("style={style}"))
 }
 
-/// A map on some land that is painted in another way, in which it has been painted before; one of its pixels. The picture that it is
-/// painted into is a copy, so that it is the same each time: without painting, that is all.
+/// Paints a map in another way, in which it has been painted before. Returns one of its pixels. It is painted into a
+/// copy of the picture, so that every run is the same; without painting, only the copy is made.
 pub fn repaint(land: &str, looks: &[String; 2], paints: bool) -> Option<Repetition> {
     let [Some(before), Some(after)] = looks.each_ref().map(|look| link::read(&format!("land={land}&{look}")).ok())
     else {

@@ -1,5 +1,5 @@
-//! Any link text is read leniently into a recipe in range; strictly it is read into the same one, or refused, and then the
-//! lenient reading has reported what it corrected.
+//! Any link text is read leniently into a recipe in range. Read strictly, it gives the same recipe, or is refused and
+//! the lenient reading has reported a correction.
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;

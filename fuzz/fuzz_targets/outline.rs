@@ -1,4 +1,4 @@
-//! Any outline text is refused with a reason or read into an outline that is written and read back; and the land of any
+//! Any outline text is refused with a reason, or read into an outline that is written and read back. The land of any
 //! outline has a coast that can be measured everywhere.
 #![no_main]
 
@@ -20,7 +20,7 @@ fuzz_target!(|text: &str| {
     recipe.set(Key::Land, "drawn").expect("it is one of the lands");
     recipe.set(Key::Outline, text).expect("it was parsed already");
     check_recipe(&recipe);
-    // There is none where nothing is drawn, or no water, or next to no land.
+    // There is no land if nothing is drawn, or no water, or hardly any land.
     let Some(land) = Land::of(&recipe) else { return };
     for (x, y) in (0..=10).flat_map(|x| (0..=10).map(move |y| (x, y))) {
         let height = land.coast_distance().height((x as f32 * 120.0, y as f32 * 80.0).into());

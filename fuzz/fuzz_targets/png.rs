@@ -7,7 +7,7 @@ use libfuzzer_sys::fuzz_target;
 use riverseed::import::png;
 use riverseed_fuzz::check_trace;
 
-/// The most pixels of a picture that is traced as well: larger ones take longer and show nothing else.
+/// The greatest number of pixels of a picture that is also traced: larger ones take longer and show nothing else.
 const MOST: usize = 64 * 64;
 
 fuzz_target!(|data: &[u8]| {

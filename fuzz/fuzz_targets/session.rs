@@ -1,5 +1,5 @@
-//! Whatever is done to a session while it grows, it ends, all in it is finite, and it is what a fresh session of its
-//! recipe is.
+//! A session ends whatever is done to it while it grows, holds only finite numbers, and equals a fresh session of its
+//! recipe.
 #![no_main]
 
 use arbitrary::Arbitrary;
@@ -11,7 +11,7 @@ use riverseed::recipe::table::TABLE;
 use riverseed::recipe::{Decimal, Key, Kind, Parameter, Recipe};
 use riverseed::session::Session;
 
-/// A recipe, and what is done to it.
+/// A recipe, and the acts on it.
 #[derive(Arbitrary, Debug)]
 struct Play {
     recipe: Vec<Choice>,
@@ -27,7 +27,7 @@ enum Act {
     Restart,
 }
 
-/// A value of a parameter, the parameter by its number in the table.
+/// A value of a parameter, given by the parameter's index in the table.
 #[derive(Arbitrary, Debug)]
 struct Choice {
     parameter: u8,
@@ -36,13 +36,13 @@ struct Choice {
 
 #[derive(Arbitrary, Debug)]
 enum Value {
-    /// How far from the least value to the greatest.
+    /// A share of the way from the smallest value to the greatest.
     Share(u16),
-    /// Where a text is wanted.
+    /// A text, for a parameter that takes one.
     Text(String),
 }
 
-/// The most acts and choices that are taken, and the most steps that anything below may take.
+/// The greatest number of acts and choices, and of steps in any loop below.
 const MOST_ACTS: usize = 12;
 const MOST_STEPS: u32 = 100_000;
 
@@ -69,7 +69,7 @@ fuzz_target!(|play: Play| {
     check_files(&session);
 });
 
-/// Defaults, where they do not take long.
+/// Defaults, except for values that take long.
 fn small() -> Recipe {
     let mut recipe = Recipe::default();
     recipe.set(Key::Attractors, "200").expect("it is in range");
@@ -103,7 +103,7 @@ fn text_of(parameter: &Parameter, value: &Value) -> String {
     }
 }
 
-/// Narrower ranges for what takes long.
+/// Narrower ranges for parameters that take long.
 fn most_work(key: Key) -> Option<(u32, u32)> {
     match key {
         Key::Attractors => Some((100, 400)),
@@ -149,7 +149,7 @@ fn is_finite(network: &Network) -> bool {
     network.vertices.iter().all(|v| v.at.is_finite() && v.left.is_finite() && v.right.is_finite())
 }
 
-/// All files can be written, and hold no number that is none.
+/// Checks that all files can be written and hold only numbers.
 fn check_files(session: &Session) {
     let svg = svg::svg(session).expect("it is finished");
     let paths = svg.split(" d=\"").skip(1).filter_map(|rest| rest.split('"').next());
@@ -158,6 +158,6 @@ fn check_files(session: &Session) {
     geojson::write(&mut text, session).expect("it is finished");
     json::write(&mut text, session, true).expect("it is finished");
     let text = String::from_utf8_lossy(&text);
-    // What is no number is written as null.
+    // A value that is not a number is written as null.
     assert!(!text.contains("[null") && !text.contains(",null"), "a column with a number that is none");
 }

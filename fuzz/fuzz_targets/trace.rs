@@ -1,11 +1,11 @@
 //! Any small picture is traced to an outline that fits a recipe, or refused with a reason. The first byte is the width;
-//! each other is a pixel: one of the colours that mean something, or a grey.
+//! each other byte is a pixel: one of the colours with a meaning, or a grey.
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
 use riverseed_fuzz::check_trace;
 
-/// The most pixels: larger pictures take longer and show nothing else.
+/// The greatest number of pixels: larger pictures take longer and show nothing else.
 const MOST: usize = 64 * 64;
 
 fuzz_target!(|data: &[u8]| {

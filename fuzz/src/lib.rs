@@ -1,9 +1,9 @@
-//! What several fuzz targets check.
+//! Checks that several fuzz targets share.
 
 use riverseed::land::trace::{Traced, trace};
 use riverseed::recipe::{LONGEST_OUTLINE, Outline, Recipe, link, table::TABLE};
 
-/// Every value of the recipe is in its range, and the recipe's link reads back, strictly and leniently.
+/// Checks that every value of the recipe is in its range, and that its link reads back, strictly and leniently.
 pub fn check_recipe(recipe: &Recipe) {
     for parameter in &TABLE {
         assert!(parameter.accepts(recipe.value(parameter.key)), "{}: {recipe:?}", parameter.name);
@@ -13,13 +13,13 @@ pub fn check_recipe(recipe: &Recipe) {
     assert_eq!(link::read_leniently(&written), (recipe.clone(), vec![]), "{written}");
 }
 
-/// What is said to people is there, and is text that can be shown anywhere.
+/// Checks that a message is not empty, and is text that can be shown anywhere.
 pub fn check_message(message: &str) {
     assert!(!message.is_empty());
     assert!(!message.chars().any(char::is_control), "{message:?}");
 }
 
-/// A picture is traced to an outline that a recipe can hold, or refused with a reason.
+/// Checks that a picture is traced to an outline that a recipe can hold, or refused with a reason.
 pub fn check_trace(width: u32, height: u32, rgba: &[u8]) {
     match trace(width, height, rgba) {
         Ok(Traced { outline, coasts, ridges, aspect, .. }) => {

@@ -6,6 +6,11 @@ from collections.abc import Mapping
 import numpy as np
 
 
+def keyword(name: str) -> str:
+    """Return the name of a parameter as Python spells it."""
+    return name.replace("-", "_")
+
+
 def texts(parameters: Mapping[str, object]) -> list[tuple[str, str]]:
     """Return names and values as links spell them."""
     return [(name.replace("_", "-"), _text(name, value)) for name, value in parameters.items()]

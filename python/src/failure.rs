@@ -3,8 +3,8 @@
 
 use std::io;
 
+use pyo3::PyErr;
 use pyo3::exceptions::{PyMemoryError, PyRuntimeError, PyValueError};
-use pyo3::{PyErr, PyResult};
 use riverseed::export::ExportError;
 use riverseed::grow::GrowError;
 use riverseed::network::ShapeError;
@@ -96,9 +96,4 @@ impl From<io::Error> for Failure {
             None => Self::Other(error.to_string()),
         }
     }
-}
-
-/// A result of the library as one of Python's.
-pub fn raised<T>(result: Result<T, impl Into<Failure>>) -> PyResult<T> {
-    result.map_err(|error| error.into().into())
 }

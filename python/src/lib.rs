@@ -1,26 +1,40 @@
-//! What Python asks of Riverseed: recipes in, bytes and arrays out. `riverseed/__init__.py` is its face there.
+//! What Python asks of Riverseed: a recipe in, a map out, and its files and arrays. `riverseed/__init__.py` is the face there.
 //!
 //! Everything long runs without the interpreter's lock, in steps between which signals are heard ([`steps`]).
 
+mod arrays;
 mod failure;
-mod form;
+mod file;
 mod map;
+mod names;
 mod network;
 mod order;
 mod relief;
 mod steps;
+mod values;
 
 use pyo3::prelude::*;
 
 /// The part of the package that is compiled.
 #[pymodule(gil_used = false)]
 mod _native {
+    use pyo3::prelude::*;
+    use riverseed::paint::LONGEST_SIDE;
+    use riverseed::relief::Grid;
+
     #[pymodule_export]
-    use crate::form::render;
+    use crate::file::form_of_file;
     #[pymodule_export]
-    use crate::network::network;
+    use crate::map::{Map, grow};
     #[pymodule_export]
-    use crate::order::parameters;
-    #[pymodule_export]
-    use crate::relief::relief;
+    use crate::values::parameters;
+
+    /// Facts of the library that its callers need.
+    #[pymodule_init]
+    fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        module.add("FORMS", crate::file::forms())?;
+        module.add("LAYERS", crate::file::layers())?;
+        module.add("LONGEST_SIDE", LONGEST_SIDE)?;
+        module.add("LONGEST_RASTER", Grid::MOST)
+    }
 }

@@ -1,7 +1,5 @@
 //! What a call asks for: a link, and parameters over it.
 
-use pyo3::prelude::*;
-use riverseed::recipe::table::TABLE;
 use riverseed::recipe::{Recipe, link};
 
 use crate::failure::Done;
@@ -14,10 +12,4 @@ pub fn recipe(link: &str, parameters: Parameters) -> Done<Recipe> {
     let (presets, parameters): (Vec<_>, Vec<_>) = parameters.into_iter().partition(|(name, _)| name == link::PRESET);
     let parts = [presets, link::pairs(link)?, parameters];
     Ok(parts.iter().try_fold(Recipe::default(), |recipe, pairs| link::apply(recipe, pairs))?)
-}
-
-/// The name of each parameter, with what it does.
-#[pyfunction]
-pub fn parameters() -> Vec<(&'static str, &'static str)> {
-    TABLE.iter().map(|parameter| (parameter.name, parameter.help)).collect()
 }

@@ -1,4 +1,4 @@
-//! `riverseed.relief`: heights, flow, basins and rivers on the cells of a map.
+//! The relief of a map: heights, flow, basins and rivers on its cells.
 
 use numpy::{Element, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
@@ -6,23 +6,26 @@ use pyo3::types::PyDict;
 use riverseed::export::rasters::{Layer, Rasters, Values};
 use riverseed::relief::METRES;
 
-use crate::form::{check_raster_size, rasters};
-use crate::map;
-use crate::network::array;
-use crate::order::{self, Parameters};
+use crate::arrays::array;
+use crate::failure::Failure;
+use crate::map::Map;
 
-/// Makes the arrays of a relief, by the names of the fields of `riverseed.Relief`.
-#[pyfunction]
-pub fn relief<'py>(
-    py: Python<'py>,
-    link: &str,
-    parameters: Parameters,
-    raster_size: Option<u32>,
-) -> PyResult<Bound<'py, PyDict>> {
-    let recipe = order::recipe(link, parameters)?;
-    check_raster_size(&recipe, raster_size)?;
-    let mut session = map::grow(py, recipe)?;
-    let rasters = rasters(py, &mut session, raster_size)?;
+/// Makes the rasters of a map, on its own grid unless a longer side is asked for.
+pub fn rasters(py: Python<'_>, map: &Map, size: Option<u32>) -> PyResult<Rasters> {
+    let refused = |error| Failure::from(error).of_option("raster_size");
+    // Before the relief is raised.
+    map.read(py, |session| {
+        size.map_or(Ok(()), |size| Rasters::grid(&session.domain(), size).map(drop).map_err(refused))
+    })?;
+    map.raise_relief(py)?;
+    map.read(py, |session| {
+        size.map_or_else(|| Rasters::new(session), |size| Rasters::with_size(session, size)).map_err(refused)
+    })
+}
+
+/// Makes the fields of `riverseed.Relief`.
+pub fn cells<'py>(py: Python<'py>, map: &Map, raster_size: Option<u32>) -> PyResult<Bound<'py, PyDict>> {
+    let rasters = rasters(py, map, raster_size)?;
     let columns = py.detach(|| Columns::of(&rasters));
     let sides = [rasters.rows, rasters.columns];
     let fields = PyDict::new(py);
@@ -55,7 +58,7 @@ impl Columns {
     }
 }
 
-/// Widths of rivers in units, of the thousandths that files have.
+/// Returns the widths of rivers in units, in the thousandths that files have.
 fn widths(rasters: &Rasters) -> Vec<f32> {
     match rasters.values(Layer::Rivers) {
         Values::Words(thousandths) => thousandths.into_iter().map(|width| f32::from(width) / 1000.0).collect(),
@@ -63,7 +66,7 @@ fn widths(rasters: &Rasters) -> Vec<f32> {
     }
 }
 
-/// A list as rows of an array of the same memory.
+/// Hands a list over as rows of an array of the same memory.
 fn grid<T: Element>(py: Python<'_>, cells: Vec<T>, sides: [usize; 2]) -> PyResult<Bound<'_, PyArray2<T>>> {
-    array(py, cells).reshape(sides)
+    array(py, cells)?.reshape(sides)
 }

@@ -10,6 +10,8 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+import riverseed
+
 SMALL = (
     "seed=Te+Awa&land=island&attractors=1500&trim=8&channel-area=2&width=10&labels=some"
     "&meander=flow&meander-rounds=300&meander-elsewhere=1&great-rivers=5"
@@ -31,6 +33,12 @@ def is_handed_over(array: NDArray[Any]) -> bool:
 def program() -> Path:
     """Return the command line, by which bytes are judged."""
     return Path(os.environ["RIVERSEED_PROGRAM"])
+
+
+@pytest.fixture(scope="session")
+def small() -> riverseed.Map:
+    """Return the small map, grown once for all tests: it does not change."""
+    return riverseed.grow(SMALL)
 
 
 @pytest.fixture

@@ -35,15 +35,46 @@ def test_the_package_says_that_it_is_typed() -> None:
     assert files("riverseed").joinpath("py.typed").is_file()
 
 
-def test_no_option_has_the_name_of_a_parameter() -> None:
-    for function in (riverseed.render, riverseed.network, riverseed.relief):
-        assert not set(inspect.signature(function).parameters) & set(riverseed.parameters())
-
-
 def test_everything_public_is_explained() -> None:
     for name in riverseed.__all__:
         thing = getattr(riverseed, name)
-        assert thing is riverseed.Form or inspect.getdoc(thing), name
+        assert isinstance(thing, tuple) or inspect.getdoc(thing), name
+    for name, member in vars(riverseed.Map).items():
+        assert name.startswith("_") or inspect.getdoc(member), name
+
+
+def test_parameters_are_those_of_the_manual() -> None:
+    manual = (README.parents[1] / "docs" / "parameters.md").read_text()
+    table = riverseed.parameters()
+    assert len(table) > 50
+    for keyword, parameter in table.items():
+        assert keyword == parameter.name.replace("-", "_")
+        assert parameter.help in manual, keyword
+        assert f"`{parameter.name}`" in manual, keyword
+
+
+def test_defaults_are_those_of_recipes() -> None:
+    recipe = riverseed.grow("attractors=100").recipe
+    defaults = {keyword: parameter.default for keyword, parameter in riverseed.parameters().items()}
+    assert {**recipe, "attractors": 20000} == defaults
+
+
+@pytest.mark.parametrize("keyword", riverseed.parameters())
+def test_ranges_and_choices_are_those_that_are_kept(keyword: str) -> None:
+    parameter = riverseed.parameters()[keyword]
+    has_range, has_length = parameter.kind in ("integer", "number"), parameter.kind in ("text", "outline")
+    assert (parameter.minimum is not None, parameter.maximum is not None) == (has_range, has_range)
+    assert (parameter.longest is not None, parameter.choices is not None) == (has_length, parameter.kind == "choice")
+    if parameter.maximum is not None and keyword != "edition":
+        allowed = f"is not between {parameter.minimum} and {parameter.maximum}".replace(".0 ", " ").removesuffix(".0")
+        with pytest.raises(ValueError, match=re.escape(allowed)):
+            riverseed.grow(**{keyword: parameter.maximum + 1})
+    if parameter.choices is not None:
+        with pytest.raises(ValueError, match=re.escape(f"'none such' is none of {', '.join(parameter.choices)}")):
+            riverseed.grow(**{keyword: "none such"})
+    if parameter.longest is not None:
+        with pytest.raises(ValueError, match=f"at most {parameter.longest} are allowed"):
+            riverseed.grow(**{keyword: "x" * (parameter.longest + 1)})
 
 
 def test_examples_of_the_readme_run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

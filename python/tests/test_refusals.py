@@ -1,5 +1,7 @@
 """What is no good is refused, with the name, the value and what is allowed."""
 
+import subprocess
+import sys
 from collections.abc import Callable
 from typing import Any
 
@@ -7,8 +9,6 @@ import numpy as np
 import pytest
 
 import riverseed
-
-ALL: list[Callable[..., object]] = [riverseed.render, riverseed.network, riverseed.relief]
 
 REFUSED: list[tuple[dict[str, Any], str]] = [
     ({"curl": 3}, "curl: 3 is not between 0 and 2"),
@@ -20,7 +20,7 @@ REFUSED: list[tuple[dict[str, Any], str]] = [
     ({"attractors": 10**10_000}, "attractors: the number has too many digits"),
     ({"attractors": 2.5}, "attractors: '2.5' is not a whole number"),
     ({"depth": 3}, "there is no parameter 'depth'"),
-    ({"style": "neon"}, "style: 'neon' is none of ink, skeleton, "),
+    ({"style": "neon"}, "style: 'neon' is not one of ink, skeleton, "),
     ({"seed": "x" * 1000}, "seed: the text has 1000 characters, at most 64 are allowed"),
     ({"seed": "a\0b"}, "seed: the text holds a character that cannot be shown"),
     ({"edition": 7}, "edition: 7 is unknown here"),
@@ -29,17 +29,13 @@ REFUSED: list[tuple[dict[str, Any], str]] = [
 ]
 
 
-@pytest.mark.parametrize("function", ALL)
 @pytest.mark.parametrize(("parameters", "message"), REFUSED)
-def test_parameters_are_refused_in_words_that_help(
-    function: Callable[..., object], parameters: dict[str, Any], message: str
-) -> None:
+def test_parameters_are_refused_in_words_that_help(parameters: dict[str, Any], message: str) -> None:
     with pytest.raises(ValueError, match=message):
-        function("seed=kauri", **parameters)
+        riverseed.grow("seed=kauri", **parameters)
 
 
-@pytest.mark.parametrize("function", ALL)
-def test_links_are_refused_in_words_that_help(function: Callable[..., object]) -> None:
+def test_links_are_refused_in_words_that_help() -> None:
     links = {
         "curl=3": "curl: 3 is not between 0 and 2",
         "curl=1&curl=1": "'curl' is given more than once",
@@ -51,45 +47,79 @@ def test_links_are_refused_in_words_that_help(function: Callable[..., object]) -
     }
     for link, message in links.items():
         with pytest.raises(ValueError, match=message):
-            function(link)
+            riverseed.grow(link)
 
 
-@pytest.mark.parametrize("function", ALL)
-def test_what_is_no_text_is_refused(function: Callable[..., object]) -> None:
-    for link in (None, 5, b"seed=kauri", ["seed=kauri"]):
+def test_what_is_no_text_is_refused() -> None:
+    links: list[Any] = [None, 5, b"seed=kauri", ["seed=kauri"]]
+    for link in links:
         with pytest.raises(TypeError, match="str"):
-            function(link)
-    for value in (None, True, b"0.5", [0.5], 1j):
+            riverseed.grow(link)
+    values: list[Any] = [None, True, b"0.5", [0.5], 1j]
+    for value in values:
         with pytest.raises(TypeError, match=f"curl: a text or a number is wanted, not {type(value).__name__}"):
-            function("seed=kauri", curl=value)
+            riverseed.grow("seed=kauri", curl=value)
 
 
-def test_options_are_refused_in_words_that_help() -> None:
-    refused: list[tuple[dict[str, Any], str]] = [
-        ({"form": "gif"}, "form: 'gif' is none of png, svg, "),
-        ({"form": ""}, "form: '' is none of png, svg, "),
-        ({"size": 0}, "size: 0 is not between 1 and 8192"),
-        ({"size": -5}, "size: -5 is not between 1 and 8192"),
-        ({"size": 8193}, "size: 8193 is not between 1 and 8192"),
-        ({"size": 2**64}, "size: 18446744073709551616 is not between 1 and 8192"),
-        ({"size": 300, "form": "svg"}, "size does not go with form 'svg'"),
-        ({"ratio": 2, "form": "json"}, "ratio does not go with form 'json'"),
-        ({"raster_size": 700}, "raster_size does not go with form 'png'"),
-        ({"ratio": 0.6}, "ratio: 0.6 is not from 0.5 to 4, in quarters"),
-        ({"ratio": float("nan")}, "ratio: NaN is not from 0.5 to 4, in quarters"),
-        ({"raster_size": 5000, "form": "zip"}, "raster_size: 5000 is not between 1 and 4096"),
-        ({"raster_size": 3, "form": "zip"}, "raster_size: rasters of this map are from 633 to 4096 pixels long, not 3"),
+def test_options_are_refused_in_words_that_help(small: riverseed.Map) -> None:
+    raster_range = "raster_size: rasters of this map are from 633 to 4096 pixels long, not 3"
+    refused: list[tuple[Callable[..., object], dict[str, Any], str]] = [
+        (small.raster, {"layer": "gif"}, "layer: 'gif' is none of heights, land, rivers, flow, basins"),
+        (small.raster, {"layer": "x" * 1000}, "layer: 'x{40}' is none of heights, "),
+        (small.png, {"size": 0}, "size: 0 is not between 1 and 8192"),
+        (small.png, {"size": -5}, "size: -5 is not between 1 and 8192"),
+        (small.png, {"size": 8193}, "size: 8193 is not between 1 and 8192"),
+        (small.zip, {"size": 2**64}, "size: 18446744073709551616 is not between 1 and 8192"),
+        (small.save, {"path": "a.svg", "size": 300}, "size does not go with form 'svg'"),
+        (small.save, {"path": "a.json", "ratio": 2}, "ratio does not go with form 'json'"),
+        (small.save, {"path": "a.png", "text": True}, "text does not go with form 'png'"),
+        (small.png, {"ratio": 0.6}, "ratio: 0.6 is not from 0.5 to 4, in quarters"),
+        (small.png, {"ratio": float("nan")}, "ratio: NaN is not from 0.5 to 4, in quarters"),
+        (small.zip, {"raster_size": 5000}, "raster_size: 5000 is not between 1 and 4096"),
+        (small.zip, {"raster_size": 3}, raster_range),
+        (small.raster, {"layer": "flow", "raster_size": 3}, raster_range),
+        (small.finer_relief, {"raster_size": 3}, raster_range),
     ]
-    for options, message in refused:
+    for function, options, message in refused:
         with pytest.raises(ValueError, match=message):
-            riverseed.render("seed=kauri", **options)
-    with pytest.raises(ValueError, match="raster_size: rasters of this map are from 633 to 4096 pixels long, not 3"):
-        riverseed.relief("seed=kauri", raster_size=3)
-    for size in (300.0, "300", [300]):
+            function(**options)
+    sizes: list[Any] = [300.0, "300", [300]]
+    for size in sizes:
         with pytest.raises(TypeError, match=f"size: a whole number is wanted, not {type(size).__name__}"):
-            riverseed.render("seed=kauri", size=size)  # type: ignore[arg-type]
+            small.png(size=size)
 
 
-def test_a_size_of_numpy_is_a_size() -> None:
+def test_the_ends_of_the_ranges_are_those_of_the_library() -> None:
+    tiny = riverseed.grow("attractors=100&aspect=4")
+    assert tiny.png(size=1)
+    assert max(tiny.finer_relief(4096).heights.shape) == 4096
+
+
+def test_a_size_of_numpy_is_a_size(small: riverseed.Map) -> None:
     size: Any = np.int32(50)
-    assert riverseed.render("attractors=100", size=size) == riverseed.render("attractors=100", size=50)
+    assert small.png(size=size) == small.png(size=50)
+
+
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="memory is limited as Linux does it")
+def test_too_little_memory_is_a_memory_error() -> None:
+    program = """
+import resource, riverseed
+small = riverseed.grow("attractors=300")
+pages = int(open("/proc/self/statm").read().split()[0]) * resource.getpagesize()
+resource.setrlimit(resource.RLIMIT_AS, (pages + (64 << 20), resource.RLIM_INFINITY))
+makers = {
+    "grow": lambda: riverseed.grow(attractors=1_000_000),
+    "png": lambda: small.png(size=8192),
+    "raster": lambda: small.raster("heights", raster_size=4096),
+    "finer_relief": lambda: small.finer_relief(4096),
+}
+for name, make in makers.items():
+    try:
+        make()
+    except MemoryError as error:
+        assert " MB, and the allocation failed" in str(error), error
+    else:
+        raise SystemExit(f"{name}: there was memory")
+assert small.png(size=50)
+"""
+    subprocess.run([sys.executable, "-c", program], check=True)

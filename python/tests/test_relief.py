@@ -20,9 +20,9 @@ def read(pack: zipfile.ZipFile, name: str) -> tuple[NDArray[Any], dict[str, str]
 
 
 @pytest.mark.parametrize("size", [None, 700])
-def test_arrays_are_the_rasters(size: int | None) -> None:
-    relief = riverseed.relief(SMALL, raster_size=size)
-    pack = zipfile.ZipFile(io.BytesIO(riverseed.render(SMALL, form="zip", size=50, raster_size=size)))
+def test_arrays_are_the_rasters(size: int | None, small: riverseed.Map) -> None:
+    relief = small.finer_relief(size) if size else small.relief
+    pack = zipfile.ZipFile(io.BytesIO(small.zip(size=50, raster_size=size)))
     steps, texts = read(pack, "heights")
     metres = (steps.astype(float) - int(texts["sea-level"])) * float(texts["metres-a-step"])
     step = float(texts["metres-a-step"])
@@ -39,17 +39,17 @@ def test_arrays_are_the_rasters(size: int | None) -> None:
     assert relief.basins.max() > 1
 
 
-def test_cells_cover_the_map() -> None:
-    for size in (None, 700):
-        relief = riverseed.relief(SMALL, raster_size=size)
+def test_cells_cover_the_map(small: riverseed.Map) -> None:
+    for relief in (small.relief, small.finer_relief(700)):
         rows, columns = relief.heights.shape
         for cells, length in ((columns, relief.size[0]), (rows, relief.size[1])):
             assert -0.01 < cells * relief.cell_size - length < relief.cell_size + 0.01
-    assert riverseed.relief(SMALL).cell_size == 2
+    assert small.relief.cell_size == 2
+    assert max(small.finer_relief(700).heights.shape) == 700
 
 
-def test_arrays_have_their_types_and_are_no_copies() -> None:
-    relief = riverseed.relief(SMALL)
+def test_arrays_have_their_types_and_are_no_copies(small: riverseed.Map) -> None:
+    relief = small.relief
     types = {"heights": np.float32, "widths": np.float32, "flow": np.uint8, "basins": np.uint32}
     for name, dtype in types.items():
         array: NDArray[Any] = getattr(relief, name)
@@ -60,5 +60,5 @@ def test_arrays_have_their_types_and_are_no_copies() -> None:
 
 
 def test_there_is_a_relief_in_any_style() -> None:
-    inked = riverseed.relief(SMALL, style="ink")
-    assert (inked.heights == riverseed.relief(SMALL, style="atlas").heights).all()
+    inked, atlas = (riverseed.grow(SMALL, style=style).relief for style in ("ink", "atlas"))
+    assert (inked.heights == atlas.heights).all()

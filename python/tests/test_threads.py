@@ -12,10 +12,13 @@ from conftest import SMALL
 
 import riverseed
 
-MAKERS: list[Callable[[], object]] = [
-    lambda: riverseed.render(SMALL, size=400),
-    lambda: riverseed.network(SMALL),
-    lambda: riverseed.relief(SMALL),
+MAKERS: list[Callable[[riverseed.Map], object]] = [
+    lambda _: riverseed.grow(SMALL),
+    lambda grown: grown.png(size=400),
+    lambda grown: grown.zip(size=400),
+    lambda grown: grown.svg(),
+    lambda grown: grown.json(),
+    lambda grown: grown.finer_relief(700),
 ]
 
 # Longer than any test may take.
@@ -33,7 +36,9 @@ def threads_keep_the_lock() -> Iterator[None]:
 
 @pytest.mark.usefixtures("threads_keep_the_lock")
 @pytest.mark.parametrize("make", MAKERS)
-def test_other_threads_go_on_while_a_map_is_made(make: Callable[[], object]) -> None:
+def test_other_threads_go_on_while_something_is_made(
+    make: Callable[[riverseed.Map], object], small: riverseed.Map
+) -> None:
     turns = 0
     is_over = threading.Event()
 
@@ -49,7 +54,7 @@ def test_other_threads_go_on_while_a_map_is_made(make: Callable[[], object]) -> 
     seen = 0
     for _ in range(50):
         before = turns
-        make()
+        make(small)
         seen = turns - before
         if seen:
             break
@@ -59,11 +64,31 @@ def test_other_threads_go_on_while_a_map_is_made(make: Callable[[], object]) -> 
 
 
 def test_maps_made_at_the_same_time_are_the_maps_made_alone() -> None:
-    seeds = [f"{SMALL.replace('Te+Awa', f'word{number}')}" for number in range(8)]
-    alone = [riverseed.render(link, size=200) for link in seeds]
+    links = [f"{SMALL.replace('Te+Awa', f'word{number}')}" for number in range(6)]
+
+    def drawn(link: str) -> bytes:
+        return riverseed.grow(link).png(size=200)
+
+    alone = [drawn(link) for link in links]
     with ThreadPoolExecutor(4) as pool:
-        assert list(pool.map(lambda link: riverseed.render(link, size=200), seeds)) == alone
+        assert list(pool.map(drawn, links)) == alone
     assert len(set(alone)) == len(alone)
+
+
+def test_threads_that_share_a_map_make_what_one_makes_alone(small: riverseed.Map) -> None:
+    makers: list[Callable[[riverseed.Map], bytes]] = [
+        lambda grown: grown.png(size=200),
+        lambda grown: grown.geojson(),
+        lambda grown: grown.raster("heights"),
+        lambda grown: grown.zip(size=100),
+        lambda grown: grown.svg(),
+        lambda grown: grown.relief.heights.tobytes(),
+    ]
+    alone = [make(small) for make in makers]
+    for _ in range(3):
+        shared = riverseed.grow(SMALL)
+        with ThreadPoolExecutor(len(makers)) as pool:
+            assert list(pool.map(lambda make: make(shared), makers)) == alone  # noqa: B023
 
 
 @pytest.mark.skipif(not hasattr(signal, "SIGALRM"), reason="this system has no alarms")
@@ -81,7 +106,28 @@ def test_a_map_in_the_making_can_be_interrupted() -> None:
     signal.setitimer(signal.ITIMER_REAL, 0.02, 0.02)
     try:
         with pytest.raises(KeyboardInterrupt):
-            riverseed.network(LARGE)
+            riverseed.grow(LARGE)
     finally:
         signal.setitimer(signal.ITIMER_REAL, 0)
         signal.signal(signal.SIGALRM, before)
+
+
+@pytest.mark.skipif(not hasattr(signal, "SIGALRM"), reason="this system has no alarms")
+def test_a_signals_handler_may_use_the_map_that_it_interrupts() -> None:
+    grown = riverseed.grow("attractors=3000&style=ink")
+    made: list[bytes] = []
+
+    def use(*_: object) -> None:
+        if not made:
+            made.append(grown.raster("heights"))
+
+    before = signal.signal(signal.SIGALRM, use)
+    signal.setitimer(signal.ITIMER_REAL, 0.01)
+    try:
+        heights = grown.raster("heights")
+        while not made:
+            time.sleep(0.001)
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)
+    assert made == [heights]

@@ -35,7 +35,10 @@ pub(crate) fn unnamed(session: &Session) -> Result<Json<'_>, ExportError> {
 }
 
 /// The same with names that were made elsewhere.
-pub(crate) fn named(session: &Session, names: Names) -> Result<Json<'_>, ExportError> {
+///
+/// # Errors
+/// As [`geojson`].
+pub fn named(session: &Session, names: Names) -> Result<Json<'_>, ExportError> {
     const BYTES_A_VERTEX: usize = 16;
     let network = rivers(session, BYTES_A_VERTEX)?;
     let relief = session.make_relief()?;

@@ -29,8 +29,11 @@ pub(crate) fn unnamed(session: &Session, with_attractors: bool) -> Result<Json<'
 }
 
 /// The same with names that were made elsewhere; without, what they are made of is left out, too.
+///
+/// # Errors
+/// As [`json`].
 #[inline(never)] // one copy is enough
-pub(crate) fn compose(session: &Session, with_attractors: bool, names: Option<Names>) -> Result<Json<'_>, ExportError> {
+pub fn compose(session: &Session, with_attractors: bool, names: Option<Names>) -> Result<Json<'_>, ExportError> {
     /// Of the nodes' columns, about two nodes a vertex.
     const BYTES_A_VERTEX: usize = 64;
     let network = rivers(session, BYTES_A_VERTEX)?;

@@ -6,7 +6,7 @@ use super::{Brownian, Capture, Colonize, Drainage, Ending, GrowError, GrowthSett
 use crate::recipe::GrowthMethod;
 use crate::tree::Tree;
 
-/// Growth in progress: a stepper, whatever the procedure.
+/// Growth in progress by any of the methods: a stepper.
 #[derive(Clone, Debug)]
 pub struct Growth {
     settings: GrowthSettings,
@@ -24,7 +24,7 @@ impl Growth {
     /// Begins growth: tick 0.
     ///
     /// # Errors
-    /// If there is not enough memory.
+    /// Fails if there is not enough memory.
     pub fn new(settings: GrowthSettings) -> Result<Self, GrowError> {
         let grower = match settings.method {
             GrowthMethod::Colonize => Grower::Colonize(Colonize::new(settings.clone())?.into()),
@@ -38,8 +38,8 @@ impl Growth {
         Ok(Self { settings, grower })
     }
 
-    /// Grows by one tick. Returns whether there is more to grow: if not, [`Growth::failure`] tells of a tree that is not
-    /// whole.
+    /// Grows by one tick. Returns `true` if there is more to grow. Otherwise growth is over, and [`Growth::failure`]
+    /// returns an error if the tree is not complete.
     pub fn tick(&mut self) -> bool {
         match &mut self.grower {
             Grower::Colonize(growth) => growth.tick(),
@@ -57,8 +57,8 @@ impl Growth {
         }
     }
 
-    /// How many trees came before this one: while it stays the same the tree only grows, and another is another tree of the same
-    /// recipe. Only drainage has more than one, one a round.
+    /// The number of trees before this one. While it stays the same the tree only grows; when it changes, the tree is
+    /// another one for the same recipe. Only drainage has several trees, one for each round.
     pub fn trees(&self) -> u32 {
         match &self.grower {
             Grower::Colonize(_) | Grower::Brownian(_) => 0,
@@ -66,8 +66,8 @@ impl Growth {
         }
     }
 
-    /// How streams have captured one another so far: of drainage, the parcels that drained another way after a round than before it. Undone
-    /// from the last to the first, they lead back from the finished tree to those before it ([`Growth::trees`]).
+    /// The captures so far: in drainage, the parcels that drain differently after a round than before it. Undone from
+    /// last to first, they lead back from the finished tree to the earlier ones ([`Growth::trees`]).
     pub fn captures(&self) -> &[Capture] {
         match &self.grower {
             Grower::Colonize(_) | Grower::Brownian(_) => &[],
@@ -75,7 +75,8 @@ impl Growth {
         }
     }
 
-    /// The node of each parcel of drainage in the tree, as [`Growth::scattered`] lists them; `u32::MAX` of those that have none yet.
+    /// The node of each parcel of drainage, in the order of [`Growth::scattered`]; `u32::MAX` for parcels that have
+    /// none yet.
     pub fn nodes_of_parcels(&self) -> &[u32] {
         match &self.grower {
             Grower::Colonize(_) | Grower::Brownian(_) => &[],
@@ -83,12 +84,12 @@ impl Growth {
         }
     }
 
-    /// The settings it grows by.
+    /// The settings of this growth.
     pub fn settings(&self) -> &GrowthSettings {
         &self.settings
     }
 
-    /// How growth ended; `None` while it goes on.
+    /// The way growth ended; `None` while it goes on.
     pub fn ending(&self) -> Option<Ending> {
         match &self.grower {
             Grower::Colonize(growth) => growth.ending(),
@@ -97,7 +98,7 @@ impl Growth {
         }
     }
 
-    /// Why growth stopped before its end: there was not enough memory for more nodes.
+    /// The error that stopped growth before its end: not enough memory for more nodes.
     pub fn failure(&self) -> Option<GrowError> {
         (self.ending() == Some(Ending::OutOfMemory)).then(|| match &self.grower {
             Grower::Colonize(_) | Grower::Drainage(_) => GrowError::out_of_memory(&self.settings),
@@ -105,7 +106,7 @@ impl Growth {
         })
     }
 
-    /// How many river mouths there are; when a Brownian tree grows, so far.
+    /// The number of river mouths; for a growing Brownian tree, so far.
     pub fn mouths(&self) -> u32 {
         match &self.grower {
             Grower::Colonize(growth) => growth.mouths(),
@@ -114,7 +115,7 @@ impl Growth {
         }
     }
 
-    /// How many attractors have been scattered: none for a Brownian tree.
+    /// The number of scattered attractors; 0 for a Brownian tree.
     pub fn attractors(&self) -> u32 {
         match &self.grower {
             Grower::Colonize(growth) => growth.attractors(),
@@ -123,7 +124,7 @@ impl Growth {
         }
     }
 
-    /// Where attractors have been scattered, in the order of their drawing.
+    /// The positions of scattered attractors, in the order in which they were drawn.
     pub fn scattered(&self) -> Vec<Vec2> {
         match &self.grower {
             Grower::Colonize(_) => scatter(&self.settings),
@@ -132,8 +133,8 @@ impl Growth {
         }
     }
 
-    /// Where attractors lie that still pull, no river having come near enough, in no order to rely on; of drainage, the parcels that have
-    /// found no way to the sea yet.
+    /// The positions of attractors that still pull because no river has come near enough, in no particular order; in
+    /// drainage, of parcels without a way to the sea so far.
     pub fn left(&self) -> Vec<Vec2> {
         match &self.grower {
             Grower::Colonize(growth) => growth.left(),
@@ -142,7 +143,7 @@ impl Growth {
         }
     }
 
-    /// How many attractors no river has come near enough to.
+    /// The number of attractors that no river has come near enough to.
     pub fn unreached(&self) -> u32 {
         match &self.grower {
             Grower::Colonize(growth) => growth.unreached(),
@@ -151,7 +152,8 @@ impl Growth {
         }
     }
 
-    /// The discharge of a river that drains everything: known before growth begins, for a Brownian tree nearly.
+    /// The discharge of a river that would drain the whole map. It is known before growth begins; for a Brownian tree
+    /// it is an estimate.
     pub fn total_discharge(&self) -> u32 {
         match &self.grower {
             Grower::Colonize(growth) => growth.attractors(),
@@ -160,7 +162,7 @@ impl Growth {
         }
     }
 
-    /// About how far apart streams lie, in units: the distance between attractors, or the sensitivity.
+    /// The approximate distance between streams, in units: that between attractors, or the sensitivity.
     pub fn stream_spacing(&self) -> f32 {
         match self.settings.method {
             GrowthMethod::Colonize => self.settings.spacing,
@@ -169,7 +171,7 @@ impl Growth {
         }
     }
 
-    /// How far a node lies from its parent, in units, on average.
+    /// The mean distance between a node and its parent, in units.
     pub fn node_length(&self) -> f32 {
         match &self.grower {
             Grower::Colonize(_) => self.settings.step,
@@ -178,8 +180,8 @@ impl Growth {
         }
     }
 
-    /// Whether each mouth was asked for: unless they are drawn, a Brownian tree has one wherever its particles met the coast, and
-    /// drainage wherever water leaves the land, most of them a brook's.
+    /// Returns `true` if every mouth was asked for. Unless mouths are drawn, a Brownian tree has one wherever its
+    /// particles met the coast, and drainage one wherever water leaves the land; most of them are those of brooks.
     pub fn mouths_are_chosen(&self) -> bool {
         match self.settings.method {
             _ if !self.settings.starts.is_empty() => true,
@@ -189,7 +191,7 @@ impl Growth {
         }
     }
 
-    /// The discharge of the largest river, once growth has ended; of drainage only, which knows it.
+    /// The discharge of the largest river, once growth has ended. Only drainage knows it.
     pub fn largest_basin(&self) -> Option<u32> {
         match &self.grower {
             Grower::Colonize(_) | Grower::Brownian(_) => None,
@@ -197,7 +199,7 @@ impl Growth {
         }
     }
 
-    /// Whether the tree covers hillsides, too, so that rivers begin only where enough of them drains.
+    /// Returns `true` if the tree also covers hillsides, so that rivers begin only where enough of it drains.
     pub fn covers_hillsides(&self) -> bool {
         match self.settings.method {
             GrowthMethod::Colonize | GrowthMethod::Brownian => false,
@@ -205,7 +207,7 @@ impl Growth {
         }
     }
 
-    /// Whether steps of the tree may cross each other: the strands of a Brownian tree never touch.
+    /// Returns `true` if steps of the tree may cross each other. The strands of a Brownian tree never touch.
     pub fn may_cross(&self) -> bool {
         match self.settings.method {
             GrowthMethod::Colonize => true,
@@ -213,7 +215,7 @@ impl Growth {
         }
     }
 
-    /// How much of everything is drained so far.
+    /// The amount that is drained so far, out of [`Growth::total_discharge`].
     pub fn drained(&self) -> u32 {
         match &self.grower {
             Grower::Colonize(growth) => growth.attractors() - growth.unreached(),
@@ -222,7 +224,7 @@ impl Growth {
         }
     }
 
-    /// How much of everything is drained so far, from 0 to 1; of a Brownian tree, about so.
+    /// The share that is drained so far, from 0 to 1; for a Brownian tree, an estimate.
     pub fn progress(&self) -> f32 {
         (self.drained() as f32 / self.total_discharge().max(1) as f32).min(1.0)
     }

@@ -1,9 +1,8 @@
-//! Growing a tree of rivers, from the mouths upstream.
+//! Growth of a tree of rivers, from the mouths upstream.
 //!
-//! Three procedures: [`Drainage`] finds the cheapest ways for water, [`Colonize`] is drawn on by attractors, [`Brownian`] is met by
-//! wandering particles. All are steppers, and so is [`Growth`], which is whichever a recipe asks for: [`tick`](Growth::tick) until it
-//! says that growth is over.
-//! Slicing the work differently gives the same tree to the bit.
+//! There are three methods: [`Drainage`] finds the cheapest ways for water, [`Colonize`] follows attractors, and in
+//! [`Brownian`] wandering particles meet rivers. All are steppers. [`Growth`] is the one that a recipe asks for: call
+//! [`tick`](Growth::tick) until it returns `false`. Slicing the work differently gives the same tree, to the bit.
 
 mod brownian;
 mod colonize;
@@ -33,10 +32,10 @@ pub use starts::Start;
 
 use thiserror::Error;
 
-/// How growth came to its end.
+/// The way growth ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ending {
-    /// No node could grow any more, as the paper intends.
+    /// No node could grow any more, as in the paper.
     Complete,
     /// The tree reached its limit of nodes.
     NodeLimit,
@@ -44,43 +43,44 @@ pub enum Ending {
     OutOfMemory,
 }
 
-/// Why a recipe cannot be grown here.
+/// The reason why a recipe cannot be grown here.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum GrowError {
     /// There was not enough memory.
     #[error("attractors: {attractors} of them need about {megabytes} MB, and the allocation failed")]
     OutOfMemory {
-        /// How many were asked for.
+        /// The requested number of attractors.
         attractors: u32,
-        /// About how much they need.
+        /// The approximate memory that they need.
         megabytes: u32,
     },
     /// There was not enough memory for a Brownian tree.
     #[error("growth: a Brownian tree needs about {megabytes} MB, and the allocation failed")]
     NoRoomForRaster {
-        /// About how much it needs.
+        /// The approximate memory that it needs.
         megabytes: u32,
     },
 }
 
-/// What growth takes at the usual step and kill distance, as measured.
+/// The memory of growth at the usual step and kill distance, as measured.
 const BYTES_AN_ATTRACTOR: usize = 140;
 
 impl GrowError {
-    /// The error for settings that ask for too much.
+    /// The error for settings that need too much memory.
     fn out_of_memory(settings: &GrowthSettings) -> Self {
         let attractors = settings.attractors;
         Self::OutOfMemory { attractors, megabytes: (attractors as usize * BYTES_AN_ATTRACTOR / 1_000_000) as u32 + 1 }
     }
 
-    /// The error for a raster of too many cells: about 10 bytes a cell.
+    /// The error for a raster with too many cells, at about 10 bytes a cell.
     fn no_room_for(cells: usize) -> Self {
         Self::NoRoomForRaster { megabytes: cells as u32 / 100_000 + 1 }
     }
 }
 
-/// How many parcels or attractors a front that follows valleys gains in a tick: about as many as lie along one side of the map.
+/// The number of parcels or attractors that a front along valleys gains in a tick: about as many as lie along one side
+/// of the map.
 fn front(count: usize) -> usize {
     ((count as f32).sqrt() as usize).max(8)
 }

@@ -1,4 +1,4 @@
-//! Where rivers reach the sea.
+//! Positions of river mouths.
 
 use glam::Vec2;
 
@@ -13,17 +13,17 @@ use crate::work;
 /// The root of a river tree.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mouth {
-    /// On the border of the domain, or on a coast.
+    /// The position, on the border of the domain or on a coast.
     pub at: Vec2,
     /// The unit vector away from the sea.
     pub inland: Vec2,
 }
 
-/// How far a mouth may stray from the middle of its share of the coast, as a part of that share.
+/// The distance that a mouth may stray from the middle of its share of the coast, as a part of that share.
 const STRAY: f32 = 0.7;
 
-/// Places the mouths of a recipe: where they are drawn, or along the sides of a plain rectangle, else on the coasts of the regions that
-/// have any.
+/// Places the mouths of a recipe: the drawn ones; otherwise along the sides of a plain rectangle, or on the coasts of
+/// the regions that have any.
 pub fn mouths(settings: &GrowthSettings) -> Vec<Mouth> {
     if !settings.starts.is_empty() {
         return settings.starts.iter().map(|start| start.mouth).collect();
@@ -42,8 +42,8 @@ pub fn mouths(settings: &GrowthSettings) -> Vec<Mouth> {
     mouths
 }
 
-/// The places where more rivers may reach the sea: none where mouths are drawn, or on a plain rectangle, which has a border and no
-/// coast.
+/// The places where further rivers may reach the sea. Empty where mouths are drawn, and on a plain rectangle, which has
+/// a border but no coast.
 pub fn shores(settings: &GrowthSettings) -> Vec<Shore> {
     let mut shores = Vec::new();
     if settings.starts.is_empty() {
@@ -52,13 +52,14 @@ pub fn shores(settings: &GrowthSettings) -> Vec<Shore> {
     shores
 }
 
-/// The shores of a region that lie on some sides as seen from the middle of its coast: so the north shore of an island looks north,
-/// that of a lake south. All of them if none lies there, since no land is left dry.
+/// The shores of a region that lie on some sides, seen from the middle of its coast: the north shore of an island faces
+/// north, that of a lake south. Returns all shores if none lies on these sides, because no land is left dry.
 fn chosen_shores(region: &Region, sides: Sides) -> Vec<Shore> {
     on_chosen_sides(region, sides, region.shores.clone(), |shore| shore.at)
 }
 
-/// The same of any places on the coast of a region.
+/// Keeps the places on the coast of a region that lie on some sides, seen from the middle of the coast; all of them if
+/// none does.
 pub(super) fn on_chosen_sides<T>(region: &Region, sides: Sides, mut places: Vec<T>, at: impl Fn(&T) -> Vec2) -> Vec<T> {
     let middle = region.shores.iter().map(|shore| shore.at).sum::<Vec2>() / region.shores.len() as f32;
     let is_chosen = |place: &T| sides.contains(side_toward(at(place) - middle));
@@ -68,7 +69,7 @@ pub(super) fn on_chosen_sides<T>(region: &Region, sides: Sides, mut places: Vec<
     places
 }
 
-/// The side that a way leads to.
+/// The side that a direction leads to.
 #[inline(never)] // each copy weighs a hundred bytes
 fn side_toward(Vec2 { x, y }: Vec2) -> char {
     match (x.abs() > y.abs(), x > 0.0, y > 0.0) {
@@ -79,12 +80,12 @@ fn side_toward(Vec2 { x, y }: Vec2) -> char {
     }
 }
 
-/// Places mouths on a coast, each at the best of some random places: remote from those before it, so that they keep apart
-/// (Mitchell 1991), and in a bay rather than on a cape, as where rivers meet the sea. As many as asked for, unless they
-/// would come too near to each other.
+/// Places mouths on a coast, each at the best of some random places: far from the previous mouths, so that they keep
+/// apart (Mitchell 1991), and in a bay rather than on a cape, where rivers usually meet the sea. Places fewer mouths if
+/// they would come too close to each other.
 fn on_coast(land: &Land, coast: &[Shore], count: u32, apart: f32, chance: &mut Stream) -> Vec<Mouth> {
     const CANDIDATES: usize = 24;
-    /// Remoter than this, in units, a place is no better for it.
+    /// The distance, in units, beyond which a greater one does not make a place better.
     const REMOTE: f32 = 400.0;
     let mut mouths: Vec<Mouth> = Vec::new();
     for _ in 0..count {
@@ -103,15 +104,17 @@ fn on_coast(land: &Land, coast: &[Shore], count: u32, apart: f32, chance: &mut S
     mouths
 }
 
-/// Places mouths on a coast so that they stay where they are when it changes a little. Each cell of the plane that it runs through has a
-/// place, which weighs more by chance, in a bay, and if the coast does not just touch the cell. Mouths are the places that are
-/// farthest from any that weighs more: so they keep apart, and what changes in one place leaves the others alone.
+/// Places mouths on a coast so that they stay where they are when it changes slightly. Each cell of the plane that the
+/// coast runs through has one place, with a weight that depends on chance, on its being in a bay, and on how well the
+/// coast fills the cell. Mouths are the places farthest from any place of greater weight: so they keep apart, and a
+/// change in one place leaves the others alone.
 fn steadily_on_coast(settings: &GrowthSettings, land: &Land, coast: &[Shore], count: u32) -> Vec<Mouth> {
-    // In units; less where many are asked for.
+    // In units; smaller if many mouths are asked for.
     let side = if settings.mouths > 16 { 25.0 } else { 50.0 };
     let chance = settings.seed.item_hash(Purpose::Mouths);
     let weight = |&(fitness, [column, row], shore): &Place| {
-        // Much by chance, so that a little more or less of a bay seldom decides, and no more for the best of places.
+        // Chance has a large part, so that a slightly larger or smaller bay seldom decides, and the best places have no
+        // further advantage.
         ((2.0 * fitness).clamp(0.0, 1.6) / (1.005 - chance.unit([column, row, 2])), shore)
     };
     let weighed: Vec<(f32, Shore)> = places_by_cell(settings, land, coast, side).iter().map(weight).collect();
@@ -126,10 +129,10 @@ fn steadily_on_coast(settings: &GrowthSettings, land: &Land, coast: &[Shore], co
     chosen.map(|i| Mouth { at: weighed[i].1.at, inland: weighed[i].1.inland }).collect()
 }
 
-/// How fit a place on a coast is for a mouth, its cell of the plane, and itself.
+/// A place on a coast: its fitness for a mouth, its cell of the plane, and the shore.
 type Place = (f32, [u32; 2], Shore);
 
-/// The fittest place in each cell of the plane: in a bay, and near a point of the cell that is given by chance, so that it hardly moves.
+/// The fittest place in each cell of the plane: in a bay, and near a random point of the cell, so that it hardly moves.
 fn places_by_cell(settings: &GrowthSettings, land: &Land, coast: &[Shore], side: f32) -> Vec<Place> {
     let chance = settings.seed.item_hash(Purpose::Mouths);
     let (columns, rows) = ((settings.domain.size.x / side) as usize + 1, (settings.domain.size.y / side) as usize + 1);
@@ -148,7 +151,7 @@ fn places_by_cell(settings: &GrowthSettings, land: &Land, coast: &[Shore], side:
     fittest.into_iter().flatten().collect()
 }
 
-/// Places mouths along the chosen sides, one in each equal share of their common length, so that they keep apart.
+/// Places mouths along the chosen sides, one in each of equal shares of their total length, so that they keep apart.
 fn on_sides(settings: &GrowthSettings) -> Vec<Mouth> {
     let coast = coast(settings);
     let length: f32 = coast.iter().map(|side| side.length).sum();
@@ -162,7 +165,7 @@ fn on_sides(settings: &GrowthSettings) -> Vec<Mouth> {
         .collect()
 }
 
-/// A side of the domain that is coast, walked clockwise.
+/// A side of the domain that is a coast, in clockwise direction.
 struct Side {
     start: Vec2,
     direction: Vec2,
@@ -190,7 +193,7 @@ fn along(coast: &[Side], mut way: f32) -> Mouth {
     let mut sides = coast.iter().peekable();
     while let Some(side) = sides.next() {
         if way <= side.length || sides.peek().is_none() {
-            // Clockwise, with y down, the land lies to the right.
+            // Walking clockwise, with y down, the land is on the right.
             return Mouth { at: side.start + side.direction * way.min(side.length), inland: side.direction.perp() };
         }
         way -= side.length;
@@ -247,7 +250,7 @@ mod tests {
         }
     }
 
-    /// Where a grown tree's rivers reach the sea, region by region.
+    /// The mouths of a grown tree's rivers, region by region.
     fn grown_mouths(link: &str) -> Vec<Vec<Vec2>> {
         let mut growth = Colonize::new(GrowthSettings::of(&link::read(link).unwrap())).unwrap();
         while growth.tick() {}

@@ -1,5 +1,5 @@
-//! Where attractors lie: anywhere on land that has a river mouth, or each in a cell of a grid; or, where they follow valleys, each in a
-//! cell of the plane.
+//! Positions of attractors: anywhere on land that has a river mouth, or one in each cell of a grid; along valleys, one
+//! in each cell of the plane.
 
 use glam::Vec2;
 
@@ -11,8 +11,8 @@ use crate::random::{Purpose, Stream};
 use crate::recipe::Scatter;
 use crate::work;
 
-/// Places the attractors, in the order of their drawing: one more leaves all others where they are, unless on a grid. With valleys the
-/// lowest comes first.
+/// Places the attractors, in the order in which they are drawn. One more attractor leaves all others where they are,
+/// except on a grid. With valleys the lowest come first.
 pub fn scatter(settings: &GrowthSettings) -> Vec<Vec2> {
     if settings.has_valleys() {
         return attractors_by_height(settings);
@@ -26,7 +26,7 @@ pub fn scatter(settings: &GrowthSettings) -> Vec<Vec2> {
         (None, Scatter::Grid) => on_grid(settings, settings.attractors, None, &mut chance),
         (Some(land), Scatter::Random) => on_land(settings, land, &mut chance),
         (Some(land), Scatter::Grid) => {
-            // A grid so fine that about as many cells lie on the land as attractors are asked for.
+            // The grid is so fine that about as many cells lie on land as attractors are asked for.
             let size = settings.domain.size;
             let cells = (size.x * size.y / (settings.spacing * settings.spacing)) as u32;
             on_grid(settings, cells.max(1), Some(&Watered::of(settings, land)), &mut chance)
@@ -34,7 +34,7 @@ pub fn scatter(settings: &GrowthSettings) -> Vec<Vec2> {
     }
 }
 
-/// Anywhere in cells of land, each as likely as any other.
+/// Places attractors anywhere in cells of land, with equal probability.
 fn on_land(settings: &GrowthSettings, land: &Land, chance: &mut Stream) -> Vec<Vec2> {
     let cells = Cells::of(settings.watered());
     let mut places = Vec::with_capacity(settings.attractors as usize);
@@ -48,7 +48,8 @@ fn on_land(settings: &GrowthSettings, land: &Land, chance: &mut Stream) -> Vec<V
     places
 }
 
-/// One at random in each cell of a grid over the domain, those left out that lie on no land with a river mouth.
+/// Places one attractor at random in each cell of a grid over the domain, and drops those that are not on land with a
+/// river mouth.
 fn on_grid(settings: &GrowthSettings, cells: u32, watered: Option<&Watered>, chance: &mut Stream) -> Vec<Vec2> {
     let size = settings.domain.size;
     let rows = ((size.y / settings.spacing).round() as u32).clamp(1, cells);

@@ -11,60 +11,61 @@ use crate::land::{CELL_SIZE, Land, Region};
 use crate::random::Seed;
 use crate::recipe::{GrowthMethod, Key, LandKind, Recipe, Scatter, Sides};
 
-/// The settings of growth, resolved: ratios turned into lengths.
+/// The settings of growth, with ratios turned into lengths.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GrowthSettings {
     /// The seed's 64 bits.
     pub seed: Seed,
     /// The rectangle.
     pub domain: Domain,
-    /// The land; `None` if all of the domain is.
+    /// The land; `None` if the whole domain is land.
     pub(in crate::grow) land: Option<Arc<Land>>,
-    /// How many rivers reach the sea; on land with several regions, and around a lake, there are more.
+    /// The number of rivers that reach the sea. On land with several regions, and around a lake, there are more.
     pub mouths: u32,
-    /// How many of them in each region of the land, largest first. Regions without one stay dry.
+    /// The number of these in each region of the land, largest region first. Regions without one stay dry.
     pub basins: Vec<u32>,
-    /// The mouths that are drawn, in the place of all others; empty if none are.
+    /// The drawn mouths, which replace all others; empty if none are drawn.
     pub starts: Arc<[Start]>,
-    /// How far apart mouths are at least.
+    /// The smallest distance between mouths.
     pub mouth_spacing: f32,
-    /// Which sides of a plain rectangle have the sea: of one with starts all.
+    /// The sides of a plain rectangle beyond which the sea lies: with starts, all.
     pub sides: Sides,
-    /// Where on a coast they lie, as seen from its middle.
+    /// The sides on which mouths may lie on a coast, seen from its middle.
     pub shores: Sides,
-    /// How rivers grow.
+    /// The growth method.
     pub method: GrowthMethod,
     /// The step of a Brownian tree's last passes, in units.
     pub sensitivity: f32,
-    /// How many attractors there are, on a grid about: as many as asked for, unless next to no land has a river mouth.
+    /// The number of attractors: the requested number, or on a grid about that number, unless hardly any land has a
+    /// river mouth.
     pub attractors: u32,
-    /// How they lie.
+    /// The placement of attractors.
     pub scatter: Scatter,
-    /// The mean distance between attractors, √(area of land / number), or with valleys √(area of the domain / number): the unit of the
-    /// three lengths below in a recipe.
+    /// The mean distance between attractors, √(area of land / number), or with valleys √(area of the domain / number).
+    /// A recipe gives the next three lengths in this unit.
     pub spacing: f32,
-    /// How far an attractor pulls (the paper's distance of step 2).
+    /// The distance from which an attractor pulls (the paper's distance in step 2).
     pub reach: f32,
-    /// How near a river has to come for an attractor to be done with (step 5).
+    /// The distance from a river at which an attractor is used up (step 5).
     pub kill: f32,
-    /// How far a river grows in a tick (the unit length of step 4).
+    /// The length by which a river grows in a tick (the unit length of step 4).
     pub step: f32,
-    /// The paper's k: the share of the last direction that is taken from the new one.
+    /// The paper's k: the share of the previous direction that is subtracted from the new one.
     pub momentum: f32,
     /// The paper's θ_c, in radians.
     pub curl: f32,
-    /// The paper's c: nodes in a stretch that curls to one side.
+    /// The paper's c: the number of nodes in a stretch that curls to one side.
     pub stretch: u32,
-    /// What drainage needs besides.
+    /// The settings of drainage alone.
     pub drainage: DrainageSettings,
 }
 
-/// Attractors are never packed closer than on this much land, in square units: on less land there are fewer, and none at
-/// all where no land has a coast. So the memory of growth depends on the number asked for alone.
+/// The area, in square units, that limits the density of attractors. On less land there are fewer of them, and none if
+/// no land has a coast. Therefore the memory of growth depends only on the requested number.
 const LEAST_AREA: f32 = AREA / 20.0;
 
-/// Rivers come to a lake from all sides, so it has this many mouths for each requested one: with as few as an island, they
-/// would run along its shore instead.
+/// The number of mouths of a lake for each requested one. Rivers reach a lake from all sides; with as few mouths as an
+/// island has, they would run along its shore.
 const MOUTHS_OF_A_LAKE: u32 = 3;
 
 impl GrowthSettings {
@@ -73,7 +74,7 @@ impl GrowthSettings {
         Self::new(recipe, Land::of(recipe))
     }
 
-    /// Resolves a recipe whose land has been shaped before; `None` if all of the domain is.
+    /// Resolves a recipe with given land; `None` if the whole domain is land.
     pub fn new(recipe: &Recipe, land: Option<Arc<Land>>) -> Self {
         let attractors = recipe.integer(Key::Attractors);
         let domain = Domain::of(recipe);
@@ -93,7 +94,7 @@ impl GrowthSettings {
         };
         let drainage = DrainageSettings::new(recipe);
         let has_valleys = recipe.get::<GrowthMethod>() == GrowthMethod::Colonize && drainage.valleys > 0.0;
-        // With valleys the land hides attractors, and moves none.
+        // With valleys, attractors keep their places in the plane, and those not on land are left out.
         let spacing = if has_valleys { drainage.spacing } else { (area.max(LEAST_AREA) / attractors as f32).sqrt() };
         let attractors = attractors.min((area / (spacing * spacing)).round() as u32);
         let spacings = |key| recipe.number(key) * spacing;
@@ -124,13 +125,13 @@ impl GrowthSettings {
 }
 
 impl GrowthSettings {
-    /// The land; for tests: a session has it, too.
+    /// The land, for tests.
     #[doc(hidden)]
     pub fn land(&self) -> Option<&Arc<Land>> {
         self.land.as_ref()
     }
 
-    /// Whether the lowest attractor in reach pulls first, and not all at once.
+    /// Returns `true` if the lowest attractor in reach pulls first, instead of all at once.
     pub fn has_valleys(&self) -> bool {
         self.method == GrowthMethod::Colonize && self.drainage.valleys > 0.0
     }
@@ -140,7 +141,7 @@ impl GrowthSettings {
         watered(self.land.as_deref(), &self.basins)
     }
 
-    /// Whether a river may run straight from one point to another.
+    /// Returns `true` if a river may run straight from one point to another.
     #[inline]
     pub fn allows(&self, from: Vec2, to: Vec2) -> bool {
         match &self.land {
@@ -149,8 +150,8 @@ impl GrowthSettings {
         }
     }
 
-    /// Where the straight way from a point of land to another comes to the sea; `None` if it does not, or to something else first.
-    /// A plain rectangle has the sea beyond its chosen sides.
+    /// The point at which the straight way from a point on land to another reaches the sea; `None` if it does not, or
+    /// reaches something else first. A plain rectangle has the sea beyond its chosen sides.
     pub(in crate::grow) fn coast_toward(&self, from: Vec2, to: Vec2) -> Option<Vec2> {
         match &self.land {
             None => self.side_toward(from, to),
@@ -176,25 +177,25 @@ impl GrowthSettings {
         Some((from + way * share).clamp(Vec2::ZERO, size))
     }
 
-    /// Whether two points of land are connected.
+    /// Returns `true` if two points of land are connected.
     pub(in crate::grow) fn is_same_region(&self, a: Vec2, b: Vec2) -> bool {
         let Some(land) = &self.land else { return true };
         land.regions().iter().any(|region| land.is_in(region, a) && land.is_in(region, b))
     }
 
-    /// The land, if it may hide attractors within the reach of a node.
+    /// The land, if it may hide attractors within reach of a node.
     #[inline]
     pub fn hidden_from(&self, node: Vec2) -> Option<&Land> {
         self.land.as_deref().filter(|land| !land.sees_all(node, self.reach))
     }
 
-    /// Whether an attractor pulls a node: it does not through a ridge, or across the water between islands.
+    /// Returns `true` if an attractor can pull a node: not through a ridge, nor across the water between islands.
     pub fn sees(&self, node: Vec2, attractor: Vec2) -> bool {
         self.land.as_ref().is_none_or(|land| land.sees(node, attractor))
     }
 }
 
-/// How many mouths are asked for. Of drainage 0 means all along the coast.
+/// The requested number of mouths. In drainage, 0 means all along the coast.
 fn mouths_of(recipe: &Recipe) -> u32 {
     const USUAL: u32 = 8;
     match recipe.integer(Key::Mouths) {
@@ -203,7 +204,7 @@ fn mouths_of(recipe: &Recipe) -> u32 {
     }
 }
 
-/// How many starts lie in each region.
+/// The number of starts in each region.
 fn starts_in(land: &Land, starts: &[Start]) -> Vec<u32> {
     let count = |region| starts.iter().filter(|start| land.is_in(region, start.mouth.at)).count() as u32;
     land.regions().iter().map(count).collect()
@@ -214,10 +215,10 @@ fn watered<'a>(land: Option<&'a Land>, basins: &'a [u32]) -> impl Iterator<Item 
     regions.iter().zip(basins).filter(|(_, mouths)| **mouths > 0).map(|(region, _)| region)
 }
 
-/// Shares mouths out among regions by their size, as parliaments share out seats (Webster and Sainte-Laguë): a second
-/// mouth only goes where there is three times the land of a region without one. But first each region with a fair share of
-/// the land has one, even if there are then more than asked for: no island lies bare beside full ones. Only regions with a
-/// coast have any.
+/// Distributes mouths among regions by size, as parliaments distribute seats (Webster and Sainte-Laguë): a region gets
+/// its second mouth before another gets its first only if it has three times the land. But each region with a fair
+/// share of the land gets one first, even if this exceeds the requested number, so that no island lies bare beside full
+/// ones. Regions without a coast get none.
 fn share_out(regions: &[Region], mouths: u32) -> Vec<u32> {
     /// A region with one in this number of cells of land has a fair share.
     const FAIR: u32 = 100;

@@ -1,5 +1,5 @@
-//! Starts: the mouths that a drawing gives (the paper's start nodes), each with the course that is drawn of its river. Where there are
-//! any, there are no other mouths, and land without one stays dry.
+//! Starts: the drawn mouths (the paper's start nodes), each with the drawn course of its river. Where there are any,
+//! there are no other mouths, and land without one stays dry.
 
 use std::sync::Arc;
 
@@ -12,29 +12,32 @@ use crate::land::{Cell, Land, divided, in_units};
 use crate::recipe::Recipe;
 use crate::work;
 
-/// A mouth that a drawing gives.
+/// A drawn mouth.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Start {
-    /// The place on a coast that lies nearest to where the drawn river enters the land; on the border of a plain rectangle.
+    /// The place on a coast nearest to the point where the drawn river enters the land; on a plain rectangle, a place
+    /// on the border.
     pub mouth: Mouth,
-    /// Points of the river's course from its mouth on, at most 2 units apart, as far as it runs over land; none where nothing but a
-    /// mouth is drawn.
+    /// The points of the river's course from its mouth on, up to 2 units apart, as far as it runs over land. Empty if
+    /// only a mouth is drawn.
     pub course: Vec<Vec2>,
 }
 
-/// How far apart points of a course are at most, in units.
+/// The greatest distance between points of a course, in units.
 pub(in crate::grow) const PIECE: f32 = 2.0;
 
-/// How far courses are followed, all together, in units: ten times across the map. What is drawn beyond that would be a scribble.
+/// The total length to which courses are followed, in units: ten times across the map. A longer drawing would be a
+/// scribble.
 const LONGEST: f32 = 8_000.0;
 
-/// A course that has just come ashore may touch water once more within this many points: it is tied to its mouth behind that.
+/// A course that has just come ashore may touch water once more within this number of points. It is connected to its
+/// mouth after that.
 const ASHORE: usize = 6;
 
-/// Mouths that are nearer to each other than this, in units, are one.
+/// Mouths that are closer together than this, in units, count as one.
 const APART: f32 = 4.0;
 
-/// The starts of a recipe, in the order of their drawing.
+/// The starts of a recipe, in the order in which they are drawn.
 pub(in crate::grow) fn starts(recipe: &Recipe, domain: &Domain, land: Option<&Land>) -> Arc<[Start]> {
     let of_rectangle = || in_units(recipe.rivers(), domain);
     let mut starts: Vec<Start> = Vec::new();
@@ -51,7 +54,7 @@ pub(in crate::grow) fn starts(recipe: &Recipe, domain: &Domain, land: Option<&La
     starts.into()
 }
 
-/// The start that a line gives, with a course of so many points at most; `None` if there is no coast at all.
+/// The start from a line, with a course of up to `most` points; `None` if there is no coast at all.
 fn start(line: &[Vec2], domain: &Domain, land: Option<&Land>, most: usize) -> Option<Start> {
     let is_land = |at: &Vec2| land.is_none_or(|land| land.at(*at) == Cell::Land);
     let mut pieces = divided(line, PIECE, false).inspect(|_| work::count(1));
@@ -65,7 +68,8 @@ fn start(line: &[Vec2], domain: &Domain, land: Option<&Land>, most: usize) -> Op
     Some(Start { mouth, course: course.unwrap_or_default() })
 }
 
-/// The course from a mouth to a point ashore and along those after it, at most so many, until water or a ridge lies in its way.
+/// The course from a mouth to a point ashore and along the points after it, up to `most` of them, until water or a
+/// ridge is in the way.
 fn course(
     mouth: Vec2,
     ashore: Vec2,

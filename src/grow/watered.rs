@@ -1,11 +1,12 @@
-//! The land that rivers come to.
+//! Land that has a river mouth.
 
 use glam::Vec2;
 
 use super::GrowthSettings;
 use crate::land::{CELL_SIZE, Land};
 
-/// Which cells of land have a river mouth: a map, since there may be millions of places and hundreds of regions.
+/// The cells of land that have a river mouth. A map is used because there may be millions of places and hundreds of
+/// regions.
 pub(super) struct Watered {
     cells: Vec<bool>,
     columns: usize,
@@ -22,7 +23,7 @@ impl Watered {
         Self { cells, columns }
     }
 
-    /// Whether a point of the domain lies in such a cell; on its far borders none does.
+    /// Returns `true` if a point of the domain lies in such a cell; never on its far borders.
     pub fn holds(&self, place: Vec2) -> bool {
         let (column, row) = ((place.x / CELL_SIZE) as usize, (place.y / CELL_SIZE) as usize);
         column < self.columns && self.cells.get(row * self.columns + column) == Some(&true)

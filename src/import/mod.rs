@@ -1,3 +1,3 @@
-//! Reading files that recipes are made from.
+//! Reading of files that recipes are made from.
 
 pub mod png;

@@ -1,4 +1,4 @@
-//! PNG pictures of any kind, as eight bits a channel.
+//! PNG pictures of any kind, decoded to eight bits a channel.
 
 use std::io::{BufRead, Seek};
 
@@ -7,7 +7,7 @@ use thiserror::Error;
 
 use crate::land::trace::LONGEST_SIDE;
 
-/// The most memory that decoding may take, in bytes: the largest picture at sixteen bits a channel, and some.
+/// The greatest memory that decoding may take, in bytes: enough for the largest picture at sixteen bits a channel.
 const MEMORY: usize = (LONGEST_SIDE as usize).pow(2) * 8 + (1 << 20);
 
 /// A decoded picture.
@@ -21,14 +21,14 @@ pub struct Image {
     pub rgba: Vec<u8>,
 }
 
-/// A file that is no picture that can be read.
+/// A file that cannot be read as a picture.
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum ImportError {
-    /// Not a PNG, or a broken one.
-    #[error("this is no PNG that can be read: {0}")]
+    /// The file is not a PNG, or is damaged.
+    #[error("this is not a readable PNG: {0}")]
     Png(#[from] DecodingError),
-    /// A side over the limit.
+    /// A side is longer than the limit.
     #[error("the picture is too large: {width} x {height} pixels, at most {LONGEST_SIDE} x {LONGEST_SIDE} are read")]
     TooLarge {
         /// Width, in pixels.
@@ -38,10 +38,10 @@ pub enum ImportError {
     },
 }
 
-/// Reads a picture; its size is looked at before its pixels are.
+/// Reads a picture. Its size is checked before its pixels are decoded.
 ///
 /// # Errors
-/// If it is not a PNG, or a side is over [`LONGEST_SIDE`].
+/// Fails if the file is not a PNG, or if a side is longer than [`LONGEST_SIDE`].
 pub fn read(from: impl BufRead + Seek) -> Result<Image, ImportError> {
     let mut decoder = Decoder::new_with_limits(from, Limits { bytes: MEMORY });
     decoder.set_transformations(Transformations::normalize_to_color8() | Transformations::ALPHA);

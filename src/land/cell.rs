@@ -1,4 +1,4 @@
-//! The cells that land is cut into.
+//! The cells of land and water.
 
 /// The kind of a cell.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -6,9 +6,9 @@
 pub enum Cell {
     /// Land.
     Land,
-    /// Water: rivers end here.
+    /// Water, where rivers end.
     Water,
-    /// A ridge: no river crosses it.
+    /// A ridge, which no river crosses.
     Ridge,
 }
 

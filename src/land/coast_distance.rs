@@ -1,8 +1,8 @@
-//! Coast distances: how far inland every point of the domain lies, a signed distance field.
+//! Coast distances: the distance of every point of the domain from the coast, a signed distance field.
 //!
-//! It is known at the corners of a coarse lattice and bilinear between: accurate enough for growth, which uses cells. Pictures
-//! show it without facets (`smoothed_distance.rs`). All that is needed to make one is a coast, as line pieces, and which side of it is
-//! land.
+//! Distances are stored at the corners of a coarse lattice and interpolated bilinearly, which is accurate enough for
+//! growth, which uses cells. Pictures show the coast without facets (`smoothed_distance.rs`). To make a field, all that
+//! is needed is a coast as line pieces, and which side of it is land.
 
 use glam::Vec2;
 
@@ -16,7 +16,7 @@ use crate::work;
 /// A straight piece of coast, from one end to the other.
 pub(super) type Piece = [Vec2; 2];
 
-/// The distance of a point from a coast where there is none.
+/// The distance of a point from the coast if there is no coast.
 const FARTHEST: f32 = 1e4;
 
 /// Distances from the coast at lattice corners, in units: positive on land, negative at sea.
@@ -30,17 +30,17 @@ pub struct CoastDistance {
 }
 
 impl CoastDistance {
-    /// The distance between lattice corners, in units, of all shapes that a recipe names: half of the shortest wave of
+    /// The distance between lattice corners, in units, for all shapes that a recipe names: half the shortest wave of
     /// their coasts.
     pub const SPACING: f32 = 4.0;
-    /// The same of a drawn land, whose coasts have few points, of lines, and of drafts.
+    /// The distance between lattice corners for drawn lands, whose coasts have few points, for lines and for previews.
     pub const COARSE_SPACING: f32 = 8.0;
-    /// The same of a land that is given as a mask, whose coasts may be of any shape: half of this is less than a coast's line is wide. A
-    /// divisor of the others, and a multiple of a cell.
+    /// The distance between lattice corners for lands from masks, whose coasts may have any shape: half of it is less
+    /// than the width of a coast line. It divides the other spacings and is a multiple of a cell.
     pub const FINE_SPACING: f32 = 2.0;
 
-    /// The land where a function is high, on a lattice with this distance between its corners: the sea is as much of the domain as asked
-    /// for, where it is lowest.
+    /// The land where a height function is high, on a lattice with this spacing. The sea covers the given share of the
+    /// domain, where the function is lowest.
     pub(super) fn with_sea(domain: &Domain, spacing: f32, share: f32, height: impl Fn(Vec2) -> f32) -> Self {
         let mut this = Self::sampled(domain, spacing, share, height);
         this.remove_islets_and_ponds();
@@ -48,20 +48,20 @@ impl CoastDistance {
         this.measured(&coast)
     }
 
-    /// The land of a coast, on a lattice with this distance between its corners; `is_land` lists them row by row.
+    /// The land within a coast, on a lattice with this spacing; `is_land` lists the corners row by row.
     pub(super) fn of_coast(domain: &Domain, spacing: f32, coast: &[Piece], is_land: &[bool]) -> Self {
         let (columns, rows) = Self::corners(domain, spacing);
         let heights = is_land.iter().map(|&is_land| if is_land { 1.0 } else { -1.0 }).collect();
         Self { heights, columns, rows, spacing }.measured(coast)
     }
 
-    /// The distances from some lines, as if land lay on both sides of them.
+    /// The distances from some lines, with land on both sides.
     pub(crate) fn from_lines(domain: &Domain, lines: &[Piece]) -> Self {
         let (columns, rows) = Self::corners(domain, Self::COARSE_SPACING);
         Self::of_coast(domain, Self::COARSE_SPACING, lines, &vec![true; columns * rows])
     }
 
-    /// All land but for a strait of a width, between two points.
+    /// Land everywhere except in a strait of a width between two points.
     #[cfg(test)]
     pub(crate) fn of_strait(domain: &Domain, from: Vec2, to: Vec2, width: f32) -> Self {
         let across = (to - from).perp().normalize();
@@ -72,25 +72,26 @@ impl CoastDistance {
         Self::of_coast(domain, Self::SPACING, &coast, &is_land)
     }
 
-    /// A lattice with these heights at its corners, row by row; `None` if that is not as many as cover a domain of this size.
+    /// A lattice with these heights at its corners, row by row; `None` if their number does not fit a domain of this
+    /// size.
     #[cfg(feature = "names")]
     pub(crate) fn of_heights(size: Vec2, spacing: f32, heights: Vec<f32>) -> Option<Self> {
         let [columns, rows] = size.to_array().map(|length| (length / spacing) as usize + 2);
         (columns.checked_mul(rows)? == heights.len()).then_some(Self { heights, columns, rows, spacing })
     }
 
-    /// How many columns and rows of corners a lattice has: one more each than would cover the domain.
+    /// The number of columns and rows of a lattice's corners: one more than needed to cover the domain.
     pub(super) fn corners(domain: &Domain, spacing: f32) -> (usize, usize) {
         let corners = |length: f32| (length / spacing) as usize + 2;
         (corners(domain.size.x), corners(domain.size.y))
     }
 
-    /// Heights above the sea, whose level the corners of a coarse lattice tell. Between these, height is asked for only where the
-    /// coast may pass; elsewhere nothing counts but on which side of it a corner lies.
+    /// Samples heights above the sea, whose level follows from the corners of a coarse lattice. Between these, the
+    /// function is called only where the coast may pass; elsewhere only the sign of the height matters.
     fn sampled(domain: &Domain, spacing: f32, share: f32, height: impl Fn(Vec2) -> f32) -> Self {
         /// The distance between corners of the coarse lattice, in units.
         const FAR: f32 = 16.0;
-        /// Where height is this near to the level, in units, the coast may pass.
+        /// The coast may pass where the height differs from the level by less than this, in units.
         const NEAR: f32 = 24.0;
         let stride = (FAR / spacing) as usize;
         let ((columns, rows), (across, down)) = (Self::corners(domain, spacing), Self::corners(domain, FAR));
@@ -108,8 +109,9 @@ impl CoastDistance {
         Self { heights: (0..columns * rows).map(sample).collect(), columns, rows, spacing }
     }
 
-    /// Sinks islets, and makes land of ponds: a map has no room for the rivers of the one, and those of the land around
-    /// run through the other. Ponds are waters of under a hundredth of the domain, unless there is no other water.
+    /// Turns islets into sea and ponds into land. The map has no room for rivers on islets, and rivers of the land
+    /// around a pond run through it. Ponds are waters of less than a hundredth of the domain, but the largest water
+    /// always stays.
     fn remove_islets_and_ponds(&mut self) {
         const ISLET: f32 = 400.0;
         const LEVELLED: f32 = 1.0;
@@ -136,13 +138,13 @@ impl CoastDistance {
         &mut self.heights[start + run.start as usize..start + run.end as usize]
     }
 
-    /// The line of height 0, square by square of the lattice (marching squares).
+    /// The line of height 0, from the squares of the lattice (marching squares).
     fn contour(&self) -> Vec<Piece> {
         let mut pieces = Vec::new();
         for row in 0..self.rows - 1 {
             for column in 0..self.columns - 1 {
                 let northwest = row * self.columns + column;
-                // Round the square, so that crossings pair up in the order they come in.
+                // The corners in order around the square, so that consecutive crossings form pairs.
                 let round = [northwest, northwest + 1, northwest + self.columns + 1, northwest + self.columns];
                 let land = round.iter().filter(|&&corner| self.heights[corner] > 0.0).count();
                 if land % 4 == 0 {
@@ -156,7 +158,7 @@ impl CoastDistance {
         pieces
     }
 
-    /// Where height 0 lies between two corners, if it does.
+    /// The point between two corners where the height is 0; `None` if there is none.
     fn crossing(&self, a: usize, b: usize) -> Option<Vec2> {
         let (from, to) = (self.heights[a], self.heights[b]);
         let crosses = (from > 0.0) != (to > 0.0);
@@ -167,7 +169,7 @@ impl CoastDistance {
         corner(i, self.columns, self.spacing)
     }
 
-    /// Puts distances from a coast in place of the heights, and keeps their signs.
+    /// Replaces the heights by distances from a coast and keeps their signs.
     fn measured(mut self, coast: &[Piece]) -> Self {
         let nearest = Nearest::of(coast, &self);
         for (height, squared) in self.heights.iter_mut().zip(nearest.squared) {
@@ -181,7 +183,7 @@ impl CoastDistance {
         self.spacing
     }
 
-    /// How many columns and rows of corners there are.
+    /// The number of columns and rows of corners.
     pub(super) fn size(&self) -> (usize, usize) {
         (self.columns, self.rows)
     }
@@ -191,7 +193,7 @@ impl CoastDistance {
         &self.heights
     }
 
-    /// The heights between a row of corners and the next, from the first column on.
+    /// Interpolates the heights between a row of corners and the next one, from the first column on.
     pub(super) fn corners_between(&self, row: usize, share: f32, heights: &mut [f32]) {
         let corners = |row: usize| &self.heights[row.min(self.rows - 1) * self.columns..][..self.columns];
         for ((height, upper), lower) in heights.iter_mut().zip(corners(row)).zip(corners(row + 1)) {
@@ -199,7 +201,8 @@ impl CoastDistance {
         }
     }
 
-    /// How far inland a point lies, in units; negative at sea. Points outside the domain have the value of its border.
+    /// The distance of a point from the coast, in units; negative at sea. Points outside the domain have the value of
+    /// its border.
     #[inline]
     pub fn height(&self, point: Vec2) -> f32 {
         let at = point / self.spacing;
@@ -211,7 +214,7 @@ impl CoastDistance {
         along(row) * (1.0 - y) + along(row + 1) * y
     }
 
-    /// The way inland, and how much farther inland a step that way leads.
+    /// The gradient of the height: it points inland.
     #[inline]
     pub fn slope(&self, point: Vec2) -> Vec2 {
         let step = self.spacing;
@@ -224,7 +227,7 @@ fn corner(i: usize, columns: usize, spacing: f32) -> Vec2 {
     Vec2::new((i % columns) as f32, (i / columns) as f32) * spacing
 }
 
-/// The lattice interval a coordinate, in intervals, lies in, and where in it.
+/// The lattice interval that contains a coordinate, and the position in it, both in intervals.
 #[inline]
 fn lattice(x: f32, corners: usize) -> (usize, f32) {
     let x = x.max(0.0).min((corners - 1) as f32);
@@ -232,8 +235,8 @@ fn lattice(x: f32, corners: usize) -> (usize, f32) {
     (index, x - index as f32)
 }
 
-/// The heights of a lattice's corners, each as often as it is the corner of a square whose middle lies in the domain: so each counts for
-/// the area around it.
+/// The heights at the corners of each lattice square whose middle lies in the domain. A corner occurs once for each
+/// such square, so it counts for the area around it.
 fn of_squares(domain: &Domain, spacing: f32, heights: &[f32], columns: usize) -> Vec<f32> {
     let is_inside = |&i: &usize| domain.contains(corner(i, columns, spacing) + spacing / 2.0);
     let mut of_squares = Vec::with_capacity(4 * heights.len());
@@ -243,8 +246,8 @@ fn of_squares(domain: &Domain, spacing: f32, heights: &[f32], columns: usize) ->
     of_squares
 }
 
-/// Of every corner, the nearest piece of coast: known beside the coast and handed on from corner to corner, as in a
-/// distance transform (Danielsson 1980).
+/// The nearest piece of coast for each corner. It is known beside the coast and passed on from corner to corner, as in
+/// a distance transform (Danielsson 1980).
 struct Nearest<'a> {
     coast: &'a [Piece],
     piece: Vec<u32>,
@@ -276,7 +279,8 @@ impl<'a> Nearest<'a> {
         this
     }
 
-    /// Each corner of a row takes over what is nearer from the row beside it, and from its neighbours to the left and right.
+    /// Lets each corner of a row take over a nearer piece from the neighbouring row and from its neighbours to the left
+    /// and right.
     fn take_from_row(&mut self, row: usize, other: Option<usize>) {
         let (start, columns) = (row * self.columns, self.columns);
         if let Some(other) = other.map(|other| other * columns) {
@@ -284,7 +288,7 @@ impl<'a> Nearest<'a> {
                 let (west, east) = (column.saturating_sub(1), (column + 1).min(columns - 1));
                 let [west, middle, east] = [west, column, east].map(|beside| self.piece[other + beside]);
                 self.propose(column, row, west);
-                // Neighbours often know the same piece.
+                // Neighbours often have the same piece.
                 if middle != west {
                     self.propose(column, row, middle);
                 }
@@ -335,7 +339,7 @@ mod tests {
     fn height_is_the_distance_from_the_coast() {
         let domain = Domain::with_aspect(1.3);
         let centre = domain.size / 2.0;
-        // A round island, first by its height, then by its coast.
+        // A round island, defined by its height and by its coast.
         let cone = |point: Vec2| -(point - centre).length();
         let by_height = CoastDistance::with_sea(&domain, CoastDistance::SPACING, 0.6, cone);
         let radius = (0.4e6 / std::f32::consts::PI).sqrt();
@@ -353,7 +357,7 @@ mod tests {
             if exact > radius - 2.0 * CoastDistance::SPACING {
                 continue; // bilinear, the very peak is rounded
             }
-            // The level of the sea is known to a corner's worth of domain.
+            // The level of the sea is accurate to one corner's share of the domain.
             for (coast_distance, tolerance) in [(&by_height, 5.0), (&by_coast, 1.5)] {
                 assert!(
                     (coast_distance.height(point) - exact).abs() < tolerance,

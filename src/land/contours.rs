@@ -1,4 +1,4 @@
-//! Closed lines of one height: coasts, and what lies so far inland or out at sea.
+//! Closed lines of equal height: coasts, and lines at a distance inland or at sea.
 
 use glam::Vec2;
 
@@ -6,10 +6,10 @@ use super::trace::{SPECK, rings};
 use super::{CoastDistance, SmoothedDistance};
 
 impl SmoothedDistance {
-    /// The rings around all that lies higher than a level, in units. Along the border they run a little outside of the
-    /// domain. Specks are left out: the finer the lattice, the smaller.
+    /// The rings around all areas higher than a level, in units. Along the border they run slightly outside the domain.
+    /// Specks are left out; a finer lattice keeps smaller ones.
     pub fn rings_above(&self, level: f32) -> Vec<Vec<Vec2>> {
-        // Heights this far above the level and below count as far off; neighbours differ by less.
+        // Heights that differ from the level by more than this are clamped; neighbouring corners differ by less.
         let far = 4.0 * self.spacing();
         let finer = self.spacing() / CoastDistance::COARSE_SPACING;
         let (columns, rows) = self.size();

@@ -1,4 +1,4 @@
-//! The grid of cells that land is cut into.
+//! The grid of cells of land and water.
 
 use std::ops::Range;
 
@@ -20,11 +20,11 @@ pub(super) struct Grid {
     pub cells: Vec<Cell>,
     /// The stretches of land, row by row.
     pub runs: Vec<Run>,
-    /// How many cells are land, ridges included.
+    /// The number of cells of land, ridges included.
     land: u32,
     pub columns: i32,
     pub rows: i32,
-    /// Of the domain, in units: the last cells reach over its border.
+    /// The size of the domain, in units. The last cells may extend beyond its border.
     pub size: Vec2,
 }
 
@@ -32,7 +32,7 @@ impl Grid {
     /// The cells whose middles lie above water.
     pub fn above_water(domain: &Domain, coast_distance: &CoastDistance) -> Self {
         let (columns, rows) = extent(domain.size);
-        // How many go into an interval of the lattice.
+        // The number of cells in an interval of the lattice.
         let cells = (coast_distance.spacing() / CELL_SIZE) as usize;
         let mut heights = vec![0.0; columns.div_ceil(cells) + 1];
         let mut runs = Vec::new();
@@ -44,7 +44,7 @@ impl Grid {
         Self::of_runs(domain, runs)
     }
 
-    /// Cells from a list, row by row, of whether each is land; rows may have more columns than are needed.
+    /// Makes a grid from a list of cells, row by row; `true` is land. Rows may have more columns than are needed.
     #[cfg(feature = "files")]
     pub fn of_cells(domain: &Domain, is_land: &[bool], row_length: usize) -> Self {
         let (columns, rows) = extent(domain.size);
@@ -62,7 +62,8 @@ impl Grid {
         Self::of_runs(domain, runs)
     }
 
-    /// Cells from stretches of one kind, which may go on over the ends of rows: of each the kind, and how many cells there are.
+    /// Makes a grid from stretches of one kind, which may continue over the ends of rows. Each has two numbers: the
+    /// kind, and the number of cells.
     #[cfg(feature = "names")]
     pub fn of_stretches(size: Vec2, stretches: &[u32]) -> Option<Self> {
         let (columns, rows) = extent(size);
@@ -94,7 +95,7 @@ impl Grid {
         self.land as f32 / self.cells.len() as f32
     }
 
-    /// Makes the land along ridges illegal. Returns the numbers of its cells, ascending.
+    /// Turns the land along ridges into ridge cells. Returns their indices in ascending order.
     pub fn raise(&mut self, ridges: &[Vec<Vec2>]) -> Vec<usize> {
         let mut raised = Vec::new();
         for pair in ridges.iter().flat_map(|ridge| ridge.windows(2)) {
@@ -113,7 +114,7 @@ impl Grid {
         raised
     }
 
-    /// Where land ends.
+    /// The cells that are not land, as obstacles.
     pub fn borders(&self) -> Obstacles {
         let columns = self.columns as usize;
         let number = |run: &Run, column: u32| run.row as usize * columns + column as usize;
@@ -128,7 +129,7 @@ impl Grid {
         Obstacles::of(self.columns as usize, self.rows as usize, false, cells)
     }
 
-    /// All cells of a region beside the sea.
+    /// All cells of a region that are beside the sea.
     pub fn shores(&self, region: &Region, coast_distance: &CoastDistance) -> Vec<Shore> {
         let mut shores = Vec::new();
         let is_water = |cells: &[Cell], column: usize| cells.get(column) == Some(&Cell::Water);
@@ -141,7 +142,7 @@ impl Grid {
             };
             let (west, east) = (is_water(here, start.wrapping_sub(1)), is_water(here, end));
             let is_end = |column: usize| (column == start && west) || (column + 1 == end && east);
-            // Most of a run lies between other runs: many of its cells at a time are passed over.
+            // Most of a run lies between other runs, so many cells are skipped at a time.
             for first in (start..end).step_by(MANY) {
                 let columns = first..(first + MANY).min(end);
                 if has_water(above, &columns) || has_water(below, &columns) || is_end(first) || is_end(columns.end - 1)
@@ -160,7 +161,7 @@ impl Grid {
         row.checked_mul(columns).and_then(|start| self.cells.get(start..start + columns)).unwrap_or_default()
     }
 
-    /// A cell by its place; water outside.
+    /// The cell at a column and row; water outside the grid.
     #[inline]
     pub fn cell(&self, column: i32, row: i32) -> Cell {
         self.index(column, row).map_or(Cell::Water, |i| self.cells[i])
@@ -173,24 +174,24 @@ impl Grid {
     }
 }
 
-/// How many columns and rows of cells cover a domain of a size.
+/// The number of columns and rows of cells that cover a domain.
 fn extent(size: Vec2) -> (usize, usize) {
     let count = |length: f32| (length / CELL_SIZE).ceil() as usize;
     (count(size.x), count(size.y))
 }
 
-/// How many cells are looked at together.
+/// The number of cells that are looked at together.
 const MANY: usize = 32;
 
-/// Whether there is water in some columns of a row, which may lie outside.
+/// Returns `true` if there is water in some columns of a row. Columns may lie outside.
 #[inline(never)] // two copies of a vectorised loop weigh more than a call
 fn has_water(row: &[Cell], columns: &Range<usize>) -> bool {
     let cells = row.get(columns.clone()).unwrap_or_default();
     cells.iter().fold(false, |any, &cell| any | (cell == Cell::Water))
 }
 
-/// Adds the stretches of a row's cells that lie above water. From one lattice corner to the next the height is linear,
-/// so most cells need not be looked at one by one. The pair is the number of columns and of cells in an interval.
+/// Adds the stretches of a row's cells that lie above water. The height is linear from one lattice corner to the next,
+/// so most cells need not be looked at one by one. The pair holds the number of columns and of cells in an interval.
 fn land_of_row(row: u32, (columns, cells): (usize, usize), heights: &[f32], runs: &mut Vec<Run>) {
     let mut start = None;
     let mut turn = |column: usize, is_land: bool| match start {

@@ -1,4 +1,4 @@
-//! The shapes that land comes in, each bent by seeded noise.
+//! The shapes of land, each distorted by seeded noise.
 
 use fastnoise_lite::{CellularReturnType, FastNoiseLite, NoiseType};
 use glam::{Mat2, Vec2, Vec2Swizzles};
@@ -35,8 +35,8 @@ impl Shape {
         }
     }
 
-    /// The coast distances of the shape, with this distance between their corners; `None` for the plain rectangle, and for a drawn land,
-    /// which has them from its outline.
+    /// The coast distances of the shape, on a lattice with this spacing. `None` for the plain rectangle and for a drawn
+    /// land, which has them from its outline.
     pub fn coast_distance(&self, spacing: f32) -> Option<CoastDistance> {
         if matches!(self.kind, LandKind::Rectangle | LandKind::Drawn) {
             return None;
@@ -45,7 +45,8 @@ impl Shape {
         Some(CoastDistance::with_sea(&self.domain, spacing, self.sea, |point| form.height(point)))
     }
 
-    /// The ridges of the shape, as polylines: of a valley two, from the coast inland, bent a little even on smooth land.
+    /// The ridges of the shape, as polylines. A valley has two, from the coast inland, slightly bent even on smooth
+    /// land.
     pub fn ridges(&self) -> Vec<Vec<Vec2>> {
         if self.kind != LandKind::Valley {
             return Vec::new();
@@ -53,7 +54,7 @@ impl Shape {
         let (wobble, place) = (self.noise(2, 2.0, 3), self.seed.item_hash(Purpose::Land));
         let inland = if self.sides.contains('s') || self.sides.contains('n') { Vec2::Y } else { Vec2::X };
         let (aside, across) = (inland.yx(), self.domain.size);
-        // Anywhere in a fifth of the way across.
+        // Each begins at a random place within a fifth of the way across.
         let ridge = |(number, first): (u32, f32)| {
             let start = aside * (first + 0.2 * place.unit([4, number, 0]));
             let point = |i| (start + inland * (i as f32 / 64.0)) * across;
@@ -68,25 +69,25 @@ impl Shape {
         self.domain.size.min_element()
     }
 
-    /// Noise with about this many bumps across the domain.
+    /// Noise with approximately this number of bumps across the domain.
     pub fn noise(&self, index: u32, bumps: f32, octaves: i32) -> FastNoiseLite {
         self.seed.noise(Purpose::Land, index, bumps / self.span(), octaves)
     }
 }
 
-/// What the height of a shape is made of. Noise and islands lie along a grain, as folds and faults do: a tilt of the seed's own, so
-/// that the frame does not show in them.
+/// The ingredients of a shape's height. Noise and islands follow a grain, as folds and faults do. Its direction depends
+/// on the seed, so that the frame does not show in the coasts.
 struct Form<'a> {
     shape: &'a Shape,
-    /// Turns to along and across the grain.
+    /// Rotates to coordinates along and across the grain.
     grain: Mat2,
-    /// The tops of the cones that an island is made of, along the grain, and how high they are, in units.
+    /// The tops of the cones that form an island, in coordinates of the grain, and their heights in units.
     peaks: [(Vec2, f32); 2],
-    /// How much longer a cone is than a round one, and how much narrower.
+    /// The ratio by which cones are stretched along the grain and narrowed across it.
     length: f32,
-    /// Where a trough crosses the cones, and how deep it is, in spans: a strait, two inlets, or nothing.
+    /// The position of a trough across the cones, and its depth, in spans. It makes a strait, two inlets, or nothing.
     trough: (f32, f32),
-    /// How far the coast of each side, north, east, south and west, runs aslant: by this share of the domain from end to end.
+    /// The slants of the coasts in the north, east, south and west, from end to end as shares of the domain.
     slants: [f32; 4],
     warp: [FastNoiseLite; 2],
     broad: FastNoiseLite,
@@ -98,7 +99,7 @@ impl<'a> Form<'a> {
     fn of(shape: &'a Shape) -> Self {
         let chance = |what: u32, number: u32| shape.seed.item_hash(Purpose::Land).unit([6, what, number]);
         let (size, span) = (shape.domain.size, shape.span());
-        // There is the most room near a diagonal.
+        // There is most room near a diagonal.
         let tilt = libm::atan2f(size.y, size.x) * (0.5 + 0.6 * chance(0, 0));
         let (sin, cos) = libm::sincosf(if chance(0, 1) < 0.5 { -tilt } else { tilt });
         let grain = Mat2::from_cols(Vec2::new(cos, -sin), Vec2::new(sin, cos));
@@ -108,7 +109,7 @@ impl<'a> Form<'a> {
         };
         let slant = |side: u32| {
             let slant = 2.0 * chance(4, side) - 1.0;
-            // All parts of a valley between and beside its ridges need a coast.
+            // Each part of a valley, between and beside its ridges, needs a coast.
             let most = if shape.kind == LandKind::Valley { 0.35 } else { 0.75 };
             (slant + 0.3f32.copysign(slant)) * most * shape.sea.min(1.0 - shape.sea)
         };
@@ -137,14 +138,15 @@ impl<'a> Form<'a> {
         let at = self.grain * (point - self.shape.domain.size / 2.0);
         let strays = [0, 1].map(|i| self.warp[i].get_noise_2d(at.x, at.y));
         let at = at + Vec2::from(strays) * (roughness * span * 0.12);
-        // Straits between islands are narrow, and much would close them; but their shores are steep, so that it takes more to show.
+        // Straits between islands are narrow and strong noise would close them, but their shores are steep, so it takes
+        // more noise to show.
         let (broad, fine) = match kind {
             LandKind::Archipelago => (0.3, 0.26),
             LandKind::Continent | LandKind::Valley => (0.45, 0.15),
             LandKind::Basin => (0.58, 0.3),
             _ => (0.58, 0.2),
         };
-        // Some coasts are wild and others gentle.
+        // Coasts are wild in some places and gentle in others.
         let fine = fine * (0.5 + 1.2 * strays[1]).clamp(0.4, 1.0);
         let bend =
             roughness * (broad * self.broad.get_noise_2d(at.x, at.y) + fine * self.fine.get_noise_2d(at.x, at.y));
@@ -154,8 +156,8 @@ impl<'a> Form<'a> {
             LandKind::Basin => self.moat(point, -bend, strays[0]) - self.cones(at),
             LandKind::Continent | LandKind::Valley => self.side_distance(point),
             LandKind::Archipelago => {
-                // The gap between the distances to the nearest and the next of some scattered centres: 0 midway, so that
-                // straits lie there.
+                // The difference between the distances to the nearest and the second nearest of scattered centres. It
+                // is 0 midway, where straits should lie.
                 let island = self.islands.get_noise_2d(at.x, at.y);
                 (island * 1.5 + strays[0] * 0.9) * span + 0.3 * self.cones(at) - self.moat(point, bend, strays[0])
             }
@@ -163,10 +165,10 @@ impl<'a> Form<'a> {
         plain + bend * span
     }
 
-    /// The height of the higher cone, less the trough.
+    /// The height of the higher cone, minus the trough.
     fn cones(&self, at: Vec2) -> f32 {
         const WIDTH: f32 = 0.12;
-        /// Across the grain, but not quite.
+        /// Nearly, but not exactly, across the grain.
         const ACROSS: Vec2 = Vec2::new(0.9, 0.436);
         let (span, stretch) = (self.shape.span(), Vec2::new(1.0 / self.length, self.length));
         let cone = |(peak, height): &(Vec2, f32)| height - length((at - *peak) * stretch);
@@ -175,7 +177,7 @@ impl<'a> Form<'a> {
         highest - (1.0 - off / WIDTH).max(0.0) * self.trough.1 * span
     }
 
-    /// The distance to the nearest side that has the sea, a side that runs aslant.
+    /// The distance to the nearest side with the sea, taking its slant into account.
     fn side_distance(&self, point: Vec2) -> f32 {
         let size = self.shape.domain.size;
         let (far, off) = (size - point, (point / size - 0.5) * size.yx());
@@ -186,14 +188,15 @@ impl<'a> Form<'a> {
             .fold(f32::INFINITY, |least, ((_, distance, off), slant)| least.min(distance + slant * off))
     }
 
-    /// A drop toward the border of the domain, so that land surrounded by sea is not cut by it, nor a lake by land. It begins at a
-    /// margin that strays by itself and with the coast (`bend`), so that no coast is straight for it, and ends in a wall. The less room
-    /// there is around land of more than half of the map, the nearer to the border both are.
+    /// Lowers the height towards the border of the domain, so that the border cuts neither land surrounded by sea nor a
+    /// lake surrounded by land. The drop begins at a margin, which varies by itself and with the coast (`bend`), so
+    /// that it straightens no coast, and ends in a wall. If land covers more than half of the map, both lie nearer to
+    /// the border.
     fn moat(&self, point: Vec2, bend: f32, stray: f32) -> f32 {
         let Shape { kind, domain, sea, .. } = self.shape;
         let within = if *kind == LandKind::Basin { *sea } else { 1.0 - sea }.max(0.5);
         let room = 0.5 * (1.0 - within.sqrt());
-        // Islands of an archipelago may lie anywhere.
+        // The islands of an archipelago may lie anywhere.
         let width = if *kind == LandKind::Archipelago { 0.7 * room } else { (1.4 * room).min(0.22) };
         let margin = room * (0.5 + 1.6 * stray - 0.8 * bend).max(0.0);
         let inside = point.min(domain.size - point) / self.shape.span();

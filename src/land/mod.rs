@@ -1,13 +1,13 @@
-//! Land: where rivers may run.
+//! Land: the area where rivers may run.
 //!
-//! A [`CoastDistance`] says of every point of the domain how far inland it lies; a [`Land`] is the grid of cells made of it,
-//! each land, water or a ridge that no river may cross, as in Demiurge, part 2.
+//! A [`CoastDistance`] gives the distance of every point of the domain from the coast. A [`Land`] is the grid of cells
+//! made from it: each is land, water or a ridge that no river may cross, as in Demiurge, part 2.
 //!
-//! A drawn land comes from an [`Outline`](crate::recipe::Outline), which hand-drawn lines
-//! ([`from_polylines`](crate::recipe::Outline::from_polylines)) or a picture (`trace`, of the feature `files`) are turned into.
+//! A drawn land comes from an [`Outline`](crate::recipe::Outline), which is made from hand-drawn lines
+//! ([`from_polylines`](crate::recipe::Outline::from_polylines)) or from a picture (`trace`, in the feature `files`).
 //!
-//! Growth asks about cells, painting about smoothed coast distances ([`SmoothedDistance`]): so the coast is smooth at any size, and
-//! rivers end at it.
+//! Growth uses cells, painting uses smoothed coast distances ([`SmoothedDistance`]). Therefore the coast is smooth at
+//! any size, and rivers end at it.
 
 mod cell;
 mod coast_distance;

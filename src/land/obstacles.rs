@@ -1,5 +1,5 @@
-//! Cells that are in the way of lines, and how much room there is: far from all of them a line need not be followed cell
-//! by cell.
+//! Cells that block lines, and the free room around points: far from all obstacles, a line need not be followed cell by
+//! cell.
 
 use std::ops::Range;
 
@@ -8,26 +8,26 @@ use glam::Vec2;
 use super::walk::{floor, walk};
 use crate::work;
 
-/// The side of a tile, in cells: the cells of a tile are the bits of a number.
+/// The side of a tile, in cells. The cells of a tile are the bits of a number.
 const TILE: usize = 8;
 
-/// The obstacles of a grid, in tiles: few enough that all of them stay in the cache.
+/// The obstacles of a grid, in tiles: compact enough to stay in the cache.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Obstacles {
-    /// Of every tile its cells, row by row from the lowest bit.
+    /// The cells of each tile, row by row from the lowest bit.
     cells: Vec<u64>,
-    /// Of every tile, how many tiles away the nearest with an obstacle is.
+    /// The distance of each tile from the nearest tile with an obstacle, in tiles.
     away: Vec<u8>,
-    /// Of the grid, in cells.
+    /// The size of the grid, in cells.
     columns: usize,
     rows: usize,
     tile_columns: usize,
-    /// Whether all that lies outside the grid is an obstacle.
+    /// `true` if everything outside the grid is an obstacle.
     outside: bool,
 }
 
 impl Obstacles {
-    /// Obstacles by the numbers of their cells, which are counted row by row.
+    /// Makes obstacles from ranges of cell indices, which count row by row.
     pub fn of(columns: usize, rows: usize, outside: bool, obstacles: impl Iterator<Item = Range<usize>>) -> Self {
         let (tile_columns, tile_rows) = (columns.div_ceil(TILE).max(1), rows.div_ceil(TILE));
         let cells = vec![0; tile_columns * tile_rows];
@@ -37,7 +37,7 @@ impl Obstacles {
         this
     }
 
-    /// Notes a stretch of obstacles, which may go on over the ends of rows.
+    /// Marks a stretch of obstacles, which may continue over the ends of rows.
     #[inline(never)]
     fn mark(&mut self, Range { mut start, end }: Range<usize>) {
         while start < end {
@@ -52,7 +52,8 @@ impl Obstacles {
         }
     }
 
-    /// Measures how far obstacles are, from tile to neighbouring tile, there and back (Rosenfeld and Pfaltz 1968): king's moves.
+    /// Computes the distances of tiles from obstacles, forth and back from tile to neighbouring tile (Rosenfeld and
+    /// Pfaltz 1968), in king's moves.
     fn spread(&mut self) {
         self.away = self.cells.iter().map(|&cells| if cells == 0 { u8::MAX } else { 0 }).collect();
         let columns = self.tile_columns;
@@ -66,7 +67,7 @@ impl Obstacles {
         }
     }
 
-    /// How far from a point of the grid there surely is no obstacle, along either axis, in cells.
+    /// A distance from a point of the grid within which there is certainly no obstacle along either axis, in cells.
     #[inline]
     pub fn room(&self, at: Vec2) -> f32 {
         let tile = at.y as u32 / TILE as u32 * self.tile_columns as u32 + at.x as u32 / TILE as u32;
@@ -74,20 +75,20 @@ impl Obstacles {
         f32::from(between) * TILE as f32
     }
 
-    /// Whether there surely is no obstacle within a distance of a point, in cells. Short ones are worth a closer look than
-    /// tiles allow.
+    /// Returns `true` if there is certainly no obstacle within a distance of a point, in cells. For short distances it
+    /// looks closer than tiles allow.
     #[inline]
     pub fn has_room(&self, at: Vec2, distance: f32) -> bool {
         self.room(at) >= distance || (distance <= TILE as f32 && self.is_box_clear(at - distance, at + distance))
     }
 
-    /// Whether a straight line from one point to another, in cells, touches no obstacle.
+    /// Returns `true` if a straight line between two points, in cells, touches no obstacle.
     #[inline]
     pub fn let_pass(&self, from: Vec2, to: Vec2) -> bool {
         (is_worth_boxing(to - from) && self.is_box_clear(from, to)) || self.is_way_clear(from, to)
     }
 
-    /// The same cell by cell, up to the first obstacle.
+    /// Follows the line cell by cell, up to the first obstacle.
     fn is_way_clear(&self, from: Vec2, to: Vec2) -> bool {
         let mut cells = 0;
         let is_clear = walk(from, to).all(|(column, row)| {
@@ -98,8 +99,8 @@ impl Obstacles {
         is_clear
     }
 
-    /// Whether surely no cell is an obstacle of the box between two points: most lines beside obstacles need not be
-    /// followed either.
+    /// Returns `true` if the box between two points certainly holds no obstacle. Most lines beside obstacles need not
+    /// be followed then.
     #[inline]
     fn is_box_clear(&self, a: Vec2, b: Vec2) -> bool {
         let (west, east) = ordered(floor(a.x), floor(b.x));
@@ -124,7 +125,7 @@ impl Obstacles {
         met == 0
     }
 
-    /// Whether a cell is an obstacle.
+    /// Returns `true` if a cell is an obstacle.
     fn holds(&self, column: i32, row: i32) -> bool {
         let (x, y) = (column as usize, row as usize);
         if column < 0 || row < 0 || x >= self.columns || y >= self.rows {
@@ -134,8 +135,8 @@ impl Obstacles {
     }
 }
 
-/// Whether a line is so short, or so nearly straight along an axis, that the box around it has no more tiles than the line
-/// has cells: a view across the map is followed instead, up to the first obstacle.
+/// Returns `true` if a line is so short, or so close to the direction of an axis, that the box around it has no more
+/// tiles than the line has cells. A line across the map is followed instead, up to the first obstacle.
 #[inline]
 fn is_worth_boxing(along: Vec2) -> bool {
     let along = along.abs();
@@ -146,7 +147,7 @@ fn is_worth_boxing(along: Vec2) -> bool {
 /// A bit in every row of a tile.
 const EVERY_ROW: u64 = 0x0101_0101_0101_0101;
 
-/// The bits from a first to a last.
+/// The bits from `first` to `last`.
 #[inline]
 fn bits(first: usize, last: usize) -> u64 {
     u64::MAX << first & u64::MAX >> (63 - last)
@@ -157,7 +158,8 @@ fn ordered(a: i32, b: i32) -> (i32, i32) {
     (a.min(b), a.max(b))
 }
 
-/// Each tile of a row takes over what is nearer from the row beside it, and from its neighbours to the left and right.
+/// Lets each tile of a row take over a smaller distance from the neighbouring row and from its neighbours to the left
+/// and right.
 fn hear(row: &mut [u8], other: Option<&[u8]>) {
     if let Some(other) = other {
         let nearest = |i: usize| other[i.saturating_sub(1)].min(other[i]).min(other[(i + 1).min(other.len() - 1)]);

@@ -1,4 +1,4 @@
-//! The land of a drawn outline: its lines in units, roughened, and the coast distances that they make.
+//! The land of a drawn outline: its lines in units, roughened, and their coast distances.
 
 use glam::Vec2;
 
@@ -12,15 +12,16 @@ use crate::domain::Domain;
 use crate::geometry::distance;
 use crate::recipe::{GridPoint, Outline};
 
-/// How far beyond the domain a coast is taken that runs along its border, in units: such land goes on out there, and
-/// nothing of that coast is seen.
+/// The distance by which a coast along the border is moved beyond the domain, in units: the land continues there, and
+/// that coast is not visible.
 const BEYOND: f32 = 150.0;
-/// How far the wildest coast strays from its drawn line, as a part of a bump's length: so little that the plane never
-/// folds, and lines that do not touch still do not.
+/// The greatest distance that a coast strays from its drawn line, as a share of a bump's length: so little that the
+/// plane never folds, and lines that do not touch still do not.
 const WILDEST: f32 = 0.07;
-/// The bumps of a rough coast across the domain: small beside what people draw, so that a drawn shape stays itself.
+/// The number of bumps of a rough coast across the domain: large enough to be small beside drawn shapes, which keep
+/// their form.
 const BUMPS: f32 = 5.0;
-/// The length of the pieces that a line is bent in, in units, or more where there would be over [`MOST_PIECES`].
+/// The length of the pieces of a bent line, in units. Pieces are longer where there would be more than [`MOST_PIECES`].
 const PIECE: f32 = 7.0;
 const MOST_PIECES: f32 = 2000.0;
 
@@ -35,7 +36,7 @@ pub(super) struct Drawing {
 }
 
 impl Drawing {
-    /// An outline on a domain. Every line is moved by the same noise, so that lines which do not touch still do not,
+    /// Places an outline on a domain. All lines are moved by the same noise, so lines that do not touch still do not,
     /// small islands stay, and ridges and rivers keep their place on the land.
     pub fn of(outline: &Outline, shape: &Shape) -> Self {
         let domain = &shape.domain;
@@ -49,7 +50,7 @@ impl Drawing {
         this
     }
 
-    /// Lines in fractions of a domain's width and height.
+    /// Places lines, in fractions of the domain's width and height, on the domain.
     #[cfg(feature = "files")]
     pub fn on(domain: &Domain, coasts: Vec<Vec<Vec2>>, ridges: Vec<Vec<Vec2>>) -> Self {
         let size = domain.size;
@@ -87,8 +88,8 @@ impl Drawing {
         edges
     }
 
-    /// The distances from the coasts, on a lattice with this distance between its corners: land is what lies within an odd number of
-    /// them.
+    /// The distances from the coasts, on a lattice with this spacing. Land is everything within an odd number of
+    /// coasts.
     pub fn coast_distance(&self, domain: &Domain, spacing: f32) -> CoastDistance {
         CoastDistance::of_coast(
             domain,
@@ -98,7 +99,7 @@ impl Drawing {
         )
     }
 
-    /// The cells whose middles lie within an odd number of coasts: nothing is lost between the corners of a lattice.
+    /// The cells whose middles lie within an odd number of coasts. Unlike a coarse lattice, this loses no detail.
     #[cfg(feature = "files")]
     pub fn grid(&self, domain: &Domain) -> Grid {
         let crossings = self.crossings(domain, CELL_SIZE, Vec2::splat(CELL_SIZE / 2.0));
@@ -106,7 +107,7 @@ impl Drawing {
         Grid::of_cells(domain, &crossings.into_land(), columns)
     }
 
-    /// What the coasts cross of a lattice that begins at a corner.
+    /// The crossings of the coasts with a lattice that begins at a corner.
     fn crossings(&self, domain: &Domain, spacing: f32, corner: Vec2) -> Crossings {
         let mut crossings = Crossings::over(domain, spacing);
         self.edges().into_iter().for_each(|[a, b]| crossings.add(a - corner, b - corner));
@@ -114,19 +115,19 @@ impl Drawing {
     }
 }
 
-/// Lines of an outline on a domain.
+/// Converts the lines of an outline to units.
 pub(crate) fn in_units(lines: &[Vec<GridPoint>], domain: &Domain) -> Vec<Vec<Vec2>> {
     lines.iter().map(|line| line.iter().map(|point| point.fraction() * domain.size).collect()).collect()
 }
 
-/// How a rough land moves every point of the plane.
+/// The displacement of each point of the plane on a rough land.
 fn bend(shape: &Shape) -> impl Fn(Vec2) -> Vec2 {
     let [east, south] = [4, 5].map(|index| shape.noise(index, BUMPS, 2));
     let most = shape.roughness * WILDEST * shape.domain.size.min_element() / BUMPS;
     move |Vec2 { x, y }| Vec2::new(x, y) + Vec2::new(east.get_noise_2d(x, y), south.get_noise_2d(x, y)) * most
 }
 
-/// A ring whose runs along the border of the domain are taken beyond it.
+/// Moves the parts of a ring that run along the border of the domain beyond it.
 fn past_border(ring: &[Vec2], size: Vec2) -> Vec<Vec2> {
     let is_along =
         |a: Vec2, b: Vec2| (side(a.x, size.x) * side(b.x, size.x)).max(side(a.y, size.y) * side(b.y, size.y)) > 0.0;
@@ -144,7 +145,7 @@ fn past_border(ring: &[Vec2], size: Vec2) -> Vec<Vec2> {
     taken
 }
 
-/// Which border a coordinate lies on: -1 the near one, 1 the far one, 0 none.
+/// The border on which a coordinate lies: -1 for the near one, 1 for the far one, 0 for none.
 fn side(x: f32, length: f32) -> f32 {
     if x <= 0.0 {
         -1.0
@@ -155,7 +156,7 @@ fn side(x: f32, length: f32) -> f32 {
     }
 }
 
-/// The points of a line, and more between them so that none are farther apart than a piece, each found when it is asked for.
+/// The points of a line with more points between, so that no gap is longer than a piece. Points are computed on demand.
 pub(crate) fn divided(line: &[Vec2], piece: f32, is_closed: bool) -> Box<dyn Iterator<Item = Vec2> + '_> {
     let edges = if is_closed { line.len() } else { line.len().saturating_sub(1) };
     let edge = move |i: usize| {
@@ -164,13 +165,13 @@ pub(crate) fn divided(line: &[Vec2], piece: f32, is_closed: bool) -> Box<dyn Ite
         (0..pieces).map(move |k| a.lerp(b, k as f32 / pieces as f32))
     };
     let end = line.last().copied().filter(|_| !is_closed);
-    // One kind of iterator: each copy of it would weigh a kilobyte.
+    // A box, because each further copy of the iterator would weigh a kilobyte.
     Box::new((0..edges).flat_map(edge).chain(end))
 }
 
-/// Where edges of coasts cross the rows of the lattice.
+/// The crossings of coast edges with the rows of the lattice.
 struct Crossings {
-    /// Whether an odd number of edges lie between this corner and the one to the west of it.
+    /// `true` if an odd number of edges lie between this corner and the next one to the west.
     flips: Vec<bool>,
     columns: usize,
     rows: usize,
@@ -184,7 +185,7 @@ impl Crossings {
         Self { flips: vec![false; columns * rows], columns, rows, spacing }
     }
 
-    /// Notes where an edge crosses the rows of the lattice. Of an edge's two ends the upper counts: so two edges that
+    /// Records where an edge crosses the rows of the lattice. Only the upper end of an edge counts, so two edges that
     /// meet on a row cross it once.
     fn add(&mut self, a: Vec2, b: Vec2) {
         let (upper, lower) = if a.y <= b.y { (a, b) } else { (b, a) };
@@ -197,12 +198,12 @@ impl Crossings {
         }
     }
 
-    /// The first lattice line at or beyond a coordinate, or as many as there are.
+    /// The index of the first lattice line at or beyond a coordinate, or `lines` if there is none.
     fn first(&self, x: f32, lines: usize) -> usize {
         ((x / self.spacing).ceil().max(0.0) as usize).min(lines)
     }
 
-    /// Of each corner, row by row, whether an odd number of edges lie to the west of it.
+    /// Returns for each corner, row by row, whether an odd number of edges lie to the west of it.
     fn into_land(self) -> Vec<bool> {
         let mut is_land = false;
         let corner = |(i, flips): (usize, bool)| {
@@ -320,7 +321,7 @@ mod tests {
         ) {
             let ring: Vec<Vec2> = ring.into_iter().map(|point| Vec2::from(point) * 1000.0).collect();
             let drawing = Drawing { coasts: vec![ring], ridges: vec![], rivers: vec![] };
-            // At a corner of the lattice the distance is exact.
+            // The distance is exact at the corners of the lattice.
             let at = (Vec2::from(at) / CoastDistance::SPACING).floor() * CoastDistance::SPACING;
             let nearest = |[a, b]: Piece| {
                 let along = b - a;
@@ -333,7 +334,7 @@ mod tests {
             });
             let is_land = crossings.count() % 2 == 1;
             let height = drawing.coast_distance(&Domain::with_aspect(1.0), CoastDistance::SPACING).height(at);
-            // Handed on from corner to corner, a distance may be a little too long.
+            // A distance that is passed on from corner to corner may be slightly too long.
             prop_assert!((-0.01..2.0).contains(&(height.abs() - distance)), "{} is not {}", height, distance);
             prop_assert!(distance < 0.01 || is_land == (height > 0.0));
         }

@@ -1,4 +1,4 @@
-//! Land as growth and painting ask for it: the coast distances, the grid of cells made of it, its regions and its ridges.
+//! Land as growth and painting use it: coast distances, the grid of cells, regions and ridges.
 
 use std::sync::Arc;
 
@@ -19,10 +19,10 @@ use crate::geometry::length;
 use crate::recipe::{LandKind, Recipe};
 use crate::work;
 
-/// The least share of the domain that a drawn land fills: with less, attractors would not find it.
+/// The smallest share of the domain that a drawn land must fill: attractors would miss smaller lands.
 pub(super) const LEAST_DRAWN: f32 = 0.01;
 
-/// Which cells are land, on the whole domain.
+/// The land of a map.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Land {
     coast_distance: CoastDistance,
@@ -30,25 +30,25 @@ pub struct Land {
     regions: Vec<Region>,
     ridges: Vec<Vec<Vec2>>,
     rivers: Vec<Vec<Vec2>>,
-    /// What no river crosses: where land ends.
+    /// The borders of land, which no river crosses.
     borders: Obstacles,
     hides: Hides,
 }
 
-/// The obstacles between attractors and nodes that they do not pull.
+/// The obstacles through which attractors do not pull nodes.
 #[derive(Clone, Debug, PartialEq)]
 enum Hides {
-    /// Nothing, on connected land without ridges.
+    /// No obstacles, on connected land without ridges.
     Nothing,
-    /// Ridges.
+    /// Ridges alone.
     Ridges(Obstacles),
-    /// Everything but land, where there are several regions: growth in one does not affect the others.
+    /// Everything but land, where there are several regions, so that growth in one does not affect the others.
     Borders,
 }
 
 impl Land {
-    /// The land of a recipe; `None` for the plain rectangle, which is all land, and for a drawn land of which nothing is
-    /// drawn, or no water, or next to no land.
+    /// The land of a recipe. `None` for the plain rectangle, which is all land, and for a drawn land without a drawing,
+    /// without water or with hardly any land.
     pub fn of(recipe: &Recipe) -> Option<Arc<Self>> {
         let shape = Shape::of(recipe);
         if shape.kind == LandKind::Drawn {
@@ -58,7 +58,7 @@ impl Land {
         Some(Arc::new(Self::new(&shape.domain, shape.coast_distance(CoastDistance::SPACING)?, shape.ridges())))
     }
 
-    /// Nearly the land of a recipe, in a third of the time, as something to look at; of a drawn land, the very one. `None` as of `of`.
+    /// A coarse preview of [`Land::of`], three times as fast. Drawn lands are exact. `None` as in [`Land::of`].
     #[cfg(feature = "controls")]
     pub(crate) fn draft_of(recipe: &Recipe) -> Option<Arc<Self>> {
         let shape = Shape::of(recipe);
@@ -69,9 +69,8 @@ impl Land {
         Some(Arc::new(Self::new(&shape.domain, coast_distance, shape.ridges())))
     }
 
-    /// The kind of land that a recipe gives: the one that it names, or the plain rectangle if it names a drawn land and
-    /// [`Land::of`] finds none. For a drawn land this takes some
-    /// milliseconds, nearly as long as [`Land::of`].
+    /// The kind of land of a recipe: the one it names, or the plain rectangle if it names a drawn land for which
+    /// [`Land::of`] is `None`. For a drawn land this takes some milliseconds, nearly as long as [`Land::of`].
     pub fn kind_of(recipe: &Recipe) -> LandKind {
         let is_undrawn = || drawn(&Shape::of(recipe), recipe).is_none();
         match recipe.get() {
@@ -80,7 +79,7 @@ impl Land {
         }
     }
 
-    /// Land above the sea, cut by ridges.
+    /// Makes land of everything above the sea, with ridges.
     pub(crate) fn new(domain: &Domain, coast_distance: CoastDistance, ridges: Vec<Vec<Vec2>>) -> Self {
         Self::on(Grid::above_water(domain, &coast_distance), coast_distance, ridges)
     }
@@ -99,14 +98,14 @@ impl Land {
         Self { coast_distance, grid, regions, ridges, rivers: Vec::new(), borders, hides }
     }
 
-    /// Its cells as stretches of one kind, row after row: of each the kind, and how many cells there are.
+    /// The cells as stretches of one kind, row after row. Each has two numbers: the kind, and the number of cells.
     pub(crate) fn stretches(&self) -> Vec<u32> {
         let stretches = self.grid.cells.chunk_by(|a, b| a == b);
         stretches.flat_map(|stretch| [stretch[0] as u32, stretch.len() as u32]).collect()
     }
 
-    /// The land of such stretches, as something to look at: where rivers may run on it is not known. `None` if that is not as many cells
-    /// as cover a domain of this size.
+    /// The land of such stretches, for display only: it does not know where rivers may run. `None` if the number of
+    /// cells does not fit a domain of this size.
     #[cfg(feature = "names")]
     pub(crate) fn of_stretches(
         size: Vec2,
@@ -120,12 +119,12 @@ impl Land {
         Some(Self { coast_distance, grid, regions, ridges, rivers, borders, hides: Hides::Nothing })
     }
 
-    /// The height of every point.
+    /// The distance of every point from the coast.
     pub fn coast_distance(&self) -> &CoastDistance {
         &self.coast_distance
     }
 
-    /// Width and height of the domain that it lies on, in units.
+    /// The width and height of the domain, in units.
     pub fn size(&self) -> Vec2 {
         self.grid.size
     }
@@ -144,13 +143,13 @@ impl Land {
         regions_of(&between(&self.grid.runs, self.grid.columns as u32, self.grid.rows as u32))
     }
 
-    /// Whether any of its cells is a ridge; else all that is no water is a region's.
+    /// Returns `true` if any cell may be a ridge. Otherwise every cell that is not water belongs to a region.
     #[cfg(feature = "names")]
     fn has_ridges(&self) -> bool {
         !self.ridges.is_empty()
     }
 
-    /// Connected components of what is no water, ridges or not, the largest first.
+    /// Connected components of all cells but water, ridges included, the largest first.
     #[cfg(feature = "names")]
     pub(crate) fn islands(&self) -> Vec<Region> {
         if !self.has_ridges() {
@@ -160,7 +159,7 @@ impl Land {
         regions(&self.grid.cells.iter().map(is_land).collect::<Vec<_>>(), Cell::Land, self.grid.columns as usize)
     }
 
-    /// How much land there is around a place on the coast: 0 on a straight one, toward 1 in a bay, toward -1 on a cape.
+    /// The amount of land around a place on the coast: 0 on a straight coast, towards 1 in a bay, towards -1 on a cape.
     pub fn shelter(&self, at: Vec2) -> f32 {
         const FAR: f32 = 30.0;
         const AROUND: [(f32, f32); 8] =
@@ -169,7 +168,7 @@ impl Land {
         AROUND.into_iter().map(land).sum::<f32>() / AROUND.len() as f32
     }
 
-    /// Whether a point lies in a region.
+    /// Returns `true` if a point lies in a region.
     pub fn is_in(&self, region: &Region, point: Vec2) -> bool {
         let cell = (point / CELL_SIZE).floor();
         cell.min_element() >= 0.0 && region.contains(cell.x as u32, cell.y as u32)
@@ -180,17 +179,17 @@ impl Land {
         &self.ridges
     }
 
-    /// The courses that are drawn of rivers, as polylines from their mouths.
+    /// The drawn courses of rivers, as polylines from their mouths.
     pub(crate) fn rivers(&self) -> &[Vec<Vec2>] {
         &self.rivers
     }
 
-    /// The cell of a point; water outside the domain.
+    /// The cell at a point; water outside the domain.
     pub fn at(&self, point: Vec2) -> Cell {
         self.cell((point.x / CELL_SIZE).floor() as i32, (point.y / CELL_SIZE).floor() as i32)
     }
 
-    /// Whether a river can run straight from one point of the domain to another: over land all the way, the ends
+    /// Returns `true` if a river can run straight between two points of the domain, over land all the way, both ends
     /// included.
     #[inline]
     pub fn allows(&self, from: Vec2, to: Vec2) -> bool {
@@ -199,10 +198,10 @@ impl Land {
         (to - from).length_squared() <= room * room || self.borders.let_pass(from, to)
     }
 
-    /// Where the straight way from a point of land to another point comes to the water: the last of it on land. `None` if it comes
-    /// to a ridge or the border of the domain first, or to no water at all.
+    /// The last point on land of the straight way from a point on land towards another. `None` if the way reaches a
+    /// ridge or the border of the domain before water, or no water at all.
     pub(crate) fn coast_toward(&self, from: Vec2, to: Vec2) -> Option<Vec2> {
-        /// Of a cell, so that rounding leaves the point on land.
+        /// A share of a cell by which the way is shortened, so that rounding leaves the point on land.
         const SHORT_OF: f32 = 0.02;
         let (from, to) = (from / CELL_SIZE, to / CELL_SIZE);
         let (column, row) = walk(from, to).find(|&(column, row)| self.cell(column, row) != Cell::Land)?;
@@ -217,24 +216,24 @@ impl Land {
         };
         let share = entered(from.x, way.x, column).max(entered(from.y, way.y, row)) - SHORT_OF / length(way);
         let coast = (from + way * share.clamp(0.0, 1.0)) * CELL_SIZE;
-        // The last cells reach over the border of the domain.
+        // The last cells may extend beyond the border of the domain.
         coast.cmple(self.grid.size).all().then_some(coast)
     }
 
-    /// Whether all that lies within a distance of a point of the domain, north, south, east and west, is land.
+    /// Returns `true` if everything within a distance of a point to the north, south, east and west is land.
     #[inline]
     pub fn is_all_land(&self, at: Vec2, distance: f32) -> bool {
         self.borders.has_room(at / CELL_SIZE, distance / CELL_SIZE)
     }
 
-    /// Whether a point of the domain surely sees all land within a distance.
+    /// Returns `true` if a point of the domain certainly sees all land within a distance.
     #[inline]
     pub fn sees_all(&self, at: Vec2, distance: f32) -> bool {
         self.hiding().is_none_or(|hiding| hiding.has_room(at / CELL_SIZE, distance / CELL_SIZE))
     }
 
-    /// Whether no ridge lies between two points and, where there are several regions, no water: growth in one of them does
-    /// not affect the others.
+    /// Returns `true` if no ridge lies between two points and, where there are several regions, no water. Growth in one
+    /// region does not affect the others.
     pub fn sees(&self, from: Vec2, to: Vec2) -> bool {
         self.hiding().is_none_or(|hiding| hiding.let_pass(from / CELL_SIZE, to / CELL_SIZE))
     }
@@ -248,31 +247,31 @@ impl Land {
         }
     }
 
-    /// A point of a cell: `within` runs from 0 to 1 in each of its directions. Where the cell reaches over the border of the
-    /// domain, the point comes to the border.
+    /// A point of a cell: `within` runs from 0 to 1 in both directions. Points beyond the border of the domain are
+    /// moved to it.
     pub fn point(&self, column: u32, row: u32, within: Vec2) -> Vec2 {
         ((Vec2::new(column as f32, row as f32) + within) * CELL_SIZE).min(self.grid.size)
     }
 
-    /// How many columns of cells there are; the last may reach over the border of the domain.
+    /// The number of columns of cells. The last one may extend beyond the border of the domain.
     pub fn columns(&self) -> i32 {
         self.grid.columns
     }
 
-    /// How many rows of cells there are.
+    /// The number of rows of cells.
     pub fn rows(&self) -> i32 {
         self.grid.rows
     }
 
-    /// A cell by its place; water outside.
+    /// The cell at a column and row; water outside the grid.
     #[inline]
     pub fn cell(&self, column: i32, row: i32) -> Cell {
         self.grid.cell(column, row)
     }
 }
 
-/// The cells, coast distances and lines of a recipe's outline; `None` if there is no outline, or it leaves no water or next to
-/// no land: the drawing then counts as the plain rectangle. This is the only place that decides it.
+/// The cells, coast distances and lines of a recipe's outline. `None` if there is no outline, or if it leaves no water
+/// or hardly any land, in which case it counts as the plain rectangle. This is the only place that decides it.
 fn drawn(shape: &Shape, recipe: &Recipe) -> Option<(Grid, CoastDistance, Drawing)> {
     let drawing = Drawing::of(recipe.outline()?, shape);
     let coast_distance = drawing.coast_distance(&shape.domain, CoastDistance::COARSE_SPACING);
@@ -298,7 +297,7 @@ mod tests {
                 let with_ponds = Grid::above_water(&Domain::with_aspect(1.5), &land.coast_distance).cells;
                 let water = with_ponds.iter().filter(|&&cell| cell == Cell::Water).count();
                 let share = water as f32 / land.grid.cells.len() as f32;
-                // Ponds are filled.
+                // Ponds have been filled.
                 assert!((share - sea).abs() < 0.06, "{kind}: {share} is not {sea}");
             }
         }
@@ -351,7 +350,8 @@ mod tests {
         }
     }
 
-    /// The middle of all water, or of all land, and which way it is longest: the angle from the east, in radians.
+    /// The middle of all water, or of all land, and the direction in which it is longest: the angle from the east, in
+    /// radians.
     fn lie(land: &Land, kind: Cell) -> (Vec2, f32) {
         let cells = (0..land.columns()).flat_map(|c| (0..land.rows()).map(move |r| (c, r)));
         let at: Vec<Vec2> =
@@ -379,7 +379,7 @@ mod tests {
 
     #[test]
     fn a_coast_is_as_rough_in_detail_as_asked_for() {
-        // How many squares of some size the coast runs through.
+        // The number of squares of a size that the coast runs through.
         let squares = |land: &Land, side: f32| {
             let is_land =
                 |column: i32, row: i32| land.coast_distance().height(Vec2::new(column as f32, row as f32) * side) > 0.0;
@@ -391,7 +391,7 @@ mod tests {
             (0..columns).flat_map(|c| (0..rows).map(move |r| (c, r))).filter(is_mixed).count() as f32
         };
         for kind in lands_with_a_share_of_sea() {
-            // How much longer the coast is measured by 3 units than by 12, in the middle of nine seeds.
+            // The ratio of the coast's length measured by 3 units to that measured by 12, the median of nine seeds.
             let longer = |roughness: f32| {
                 let mut longer: Vec<f32> = (0..9)
                     .map(|seed| land(&format!("{kind}&sea=0.6&roughness={roughness}&seed={seed}")))

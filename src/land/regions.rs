@@ -1,12 +1,12 @@
-//! Regions: connected components of land, or of water. No river leads from one region of land to another, so each needs a
-//! mouth of its own.
+//! Regions: connected components of land, or of water. No river leads from one region of land to another, so each needs
+//! its own mouth.
 
 use glam::Vec2;
 
 use super::cell::Cell;
 use crate::sort;
 
-/// A row's cells `start..end`.
+/// The cells `start..end` of a row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Run {
     /// The row.
@@ -15,7 +15,7 @@ pub struct Run {
     pub start: u32,
     /// The column after the last.
     pub end: u32,
-    /// How many cells of the region come before.
+    /// The number of the region's cells before it.
     pub before: u32,
 }
 
@@ -33,22 +33,22 @@ pub struct Shore {
 pub struct Region {
     /// The cells, row by row.
     pub runs: Vec<Run>,
-    /// How many cells there are.
+    /// The number of cells.
     pub cells: u32,
-    /// Those of land beside the sea, row by row.
+    /// The cells of land beside the sea, row by row.
     pub shores: Vec<Shore>,
 }
 
 impl Region {
-    /// Whether a cell belongs to it.
+    /// Returns `true` if a cell belongs to the region.
     pub fn contains(&self, column: u32, row: u32) -> bool {
         let next = self.runs.partition_point(|run| (run.row, run.start) <= (row, column));
         next.checked_sub(1).is_some_and(|run| self.runs[run].row == row && column < self.runs[run].end)
     }
 }
 
-/// The cells of some regions, one region after the other, each row by row: a cell is found by its number directly, without a search
-/// among all runs.
+/// The cells of some regions, region after region, each row by row. A cell is found directly by its number, without a
+/// search among all runs.
 #[derive(Clone, Debug)]
 pub struct Cells {
     runs: Vec<Run>,
@@ -58,7 +58,7 @@ pub struct Cells {
 }
 
 impl Cells {
-    /// Far fewer than a run across the domain has.
+    /// Far fewer than the cells of a run across the domain.
     const MANY: u32 = 64;
 
     /// Counts the cells of regions.
@@ -74,7 +74,7 @@ impl Cells {
         this
     }
 
-    /// How many there are.
+    /// The number of cells.
     pub fn count(&self) -> u32 {
         self.count
     }
@@ -88,12 +88,12 @@ impl Cells {
     }
 }
 
-/// The regions that cells of a kind make, the largest first; of equally large ones, the northern.
+/// The regions of cells of a kind, the largest first; among equally large ones, the northernmost first.
 pub(super) fn regions(cells: &[Cell], kind: Cell, columns: usize) -> Vec<Region> {
     regions_of(&runs(cells, kind, columns))
 }
 
-/// The regions that runs make, which come row by row and do not touch in their rows; in the same order.
+/// The regions of runs, in the same order. Runs must come row by row and not touch within a row.
 pub(super) fn regions_of(runs: &[Run]) -> Vec<Region> {
     let mut joined = UnionFind((0..runs.len() as u32).collect());
     let mut above = 0;
@@ -109,7 +109,7 @@ pub(super) fn regions_of(runs: &[Run]) -> Vec<Region> {
     gather(runs, &mut joined)
 }
 
-/// The stretches between some, row by row, which come row by row and do not touch in their rows.
+/// The gaps between runs, row by row. Runs must come row by row and not touch within a row.
 #[cfg(feature = "names")]
 pub(super) fn between(runs: &[Run], columns: u32, rows: u32) -> Vec<Run> {
     let (mut gaps, mut runs) = (Vec::new(), runs.iter().peekable());
@@ -124,7 +124,7 @@ pub(super) fn between(runs: &[Run], columns: u32, rows: u32) -> Vec<Run> {
     gaps
 }
 
-/// The stretches of a row that cells of a kind make, row by row.
+/// The stretches of cells of a kind, row by row.
 pub(super) fn runs(cells: &[Cell], kind: Cell, columns: usize) -> Vec<Run> {
     let mut runs = Vec::new();
     for (row, cells) in (0..).zip(cells.chunks(columns.max(1))) {
@@ -140,7 +140,7 @@ pub(super) fn runs(cells: &[Cell], kind: Cell, columns: usize) -> Vec<Run> {
     runs
 }
 
-/// Runs without some of their cells, which are counted row by row and come in that order.
+/// Removes some cells from runs. Cells are given by index, row by row in ascending order.
 pub(super) fn without(runs: &[Run], cells: &[usize], columns: usize) -> Vec<Run> {
     let mut left = Vec::with_capacity(runs.len() + cells.len());
     let mut cells = cells.iter().peekable();
@@ -174,7 +174,8 @@ fn gather(runs: &[Run], joined: &mut UnionFind) -> Vec<Region> {
     largest_first.into_iter().map(|i| std::mem::take(&mut regions[i])).collect()
 }
 
-/// Connected runs, by union-find: each knows an earlier one, the first of all knows itself (Tarjan 1975).
+/// Sets of connected runs, by union-find: each run refers to an earlier one, and the first of a set to itself (Tarjan
+/// 1975).
 struct UnionFind(Vec<u32>);
 
 impl UnionFind {

@@ -1,8 +1,8 @@
-//! Coast distances as pictures show them: without facets, and calmer the farther it lies from any coast.
+//! Coast distances for pictures: without facets, and smoother far from any coast.
 //!
 //! The heights of the corners are the control points of a surface of parabolas (a biquadratic B-spline). Such a surface
-//! smooths what it is given, so heights are sharpened before, near a coast: there it must stay where rivers end. Far from
-//! any coast they are blurred, for a distance has a crease wherever two coasts are equally near.
+//! smooths its input. Near a coast heights are therefore sharpened first, because the coast must stay where rivers end.
+//! Far from any coast they are blurred, because a distance has a crease wherever two coasts are equally near.
 
 use glam::Vec2;
 
@@ -16,11 +16,11 @@ pub struct SmoothedDistance {
     rows: usize,
     /// The distance between control points, in units.
     spacing: f32,
-    /// How many columns and rows lie before those of the domain.
+    /// The number of columns and rows before those of the domain.
     margin: usize,
 }
 
-/// Over how many units at most distances are smoothed at a time.
+/// The greatest distance over which distances are smoothed at a time, in units.
 const FARTHEST_STRIDE: f32 = 32.0;
 
 impl SmoothedDistance {
@@ -36,7 +36,8 @@ impl SmoothedDistance {
         this
     }
 
-    /// Goes on beyond the domain, for so many units: what is sea there is the farther from any coast the farther out it is; land goes on.
+    /// Extends the field beyond the domain by a number of units. Beyond the sea, distances grow with the distance from
+    /// the border; land stays as it is.
     #[must_use]
     pub(crate) fn widened(&self, units: f32) -> Self {
         let margin = (units / self.spacing) as usize;
@@ -51,10 +52,10 @@ impl SmoothedDistance {
         Self { heights: (0..columns * rows).map(height).collect(), columns, rows, margin, spacing: self.spacing }
     }
 
-    /// Moves each corner towards the mean of those a stride to the west, east, north and south: half of the way where the
-    /// coast is far away compared with the stride, not at all where it is near. Next to it, away from that mean.
+    /// Moves each corner towards the mean of those a stride to the west, east, north and south: halfway if the coast is
+    /// far away compared with the stride, not at all if it is near. Next to the coast, moves it away from the mean.
     fn soften(&mut self, stride: usize) {
-        /// Undoes, but for a little, what the surface smooths.
+        /// Undoes nearly all the smoothing of the surface.
         const SHARPEN: f32 = -0.25;
         let least = if stride == 1 { SHARPEN } else { 0.0 };
         let per_far = 1.0 / (4.0 * self.spacing * stride as f32);
@@ -76,19 +77,19 @@ impl SmoothedDistance {
         self.spacing
     }
 
-    /// How many columns and rows of control points there are.
+    /// The number of columns and rows of control points.
     #[cfg(feature = "files")]
     pub(super) fn size(&self) -> (usize, usize) {
         (self.columns, self.rows)
     }
 
-    /// A control point.
+    /// The control point at a column and row.
     #[cfg(feature = "files")]
     pub(super) fn control(&self, column: usize, row: usize) -> f32 {
         self.heights[row * self.columns + column]
     }
 
-    /// The control points of a row around a row and a column, from the last but one on.
+    /// The control points around a row and a column.
     pub(crate) fn around(&self, row: usize, column: usize) -> impl Iterator<Item = f32> + Clone {
         let columns = beside(column, self.columns);
         beside(row, self.rows)
@@ -96,7 +97,7 @@ impl SmoothedDistance {
             .flat_map(move |row| columns.map(|column| self.heights[row * self.columns + column]))
     }
 
-    /// The distances of one y.
+    /// The distances along one y.
     pub(crate) fn across(&self, y: f32) -> Across<'_> {
         let (row, t) = nearest(y / self.spacing + self.margin as f32, self.rows);
         let rows = beside(row, self.rows).map(|row| &self.heights[row * self.columns..][..self.columns]);
@@ -105,15 +106,15 @@ impl SmoothedDistance {
         Across { row, t, rows, heights }
     }
 
-    /// Where an x lies: the nearest column, and how far beyond it, in intervals, from -0.5 to 0.5.
+    /// The nearest column to an x, and the distance beyond it in intervals, from -0.5 to 0.5.
     pub(crate) fn column(&self, x: f32) -> (usize, f32) {
         nearest(x / self.spacing + self.margin as f32, self.columns)
     }
 }
 
-/// The distances of one y.
+/// The distances along one y.
 pub(crate) struct Across<'a> {
-    /// The nearest row of corners, and how far beyond it this lies, in intervals.
+    /// The nearest row of corners.
     pub row: usize,
     t: f32,
     rows: [&'a [f32]; 3],
@@ -122,19 +123,19 @@ pub(crate) struct Across<'a> {
 }
 
 impl Across<'_> {
-    /// The control points of the heights, in units, that lie half an interval to the west and to the east of a column.
+    /// The control points of the heights around a column, in units.
     pub fn around(&self, column: usize) -> [f32; 3] {
         beside(column, self.heights.len()).map(|column| self.heights[column])
     }
 
-    /// How much higher it is an interval to the south, there.
+    /// The rise of the heights over an interval to the south, around a column.
     pub fn rise(&self, column: usize) -> Parabola {
         let rise = |column: usize| Parabola::of(self.rows.map(|row| row[column])).rise(self.t);
         Parabola::of(beside(column, self.heights.len()).map(rise))
     }
 }
 
-/// A piece of a B-spline around the middle one of three control points.
+/// A piece of a B-spline around the middle of three control points.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Parabola([f32; 3]);
 
@@ -145,34 +146,35 @@ impl Parabola {
         Self([here + (mean - here) * 0.25, (after - before) * 0.5, mean - here])
     }
 
-    /// Its value at a distance from the middle, in intervals.
+    /// The value at a distance from the middle, in intervals.
     #[inline]
     pub fn at(self, t: f32) -> f32 {
         self.0[0] + t * (self.0[1] + t * self.0[2])
     }
 
-    /// Its value at a place, how much more it is a step farther, and how much that grows by the step.
+    /// The value at a place, its difference to the value a step farther, and the growth of that difference with each
+    /// step.
     #[inline]
     pub fn steps(self, t: f32, step: f32) -> [f32; 3] {
         let bend = self.0[2] * step * step;
         [self.at(t), self.rise(t) * step + bend, bend * 2.0]
     }
 
-    /// How fast it rises there, by the interval.
+    /// The slope at a distance from the middle, for each interval.
     #[inline]
     pub fn rise(self, t: f32) -> f32 {
         self.0[1] + 2.0 * t * self.0[2]
     }
 }
 
-/// The corner nearest to a coordinate, and how far beyond it that lies, all in intervals.
+/// The corner nearest to a coordinate, and the distance beyond it, all in intervals.
 pub(crate) fn nearest(x: f32, corners: usize) -> (usize, f32) {
-    // What is less than 0 becomes 0.
+    // A conversion turns negative numbers into 0.
     let index = ((x + 0.5) as usize).min(corners - 1);
     (index, (x - index as f32).clamp(-0.5, 0.5))
 }
 
-/// A corner between the one before and the one after; the border stands in for what lies beyond.
+/// A corner with its two neighbours. At the border, the corner itself replaces the missing one.
 pub(crate) fn beside(i: usize, corners: usize) -> [usize; 3] {
     [i.saturating_sub(1), i, (i + 1).min(corners - 1)]
 }
@@ -194,7 +196,7 @@ mod tests {
         links.map(|link| Land::of(&link::read(&link).unwrap()).unwrap())
     }
 
-    /// The height of a point and its rise to the east and the south, by the unit.
+    /// The height of a point and its rise to the east and to the south, for each unit.
     fn at(shown: &SmoothedDistance, point: Vec2) -> (f32, Vec2) {
         let ((column, x), across) = (shown.column(point.x), shown.across(point.y));
         let heights = Parabola::of(across.around(column));
@@ -215,7 +217,7 @@ mod tests {
                     (near, off) = (near + 1, off + u32::from(is_off));
                 }
             }
-            // Of a band of 16 units, less than half a unit on average.
+            // In a band of 16 units, less than half a unit on average.
             assert!(off * 40 < near, "{off} of {near}");
         }
     }
@@ -225,7 +227,7 @@ mod tests {
         for land in lands() {
             let shown = SmoothedDistance::of(land.coast_distance());
             for i in 0..4000 {
-                // Across a border between two pieces, where they meet at a slant.
+                // Across a border between two pieces, at an angle.
                 let border = Vec2::new((i % 97) as f32 + 0.5, (i % 61) as f32 + 0.5) * shown.spacing();
                 let ((one, rise), (other, rise_there)) = (at(&shown, border - 0.01), at(&shown, border + 0.01));
                 assert!((one - other).abs() < 0.1, "{border}: {one}, {other}");

@@ -1,4 +1,4 @@
-//! From lines of many points, drawn or traced, to an outline that fits into a link.
+//! Turns lines with many points, drawn or traced, into an outline that fits into a link.
 
 use glam::Vec2;
 use thiserror::Error;
@@ -9,39 +9,39 @@ use crate::recipe::{GridPoint, LONGEST_OUTLINE, LineKind, Outline, OutlineError}
 use crate::simplify::significance;
 use crate::sort;
 
-/// A point is left out that stands for less than this, in square units: the width of a drawn coast hides it.
+/// Points with a smaller triangle than this are left out, in square units: the width of a drawn coast hides them.
 const LEAST_AREA: f32 = 8.0;
-/// Lines are left out whose box is smaller than this, in square units.
+/// Lines with a smaller bounding box than this are left out, in square units.
 const SPECK: f32 = 120.0;
 
-/// Why a drawing is no land.
+/// The reason why a drawing is not a land.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum DrawError {
-    /// Ridges, but no coast.
+    /// Ridges without a coast.
     #[error("there is no coast yet: a ridge needs land to stand on")]
     NoCoast,
     /// Less land than rivers need.
     #[error("the land is too small: it should fill at least a hundredth of the map")]
     TooSmall,
-    /// No water is left.
+    /// No water remains.
     #[error("the land fills the whole map: rivers need water to run to")]
     NoWater,
-    /// A coordinate that is no number.
+    /// A coordinate that is not a number.
     #[error("a line holds something that is not a number")]
     NotANumber,
-    /// Lines that no outline can hold.
+    /// Lines that an outline cannot hold.
     #[error(transparent)]
     Outline(#[from] OutlineError),
 }
 
 impl Outline {
-    /// The outline of lines with any number of points, in fractions of the domain's width and height; what lies outside
-    /// comes to the border. The points that make the least difference go, so that the text fits its
-    /// [limit](LONGEST_OUTLINE), and with them specks, and the smallest of too many lines.
+    /// Makes an outline from lines with any number of points, in fractions of the domain's width and height. Points
+    /// outside are moved to the border. To fit the [limit](LONGEST_OUTLINE) of the text, the least important points are
+    /// removed, as are specks and the smallest of too many lines.
     ///
     /// # Errors
-    /// If what is left is no land, or all of it. Rivers alone run on the whole domain.
+    /// Fails if hardly any land remains, or no water. Rivers alone run on the whole domain.
     pub fn from_polylines(
         coasts: Vec<Vec<Vec2>>,
         ridges: Vec<Vec<Vec2>>,
@@ -71,31 +71,31 @@ impl Outline {
     }
 }
 
-/// A line with what each of its points stands for.
+/// A line with the importance of each point.
 struct Line {
     kind: LineKind,
     points: Vec<Vec2>,
-    /// In square units.
+    /// The area of each point's triangle, in square units.
     areas: Vec<f32>,
-    /// The area of its box, in square units.
+    /// The area of the bounding box, in square units.
     size: f32,
 }
 
 impl Line {
-    /// `None` for specks.
+    /// Returns `None` for specks.
     fn new(kind: LineKind, points: Vec<Vec2>) -> Option<Self> {
         let mut points: Vec<Vec2> = points.into_iter().map(|point| point.clamp(Vec2::ZERO, Vec2::ONE)).collect();
         points.dedup();
         let low = points.iter().copied().reduce(Vec2::min)?;
         let high = points.iter().copied().reduce(Vec2::max)?;
-        // A straight ridge has a box of no area.
+        // A straight ridge has a bounding box without area.
         let sides = match kind {
             LineKind::Coast => high - low,
             LineKind::Ridge | LineKind::River => Vec2::splat((high - low).max_element()),
         };
         let mut size = sides.element_product() * AREA;
         if kind == LineKind::River && size < SPECK {
-            // A mouth, with no course to speak of.
+            // Such a river is a mouth without a noticeable course.
             points.truncate(1);
             size = SPECK;
         }
@@ -103,14 +103,14 @@ impl Line {
         (points.len() >= kind.fewest() && size >= SPECK).then_some(Self { kind, points, areas, size })
     }
 
-    /// The points that stand for more than an area.
+    /// The points with a greater area.
     fn simplified(&self, least: f32) -> Vec<GridPoint> {
         let kept = self.points.iter().zip(&self.areas).filter(|(_, area)| **area > least);
         kept.map(|(point, _)| GridPoint::nearest(*point)).collect()
     }
 }
 
-/// Leaves the largest lines, so few that there is room for their shapes too, in their order.
+/// Keeps the largest lines in their order, few enough that there is room for their shapes too.
 fn keep_largest(lines: &mut Vec<Line>) {
     let order = sort::argsort(lines.iter().map(|line| !line.size.to_bits()));
     let mut length = 0;
@@ -132,7 +132,7 @@ fn least_area(lines: &[Line]) -> f32 {
     if areas.len() > room { sort::sorted(&areas)[above].max(LEAST_AREA) } else { LEAST_AREA }
 }
 
-/// Whether there are both land and water, by counting on some rows across the domain.
+/// Checks on some rows across the domain that there are both land and water.
 fn check_land(coasts: &[Vec<GridPoint>]) -> Result<(), DrawError> {
     const ROWS: u32 = 128;
     let rows = (0..ROWS).map(|row| (row as f32 + 0.5) / ROWS as f32);
@@ -209,7 +209,7 @@ mod tests {
         let outline = Outline::from_polylines(vec![], vec![], rivers.clone()).unwrap();
         assert_eq!(outline.rivers().iter().map(Vec::len).collect::<Vec<_>>(), [1, 1, 2]);
         assert_eq!(outline.rivers()[1][0], GridPoint::nearest(river(0.0)[0]));
-        // Where a coast is drawn, it must be land; a ridge needs one.
+        // A coast that is drawn must give land, and a ridge needs a coast.
         let speck = circle(Vec2::splat(0.5), 0.003, 50);
         assert_eq!(Outline::from_polylines(vec![speck], vec![], rivers.clone()), Err(DrawError::TooSmall));
         assert_eq!(Outline::from_polylines(vec![], vec![river(0.5)], rivers), Err(DrawError::NoCoast));

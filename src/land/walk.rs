@@ -1,9 +1,9 @@
-//! Which cells of a grid a straight line touches.
+//! The cells of a grid that a straight line touches.
 
 use glam::Vec2;
 
-/// The cells, of side 1, that a straight line touches, each a neighbour by a side of the one before: nothing slips
-/// through between two cells that touch at a corner (Amanatides and Woo 1987).
+/// Returns the cells, with sides of 1, that a straight line touches. Each shares a side with the previous one, so that
+/// nothing slips through between two cells that touch at a corner (Amanatides and Woo 1987).
 pub(super) fn walk(from: Vec2, to: Vec2) -> impl Iterator<Item = (i32, i32)> {
     let cell = |at: Vec2| (floor(at.x), floor(at.y));
     let (start, end) = (cell(from), cell(to));
@@ -22,7 +22,7 @@ pub(super) fn walk(from: Vec2, to: Vec2) -> impl Iterator<Item = (i32, i32)> {
     let mut first = true;
     (0..=cells).map(move |_| {
         if !std::mem::take(&mut first) {
-            // Whichever border comes first, but never past the last column or row.
+            // Follows whichever border comes first, but never goes beyond the last column or row.
             if row == end.1 || (column != end.0 && next_x < next_y) {
                 column += step_x;
                 next_x += every_x;
@@ -35,7 +35,7 @@ pub(super) fn walk(from: Vec2, to: Vec2) -> impl Iterator<Item = (i32, i32)> {
     })
 }
 
-/// The whole number below. `f32::floor` is a call on processors of before 2008, which is what we compile for.
+/// The whole number below. On processors from before 2008, for which we compile, `f32::floor` is a function call.
 #[inline]
 pub(super) fn floor(x: f32) -> i32 {
     let whole = x as i32;

@@ -1,4 +1,5 @@
-//! Great rivers over their former beds, a band each, the oldest undermost, as Fisk drew those of the Mississippi (1944).
+//! Great rivers and their former beds, one band for each round with the oldest at the bottom, as Fisk drew those of the
+//! Mississippi (1944).
 
 use super::coverage::Coverage;
 use super::ground::lay_mask;
@@ -8,26 +9,27 @@ use super::view::View;
 use crate::network::{Network, PastCourse, PastCourses, Place};
 use crate::recipe::CourseShape;
 
-/// A ground with great rivers and their former beds, kept from round to round: bands that will not change any more stay.
+/// The ground with great rivers and their former beds. It is kept from round to round, because most bands do not change
+/// any more.
 #[derive(Clone, Debug, Default)]
 pub(super) struct GroundWithBeds {
-    /// The ground with those bands, and how many they are.
+    /// The ground with the bands that will not change, and their number.
     settled: Vec<[u8; 4]>,
     bands: usize,
-    /// With all bands, and the rivers as they are now: there no others show.
+    /// The ground with all bands and the current great rivers. It shows no other rivers.
     pub pixels: Vec<[u8; 4]>,
 }
 
 impl GroundWithBeds {
-    /// Lays a band, or what follows on the last: then it is up to date with rivers over a ground. Returns whether there is more to lay.
-    /// Between two calls only rounds of meandering may have changed rivers.
+    /// Lays one more band; after the last one, brings the rest up to date with the rivers. Returns `true` if there is
+    /// more to lay. Between two calls, only rounds of meandering may have changed the rivers.
     pub fn advance(&mut self, look: &Beds, view: &View, rivers: &Rivers<'_>, ground: &[[u8; 4]]) -> bool {
         let Some(mask) = Coverage::new(view.width, view.height) else { return false };
         let mut drawing = Drawing { view, courses: rivers.courses, mask, ground };
         if self.settled.is_empty() {
             self.settled = ground.to_vec();
         }
-        // What is cut off from now on still belongs to the last.
+        // The last band stays open: loops that are cut off later still belong to it.
         if self.bands + 1 < rivers.past.rounds().len() {
             drawing.band(look, rivers.past, self.bands, &mut self.settled);
             self.bands += 1;
@@ -44,13 +46,14 @@ impl GroundWithBeds {
 }
 
 impl Beds {
-    /// How wide the line beside a former bed is, and beside a river, in units.
+    /// The widths of the lines beside a former bed and beside a river, in units.
     pub const LINE: f32 = 0.8;
     pub const BANK: f32 = 1.3;
 
-    /// Half the width of a bed at a place of its river, with a line beside it, in units; beside a brook the line is thinner.
+    /// Half the width of a bed at a place of its river, including a line beside it, in units. Beside a brook the line
+    /// is thinner.
     pub fn half(place: &Place, line: f32) -> f32 {
-        // Wider than the river: fewer, but whole bands are to be seen.
+        // Beds are drawn wider than their rivers, so that the picture shows fewer bands, but whole ones.
         const WIDER: f32 = 1.25;
         const WIDE: f32 = 5.0;
         place.half * WIDER + line * (place.half / WIDE).min(1.0)
@@ -62,7 +65,7 @@ impl Beds {
     }
 }
 
-/// The rivers that stand out: the great ones, or where none meanders those of the highest order.
+/// The rivers that stand out: the great ones or, if none meanders, those of the highest order.
 pub(crate) fn great_rivers(network: &Network, past: &PastCourses) -> Vec<PastCourse> {
     let highest = network.rivers.iter().map(|river| river.order).max();
     let is_great = |id: u32, order: u8| match past.great_rivers() {
@@ -77,21 +80,21 @@ struct Drawing<'a> {
     view: &'a View,
     courses: CourseShape,
     mask: Coverage,
-    /// The ground, and how far rivers show on it.
+    /// The ground; its fourth channel is the visibility of rivers.
     ground: &'a [[u8; 4]],
 }
 
 impl Drawing<'_> {
-    /// Lays the beds of a round, if it is kept.
+    /// Lays the beds of a round that is kept.
     fn band(&mut self, look: &Beds, past: &PastCourses, band: usize, pixels: &mut [[u8; 4]]) {
         let Some(round) = past.rounds().get(band) else { return };
-        // In a small picture, where lines would lie side by side, they would be all that is left of bands.
+        // In a small picture the lines would lie side by side and hide the bands, so they are fainter.
         let crisp = (2.0 * Beds::LINE * self.view.scale).min(1.0);
         self.draw(round.beds(), Beds::LINE, look.line, crisp, pixels);
         self.draw(round.beds(), 0.0, look.colour(band), 1.0, pixels);
     }
 
-    /// Lays beds in one colour, with a margin, in units.
+    /// Lays beds in one colour, wider by a margin in units.
     fn draw(&mut self, beds: [&[PastCourse]; 2], margin: f32, colour: Colour, strength: f32, pixels: &mut [[u8; 4]]) {
         self.mask.clear();
         let in_pixels =
@@ -103,7 +106,7 @@ impl Drawing<'_> {
         lay_mask(self.mask.mask().data(), colour, &open, pixels);
     }
 
-    /// Lets no river show where something has just been laid.
+    /// Hides rivers where something has just been laid.
     fn hide(&self, pixels: &mut [[u8; 4]]) {
         for (pixel, &covered) in pixels.iter_mut().zip(self.mask.mask().data()) {
             pixel[3] = (u32::from(pixel[3]) * u32::from(255 - covered) / 255) as u8;

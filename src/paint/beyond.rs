@@ -1,4 +1,4 @@
-//! What a picture shows beyond its map: the sea goes on, land ends.
+//! The picture beyond the map: the sea continues, and land ends.
 
 use glam::Vec2;
 
@@ -6,13 +6,13 @@ use super::palette::{Palette, mix};
 use super::view::{Rows, View};
 use crate::land::Land;
 
-/// How far beyond the map the sea deepens, in units: as far as from any coast.
+/// The distance over which the sea deepens beyond the map, in units: the same as from any coast.
 pub(super) const WIDENED: f32 = 160.0;
 
-/// Along a border that is so far from any coast, in units, nothing is to be seen of the map's end.
+/// Where the border lies farther than this from any coast, in units, the end of the map is not visible.
 const FAR: f32 = 60.0;
 
-/// Ends the map in some rows of a ground. `land` is `None` where all of the map is land.
+/// Paints the area beyond the map in some rows of a ground. `land` is `None` if all of the map is land.
 pub(super) fn lay(view: &View, land: Option<&Land>, palette: &Palette, rows: Rows, pixels: &mut [[u8; 4]]) {
     // Beside the map, all pixels of a row have the same nearest point of the border.
     let (mut nearest, mut share) = (Vec2::NAN, 0.0);
@@ -27,11 +27,11 @@ pub(super) fn lay(view: &View, land: Option<&Land>, palette: &Palette, rows: Row
     });
 }
 
-/// Does something with all pixels of some rows that lie beyond the map, and the points of its border that are nearest to them.
+/// Calls `end` for each pixel of some rows that lies beyond the map, with the nearest point of the map's border.
 pub(super) fn for_each<Pixel>(view: &View, rows: Rows, pixels: &mut [Pixel], mut end: impl FnMut(&mut Pixel, Vec2)) {
     for (y, row) in rows.zip(pixels.chunks_mut(view.width as usize)) {
         let border_near = |x: usize| view.border_near(view.point(Vec2::new(x as f32, y as f32) + 0.5));
-        // The pixels within the map stand together: what is left of them, then what is right of them.
+        // The pixels within the map are contiguous: first those on their left are visited, then those on their right.
         let (mut start, mut rest) = (0, row.len());
         while let Some(border) = (start < rest).then(|| border_near(start)).flatten() {
             end(&mut row[start], border);

@@ -1,7 +1,7 @@
-//! A chart over a picture: where rivers give way to letters, and letters in a colour of their own.
+//! Masks that lay a chart over a picture: rivers give way to letters, and letters have their own colour.
 //!
-//! What a chart adds are masks, for a picture of one size and whatever style: so another wasm module may make them
-//! (`letters.rs`), and the painter knows neither names nor type.
+//! The masks are made for a picture of one size, in whatever style. Therefore another wasm module may make them
+//! (`letters.rs`), and the painter needs to know neither names nor type.
 
 use std::sync::Arc;
 
@@ -13,36 +13,36 @@ use super::styles::labels::label_look;
 use super::styles::scenery::scenery_look;
 use crate::recipe::Style;
 
-/// Masks of a chart's layers, for a picture of one size.
+/// The masks of a chart's layers, for a picture of one size.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct ChartMasks {
-    /// Within trees and hills: where the ground is evened out if the style wants that.
+    /// The inside of trees and hills, where the ground is evened out if the style wants that.
     pub bodies: SparseMask,
-    /// The strokes that trees and hills are drawn in.
+    /// The strokes of trees and hills.
     pub strokes: SparseMask,
-    /// Around letters: where rivers give way, and the ground is evened out if the style wants that.
+    /// The surroundings of letters, where rivers give way and the ground is evened out if the style wants that.
     pub halo: SparseMask,
-    /// Around letters that stand at sea if they can: where nothing but rivers gives way.
+    /// The surroundings of letters that are placed at sea if possible. Only rivers give way there.
     pub cleared: SparseMask,
-    /// Within a frame around type: where the ground is nearly hidden.
+    /// The inside of a frame around type, where the ground is nearly hidden.
     pub panel: SparseMask,
-    /// Letters, and the lines around them.
+    /// Letters and the lines around them.
     pub letters: SparseMask,
-    /// What the style has besides names, in an ink of its own.
+    /// Marks of the style besides names, in another ink.
     pub marks: SparseMask,
 }
 
 /// A mask that is mostly empty.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct SparseMask {
-    /// The first pixel of each stretch that is not empty, and how many there are.
+    /// The first pixel of each stretch that is not empty, and the length of the stretch.
     runs: Vec<[u32; 2]>,
-    /// How much of each of their pixels is covered, in 255ths.
+    /// The coverage of each of their pixels, in 255ths.
     shares: Vec<u8>,
 }
 
 impl SparseMask {
-    /// What a mask, row by row, covers.
+    /// Makes a sparse mask from the coverage of all pixels, row by row.
     pub fn of(mask: &[u8]) -> Self {
         let mut this = Self::default();
         for (pixel, share) in Covered::by(mask) {
@@ -56,12 +56,12 @@ impl SparseMask {
         this
     }
 
-    /// Whether it covers nothing.
+    /// Returns `true` if it covers nothing.
     pub fn is_empty(&self) -> bool {
         self.shares.is_empty()
     }
 
-    /// The pixels that it covers, each with how much, in 255ths.
+    /// The covered pixels, each with its coverage in 255ths.
     pub fn pixels(&self) -> impl Iterator<Item = (usize, u8)> {
         let pixels = self.runs.iter().flat_map(|&[first, count]| first as usize..first as usize + count as usize);
         pixels.zip(self.shares.iter().copied())
@@ -75,7 +75,7 @@ impl SparseMask {
         bytes.extend_from_slice(&self.shares);
     }
 
-    /// Reads what was written, and takes it off the bytes.
+    /// Reads a mask that `write` wrote, and removes it from the bytes.
     fn read(bytes: &mut &[u8]) -> Option<Self> {
         let mut word = || Some(u32::from_le_bytes(*bytes.split_off(..4)?.first_chunk()?));
         let (runs, shares) = (word()? as usize, word()? as usize);
@@ -86,7 +86,7 @@ impl SparseMask {
 }
 
 impl ChartMasks {
-    /// All layers, to be handed to another module.
+    /// Serializes all layers, for another module.
     pub fn to_bytes(&self) -> Vec<u8> {
         let mut bytes = Vec::new();
         let layers = [&self.bodies, &self.strokes, &self.halo, &self.cleared, &self.panel, &self.letters, &self.marks];
@@ -94,7 +94,7 @@ impl ChartMasks {
         bytes
     }
 
-    /// The layers of these bytes; `None` if they are something else.
+    /// Reads the layers from bytes; `None` if the bytes are something else.
     pub fn from_bytes(mut bytes: &[u8]) -> Option<Self> {
         let mut layer = || SparseMask::read(&mut bytes);
         let (bodies, strokes, halo) = (layer()?, layer()?, layer()?);
@@ -102,18 +102,18 @@ impl ChartMasks {
     }
 }
 
-/// Whether two charts are the very same, or both are none.
+/// Returns `true` if both are the same chart, or both are `None`.
 pub(super) fn is_same(chart: Option<&Arc<ChartMasks>>, other: Option<&Arc<ChartMasks>>) -> bool {
     chart.map(Arc::as_ptr) == other.map(Arc::as_ptr)
 }
 
-/// Takes rivers away around letters.
+/// Removes rivers around letters.
 pub(super) fn take_away(rivers: &mut Coverage, chart: &ChartMasks) {
     rivers.take_away(chart.halo.pixels());
     rivers.take_away(chart.cleared.pixels());
 }
 
-/// Lays trees and hills, halo and letters over the picture.
+/// Lays trees and hills, the halo and letters over the picture.
 pub(super) fn lay(pixmap: &mut Pixmap, chart: &ChartMasks, style: Style) {
     let mut lay = |layer: &SparseMask, colour, strength: f32| {
         let picture = pixmap.data_mut().as_chunks_mut::<4>().0;

@@ -1,8 +1,8 @@
-//! The coverage mask and its one brush, a capsule whose width varies.
+//! The coverage mask and its only brush, a capsule of varying width.
 //!
-//! A pixel's coverage is that of the stroke that covers it most. Unlike blending, this knows no order, and drawing a
-//! stroke twice changes nothing. Coverage never falls when a radius grows, rounding included, so a river may be
-//! drawn again wider and looks as if it had been drawn once.
+//! A pixel has the coverage of the stroke that covers it most. Unlike with blending, the order of strokes does not
+//! matter, and drawing a stroke twice changes nothing. Coverage never falls when a radius grows, rounding included, so
+//! a river that is drawn again with a greater width looks as if it had been drawn once.
 
 use glam::Vec2;
 use tiny_skia::Mask;
@@ -11,20 +11,21 @@ use wide::f32x4;
 /// A rectangle of whole pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Rect {
-    /// First column.
+    /// The first column.
     pub left: u32,
-    /// First row.
+    /// The first row.
     pub top: u32,
-    /// Column after the last.
+    /// The column after the last.
     pub right: u32,
-    /// Row after the last.
+    /// The row after the last.
     pub bottom: u32,
 }
 
 impl Rect {
-    /// The pixels of a picture of a size that lie between two corners, the least and the most; `None` if none does.
+    /// The pixels of a picture between two corners; `None` if there are none. The first corner has the lower
+    /// coordinates.
     pub(super) fn between([least, most]: [Vec2; 2], width: u32, height: u32) -> Option<Self> {
-        // A conversion makes 0 of what is below.
+        // A conversion turns negative numbers into 0.
         let clamp = |x: f32, end: u32| (x as u32).min(end);
         let rect = Self {
             left: clamp(least.x, width),
@@ -46,28 +47,28 @@ impl Rect {
     }
 }
 
-/// An 8-bit mask that remembers what has been touched.
+/// An 8-bit mask that remembers which parts have been touched.
 #[derive(Clone, Debug)]
 pub struct Coverage {
     mask: Mask,
     touched: Touched,
-    /// The most coverage of what is drawn, from 0 to 1.
+    /// The greatest coverage of strokes, from 0 to 1.
     strength: f32,
 }
 
-/// Which tiles of a picture have been touched.
+/// The tiles of a picture that have been touched.
 #[derive(Clone, Debug)]
 struct Touched {
     columns: u32,
     tiles: Vec<bool>,
 }
 
-/// The side of a tile in pixels: small enough that a thin front of growth touches few, and large enough that a tile
-/// is worth a call.
+/// The side of a tile in pixels: small enough that a thin front of growth touches few tiles, and large enough that a
+/// tile is worth a call.
 const TILE: u32 = 32;
 
 impl Coverage {
-    /// An empty mask; `None` if it has no pixels.
+    /// Makes an empty mask; `None` if it would have no pixels.
     pub fn new(width: u32, height: u32) -> Option<Self> {
         let mask = Mask::new(width, height)?;
         let columns = width.div_ceil(TILE);
@@ -80,7 +81,7 @@ impl Coverage {
         &self.mask
     }
 
-    /// The parts drawn on since the last call, as rectangles that do not overlap.
+    /// Returns the parts that were drawn on since the last call, as rectangles that do not overlap.
     pub fn take_touched(&mut self) -> Vec<Rect> {
         let bounds = self.bounds();
         let mut rects: Vec<Rect> = Vec::new();
@@ -98,7 +99,7 @@ impl Coverage {
         rects
     }
 
-    /// Whether there is anything in a rectangle.
+    /// Returns `true` if anything is drawn in a rectangle.
     #[cfg(feature = "names")]
     pub fn is_drawn_on(&self, rect: Rect) -> bool {
         let row = |row: u32| row as usize * self.mask.width() as usize;
@@ -107,7 +108,7 @@ impl Coverage {
         rows.any(|row| row.iter().any(|&coverage| coverage > 0))
     }
 
-    /// Takes away as much of some pixels as is said, in 255ths.
+    /// Reduces the coverage of pixels by shares in 255ths.
     pub fn take_away(&mut self, pixels: impl Iterator<Item = (usize, u8)>) {
         let mask = self.mask.data_mut();
         for (i, away) in pixels {
@@ -116,7 +117,7 @@ impl Coverage {
         }
     }
 
-    /// Takes away shares of what is in a rectangle, row by row.
+    /// Reduces the coverage in a rectangle by shares, row by row.
     #[cfg(feature = "names")]
     pub fn take_away_shares(&mut self, rect: Rect, rows: impl Iterator<Item = impl Iterator<Item = f32>>) {
         let width = self.mask.width() as usize;
@@ -128,7 +129,7 @@ impl Coverage {
         }
     }
 
-    /// Covers shares of what is in a rectangle, row by row, where it is covered less.
+    /// Raises the coverage in a rectangle to shares, row by row, where it is lower.
     #[cfg(feature = "names")]
     pub fn add_shares(&mut self, rect: Rect, rows: impl Iterator<Item = impl Iterator<Item = f32>>) {
         let width = self.mask.width() as usize;
@@ -140,29 +141,29 @@ impl Coverage {
         }
     }
 
-    /// Counts everything as touched.
+    /// Marks everything as touched.
     pub fn touch_all(&mut self) {
         self.touched.tiles.fill(true);
     }
 
-    /// The whole mask.
+    /// The rectangle of the whole mask.
     pub fn bounds(&self) -> Rect {
         Rect { left: 0, top: 0, right: self.mask.width(), bottom: self.mask.height() }
     }
 
-    /// Empties the mask. The caller has to know which parts were touched.
+    /// Empties the mask. The caller keeps track of the parts that were touched.
     pub fn clear(&mut self) {
         self.mask.clear();
     }
 
-    /// How much what is drawn from now on covers at most, from 0 to 1: less for what has faded.
+    /// Sets the greatest coverage of further strokes, from 0 to 1: lower for things that have faded.
     pub fn set_strength(&mut self, strength: f32) {
         self.strength = strength;
     }
 
-    /// Draws a line from `a` to `b` with round ends, its radius running from `radius_a` to `radius_b`, in pixels.
+    /// Draws a line from `a` to `b` with round ends. Its radius runs from `radius_a` to `radius_b`, in pixels.
     ///
-    /// Thinner than a pixel, a line keeps its width and pales instead.
+    /// A line thinner than a pixel is drawn one pixel wide and paler.
     pub fn capsule(&mut self, a: Vec2, radius_a: f32, b: Vec2, radius_b: f32) {
         let margin = rim(larger(radius_a, radius_b));
         let Some(rect) = Rect::between([a.min(b) - margin, a.max(b) + margin], self.mask.width(), self.mask.height())
@@ -188,8 +189,8 @@ impl Coverage {
     }
 }
 
-/// The pixels that a mask covers: the number of each, and by how much it is covered. Most masks are mostly empty, so many pixels at a
-/// time are passed over.
+/// The pixels that a mask covers, each with its index and coverage. Most masks are mostly empty, so many pixels are
+/// skipped at a time.
 pub(super) struct Covered<'a> {
     mask: &'a [u8],
     next: usize,
@@ -223,28 +224,28 @@ impl Iterator for Covered<'_> {
 
 const HALF: f32 = 0.5;
 
-/// How far from its middle line a stroke of a radius shows.
+/// The distance from its middle line at which a stroke of a radius ends.
 fn rim(radius: f32) -> f32 {
     larger(radius, HALF) + HALF
 }
 
-/// `f32::max`, which knows what to do with NaN, is several jumps in wasm.
+/// The greater of two numbers. `f32::max` also handles NaN and compiles to several jumps in wasm.
 fn larger(a: f32, b: f32) -> f32 {
     if a > b { a } else { b }
 }
 
-/// A capsule, prepared for four pixels at a time. Whatever can be is a field and not a constant in the inner loop,
-/// which V8 would compute again for every four pixels.
+/// A capsule, prepared for four pixels at a time. Values are fields where possible, not constants in the inner loop: V8
+/// would compute those again for every four pixels.
 struct Stroke {
     along_x: f32x4,
     along_y: f32x4,
     per_squared_length: f32x4,
-    /// Where coverage ends, from the middle line, at either end.
+    /// The distances from the middle line at which coverage ends, at both ends.
     rim_a: f32x4,
     rim_b: f32x4,
-    /// The farther of the two, squared.
+    /// The square of the greater one.
     squared_rim: f32x4,
-    /// The most coverage at either end, in 255ths.
+    /// The greatest coverage at both ends, in 255ths.
     most_a: f32x4,
     most_b: f32x4,
 }
@@ -268,17 +269,17 @@ impl Stroke {
         }
     }
 
-    /// Raises the pixels of a row, which starts at column `left`, to this stroke's coverage.
+    /// Raises the pixels of a row to this stroke's coverage. The row starts at column `left`.
     #[inline]
     fn cover(&self, row: &mut [u8], left: f32, dy: f32) {
-        /// Added to it, a small number shows its nearest whole number in the lowest bits.
+        /// Adding this to a small number leaves the nearest whole number in the lowest bits.
         const ALL_FRACTION: f32 = 8_388_608.0;
         let dy = f32x4::splat(dy);
         let mut dx = f32x4::new([0.5, 1.5, 2.5, 3.5]) + f32x4::splat(left);
         for pixels in row.chunks_mut(4) {
             let (t, squared_distance) = self.nearest(dx, dy);
             dx += f32x4::splat(4.0);
-            // Most of the box around a slanting line is empty.
+            // Most of the box around a slanted line is empty.
             if squared_distance.simd_lt(self.squared_rim).none() {
                 continue;
             }
@@ -289,8 +290,8 @@ impl Stroke {
         }
     }
 
-    /// Of four pixels that lie at (dx, dy) from `a`: which point of the middle line is nearest, from 0 at `a` to 1 at `b`,
-    /// and how far it is, squared.
+    /// For four pixels at (dx, dy) from `a`, the position of the nearest point on the middle line, from 0 at `a` to 1
+    /// at `b`, and the squared distance to it.
     #[inline]
     fn nearest(&self, dx: f32x4, dy: f32x4) -> (f32x4, f32x4) {
         let t = (dx * self.along_x + dy * self.along_y) * self.per_squared_length;
@@ -299,10 +300,10 @@ impl Stroke {
         (t, off_x * off_x + off_y * off_y)
     }
 
-    /// Coverage in 255ths.
+    /// The coverage in 255ths.
     #[inline]
     fn coverage(&self, t: f32x4, distance: f32x4) -> f32x4 {
-        // Written as two products, not as a + (b − a)·t: so it cannot fall when a radius grows.
+        // Two products instead of a + (b − a)·t, so that the result cannot fall when a radius grows.
         let rest = f32x4::ONE - t;
         let rim = self.rim_a * rest + self.rim_b * t;
         let most = self.most_a * rest + self.most_b * t;

@@ -1,4 +1,5 @@
-//! A picture without its ground, to be laid over something else: without the sea, or, of a style that draws nothing but lines, without its paper.
+//! Pictures with a transparent background, to be laid over something else: without the sea or, in line styles, without
+//! the paper.
 
 use tiny_skia::Pixmap;
 
@@ -8,11 +9,12 @@ use super::styles::labels::label_look;
 use super::styles::palette;
 use crate::recipe::Style;
 
-/// How opaque a pixel is that is covered all over.
+/// The opacity of a pixel that is fully covered.
 const WHOLE: f32 = 255.0;
 
-/// Gives the pixels of a painted picture an opacity, by which their colours are not multiplied. `ground` is flat, and says how far rivers show on
-/// it: on land and its coast. Without one, all is plain land.
+/// Gives the pixels of a painted picture an opacity; colours are not premultiplied. `ground` is the flat ground, whose
+/// fourth channel is the visibility of rivers: they show on land and its coast. Without a ground, everything is plain
+/// land.
 pub(super) fn cut_out(pixmap: &mut Pixmap, ground: Option<&[[u8; 4]]>, chart: Option<&ChartMasks>, style: Style) {
     let (look, pixels) = (palette(style), pixmap.data_mut().as_chunks_mut::<4>().0);
     let open = |i: usize| ground.map_or(255, |ground| ground[i][3]);
@@ -31,7 +33,7 @@ pub(super) fn cut_out(pixmap: &mut Pixmap, ground: Option<&[[u8; 4]]>, chart: Op
     }
 }
 
-/// Whether a style has nothing but lines on paper.
+/// Returns `true` if a style draws nothing but lines on paper.
 fn is_of_lines(look: &Palette) -> bool {
     look.relief.is_none() && look.beds.is_none()
 }
@@ -40,7 +42,7 @@ fn opaque_part([red, green, blue, _]: [u8; 4]) -> Colour {
     [red, green, blue]
 }
 
-/// How much ink covers a pixel of paper, in 255ths: how far its colour has come from that of the paper to that of the ink.
+/// The coverage of a pixel by ink, in 255ths: the position of its colour between that of the paper and that of the ink.
 fn covered(pixel: Colour, paper: Colour, ink: Colour) -> u8 {
     let (mut way, mut whole) = (0.0, 0.0);
     for i in 0..3 {
@@ -48,11 +50,11 @@ fn covered(pixel: Colour, paper: Colour, ink: Colour) -> u8 {
         way += (pixel - paper) * (ink - paper);
         whole += (ink - paper) * (ink - paper);
     }
-    // A conversion makes 0 of what is less, and 255 of what is more.
+    // The conversion clamps to 0 and 255.
     (way / whole * WHOLE + 0.5) as u8
 }
 
-/// What is left of a pixel when a ground is taken from under it, of which so much was covered: over that ground it would look as before.
+/// Removes the ground from a pixel with this coverage. Laid over the ground again, the result looks as before.
 fn lifted(pixel: Colour, ground: Colour, covered: u8) -> [u8; 4] {
     if covered == 0 {
         return [0; 4];
@@ -63,7 +65,7 @@ fn lifted(pixel: Colour, ground: Colour, covered: u8) -> [u8; 4] {
     [red, green, blue, covered]
 }
 
-/// Lays type over what has no ground: on land it is there already.
+/// Lays type over pixels without ground. On land it is already there.
 fn lay(chart: &ChartMasks, style: Style, pixels: &mut [[u8; 4]]) {
     let mut lay = |layer: &SparseMask, colour: Colour, strength: f32| {
         for (i, share) in layer.pixels() {
@@ -84,7 +86,7 @@ fn lay(chart: &ChartMasks, style: Style, pixels: &mut [[u8; 4]]) {
     lay(&chart.marks, letters.mark, 1.0);
 }
 
-/// A pixel with an opacity, and a share of a colour over it.
+/// Lays a share of a colour over a pixel with opacity.
 fn laid_over(pixel: [u8; 4], colour: Colour, share: f32) -> [u8; 4] {
     let under = f32::from(pixel[3]) / WHOLE * (1.0 - share);
     let whole = share + under;

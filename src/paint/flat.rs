@@ -1,4 +1,5 @@
-//! Flat ground in a style: land and sea, or plain land, on paper, under a grid. It is painted some rows at a time.
+//! The flat ground of a style: land and sea, or plain land, on paper and under a grid. It is painted some rows at a
+//! time.
 
 use super::beyond;
 use super::grid;
@@ -10,13 +11,13 @@ use super::view::View;
 use crate::land::{Land, SmoothedDistance};
 use crate::recipe::Style;
 
-/// Flat ground, as far as it is painted.
+/// The flat ground, as far as it is painted.
 #[derive(Clone, Debug)]
 pub(super) struct FlatGround {
     pub style: Style,
-    /// What paints land and sea; `None` where there is no sea, and once all is painted.
+    /// The painter of land and sea; `None` if there is no sea, and once everything is painted.
     coast: Option<Ground>,
-    /// `None` where all is plain land.
+    /// `None` if everything is plain land.
     pixels: Option<Vec<[u8; 4]>>,
 }
 
@@ -28,18 +29,18 @@ impl FlatGround {
         Self { style, coast, pixels: (!is_plain).then(|| Vec::with_capacity(view.pixels())) }
     }
 
-    /// Its pixels; `None` where all is plain land.
+    /// The pixels; `None` if everything is plain land.
     pub fn pixels(&self) -> Option<&[[u8; 4]]> {
         self.pixels.as_deref()
     }
 
-    /// Whether all of it is painted.
+    /// Returns `true` if all of it is painted.
     #[cfg(feature = "controls")]
     pub fn is_whole(&self, view: &View) -> bool {
         self.pixels.as_ref().is_none_or(|pixels| pixels.len() == view.pixels())
     }
 
-    /// Paints some more rows, if any are left. Returns whether there are more.
+    /// Paints some more rows, if any are left. Returns `true` if there are more.
     pub fn advance(&mut self, view: &View, land: Option<&Land>, shown: Option<&SmoothedDistance>) -> bool {
         let Some(pixels) = &mut self.pixels else { return false };
         let rows = view.next_rows(pixels.len());
@@ -66,7 +67,7 @@ impl FlatGround {
     }
 }
 
-/// Plain land.
+/// The colour of plain land.
 pub(super) fn plain(palette: &Palette) -> [u8; 4] {
     let [r, g, b] = palette.plain;
     [r, g, b, 255]

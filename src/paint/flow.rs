@@ -1,7 +1,7 @@
 //! Depth, discharge and drawn radius of the nodes of a growing tree.
 //!
-//! Everything is measured again, in one pass over the tree, when enough has grown: a trunk need not widen in every
-//! frame. In between, only depth follows the new nodes, from each tip downstream, as it decides what may be drawn.
+//! All nodes are measured again, in one pass over the tree, when enough has grown: trunks need not widen in every
+//! frame. In between, only depth follows the new nodes, from each tip downstream, because it decides what may be drawn.
 
 use super::strokes::{Pen, TAPER_NODES};
 use crate::tree::Tree;
@@ -9,22 +9,22 @@ use crate::tree::Tree;
 /// Discharge is measured again when one node in this many is new.
 const NEWS: usize = 32;
 
-/// What painting has to know of each node.
+/// Depth, radius and discharge of each node.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Flow {
-    /// As in [`crate::tree::Hydrology`].
+    /// The depth, as in [`crate::tree::Hydrology`].
     pub depth: Vec<u32>,
-    /// Radii in sixteenths of a pixel, of the last measurement.
+    /// The radii in sixteenths of a pixel, at the last measurement.
     pub radii: Vec<u16>,
-    /// Discharges of the last measurement.
+    /// The discharges at the last measurement.
     pub discharge: Vec<u32>,
-    /// How many nodes there were at the last measurement.
+    /// The number of nodes at the last measurement.
     measured: usize,
 }
 
 impl Flow {
-    /// Takes in what has grown since the last call. Returns the nodes near growing tips whose depth has changed and is
-    /// at least `least`; their radii are up to date.
+    /// Updates depths after growth. Returns the nodes near growing tips whose depth has changed and is at least
+    /// `least`; their radii are up to date.
     pub fn follow(&mut self, tree: &Tree, pen: &Pen, least: u32) -> Vec<u32> {
         let mut near_tip = Vec::new();
         let known = self.depth.len();
@@ -50,12 +50,12 @@ impl Flow {
         near_tip
     }
 
-    /// Whether enough has grown for another measurement.
+    /// Returns `true` if enough has grown for another measurement.
     pub fn is_stale(&self, tree: &Tree) -> bool {
         tree.len() > self.measured + self.measured / NEWS
     }
 
-    /// Measures every node, in one pass from the sources down. What drains less than a channel does has no depth.
+    /// Measures every node in one pass from the sources down. Nodes that drain less than a channel have no depth.
     pub fn measure(&mut self, tree: &Tree, pen: &Pen, channel_area: u32) {
         self.depth.clear();
         self.depth.resize(tree.len(), 0);

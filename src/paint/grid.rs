@@ -12,7 +12,7 @@ pub(super) fn lay(view: &View, grid: &Grid, pixels: &mut [[u8; 4]]) {
     let Some(mut mask) = Coverage::new(view.width, view.height) else { return };
     let half = Grid::WIDTH * 0.5 * view.scale;
     let [first, last] = view.frame();
-    // As exact as numbers are, unless a part is asked for.
+    // Lines start at the map's corner, which avoids rounding, unless the picture shows a part of the map.
     let first = if view.is_framed() { first } else { Vec2::ZERO };
     for [from, to] in lines(grid, [first, last]) {
         mask.capsule(view.pixel(from), half, view.pixel(to), half);
@@ -20,7 +20,7 @@ pub(super) fn lay(view: &View, grid: &Grid, pixels: &mut [[u8; 4]]) {
     lay_mask(mask.mask().data(), grid.colour, &|_| grid.strength, pixels);
 }
 
-/// The lines of a grid in a frame, between its two corners, in units.
+/// The lines of a grid between the two corners of a frame, in units.
 pub(crate) fn lines(grid: &Grid, [first, last]: [Vec2; 2]) -> Vec<[Vec2; 2]> {
     let mut lines = Vec::new();
     for axis in [Vec2::X, Vec2::Y] {

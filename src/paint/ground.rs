@@ -1,5 +1,5 @@
-//! What rivers are drawn on where there is a sea: land and water by their distance from the coast, rings, the coast
-//! itself, ridges.
+//! The ground under rivers where there is a sea: land and water by their distance from the coast, rings, the coast line
+//! and ridges.
 
 use glam::Vec2;
 
@@ -9,22 +9,23 @@ use super::ridges::ridges;
 use super::view::{Rows, View};
 use crate::land::{Across, Land, Parabola, SmoothedDistance};
 
-/// Widths of lines, in units.
+/// The widths of lines, in units.
 pub(crate) const RING_WIDTH: f32 = 1.1;
 pub(crate) const COAST_WIDTH: f32 = 1.8;
 
-/// Rivers end so far out at sea, in units: they interrupt the line of the coast, and no more.
+/// The distance from the coast at which rivers end at sea, in units: just enough to interrupt the line of the coast.
 pub(crate) const RIVERS_END: f32 = COAST_WIDTH * 0.5;
 
-/// The ground of a picture in the making, from north to south. In place of opacity its pixels have how far rivers show on them.
+/// The ground of a picture, painted from north to south. The fourth channel of its pixels is not opacity but the
+/// visibility of rivers.
 #[derive(Clone, Debug)]
 pub(super) struct Ground {
     shades: Shades,
     stretches: Vec<Stretch>,
-    /// The spans of the row of corners that was last painted around.
+    /// The spans of the row of corners around which rows were last painted.
     spans: Vec<Span>,
     spanned: Option<usize>,
-    /// Where ridges are drawn, and in which colour; `None` if there are none.
+    /// The mask and the colour of ridges; `None` if there are none.
     ridges: Option<(Coverage, Colour)>,
 }
 
@@ -42,12 +43,12 @@ impl Ground {
         }
     }
 
-    /// Paints some rows, which follow on those that are there.
+    /// Paints the next rows, which follow the ones already painted.
     pub fn paint(&mut self, view: &View, shown: &SmoothedDistance, rows: Rows, pixels: &mut Vec<[u8; 4]>) {
         let first = pixels.len();
         for y in rows.clone() {
             let across = shown.across(view.point(Vec2::splat(y as f32 + 0.5)).y);
-            // Some rows lie between the same corners.
+            // Several rows lie between the same corners.
             if self.spanned.replace(across.row) != Some(across.row) {
                 self.spans = self.shades.spans(&self.stretches, shown, across.row);
             }
@@ -65,22 +66,22 @@ impl Ground {
     }
 }
 
-/// Pixels of a row around a column of the lattice's corners: the height along them is a parabola.
+/// Pixels of a row around one column of the lattice's corners. The height along them is a parabola.
 #[derive(Clone, Copy, Debug)]
 struct Stretch {
     count: usize,
     column: usize,
-    /// How far beyond the column the middle of the first pixel lies, in intervals.
+    /// The distance of the first pixel's middle beyond the column, in intervals.
     first: f32,
 }
 
-/// The stretches that make a row.
+/// The stretches that make up a row.
 fn stretches(view: &View, shown: &SmoothedDistance) -> Vec<Stretch> {
     let (width, mut start) = (view.width as usize, 0);
     let mut stretches = Vec::new();
     while start < width {
         let (column, first) = shown.column(view.point(Vec2::splat(start as f32 + 0.5)).x);
-        // The pixels whose middles are nearest to this column, before the picture's end.
+        // Up to the end of the picture, the pixels whose middles are nearest to this column.
         let rest = (0.5 - first) * shown.spacing() * view.scale;
         let count = (rest.ceil().max(1.0) as usize).min(width - start);
         stretches.push(Stretch { count, column, first });
@@ -92,24 +93,24 @@ fn stretches(view: &View, shown: &SmoothedDistance) -> Vec<Stretch> {
 /// Pixels of a row that are painted together.
 #[derive(Clone, Debug)]
 enum Span {
-    /// A number of pixels of one colour: most of a picture is far from any coast.
+    /// A number of pixels of one colour, as in most of a picture, far from any coast.
     Even([u8; 4], usize),
     /// A stretch whose colours have to be looked up, and whether a line comes near.
     Uneven(Stretch, bool),
 }
 
-/// The colours along the coast by their distance from it, looked up.
+/// A table of the colours along the coast, by distance from it.
 #[derive(Clone, Debug)]
 struct Shades {
     colours: Vec<[u8; 4]>,
     rings: &'static [(f32, f32)],
-    /// How far from its middle a line can be seen, in units.
+    /// The distance from its middle at which a line can still be seen, in units.
     margin: f32,
-    /// How far the next pixel is, in intervals of the lattice.
+    /// The distance to the next pixel, in intervals of the lattice.
     step: f32,
     /// The length of an interval, in units.
     spacing: f32,
-    /// The distances of the first and past the last, in units.
+    /// The distances at the start and at the end of the table, in units.
     first: f32,
     end: f32,
     per_unit: f32,
@@ -139,11 +140,11 @@ impl Shades {
         }
     }
 
-    /// The spans of all rows that one row of corners is nearest to.
+    /// The spans of all rows nearest to one row of corners.
     fn spans(&self, stretches: &[Stretch], shown: &SmoothedDistance, row: usize) -> Vec<Span> {
         let mut spans = Vec::new();
         for stretch in stretches {
-            // What lies between is nowhere lower or higher than these.
+            // No point between these heights is lower or higher than all of them.
             let around = shown.around(row, stretch.column);
             let (least, most) = around.fold((f32::MAX, f32::MIN), |(least, most), at| (least.min(at), most.max(at)));
             match (self.even(least, most), spans.last_mut()) {
@@ -167,7 +168,7 @@ impl Shades {
         }));
     }
 
-    /// Adds the pixels of any other stretch.
+    /// Adds the pixels of a stretch with lines.
     fn draw_lines(&self, stretch: &Stretch, across: &Across<'_>, pixels: &mut Vec<[u8; 4]>) {
         let (heights, south) = (Parabola::of(across.around(stretch.column)), across.rise(stretch.column));
         pixels.extend((0..stretch.count).map(|i| {
@@ -178,25 +179,26 @@ impl Shades {
         }));
     }
 
-    /// The height of a line, coast or ring, that something between two heights is near.
+    /// The height of a line, coast or ring, close to a range of heights.
     fn line_near(&self, least: f32, most: f32) -> Option<f32> {
         let rings = self.rings.iter().map(|ring| -ring.0);
         std::iter::once(0.0).chain(rings).find(|line| least - self.margin < *line && *line < most + self.margin)
     }
 
-    /// The distance of a line from its difference in height. They differ where the surface is flatter than a distance should
-    /// be, as between two coasts: lines would be too wide there. (`clamp` could panic, and would bring all that prints floats into the page.)
+    /// The distance from a line, given the difference in height. The two differ where the surface is flatter than a
+    /// distance field should be, as between two coasts; lines would be too wide there. (`clamp` could panic, and would
+    /// bring the code that prints floats into the page.)
     fn apart(&self, higher: f32, rise: Vec2) -> f32 {
         (higher * self.spacing / rise.length().max(0.01)).max(-self.margin).min(self.margin)
     }
 
     fn at(&self, height: f32) -> [u8; 4] {
-        // What is less than 0 becomes 0.
+        // A conversion turns negative numbers into 0.
         let index = ((height - self.first) * self.per_unit) as u32 as usize;
         self.colours[index.min(self.colours.len() - 1)]
     }
 
-    /// The one colour between two heights, if there is only one.
+    /// The colour of all heights between two, if they have the same.
     fn even(&self, least: f32, most: f32) -> Option<[u8; 4]> {
         if least >= self.end {
             return self.colours.last().copied();
@@ -205,7 +207,7 @@ impl Shades {
     }
 }
 
-/// The colour at a distance from the coast, in units, land being positive; and how far rivers show there.
+/// The colour at a distance from the coast, in units and positive on land, and the visibility of rivers there.
 fn shore(scale: f32, palette: &Palette, distance: f32) -> [u8; 4] {
     let far = if palette.fade > 0.0 { faded(distance.abs() / palette.fade) } else { 1.0 };
     let (water, land) = (mix(palette.shallows, palette.deep, far), mix(palette.lowland, palette.inland, far));
@@ -218,7 +220,7 @@ fn shore(scale: f32, palette: &Palette, distance: f32) -> [u8; 4] {
     [r, g, b, (inside(distance + RIVERS_END) * 255.0 + 0.5) as u8]
 }
 
-/// The share of the farther colour at a share of the way to where it is the only one: it gets there without an edge.
+/// The share of the farther colour, given the share of the way over which it sets in. It ends without an edge.
 fn faded(way: f32) -> f32 {
     let rest = 1.0 - way.min(1.0);
     1.0 - rest * rest
@@ -230,20 +232,20 @@ pub(crate) fn way_to(share: f32) -> f32 {
     1.0 - (1.0 - share).sqrt()
 }
 
-/// How much a line of a width (both in units) covers a pixel at a distance from it.
+/// The coverage of a pixel by a line, given its distance from the line and the line's width in units.
 fn line(scale: f32, distance: f32, width: f32) -> f32 {
     let half_width_px = width * scale * 0.5 + 0.25;
     (half_width_px + 0.5 - distance.abs() * scale).clamp(0.0, 1.0) * (half_width_px * 2.0).min(1.0)
 }
 
-/// Draws strokes: lines between two places with half of their width there, in units.
+/// Draws strokes: lines between two places, each with half the width there, in units.
 pub(super) fn draw(mask: &mut Coverage, view: &View, strokes: &[[(Vec2, f32); 2]]) {
     for &[(a, half_a), (b, half_b)] in strokes {
         mask.capsule(view.pixel(a), half_a * view.scale, view.pixel(b), half_b * view.scale);
     }
 }
 
-/// Lays a colour over pixels as far as a mask covers them. `open` is how much of the colour shows in a pixel.
+/// Lays a colour over the pixels that a mask covers. `open` is the strength of the colour in a pixel.
 pub(super) fn lay_mask(mask: &[u8], colour: Colour, open: &dyn Fn(usize) -> f32, pixels: &mut [[u8; 4]]) {
     for (i, covered) in Covered::by(mask) {
         let [r, g, b, rest] = pixels[i];
@@ -264,7 +266,7 @@ mod tests {
     fn coasts_are_as_wide_along_a_strait_as_anywhere() {
         let domain = Domain::with_aspect(1.0);
         let view = View::new(&domain, 1000, 1000).unwrap();
-        // Two coasts from one side of the domain to the other, slanting over the lattice.
+        // Two coasts from one side of the domain to the other, at an angle to the lattice.
         let (from, to) = (Vec2::new(-50.0, 300.0), Vec2::new(1050.0, 620.0));
         let across = (to - from).perp().normalize();
         for width in [6.5, 9.0, 60.0] {
@@ -278,7 +280,7 @@ mod tests {
                 .map(|(x, y)| f32::from(pixels[y * 1000 + x][0]) / f32::from(palette(Style::Skeleton).coast[0]))
                 .sum::<f32>();
             let length = 2.0 * 400.0 / across.y.abs();
-            // A line of a picture is half a pixel wider than asked for.
+            // A drawn line is half a pixel wider than asked for.
             assert!(
                 (coast / length - COAST_WIDTH - 0.5).abs() < 0.1,
                 "{} wide, in a strait of {width}",

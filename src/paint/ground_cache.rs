@@ -1,6 +1,6 @@
-//! The ground under a picture's rivers, made part by part, and what it is made of, kept for the next: the coast as pictures show it and
-//! the share of land in each pixel for as long as the land is the same, flat ground for as long as its style is, and what a relief alone
-//! decides for as long as that lasts.
+//! The ground under a picture's rivers, made part by part, and its ingredients, which are kept for the next picture:
+//! the smoothed coast and the share of land in each pixel as long as the land is the same, flat ground as long as the
+//! style is the same, and everything that depends on the relief alone as long as the relief is the same.
 
 use super::beds::GroundWithBeds;
 use super::beyond;
@@ -13,28 +13,31 @@ use super::view::View;
 use crate::land::{Land, SmoothedDistance};
 use crate::recipe::Style;
 
-/// What a picture has besides its rivers.
+/// The parts of a picture other than its rivers.
 #[derive(Clone, Debug, Default)]
 pub(super) struct GroundCache {
     shown: Option<SmoothedDistance>,
     shares: Option<LandShares>,
     flat: Option<FlatGround>,
     prepared: Option<Prepared>,
-    /// With great rivers and their former beds.
+    /// The ground with great rivers and their former beds.
     beds: Option<GroundWithBeds>,
     raised: Option<RaisedGround>,
 }
 
 impl GroundCache {
-    /// What a picture takes at most, beyond its own pixels and mask, in bytes a pixel. Flat ground and raised; the shares of land; the
-    /// numbers of colours by height and light; those of basins or two masks, of rivers and of what is around them or of hachures; and
-    /// contours, of 8 bytes each, which cover an eighth of it. With former beds it is less: flat ground, the same twice with beds, a mask.
+    /// The greatest memory of a picture beyond its own pixels and mask, in bytes a pixel: flat ground; ground with
+    /// relief; the shares of land; the numbers of colours by height and light; those of basins, or two masks (rivers,
+    /// and their casings or hachures); contours, of 8 bytes each, which cover an eighth of the pixels. Former beds need
+    /// less: flat ground, two copies of it with beds, and a mask.
     pub const BYTES_A_PIXEL: usize = 4 + 4 + 1 + 2 + 1 + 2 + 1;
 
-    /// What a relief takes besides, however large the picture is: heights, light and contours of 250,000 cells, and what they are made of.
+    /// The further memory of a relief, for pictures of any size: heights, light and contours of 250,000 cells, and
+    /// their ingredients.
     pub const BYTES: usize = 6_000_000;
 
-    /// The pixels, and the number of the colour that rivers have in each; none if they have but one. `None` for plain land.
+    /// The pixels, and the number of the river colour in each, which is empty if rivers have only one colour. `None`
+    /// for plain land.
     pub fn pixels(&self, style: Style) -> Option<(&[[u8; 4]], &[u8])> {
         if let Some(raised) = &self.raised {
             let has_numbers = palette(style).relief.is_some_and(|look| look.basins.is_some());
@@ -45,13 +48,13 @@ impl GroundCache {
         beds.or_else(|| self.flat.as_ref()?.pixels()).map(|pixels| (pixels, &[][..]))
     }
 
-    /// The ground without relief, and how far rivers show on it; `None` where all is plain land.
+    /// The ground without relief, with the visibility of rivers; `None` if everything is plain land.
     #[cfg(feature = "files")]
     pub fn flat_pixels(&self) -> Option<&[[u8; 4]]> {
         self.flat.as_ref()?.pixels()
     }
 
-    /// How much of it is painted, from 0 to 1, for a style with relief or without.
+    /// The painted share, from 0 to 1, for a style with or without relief.
     #[cfg(feature = "files")]
     pub fn progress(&self, view: &View, has_relief: bool) -> f32 {
         let share = |painted: usize| painted as f32 / view.pixels() as f32;
@@ -64,12 +67,12 @@ impl GroundCache {
         (flat + land + raised) / 3.0
     }
 
-    /// Whether it shows a relief.
+    /// Returns `true` if it shows a relief.
     pub fn is_raised(&self) -> bool {
         self.raised.is_some()
     }
 
-    /// Whether it shows this relief, or none if there is none.
+    /// Returns `true` if it shows this relief, or for `None`, if it shows none.
     pub fn shows(&self, relief: Option<Exaggerated<'_>>) -> bool {
         match (&self.raised, relief) {
             (None, None) => true,
@@ -78,7 +81,8 @@ impl GroundCache {
         }
     }
 
-    /// Forgets former beds, and says whether what is left, flat ground or raised, is painted wholly, in this style.
+    /// Drops former beds. Returns `true` if the remaining ground, flat or with relief, is completely painted in this
+    /// style.
     #[cfg(feature = "controls")]
     pub fn is_ready_for_draft(&mut self, view: &View, style: Style) -> bool {
         self.beds = None;
@@ -86,23 +90,23 @@ impl GroundCache {
         is_flat && self.raised.as_ref().is_none_or(RaisedGround::is_whole)
     }
 
-    /// Shows the ground alone: other rivers come next.
+    /// Drops everything that depends on rivers, because others come next.
     pub fn forget_rivers(&mut self) {
         (self.raised, self.beds) = (None, None);
     }
 
-    /// The same, and keeps nothing of a relief: there will be another.
+    /// Drops everything that depends on rivers or on a relief.
     pub fn forget_relief(&mut self) {
         self.forget_rivers();
         self.prepared = None;
     }
 
-    /// Paints flat ground, unless it is there.
+    /// Paints flat ground, unless it is already painted.
     pub fn lay(&mut self, view: &View, land: Option<&Land>, style: Style) {
         while self.advance_flat(view, land, style) {}
     }
 
-    /// Makes a part of what rivers are painted on, if anything is left to make. Returns whether there is more.
+    /// Makes a part of the ground, if any is missing. Returns `true` if there is more.
     pub fn advance(&mut self, view: &View, rivers: &Rivers<'_>) -> bool {
         self.advance_flat(view, rivers.land, rivers.style)
             || self.advance_relief(view, rivers)
@@ -118,7 +122,7 @@ impl GroundCache {
         }
         if self.flat.as_ref().is_none_or(|flat| flat.style != style) {
             self.forget_rivers();
-            // Two at a time would be too much memory.
+            // Drops the old ground first: both at once would need too much memory.
             self.flat = None;
         }
         let shown = self.shown.as_ref();
@@ -126,7 +130,7 @@ impl GroundCache {
         flat.advance(view, land, shown)
     }
 
-    /// Raises a relief on flat ground, with casings along the rivers; or lowers it.
+    /// Paints the relief, with casings along the rivers, or removes it.
     fn advance_relief(&mut self, view: &View, rivers: &Rivers<'_>) -> bool {
         let (Some(relief), Some(look)) = (rivers.relief, palette(rivers.style).relief) else {
             self.raised = None;

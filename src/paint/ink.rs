@@ -1,14 +1,15 @@
-//! Rivers over their ground.
+//! Rivers on their ground.
 //!
-//! On plain land a pixel's colour depends on its coverage alone, so there are 256 of them: laying them down is a look-up,
-//! several times as fast as a blend through a mask. Either way repeating it changes nothing.
+//! On plain land a pixel's colour depends only on its coverage, so there are 256 colours: painting is a look-up,
+//! several times as fast as a blend through a mask. In both cases repeating it changes nothing.
 
 use tiny_skia::Pixmap;
 
 use super::coverage::{Coverage, Covered, Rect};
 use super::palette::{BasinColours, Colour, Palette, opaque, over};
 
-/// Colours rectangles of the picture: rivers on a ground, of which each pixel may have the number of a colour, or on plain land.
+/// Colours rectangles of the picture: rivers on plain land or on a ground, whose pixels may have the numbers of their
+/// river colours.
 pub(super) fn compose(
     pixmap: &mut Pixmap,
     coverage: &Coverage,
@@ -50,7 +51,7 @@ fn on_ground(pixels: &mut [u8], coverage: &[u8], palette: &Palette, ground: &[[u
     }
 }
 
-/// Rivers in the colours of their basins, over all that is there.
+/// Paints rivers in the colours of their basins.
 fn in_basins(pixels: &mut [u8], coverage: &[u8], look: &BasinColours, ground: &[[u8; 4]], numbers: &[u8]) {
     let pixels = pixels.as_chunks_mut::<4>().0;
     for (i, covered) in Covered::by(coverage) {
@@ -58,7 +59,7 @@ fn in_basins(pixels: &mut [u8], coverage: &[u8], look: &BasinColours, ground: &[
     }
 }
 
-/// River of some coverage over a ground, as far as it shows there.
+/// A river of some coverage over a ground, as far as it shows there.
 #[inline]
 fn river_over(ground: [u8; 4], river: Colour, coverage: u8) -> [u8; 4] {
     let [red, green, blue, open] = ground;

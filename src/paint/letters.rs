@@ -1,4 +1,4 @@
-//! Letters and the halo around them as masks: what a chart lays over a picture of one size.
+//! Masks of letters and of the halo around them, for a picture of one size.
 
 use glam::Vec2;
 
@@ -9,17 +9,18 @@ use crate::chart::{Kind, Label, Placed, Stroke};
 use crate::glyph::Fill;
 use crate::memory;
 
-/// How far the halo reaches around the middle of a space between words, in ems: a river that showed there would be taken for a hyphen.
+/// The radius of the halo around the middle of a space between words, in ems. A river that showed there would look like
+/// a hyphen.
 pub(crate) const SPACE: f32 = 0.33;
 
-/// The masks of labels; nothing if there are none, or not enough memory.
+/// The masks of labels; empty if there are no labels or not enough memory.
 pub(crate) fn masks(view: &View, labels: &[Label]) -> ChartMasks {
-    /// Of the halo, and of letters.
+    /// One byte for the halo and one for letters.
     const BYTES_A_PIXEL: usize = 2;
     if labels.is_empty() || !memory::can_allocate(BYTES_A_PIXEL * view.pixels()) {
         return ChartMasks::default();
     }
-    // Names on water keep so far from the coast that there are no rivers to take away, and no ground to even out.
+    // Names on water keep so far from the coast that there are no rivers to remove and no ground to even out.
     let on_land = labels.iter().filter(|label| !label.kind.is_afloat());
     let blocks = labels.iter().filter(|label| label.kind.is_block());
     let framed = labels.iter().filter(|label| !label.strokes.is_empty());
@@ -33,7 +34,7 @@ pub(crate) fn masks(view: &View, labels: &[Label]) -> ChartMasks {
     }
 }
 
-/// Strokes, and what lies around the letters of some labels.
+/// The mask of strokes and of the surroundings of letters.
 fn halo<'a>(
     view: &View,
     strokes: impl Iterator<Item = &'a Stroke>,
@@ -60,7 +61,7 @@ fn halo<'a>(
     SparseMask::of(mask.mask().data())
 }
 
-/// Lines of some strokes.
+/// The mask of strokes.
 fn lines<'a>(view: &View, strokes: impl Iterator<Item = &'a Stroke>) -> SparseMask {
     let mut strokes = strokes.peekable();
     if strokes.peek().is_none() {
@@ -78,7 +79,7 @@ fn draw<'a>(mask: &mut Coverage, view: &View, strokes: impl Iterator<Item = &'a 
     }
 }
 
-/// Letters, and the lines around them; letters of a seal are left out of those.
+/// The mask of letters and the lines around them. The letters of a seal are cut out.
 fn letters<'a>(view: &View, labels: impl Iterator<Item = &'a Label> + Clone) -> SparseMask {
     if labels.clone().next().is_none() {
         return SparseMask::default();
@@ -94,7 +95,7 @@ fn letters<'a>(view: &View, labels: impl Iterator<Item = &'a Label> + Clone) -> 
         let lay = if label.kind == Kind::Seal { without } else { both };
         for (row, shares) in (top as usize..).zip(fill.rows()) {
             let pixels = mask[row * width + left as usize..].iter_mut().zip(shares);
-            // Most of a letter's box is bare.
+            // Most of a letter's box is empty.
             for (pixel, share) in pixels.filter(|(_, share)| *share > 0.0) {
                 *pixel = lay(*pixel, (share * 255.0 + 0.5) as u8);
             }
@@ -103,18 +104,18 @@ fn letters<'a>(view: &View, labels: impl Iterator<Item = &'a Label> + Clone) -> 
     SparseMask::of(&mask)
 }
 
-/// What is left of a pixel's cover where a letter is left out.
+/// The coverage of a pixel from which a letter is cut out.
 fn without(cover: u8, letter: u8) -> u8 {
     ((u32::from(cover) * (255 - u32::from(letter)) + 127) / 255) as u8
 }
 
-/// How much two letters cover together of a pixel on which they meet.
+/// The coverage of a pixel by two letters together.
 fn both(one: u8, other: u8) -> u8 {
     let bare = (255 - u32::from(one)) * (255 - u32::from(other));
     (255 - (bare + 127) / 255) as u8
 }
 
-/// The pixels of a letter's box with a margin; `None` if it shows on none.
+/// The pixels of a letter's box with a margin; `None` if it lies outside the picture.
 fn pixels(label: &Label, letter: &Placed, view: &View, margin: f32) -> Option<Rect> {
     let corners = letter.around(label.em).corners().map(|corner| view.pixel(corner));
     let (least, most) =
@@ -122,7 +123,7 @@ fn pixels(label: &Label, letter: &Placed, view: &View, margin: f32) -> Option<Re
     Rect::between([least, most], view.width, view.height)
 }
 
-/// Hands out the straight pieces of a letter's outline, in pixels.
+/// Calls `piece` for each straight piece of a letter's outline, in pixels.
 fn outline(label: &Label, letter: &Placed, view: &View, piece: impl FnMut(Vec2, Vec2)) {
     const TOLERANCE_PX: f32 = 0.3;
     letter.glyph.outline(|at| view.pixel(letter.place(at, label.em)), TOLERANCE_PX, piece);

@@ -1,10 +1,10 @@
-//! Painting: a tree of rivers on a tiny-skia pixmap.
+//! Painting: draws a tree of rivers on a tiny-skia pixmap.
 //!
-//! Rivers are drawn into an 8-bit coverage mask in which the larger coverage wins ([`Coverage`]). So drawing does not
-//! depend on order, a river that has grown wider is simply drawn again, and a picture painted bit by bit while the
-//! tree grows is the picture painted at once, to the byte. A style then lays colour through that mask.
+//! Rivers are drawn into an 8-bit coverage mask in which the larger coverage wins ([`Coverage`]). Therefore the order
+//! of drawing does not matter, a river that has grown wider is simply drawn again, and a picture painted bit by bit
+//! while the tree grows equals the picture painted at once, to the byte. A style then lays colour through the mask.
 //!
-//! Units here are pixels; a [`View`] is the only thing that knows how many there are to a unit of the domain.
+//! Units here are pixels. Only a [`View`] knows the number of pixels per unit of the domain.
 
 pub(crate) mod beds;
 mod beyond;

@@ -1,8 +1,9 @@
-//! The painter: keeps a picture up to date with a growing tree by drawing only what is new.
+//! The painter keeps a picture up to date with a growing tree and draws only what is new.
 //!
-//! While a tree grows, it is not known yet what trimming will take. A node at least as deep as the trimming threshold
-//! will certainly stay (its depth can only grow), so those are drawn at once, the growing tips a little later; when
-//! growth is over, all that stays is drawn. The finished picture is the one painted at once, to the byte.
+//! While a tree grows, it is not yet known which nodes trimming will remove. A node at least as deep as the trimming
+//! threshold will certainly stay, because its depth can only grow; those nodes are drawn at once, and the growing tips
+//! a little later. When growth is over, everything that stays is drawn. The finished picture equals the one painted at
+//! once, to the byte.
 
 use std::sync::Arc;
 
@@ -30,33 +31,33 @@ use crate::recipe::{CourseShape, Style};
 use crate::relief::Relief;
 use crate::tree::Tree;
 
-/// A tree to be painted, as far as it has grown.
+/// A tree to paint, as far as it has grown.
 #[derive(Clone, Copy, Debug)]
 pub struct Progress<'a> {
     /// The untrimmed tree. Between two calls it may only have grown.
     pub tree: &'a Tree,
-    /// Whether it will not grow any more.
+    /// `true` once it will not grow any more.
     pub finished: bool,
-    /// How it will be trimmed.
+    /// The trimming that will be applied.
     pub trim: Trim,
-    /// The discharge that would be everything a river can drain.
+    /// The discharge of a river that would drain the whole map.
     pub total_discharge: u32,
-    /// The width, in domain units, of a river that drains everything.
+    /// The width of a river that drains the whole map, in domain units.
     pub max_width: f32,
     /// The lines that rivers follow.
     pub courses: CourseShape,
-    /// The land; `None` if all of the domain is.
+    /// The land; `None` if the whole domain is land.
     pub land: Option<&'a Land>,
     /// The style.
     pub style: Style,
 }
 
-/// What came of painting.
+/// The result of a part of painting.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Painted {
-    /// Nothing to be seen yet: there is more to do.
+    /// There is more to do, and nothing to see yet.
     Part,
-    /// The picture is up to date. With the rectangle that changed; `None` if nothing did.
+    /// The picture is up to date. Holds the rectangle that changed, or `None` if nothing did.
     Whole(Option<Rect>),
 }
 
@@ -70,36 +71,37 @@ impl Painted {
     }
 }
 
-/// A picture in the making.
+/// A picture that is being painted.
 #[derive(Clone, Debug)]
 pub struct Painter {
     view: View,
     pixmap: Pixmap,
     coverage: Coverage,
-    /// The radius that each node was last drawn with; 0 before it is drawn.
+    /// The radius with which each node was last drawn; 0 if it was not.
     drawn: Vec<u16>,
     flow: Flow,
     /// The picture without rivers.
     ground: GroundCache,
-    /// Whether nothing of the picture can be kept.
+    /// `true` if nothing of the picture can be kept.
     is_blank: bool,
-    /// Whether the picture shows a finished tree.
+    /// `true` if the picture shows a finished tree.
     is_finished: bool,
-    /// The round that the rivers shown have meandered to; `None` as long as a tree is shown.
+    /// The round of meandering that the picture shows; `None` while it shows a tree.
     round: Option<u32>,
-    /// The relief of the finished rivers that the mask shows, which has but these, and the lines; `None` if it shows anything else.
+    /// The relief that belongs to the finished rivers in the mask, and the kind of their lines; `None` if the mask
+    /// holds anything else.
     drawn_rivers: Option<(Arc<Relief>, Lines)>,
     /// The chart that the picture shows.
     chart: Option<Arc<ChartMasks>>,
 }
 
 impl Painter {
-    /// An empty picture.
+    /// Makes an empty picture.
     ///
     /// # Errors
-    /// If a side is 0 or too long, or there is not enough memory.
+    /// Fails if a side is 0 or too long, or if there is not enough memory.
     pub fn new(domain: &Domain, width: u32, height: u32) -> Result<Self, PaintError> {
-        /// Of picture, mask and ground. The copy of the mask that a skeleton thins is less than what a relief takes.
+        /// The memory of picture, mask and ground. The copy of the mask that a skeleton thins needs less than a relief.
         const BYTES_A_PIXEL: usize = 4 + 1 + GroundCache::BYTES_A_PIXEL;
         let view = View::new(domain, width, height)?;
         let bytes = BYTES_A_PIXEL * view.pixels() + GroundCache::BYTES;
@@ -125,18 +127,18 @@ impl Painter {
         })
     }
 
-    /// The picture: RGBA, opaque.
+    /// The pixels: RGBA, opaque.
     pub fn pixmap(&self) -> &Pixmap {
         &self.pixmap
     }
 
-    /// Forgets the ground: other land comes next, of a domain that may have another shape.
+    /// Drops the ground, because the land has changed. The next domain may have another shape.
     pub fn invalidate_ground(&mut self, next: &Domain) {
         self.view = self.view.of(next);
         self.ground = GroundCache::default();
     }
 
-    /// Shows another part of the domain; all of it, if no part is named.
+    /// Shows a part of the domain, or all of it for `None`.
     pub fn frame(&mut self, domain: &Domain, framing: Option<Framing>) {
         let view = self.view.framed(domain, framing);
         if view != self.view {
@@ -147,7 +149,7 @@ impl Painter {
         }
     }
 
-    /// Forgets the picture: another tree, trim, width or style comes next.
+    /// Starts the picture anew, because the tree, its trimming, the width or the style has changed.
     pub fn reset(&mut self) {
         self.ground.forget_rivers();
         self.is_blank = true;
@@ -155,7 +157,7 @@ impl Painter {
         self.round = None;
     }
 
-    /// Forgets what of a tree or of rivers has been drawn.
+    /// Drops all drawings of trees and rivers.
     fn forget_drawing(&mut self) {
         self.coverage.clear();
         self.drawn.clear();
@@ -163,25 +165,26 @@ impl Painter {
         self.drawn_rivers = None;
     }
 
-    /// How the domain lies on the picture.
+    /// The map from the domain to the pixels.
     pub fn view(&self) -> &View {
         &self.view
     }
 
-    /// How much of the ground for a style is painted, from 0 to 1.
+    /// The painted share of the ground for a style, from 0 to 1.
     #[cfg(feature = "files")]
     pub fn progress(&self, style: Style) -> f32 {
         self.ground.progress(&self.view, palette(style).relief.is_some())
     }
 
-    /// Takes the sea, or the paper, out of the picture, which is painted anew when next it is.
+    /// Makes the background transparent: the sea, or in line styles the paper. The next call of `paint` or
+    /// `paint_rivers` paints everything anew.
     #[cfg(feature = "files")]
     pub fn cut_out(&mut self, style: Style) {
         cut_out::cut_out(&mut self.pixmap, self.ground.flat_pixels(), self.chart.as_deref(), style);
         self.reset();
     }
 
-    /// Whether the picture shows a relief.
+    /// Returns `true` if the picture shows a relief.
     pub fn is_raised(&self) -> bool {
         self.ground.is_raised()
     }
@@ -213,7 +216,7 @@ impl Painter {
         self.compose(progress.style)
     }
 
-    /// Does a part of painting rivers, in place of the tree that they were. The picture changes with the last part.
+    /// Does a part of painting rivers, which replace the tree. The picture changes with the last part.
     pub fn paint_rivers(&mut self, rivers: &Rivers<'_>) -> Painted {
         let has_chart = chart::is_same(self.chart.as_ref(), rivers.chart);
         if self.round == Some(rivers.rounds) && self.ground.shows(rivers.relief) && has_chart {
@@ -238,9 +241,9 @@ impl Painter {
         Painted::Whole(changed)
     }
 
-    /// Paints rivers in one go, so many times as wide as they are, without a chart, on the ground that is there, be its relief that of other
-    /// rivers: for a moment, until `paint_rivers` paints them as they are. Returns the rectangle that changed; `None`, and nothing has, if
-    /// there is no such ground.
+    /// Paints rivers at once as a preview: `times` as wide as they are, without a chart, on the existing ground, even
+    /// if its relief belongs to other rivers. `paint_rivers` replaces it. Returns the rectangle that changed; `None`,
+    /// without any change, if there is no suitable ground.
     #[cfg(feature = "controls")]
     pub fn paint_draft(&mut self, network: &Network, courses: CourseShape, style: Style, times: f32) -> Option<Rect> {
         if !self.ground.is_ready_for_draft(&self.view, style) {
@@ -255,7 +258,7 @@ impl Painter {
         self.compose(style)
     }
 
-    /// Draws rivers, unless it is they that the mask shows: a style may have changed alone.
+    /// Draws rivers, unless the mask already holds them because only the style has changed.
     fn draw_rivers(&mut self, rivers: &Rivers<'_>) {
         let (lines, relief) = (palette(rivers.style).lines, rivers.relief.map(|(relief, _)| relief));
         let is_drawn = |(of, as_lines): &(Arc<Relief>, Lines)| {
@@ -268,8 +271,8 @@ impl Painter {
         }
     }
 
-    /// Draws all strokes that are new or have grown wider since this was last called. Strokes near the tips have been
-    /// drawn in between, too; drawing them again, now at least as wide, leaves no trace of that.
+    /// Draws all strokes that are new or have grown wider since the last call. Strokes near the tips have been drawn in
+    /// between; drawing them again, now at least as wide, leaves no trace of that.
     fn draw_changes(&mut self, progress: &Progress<'_>, pen: &Pen) {
         let Progress { tree, finished, trim, .. } = *progress;
         let Flow { depth, discharge, .. } = &self.flow;
@@ -296,7 +299,7 @@ impl Painter {
         }
     }
 
-    /// Lays colour where the mask has changed. Returns the rectangle around that.
+    /// Colours the parts of the picture where the mask has changed. Returns the rectangle around them.
     fn compose(&mut self, style: Style) -> Option<Rect> {
         let touched = self.coverage.take_touched();
         let around = touched.iter().copied().reduce(Rect::union)?;

@@ -1,4 +1,4 @@
-//! Paper, and other ground that is not even: blotches, a grain, and darker edges.
+//! Paper and other uneven ground: blotches, a grain and darker edges.
 
 use fastnoise_lite::{FastNoiseLite, FractalType, NoiseType};
 use glam::Vec2;
@@ -19,7 +19,7 @@ pub(super) fn lay(view: &View, paper: &Paper, rows: Rows, pixels: &mut [[u8; 4]]
         let at = view.point(pixel);
         (noise.get_noise_2d(at.x, at.y) * 1.4 + 0.1).clamp(0.0, 1.0)
     };
-    // Blotches are looked up once in so many pixels of a row.
+    // Blotches are looked up only at every so many pixels of a row.
     let every = ((paper.size * view.scale / 18.0) as usize).clamp(1, 8);
     for (y, row) in rows.zip(pixels.chunks_mut(columns)) {
         let mut blotch = [0.0, blotched(Vec2::new(0.0, y as f32) + 0.5)];
@@ -39,14 +39,14 @@ pub(super) fn lay(view: &View, paper: &Paper, rows: Rows, pixels: &mut [[u8; 4]]
     }
 }
 
-/// How far a place belongs to the edges; places are shares of the picture's sides.
+/// The closeness of a place to the edges, from 0 to 1. Places are shares of the picture's sides.
 fn edge(place: Vec2) -> f32 {
     let off = (place * 2.0 - 1.0).length_squared() - 0.55;
     let way = (off / 1.45).clamp(0.0, 1.0);
     way * way * (3.0 - 2.0 * way)
 }
 
-/// The grain of paper: a little lighter or darker from pixel to pixel.
+/// The grain of paper: each pixel is a little lighter or darker.
 fn grain(x: u32, y: u32) -> f32 {
     const STRENGTH: f32 = 0.018;
     let mut bits = x.wrapping_mul(0x9e37_79b1) ^ y.wrapping_mul(0x85eb_ca77);

@@ -1,4 +1,4 @@
-//! Ground with relief: flat ground on which a relief is laid, some rows at a time.
+//! Ground with relief: a relief is laid on flat ground, some rows at a time.
 
 use std::sync::Arc;
 
@@ -14,10 +14,10 @@ use super::view::View;
 use crate::land::{Land, SmoothedDistance};
 use crate::relief::Relief;
 
-/// How much of each pixel is land, in 255ths, as far as that is known, from north to south.
+/// The share of land in each pixel, in 255ths, from north to south as far as it is known.
 #[derive(Clone, Debug)]
 pub(super) struct LandShares {
-    /// What paints land alone; `None` where there is no sea, and once all is painted.
+    /// The painter of land alone; `None` if there is no sea, and once everything is painted.
     coast: Option<Ground>,
     shares: Vec<u8>,
 }
@@ -32,7 +32,7 @@ impl LandShares {
         Self { coast, shares }
     }
 
-    /// Goes on by some rows, if any are left. Returns whether there are more.
+    /// Works out some more rows, if any are left. Returns `true` if there are more.
     pub fn advance(&mut self, view: &View, shown: Option<&SmoothedDistance>) -> bool {
         let (Some(coast), Some(shown)) = (&mut self.coast, shown) else { return false };
         let (rows, mut pixels) = (view.next_rows(self.shares.len()), Vec::new());
@@ -56,7 +56,7 @@ pub(super) struct RaisedGround {
     relief: Arc<Relief>,
     exaggeration: f32,
     palette: &'static Palette,
-    /// What it is painted with; `None` once all is painted.
+    /// The means of painting it; `None` once everything is painted.
     making: Option<Making>,
     pixels: Vec<[u8; 4]>,
 }
@@ -64,13 +64,13 @@ pub(super) struct RaisedGround {
 #[derive(Clone, Debug)]
 struct Making {
     look: &'static ReliefLook,
-    /// Rivers with their casings, if the look minds them.
+    /// Rivers with their casings, if the look depends on rivers.
     rivers: Coverage,
     inks: Option<Inks>,
 }
 
 impl RaisedGround {
-    /// Nothing of it yet. `None` if it would have no pixels.
+    /// Begins the ground. `None` if it would have no pixels.
     pub fn new(
         look: &'static ReliefLook,
         (relief, exaggeration): Exaggerated<'_>,
@@ -87,12 +87,12 @@ impl RaisedGround {
         Some(Self { relief: relief.clone(), exaggeration, palette, making, pixels: Vec::with_capacity(view.pixels()) })
     }
 
-    /// Whether it is made of this relief.
+    /// Returns `true` if it is made from this relief.
     pub fn is_of(&self, (relief, exaggeration): Exaggerated<'_>) -> bool {
         Arc::ptr_eq(&self.relief, relief) && self.exaggeration == exaggeration
     }
 
-    /// Whether it shows this relief.
+    /// Returns `true` if it completely shows this relief.
     pub fn shows(&self, relief: Exaggerated<'_>) -> bool {
         self.making.is_none() && self.is_of(relief)
     }
@@ -101,14 +101,14 @@ impl RaisedGround {
         &self.pixels
     }
 
-    /// Whether all of it is painted.
+    /// Returns `true` if all of it is painted.
     #[cfg(feature = "controls")]
     pub fn is_whole(&self) -> bool {
         self.making.is_none()
     }
 
-    /// Makes a part of what it is painted with, or paints some more rows, if any are left: a relief that is prepared, on flat ground
-    /// (`None`: plain land) of which these shares are land. Returns whether there are more.
+    /// Prepares a part, or paints some more rows, if any are left. Lays the prepared relief on flat ground (`None` for
+    /// plain land), where `land` holds the share of land in each pixel. Returns `true` if there is more.
     pub fn advance(&mut self, prepared: &mut Prepared, view: &View, land: &[u8], flat: Option<&[[u8; 4]]>) -> bool {
         let Some(Making { look, rivers, inks }) = &mut self.making else { return false };
         let Some(inks) = inks else {

@@ -1,22 +1,22 @@
-//! Ridges as engravers drew them: a crest that sinks where it comes to the coast or to an end, and short strokes down either
-//! side.
+//! Ridges as engravers drew them: a crest that sinks towards the coast and towards its ends, and short strokes down
+//! both sides.
 
 use glam::Vec2;
 
 use crate::land::{Cell, Land};
 
-/// The end of a stroke: where it lies, and half its width, in units.
+/// An end of a stroke: its position and half its width, in units.
 pub(crate) type End = (Vec2, f32);
 
-/// How far the points of a crest are apart, in units.
+/// The distance between points of a crest, in units.
 const PIECE: f32 = 4.0;
 /// Half the width of a crest, and of a stroke where it begins, in units.
 const CREST: f32 = 0.9;
 const STROKE: f32 = 0.6;
-/// How far from its end, or from the coast, a ridge is as high as it gets, in units.
+/// The distance from its ends and from the coast at which a ridge reaches its full height, in units.
 const RISE: f32 = 40.0;
 
-/// The strokes that all ridges of a land are drawn with.
+/// The strokes of all ridges of a land.
 pub(crate) fn ridges(land: &Land) -> Vec<[End; 2]> {
     let mut strokes = Vec::new();
     for ridge in land.ridges().iter().filter(|ridge| ridge.len() > 1) {
@@ -32,7 +32,7 @@ pub(crate) fn ridges(land: &Land) -> Vec<[End; 2]> {
     strokes
 }
 
-/// A ridge's line, evenly divided and rounded.
+/// The line of a ridge, evenly divided and smoothed.
 fn crest(ridge: &[Vec2]) -> Vec<Vec2> {
     const ROUNDS: u32 = 5;
     let (mut crest, mut ahead) = (Vec::new(), 0.0);
@@ -54,13 +54,13 @@ fn crest(ridge: &[Vec2]) -> Vec<Vec2> {
     crest
 }
 
-/// How high a ridge is at each point of its crest, from 0 to 1: it goes from peak to peak.
+/// The height of a ridge at each point of its crest, from 0 to 1. It rises and falls from peak to peak.
 fn heights(land: &Land, crest: &[Vec2]) -> Vec<f32> {
-    /// How many peaks there are to a point, and how low it is between them.
+    /// The number of peaks per point, and the height between peaks.
     const PEAKS: f32 = 0.05;
     const SADDLE: f32 = 0.45;
     let last = crest.len() - 1;
-    // One that runs out of the picture, or round, has no end there.
+    // A ridge that leaves the map, or is closed, does not end there.
     let goes_on =
         |end: usize, before: usize| crest[0] == crest[last] || land.at(crest[end] * 2.0 - crest[before]) == Cell::Water;
     let ends = [goes_on(0, last.min(2)), goes_on(last, last.saturating_sub(2))];
@@ -73,9 +73,10 @@ fn heights(land: &Land, crest: &[Vec2]) -> Vec<f32> {
     crest.iter().enumerate().map(height).collect()
 }
 
-/// The two strokes down from a point of a crest, which runs along from there.
+/// The two strokes down from a point of a crest that runs in the direction `along`.
 fn down_both_sides(i: usize, at: Vec2, along: Vec2, height: f32) -> [[End; 2]; 2] {
-    /// Multiples of the golden ratio lie on a circle evenly and in no order: as good as chance, and never twice alike.
+    /// Multiples of the golden ratio lie evenly and without order on a circle: as good as random numbers, and never
+    /// repeated.
     const GOLDEN: f32 = 0.618_034;
     [along.perp(), -along.perp()].map(|down| {
         let uneven = ((2 * i + usize::from(down.x > 0.0)) as f32 * GOLDEN).fract();
@@ -93,7 +94,7 @@ mod tests {
         Land::of(&link::read(link).unwrap()).unwrap()
     }
 
-    /// How far a point lies from a line.
+    /// The distance of a point from a line.
     fn off(line: &[Vec2], at: Vec2) -> f32 {
         let from_piece = |pair: &[Vec2]| {
             let along = pair[1] - pair[0];
@@ -111,7 +112,7 @@ mod tests {
             let near = |at: Vec2| land.ridges().iter().map(|ridge| off(ridge, at)).fold(f32::MAX, f32::min);
             for [(from, half_from), (to, half_to)] in &strokes {
                 assert!(near(*from) < 2.0, "{from} is off its ridge");
-                // Thin at the coast, and none beyond.
+                // Strokes are thin at the coast, and there are none beyond it.
                 let shore = land.coast_distance().height(*from).min(land.coast_distance().height(*to));
                 assert!(shore > 0.0 || half_from.max(*half_to) < 0.25, "{half_from} wide at {from}, {shore} inland");
             }
@@ -131,7 +132,7 @@ mod tests {
     #[test]
     fn a_closed_ridge_is_as_high_at_its_seam_as_opposite() {
         let land = land("land=valley&roughness=0&sea=0.3&aspect=1");
-        // Round a place far from any coast, once around.
+        // A ring around a place far from any coast.
         let at =
             |i: u32| Vec2::from_angle(std::f32::consts::TAU * (i % 48) as f32 / 48.0) * 60.0 + Vec2::new(500.0, 300.0);
         let ring: Vec<Vec2> = (0..=48).map(at).collect();
@@ -141,7 +142,7 @@ mod tests {
         let (seam, opposite) = (highest(&heights[..8]), highest(&heights[heights.len() / 2 - 10..][..20]));
         assert_eq!(crest.first(), crest.last());
         assert!(land.coast_distance().height(ring[0]) > RISE && opposite > 0.9, "{opposite}");
-        // Peaks come and go: from saddle up, but nowhere less.
+        // The height varies between saddle and peak, but is lower nowhere.
         assert!(heights[0] > 0.4 && heights[crest.len() - 1] > 0.4, "{} and {}", heights[0], heights[crest.len() - 1]);
         assert!(seam > 0.7, "{seam} where the ring begins, {opposite} opposite");
     }

@@ -1,7 +1,7 @@
-//! Rivers from bank to bank, and the lakes they have left.
+//! Rivers from bank to bank, and oxbow lakes.
 //!
-//! A river is the shape that a disc sweeps out that runs down the middle between its banks, as wide as they are apart. Discs and what
-//! they sweep overlap without a seam, at bends as at junctions.
+//! A river is the shape swept by a disc that runs midway between its banks and is as wide as the distance between them.
+//! Discs and the shapes they sweep overlap without a seam, both at bends and at junctions.
 
 use std::sync::Arc;
 
@@ -16,34 +16,34 @@ use crate::network::{self, Network, PastCourses, Place};
 use crate::recipe::{CourseShape, Style};
 use crate::relief::Relief;
 
-/// A relief, and by how much its slopes are exaggerated.
+/// A relief, and the exaggeration of its slopes.
 pub(super) type Exaggerated<'a> = (&'a Arc<Relief>, f32);
 
-/// Rivers to be painted.
+/// Rivers to paint.
 #[derive(Clone, Copy, Debug)]
 pub struct Rivers<'a> {
-    /// The network. Between two calls only rounds of meandering may have changed it.
+    /// The network. Between two calls, only rounds of meandering may have changed it.
     pub network: &'a Network,
-    /// The courses that great rivers had before.
+    /// The former courses of great rivers.
     pub past: &'a PastCourses,
-    /// How many rounds that were.
+    /// The number of rounds of meandering so far.
     pub rounds: u32,
     /// The lines that rivers follow.
     pub courses: CourseShape,
-    /// The land; `None` if all of the domain is.
+    /// The land; `None` if the whole domain is land.
     pub land: Option<&'a Land>,
-    /// The relief, and by how much its slopes are exaggerated; `None` while there is none.
+    /// The relief and the exaggeration of its slopes; `None` while there is none.
     pub relief: Option<Exaggerated<'a>>,
-    /// What a chart lays over them.
+    /// The chart to lay over them.
     pub chart: Option<&'a Arc<ChartMasks>>,
     /// The style.
     pub style: Style,
 }
 
-/// The margin that is added to each bank, in pixels, so that a brook can be seen.
+/// The margin added to each bank, in pixels, so that brooks can be seen.
 pub(super) const VISIBLE_PX: f32 = 0.2;
 
-/// How far banks are moved apart: each is so many times as far from the middle, and then farther by a margin, in units.
+/// The widening of rivers: banks lie `times` as far from the middle, plus a margin in units.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Widening {
     pub times: f32,
@@ -51,7 +51,7 @@ pub(super) struct Widening {
 }
 
 impl Widening {
-    /// Rivers as wide as they are.
+    /// No widening.
     pub const NONE: Self = Self { times: 1.0, margin: 0.0 };
 }
 
@@ -66,7 +66,7 @@ pub(super) fn draw_network(
 ) {
     let draw_line = |coverage: &mut Coverage, line: Vec<Vertex>| draw_line(coverage, &line, courses);
     if lines == Lines::Skeleton {
-        // The courses as they are: widths, and banks that vary, change nothing in a skeleton.
+        // Unchanged courses: widths and varying banks make no difference in a skeleton.
         let in_pixels = |vertex: &network::Vertex| (view.pixel(vertex.at), skeleton::WIDTH_PX * 0.5);
         network.rivers.iter().for_each(|river| draw_line(coverage, network.course(river).map(in_pixels).collect()));
     } else {
@@ -83,7 +83,7 @@ pub(super) fn draw_network(
     }
 }
 
-/// Draws a line from bank to bank.
+/// Draws a line with its widths.
 pub(super) fn draw_line(coverage: &mut Coverage, line: &[Vertex], courses: CourseShape) {
     match courses {
         CourseShape::Smooth => draw_smooth(coverage, line),
@@ -91,7 +91,7 @@ pub(super) fn draw_line(coverage: &mut Coverage, line: &[Vertex], courses: Cours
     }
 }
 
-/// Draws a line as a chain of parabolas round its vertices.
+/// Draws a line as a chain of parabolas around its vertices.
 fn draw_smooth(coverage: &mut Coverage, line: &[Vertex]) {
     let (Some(&first), Some(&last)) = (line.first(), line.last()) else { return };
     let mut from = first;

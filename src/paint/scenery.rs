@@ -1,5 +1,5 @@
-//! Woods and hills: strokes of a pen in a mask of their own, in which a nearer glyph first empties its silhouette. That is all of what
-//! hides what.
+//! Woods and hills: pen strokes in a mask of their own. A glyph first empties its silhouette and so hides the glyphs
+//! behind it.
 
 use glam::Vec2;
 
@@ -11,30 +11,31 @@ use crate::chart::{PenStroke, Standing};
 use crate::glyph::{Fill, pieces_of};
 use crate::memory;
 
-/// Half of the width of strokes, in units, and in pixels at least.
+/// Half the width of strokes, in units, and its minimum in pixels.
 pub(crate) const HALF: f32 = 0.36;
 const HALF_PX: f32 = 0.32;
-/// Trees less high than this are left out, in pixels, as hills are less wide; and of those less than that half are.
+/// The heights of trees and widths of hills, in pixels, below which they are left out: all of them, and every second
+/// one.
 const LEAST_PX: f32 = 1.2;
 const HALVED_PX: f32 = 2.0;
-/// Less high ones have no fainter strokes, in pixels.
+/// The size in pixels below which a glyph has no fainter strokes.
 const SHADED_PX: f32 = 4.0;
 
-/// The mask of a picture's scenery in the making.
+/// The mask of a picture's scenery while it is drawn.
 #[derive(Clone, Debug)]
 pub(crate) struct SceneryPainter {
     mask: Coverage,
-    /// What lies within silhouettes, if that is covered.
+    /// The inside of silhouettes, if the style covers it.
     bodies: Option<Coverage>,
     fill: Fill,
-    /// How many glyphs have been drawn, or left out.
+    /// The number of glyphs that have been drawn or left out.
     drawn: usize,
 }
 
 impl SceneryPainter {
-    /// An empty one; `None` if there is not enough memory.
+    /// Makes an empty mask; `None` if there is not enough memory.
     pub fn new(view: &View, look: SceneryLook) -> Option<Self> {
-        /// A byte a pixel, and what remembers where.
+        /// The memory that records touched parts, besides a byte for each pixel.
         const BYTES: usize = 100_000;
         let masks = if look.body.is_some() { 2 } else { 1 };
         if !memory::can_allocate(masks * (view.pixels() + BYTES)) {
@@ -45,9 +46,9 @@ impl SceneryPainter {
         Some(Self { mask: mask()?, bodies, fill: Fill::default(), drawn: 0 })
     }
 
-    /// Draws as many glyphs as take a few milliseconds. Returns whether there are more.
+    /// Draws as many glyphs as fit into a few milliseconds. Returns `true` if there are more.
     pub fn advance(&mut self, view: &View, all: &[Standing], look: SceneryLook) -> bool {
-        /// Square pixels, of which each glyph has so many besides its own.
+        /// The area drawn at once, in square pixels, and the cost of a glyph besides its own area.
         const AREA: f32 = 600_000.0;
         const BESIDES: f32 = 3000.0;
         let mut area = 0.0;
@@ -62,7 +63,7 @@ impl SceneryPainter {
         self.drawn < all.len()
     }
 
-    /// What lies within silhouettes, and the strokes.
+    /// Returns the masks of the inside of silhouettes and of the strokes.
     pub fn into_masks(self) -> [SparseMask; 2] {
         let sparse = |mask: &Coverage| SparseMask::of(mask.mask().data());
         [self.bodies.as_ref().map_or_else(SparseMask::default, sparse), sparse(&self.mask)]
@@ -87,7 +88,7 @@ impl SceneryPainter {
         draw(shape.outline, paler);
     }
 
-    /// Takes away what stands behind a silhouette.
+    /// Removes everything behind a silhouette.
     fn empty(&mut self, view: &View, silhouette: &PenStroke, foot: Vec2, size: f32) {
         let (least, most) = silhouette_box(silhouette);
         let (least, most) = (foot + least * size, foot + most * size);
@@ -110,13 +111,13 @@ impl SceneryPainter {
 
 const TOLERANCE_PX: f32 = 0.15;
 
-/// The corners of a box around a line: a parabola lies between its ends and its control point.
+/// The corners of a box around a line. A parabola lies within the box of its ends and its control point.
 fn silhouette_box(silhouette: &PenStroke) -> (Vec2, Vec2) {
     let start = (silhouette.start, silhouette.start);
     silhouette.curves.iter().flatten().fold(start, |(least, most), at| (least.min(*at), most.max(*at)))
 }
 
-/// How strong the strokes of a glyph of a size are, in pixels: so few pixels that all of them are ink would be blots.
+/// The strength of strokes for a glyph size in pixels. Small glyphs in full ink would be blots.
 fn paleness(size: f32) -> f32 {
     const FULL_PX: f32 = 5.0;
     (0.35 + 0.65 * size / FULL_PX).min(1.0)
@@ -166,7 +167,7 @@ mod tests {
             let more = ink(&both) - ink(&alone);
             let whole = ink(&drawn(&[behind], Style::Ink));
             assert!(more < whole * 9 / 10 && more > whole / 10, "{shape}: {more} of {whole} is left");
-            // Whatever the front is made of is there.
+            // The whole front is there, whatever it is made of.
             let pixels = alone.mask.mask().data().iter().zip(both.mask.mask().data());
             assert!(pixels.clone().all(|(alone, both)| both >= alone), "{shape}");
             let apart = [behind, Standing { foot: Vec2::new(800.0, 800.0), ..front }];

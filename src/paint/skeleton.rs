@@ -1,8 +1,8 @@
-//! The skeleton: white lines, one pixel wide, on black, as the paper's user study showed its patterns (figure 6.1). A
-//! coast is dim.
+//! The skeleton: white lines, one pixel wide, on black, as in the patterns of the paper's user study (figure 6.1).
+//! Coasts are dim.
 //!
-//! Thinning at one place can depend on any other, so only the finished picture is thinned; before, the lines are shown
-//! as they were drawn, a pixel or two wide.
+//! Thinning at one place can depend on any other place, so only the finished picture is thinned. Before, lines are
+//! shown as they were drawn, a pixel or two wide.
 
 use tiny_skia::Pixmap;
 
@@ -10,10 +10,10 @@ use super::coverage::{Coverage, Rect};
 use super::palette::opaque;
 use crate::skeletonize::{IS_SET, thin};
 
-/// The width that rivers are drawn with before they are thinned: enough that no line has a gap.
+/// The width of rivers before thinning: enough that no line has a gap.
 pub(super) const WIDTH_PX: f32 = 1.5;
 
-/// Shows a rectangle of the mask as it is.
+/// Shows a rectangle of the mask without thinning.
 pub(super) fn compose(pixmap: &mut Pixmap, coverage: &Coverage, ground: Option<&[[u8; 4]]>, rect: Rect) {
     let width = pixmap.width() as usize;
     for row in rect.top as usize..rect.bottom as usize {
@@ -33,7 +33,7 @@ pub(super) fn compose_thinned(pixmap: &mut Pixmap, coverage: &Coverage, ground: 
 fn show(pixels: &mut [u8], mask: &[u8], ground: Option<&[[u8; 4]]>) {
     for (i, (pixel, &mask)) in pixels.chunks_exact_mut(4).zip(mask).enumerate() {
         let beneath = ground.map_or([0, 0, 0, 255], |ground| ground[i]);
-        // At sea there is no river.
+        // There are no rivers at sea.
         let is_river = mask >= IS_SET && beneath[3] >= IS_SET;
         pixel.copy_from_slice(&if is_river { [255; 4] } else { opaque(beneath) });
     }

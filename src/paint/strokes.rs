@@ -1,4 +1,4 @@
-//! From nodes to strokes: how wide a river is at each node, and the smooth line that its steps make.
+//! From nodes to strokes: the width of a river at each node, and the smooth line through its steps.
 
 use glam::Vec2;
 
@@ -7,27 +7,28 @@ use super::view::View;
 use crate::recipe::CourseShape;
 use crate::tree::{NO_PARENT, Tree};
 
-/// How wide rivers are drawn.
+/// The widths of rivers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Widths {
-    /// By discharge.
+    /// Widths that follow discharge.
     ByDischarge {
-        /// The width, in domain units, of a river that drains everything.
+        /// The width of a river that drains the whole map, in domain units.
         full: f32,
-        /// The discharge that counts as everything: all attractors of the recipe, or about all of a Brownian tree.
+        /// The discharge that counts as the whole map: all attractors of the recipe, or about all cells of a Brownian
+        /// tree.
         total_discharge: u32,
     },
-    /// All alike, in pixels.
+    /// The same width everywhere.
     Even {
-        /// The width.
+        /// The width in pixels.
         width_px: f32,
     },
 }
 
-/// Radii are whole sixteenths of a pixel: a river is drawn again when its width has changed by one, not before.
+/// Radii are whole sixteenths of a pixel: a river is drawn again only when its width has changed by one of them.
 const SIXTEENTHS: f32 = 16.0;
 
-/// The least width of a stream, in domain units and in pixels: thin, but visible.
+/// The smallest width of a stream, the sum of a length in domain units and one in pixels: thin, but visible.
 const HAIRLINE: f32 = 0.6;
 const HAIRLINE_PX: f32 = 0.4;
 
@@ -43,15 +44,16 @@ pub struct Pen {
 }
 
 impl Pen {
-    /// A pen for a view.
+    /// Makes a pen for a view.
     pub fn new(view: View, widths: Widths, courses: CourseShape) -> Self {
         Self { view, widths, courses }
     }
 
-    /// A node's radius in sixteenths of a pixel, at least 1.
+    /// The radius of a node in sixteenths of a pixel, 1 or more.
     ///
-    /// Width is the square root of discharge, so squared widths add where rivers join, all but the thinnest, which have
-    /// the width of a hairline. It never falls while a tree grows, as depth and discharge do not.
+    /// Width is proportional to the square root of discharge, so squared widths add up where rivers join, except for
+    /// the thinnest, which have the width of a hairline. It never falls while a tree grows, because depth and discharge
+    /// do not.
     #[inline]
     pub fn radius(&self, depth: u32, discharge: u32) -> u16 {
         let radius_px = match self.widths {
@@ -67,11 +69,12 @@ impl Pen {
         ((radius_px * SIXTEENTHS) as u16).max(1)
     }
 
-    /// Draws the river from below a node to halfway to its child, or the step between them, if rivers are shown as grown.
+    /// Draws the river from below a node to halfway to its child, or if rivers are shown as grown, the step between the
+    /// two.
     ///
-    /// A smooth river's line is a chain of parabolas: each begins and ends halfway along a step and bends round the node
-    /// between, so the line has no corners, and a tributary leaves its river along it. Nothing of a node is drawn before
-    /// it has a child, so what is drawn never has to be taken back.
+    /// The line of a smooth river is a chain of parabolas. Each begins and ends halfway along a step and bends around
+    /// the node between. Therefore the line has no corners, and a tributary branches off along its river. A node is not
+    /// drawn before it has a child, so no stroke ever has to be removed.
     pub fn draw(&self, coverage: &mut Coverage, tree: &Tree, radii: &[u16], child: usize) {
         let Some(node) = tree.parent_of(child) else { return };
         let vertex = |node: usize| (self.view.pixel(tree.at[node]), f32::from(radii[node]) / SIXTEENTHS);
@@ -84,7 +87,7 @@ impl Pen {
     }
 }
 
-/// A place in pixels, and the radius there.
+/// A position in pixels and the radius there.
 pub(super) type Vertex = (Vec2, f32);
 
 pub(super) fn middle(a: Vertex, b: Vertex) -> Vertex {
@@ -98,7 +101,7 @@ pub(super) fn step(coverage: &mut Coverage, from: Vertex, to: Vertex) {
 
 /// Draws a parabola as straight pieces, as many as keep it within a fifth of a pixel.
 pub(super) fn parabola(coverage: &mut Coverage, start: Vertex, bend: Vertex, end: Vertex) {
-    /// A parabola and n equal chords lie at most |second difference| / 4n² apart.
+    /// The distance between a parabola and n equal chords is |second difference| / 4n² or less.
     const TOLERANCE_PX: f32 = 0.2;
     const MOST_PIECES: u32 = 16;
     let second_difference = start.0 - bend.0 * 2.0 + end.0;

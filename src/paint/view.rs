@@ -1,4 +1,4 @@
-//! How the domain lies on the pixels.
+//! The map from the domain to the pixels.
 
 use std::ops::{Range, RangeInclusive};
 
@@ -10,60 +10,61 @@ use crate::domain::Domain;
 /// The longest side of a picture, in pixels.
 pub const LONGEST_SIDE: u32 = 8192;
 
-/// Why a picture cannot be painted.
+/// The reason why a picture cannot be painted.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum PaintError {
-    /// A side that is no number of pixels that a picture can have.
+    /// A size that pictures cannot have.
     #[error("size: {width} x {height} pixels is not between 1 x 1 and {LONGEST_SIDE} x {LONGEST_SIDE}")]
     Size {
-        /// Width asked for.
+        /// The requested width.
         width: u32,
-        /// Height asked for.
+        /// The requested height.
         height: u32,
     },
     /// There was not enough memory.
     #[error("size: {width} x {height} pixels need about {megabytes} MB, and the allocation failed")]
     OutOfMemory {
-        /// Width asked for.
+        /// The requested width.
         width: u32,
-        /// Height asked for.
+        /// The requested height.
         height: u32,
-        /// About how much is needed.
+        /// The approximate memory that is needed.
         megabytes: u32,
     },
 }
 
-/// Some rows of a picture, which lie one below the other.
+/// A range of rows of a picture.
 pub(super) type Rows = Range<u32>;
 
-/// Whether anybody frames pictures: where not, what that takes is left out of the program.
+/// `true` if a picture can show a part of a map. Otherwise the code for it is left out of the program.
 const IS_FRAMED: bool = cfg!(any(feature = "controls", feature = "names"));
 
-/// What part of a map a picture shows, and how much of what lies beyond it, in widths of the map.
+/// The part of a map that a picture shows, in widths of the map. It may extend beyond the map.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Framing {
     left: f32,
     top: f32,
     across: f32,
-    /// What is covered by other things along its western, northern, eastern and southern edges: no letters stand there.
+    /// The depths that other things cover along the western, northern, eastern and southern edges. No letters are placed
+    /// there.
     covered: [f32; 4],
 }
 
 impl Framing {
-    /// The least and the most that a picture is across, in widths of the map.
+    /// The smallest and the greatest width of a picture, in widths of the map.
     pub const ACROSS: RangeInclusive<f32> = 0.05..=20.0;
 
-    /// How far the picture's western edge lies east of the map's, how far its northern edge lies south of the map's, and how wide the picture
-    /// is. `None` if it is too large or too small, or no part of it can be on a map.
+    /// A frame from the distances of the picture's western and northern edges from those of the map, to the east and to
+    /// the south, and the picture's width. `None` if it is too large or too small, or if no map can be in it.
     pub fn new(left: f32, top: f32, across: f32) -> Option<Self> {
         const FARTHEST: f32 = 40.0;
         let is_near = left.abs() <= FARTHEST && top.abs() <= FARTHEST;
         (is_near && Self::ACROSS.contains(&across)).then_some(Self { left, top, across, covered: [0.0; 4] })
     }
 
-    /// Of three numbers, in the order of `new`, and perhaps four more: how much other things cover of its western, northern, eastern and southern
-    /// edge. `None` if it is another number of them.
+    /// A frame from three numbers, in the order of `new`, or from seven: the others are the depths that other things
+    /// cover along its western, northern, eastern and southern edges. `None` for any other count.
     pub fn of(numbers: &[f32]) -> Option<Self> {
         match *numbers {
             [left, top, across] => Self::new(left, top, across),
@@ -77,28 +78,29 @@ impl Framing {
     }
 }
 
-/// A picture's size, and the map from domain units to pixels.
+/// A picture's size and the map from domain units to pixels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
-    /// In pixels.
+    /// The width in pixels.
     pub width: u32,
-    /// In pixels.
+    /// The height in pixels.
     pub height: u32,
-    /// Pixels to a unit.
+    /// Pixels per unit.
     pub scale: f32,
-    /// Where the domain's north-western corner lies, in pixels.
+    /// The position of the domain's north-western corner, in pixels.
     offset: Vec2,
-    /// What it shows of any domain; `None` if it covers itself with it.
+    /// The part of any domain that it shows; `None` if the domain covers the picture.
     framing: Option<Framing>,
-    /// The domain's sides, in units.
+    /// The sides of the domain, in units.
     domain: Vec2,
 }
 
 impl View {
-    /// Covers a picture with a domain: where their aspects differ, the domain's edges are cut, evenly.
+    /// Covers a picture with a domain. If their aspects differ, opposite edges of the domain are cut by the same
+    /// amount.
     ///
     /// # Errors
-    /// If a side is 0 or over [`LONGEST_SIDE`].
+    /// Fails if a side is 0 or greater than [`LONGEST_SIDE`].
     pub fn new(domain: &Domain, width: u32, height: u32) -> Result<Self, PaintError> {
         let allowed = 1..=LONGEST_SIDE;
         if !allowed.contains(&width) || !allowed.contains(&height) {
@@ -107,7 +109,7 @@ impl View {
         Ok(Self { width, height, scale: 1.0, offset: Vec2::ZERO, framing: None, domain: domain.size }.of(domain))
     }
 
-    /// The same picture of another domain.
+    /// The view of another domain in the same picture.
     pub fn of(self, domain: &Domain) -> Self {
         let size = Vec2::new(self.width as f32, self.height as f32);
         match self.framing.filter(|_| IS_FRAMED) {
@@ -122,35 +124,35 @@ impl View {
         }
     }
 
-    /// The same picture with a part of a domain; with all that covers it, if no part is named.
+    /// The view of a part of a domain in the same picture; for `None`, the domain covers it.
     #[must_use]
     pub fn framed(self, domain: &Domain, framing: Option<Framing>) -> Self {
         Self { framing, ..self }.of(domain)
     }
 
-    /// The height that a picture of this width has if it shows the domain whole.
+    /// The height of a picture of this width that shows the whole domain.
     pub fn height_for(domain: &Domain, width: u32) -> u32 {
         ((width as f32 * domain.size.y / domain.size.x).round() as u32).max(1)
     }
 
-    /// The width that a picture of this height has if it shows the domain whole.
+    /// The width of a picture of this height that shows the whole domain.
     pub fn width_for(domain: &Domain, height: u32) -> u32 {
         ((height as f32 * domain.size.x / domain.size.y).round() as u32).max(1)
     }
 
-    /// The width and the height of a picture that shows the domain whole, the longer of which is given.
+    /// The width and height of a picture that shows the whole domain, given the longer of the two.
     #[cfg(feature = "files")]
     pub fn sides_for(domain: &Domain, longer: u32) -> (u32, u32) {
         let height = Self::height_for(domain, longer);
         if height <= longer { (longer, height) } else { (Self::width_for(domain, longer), longer) }
     }
 
-    /// What is seen: the north-western and the south-eastern corner, in units. They may lie beyond the domain.
+    /// The north-western and the south-eastern corner of the visible part, in units. They may lie beyond the domain.
     pub fn frame(&self) -> [Vec2; 2] {
         [Vec2::ZERO, Vec2::new(self.width as f32, self.height as f32)].map(|corner| self.point(corner))
     }
 
-    /// What is seen and not covered, likewise: where letters may stand.
+    /// The two corners of the part that is visible and not covered, where letters may be placed.
     #[cfg(feature = "names")]
     pub fn uncovered(&self) -> [Vec2; 2] {
         let [least, most] = self.frame();
@@ -158,24 +160,24 @@ impl View {
         [least + Vec2::new(west, north) * self.domain.x, most - Vec2::new(east, south) * self.domain.x]
     }
 
-    /// Whether it shows a part of its domain that somebody named.
+    /// Returns `true` if it shows a chosen part of its domain.
     pub(super) fn is_framed(&self) -> bool {
         IS_FRAMED && self.framing.is_some()
     }
 
-    /// Whether it shows anything beyond the domain.
+    /// Returns `true` if it shows anything beyond the domain.
     pub(super) fn shows_beyond(&self) -> bool {
         let [least, most] = self.frame();
         self.is_framed() && (least.min_element() < 0.0 || most.cmpgt(self.domain).any())
     }
 
-    /// The point of the domain that is nearest to a point beyond it; `None` for one of its own.
+    /// The point of the domain nearest to a point beyond it; `None` for a point within.
     pub(super) fn border_near(&self, point: Vec2) -> Option<Vec2> {
         let nearest = point.max(Vec2::ZERO).min(self.domain);
         (nearest != point).then_some(nearest)
     }
 
-    /// How many pixels it has.
+    /// The number of pixels.
     pub(super) fn pixels(&self) -> usize {
         self.width as usize * self.height as usize
     }
@@ -186,7 +188,7 @@ impl View {
         rows.start as usize * width..rows.end as usize * width
     }
 
-    /// The rows that are painted next, when so many pixels have been: as many as take a few milliseconds at most, and one at least.
+    /// The rows to paint next, after a number of pixels: as many as fit into a few milliseconds, but always one.
     #[inline(never)]
     pub(super) fn next_rows(&self, painted: usize) -> Rows {
         const PIXELS: u32 = 1 << 16;
@@ -194,13 +196,13 @@ impl View {
         first..(first + (PIXELS / self.width).max(1)).min(self.height)
     }
 
-    /// A pixel's place in the domain.
+    /// The position of a pixel in the domain.
     #[inline]
     pub fn point(&self, pixel: Vec2) -> Vec2 {
         (pixel - self.offset) / self.scale
     }
 
-    /// A point of the domain, in pixels.
+    /// The position of a point of the domain, in pixels.
     #[inline]
     pub fn pixel(&self, point: Vec2) -> Vec2 {
         point * self.scale + self.offset
@@ -219,7 +221,7 @@ mod tests {
             let size = Vec2::new(width as f32, height as f32);
             assert_eq!(view.pixel(domain.size * 0.5), size * 0.5, "{width} x {height}");
             assert_eq!(view.point(size * 0.5), domain.size * 0.5, "{width} x {height}");
-            // Nothing is left bare, and what is cut off is the same on both sides.
+            // The domain leaves no gap and is cut by the same amount on both sides.
             let (first, last) = (view.pixel(Vec2::ZERO), view.pixel(domain.size));
             assert!(first.max_element() <= 0.0 && (last - size).min_element() >= 0.0, "{first} to {last}");
             assert_eq!(-first, last - size, "{width} x {height}");

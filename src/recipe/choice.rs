@@ -1,30 +1,31 @@
-//! The parameters that are one of some words, each declared once: a type, and the words, labels and help of its values.
+//! The parameters whose values are words. Each is declared once: a type, and the words, labels and help texts of its
+//! values.
 
 use super::key::Key;
 
-/// A value of a parameter that is one of some words.
+/// A value of a parameter that is a choice among words.
 pub trait Choice: Copy + PartialEq + 'static {
     /// The parameter.
     const KEY: Key;
     /// All values; the first is the default.
     const ALL: &'static [Self];
-    /// How they are spelt and called, in the same order.
+    /// The words of all values, in the same order.
     const WORDS: &'static [Word];
 }
 
-/// How a choice is spelt and called.
+/// The word of a choice, with its label and help text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Word {
     /// The word in links, attributes, options and JSON.
     pub name: &'static str,
-    /// Its name on the page.
+    /// The name on the page.
     pub label: &'static str,
-    /// One line that says what it is.
+    /// One line of explanation.
     pub help: &'static str,
 }
 
 impl Word {
-    /// Without what only a page of controls shows, where there is none.
+    /// Empties label and help text unless the feature `controls` is on.
     const fn explained(self) -> Self {
         if cfg!(feature = "controls") { self } else { Self { label: "", help: "", ..self } }
     }
@@ -49,7 +50,7 @@ macro_rules! choices {
         }
 
         impl $Choice {
-            /// How it is spelt and called.
+            /// Its word, label and help text.
             pub const fn word(self) -> Word {
                 match self {
                     $(Self::$Value => Word { name: $name, label: $label, help: concat!($($help),+).trim_ascii() },)+
@@ -78,7 +79,7 @@ choices! {
         Drawn = "drawn", "drawn by hand";
     }
 
-    /// How a tree of rivers grows.
+    /// A method of growing a tree of rivers.
     GrowthMethod of Growth {
         /// Drainage: water goes where it costs least, and the more there is of it the less it costs.
         Drainage = "drainage", "drainage";
@@ -88,7 +89,7 @@ choices! {
         Brownian = "brownian", "Brownian tree";
     }
 
-    /// How attractors lie.
+    /// A way of placing attractors.
     Scatter of Scatter {
         /// At random.
         Random = "random", "at random";
@@ -104,7 +105,7 @@ choices! {
         Grown = "grown", "as grown";
     }
 
-    /// How rivers meander.
+    /// A model of meandering.
     MeanderModel of Meander {
         /// Each bend moves outward and downstream by its own curvature (Hodgin, Dragons Abound).
         Bend = "bend", "bends grow outward";
@@ -114,7 +115,7 @@ choices! {
         None = "none", "none";
     }
 
-    /// How many names are on a map.
+    /// The amount of names on a map.
     Labels of Labels {
         /// No names.
         None = "none", "none";
@@ -126,7 +127,7 @@ choices! {
         Many = "many", "many";
     }
 
-    /// How a map's title stands in its corner.
+    /// The form of a map's title, in a corner.
     Cartouche of Cartouche {
         /// No title.
         None = "none", "none";
@@ -136,7 +137,7 @@ choices! {
         Framed = "framed", "framed";
     }
 
-    /// How a picture is painted.
+    /// A style of painting.
     Style of Style {
         /// Ink on paper, rivers as wide as their discharge asks.
         Ink = "ink", "ink";

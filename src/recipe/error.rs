@@ -1,4 +1,4 @@
-//! What can be wrong with a recipe, in words that help to correct it.
+//! Errors of recipes, worded so that they help to correct the recipe.
 
 use thiserror::Error;
 
@@ -7,7 +7,7 @@ use super::names::NamesError;
 use super::outline::OutlineError;
 use super::value::Decimal;
 
-/// A recipe that cannot be read: which key, which value, and what is allowed.
+/// A recipe that cannot be read. The message names the key, the value and the allowed range or words.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum RecipeError {
@@ -23,20 +23,20 @@ pub enum RecipeError {
         /// The parameter.
         key: String,
     },
-    /// A number was wanted.
+    /// A value that is not a number, for a parameter that takes one.
     #[error("{key}: '{value}' is not a number in plain digits")]
     NotANumber {
         /// The parameter.
         key: &'static str,
-        /// What was given.
+        /// The given text.
         value: String,
     },
-    /// A whole number was wanted.
+    /// A value that is not a whole number, for a parameter that takes one.
     #[error("{key}: '{value}' is not a whole number")]
     NotWhole {
         /// The parameter.
         key: &'static str,
-        /// What was given.
+        /// The given text.
         value: String,
     },
     /// A number outside its range.
@@ -44,89 +44,89 @@ pub enum RecipeError {
     OutOfRange {
         /// The parameter.
         key: &'static str,
-        /// What was given.
+        /// The given text.
         value: String,
-        /// The least that is allowed.
+        /// The smallest allowed number.
         min: Decimal,
-        /// The most that is allowed.
+        /// The largest allowed number.
         max: Decimal,
     },
     /// A word that is not one of the choices.
-    #[error("{key}: '{value}' is none of {choices}")]
+    #[error("{key}: '{value}' is not one of {choices}")]
     UnknownChoice {
         /// The parameter.
         key: &'static str,
-        /// What was given.
+        /// The given text.
         value: String,
-        /// The choices, with commas between.
+        /// The choices, separated by commas.
         choices: String,
     },
-    /// A text over its length.
+    /// A text that is too long.
     #[error("{key}: the text has {length} characters, at most {max} are allowed")]
     TooLong {
         /// The parameter, or `link` or `recipe` for the whole.
         key: &'static str,
-        /// How long it was.
+        /// Its length in characters, or in bytes for a link or a recipe.
         length: usize,
-        /// The most that is allowed.
+        /// The greatest allowed length.
         max: usize,
     },
-    /// A text with control characters, or bytes that are no text at all.
+    /// A text with control characters, or bytes that are not text.
     #[error("{key}: the text holds a character that cannot be shown")]
     NotText {
         /// The parameter.
         key: &'static str,
     },
-    /// A text that is no outline.
+    /// A text that is not an outline.
     #[error("{key}: {reason}")]
     Outline {
         /// The parameter.
         key: &'static str,
-        /// What is wrong with it, and where.
+        /// The fault and its place in the text.
         reason: OutlineError,
     },
-    /// A text that is no list of names.
+    /// A text that is not a list of names.
     #[cfg(feature = "names")]
     #[error("{key}: {reason}")]
     Names {
         /// The parameter.
         key: &'static str,
-        /// What is wrong with it.
+        /// The fault.
         reason: NamesError,
     },
-    /// No set of values has this name.
+    /// No preset has this name.
     #[error("there is no preset '{name}': choose from {names}")]
     UnknownPreset {
-        /// What was given.
+        /// The given name.
         name: String,
-        /// The names there are, with commas between.
+        /// The names of all presets, separated by commas.
         names: String,
     },
-    /// An edition that this program does not draw.
+    /// An edition that this version does not draw.
     #[error("edition: {value} is unknown here, this program draws edition {known}")]
     UnknownEdition {
-        /// What was given.
+        /// The given text.
         value: String,
-        /// The edition that can be drawn.
+        /// The edition that it draws.
         known: u32,
     },
     /// Text that is not JSON, or JSON that is neither a recipe nor a network.
     #[error("the recipe cannot be read: {reason}")]
     Json {
-        /// What the JSON reader says, with line and column.
+        /// The JSON reader's message, with line and column.
         reason: String,
     },
-    /// A JSON value that is neither text nor number.
+    /// A JSON value that is neither text nor a number.
     #[error("{key}: a text or a number is wanted, not {found}")]
     JsonType {
         /// The parameter.
         key: String,
-        /// What was found.
+        /// The type that was found.
         found: &'static str,
     },
 }
 
-/// A value as an error message shows it: a hostile text must not fill the screen.
+/// Shortens a value for an error message, so that hostile text does not fill the screen.
 pub(super) fn shown(value: &str) -> String {
     const MOST: usize = 40;
     let mut shown = String::new();

@@ -1,22 +1,23 @@
-//! Which parameters have no effect in a recipe, and why: the one place where that is decided.
+//! Parameters that have no effect in a recipe, and the reasons: the only place that decides this.
 
 use super::choice::{Cartouche, CourseShape, GrowthMethod, Labels, LandKind, MeanderModel, Style};
 use super::key::Key;
 use super::{Decimal, Recipe, Value};
 
-/// Why a parameter has no effect; `None` if it has one.
+/// The reason why a parameter has no effect; `None` if it has one.
 type Reason = Option<&'static str>;
 
 const STILL: &str = "rivers do not meander";
 
 impl Recipe {
-    /// Why a parameter has no effect in this recipe, as the rest of a sentence that says so; `None` if it has one. `land` is
-    /// the kind of land that the recipe gives, [`Land::kind_of`](crate::Land::kind_of).
+    /// The reason why a parameter has no effect in this recipe, worded to complete a sentence; `None` if it has one.
+    /// `land` is the kind of land of the recipe, from [`Land::kind_of`](crate::Land::kind_of).
     pub fn inactive_reason(&self, key: Key, land: LandKind) -> Option<&'static str> {
         Given { recipe: self, land }.inactive_reason(key)
     }
 
-    /// The same of files of data, which have widths and heights whatever the style shows of them.
+    /// The reason why a parameter has no effect in data files, as [`inactive_reason`](Self::inactive_reason) gives it
+    /// for pictures. Data files have widths and heights in every style.
     pub fn inactive_reason_in_data(&self, key: Key, land: LandKind) -> Option<&'static str> {
         let mut shown = self.clone();
         shown.put(Key::Style, Value::Choice(Style::Atlas.word().name));
@@ -24,7 +25,7 @@ impl Recipe {
     }
 }
 
-/// A recipe, and the kind of land that it gives: a drawing that leaves no water or next to no land is the whole rectangle.
+/// A recipe and its actual kind of land: a drawing without water, or with hardly any land, is the whole rectangle.
 struct Given<'a> {
     recipe: &'a Recipe,
     land: LandKind,
@@ -135,7 +136,7 @@ impl Given<'_> {
         self.is_zero(Key::Curl).then_some("there is no curl")
     }
 
-    /// Bends grow in proportion to widths: of rivers that meander the skeleton shows widths, too.
+    /// The skeleton draws no widths, but where rivers meander, bends grow in proportion to them.
     fn no_widths(&self) -> Reason {
         let is_skeleton = self.recipe.get::<Style>() == Style::Skeleton;
         (is_skeleton && self.no_rounds().is_some()).then_some("the skeleton is one pixel wide everywhere")
@@ -241,7 +242,7 @@ mod tests {
         }
     }
 
-    /// A recipe in which next to everything does something, whatever the defaults are.
+    /// A recipe in which nearly every parameter has an effect, whatever the defaults are.
     const LIVELY: &str = "land=rectangle&growth=colonize&valleys=0.3&curl=0.5&courses=smooth&meander=bend&meander-rounds=60&meander-strength=0.5&great-rivers=3&meander-elsewhere=0.3&labels=some&style=basins";
 
     const NO_COAST: (&str, &str) =
@@ -264,11 +265,11 @@ mod tests {
     const NO_HILLS: (&str, &str) = ("hills", "this style shows no hills");
     const RECTANGULAR: &[(&str, &str)] = &[NO_COAST, NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS];
 
-    /// What is set over the lively recipe, and all keys that do nothing then, each with its reason.
+    /// Values that are set over the lively recipe, and the keys without effect in the result, each with its reason.
     const EXPECTED: &[(&str, &[(&str, &str)])] = &[
         ("", RECTANGULAR),
         ("land=drawn&outline=", RECTANGULAR),
-        // All land, with and without a lake too small to be seen; and next to no land.
+        // A drawing without sea, with and without a lake too small to be seen; and one with hardly any land.
         ("land=drawn&outline=.AAAA__AA____AA__", RECTANGULAR),
         ("land=drawn&outline=.AAAA__AA____AA__.gAgAgBgAgBgB", RECTANGULAR),
         ("land=drawn&outline=.gAgAhhgAgAhh", RECTANGULAR),
@@ -294,7 +295,7 @@ mod tests {
             "land=drawn&outline=...gAgA",
             &[NO_COAST, ("sides mouths", DRAWN_MOUTHS), NO_SENSITIVITY, NOT_DRAINING, IN_CELLS],
         ),
-        // A drawing that is not the land gives no mouths either.
+        // A drawing that is not used as land gives no mouths either.
         (
             "land=island&outline=...gAgA",
             &[("sides", "this land has the sea all around it"), NOT_DRAWN, NO_SENSITIVITY, NOT_DRAINING, IN_CELLS],

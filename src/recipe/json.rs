@@ -9,21 +9,21 @@ use super::Recipe;
 use super::error::RecipeError;
 use super::link;
 
-/// The longest JSON recipe that is read, in bytes: a network of a million nodes fits.
+/// The longest JSON recipe that is read, in bytes. A network of a million nodes fits.
 pub const LONGEST: usize = 256 << 20;
 
-/// Reads a recipe over defaults.
+/// Reads a recipe; missing keys keep their defaults.
 ///
 /// # Errors
-/// JSON that is not an object, and everything that [`link::read`] refuses.
+/// Refuses JSON that is not an object, and everything that [`link::read`] refuses.
 pub fn read(text: &str) -> Result<Recipe, RecipeError> {
     link::apply(Recipe::default(), &pairs(text)?)
 }
 
-/// Names and values of a JSON recipe, for [`link::apply`].
+/// Reads the names and values of a JSON recipe, for [`link::apply`].
 ///
 /// # Errors
-/// JSON that is not an object of texts and numbers.
+/// Refuses JSON that is not an object of texts and numbers.
 pub fn pairs(text: &str) -> Result<Vec<(String, String)>, RecipeError> {
     if text.len() > LONGEST {
         return Err(RecipeError::TooLong { key: "recipe", length: text.len(), max: LONGEST });
@@ -48,7 +48,7 @@ fn text_of(key: &str, value: Json) -> Result<String, RecipeError> {
     Err(RecipeError::JsonType { key: super::error::shown(key), found })
 }
 
-/// The members of a recipe object in their order, repeats included: a map would silently keep the last of them.
+/// The members of a recipe object in order, with repeats: a map would silently keep the last of them.
 struct Members(Vec<(String, Json)>);
 
 impl<'de> Deserialize<'de> for Members {
@@ -59,7 +59,7 @@ impl<'de> Deserialize<'de> for Members {
 
 struct MembersVisitor;
 
-/// Members that hold no further recipe.
+/// Members without a nested recipe.
 struct Plain(Vec<(String, Json)>);
 
 impl<'de> Deserialize<'de> for Plain {
@@ -107,7 +107,7 @@ impl<'de> Visitor<'de> for MembersVisitor {
     }
 }
 
-/// The members of a network's JSON: the recipe first, then what this reader has no use for.
+/// The members of a network's JSON: the recipe first, then members that this reader skips.
 const NETWORK: [&str; 10] =
     ["recipe", "resolved", "domain", "growth", "measures", "nodes", "rivers", "oxbows", "names", "attractors"];
 
@@ -115,10 +115,7 @@ fn pass_over_network<'de, A: MapAccess<'de>>(mut map: A) -> Result<(), A::Error>
     let mut seen = vec![String::from(NETWORK[0])];
     while let Some(key) = map.next_key::<String>()? {
         if !NETWORK.contains(&key.as_str()) {
-            return Err(A::Error::custom(format_args!(
-                "'{}' does not belong into a network",
-                super::error::shown(&key)
-            )));
+            return Err(A::Error::custom(format_args!("'{}' does not belong in a network", super::error::shown(&key))));
         }
         if seen.contains(&key) {
             return Err(A::Error::custom(format_args!("'{key}' is given more than once")));

@@ -1,6 +1,6 @@
-//! The keys of the parameters, by which code names them.
+//! The keys of the parameters, their names in code.
 
-/// A parameter's place in the table.
+/// A parameter's key: the index of its row in the table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[expect(missing_docs, reason = "each key is explained by its row of the table")]
 pub enum Key {
@@ -61,5 +61,5 @@ pub enum Key {
     Hills,
 }
 
-/// How many parameters there are.
+/// The number of parameters.
 pub(super) const COUNT: usize = Key::Hills as usize + 1;

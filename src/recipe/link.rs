@@ -1,7 +1,8 @@
 //! Link text: `seed=kauri&edition=1&curl=0.6`, the form that people share.
 //!
-//! Defaults are left out, the edition never is. [`read`] is strict, for the command line and for tests; [`read_leniently`]
-//! is total, for pages: a shared link must never leave a blank page, so invalid values are corrected and reported.
+//! Defaults are left out, the edition never is. [`read`] is strict, for the command line and for tests;
+//! [`read_leniently`] is total, for pages: a shared link must never leave a blank page, so invalid values are corrected
+//! and reported.
 
 use std::fmt;
 use std::str::FromStr;
@@ -21,21 +22,21 @@ pub const LONGEST: usize = 8192;
 /// The key that names a preset: read first, overridden by all other keys, never written.
 pub const PRESET: &str = "preset";
 
-/// Something in a link that had to be corrected.
+/// A correction that lenient reading made.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Notice {
-    /// The key it is about; empty for the link as a whole.
+    /// The corrected key; empty for the link as a whole.
     pub key: String,
-    /// What was wrong and what is used instead.
+    /// A sentence that names the fault and the value used instead.
     pub message: String,
 }
 
-/// Writes a recipe as link text, in the table's order. [`read`] gives the same recipe back.
+/// Writes a recipe as link text, in the table's order. [`read`] returns the same recipe.
 pub fn write(recipe: &Recipe) -> String {
     write_if(recipe, |_, is_default| !is_default)
 }
 
-/// Writes of a recipe, besides seed and edition, what is asked for: each parameter, and whether it has its default.
+/// Writes the seed, the edition and each parameter that `is_written` selects, given whether it has its default.
 pub(super) fn write_if(recipe: &Recipe, is_written: impl Fn(&Parameter, bool) -> bool) -> String {
     let mut link = form_urlencoded::Serializer::new(String::new());
     for parameter in &TABLE {
@@ -49,7 +50,7 @@ pub(super) fn write_if(recipe: &Recipe, is_written: impl Fn(&Parameter, bool) ->
 }
 
 impl fmt::Display for Recipe {
-    /// Link text, as [`write()`] makes it.
+    /// Writes link text, as [`write()`] does.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&write(self))
     }
@@ -67,12 +68,12 @@ impl FromStr for Recipe {
 /// Reads link text strictly. A leading `?` or `#` is allowed.
 ///
 /// # Errors
-/// Any unknown or repeated key, any value that is not of its kind or out of its range, any text over its length.
+/// Refuses unknown and repeated keys, values that are not of their kind or out of range, and text that is too long.
 pub fn read(link: &str) -> Result<Recipe, RecipeError> {
     apply(Recipe::default(), &pairs(link)?)
 }
 
-/// Names and values of link text, for [`apply`].
+/// Splits link text into names and values, for [`apply`].
 ///
 /// # Errors
 /// If the link is too long.
@@ -83,10 +84,10 @@ pub fn pairs(link: &str) -> Result<Vec<(String, String)>, RecipeError> {
     Ok(split(link))
 }
 
-/// Reads names and values over a recipe: a preset first, then everything else. All strict entries come through here.
+/// Applies names and values to a recipe: a preset first, then everything else. All strict reading goes through here.
 ///
 /// # Errors
-/// As [`read`].
+/// Refuses what [`read`] refuses.
 pub fn apply(mut recipe: Recipe, pairs: &[(String, String)]) -> Result<Recipe, RecipeError> {
     let mut presets = pairs.iter().filter(|(key, _)| key == PRESET);
     if let Some((_, name)) = presets.next() {
@@ -106,14 +107,14 @@ pub fn apply(mut recipe: Recipe, pairs: &[(String, String)]) -> Result<Recipe, R
     Ok(recipe)
 }
 
-/// Reads link text as well as possible: values out of range are clamped, unreadable values and unknown keys are ignored, and
-/// each correction is reported. Never fails.
+/// Reads link text as well as possible: values out of range are clamped, unreadable values and unknown keys are
+/// ignored, and each correction is reported. Never fails.
 pub fn read_leniently(link: &str) -> (Recipe, Vec<Notice>) {
     let (recipe, notices, _) = read_and_tell_keys(link);
     (recipe, notices)
 }
 
-/// As [`read_leniently`], and for each parameter whether the link names it.
+/// Reads as [`read_leniently`] does; also returns for each parameter whether the link names it.
 pub(super) fn read_and_tell_keys(link: &str) -> (Recipe, Vec<Notice>, [bool; TABLE.len()]) {
     let mut recipe = Recipe::default();
     let mut notices = Vec::new();
@@ -185,7 +186,7 @@ fn nearest_allowed(parameter: &Parameter, text: &str) -> Option<Value> {
     }
 }
 
-/// The part of a link that is read, with a notice if that is not all of it.
+/// Cuts a link that is too long, and adds a notice if it did.
 fn shorten<'a>(link: &'a str, notices: &mut Vec<Notice>) -> &'a str {
     if link.len() <= LONGEST {
         return link;
@@ -195,7 +196,7 @@ fn shorten<'a>(link: &'a str, notices: &mut Vec<Notice>) -> &'a str {
     (0..=LONGEST).rev().find_map(|end| link.get(..end)).unwrap_or("")
 }
 
-/// Splits link text into names and values; whatever the bytes are, this gives some pairs.
+/// Splits link text into names and values. Accepts any bytes.
 fn split(link: &str) -> Vec<(String, String)> {
     let query = link.trim().trim_start_matches(['?', '#']);
     form_urlencoded::parse(query.as_bytes())
@@ -231,7 +232,7 @@ mod tests {
         assert_eq!(error("curl=3"), "curl: 3 is not between 0 and 2");
         assert_eq!(
             error("style=neon"),
-            "style: 'neon' is none of ink, skeleton, atlas, night, survey, basins, parchment, past-courses, ink-wash, orbit, blueprint, dark"
+            "style: 'neon' is not one of ink, skeleton, atlas, night, survey, basins, parchment, past-courses, ink-wash, orbit, blueprint, dark"
         );
         assert_eq!(error("edition=7"), "edition: 7 is unknown here, this program draws edition 1");
         assert_eq!(error("seed=%FF"), "seed: the text holds a character that cannot be shown");

@@ -81,7 +81,7 @@ impl Recipe {
         }
     }
 
-    /// The value of a parameter that is one of some words.
+    /// The value of a parameter that is a choice among words.
     ///
     /// ```
     /// use riverseed::recipe::{Style, link};
@@ -93,7 +93,7 @@ impl Recipe {
         C::ALL[self.chosen(C::KEY, C::WORDS)]
     }
 
-    /// Which of some words a parameter is; the first for one that is none of them.
+    /// The index of a parameter's value in `words`; 0 if it is not in them.
     #[inline(never)] // one copy for all choices
     fn chosen(&self, key: Key, words: &[Word]) -> usize {
         let is_chosen = |word: &Word| matches!(self.value(key), Value::Choice(name) if *name == word.name);
@@ -116,34 +116,34 @@ impl Recipe {
         }
     }
 
-    /// The courses that are drawn of rivers; none unless the land is drawn.
+    /// The drawn courses of rivers; empty unless the land is drawn.
     pub fn rivers(&self) -> &[Vec<GridPoint>] {
         let outline = self.outline().filter(|_| self.get::<LandKind>() == LandKind::Drawn);
         outline.map_or(&[], Outline::rivers)
     }
 
-    /// The sides of a plain rectangle beyond which the sea lies: those that are chosen or, where rivers are drawn, all, since these leave it
-    /// wherever they begin.
+    /// The sides of a plain rectangle beyond which the sea lies: the chosen ones or, where rivers are drawn, all,
+    /// because drawn rivers leave the map wherever they begin.
     pub fn open_sides(&self) -> Sides {
         if self.rivers().is_empty() { self.sides(Key::Sides) } else { Sides::ALL }
     }
 
-    /// Sets a parameter from its text, as a link, an option or a JSON string spells it.
+    /// Sets a parameter from text, spelled as in a link, an option or a JSON string.
     ///
     /// # Errors
-    /// Says which key, which value and what is allowed; the recipe is then unchanged.
+    /// Names the key, the value and the allowed range or words; the recipe is then unchanged.
     pub fn set(&mut self, key: Key, text: &str) -> Result<(), RecipeError> {
         self.values[key as usize] = key.parameter().parse(text)?;
         Ok(())
     }
 
-    /// Puts a value in place that is known to be of the parameter's kind and in its range.
+    /// Sets a parameter to a value that is known to be of its kind and in its range.
     pub(crate) fn put(&mut self, key: Key, value: Value) {
         debug_assert!(key.parameter().accepts(&value), "{key:?} cannot be {value:?}");
         self.values[key as usize] = value;
     }
 
-    /// Whether another recipe differs from this one in nothing but these parameters.
+    /// Returns `true` if another recipe has the same values for all parameters but these.
     #[cfg(feature = "controls")]
     #[inline(never)] // one copy
     pub(crate) fn differs_in(&self, other: &Self, keys: &[Key]) -> bool {

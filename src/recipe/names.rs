@@ -1,16 +1,16 @@
-//! The text of names of one's own: `12.Silver Water_m12.The Old Man_214._t.Home`. An entry is a mark, which says what is named, a full stop
-//! and a name; an underscore ends it. Nothing after the full stop takes the name away.
+//! The text of own names: `12.Silver Water_m12.The Old Man_214._t.Home`. An entry is a mark, which names a thing on the
+//! map, then a full stop and the name; underscores separate entries. An empty name removes the generated one.
 
 use std::fmt;
 
 use thiserror::Error;
 
-/// The most characters of the text, of one name, and the most entries.
+/// The greatest length of the text and of one name, and the greatest number of entries.
 const LONGEST: usize = 400;
 const LONGEST_NAME: usize = 40;
 const MOST: usize = 12;
 
-/// What a name of one's own is for.
+/// A thing on the map that an own name is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Mark {
     /// A river, by its [identity](crate::River::identity).
@@ -21,7 +21,7 @@ pub enum Mark {
     Sea(u32),
     /// A lake, by its number.
     Lake(u32),
-    /// An island, by its number; 0 is the main land.
+    /// An island, by its number; 0 is the mainland.
     Island(u32),
     /// The map.
     Title,
@@ -57,31 +57,31 @@ impl fmt::Display for Mark {
     }
 }
 
-/// Why a text is no list of names.
+/// The reason why a text is not a list of names.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum NamesError {
     /// It is too long.
     #[error("the text has {length} characters, at most {LONGEST} are allowed")]
     TooLong {
-        /// How many characters it has.
+        /// Its length in characters.
         length: usize,
     },
     /// It has too many entries.
     #[error("there are {count} names, at most {MOST} are allowed")]
     TooMany {
-        /// How many there are.
+        /// Their number.
         count: usize,
     },
-    /// What stands before the full stop says of nothing that it is named.
+    /// The text before the full stop is not a mark.
     #[error(
-        "'{mark}' is no mark: a river's identity, m and one for its meanders, s, l or i and the number of a sea, a lake or an island, or t for the map, then a full stop"
+        "'{mark}' is not a mark: expected a river's number, m and a river's number, s, l or i and the number of a sea, lake or island, or t, then a full stop"
     )]
     Mark {
-        /// What stands there.
+        /// The text before the full stop.
         mark: String,
     },
-    /// A mark stands there twice.
+    /// A mark is given twice.
     #[error("'{mark}' is named more than once")]
     Repeated {
         /// The mark.
@@ -90,17 +90,17 @@ pub enum NamesError {
     /// A name is too long.
     #[error("the name of '{mark}' has {length} characters, at most {LONGEST_NAME} are allowed")]
     LongName {
-        /// What it names.
+        /// The mark.
         mark: Mark,
-        /// How many characters it has.
+        /// Its length in characters.
         length: usize,
     },
-    /// A control character, or one that turns the direction of writing.
+    /// A control character, or one that changes the direction of text.
     #[error("the text holds a character that cannot be shown")]
     NotText,
 }
 
-/// Names of one's own, in the order in which they were given.
+/// Own names, in the order in which they were given.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct OwnNames {
     entries: Vec<(Mark, String)>,
@@ -110,7 +110,7 @@ impl OwnNames {
     /// Reads a text strictly.
     ///
     /// # Errors
-    /// Says what is wrong, and of which entry.
+    /// Names the fault and the entry.
     pub fn parse(text: &str) -> Result<Self, NamesError> {
         let length = text.chars().count();
         if length > LONGEST {
@@ -128,7 +128,7 @@ impl OwnNames {
         Ok(names)
     }
 
-    /// What can be read of a text: entries that are wrong are left out, and characters that cannot be shown.
+    /// Reads a text leniently: drops wrong entries and characters that cannot be shown.
     pub fn readable(text: &str) -> Self {
         let text: String = text.chars().filter(|&c| !is_hidden(c)).take(LONGEST).collect();
         let mut names = Self::default();
@@ -156,10 +156,10 @@ impl OwnNames {
         Ok(())
     }
 
-    /// These with another name for something; without one of its own if there is none.
+    /// Returns these names with one of them replaced, added or, for `None`, removed.
     ///
     /// # Errors
-    /// If that name is too long, or it is one too many, or no mark.
+    /// Refuses a name that is too long, one name too many, and an invalid mark.
     pub fn with(&self, mark: &str, name: Option<&str>) -> Result<Self, NamesError> {
         let wrong = || NamesError::Mark { mark: super::error::shown(mark) };
         let mark = Mark::parse(mark).ok_or_else(wrong)?;
@@ -169,12 +169,12 @@ impl OwnNames {
         Self::parse(&entries.join("_"))
     }
 
-    /// The name that is given to something; an empty one takes its name away.
+    /// The own name of a thing; an empty one removes the generated name.
     pub fn get(&self, mark: Mark) -> Option<&str> {
         self.entries.iter().find(|(named, _)| *named == mark).map(|(_, name)| name.as_str())
     }
 
-    /// What is named.
+    /// The things that have an own name.
     pub fn marks(&self) -> impl Iterator<Item = Mark> {
         self.entries.iter().map(|(mark, _)| *mark)
     }
@@ -193,8 +193,8 @@ fn entries(text: &str) -> impl Iterator<Item = &str> {
     text.split('_').map(str::trim).filter(|entry| !entry.is_empty())
 }
 
-/// Whether a character would not be seen, but change what is: control characters, tags, what is no character, and those that separate lines, join
-/// or divide letters or turn the direction of writing.
+/// Returns `true` for characters that cannot be seen but change a text: control characters, tags, noncharacters, and
+/// those that separate lines, join or divide letters or change the direction of text.
 fn is_hidden(c: char) -> bool {
     let is_unseen = matches!(c, '\u{ad}' | '\u{34f}' | '\u{61c}' | '\u{180e}' | '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2060}'..='\u{206f}' | '\u{feff}' | '\u{fffd}'..='\u{ffff}' | '\u{e0000}'..='\u{e007f}');
     c.is_control() || is_unseen
@@ -220,9 +220,9 @@ mod tests {
 
     #[test]
     fn what_is_wrong_is_refused_by_name() {
-        assert!(error("x3.y").starts_with("'x3' is no mark: a river's identity, m and one for its meanders"));
-        assert!(error("12").starts_with("'12' is no mark"));
-        assert!(error("007.Bond").starts_with("'007' is no mark") && error("+7.x").starts_with("'+7'"));
+        assert!(error("x3.y").starts_with("'x3' is not a mark: expected a river's number, m and a river's number"));
+        assert!(error("12").starts_with("'12' is not a mark"));
+        assert!(error("007.Bond").starts_with("'007' is not a mark") && error("+7.x").starts_with("'+7'"));
         assert_eq!(error("1.a_1.b"), "'1' is named more than once");
         assert_eq!(
             error(&format!("m1.{}", "é".repeat(41))),

@@ -1,21 +1,22 @@
-//! A drawn land as a value: coasts, ridges and rivers on a fine grid, and their one spelling as text.
+//! A drawn land as a value: coasts, ridges and rivers on a fine grid, and their text.
 //!
-//! The text needs no escaping in a link. A coast is a dot and its points, a ridge two dots and its points, a river three; a point
-//! is four characters of base64url, two for how far east and two for how far south it lies, in 4095ths of the domain.
+//! The text needs no escaping in a link. A coast is a dot followed by its points, a ridge two dots, a river three. A
+//! point is four characters of base64url: two for its distance from the western border and two for its distance from
+//! the northern one, in 4095ths of the domain.
 
 use std::fmt;
 
 use glam::Vec2;
 use thiserror::Error;
 
-/// The most characters that an outline's text has.
+/// The greatest length of an outline's text, in characters.
 pub const LONGEST: usize = 1000;
 
 /// Characters of a point.
 const POINT: usize = 4;
 const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
 
-/// A place in the domain, in 4095ths of its width and height: 0 and 4095 are its borders.
+/// A point of the domain, in 4095ths of its width and height: 0 and 4095 are its borders.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct GridPoint {
     x: u16,
@@ -23,10 +24,10 @@ pub struct GridPoint {
 }
 
 impl GridPoint {
-    /// The far border.
+    /// The coordinate of the far border.
     const LAST: u16 = 4095;
 
-    /// The nearest grid point to fractions of the domain's width and height; what lies outside comes to the border.
+    /// The nearest grid point to fractions of the domain's width and height. Points outside are moved to the border.
     pub fn nearest(fraction: Vec2) -> Self {
         let snap = |x: f32| (x.clamp(0.0, 1.0) * f32::from(Self::LAST)).round() as u16;
         Self { x: snap(fraction.x), y: snap(fraction.y) }
@@ -61,12 +62,12 @@ pub enum LineKind {
     Coast,
     /// An open line that no river crosses.
     Ridge,
-    /// The course of a river from its mouth, which may be all that is drawn of it.
+    /// The course of a river, from its mouth. The mouth alone is enough.
     River,
 }
 
 impl LineKind {
-    /// The fewest points of such a line.
+    /// The smallest number of points of such a line.
     pub const fn fewest(self) -> usize {
         match self {
             Self::Coast => 3,
@@ -99,50 +100,50 @@ impl fmt::Display for LineKind {
     }
 }
 
-/// Text that is no outline.
+/// The reason why a text is not an outline.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum OutlineError {
     /// The text is longer than any outline's.
     #[error("the text has {length} characters, at most {LONGEST} are allowed")]
     TooLong {
-        /// How many it has.
+        /// Its length in characters.
         length: usize,
     },
-    /// The first character is no dot.
+    /// The first character is not a dot.
     #[error("character 1 is not the dot that begins a coast")]
     NoBeginning,
-    /// A character that spells nothing.
-    #[error("character {at} is none of A to Z, a to z, 0 to 9, - and _, which spell points")]
+    /// A character that does not occur in outlines.
+    #[error("character {at} is not one of A to Z, a to z, 0 to 9, - and _")]
     BadCharacter {
-        /// Which, the first being 1.
+        /// Its position, counted from 1.
         at: usize,
     },
-    /// A line that ends within a point.
+    /// A line whose last point is incomplete.
     #[error("the {kind} that begins at character {at} ends within a point: a point has four characters")]
     BrokenPoint {
-        /// What line it is.
+        /// The kind of line.
         kind: LineKind,
-        /// Where it begins, the first character being 1.
+        /// The position of its first character, counted from 1.
         at: usize,
     },
-    /// A line of too few points.
-    #[error("the {kind} that begins at character {at} has too few points: {points}, at least {} are wanted", kind.fewest())]
+    /// A line with too few points.
+    #[error("the {kind} that begins at character {at} has too few points: {points}, at least {} are needed", kind.fewest())]
     TooFew {
-        /// What line it is.
+        /// The kind of line.
         kind: LineKind,
-        /// Where it begins, the first character being 1.
+        /// The position of its first character, counted from 1.
         at: usize,
-        /// How many points it has.
+        /// Its number of points.
         points: usize,
     },
-    /// Ridges without land.
+    /// Ridges but no coasts.
     #[error("there are ridges but no coast")]
     NoCoast,
 }
 
-/// A drawn land: coasts, of which any two may cross or lie within each other (what lies within an odd number of them is
-/// land), ridges and rivers. Without any coast all of the domain is land, and then there are no ridges either.
+/// A drawn land: coasts, ridges and rivers. Coasts may cross and nest: land is what lies within an odd number of them.
+/// Without coasts the whole domain is land, and there are no ridges.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Outline {
     coasts: Vec<Vec<GridPoint>>,
@@ -151,10 +152,10 @@ pub struct Outline {
 }
 
 impl Outline {
-    /// An outline of lines of enough points, in number and length such that the text is not too long.
+    /// Makes an outline from its lines. Each needs enough points, and the text of all must not be too long.
     ///
     /// # Errors
-    /// Those of [`parse`](Self::parse), with the place where the text would be wrong.
+    /// Returns the errors of [`parse`](Self::parse), with the position of the fault in the text.
     pub fn new(
         coasts: Vec<Vec<GridPoint>>,
         ridges: Vec<Vec<GridPoint>>,
@@ -164,10 +165,10 @@ impl Outline {
         Self::parse(&this.to_string())
     }
 
-    /// Reads an outline; the empty text is the empty outline.
+    /// Reads an outline. An empty text is an empty outline.
     ///
     /// # Errors
-    /// Says what is wrong and where.
+    /// Names the fault and its position.
     pub fn parse(text: &str) -> Result<Self, OutlineError> {
         let length = text.chars().count();
         if length > LONGEST {
@@ -187,7 +188,7 @@ impl Outline {
         Ok(outline)
     }
 
-    /// Reads the first line of a text that begins at a place, and returns what follows it.
+    /// Reads the line at the start of `text` and returns the rest. `at` is its position in the whole.
     fn take_line<'a>(&mut self, text: &'a [u8], at: usize) -> Result<&'a [u8], OutlineError> {
         let kinds = [LineKind::River, LineKind::Ridge, LineKind::Coast].into_iter();
         let mut begun = kinds.filter_map(|kind| Some((kind, text.strip_prefix(kind.mark().as_bytes())?)));
@@ -211,22 +212,22 @@ impl Outline {
         Ok(rest)
     }
 
-    /// Whether nothing is drawn.
+    /// Returns `true` if nothing is drawn.
     pub fn is_empty(&self) -> bool {
         self.coasts.is_empty() && self.rivers.is_empty()
     }
 
-    /// The closed lines between land and water, of three points at least; the last point is joined to the first.
+    /// The closed lines between land and water. Each has three points or more; the last is joined to the first.
     pub fn coasts(&self) -> &[Vec<GridPoint>] {
         &self.coasts
     }
 
-    /// The lines that no river crosses, of two points at least.
+    /// The lines that no river crosses. Each has two points or more.
     pub fn ridges(&self) -> &[Vec<GridPoint>] {
         &self.ridges
     }
 
-    /// The courses that are drawn of rivers, each from its mouth, of one point at least.
+    /// The drawn courses of rivers, each from its mouth. Each has one point or more.
     pub fn rivers(&self) -> &[Vec<GridPoint>] {
         &self.rivers
     }
@@ -288,14 +289,14 @@ mod tests {
     fn errors_say_what_and_where() {
         let error = |text: &str| Outline::parse(text).unwrap_err().to_string();
         assert_eq!(error("AAAA"), "character 1 is not the dot that begins a coast");
-        assert!(error(".AAAAB%BB").starts_with("character 7 is none of A to Z"));
+        assert!(error(".AAAAB%BB").starts_with("character 7 is not one of A to Z"));
         assert!(error(".AAAABBBBCCC").starts_with("the coast that begins at character 1 ends within a point"));
         let short = ".AAAABBBBCCCC..AAAA";
-        assert_eq!(error(short), "the ridge that begins at character 14 has too few points: 1, at least 2 are wanted");
+        assert_eq!(error(short), "the ridge that begins at character 14 has too few points: 1, at least 2 are needed");
         assert_eq!(error("..AAAABBBB"), "there are ridges but no coast");
         assert!(error(&".A".repeat(600)).contains("1200 characters, at most 1000"));
-        assert!(error(".AAAABBBBCCCC....AAAA").starts_with("character 17 is none of A to Z"));
-        assert!(error("........").starts_with("character 4 is none of A to Z"));
+        assert!(error(".AAAABBBBCCCC....AAAA").starts_with("character 17 is not one of A to Z"));
+        assert!(error("........").starts_with("character 4 is not one of A to Z"));
         assert!(error("...").starts_with("the river that begins at character 1 has too few points: 0, at least 1"));
         assert!(error(".AAAABBBBCCCC...AAA").starts_with("the river that begins at character 14 ends within a point"));
         assert_eq!(error("..AAAABBBB...AAAA"), "there are ridges but no coast");

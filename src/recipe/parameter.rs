@@ -1,4 +1,4 @@
-//! A parameter: its key, its stage, the kind of value it takes, and how that is read, checked and written.
+//! A parameter: its key, its stage and its kind of value, with reading, checking and writing of values.
 
 use super::choice::Word;
 use super::error::{RecipeError, shown};
@@ -8,22 +8,22 @@ use super::names::OwnNames;
 use super::outline::Outline;
 use super::value::{Decimal, Sides, Value};
 
-/// The stages that parameters belong to, in the order in which they run.
+/// A stage that parameters belong to. Stages run in this order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Stage {
     /// Shaping the land.
     Land,
     /// Growing the tree.
     Grow,
-    /// Trimming it.
+    /// Trimming the tree.
     Prune,
-    /// Making rivers of it: courses, widths, meanders.
+    /// Turning the tree into rivers: courses, widths, meanders.
     Shape,
-    /// Giving the land the heights that belong to them.
+    /// Giving the land heights that fit the rivers.
     Relief,
     /// Naming what is on the map.
     Name,
-    /// Drawing it.
+    /// Painting the map.
     Paint,
 }
 
@@ -42,7 +42,7 @@ impl Stage {
     }
 }
 
-/// What values a parameter takes, and its default.
+/// The kind of values that a parameter takes, and its default.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// Text of at most `longest` characters.
@@ -67,14 +67,14 @@ pub enum Kind {
         min: Decimal,
         /// The most.
         max: Decimal,
-        /// The step of a slider; any number between is allowed all the same.
+        /// The step of a slider; values between steps are allowed too.
         step: Decimal,
         /// The value when nothing is given.
         default: Decimal,
     },
     /// One word of a list; the first is the default.
     Choice {
-        /// The words: those of a type of [`choice`](super::choice).
+        /// The words of one of the types in [`choice`](super::choice).
         choices: &'static [Word],
     },
     /// Some sides of the domain.
@@ -89,28 +89,28 @@ pub enum Kind {
 /// A row of the table.
 #[derive(Clone, Copy, Debug)]
 pub struct Parameter {
-    /// The key that code uses.
+    /// The key in code.
     pub key: Key,
-    /// The key that links, attributes, options and JSON use.
+    /// The key in links, attributes, options and JSON.
     pub name: &'static str,
-    /// Its name on the page; empty without the feature `controls`, as are the next line and the group.
+    /// The name on the page. `label`, `help` and `group` are empty without the feature `controls`.
     pub label: &'static str,
-    /// One line that says what it does.
+    /// One line of explanation.
     pub help: &'static str,
     /// The unit of its numbers; empty for plain numbers.
     pub unit: &'static str,
-    /// The heading it stands under on the page.
+    /// The heading on the page.
     pub group: &'static str,
-    /// The stage that has to run again when it changes.
+    /// The first stage that runs again when the value changes.
     pub stage: Stage,
-    /// Whether a slider should be logarithmic.
+    /// `true` if a slider should be logarithmic.
     pub logarithmic: bool,
-    /// Its values and its default.
+    /// The allowed values and the default.
     pub kind: Kind,
 }
 
 impl Parameter {
-    /// The value when nothing is given.
+    /// The default value.
     pub fn default_value(&self) -> Value {
         match self.kind {
             Kind::Text { default, .. } => Value::Text(default.into()),
@@ -122,7 +122,7 @@ impl Parameter {
         }
     }
 
-    /// Whether a value is of this parameter's kind and in its range.
+    /// Returns `true` if a value is of this parameter's kind and in its range.
     pub fn accepts(&self, value: &Value) -> bool {
         match (self.kind, value) {
             (Kind::Text { longest, .. }, Value::Text(text)) => text.chars().count() <= longest,
@@ -134,7 +134,7 @@ impl Parameter {
         }
     }
 
-    /// A value's text, which [`parse`](Self::parse) reads back to the same value.
+    /// Writes a value as text, which [`parse`](Self::parse) reads back to the same value.
     pub fn text_of(&self, value: &Value) -> String {
         match value {
             Value::Text(text) => text.clone(),

@@ -1,23 +1,23 @@
-//! Presets: named sets of values. A preset is not another kind of parameter: a link that names one is written
-//! without it.
+//! Presets: named sets of values. A preset is not a parameter: a link that names one is written without it.
 
 use super::key::Key;
 
-/// A named set of values; what it leaves out keeps its default.
+/// A named set of values. Parameters that it leaves out keep their defaults.
 #[derive(Clone, Copy, Debug)]
 pub struct Preset {
-    /// The name that links use.
+    /// The name in links.
     pub name: &'static str,
-    /// Its name on the page.
+    /// The name on the page.
     pub label: &'static str,
-    /// What it looks like and suits.
+    /// One line on its looks and uses.
     pub help: &'static str,
-    /// Keys and the text of their values.
+    /// Keys, each with its value as text.
     pub values: &'static [(Key, &'static str)],
 }
 
-/// A pattern of the paper: momentum, curl, its stretch, and trim. It names all that a tree's pattern rests on, so that no default
-/// of the table shows through, and nothing of what it grows on: land, its mouths, how many attractors, looks.
+/// The values of a pattern from the paper, from its momentum, curl, stretch and trim. They cover everything that shapes
+/// a tree, so that no default of the table shows through, and nothing that the tree grows on: land, mouths, number of
+/// attractors, looks.
 const fn pattern(momentum: Text, curl: Text, stretch: Text, trim: Text) -> [(Key, Text); 13] {
     [
         (Key::Growth, "colonize"),
@@ -30,7 +30,7 @@ const fn pattern(momentum: Text, curl: Text, stretch: Text, trim: Text) -> [(Key
         (Key::Stretch, stretch),
         (Key::Valleys, "0"),
         (Key::Trim, trim),
-        // Trees are shown as they have grown.
+        // The paper's trees are shown as they grew.
         (Key::Courses, "grown"),
         (Key::Simplify, "0"),
         (Key::Meander, "none"),
@@ -79,8 +79,8 @@ pub static PRESETS: &[Preset] = &explained([
     },
 ]);
 
-/// A kind of country: its land, and how rivers lie on it. It names all that others of its kind name, so that one follows on another without a
-/// trace.
+/// The values of a kind of country: its land and its rivers. All countries set the same keys, so that choosing one
+/// leaves no trace of another.
 #[cfg(feature = "controls")]
 const fn country(land: [Text; 5], growth: [Text; 4], rivers: [Text; 3]) -> [(Key, Text); 12] {
     let ([aspect, land, sea, roughness, sides], [growth, attractors, sensitivity, channel_area]) = (land, growth);
@@ -101,7 +101,7 @@ const fn country(land: [Text; 5], growth: [Text; 4], rivers: [Text; 3]) -> [(Key
     ]
 }
 
-/// Countries to begin with, on a page.
+/// Countries that the page offers to begin with.
 #[cfg(feature = "controls")]
 pub static COUNTRIES: &[Preset] = &[
     Preset {
@@ -182,7 +182,7 @@ pub static COUNTRIES: &[Preset] = &[
     },
 ];
 
-/// The presets, without the words that only a page of controls shows where there is none.
+/// Empties labels and help texts unless the feature `controls` is on.
 const fn explained<const COUNT: usize>(mut presets: [Preset; COUNT]) -> [Preset; COUNT] {
     let mut i = 0;
     while i < COUNT && !cfg!(feature = "controls") {

@@ -1,5 +1,5 @@
-//! How pages and widgets read a link: leniently, in the style for dark pages unless the link names one, and within
-//! what widgets grow.
+//! Lenient reading of links for pages and widgets: on dark pages in a dark style unless the link names one, in widgets
+//! within their limits.
 
 use super::Recipe;
 use super::choice::{GrowthMethod, Style};
@@ -7,28 +7,28 @@ use super::key::Key;
 use super::link::{self, Notice};
 use super::value::Value;
 
-/// Where the rivers of a link are to be seen.
+/// The place where a link's rivers are shown.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ReadOptions {
-    /// In a widget, which shares its page with text that somebody reads: the recipe is kept within its limits.
+    /// A widget shares its page with text that somebody reads, so the recipe is kept within a widget's limits.
     pub widget: bool,
-    /// On a dark page: if the link names no style, it is the one for dark pages.
+    /// On a dark page, a link that names no style gets the one for dark pages.
     pub dark: bool,
 }
 
-/// A link as a page or a widget understands it.
+/// A link as read for a page or a widget.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reading {
-    /// What is drawn.
+    /// The recipe to draw.
     pub recipe: Recipe,
-    /// What was wrong, or beyond a widget's limits, and what is used instead.
+    /// Values that were wrong or beyond a widget's limits, and their replacements.
     pub notices: Vec<Notice>,
-    /// Whether the link itself says in which style its rivers are drawn.
+    /// `true` if the link names a style.
     pub names_style: bool,
     is_dark: bool,
 }
 
-/// Reads link text as [`link::read_leniently`] does, for a place. Never fails.
+/// Reads link text as [`link::read_leniently`] does, then applies the options. Never fails.
 pub fn read(text: &str, options: ReadOptions) -> Reading {
     let (mut recipe, mut notices, is_given) = link::read_and_tell_keys(text);
     let names_style = is_given[Key::Style as usize];
@@ -42,8 +42,8 @@ pub fn read(text: &str, options: ReadOptions) -> Reading {
 }
 
 impl Reading {
-    /// The canonical link to share: the same rivers on a page like this one, and in that page's own style on others if
-    /// no style was named.
+    /// The canonical link to share. It shows the same rivers on a page like this one; if no style was named, a page of
+    /// the other kind uses its own.
     pub fn shared_link(&self) -> String {
         link::write_if(&self.recipe, |parameter, is_default| match parameter.key {
             Key::Style if self.is_dark => self.names_style,
@@ -52,19 +52,19 @@ impl Reading {
     }
 }
 
-/// The style of rivers on dark pages whose link names none.
+/// The style on dark pages of links that name none.
 const DARK_PAGES: Style = Style::Night;
 
-/// How far a widget goes with a way of growing.
+/// The limit of a widget for one growth method.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum WidgetLimit {
     AtMost(Key, u32),
     AtLeast(Key, u32),
 }
 
-/// Within these limits no step of a river, above all of those that make rivers of a tree, holds up a page for longer
-/// than a blink, even where its policy refuses workers. They hold in workers too: the same tag is the same river
-/// everywhere. Authors who want more can use a picture of it.
+/// Returns a widget's limit for a growth method. Within it no step, not even those that turn the tree into rivers,
+/// holds up a page noticeably, even where the page's policy forbids workers. With workers the limits are the same, so
+/// that a tag gives the same river everywhere. Authors who want more can use a picture.
 fn widget_limit(method: GrowthMethod) -> WidgetLimit {
     match method {
         GrowthMethod::Colonize | GrowthMethod::Drainage => WidgetLimit::AtMost(Key::Attractors, 20_000),
@@ -73,7 +73,7 @@ fn widget_limit(method: GrowthMethod) -> WidgetLimit {
 }
 
 impl WidgetLimit {
-    /// Brings a recipe within the limit, and reports if it was not.
+    /// Brings a recipe within the limit, and reports if it was beyond.
     fn keep(self, recipe: &mut Recipe) -> Option<Notice> {
         let (key, limit, is_beyond, exceeds): (_, _, fn(&u32, &u32) -> bool, _) = match self {
             Self::AtMost(key, limit) => (key, limit, u32::gt, "exceeds"),
@@ -151,7 +151,7 @@ mod tests {
         assert_eq!(style("seed=a", PAGE), Style::Ink);
         assert_eq!(style("style=atlas", DARK), Style::Atlas);
         assert_eq!(style("style=ink", DARK), Style::Ink);
-        // Named, if badly: the notice says which style is used instead, and must be true.
+        // The style is named, though wrongly: the notice says which style is used instead, and must be true.
         assert_eq!(style("style=neon", DARK), Style::Ink);
     }
 

@@ -1,4 +1,4 @@
-//! The kinds of value a parameter can have, and their one spelling as text.
+//! The kinds of value that a parameter can have, and the text of each.
 
 use std::fmt;
 
@@ -15,13 +15,13 @@ pub enum Value {
     Number(Decimal),
     /// One of the parameter's words.
     Choice(&'static str),
-    /// Some sides of the domain.
+    /// A set of sides of the domain.
     Sides(Sides),
     /// A drawn land.
     Outline(Outline),
 }
 
-/// A number with four decimal places, kept exactly: what is written is what is read, digit for digit, and no link holds
+/// A number with four decimal places, kept exactly: it is written digit for digit as it was read, and no link holds
 /// 0.30000000000000004.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Decimal {
@@ -31,21 +31,21 @@ pub struct Decimal {
 impl Decimal {
     const PLACES: usize = 4;
     const ONE: i64 = 10_000;
-    /// Larger numbers count as this one. Every range lies far below.
+    /// The largest number; larger ones are read as this one. All ranges lie far below it.
     const HUGE: i64 = 1_000_000_000_000_000;
 
-    /// The nearest decimal, for constants.
+    /// The nearest decimal to a number, for constants.
     pub const fn new(number: f64) -> Self {
         Self { ten_thousandths: (number * Self::ONE as f64 + 0.5) as i64 }
     }
 
-    /// A whole number.
+    /// Converts a whole number.
     pub const fn whole(number: u32) -> Self {
         Self { ten_thousandths: number as i64 * Self::ONE }
     }
 
-    /// Reads an optional sign and digits with at most one point among or beside them; further places are rounded.
-    /// `None` for anything else. Numbers beyond all ranges are read as some such number.
+    /// Reads an optional sign and digits with an optional point; further places are rounded. `None` for anything else.
+    /// Numbers beyond all ranges are read as some such number.
     pub fn parse(text: &str) -> Option<Self> {
         let (is_negative, digits) = match text.as_bytes() {
             [b'-', digits @ ..] => (true, digits),
@@ -65,12 +65,12 @@ impl Decimal {
         Some(Self { ten_thousandths: if is_negative { -rounded } else { rounded } })
     }
 
-    /// Whether it has no decimal places.
+    /// Returns `true` if it has no decimal places.
     pub fn is_whole(self) -> bool {
         self.ten_thousandths % Self::ONE == 0
     }
 
-    /// The nearest whole number, halves up; 0 for negative numbers.
+    /// Rounds to the nearest whole number, halves up; negative numbers to 0.
     pub fn round(self) -> u32 {
         u32::try_from((self.ten_thousandths + Self::ONE / 2) / Self::ONE).unwrap_or(if self.ten_thousandths < 0 {
             0
@@ -79,7 +79,7 @@ impl Decimal {
         })
     }
 
-    /// The nearest floating-point number.
+    /// Converts to the nearest floating-point number.
     pub fn to_f64(self) -> f64 {
         self.ten_thousandths as f64 / Self::ONE as f64
     }
@@ -119,7 +119,7 @@ impl Sides {
         (set != 0).then_some(Self(set))
     }
 
-    /// Whether the set holds the side with this initial.
+    /// Returns `true` if the set contains the side with this initial.
     pub fn contains(self, initial: char) -> bool {
         Self::INITIALS.find(initial).is_some_and(|i| self.0 & 1 << i != 0)
     }

@@ -1,37 +1,39 @@
-//! A queue of points by the areas they stand for, the least first; of equal ones, the point with the lower number.
+//! A queue of points by area, the smallest first; among equal areas, the lowest point number first.
 //!
-//! Of many points only those that come soon are in a heap. The others lie in buckets by their area, in no order, until it is their
-//! bucket's turn: a heap of all of them would be larger than any cache, and every point taken out a walk through all of it.
+//! If there are many points, only those that come soon are in a heap. The others lie unordered in buckets by area until
+//! it is their bucket's turn: a heap of all points would be larger than any cache, and each removal would walk through
+//! all of it.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-/// An area's bits, which for numbers from 0 on have the numbers' order, and the point's number: two in one, compared at once.
+/// The bits of an area, which for numbers from 0 on are ordered as the numbers are, and the number of the point: both
+/// in one integer, compared at once.
 type Entry = Reverse<u64>;
 
 pub(super) struct Areas {
-    /// All entries of buckets whose turn has come.
+    /// The entries of all buckets whose turn has come.
     soon: BinaryHeap<Entry>,
-    /// The buckets whose turn has not.
+    /// The buckets whose turn is still to come.
     later: Vec<Vec<Entry>>,
-    /// The first of those.
+    /// The index of the first of these.
     next: usize,
-    /// By how much an area's bits are shifted for the number of its bucket.
+    /// The shift that turns an area's bits into the index of its bucket.
     shift: u32,
 }
 
 impl Areas {
-    /// An empty queue that will have about as many entries.
+    /// Makes an empty queue for about this many entries.
     pub fn with_room_for(count: usize) -> Self {
-        /// A heap of so few stays in a cache.
+        /// A heap with fewer entries fits in a cache.
         const FEW: usize = 1 << 16;
-        /// A bucket for each eighth of an octave.
+        /// One bucket for each eighth of an octave.
         const MANY_SHIFT: u32 = 20;
         let shift = if count < FEW { 31 } else { MANY_SHIFT };
         Self { soon: BinaryHeap::new(), later: vec![Vec::new(); 1 << (31 - shift)], next: 0, shift }
     }
 
-    /// Adds a point. Its area is a number from 0 on.
+    /// Adds a point. The area must not be negative.
     pub fn push(&mut self, area: f32, point: u32) {
         let entry = Reverse(u64::from(area.to_bits()) << 32 | u64::from(point));
         let bucket = (area.to_bits() >> self.shift) as usize;
@@ -41,7 +43,7 @@ impl Areas {
         }
     }
 
-    /// Takes out the least.
+    /// Removes the smallest.
     pub fn pop(&mut self) -> Option<(f32, u32)> {
         while self.soon.is_empty() {
             self.soon = std::mem::take(self.later.get_mut(self.next)?).into();
@@ -57,7 +59,7 @@ mod tests {
     use crate::property::cases;
     use proptest::prelude::*;
 
-    /// Zero, the least and the greatest numbers, many equal ones, and whatever lies between.
+    /// Zero, the smallest and the greatest numbers, many equal ones, and numbers between.
     fn area() -> impl Strategy<Value = f32> {
         prop_oneof![
             Just(0.0),
@@ -71,7 +73,8 @@ mod tests {
     proptest! {
         #![proptest_config(cases(256))]
 
-        /// Pushing and popping in turn, below and above what has been popped before; `count` is what the queue expects.
+        /// Pushes and pops in turn, below and above the areas popped before. `count` is the number that the queue
+        /// expects.
         #[test]
         fn order_is_that_of_one_heap(
             count in prop_oneof![Just(0usize), Just(1 << 20)],

@@ -1,4 +1,4 @@
-//! Every kind of land that recipes know, as link text: tests that go through these test a new kind, too.
+//! All kinds of land as link text. Tests that loop over these also test new kinds.
 #![allow(dead_code, reason = "each test file uses its own part")]
 
 use riverseed::recipe::{Choice, LandKind};
@@ -6,22 +6,22 @@ use riverseed::recipe::{Choice, LandKind};
 /// A square, drawn.
 const SQUARE: &str = ".MzMzzMMzzMzMMzzM";
 
-/// Links of all kinds of land, each with all that it needs to differ from the plain rectangle.
+/// Links for all kinds of land, each with everything that makes it differ from the plain rectangle.
 pub fn every_land() -> Vec<String> {
     links(|_| true)
 }
 
-/// Links of all kinds of land that have a coast.
+/// Links for all kinds of land that have a coast.
 pub fn lands_with_a_coast() -> Vec<String> {
     links(|kind| kind != LandKind::Rectangle)
 }
 
-/// Links of all kinds of land whose share of sea the recipe says.
+/// Links for all kinds of land whose share of sea is a parameter.
 pub fn lands_with_a_share_of_sea() -> Vec<String> {
     links(|kind| !matches!(kind, LandKind::Rectangle | LandKind::Drawn))
 }
 
-/// The words of all kinds of land that have a coast.
+/// The words for all kinds of land that have a coast.
 pub fn words_of_lands_with_a_coast() -> Vec<&'static str> {
     kinds(|kind| kind != LandKind::Rectangle).map(|kind| kind.word().name).collect()
 }

@@ -1,6 +1,6 @@
-//! The Brownian tree of Demiurge, part 2, read literally: after every move, every cell of the disc is looked at. Written
-//! again from the description, with its own lines and its own rule for strands that would touch; shared with the crate are
-//! the raster and the random stream.
+//! The Brownian tree of Demiurge, part 2, taken literally: after every move, every cell of the disc is looked at. It is
+//! written again from the description, with its own lines and its own rule for strands that would touch. Only the
+//! raster and the random stream are shared with the crate.
 
 use std::collections::BTreeMap;
 
@@ -18,7 +18,7 @@ pub type At = (i32, i32);
 pub struct Node {
     pub cell: At,
     pub parent: u32,
-    /// The exact place, in 256ths of a cell.
+    /// The exact position, in 256ths of a cell.
     pub exact: At,
 }
 
@@ -57,7 +57,8 @@ struct Literal {
 }
 
 impl Literal {
-    /// A pass of a step, or of the passes before its others that are for what coarser steps have left. Returns its impact.
+    /// Makes a pass of a step, or one of the passes before it for land that coarser steps left over. Returns its
+    /// impact.
     fn pass(&mut self, step: f32, is_gap_filling: bool) -> f32 {
         let mut particles = Vec::new();
         for i in 0..(self.rows as f32 / step).ceil() as i32 {
@@ -84,7 +85,7 @@ impl Literal {
         drawn as f32 / on_land.max(1) as f32
     }
 
-    /// Whether the nearest water is from one to four steps away.
+    /// Returns `true` if the nearest water is one to four steps away.
     fn is_left(&self, (x, y): At, step: f32) -> bool {
         let squared = |i: usize| {
             let (column, row) = (i as i32 % self.columns, i as i32 / self.columns);
@@ -123,8 +124,8 @@ impl Literal {
         is_inside.then(|| self.cells[(y * self.columns + x) as usize])
     }
 
-    /// What lies nearer than half a step: whether a ridge does, and the nearest water, of equals the first in shuffled order. The whole disc
-    /// is looked through.
+    /// Looks through the whole disc for anything nearer than half a step. Returns whether there is a ridge, and the
+    /// nearest water: among equals, the first in shuffled order.
     fn look(&self, (x, y): At, step: f32) -> (bool, Option<At>) {
         let radius = (step / 2.0).ceil() as i32;
         let (mut near, mut is_ridge, mut nearest) = ((step * step / 4.0, 0), false, None);
@@ -153,7 +154,7 @@ impl Literal {
     fn draw(&mut self, target: At, particle: At) -> bool {
         let middle = |(x, y): At| (x * 256 + 128, y * 256 + 128);
         let mut parent = self.node_at.get(&target).copied();
-        // A mouth keeps clear of the rivers and the mouths that are there.
+        // A mouth keeps clear of existing rivers and mouths.
         if parent.is_none() && self.nodes.iter().any(|node| touches(node.cell, target)) {
             return false;
         }
@@ -163,7 +164,7 @@ impl Literal {
         let length = dx.abs().max(dy.abs()).max(1);
         let (mut before, mut drawn) = (target, 0);
         let most = (reach_of_longest((dx, dy)) + self.chance.below(256) as i32) / 256;
-        // Past the particle by less than half a cell.
+        // Up to half a cell beyond the particle.
         while drawn < most && (drawn == 0 || (drawn + 1) * 256 < length + 128) {
             let part = (drawn + 1) * 256;
             let exact = (from.0 + dx * part / length, from.1 + dy * part / length);
@@ -187,7 +188,7 @@ impl Literal {
         self.nodes.len() as u32 - 1
     }
 
-    /// Whether all water around a cell belongs to the cell before it in the strand.
+    /// Returns `true` if all water around a cell belongs to the previous cell of the strand.
     fn touches_family_only(&self, (x, y): At, before: At, parent: Option<u32>) -> bool {
         let around = (y - 1..=y + 1).flat_map(|row| (x - 1..=x + 1).map(move |column| (column, row)));
         let mut water = around.filter(|&at| at != before && self.cell(at) == Some(Cell::Water));
@@ -208,7 +209,7 @@ fn touches(a: At, b: At) -> bool {
     (a.0 - b.0).abs() <= 1 && (a.1 - b.1).abs() <= 1
 }
 
-/// How far a line of five cells' length goes along the axis on which it is longer, in 256ths of a cell.
+/// The extent of a line of five cell lengths along its longer axis, in 256ths of a cell.
 fn reach_of_longest((dx, dy): At) -> i32 {
     let squared = |a: i32| i128::from(a) * i128::from(a);
     let longest = 5 * 256;
@@ -217,13 +218,13 @@ fn reach_of_longest((dx, dy): At) -> i32 {
     (0..=longest).rev().find(is_within).unwrap_or(0)
 }
 
-/// The order of equals: favours no direction.
+/// The order among equals, which favours no direction.
 fn shuffled(number: u32) -> u32 {
     let half = number.wrapping_mul(0x9e37_79b1);
     (half ^ (half >> 16)).wrapping_mul(0x85eb_ca77)
 }
 
-/// The exact place of a node in units.
+/// The exact position of a node, in units.
 pub fn place(raster: &Raster, node: &Node) -> Vec2 {
     Vec2::new(node.exact.0 as f32, node.exact.1 as f32) / 256.0 * raster.side()
 }

@@ -1,9 +1,9 @@
-//! The ground that labels stand on without anything prepared: all rivers are gone through for every sample.
+//! The ground under labels without preparation: every sample goes through all rivers.
 
 use riverseed::chart::{Background, Ink, Piece, cell_middle};
 use riverseed::glam::Vec2;
 
-/// The ground without anything prepared.
+/// The ground without preparation.
 pub struct Literal(pub Vec<Piece>);
 
 impl Background for Literal {

@@ -1,4 +1,4 @@
-//! What several test files use.
+//! Code that several test files share.
 #![allow(dead_code, reason = "each test file uses its own part")]
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -16,7 +16,7 @@ use proptest::prelude::*;
 use riverseed::Session;
 use riverseed::recipe::{Choice, EDITION, Recipe, Style, link};
 
-/// The finished rivers of a link, some of its parameters set otherwise.
+/// Finishes the rivers of a link, with some parameters set differently.
 pub fn finished(link: &str, over: &str) -> Session {
     let over = link::pairs(over).unwrap();
     let mut pairs = link::pairs(link).unwrap();
@@ -27,20 +27,20 @@ pub fn finished(link: &str, over: &str) -> Session {
     session
 }
 
-/// Outlines of any lines, mostly crossing themselves and each other; some of nothing, or of rivers alone.
+/// Outlines of random lines, most of which cross themselves and each other; some are empty or have only rivers.
 pub fn random_outline() -> impl Strategy<Value = String> {
     let lines =
         "([.]([A-Za-z0-9_-]{4}){3,9}){1,3}([.]{2}([A-Za-z0-9_-]{4}){2,9}){0,2}([.]{3}([A-Za-z0-9_-]{4}){1,9}){0,2}";
     prop_oneof![2 => Just(String::new()), 4 => lines, 1 => "([.]{3}([A-Za-z0-9_-]{4}){1,9}){1,4}"]
 }
 
-/// Any text that a seed may be, escaped; mostly a short word, which is easier to read in a failure.
+/// Any escaped text that a seed may be; mostly a short word, which is easier to read in a failure.
 fn random_seed() -> impl Strategy<Value = String> {
     let seed = prop_oneof![9 => "[a-z]{1,8}", 1 => "[^\\p{C}\u{fffd}]{0,64}"];
     seed.prop_map(|seed| form_urlencoded::byte_serialize(seed.as_bytes()).collect())
 }
 
-/// Space colonization, half of it as in the paper.
+/// Space colonization; half of the links as in the paper.
 fn colonize() -> impl Strategy<Value = String> {
     prop_oneof![
         Just("colonize&valleys=0".to_string()),
@@ -49,7 +49,7 @@ fn colonize() -> impl Strategy<Value = String> {
     ]
 }
 
-/// Drainage over the whole of every range.
+/// Drainage over all ranges.
 fn drainage() -> impl Strategy<Value = String> {
     let valleys = (prop_oneof![Just(0.0), 0.0f64..=1.0], 4.0f64..=60.0, 0u32..=24, 0.2f64..=0.8);
     let ground = (0.0f64..=1.5, 8.0f64..=60.0, 0.0f64..=4.0, 1u32..=60);
@@ -65,15 +65,15 @@ fn style() -> impl Strategy<Value = &'static str> {
     proptest::sample::select(Style::WORDS.iter().map(|word| word.name).collect::<Vec<_>>())
 }
 
-/// Links over the whole of every range, with at most this number of attractors.
+/// Links over all ranges, with up to this number of attractors.
 pub fn random_link(most_attractors: u32) -> impl Strategy<Value = String> {
-    // Half of them on the plain rectangle, where more goes on in a second.
+    // Half of them are on the plain rectangle, where more happens in a second.
     let lands = proptest::sample::select(lands::words_of_lands_with_a_coast());
     let land = (prop_oneof![Just("rectangle"), lands], 0.1f64..=0.8, 0.0f64..=1.0, random_outline());
     let ground = (0.25f64..=4.0, prop_oneof![1u32..=5, 1u32..=64], 1u32..16, 100..=most_attractors, any::<bool>());
     let procedure = prop_oneof![4 => colonize(), 1 => Just("brownian".to_string()), 4 => drainage()];
     let mouths = (prop_oneof![Just(0), 0..=400], prop_oneof![Just(15u32), 1u32..16]);
-    // A sensitivity of 8 takes some fifty times as long as one of 40.
+    // A sensitivity of 8 takes about fifty times as long as one of 40.
     let sensitivity = prop_oneof![39 => 40u32..=64, 1 => 8u32..40];
     let growth = (2.1f64..=12.0, 0.5f64..=1.4, 0.2f64..=1.2, procedure, sensitivity, mouths);
     let zero_or = |most: f64| prop_oneof![Just(0.0), 0.0..=most];
@@ -108,7 +108,8 @@ pub fn random_link(most_attractors: u32) -> impl Strategy<Value = String> {
     })
 }
 
-/// How a tree is made into rivers: the lines they follow and simplification, uneven banks, the model and its rounds, how they meander, what keeps them apart.
+/// The parameters that turn a tree into rivers: their lines and simplification, uneven banks, the model and its rounds,
+/// the strength of meandering, the distances between rivers.
 type Rivers = ((&'static str, u32), f64, (&'static str, u32), (f64, f64, f64, u32, f64), (f64, f64, f64));
 
 fn rivers_link(((courses, simplify), bank_variation, (meander, rounds), how, guards): Rivers) -> String {

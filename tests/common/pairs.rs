@@ -1,8 +1,9 @@
-//! The guard's survey, pair by pair: every segment against every other.
+//! The survey of clearances, pair by pair: every segment against every other.
 
 use riverseed::network::{NONE, NearbyPair, Network, gap};
 
-/// What [`riverseed::network::ClearanceGrid::measure`] says: the clearance of each segment, and the pairs near each other, in order.
+/// The result of [`riverseed::network::ClearanceGrid::measure`]: the clearance of each segment, and the pairs near each
+/// other, in order.
 pub fn measure(network: &Network, reach: &[f32], caps: Vec<f32>) -> (Vec<f32>, Vec<NearbyPair>) {
     let downstream = network.downstream();
     let at = |i: usize| network.vertices[i].at;

@@ -1,4 +1,4 @@
-//! Pictures of finished maps that are painted in parts, and given up for others in between.
+//! Pictures of finished maps that are painted in parts and abandoned for others in between.
 
 use proptest::prelude::*;
 use riverseed::paint::Painted;
@@ -6,8 +6,8 @@ use riverseed::picture::Picture;
 use riverseed::recipe::Recipe;
 use riverseed::session::Session;
 
-/// Shows a map by one recipe after the other, each for so many parts of its picture at most, and judges that none of them is seen before the
-/// last, and that the last picture is that of a fresh one. Returns the session and its picture.
+/// Shows a map by one recipe after the other, each for up to a number of parts of its picture. Checks that nothing is
+/// visible before the last part, and that the last picture equals a fresh one. Returns the session and its picture.
 pub fn paint_in_parts(
     start: Recipe,
     changes: impl IntoIterator<Item = (Recipe, u32)>,

@@ -1,12 +1,13 @@
-//! Links written out, so that what a test proves, and what a golden picture shows, rests on no default of the table.
+//! Complete links, so that tests and golden pictures do not depend on defaults of the table.
 
 use riverseed::recipe::preset;
 
-/// Three rivers that leave a plain rectangle: what keys stand for that a test's link leaves out.
+/// Three rivers that leave a plain rectangle: the values of keys that a test's link leaves out.
 const PLAIN: &str = "growth=colonize&aspect=1.5&land=rectangle&sea=0.5&roughness=0.5&mouths=3&attractors=6000&curl=0&stretch=8&trim=20&simplify=60&width=14\
                      &meander-rounds=24&meander-elsewhere=0.3&great-rivers=1&flat-share=0.25&style=ink";
 
-/// A link with all of [`PLAIN`] that neither it nor its preset names. Drainage has the table's valleys, space colonization none.
+/// Adds all values of [`PLAIN`] that neither the link nor its preset names. Drainage has the table's valleys, space
+/// colonization none.
 pub fn plain(link: &str) -> String {
     let valleys = if link.contains("growth=drainage") { "" } else { "&valleys=0" };
     let whole = format!("{PLAIN}{valleys}");

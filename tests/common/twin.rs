@@ -1,6 +1,6 @@
-//! Space colonization straight from the paper (section 2.2), every blue node against every black node in every
-//! round: what the incremental index must equal node for node. Momentum and curl are written again, too; shared with the
-//! crate are where things lie at the start, the fixed-point sum of pulls and the hash that random angles come from.
+//! Space colonization straight from the paper (section 2.2), every blue node against every black node in every round:
+//! the incremental index must equal it node for node. Momentum and curl are written again as well. Only the starting
+//! positions, the fixed-point sum of pulls and the hash for random angles are shared with the crate.
 
 use glam::Vec2;
 use riverseed::grow::{GrowthSettings, Mouth, Pull, curl_toward, mouths, scatter, shores, stem_nodes};
@@ -15,17 +15,17 @@ pub struct Black {
     pub tick: u32,
     pub drained: u32,
     from_mouth: u32,
-    /// The blue nodes it had when it last tried to grow.
+    /// The blue nodes that it had when it last tried to grow.
     tried: Vec<u32>,
 }
 
-/// Grows by the numbered steps of the paper, or where valleys lead.
+/// Grows by the numbered steps of the paper, or along valleys.
 pub fn grow(settings: &GrowthSettings) -> Vec<Black> {
     if settings.has_valleys() { grow_along_valleys(settings) } else { grow_everywhere(settings) }
 }
 
-/// One blue node after another: the lowest that is within reach of any black node, all of them looked at each time. A black node that has come
-/// to no step toward a blue node is not asked for one again.
+/// Reaches one blue node after another: always the lowest within reach of any black node, for which all are looked at.
+/// A black node that found no step toward a blue node does not try it again.
 fn grow_along_valleys(settings: &GrowthSettings) -> Vec<Black> {
     let mut blue: Vec<Option<Vec2>> = scatter(settings).into_iter().map(Some).collect();
     let (mut black, mut pilots) = start_nodes(settings);
@@ -50,12 +50,12 @@ fn grow_along_valleys(settings: &GrowthSettings) -> Vec<Black> {
             return black;
         }
         black.extend(born);
-        // A stem may use up at once what its river would have been drawn by: then that runs straight inland.
+        // A stem may at once use up the blue nodes that its river would have followed, which then runs straight inland.
         remove(settings, &mut blue, &mut black);
     }
 }
 
-/// The first blue node that some black node reaches, and that is not stuck at its closest.
+/// The first blue node that some black node reaches, unless its closest black node is stuck.
 fn lowest_in_reach(
     settings: &GrowthSettings,
     blue: &[Option<Vec2>],
@@ -66,7 +66,7 @@ fn lowest_in_reach(
     (0..blue.len()).find(|&i| blue[i].and_then(closest).is_some_and(|node| stuck[i] != Some(node)))
 }
 
-/// A river runs to a blue node. Returns the black node that it is stuck at, if it is.
+/// Runs a river to a blue node. Returns the black node at which it is stuck, if any.
 fn run_toward(
     settings: &GrowthSettings,
     blue: &mut [Option<Vec2>],
@@ -126,7 +126,7 @@ fn grow_everywhere(settings: &GrowthSettings) -> Vec<Black> {
     black
 }
 
-/// What is left drains to the node it is assigned to.
+/// Drains the remaining blue nodes to the nodes that they are assigned to.
 fn drain_the_rest(settings: &GrowthSettings, blue: &[Option<Vec2>], black: &mut [Black]) {
     for (node, blue) in assign(settings, blue, black).into_iter().enumerate() {
         black[node].drained += blue.len() as u32;
@@ -142,7 +142,7 @@ fn squared_distance(a: Vec2, b: Vec2) -> f32 {
     gap.x * gap.x + gap.y * gap.y
 }
 
-/// The closest black node nearer than a distance, with no ridge between; the first of equals.
+/// The closest black node nearer than a distance, with no ridge between; the first among equals.
 fn closest(settings: &GrowthSettings, blue: Vec2, black: &[Black], distance: f32) -> Option<usize> {
     let mut best = (distance * distance, None);
     for (i, node) in black.iter().enumerate() {
@@ -165,7 +165,7 @@ fn assign(settings: &GrowthSettings, blue: &[Option<Vec2>], black: &[Black]) -> 
     assigned
 }
 
-/// Steps 3 and 4, for black nodes whose blue nodes are not those they last tried with.
+/// Steps 3 and 4, for black nodes whose blue nodes have changed since they last tried.
 fn grow_all(
     settings: &GrowthSettings,
     blue: &[Option<Vec2>],
@@ -184,7 +184,7 @@ fn grow_all(
         if let Some(v2) = sum.direction() {
             let came_from = black.get(parent.parent as usize).map(|node| node.at);
             let identity = [parent.at.x.to_bits(), parent.at.y.to_bits(), tick];
-            // For the first c nodes of a branch to the right, then to the left.
+            // The first c nodes of a branch turn right, the next ones left.
             let to_the_right = parent.from_mouth % (2 * settings.stretch) < settings.stretch;
             let u = curled(settings, with_momentum(settings, parent.at, came_from, v2), to_the_right, identity);
             let bent = parent.at + u * settings.step;
@@ -199,7 +199,7 @@ fn grow_all(
     born
 }
 
-/// When nothing grows any more: every black node that has blue nodes grows straight toward the nearest of them.
+/// When nothing grows any more: every black node that has blue nodes grows straight toward the nearest.
 fn reach_out(
     settings: &GrowthSettings,
     blue: &[Option<Vec2>],
@@ -223,7 +223,7 @@ fn reach_out(
     born
 }
 
-/// When most blue nodes are left, but none is within reach of anything: the last black node runs straight on.
+/// When most blue nodes are left, but none is within reach: the last black node runs straight on.
 fn extend_last_tip(settings: &GrowthSettings, black: &[Black], tick: u32) -> Option<Black> {
     let last = black.last()?;
     black.get(last.parent as usize)?;
@@ -231,20 +231,20 @@ fn extend_last_tip(settings: &GrowthSettings, black: &[Black], tick: u32) -> Opt
     settings.allows(last.at, at).then(|| node(at, black.len() as u32 - 1, tick, last.from_mouth + 1))
 }
 
-/// The direction the last black node was made in.
+/// The direction in which the last black node was made.
 fn onward(settings: &GrowthSettings, black: &[Black]) -> Vec2 {
     let last = &black[black.len() - 1];
     (last.at - black[last.parent as usize].at) / settings.step
 }
 
-/// Whether a node has a child within an eighth of a step from here.
+/// Returns `true` if a node has a child within an eighth of a step of a place.
 fn has_twin(settings: &GrowthSettings, black: &[Black], parent: usize, at: Vec2) -> bool {
     let eighth = settings.step * 0.125;
     let mut children = black.iter().filter(|node| node.parent == parent as u32);
     children.any(|child| squared_distance(at, child.at) < eighth * eighth)
 }
 
-/// Section 4.2: u = v₂ − k·v₁, normalised, v₁ being the direction the node itself was made in.
+/// Section 4.2: u = v₂ − k·v₁, normalised, where v₁ is the direction in which the node itself was made.
 fn with_momentum(settings: &GrowthSettings, at: Vec2, came_from: Option<Vec2>, v2: Vec2) -> Vec2 {
     let Some(parent) = came_from.filter(|_| settings.momentum > 0.0) else { return v2 };
     let (v1_x, v1_y) = ((at.x - parent.x) / settings.step, (at.y - parent.y) / settings.step);
@@ -257,20 +257,20 @@ fn with_momentum(settings: &GrowthSettings, at: Vec2, came_from: Option<Vec2>, v
     Vec2::new(x / length, y / length)
 }
 
-/// Section 4.3: turned by a random angle up to θ_c, to the right or to the left.
+/// Section 4.3: turns by a random angle up to θ_c, to the right or to the left.
 fn curled(settings: &GrowthSettings, u: Vec2, to_the_right: bool, identity: [u32; 3]) -> Vec2 {
     if settings.curl == 0.0 {
         return u;
     }
     let hash = settings.seed.item_hash(Purpose::Curl);
     let angle = settings.curl * hash.unit(identity);
-    // By doubles, which are rounded once.
+    // In double precision, rounded once.
     let (sine, cosine) = (libm::sin(f64::from(angle)) as f32, libm::cos(f64::from(angle)) as f32);
     let sine = if to_the_right { sine } else { -sine };
     Vec2::new(u.x * cosine - u.y * sine, u.y * cosine + u.x * sine)
 }
 
-/// Step 5: blue nodes near a black node go, and drain into it.
+/// Step 5: removes blue nodes near a black node, which drain into it.
 fn remove(settings: &GrowthSettings, blue: &mut [Option<Vec2>], black: &mut [Black]) {
     for blue in blue {
         if let Some(node) = blue.and_then(|blue| closest(settings, blue, black, settings.kill)) {
@@ -280,7 +280,7 @@ fn remove(settings: &GrowthSettings, blue: &mut [Option<Vec2>], black: &mut [Bla
     }
 }
 
-/// The mouths, each with a stem of about a spacing straight inland, and where the stems end.
+/// The mouths, each with a stem of about a spacing straight inland, and the ends of the stems.
 fn start_nodes(settings: &GrowthSettings) -> (Vec<Black>, Vec<(usize, Vec2)>) {
     let (mut black, mut ends) = (Vec::new(), Vec::new());
     for mouth in mouths(settings) {
@@ -294,8 +294,8 @@ fn start_nodes(settings: &GrowthSettings) -> (Vec<Black>, Vec<(usize, Vec2)>) {
     (black, ends)
 }
 
-/// A mouth and the river that is drawn from it, one step after the other toward the next point that is not nearer than a step; and the
-/// last step's direction. `None` if there is no room for one.
+/// A mouth with the river drawn from it, step by step toward the next point that is a step away or more, and the
+/// direction of the last step. `None` if there is no room for a step.
 fn drawn_stem(settings: &GrowthSettings, course: &[Vec2], mouth: Mouth, first: u32) -> Option<(Vec<Black>, Vec2)> {
     let mut stem = vec![node(mouth.at, NO_PARENT, 0, 0)];
     let (mut onward, mut next) = (None, 0);
@@ -319,7 +319,7 @@ fn drawn_stem(settings: &GrowthSettings, course: &[Vec2], mouth: Mouth, first: u
     onward.map(|onward| (stem, onward))
 }
 
-/// A mouth and its stem, whose nodes are numbered from the first on.
+/// A mouth and its stem. The nodes are numbered from `first`.
 fn stem(settings: &GrowthSettings, mouth: Mouth, first: u32, tick: u32) -> Vec<Black> {
     let mut stem = vec![node(mouth.at, NO_PARENT, tick, 0)];
     for i in 1..=stem_nodes(settings) {
@@ -332,8 +332,8 @@ fn stem(settings: &GrowthSettings, mouth: Mouth, first: u32, tick: u32) -> Vec<B
     stem
 }
 
-/// When more than a fiftieth of the blue nodes is in reach of no black node: a mouth at the place on the coast that has the most
-/// of them in reach; the first of equals.
+/// The mouth for unreached land: when more than a fiftieth of the blue nodes are within reach of no black node, the
+/// place on the coast with the most of them in reach; the first among equals.
 fn mouth_for_the_rest(settings: &GrowthSettings, blue: &[Option<Vec2>], black: &[Black]) -> Option<Mouth> {
     let is_lost = |blue: &Vec2| closest(settings, *blue, black, settings.reach).is_none();
     let lost: Vec<Vec2> = blue.iter().flatten().copied().filter(is_lost).collect();
@@ -353,7 +353,7 @@ fn mouth_for_the_rest(settings: &GrowthSettings, blue: &[Option<Vec2>], black: &
     best.1
 }
 
-/// A river that no blue node reaches runs straight inland until one does, or the land ends.
+/// Extends rivers that no blue node reaches straight inland, until one does or the land ends.
 fn run_inland(
     settings: &GrowthSettings,
     blue: &[Option<Vec2>],

@@ -41,8 +41,10 @@ real_tools() {
 }
 
 new_checkout() {
-  mkdir -p "$checkout/www/scripts" "$checkout/src"
+  mkdir -p "$checkout/www/scripts" "$checkout/src" "$checkout/crates/wasm/src"
   cp -R "$project"/{scripts,.cargo,Cargo.toml,wasm-pack.toml,Makefile} "$checkout"
+  cp "$project/crates/wasm/Cargo.toml" "$checkout/crates/wasm"
+  echo 'pub fn map() {}' >"$checkout/crates/wasm/src/lib.rs"
   cp "$project/www/scripts/weigh-widget.mjs" "$checkout/www/scripts"
   printf '[[package]]\nname = "wasm-bindgen"\nversion = "0.2.130"\n' >"$checkout/Cargo.lock"
   echo 'pub fn river() {}' >"$checkout/src/lib.rs"

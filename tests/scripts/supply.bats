@@ -18,7 +18,7 @@ supply() { run on_machine "$checkout/scripts/supply.sh" "$@"; }
   [[ $output == "" ]] || fail "it said something"
   for folder in . python; do
     called 1 "cargo fetch --quiet --locked --manifest-path $folder/"
-    called 1 "cargo about generate --frozen --all-features --fail --manifest-path $folder/"
+    called 1 "cargo about generate --frozen --workspace --all-features --fail --manifest-path $folder/"
     called 1 "cargo deny .*--manifest-path $folder/.* licenses bans sources"
     called 1 "cargo deny .*--manifest-path $folder/.* advisories"
   done

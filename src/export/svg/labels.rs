@@ -18,7 +18,7 @@ use crate::paint::{LabelLook, label_look, scenery_look};
 use crate::river_map::RiverMap;
 
 /// The labels of a map as they are written, with the halo that is taken out of its rivers.
-pub(crate) fn chart(map: &RiverMap<'_>, is_text: bool) -> ChartText {
+pub fn chart(map: &RiverMap<'_>, is_text: bool) -> ChartText {
     let size = Domain::with_aspect(map.options.aspect).size;
     let placed = labels(map, [Vec2::ZERO, size], 1.0);
     let [mut halo, mut letters] = [Text::default(), Text::default()];

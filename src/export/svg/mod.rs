@@ -8,10 +8,10 @@
 mod beds;
 mod ground;
 #[cfg(feature = "names")]
-pub(crate) mod labels;
+pub mod labels;
 mod light;
-#[cfg(all(target_arch = "wasm32", feature = "rivers", feature = "controls"))]
-pub(crate) mod overlay;
+#[cfg(feature = "controls")]
+pub mod overlay;
 mod path;
 #[cfg(feature = "names")]
 mod scenery;
@@ -52,7 +52,7 @@ pub fn svg_with_text(session: &Session) -> Result<String, ExportError> {
 
 /// What a chart adds to the file.
 #[derive(Debug, Default)]
-pub(crate) struct ChartText {
+pub struct ChartText {
     /// A mask that leaves rivers out around letters; nothing without letters.
     pub halo: String,
     /// Trees and hills, and the letters.
@@ -69,7 +69,10 @@ fn chart_of(session: &Session, is_text: bool) -> ChartText {
 }
 
 /// The map with a chart that was made elsewhere.
-pub(crate) fn with_chart(session: &Session, chart: &ChartText) -> Result<String, ExportError> {
+///
+/// # Errors
+/// As [`svg`].
+pub fn with_chart(session: &Session, chart: &ChartText) -> Result<String, ExportError> {
     /// Two banks of about a dozen characters a point, in a text that grows by doubling.
     const BYTES_A_VERTEX: usize = 80;
     let network = rivers(session, BYTES_A_VERTEX)?;

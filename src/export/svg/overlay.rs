@@ -6,7 +6,7 @@ use super::path::Path;
 use crate::recipe::CourseShape;
 
 /// Lines as rivers are drawn: smooth, or by the tree's straight steps.
-pub(crate) fn lines(lines: &[Vec<Vec2>], courses: CourseShape) -> String {
+pub fn lines(lines: &[Vec<Vec2>], courses: CourseShape) -> String {
     let mut path = Path::default();
     for points in lines {
         if courses == CourseShape::Grown {
@@ -20,14 +20,14 @@ pub(crate) fn lines(lines: &[Vec<Vec2>], courses: CourseShape) -> String {
 }
 
 /// Points: lines without length, which are seen if their ends are round.
-pub(crate) fn dots(points: &[Vec2]) -> String {
+pub fn dots(points: &[Vec2]) -> String {
     let mut path = Path::default();
     points.iter().for_each(|&at| path.line(&[at, at]));
     path.into_data()
 }
 
 /// An area within some rings, with smooth borders.
-pub(crate) fn area(rings: &[Vec<Vec2>]) -> String {
+pub fn area(rings: &[Vec<Vec2>]) -> String {
     let mut path = Path::default();
     rings.iter().filter(|ring| ring.len() > 2).for_each(|ring| path.ring(ring));
     path.into_data()

@@ -1,26 +1,29 @@
 //! The Brownian tree of *Demiurge: Generating River Networks, Part 2* as a stepper.
 //!
-//! A pass has a step. The raster is laid out in squares of the step's side; in each a particle is born at a random place, and
-//! particles wander in random order, in moves of up to a tenth of a step, until water is nearer than half a step. Then
-//! a river grows from the nearest water toward the particle, by five cells' length at most. Particles born near water, or off land,
-//! are discarded at once, and so are those that leave the raster or come near a ridge.
+//! A pass has a step. The raster is divided into squares with sides of that step. In each square a particle is born at
+//! a random place. Particles wander in random order, in moves of up to a tenth of a step, until water is nearer than
+//! half a step. Then a river grows from the nearest water toward the particle, by up to five cell lengths. Particles
+//! born near water or off land are discarded at once, as are those that leave the raster or come near a ridge.
 //!
-//! Ridges shut coarse steps out of the land behind them, and there it would stay empty: so few of all particles of a fine step
-//! are born where rivers come in that its passes would end. Where there are ridges or drawn mouths, then, a step first has passes for what
-//! the coarser ones left: only particles born farther from water than a step are let go, as long as any of them makes a river.
+//! Ridges keep coarse steps out of the land behind them, and it would stay empty: of all particles of a fine step, so
+//! few are born where rivers can come in that its passes would end. Where there are ridges or drawn mouths, a step
+//! therefore begins with passes for the land that coarser steps left over. In these, only particles born farther from
+//! water than a step are released, as long as any of them makes a river.
 //!
-//! The first step is the shorter side of the raster. When fewer than one in twenty of the particles that were born on land
-//! has made a river, the step is halved (the document counts particles born at sea too, but then density would depend on
-//! the share of sea); the last passes have exactly the requested step (the sensitivity), so that no two values draw the same.
+//! The first step is the shorter side of the raster. When fewer than one in twenty of the particles born on land have
+//! made a river, the step is halved. (The document also counts particles born at sea, but then density would depend on
+//! the share of sea.) The last passes have exactly the requested step (the sensitivity), so that no two values give the
+//! same picture.
 //!
-//! Where mouths are drawn, rivers begin there alone: all other water beside land is left alone by particles, who are lost in it.
-//! A course that is drawn is river before the first pass.
+//! Where mouths are drawn, rivers begin only there: other water beside land grows no rivers, and particles that reach
+//! it are lost. A drawn course is river before the first pass.
 //!
-//! Growth ends: every pass but the last of its step makes at least one cell of land water, a pass has a bounded number of
-//! particles, and a particle makes a bounded number of moves. About 200 passes are usual for a raster of 1024 × 1024.
+//! Growth ends: every pass but the last of its step turns at least one cell of land into water, a pass has a bounded
+//! number of particles, and a particle makes a bounded number of moves. About 200 passes are usual for a raster of 1024
+//! × 1024.
 //!
-//! Density is even by construction, so a cell of river drains itself and its surroundings, as any other: discharge is the
-//! length of river upstream, in cells.
+//! Density is even by construction, so each cell of river drains itself and its surroundings: discharge is the length
+//! of river upstream, in cells.
 
 mod pyramid;
 mod raster;
@@ -37,20 +40,21 @@ use raster::Place;
 use strands::Strands;
 use water::{Step, Water};
 
-/// A pass in which fewer than this share of the particles make a river is the last of its step.
+/// The share of particles that must make a river. A pass with fewer is the last of its step.
 const LEAST_IMPACT: f32 = 0.05;
 
-/// The shortest step, in cells: below, strands would be as wide as the land between them.
+/// The shortest step, in cells. With a shorter one, strands would be as wide as the land between them.
 const SHORTEST_STEP: f32 = 4.0;
 
-/// A tick is a pass, or this many particles of a long one: some milliseconds.
+/// The number of particles in a tick, which is a pass or a part of a long one: some milliseconds.
 const PARTICLES_A_TICK: usize = 2048;
 
-/// By trials, this many cells of river for each cell of a sensitivity, in a square with sides of that: 1.1 at 4 cells, 0.9
-/// at 30, less where much land lies beside the sea.
+/// The number of river cells for each cell of the sensitivity, in a square whose sides are the sensitivity. By trials:
+/// 1.1 at 4 cells, 0.9 at 30, less where much land lies beside the sea.
 const DENSITY: f32 = 1.0;
 
-/// By trials, the mean distance from a cell of river to the next, which has a side or a corner in common with it, in cells.
+/// The mean distance between a cell of river and the next one, which shares a side or a corner with it, in cells. By
+/// trials.
 const NODE_LENGTH: f32 = 1.1;
 
 /// Growth in progress.
@@ -58,7 +62,7 @@ const NODE_LENGTH: f32 = 1.1;
 pub struct Brownian {
     strands: Strands,
     pass: Pass,
-    /// The last passes' step, in cells.
+    /// The step of the last passes, in cells.
     sensitivity: f32,
     total_discharge: u32,
     chance: Stream,
@@ -69,9 +73,10 @@ pub struct Brownian {
 /// The order in which a pass takes its particles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ParticleOrder {
-    /// At random, so that no direction comes before another.
+    /// At random, so that no direction has an advantage.
     Shuffled,
-    /// Row by row: rivers then run to the north-west more than elsewhere. Only to show that the tests would see that.
+    /// Row by row: rivers then run to the north-west more often than elsewhere. Only used to show that the tests would
+    /// notice.
     Rows,
 }
 
@@ -79,28 +84,28 @@ pub enum ParticleOrder {
 #[derive(Clone, Debug)]
 struct Pass {
     step: Step,
-    /// Whether only land is seen to that coarser steps have left.
+    /// `true` if the pass fills only land that coarser steps left over.
     is_gap_filling: bool,
     particles: Vec<Place>,
-    /// How many particles have been taken, how many of them were born on land, and how many have made a river.
+    /// The number of particles taken, of those born on land, and of those that made a river.
     taken: usize,
     on_land: usize,
     fruitful: usize,
 }
 
 impl Brownian {
-    /// Begins growth on a raster, with passes down to a step of `sensitivity` cells (at least 4).
+    /// Begins growth on a raster, with passes down to a step of `sensitivity` cells, 4 or more.
     ///
     /// # Errors
-    /// If there is not enough memory.
+    /// Fails if there is not enough memory.
     pub fn new(raster: Raster, seed: Seed, sensitivity: f32) -> Result<Self, GrowError> {
         Self::with_order(raster, seed, sensitivity, ParticleOrder::Shuffled)
     }
 
-    /// The same with particles taken in another order, which no recipe can ask for.
+    /// Begins growth with another order of particles, which no recipe can ask for.
     ///
     /// # Errors
-    /// If there is not enough memory.
+    /// Fails if there is not enough memory.
     pub fn with_order(raster: Raster, seed: Seed, sensitivity: f32, order: ParticleOrder) -> Result<Self, GrowError> {
         let first = raster.columns().min(raster.rows()) as f32;
         let sensitivity = sensitivity.max(SHORTEST_STEP).min(first.max(SHORTEST_STEP));
@@ -113,7 +118,7 @@ impl Brownian {
         Ok(Self { strands, pass, sensitivity, total_discharge, chance, order, ending: None })
     }
 
-    /// Grows by one tick. Returns whether growth goes on.
+    /// Grows by one tick. Returns `true` if there is more to grow.
     pub fn tick(&mut self) -> bool {
         if self.ending.is_some() {
             return false;
@@ -137,7 +142,7 @@ impl Brownian {
         self.ending.is_none()
     }
 
-    /// Lets a particle go, and a river grow where it meets water.
+    /// Releases a particle, and lets a river grow where it meets water.
     fn release(&mut self, born: Place) {
         let Self { strands, pass, chance, .. } = self;
         let water = &strands.water;
@@ -152,7 +157,7 @@ impl Brownian {
         }
     }
 
-    /// Begins the next pass; after the last one, growth is over.
+    /// Begins the next pass. After the last one, growth is over.
     fn begin_pass(&mut self) {
         let step = self.pass.step.size;
         let next = if self.pass.is_gap_filling {
@@ -170,38 +175,38 @@ impl Brownian {
         }
     }
 
-    /// The error for a tree that there was not enough memory for.
+    /// The error for a tree without enough memory.
     pub(super) fn out_of_memory(&self) -> GrowError {
         GrowError::no_room_for(self.strands.water.raster.cells().len())
     }
 
-    /// The tree so far. A node is a cell of river, or a cell of sea that a river ends in.
+    /// The tree so far. A node is a cell of river, or a cell of sea in which a river ends.
     pub fn tree(&self) -> &Tree {
         &self.strands.tree
     }
 
-    /// How many rivers have reached the sea.
+    /// The number of rivers that have reached the sea.
     pub fn mouths(&self) -> u32 {
         self.strands.mouths
     }
 
-    /// About how many cells of river there will be: the discharge of a river that drains all land.
+    /// The approximate final number of river cells: the discharge of a river that would drain all land.
     pub fn total_discharge(&self) -> u32 {
         self.total_discharge
     }
 
-    /// How far a node lies from its parent, in units, on average.
+    /// The mean distance between a node and its parent, in units.
     pub fn node_length(&self) -> f32 {
         NODE_LENGTH * self.strands.water.raster.side()
     }
 
-    /// How growth ended; `None` while it goes on.
+    /// The way growth ended; `None` while it goes on.
     pub fn ending(&self) -> Option<Ending> {
         self.ending
     }
 }
 
-/// The step of the pass after one: the same as long as that is worth while, then half, but not less than the sensitivity.
+/// The step of the next pass: the same as long as it is worthwhile, then half, but not less than the sensitivity.
 fn next_step(step: f32, impact: f32, sensitivity: f32) -> Option<f32> {
     match step {
         _ if impact >= LEAST_IMPACT => Some(step),
@@ -220,14 +225,14 @@ impl Pass {
         Self { step: Step::of(size, is_gap_filling), is_gap_filling, particles, taken: 0, on_land: 0, fruitful: 0 }
     }
 
-    /// Which share of the particles that were born on land has made a river.
+    /// The share of particles born on land that made a river.
     fn impact(&self) -> f32 {
         self.fruitful as f32 / self.on_land.max(1) as f32
     }
 }
 
-/// A particle for each square of the given side, somewhere inside, row by row; squares that reach over the border of the
-/// raster may have none.
+/// Makes a particle at a random place in each square of the given side, row by row. Squares that extend beyond the
+/// border of the raster may have none.
 fn spawn(raster: &Raster, size: f32, chance: &mut Stream) -> Vec<Place> {
     let squares = |cells: i32| (cells as f32 / size).ceil() as u32;
     let (columns, rows) = (squares(raster.columns()), squares(raster.rows()));
@@ -242,7 +247,7 @@ fn spawn(raster: &Raster, size: f32, chance: &mut Stream) -> Vec<Place> {
     particles
 }
 
-/// Puts particles in random order (Fisher and Yates).
+/// Shuffles particles (Fisher and Yates).
 fn shuffle(particles: &mut [Place], chance: &mut Stream) {
     for i in (1..particles.len()).rev() {
         particles.swap(i, chance.below(i as u32 + 1) as usize);

@@ -1,39 +1,41 @@
-//! A set of cells that finds the nearest of them: a bit pyramid, which knows of each block of side 2ʲ whether it is empty.
+//! A set of cells that finds the nearest of them: a bit pyramid, which knows for each block of side 2ʲ whether it is
+//! empty.
 //!
-//! At the bottom 8 × 8 cells are the bits of a word. A search begins in the block it stands in and climbs, looking into the
-//! rest of each larger block, until whatever lies outside is farther than what has been found.
+//! At the bottom, 8 × 8 cells are the bits of a word. A search begins in the block that contains the query and climbs,
+//! looking into the rest of each larger block, until everything outside is farther than the nearest cell found.
 
 use super::raster::{Place, Raster};
 use crate::work;
 
-/// A tile of cells has this side.
+/// The side of a tile, in cells.
 const TILE: i32 = 8;
 const TILE_BITS: i32 = 3;
 
-/// Some cells of a raster.
+/// A set of cells of a raster.
 #[derive(Clone, Debug)]
 pub(super) struct Pyramid {
     /// The cells of each tile: bit `8 · row + column`.
     tiles: Vec<u64>,
     tile_columns: i32,
-    /// From fine to coarse, up to a single block.
+    /// The levels from fine to coarse, up to a single block.
     levels: Vec<Level>,
-    /// Of the raster.
+    /// The number of columns of the raster.
     columns: i32,
 }
 
-/// Blocks of four blocks of the level below: which of the four are not empty, as bit `2 · row + column`.
+/// Blocks of four blocks of the level below. Bit `2 · row + column` is set if that block is not empty.
 #[derive(Clone, Debug)]
 struct Level {
     children: Vec<u8>,
     columns: i32,
 }
 
-/// The nearest cell so far: its squared distance above the rank of its number, so that of equals the lowest rank is the least.
+/// The nearest cell so far: its squared distance in the upper bits and the rank of its number in the lower ones, so
+/// that among equals the lowest rank is the smallest.
 type Found = u64;
 
 impl Pyramid {
-    /// No cells yet.
+    /// Makes an empty set.
     pub fn new(raster: &Raster) -> Self {
         let tiles = |cells: i32| (cells + TILE - 1) >> TILE_BITS;
         let (tile_columns, tile_rows) = (tiles(raster.columns()), tiles(raster.rows()));
@@ -62,8 +64,8 @@ impl Pyramid {
         }
     }
 
-    /// The nearest cell whose squared distance from a cell of the raster is below the limit: its number and squared
-    /// distance. Of equals the one of the lowest rank.
+    /// Finds the nearest cell whose squared distance from a cell of the raster is below the limit. Returns its number
+    /// and squared distance. Among equals, the one with the lowest rank.
     #[inline]
     pub fn nearest(&self, at: Place, limit: i32) -> Option<(u32, i32)> {
         let none = (limit as u64) << 32;
@@ -82,7 +84,7 @@ impl Pyramid {
             let seen = (row & 1) * 2 + (column & 1);
             (column, row) = (column >> 1, row >> 1);
             let children = blocks.children[(row * blocks.columns + column) as usize] & !(1 << seen);
-            // Across the nearer border first.
+            // Crosses the nearer border first.
             for child in [seen ^ 1, seen ^ 2, seen ^ 3] {
                 if children >> child & 1 == 1 {
                     found = self.descend(at, level, column * 2 + (child & 1), row * 2 + (child >> 1), found);
@@ -92,7 +94,7 @@ impl Pyramid {
         found
     }
 
-    /// Looks into a block of a level that is not empty.
+    /// Looks into a block that is not empty.
     fn descend(&self, at: Place, level: usize, column: i32, row: i32, found: Found) -> Found {
         if squared_gap(at, TILE_BITS + level as i32, column, row) >= found {
             return found;
@@ -102,7 +104,7 @@ impl Pyramid {
         }
         let blocks = &self.levels[level - 1];
         let children = blocks.children[(row * blocks.columns + column) as usize];
-        // The border between east and west, and that between north and south.
+        // The border between west and east, and the one between north and south.
         let bits = TILE_BITS + level as i32 - 1;
         let is_east = i32::from(at.column >> bits > column * 2);
         let is_south = i32::from(at.row >> bits > row * 2);
@@ -133,8 +135,8 @@ impl Pyramid {
     }
 }
 
-/// Numbers shuffled, one to one: which of equals comes first must favour no direction. (If it were the first row by row,
-/// one river in eighty would turn from south to north for it.)
+/// Shuffles numbers, one to one: the choice among equals must not favour a direction. (If the first one row by row were
+/// chosen, one river in eighty would turn from south to north.)
 #[inline]
 fn rank(number: u32) -> u32 {
     let half = number.wrapping_mul(0x9e37_79b1);
@@ -147,7 +149,7 @@ fn number(rank: u32) -> u32 {
     (half ^ (half >> 16)).wrapping_mul(0x0e8b_2f51)
 }
 
-/// How far it is out of the block of side 2ᵇⁱᵗˢ that a cell lies in, as something that can be found.
+/// The squared distance out of the block of side 2ᵇⁱᵗˢ that contains a cell, in the form of a found cell.
 #[inline]
 fn squared_way_out(at: Place, bits: i32) -> Found {
     let last = (1 << bits) - 1;
@@ -156,7 +158,7 @@ fn squared_way_out(at: Place, bits: i32) -> Found {
     ((way * way) as u64) << 32
 }
 
-/// How far it is to a block of side 2ᵇⁱᵗˢ.
+/// The squared distance to a block of side 2ᵇⁱᵗˢ.
 #[inline]
 fn squared_gap(at: Place, bits: i32, column: i32, row: i32) -> Found {
     let gap = |at: i32, block: i32| {

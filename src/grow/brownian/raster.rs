@@ -1,4 +1,4 @@
-//! The raster that a Brownian tree grows in.
+//! The raster in which a Brownian tree grows.
 
 use std::sync::Arc;
 
@@ -8,24 +8,25 @@ use crate::grow::{GrowthSettings, Start};
 use crate::land::{CELL_SIZE, Cell, Land, Region};
 use crate::recipe::Sides;
 
-/// Cells of land, water and ridges: the raster of availability of Demiurge, part 2. What lies beyond it is none of them, and
-/// no particle may go there.
+/// Cells of land, water and ridges: the raster of availability in Demiurge, part 2. Places beyond it are none of these,
+/// and no particle may go there.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Raster {
     columns: i32,
     rows: i32,
     side: f32,
-    /// The domain's, in units: the last cells may reach over it.
+    /// The size of the domain, in units. The last cells may extend beyond it.
     size: Vec2,
     cells: Vec<Cell>,
-    /// The mouths that are drawn, where alone rivers begin; if none is, they do wherever there is water beside land.
+    /// The drawn mouths, the only places where rivers begin. If there are none, rivers begin wherever there is water
+    /// beside land.
     pub(super) starts: Arc<[Start]>,
-    /// The cell of each of them, of water beside land.
+    /// The cell of each of them: water beside land.
     pub(super) mouths: Vec<Place>,
 }
 
 impl Raster {
-    /// A raster of columns and rows (each at least 1) of cells, whose sides have the given length in units.
+    /// Makes a raster of columns and rows (each 1 or more) of cells whose sides have the given length in units.
     pub fn new(columns: i32, rows: i32, side: f32, cell: impl Fn(i32, i32) -> Cell) -> Self {
         let (columns, rows) = (columns.max(1), rows.max(1));
         let mut cells = Vec::with_capacity(columns as usize * rows as usize);
@@ -36,8 +37,8 @@ impl Raster {
         Self { columns, rows, side, size, cells, starts: Arc::default(), mouths: Vec::new() }
     }
 
-    /// The raster of a recipe. A plain rectangle gets the sea it lacks: a line of water cells along the chosen sides, or the cells of the
-    /// mouths that are drawn.
+    /// Makes the raster of a recipe. A plain rectangle gets the sea that it lacks: a line of water cells along the
+    /// chosen sides, or the cells of the drawn mouths.
     pub fn of(settings: &GrowthSettings) -> Self {
         let size = settings.domain.size;
         let mut raster = match &settings.land {
@@ -65,14 +66,14 @@ impl Raster {
         raster
     }
 
-    /// The cell of a mouth: water beside it or, on a rectangle, its own.
+    /// The cell of a mouth: water beside it or, on a rectangle, its own cell.
     fn mouth_cell(&self, mouth: Vec2) -> Place {
         let cell = |x: f32, cells: i32| ((x / self.side) as i32).min(cells - 1);
         let shore = Place { column: cell(mouth.x, self.columns), row: cell(mouth.y, self.rows) };
         shore.beside().into_iter().find(|&at| self.cell(at) == Some(Cell::Water)).unwrap_or(shore)
     }
 
-    /// Whether a river may begin in a cell of water.
+    /// Returns `true` if a river may begin in a cell of water.
     pub(super) fn may_be_mouth(&self, at: Place) -> bool {
         self.mouths.is_empty() || self.mouths.contains(&at)
     }
@@ -84,7 +85,8 @@ impl Raster {
         }
     }
 
-    /// What ridges cut off from the sea is no land here: particles born there would count, and none can make a river.
+    /// Makes the raster of a land. Land that ridges cut off from the sea is left out: particles born there would count,
+    /// but could never make a river.
     fn of_land(land: &Land) -> Self {
         let mut this = Self::new(land.columns(), land.rows(), CELL_SIZE, |column, row| land.cell(column, row));
         let shut_off = land.regions().iter().filter(|region| region.shores.is_empty());
@@ -92,7 +94,7 @@ impl Raster {
         this
     }
 
-    /// A rectangle of land with a line of water along some of its sides.
+    /// Makes a rectangle of land with a line of water along some of its sides.
     pub fn with_sea(columns: i32, rows: i32, side: f32, sea: Sides) -> Self {
         let [north, east, south, west] = ['n', 'e', 's', 'w'].map(|side| sea.contains(side));
         Self::new(columns, rows, side, |column, row| {
@@ -104,12 +106,12 @@ impl Raster {
         })
     }
 
-    /// How many columns of cells there are.
+    /// The number of columns of cells.
     pub fn columns(&self) -> i32 {
         self.columns
     }
 
-    /// How many rows of cells there are.
+    /// The number of rows of cells.
     pub fn rows(&self) -> i32 {
         self.rows
     }
@@ -124,12 +126,12 @@ impl Raster {
         &self.cells
     }
 
-    /// How many cells are land.
+    /// The number of cells of land.
     pub fn available(&self) -> u32 {
         self.cells.iter().filter(|&&cell| cell == Cell::Land).count() as u32
     }
 
-    /// The cell at a place; `None` outside.
+    /// The cell at a place; `None` outside the raster.
     #[inline]
     pub(super) fn cell(&self, at: Place) -> Option<Cell> {
         self.holds(at).then(|| self.cells[self.index(at)])
@@ -137,17 +139,17 @@ impl Raster {
 
     #[inline]
     pub(super) fn holds(&self, at: Place) -> bool {
-        // A negative coordinate is a very large one.
+        // A negative coordinate becomes a very large one.
         (at.column as u32) < self.columns as u32 && (at.row as u32) < self.rows as u32
     }
 
-    /// The number of a cell of the raster, row by row.
+    /// The index of a cell of the raster, row by row.
     #[inline]
     pub(super) fn index(&self, at: Place) -> usize {
         (at.row * self.columns + at.column) as usize
     }
 
-    /// The cell of a number.
+    /// The cell with an index.
     #[inline]
     pub(super) fn place(&self, index: u32) -> Place {
         let index = index as i32;
@@ -160,12 +162,13 @@ impl Raster {
         self.cells[index] = Cell::Water;
     }
 
-    /// A point given in cells, as a point of the domain.
+    /// Converts a point in cells to a point of the domain.
     pub(super) fn point(&self, cells: Vec2) -> Vec2 {
         (cells * self.side).min(self.size)
     }
 
-    /// Where a river that ends in a water cell reaches the sea: its middle or, in a cell along the border, the border.
+    /// The point where a river that ends in a water cell reaches the sea: the middle of the cell or, for a cell on the
+    /// border, a point of the border.
     pub(super) fn mouth(&self, at: Place) -> Vec2 {
         let along = |cell: i32, cells: i32| match cell {
             0 => 0.0,
@@ -184,24 +187,24 @@ pub(super) struct Place {
 }
 
 impl Place {
-    /// The eight cells around.
+    /// The eight cells around it.
     pub fn around(self) -> [Self; 8] {
         [(-1, -1), (0, -1), (1, -1), (-1, 0), (1, 0), (-1, 1), (0, 1), (1, 1)]
             .map(|(column, row)| Self { column: self.column + column, row: self.row + row })
     }
 
-    /// The four cells with a common side.
+    /// The four cells that share a side with it.
     pub fn beside(self) -> [Self; 4] {
         [(0, -1), (-1, 0), (1, 0), (0, 1)]
             .map(|(column, row)| Self { column: self.column + column, row: self.row + row })
     }
 
-    /// Whether two cells are one, or have a side or a corner in common.
+    /// Returns `true` if two cells are the same, or share a side or a corner.
     pub fn touches(self, other: Self) -> bool {
         self.column.abs_diff(other.column) <= 1 && self.row.abs_diff(other.row) <= 1
     }
 
-    /// The squared distance of two cells' middles.
+    /// The squared distance between the middles of two cells.
     #[inline]
     pub fn squared_distance(self, other: Self) -> i32 {
         let (x, y) = (self.column - other.column, self.row - other.row);
@@ -216,7 +219,7 @@ mod tests {
 
     #[test]
     fn what_ridges_enclose_is_no_land_for_particles() {
-        // A square of six tenths of a side, in it a ridge around two tenths.
+        // A square of six tenths of a side, and in it a ridge around two tenths.
         let outline = ".MzMzzMMzzMzMMzzM..ZmZmmZZmmZmZZmmZZmZm";
         let settings =
             GrowthSettings::of(&link::read(&format!("land=drawn&roughness=0&aspect=1&outline={outline}")).unwrap());

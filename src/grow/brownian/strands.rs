@@ -1,11 +1,11 @@
-//! Strands of river: the line from the water toward a particle, cell by cell, and the tree that the cells make.
+//! Strands of river: lines from the water toward a particle, cell by cell, and the tree that the cells form.
 //!
-//! No two strands ever touch, and no two mouths. To be exact, of any two cells of rivers, mouths included, that touch by a side
-//! or a corner, one is the other's parent or grandparent, or both have the same parent; and of the sea a strand touches nothing
-//! but its mouth and what touches that. Attachment to the nearest water sees to this nearly always, as nothing lies nearer to
-//! the line than where it begins; where rounding to cells would break it, the line ends; and beside a river no other one
-//! reaches the sea. It follows that rivers never cut off land: all water around a new cell is connected, so the
-//! land there does too.
+//! No two strands ever touch, nor do two mouths. To be exact: of any two cells of rivers, mouths included, that share a
+//! side or a corner, one is the other's parent or grandparent, or both have the same parent. A strand touches no cell
+//! of the sea but its mouth and the cells that touch its mouth. Attachment to the nearest water ensures this nearly
+//! always, since nothing is closer to the line than its beginning. Where rounding to cells would violate it, the line
+//! ends; and no river reaches the sea beside another. Therefore rivers never cut off land: all water around a new cell
+//! is connected, so the land there is too.
 
 use glam::{IVec2, Vec2};
 
@@ -17,41 +17,41 @@ use crate::memory::{self, Refused};
 use crate::random::Stream;
 use crate::tree::{NO_PARENT, Tree};
 
-/// The longest strand that one particle makes, in cells. Longer ones would be seen as straight lines. It is a length, not a
-/// number of cells: five cells of a diagonal are seven long, and there would be more river that way.
+/// The longest strand of one particle, in cells. Longer ones would look like straight lines. It is a length, not a
+/// number of cells: five cells along a diagonal are seven long, and there would be more river in that direction.
 const LONGEST: i32 = 5;
 
-/// Positions are whole 256ths of a cell, so that lines are the same everywhere.
+/// The number of parts of a cell. Positions are whole numbers of parts, so that lines are the same everywhere.
 const PARTS: i32 = 256;
 
-/// How far a drawn river lags behind the point that it follows, in parts of a cell.
+/// The distance by which a drawn river lags behind the point that it follows, in parts of a cell.
 const BEHIND: i32 = 3 * PARTS;
 
 const NO_NODE: u32 = u32::MAX;
 
-/// Rivers, the water they are part of, and which node is where.
+/// Rivers, the water that they are part of, and the node of each cell.
 #[derive(Clone, Debug)]
 pub(super) struct Strands {
     pub water: Water,
     pub tree: Tree,
-    /// How many nodes are mouths.
+    /// The number of nodes that are mouths.
     pub mouths: u32,
-    /// The node of each cell; none on land and in the sea, but for mouths.
+    /// The node of each cell; none on land and in the sea, except for mouths.
     node_of: Vec<u32>,
     /// The position of each node, in parts of a cell.
     exact: Vec<IVec2>,
 }
 
-/// Where a strand begins or goes on.
+/// The place where a strand begins or continues.
 #[derive(Clone, Copy)]
 struct Tip {
     place: Place,
-    /// None in the sea, where there is no mouth yet.
+    /// The node; `None` in the sea, where there is no mouth yet.
     node: Option<u32>,
 }
 
 impl Strands {
-    /// No strands yet.
+    /// Begins without strands.
     pub fn new(water: Water) -> Result<Self, Refused> {
         let mut node_of = Vec::new();
         memory::lengthen(&mut node_of, water.raster.cells().len(), NO_NODE)?;
@@ -59,7 +59,7 @@ impl Strands {
         Ok(Self { water, tree, mouths: 0, node_of, exact: Vec::new() })
     }
 
-    /// Allocates memory for the strands of more particles.
+    /// Reserves memory for the strands of more particles.
     pub fn reserve(&mut self, particles: usize) -> Result<(), Refused> {
         let nodes = particles * (LONGEST as usize + 1);
         memory::reserve(&mut self.tree.at, nodes)?;
@@ -68,18 +68,18 @@ impl Strands {
         memory::reserve(&mut self.exact, nodes)
     }
 
-    /// Draws the rivers whose courses are given, as far as there is room for them.
+    /// Draws the rivers with given courses, as far as there is room for them.
     pub fn draw_stems(&mut self) -> Result<(), Refused> {
         let starts = self.water.raster.starts.clone();
         for (i, start) in starts.iter().enumerate() {
-            // A point of a course lies two cells from the last at most.
+            // Consecutive points of a course are two cells apart or less.
             self.reserve(start.course.len())?;
             self.draw_stem(self.water.raster.mouths[i], start);
         }
         Ok(())
     }
 
-    /// Draws a river behind a point that moves along its course: so its bends have room, however sharp they are drawn.
+    /// Draws a river behind a point that moves along its course, so that even sharply drawn bends have room.
     fn draw_stem(&mut self, place: Place, Start { mouth, course }: &Start) {
         if self.is_beside_river(place) {
             return;
@@ -88,7 +88,7 @@ impl Strands {
         for at in course {
             let target = (*at / self.water.raster.side() * PARTS as f32).as_ivec2();
             while (target - exact).abs().max_element() > BEHIND {
-                // At the coast there may be room straight inland alone.
+                // At the coast there may be room only straight inland.
                 let is_at_coast = (exact - middle(place)).abs().max_element() < BEHIND;
                 let inland = is_at_coast.then_some((mouth.inland * BEHIND as f32).as_ivec2());
                 let ways = [target - exact].into_iter().chain(inland);
@@ -100,7 +100,7 @@ impl Strands {
         }
     }
 
-    /// Draws from a cell of water toward a particle. Returns whether there was room for a cell at least.
+    /// Draws a strand from a cell of water toward a particle. Returns `true` if there was room for at least one cell.
     pub fn draw(&mut self, target: u32, particle: Place, chance: &mut Stream) -> bool {
         let place = self.water.raster.place(target);
         let node = Some(self.node_of[target as usize]).filter(|&node| node != NO_NODE);
@@ -122,13 +122,13 @@ impl Strands {
         is_drawn
     }
 
-    /// Whether a river lies beside a cell, or its mouth.
+    /// Returns `true` if a river or its mouth lies beside a cell.
     fn is_beside_river(&self, at: Place) -> bool {
         let raster = &self.water.raster;
         at.around().into_iter().any(|at| raster.holds(at) && self.node_of[raster.index(at)] != NO_NODE)
     }
 
-    /// Whether a cell is land and touches no water but its family's.
+    /// Returns `true` if a cell is land and touches no water except that of its family.
     fn has_room(&self, next: Place, tip: Tip) -> bool {
         let raster = &self.water.raster;
         let is_water = |at: Place| raster.cell(at) == Some(Cell::Water);
@@ -136,7 +136,8 @@ impl Strands {
             && next.around().into_iter().all(|at| at == tip.place || !is_water(at) || self.is_family(at, tip))
     }
 
-    /// Whether water is of the family of a tip's next cell: its sister or grandmother or, at the coast, beside its mouth.
+    /// Returns `true` if water belongs to the family of a tip's next cell: a sister or grandmother or, at the coast, a
+    /// cell beside its mouth.
     fn is_family(&self, at: Place, tip: Tip) -> bool {
         let node = self.node_of[self.water.raster.index(at)];
         let parent_of = |node: u32| self.tree.parent.get(node as usize).copied().unwrap_or(NO_PARENT);
@@ -150,7 +151,7 @@ impl Strands {
         }
     }
 
-    /// Adds a cell to a strand; the first in the sea makes a mouth there.
+    /// Adds a cell to a strand. The first cell in the sea makes a mouth there.
     fn extend(&mut self, tip: Tip, place: Place, exact: IVec2) -> Tip {
         let parent = tip.node.unwrap_or_else(|| {
             self.mouths += 1;
@@ -181,21 +182,22 @@ fn place_of(exact: IVec2) -> Place {
     Place { column: exact.x.div_euclid(PARTS), row: exact.y.div_euclid(PARTS) }
 }
 
-/// Points on a straight line, a cell apart along the axis on which it is longer, from after its start until its end's
-/// cell, or so many at most: each lies in another cell, which touches the one before.
+/// The points on a straight line, one cell apart along its longer axis, from after its start to the cell of its end,
+/// but not more than `most`. Each lies in another cell, which touches the previous one.
 fn line(from: IVec2, to: IVec2, most: i32) -> impl Iterator<Item = IVec2> {
     let way = to - from;
     let length = way.abs().max_element().max(1);
-    // Up to half a cell past the end, but not to the border of its cell.
+    // Up to half a cell beyond the end, but not to the border of its cell.
     let cells = ((length - PARTS / 2 + PARTS - 1) / PARTS).min(most).max(1);
     (1..=cells).map(move |i| from + way * (i * PARTS) / length)
 }
 
-/// The most cells of a strand toward a particle. Cells lie farther apart the more they follow a diagonal; what is over after a
-/// whole number of them is a further one so often that strands are as long in every direction, on average.
+/// The greatest number of cells of a strand toward a particle. Cells lie farther apart the closer the direction is to a
+/// diagonal. The remainder after a whole number of cells becomes a further cell with such a probability that strands
+/// are equally long in every direction, on average.
 fn most_cells(way: IVec2, chance: &mut Stream) -> i32 {
     let squared = |length: i32| i64::from(length) * i64::from(length);
     let longest = squared(LONGEST * PARTS * way.abs().max_element()) / (squared(way.x) + squared(way.y)).max(1);
-    // At most the square of 1280, so that its root is exact.
+    // The square of 1280 or less, so the root is exact.
     ((longest as f32).sqrt() as i32 + chance.below(PARTS as u32) as i32) / PARTS
 }

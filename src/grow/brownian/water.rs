@@ -1,4 +1,4 @@
-//! The surroundings of a particle: land, the water it may meet and the ridges it must keep away from.
+//! The surroundings of a particle: land, the water that it may meet and the ridges that it must keep away from.
 
 use super::pyramid::Pyramid;
 use super::raster::{Place, Raster};
@@ -6,23 +6,23 @@ use crate::land::Cell;
 use crate::random::Stream;
 use crate::work;
 
-/// What a step means for particles, in cells: published with the document as radius S/2 and moves of S/10 + 1.
+/// The lengths that follow from a step, in cells. In the document, the radius is S/2 and moves are S/10 + 1.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Step {
-    /// The side of the squares that have a particle each.
+    /// The side of the squares with one particle each.
     pub size: f32,
-    /// Water nearer than half a step is met. Squared distances are whole: those below this.
+    /// The limit of squared distances at which water is met: less than half a step. Squared distances are whole.
     near: i32,
-    /// How far particles are born from water, in squared distances: at least, and less than.
+    /// The range of squared distances from water in which particles are born: the lower limit is included.
     births: (i32, i32),
-    /// The most that a particle moves along an axis, and the number of ways to do so.
+    /// The longest move along an axis, and the number of possible moves.
     stride: i32,
     ways: u32,
 }
 
 impl Step {
-    /// A step with a size in cells. For land that coarser steps left over, particles are born from one to four steps away from water: from
-    /// farther away, few would get there.
+    /// Makes a step with a size in cells. For land that coarser steps left over, particles are born one to four steps
+    /// away from water: from farther away, few would reach it.
     pub fn of(size: f32, is_gap_filling: bool) -> Self {
         let stride = (size / 10.0) as i32 + 1;
         let near = (size * size / 4.0).ceil() as i32;
@@ -30,43 +30,44 @@ impl Step {
         Self { size, near, births, stride, ways: 2 * stride as u32 + 1 }
     }
 
-    /// Moves a particle: the two halves of 32 random bits, one for each axis.
+    /// Moves a particle. The two halves of 32 random bits give the moves along the two axes.
     #[inline]
     fn apply(&self, at: Place, bits: u32) -> Place {
         let along = |bits: u32| ((bits * self.ways) >> 16) as i32 - self.stride;
         Place { column: at.column + along(bits & 0xffff), row: at.row + along(bits >> 16) }
     }
 
-    /// How far a particle may stray, squared, until something at a squared distance can be near.
+    /// The distance that a particle may stray until something at a squared distance can be near.
     fn clearance(&self, squared: i32) -> i32 {
-        // A thousandth less, so that rounding does no harm.
+        // Shortened by a thousandth, as a margin for rounding.
         let way = ((squared as f32).sqrt() - self.size / 2.0 - 1e-3) as i32;
         way * way
     }
 }
 
-/// A particle's walk ends after this many moves, whether it has met water or not. Where water lies k steps away it takes about 150 k² of
-/// them to get there; passes leave no land that is two steps from all water, unless no particle can get there at all.
+/// The number of moves after which a walk ends, whether or not it has met water. Where water lies k steps away, about
+/// 150 k² moves are needed to reach it. Passes leave no land two steps away from all water, unless no particle can get
+/// there at all.
 const MOST_MOVES: usize = 4096;
 
-/// The raster as it stands, with the search for water and for ridges.
+/// The current raster, with the search for water and for ridges.
 #[derive(Clone, Debug)]
 pub(super) struct Water {
     pub raster: Raster,
-    /// Water beside land: the water nearest to a place on land is always of these.
+    /// Water beside land. The water nearest to a place on land is always one of these cells.
     shore: Pyramid,
     ridges: Option<Pyramid>,
-    /// Water beside land in which no river begins, where mouths are drawn.
+    /// Water beside land in which no river begins, if mouths are drawn.
     closed: Option<Pyramid>,
 }
 
-/// What a particle sees from a place on land.
+/// The surroundings that a particle sees from a place on land.
 enum Sight {
-    /// Water that is met.
+    /// Water that it meets.
     Water(u32),
-    /// A ridge that is too near.
+    /// A ridge that is too close.
     Ridge,
-    /// Neither, nor will there be within this squared distance.
+    /// Neither, and neither can be near within this squared distance.
     Clear(i32),
 }
 
@@ -96,21 +97,21 @@ impl Water {
         self.shore.insert(at);
     }
 
-    /// Whether a place is land.
+    /// Returns `true` if a place is land.
     #[inline]
     pub fn is_land(&self, at: Place) -> bool {
         self.raster.cell(at) == Some(Cell::Land)
     }
 
-    /// Whether coarse steps may leave land without a river: behind ridges, and far from the mouths that are drawn.
+    /// Returns `true` if coarse steps may leave land without a river: behind ridges, and far from drawn mouths.
     pub fn may_leave_gaps(&self) -> bool {
         self.ridges.is_some() || !self.raster.mouths.is_empty()
     }
 
-    /// Whether a particle may be born at a place on land: neither water nor a ridge is near.
+    /// Returns `true` if a particle may be born at a place on land, because neither water nor a ridge is near.
     pub fn is_clear(&self, at: Place, step: &Step) -> bool {
         let (least, most) = step.births;
-        // Whether there is any water within this distance is found out quickly.
+        // The search for any water within this distance is fast.
         let is_born = match most {
             i32::MAX => self.shore.nearest(at, least).is_none(),
             most => self.shore.nearest(at, most).is_some_and(|(_, squared)| squared >= least),
@@ -118,11 +119,11 @@ impl Water {
         is_born && self.ridges.as_ref().is_none_or(|ridges| ridges.nearest(at, step.near).is_none())
     }
 
-    /// Lets a particle wander until it meets water: where it is then, and the cell of water nearest to it. `None` if it
+    /// Lets a particle wander until it meets water. Returns its place then, and the nearest cell of water. `None` if it
     /// leaves the raster, comes near a ridge, steps on water or gets nowhere.
     ///
-    /// Between two looks around, a particle moves within a circle that is known to be clear: the walk and where it ends
-    /// are those of looking around after every move.
+    /// Between two looks around, a particle moves within a circle that is known to be clear. The walk and its end are
+    /// the same as if it looked around after every move.
     pub fn wander(&self, born: Place, step: &Step, chance: &mut Stream) -> Option<(Place, u32)> {
         let mut moves = 0;
         let met = self.walk(born, step, chance, &mut moves);

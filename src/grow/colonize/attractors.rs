@@ -1,8 +1,8 @@
-//! Attractors: the points that pull growth, and for each of them the nearest node.
+//! Attractors: the points that pull growth, each with its nearest node.
 //!
 //! An attractor's nearest node can only change through a new node, so only new nodes look for attractors, in a grid
 //! whose cells are about as wide as the reach. Four attractors share a block of one cache line and are compared at
-//! once. A cell whose attractors all have a node nearer than the newcomer can be is passed over.
+//! once. A cell is skipped if all its attractors have a node nearer than the new one can be.
 
 use glam::Vec2;
 use wide::f32x4;
@@ -16,10 +16,10 @@ use crate::work;
 /// The owner of an attractor that no river has come near.
 pub(super) const NO_NODE: u32 = u32::MAX;
 
-/// The squared distance remembered of an attractor that is used up: no node can come nearer than that.
+/// The squared distance that is stored for a used-up attractor: no node can come nearer.
 const USED_UP: f32 = -1.0;
 
-/// Distances to cells are rounded, and so is the choice of an attractor's cell: looking a little farther makes sure that
+/// Distances to cells are rounded, and so is the choice of an attractor's cell. Looking slightly farther ensures that
 /// none is missed.
 const OVER_ROUNDING: f32 = 1.0001;
 
@@ -29,7 +29,7 @@ const OVER_ROUNDING: f32 = 1.0001;
 struct Block {
     x: f32x4,
     y: f32x4,
-    /// The squared distance to the nearest node; at first the squared reach, as only nearer nodes count.
+    /// The squared distance to the nearest node; at first the squared reach, because only nearer nodes count.
     near: f32x4,
     /// The nearest node, or [`NO_NODE`].
     owner: [u32; 4],
@@ -40,7 +40,7 @@ impl Block {
         Self { x: f32x4::ZERO, y: f32x4::ZERO, near: f32x4::splat(USED_UP), owner: [NO_NODE; 4] }
     }
 
-    /// Notes the distance from a place to those of some lanes that it sees, and returns which.
+    /// Stores the distance between a place and the attractors in some lanes that it sees, and returns these lanes.
     fn come_nearer(&mut self, lanes: u32, land: &Land, place: Vec2) -> u32 {
         let (x, y) = (self.x.to_array(), self.y.to_array());
         let is_seen = |lane: &usize| lanes >> lane & 1 != 0 && land.sees(place, Vec2::new(x[*lane], y[*lane]));
@@ -51,7 +51,7 @@ impl Block {
         })
     }
 
-    /// Owner, squared distance and place of the attractors that are not used up.
+    /// Owner, squared distance and place of all attractors that are not used up.
     fn left(&self) -> impl Iterator<Item = (u32, f32, Vec2)> {
         let (x, y, near) = (self.x.to_array(), self.y.to_array(), self.near.to_array());
         let owner = self.owner;
@@ -59,17 +59,17 @@ impl Block {
         lanes.map(move |lane| (owner[lane], near[lane], Vec2::new(x[lane], y[lane])))
     }
 
-    /// The same of those that have an owner.
+    /// Owner, squared distance and place of those that have an owner.
     fn owned(&self) -> impl Iterator<Item = (u32, f32, Vec2)> {
         self.left().filter(|(owner, ..)| *owner != NO_NODE)
     }
 }
 
-/// The attractors of a block that a new node is nearer to than their owners.
+/// The attractors of a block that are nearer to a new node than to their owners.
 #[derive(Clone, Copy, Debug, Default)]
 struct Hit {
     block: u32,
-    /// Bit by bit.
+    /// The lanes, one bit each.
     lanes: u32,
 }
 
@@ -77,16 +77,18 @@ struct Hit {
 #[derive(Clone, Debug)]
 pub(super) struct Attractors {
     blocks: Vec<Block>,
-    /// How the attractors of each block pull on their owners.
+    /// The pulls of each block's attractors on their owners.
     pulls: Vec<Pulls>,
-    /// Attractors that a node has come near enough to use up, until they are; some are named more than once.
+    /// Attractors that a node has come near enough to use up, until they are; some occur more than once.
     doomed: Vec<u32>,
-    /// What a new node finds: room for two hits in every block, since it may be asked past the end of the row above, too. A
-    /// list that could grow would call for memory in the innermost loop, and cost it its registers.
+    /// The finds of a new node, with room for two hits in every block, because the search may run past the end of the
+    /// row above. A list that could grow would call for memory in the innermost loop and cost it its registers.
     hits: Vec<Hit>,
-    /// Each cell's first block, row by row, and the end of the last; and as many more ends as are asked for past it.
+    /// The first block of each cell, row by row, and the end of the last one; followed by as many more ends as are read
+    /// beyond it.
     first_block: Vec<u32>,
-    /// No attractor of a cell has its nearest node farther than this (squared), with an allowance for rounding.
+    /// The greatest squared distance between an attractor of each cell and its nearest node, with an allowance for
+    /// rounding.
     farthest: Vec<f32>,
     columns: i32,
     rows: i32,
@@ -98,7 +100,7 @@ pub(super) struct Attractors {
 }
 
 impl Attractors {
-    /// Scatters the attractors of a recipe and sorts them into cells. Returns them, and the place that each has come to.
+    /// Scatters the attractors of a recipe and sorts them into cells. Returns them and the place of each in the index.
     pub fn new(settings: &GrowthSettings) -> Result<(Self, Vec<u32>), GrowError> {
         let places = scatter(settings);
         let cell = settings.reach / cells_a_reach(settings) as f32 * OVER_ROUNDING;
@@ -123,13 +125,13 @@ impl Attractors {
         Ok((this, places))
     }
 
-    /// How many there are, used up or not.
+    /// The number of attractors, used up or not.
     pub fn count(&self) -> u32 {
         self.count
     }
 
-    /// A counting sort by cell, each cell rounded up to whole blocks. Returns the place of each attractor: four times its block, and its
-    /// lane.
+    /// Sorts attractors by cell (a counting sort); each cell is rounded up to whole blocks. Returns the place of each
+    /// attractor: four times its block, plus its lane.
     fn fill(&mut self, places: &[Vec2]) -> Result<Vec<u32>, Refused> {
         let mut filled = vec![0u32; self.first_block.len()];
         places.iter().for_each(|&at| filled[self.cell_of(at)] += 1);
@@ -163,25 +165,26 @@ impl Attractors {
         (index(at.y, self.rows) * self.columns + index(at.x, self.columns)) as usize
     }
 
-    /// Gives a new node all attractors that it is nearest to, and returns how they pull it. Says the place of each, whose it was, if
-    /// anybody's, and how it pulled that one. Where two nodes are equally near, the earlier keeps the attractor. Land that is `hiding`
-    /// some is asked which.
+    /// Gives a new node all attractors to which it is the nearest, and returns their pull. Calls `taken` with the place
+    /// of each, its previous owner, if any, and its pull on that one. If two nodes are equally near, the earlier one
+    /// keeps the attractor. `hiding` is the land that may hide some.
     pub fn capture(&mut self, node: u32, at: Vec2, hiding: Option<&Land>, taken: impl FnMut(u32, u32, Pull)) -> Pull {
         let hits = self.find_nearer(at, hiding.is_none());
         self.hand_over(hits, node, at, hiding, taken)
     }
 
-    /// Looks for attractors that a place is nearer to than their nearest node. Returns how many blocks have some: the first
-    /// of `hits` say which. If the place sees all of them, the new distance is noted at once. Four cells of a row are asked
-    /// together; those past the end of the row are too far away, or asked in vain.
+    /// Looks for attractors that are nearer to a place than to their nearest node. Returns the number of blocks that
+    /// have some, which are the first in `hits`. If the place sees all attractors, the new distances are stored at
+    /// once. Four cells of a row are compared together; those beyond the end of the row are too far away, or compared
+    /// in vain.
     fn find_nearer(&mut self, at: Vec2, all_seen: bool) -> usize {
         let (columns, rows) = (self.cells_within(at.x, self.columns), self.cells_within(at.y, self.rows));
         work::count(columns.len() * rows.len());
         let half = f32x4::splat(self.cell * 0.5);
-        // Counted on, since V8 is slow to make floats of whole numbers.
+        // Incremented in each step, because V8 is slow to convert integers to floats.
         let west = f32x4::new([0.5, 1.5, 2.5, 3.5]) * self.cell + f32x4::splat(columns.start as f32 * self.cell - at.x);
         let mut dy = f32x4::splat((rows.start as f32 + 0.5) * self.cell - at.y);
-        // Read once, since the compiler cannot tell that blocks are not part of `self`.
+        // Read once, because the compiler cannot tell that blocks are not part of `self`.
         let Self { columns: row_length, cell, .. } = *self;
         let (blocks, hits) = (&mut self.blocks[..], &mut self.hits[..]);
         let (first_block, farthest) = (&self.first_block[..], &mut self.farthest[..]);
@@ -213,7 +216,7 @@ impl Attractors {
         (middle - self.cells_a_reach).max(0)..(middle + self.cells_a_reach + 1).min(count)
     }
 
-    /// Gives a node what it was found to be nearest to.
+    /// Gives a node the attractors that were found to be nearest to it.
     #[inline]
     fn hand_over(
         &mut self,
@@ -244,7 +247,7 @@ impl Attractors {
         gained.sum()
     }
 
-    /// Uses up what nodes have come near enough to. Says whose each was, and how it pulled.
+    /// Uses up the attractors that nodes have come near enough to. Calls `release` with the owner of each and its pull.
     pub fn use_up(&mut self, mut release: impl FnMut(u32, Pull)) {
         for attractor in self.doomed.drain(..) {
             let (index, lane) = ((attractor / 4) as usize, (attractor % 4) as usize);
@@ -263,7 +266,7 @@ impl Attractors {
         (near != USED_UP).then_some((block.owner[lane], near, at))
     }
 
-    /// The attractors within reach of a point that are not used up, and who owns each.
+    /// The attractors within reach of a point that are not used up, with their owners.
     pub fn within_reach(&self, at: Vec2) -> impl Iterator<Item = (u32, Vec2)> {
         let squared_reach = self.reach * self.reach;
         let (columns, rows) = (self.cells_within(at.x, self.columns), self.cells_within(at.y, self.rows));
@@ -281,13 +284,13 @@ impl Attractors {
             .map(|(owner, _, place)| (owner, place))
     }
 
-    /// The owners and places of all attractors that have one and are not used up, in no order to rely on.
+    /// The owners and places of all attractors that have an owner and are not used up, in no particular order.
     pub fn remaining(&self) -> impl Iterator<Item = (u32, Vec2)> + '_ {
         work::count(self.blocks.len());
         self.blocks.iter().flat_map(Block::owned).map(|(owner, _, at)| (owner, at))
     }
 
-    /// The places of all attractors that are not used up, in no order to rely on.
+    /// The places of all attractors that are not used up, in no particular order.
     pub fn left(&self) -> Vec<Vec2> {
         let mut left = Vec::new();
         for place in 0..4 * self.blocks.len() as u32 {
@@ -298,7 +301,8 @@ impl Attractors {
         left
     }
 
-    /// Each owner's nearest attractor, owners ascending; of equally near ones the western, then the northern.
+    /// The nearest attractor of each owner, in ascending order of owners. Among equally near ones, the western, then
+    /// the northern.
     pub fn nearest_by_owner(&self) -> Vec<(u32, Vec2)> {
         work::count(self.blocks.len());
         let mut nearest: Vec<Option<(f32, Vec2)>> = Vec::new();
@@ -318,8 +322,8 @@ impl Attractors {
     }
 }
 
-/// Looks through a cell's blocks, the first of them being number `first`. Returns how far its attractors are from their
-/// nearest nodes at most, squared.
+/// Looks through a cell's blocks, of which `first` is the number of the first. Returns the greatest squared distance
+/// between its attractors and their nearest nodes.
 #[inline]
 fn find_nearer_in(
     blocks: &mut [Block],
@@ -347,7 +351,7 @@ fn find_nearer_in(
     largest(farthest)
 }
 
-/// Takes the lowest lane out of some.
+/// Removes the lowest lane from a set and returns it.
 #[inline]
 fn next(lanes: &mut u32) -> usize {
     let lane = lanes.trailing_zeros() % 4;
@@ -355,15 +359,15 @@ fn next(lanes: &mut u32) -> usize {
     lane as usize
 }
 
-/// How many cells go into the reach: so that a cell is near three spacings wide. Nine attractors a cell are enough to
-/// share the cost of looking at it, and not so many that most are out of reach.
+/// The number of cells along the reach, so that a cell is nearly three spacings wide. Nine attractors a cell are enough
+/// to share the cost of looking at it, and not so many that most are out of reach.
 fn cells_a_reach(settings: &GrowthSettings) -> i32 {
     const SPACINGS: f32 = 4.0;
     (settings.reach / (SPACINGS * settings.spacing)).ceil().max(1.0) as i32
 }
 
-/// How far 0 lies outside intervals around some middles, squared. `max(distance, 0)` is written so because wasm has no
-/// such instruction and would jump.
+/// The squared distance of 0 from intervals around some middles. `max(distance, 0)` is written like this because wasm
+/// has no such instruction and would jump.
 #[inline]
 fn squared_gap(middle: f32x4, half: f32x4) -> f32x4 {
     let distance = middle.abs() - half;

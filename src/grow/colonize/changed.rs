@@ -1,11 +1,11 @@
-//! The set of nodes whose attractors have changed: a bitmap with a bitmap of its words, so that the few members are
-//! visited in order without sorting them.
+//! A set of nodes whose attractors have changed: a bitmap, with a bitmap of its words, so that the few members are
+//! visited in order without sorting.
 
 /// A set of small numbers that is emptied in ascending order.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Changed {
     words: Vec<u64>,
-    /// Bit `w` of word `w / 64` says that `words[w]` is not empty.
+    /// Bit `w % 64` of word `w / 64` is set if `words[w]` is not empty.
     summary: Vec<u64>,
 }
 
@@ -27,7 +27,7 @@ impl Changed {
         self.summary[word / 64] |= 1 << (word % 64);
     }
 
-    /// Moves all numbers to `list`, ascending, and leaves the set empty.
+    /// Moves all numbers to `list` in ascending order, and leaves the set empty.
     pub fn drain_into(&mut self, list: &mut Vec<u32>) {
         list.clear();
         for (s, summary) in self.summary.iter_mut().enumerate() {
@@ -39,7 +39,7 @@ impl Changed {
     }
 }
 
-/// The positions of the bits that are set, ascending.
+/// The positions of the bits that are set, in ascending order.
 fn bits(mut word: u64) -> impl Iterator<Item = usize> {
     std::iter::from_fn(move || {
         let bit = word.trailing_zeros();

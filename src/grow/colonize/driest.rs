@@ -1,9 +1,9 @@
-//! The search for the driest shore: the place on a coast from which the most attractors are seen that no river has.
+//! The search for the driest shore: the place on a coast that sees the most attractors without a river.
 //!
-//! Such attractors only grow fewer, and so do places that are far enough from all mouths. What a place was once counted to see
-//! is therefore the most that it can see later, and it is counted again only when no other is left that could see more (Minoux
-//! 1978): the place found is that of counting everywhere. One search may take many ticks, since a coast may be long and a view
-//! may cross the map.
+//! The number of such attractors only falls, and so does the number of places far enough from all mouths. An earlier
+//! count for a place is therefore an upper bound, and it is counted again only when no other place could see more
+//! (Minoux 1978): the result is that of counting everywhere. A search may take many ticks, because a coast may be long
+//! and a view may cross the map.
 
 use glam::Vec2;
 
@@ -11,31 +11,31 @@ use crate::land::Shore;
 use crate::queue::Queue;
 use crate::work;
 
-/// A tick's share of a search ends with the first place after this many elementary steps: some milliseconds.
+/// The number of elementary steps after which a tick's share of a search ends, with the next place: some milliseconds.
 const STEPS_A_TICK: u64 = 2_000_000;
 
-/// A search, kept for the next one with what it has counted.
+/// A search, kept with its counts for the next one.
 #[derive(Clone, Debug)]
 pub(super) struct Search {
     shores: Vec<Shore>,
-    /// What is known of each shore.
+    /// The last count for each shore.
     counts: Vec<Count>,
-    /// Shores that may be the driest. The one that may see the most comes first, of equals the first on the coast.
+    /// Shores that may be the driest. The one that may see the most comes first; among equals, the first on the coast.
     candidates: Queue,
     number: u32,
     is_under_way: bool,
 }
 
-/// How much a shore was last counted to see.
+/// A count of the attractors that a shore sees.
 #[derive(Clone, Copy, Debug, Default)]
 struct Count {
     seen: u32,
-    /// The search in which that was counted; none is number 0.
+    /// The search in which it was counted; 0 for none.
     search: u32,
 }
 
 impl Search {
-    /// A search among places on coasts, of which nothing is known yet.
+    /// Prepares a search among places on coasts, without any counts.
     pub fn among(shores: Vec<Shore>) -> Self {
         let mut candidates = Queue::default();
         (0..shores.len() as u32).for_each(|shore| candidates.push(f32::NEG_INFINITY, shore));
@@ -43,13 +43,14 @@ impl Search {
         Self { shores, counts, candidates, number: 0, is_under_way: false }
     }
 
-    /// Whether a search has begun that has not ended.
+    /// Returns `true` if a search has begun and not ended.
     pub fn is_under_way(&self) -> bool {
         self.is_under_way
     }
 
-    /// Searches for a tick's time. Returns the place that sees the most, the first of equals; `None` if none sees anything,
-    /// or while the search is under way. What is seen from a place must not change until it has ended, and never grow.
+    /// Searches for a tick's time. Returns the place that sees the most, the first among equals; `None` if none sees
+    /// anything, or while the search is under way. Until it ends, the number of attractors seen from a place must not
+    /// change; afterwards it may only fall.
     pub fn go_on(&mut self, seen_from: impl Fn(Vec2) -> u32) -> Option<Shore> {
         let begun = work::steps();
         self.number += u32::from(!self.is_under_way);
@@ -62,7 +63,7 @@ impl Search {
                 *count = Count { seen: seen_from(place.at), search: self.number };
             }
             if count.seen > 0 {
-                // Exact: there are fewer than 2²⁴ attractors.
+                // Exact, because there are fewer than 2²⁴ attractors.
                 self.candidates.push(-(count.seen as f32), shore);
             }
             if is_counted {
@@ -88,7 +89,7 @@ mod tests {
         Shore { at: Vec2::new(i as f32, 0.0), inland: Vec2::Y }
     }
 
-    /// Searches to the end. Returns the number of the place.
+    /// Searches to the end. Returns the index of the place.
     fn search(search: &mut Search, seen_from: impl Fn(usize) -> u32) -> Option<usize> {
         loop {
             let found = search.go_on(|at| seen_from(at.x as usize));
@@ -112,7 +113,7 @@ mod tests {
                 let now = seen.borrow().clone();
                 let most = now.iter().copied().max().filter(|&most| most > 0);
                 let expected = most.and_then(|most| now.iter().position(|&count| count == most));
-                // As dear as a tick is every third of them.
+                // Every third one costs as much as a tick.
                 let found = search(&mut places, |i| {
                     work::count(if i % 3 == 0 { STEPS_A_TICK as usize } else { 1 });
                     now[i]

@@ -1,4 +1,4 @@
-//! Growth wherever attractors pull, all at once: the paper's.
+//! Growth wherever attractors pull, all at once, as in the paper.
 
 use glam::Vec2;
 
@@ -12,21 +12,21 @@ use crate::memory::{self, Refused};
 /// The pulls on all nodes.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Everywhere {
-    /// How the attractors that are nearest to a node pull it, all together.
+    /// The total pull on each node by its attractors.
     pull: Vec<Pull>,
     /// Nodes whose attractors have changed since they last tried to grow.
     changed: Changed,
-    /// Room for one tick's work, kept between ticks.
+    /// Buffer for one tick's work, kept between ticks.
     trying: Vec<u32>,
 }
 
 impl Everywhere {
-    /// Allocates memory for more nodes.
+    /// Reserves memory for more nodes.
     pub fn reserve(&mut self, nodes: usize) -> Result<(), Refused> {
         memory::reserve(&mut self.pull, nodes)
     }
 
-    /// Grows by one tick, in which there are new nodes from some number on.
+    /// Grows by one tick. New nodes are those from `born_from` on.
     pub fn grow(&mut self, rivers: &mut Rivers, born_from: usize) -> Result<(), Ending> {
         self.try_all(rivers)?;
         if rivers.len() == born_from {
@@ -35,7 +35,7 @@ impl Everywhere {
         Ok(())
     }
 
-    /// Steps 3 and 4 of the paper: every node whose attractors have changed tries to grow.
+    /// Steps 3 and 4 of the paper: lets every node whose attractors have changed try to grow.
     fn try_all(&mut self, rivers: &mut Rivers) -> Result<(), Ending> {
         self.changed.drain_into(&mut self.trying);
         rivers.make_room(self.trying.len())?;
@@ -49,7 +49,7 @@ impl Everywhere {
         Ok(())
     }
 
-    /// New nodes take the attractors that are now nearer to them.
+    /// Lets new nodes take the attractors that are now nearer to them.
     pub fn capture(&mut self, rivers: &mut Rivers) {
         let Self { pull, changed, .. } = self;
         changed.grow(rivers.len());
@@ -61,7 +61,7 @@ impl Everywhere {
         }
     }
 
-    /// Attractors that rivers have come near to are used up.
+    /// Uses up the attractors that rivers have come near to.
     pub fn use_up(&mut self, rivers: &mut Rivers) {
         let Self { pull, changed, .. } = self;
         rivers.use_up(|owner, lost| {
@@ -84,8 +84,8 @@ fn try_to_grow(rivers: &mut Rivers, node: u32, pull: Vec2, tick: u32) {
     }
 }
 
-/// When nothing else grows: nodes that still have attractors, but balanced ones, or ones that no bend led to, grow
-/// straight toward the nearest. Without this a map could run dry at its first few nodes.
+/// Extends nodes that still have attractors, but balanced ones or ones that no bend led to, straight toward the
+/// nearest. This happens when nothing else grows; without it, a map could run dry at its first few nodes.
 fn reach_out(rivers: &mut Rivers) {
     for (node, attractor) in rivers.attractors.nearest_by_owner() {
         let at = rivers.tree.at[node as usize];

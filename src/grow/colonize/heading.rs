@@ -1,16 +1,16 @@
-//! Which way a node grows: the pull, altered by momentum and curl (sections 4.2 and 4.3 of the paper).
+//! The direction in which a node grows: the pull, altered by momentum and curl (sections 4.2 and 4.3 of the paper).
 
 use glam::Vec2;
 
 use crate::grow::GrowthSettings;
 use crate::random::{ItemHash, Purpose};
 
-/// Where the child of a node comes to lie.
+/// Returns the position of a node's child.
 ///
 /// * `pull`: the paper's v₂, a unit vector.
 /// * `came_from`: the node's parent, if it is not a mouth.
 /// * `clockwise`: the sense of the curl.
-/// * `identity`: what the curl's random angle is drawn by.
+/// * `identity`: the item that decides the random angle of the curl.
 pub fn heading(
     settings: &GrowthSettings,
     node: Vec2,
@@ -31,14 +31,14 @@ pub fn heading(
     node + direction * settings.step
 }
 
-/// The sense of the curl at a node so many steps from its mouth: clockwise in the first stretch, then in turn, so that every branch bends
-/// in regular stretches, whatever grew elsewhere.
+/// Returns `true` if the curl at a node is clockwise, given its number of steps from the mouth. The first stretch is
+/// clockwise, then the sense alternates, so that every branch bends in regular stretches, whatever grew elsewhere.
 pub fn is_clockwise(settings: &GrowthSettings, nodes_from_mouth: u32) -> bool {
     (nodes_from_mouth / settings.stretch).is_multiple_of(2)
 }
 
-/// The identity of an attractor, and the sense of the curl toward it, by chance the same in squares of the plane as wide as a stretch is
-/// long: both stay the same when what lies downstream changes.
+/// Returns the identity of an attractor, and whether the curl toward it is clockwise. The sense is random and the same
+/// within squares of the plane as wide as a stretch is long. Neither changes when something downstream does.
 pub fn curl_toward(settings: &GrowthSettings, attractor: Vec2) -> ([u32; 2], bool) {
     const FINE: f32 = 0.25;
     let cell =
@@ -48,8 +48,8 @@ pub fn curl_toward(settings: &GrowthSettings, attractor: Vec2) -> ([u32; 2], boo
     (cell(FINE * settings.spacing), clockwise)
 }
 
-/// Whether a child would lie on one that is there already, within an eighth of a step: such twins would pass for
-/// a confluence and double the stream order.
+/// Returns `true` if a child would lie within an eighth of a step of another one: such twins would count as a
+/// confluence and raise the stream order.
 #[inline]
 pub fn is_duplicate(child: Vec2, sibling: Vec2, step: f32) -> bool {
     const NEAR: f32 = 1.0 / 8.0;
@@ -59,7 +59,7 @@ pub fn is_duplicate(child: Vec2, sibling: Vec2, step: f32) -> bool {
 
 /// u = v₂ − k·v₁, normalised; v₂ itself where that vanishes.
 fn with_momentum(v2: Vec2, v1: Vec2, k: f32) -> Vec2 {
-    /// Below this the direction of the difference is rounding error.
+    /// The length below which the direction of the difference is rounding error.
     const VANISHING: f32 = 1e-6;
     let u = v2 - v1 * k;
     let squared = u.x * u.x + u.y * u.y;
@@ -73,10 +73,10 @@ fn with_curl(settings: &GrowthSettings, direction: Vec2, clockwise: bool, identi
     direction.rotate(Vec2::new(cosine, if clockwise { sine } else { -sine }))
 }
 
-/// Of an angle of at most two radians, by their power series, as near as numbers are. What takes any angle carries a table of π's digits,
-/// a hundredth of the page's module.
+/// The sine and cosine of an angle up to two radians, by power series, as exactly as numbers allow. A general function
+/// carries a table of π's digits, a hundredth of the page's module.
 fn sine_and_cosine(angle: f32) -> (f32, f32) {
-    /// One over the factorials of 1, 3, 5 … and of 0, 2, 4 …, with signs that alternate.
+    /// The reciprocals of the factorials of 1, 3, 5 … and of 0, 2, 4 …, with alternating signs.
     const SINE: [f64; 12] = series(1);
     const COSINE: [f64; 12] = series(0);
     let (angle, squared) = (f64::from(angle), f64::from(angle) * f64::from(angle));

@@ -1,13 +1,13 @@
 //! Space colonization (section 2.2 of the paper, after Runions, Lane and Prusinkiewicz 2007) as a stepper.
 //!
-//! Read literally, the procedure never ends: a node between balanced pulls makes the same child for ever. The rule
-//! that ends it: a node tries to grow only when its set of attractors has changed since it last tried. Sets of old
-//! nodes only shrink, so every node stops growing. Once all have, those that still have attractors reach out for the
-//! nearest of them; when not even that makes a node, growth is over, and attractors that stay unreached are counted.
-//! (Unless land is left over that no river sees, beyond an isthmus too narrow for a step: then it gets a mouth of its own. Or
-//! unless most are: then a gap among the first attractors has cut the river off, and its last node runs straight on.)
+//! Read literally, the procedure never ends: a node between balanced pulls makes the same child for ever. Therefore a
+//! node tries to grow only if its set of attractors has changed since it last tried. The sets of old nodes only shrink,
+//! so every node stops growing. Then the nodes that still have attractors reach out for the nearest of them. When even
+//! that makes no node, growth is over, and unreached attractors are counted. There are two exceptions. If there is land
+//! that no river sees, beyond an isthmus too narrow for a step, it gets its own mouth. And if most attractors are left
+//! because a gap among the first ones has cut the river off, its last node runs straight on.
 //!
-//! With valleys attractors have heights, and the lowest pulls first ([`valleys`]).
+//! With valleys, attractors have heights, and the lowest pulls first ([`valleys`]).
 
 mod attractors;
 mod changed;
@@ -45,19 +45,19 @@ pub struct Colonize {
     pulling: Pulling,
     /// Rivers that no attractor has reached yet.
     pilots: Vec<StraightTip>,
-    /// Where rivers reach the sea.
+    /// The positions of river mouths.
     mouths: Vec<Vec2>,
-    /// The search for another mouth, once there has been one.
+    /// The search for another mouth, once one has begun.
     search: Option<Box<Search>>,
     ending: Option<Ending>,
 }
 
-/// Which attractors pull.
+/// The attractors that pull.
 #[derive(Clone, Debug)]
 enum Pulling {
-    /// All, each on the node that it is nearest to.
+    /// All attractors, each on its nearest node.
     Everywhere(Box<Everywhere>),
-    /// The lowest within reach of any node, one at a time.
+    /// The lowest attractor within reach of any node, one at a time.
     LowestFirst(Box<Valleys>),
 }
 
@@ -77,7 +77,7 @@ impl Pulling {
         }
     }
 
-    /// Grows by one tick, in which there are new nodes from some number on.
+    /// Grows by one tick. New nodes are those from `born_from` on.
     fn grow(&mut self, rivers: &mut Rivers, born_from: usize) -> Result<(), Ending> {
         match self {
             Self::Everywhere(everywhere) => everywhere.grow(rivers, born_from),
@@ -86,7 +86,7 @@ impl Pulling {
         }
     }
 
-    /// New nodes look for attractors.
+    /// Lets new nodes look for attractors.
     fn capture(&mut self, rivers: &mut Rivers) {
         match self {
             Self::Everywhere(everywhere) => everywhere.capture(rivers),
@@ -94,7 +94,7 @@ impl Pulling {
         }
     }
 
-    /// Attractors that rivers have come near to are used up.
+    /// Uses up the attractors that rivers have come near to.
     fn use_up(&mut self, rivers: &mut Rivers) {
         match self {
             Self::Everywhere(everywhere) => everywhere.use_up(rivers),
@@ -107,7 +107,7 @@ impl Colonize {
     /// Plants the mouths of a recipe among its attractors: tick 0.
     ///
     /// # Errors
-    /// If there is not enough memory.
+    /// Fails if there is not enough memory.
     pub fn new(settings: GrowthSettings) -> Result<Self, GrowError> {
         let too_much = GrowError::out_of_memory(&settings);
         let has_room = memory::can_allocate(settings.attractors as usize * BYTES_AN_ATTRACTOR);
@@ -122,7 +122,7 @@ impl Colonize {
         let pulling = Pulling::new(&settings, places)?;
         let rivers = Rivers::new(settings, attractors);
         let mut this = Self { rivers, pulling, pilots: Vec::new(), mouths: Vec::new(), search: None, ending: None };
-        // A usual tree's memory at once, so that no frame waits for a long array to move.
+        // Reserves the memory of a usual tree at once, so that no frame waits for a long array to move.
         let nodes = this.rivers.usual_nodes();
         this.rivers.reserve(nodes)?;
         this.pulling.reserve(nodes)?;
@@ -140,8 +140,8 @@ impl Colonize {
         self.mouths.push(mouth.at);
     }
 
-    /// Grows by one tick, everywhere at once. Returns whether there is more to grow. A tick that only searches for where
-    /// to grow on, because that takes long, does not count.
+    /// Grows by one tick, everywhere at once. Returns `true` if there is more to grow. A tick that only searches for a
+    /// place to grow on, which takes long, does not count.
     pub fn tick(&mut self) -> bool {
         if self.ending.is_some() {
             return false;
@@ -172,7 +172,7 @@ impl Colonize {
         self.ending.is_none()
     }
 
-    /// Rivers that nothing reaches run straight inland until something does, or the land ends.
+    /// Extends rivers that nothing reaches straight inland, until something does or the land ends.
     fn extend_pilots(&mut self) {
         for pilot in std::mem::take(&mut self.pilots) {
             let at = self.rivers.tree.at[pilot.tip as usize];
@@ -188,10 +188,10 @@ impl Colonize {
         self.pilots.extend(tip.map(|tip| StraightTip { tip, ..pilot }));
     }
 
-    /// When no node grows and land is left over that no river sees: another mouth, where it sees the most of it. It takes what
-    /// it sees, so there is an end to them.
+    /// Plants another mouth, where it sees the most unseen land. This happens when no node grows and land is left over
+    /// that no river sees. The mouth takes the attractors that it sees, so the number of such mouths is limited.
     fn seed_unreached_land(&mut self) {
-        /// A patch shows if one in this many attractors lies in it, out of sight.
+        /// A patch is noticeable if one in this number of attractors lies in it, out of sight.
         const PATCH: u32 = 50;
         let is_patch = |lost: u32| lost > self.attractors() / PATCH;
         if (self.is_searching() || is_patch(self.unreached() - self.rivers.attractors.remaining().count() as u32))
@@ -201,8 +201,8 @@ impl Colonize {
         }
     }
 
-    /// The place on a coast from which the most attractors are in reach that no node has, apart from all mouths; the first of
-    /// equals. `None` also while the search for it is under way.
+    /// The place on a coast with the most attractors within reach that no node has, apart from all mouths; the first
+    /// among equals. `None` also while the search is under way.
     fn driest_shore(&mut self) -> Option<Shore> {
         let Self { rivers: Rivers { settings, attractors, .. }, mouths, search, .. } = self;
         let seen_from = |shore: Vec2| {
@@ -220,13 +220,12 @@ impl Colonize {
         self.search.as_ref().is_some_and(|search| search.is_under_way())
     }
 
-    /// Whether most attractors are left.
+    /// Returns `true` if most attractors are left.
     fn is_dry(&self) -> bool {
         self.ending.is_none() && self.unreached() > self.attractors() / 2
     }
 
-    /// When a tree has died out among attractors that are all beyond its reach: its last node runs straight on, like a
-    /// root that nothing reaches.
+    /// Extends the last node straight on, when a tree has died out among attractors that are all beyond its reach.
     fn extend_last_tip(&mut self) {
         let Rivers { tree, settings, .. } = &self.rivers;
         let Some(tip) = tree.len().checked_sub(1) else { return };
@@ -242,37 +241,37 @@ impl Colonize {
         &self.rivers.tree
     }
 
-    /// The settings it grows by.
+    /// The settings of this growth.
     pub fn settings(&self) -> &GrowthSettings {
         &self.rivers.settings
     }
 
-    /// How growth ended; `None` while it goes on.
+    /// The way growth ended; `None` while it goes on.
     pub fn ending(&self) -> Option<Ending> {
         self.ending
     }
 
-    /// How many mouths were planted.
+    /// The number of planted mouths.
     pub fn mouths(&self) -> u32 {
         self.mouths.len() as u32
     }
 
-    /// How many attractors were scattered.
+    /// The number of scattered attractors.
     pub fn attractors(&self) -> u32 {
         self.rivers.attractors.count()
     }
 
-    /// How many attractors are not used up: no river has come near enough.
+    /// The number of attractors that are not used up, because no river has come near enough.
     pub fn unreached(&self) -> u32 {
         self.rivers.unreached
     }
 
-    /// Where attractors lie that are not used up, in no order to rely on.
+    /// The positions of attractors that are not used up, in no particular order.
     pub fn left(&self) -> Vec<Vec2> {
         self.rivers.attractors.left()
     }
 
-    /// Stops growth before the tree has more nodes than this.
+    /// Limits the number of nodes, so that growth stops before the tree has more.
     #[must_use]
     pub fn with_node_limit(mut self, node_limit: usize) -> Self {
         self.rivers.node_limit = node_limit;

@@ -1,14 +1,14 @@
 //! The pull on a node: the sum of the unit vectors toward its attractors, in fixed point.
 //!
-//! Whole numbers can be added and taken away in any order with the same result, so an attractor that is stolen or
-//! used up is subtracted exactly, no list of a node's attractors is kept, and the incremental index, the brute-force
-//! twin and every processor agree to the bit.
+//! Whole numbers can be added and subtracted in any order with the same result. Therefore an attractor that is stolen
+//! or used up is subtracted exactly, no list of a node's attractors is needed, and the incremental index, its
+//! brute-force twin and every processor agree to the bit.
 
 use glam::Vec2;
 use wide::{f32x4, i32x4};
 
-/// A sum of unit vectors. One unit is 2¹⁸: fine enough for an error of a hundred-thousandth of a radian, and
-/// 8,191 attractors can pull one way before the sum would wrap. At the longest reach a node has about 450.
+/// A sum of unit vectors. One unit is 2¹⁸, which limits the error to a hundred-thousandth of a radian and allows 8,191
+/// attractors to pull in one direction before the sum would wrap. At the longest reach a node has about 450.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Pull {
     x: i32,
@@ -17,18 +17,18 @@ pub struct Pull {
 
 const UNIT: f32 = 262_144.0;
 
-/// No two places but equal ones are so near.
+/// Only equal places are so close together.
 const TINY: f32 = 1e-20;
 
-/// What rounds a number below 2²² either way when it is added, 1.5 · 2²³: the whole number is what the lowest bits say. A
-/// conversion by `as` costs wasm many times as much.
+/// Adding this, 1.5 · 2²³, rounds a number below 2²² in either direction: its lowest bits are then the whole number. In
+/// wasm, a conversion by `as` costs many times as much.
 const ALL_FRACTION: f32 = 12_582_912.0;
 
-/// A sum smaller than this is what rounding leaves of pulls that balance.
+/// The size of a sum below which it is only the rounding error of pulls that balance.
 const NOISE: u32 = 64;
 
 impl Pull {
-    /// The pull of one attractor on a node; none if they coincide.
+    /// Returns the pull of an attractor on a node; zero if they coincide.
     #[inline]
     pub fn toward(node: Vec2, attractor: Vec2) -> Self {
         let gap = attractor - node;
@@ -45,14 +45,14 @@ impl Pull {
         self.y = self.y.wrapping_add(other.y);
     }
 
-    /// Takes an attractor's pull away.
+    /// Subtracts an attractor's pull.
     #[inline]
     pub fn subtract(&mut self, other: Self) {
         self.x = self.x.wrapping_sub(other.x);
         self.y = self.y.wrapping_sub(other.y);
     }
 
-    /// The direction of the pull; `None` where attractors balance or there are no attractors.
+    /// The direction of the pull; `None` if attractors balance, or if there are none.
     #[inline]
     pub fn direction(self) -> Option<Vec2> {
         if self.x.unsigned_abs().max(self.y.unsigned_abs()) < NOISE {
@@ -63,7 +63,7 @@ impl Pull {
     }
 }
 
-/// The pulls of four attractors, reckoned side by side.
+/// The pulls of four attractors, computed side by side.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Pulls {
     x: i32x4,
@@ -71,7 +71,7 @@ pub(super) struct Pulls {
 }
 
 impl Pulls {
-    /// The pulls of four attractors on a node, each as [`Pull::toward`] has it.
+    /// Computes the pulls of four attractors on a node, each as by [`Pull::toward`].
     #[inline]
     pub fn toward(node: Vec2, x: f32x4, y: f32x4) -> Self {
         let (x, y) = (x - f32x4::splat(node.x), y - f32x4::splat(node.y));
@@ -81,7 +81,7 @@ impl Pulls {
         Self { x: whole(x * scale), y: whole(y * scale) }
     }
 
-    /// Takes some lanes over from others, and returns them; the lanes that were not taken are zero there.
+    /// Replaces some lanes by those of `others`. Returns these lanes, with zero in the remaining ones.
     #[inline]
     pub fn take_over(&mut self, lanes: u32, others: Self) -> Self {
         let each = i32x4::new([1, 2, 4, 8]);
@@ -91,7 +91,7 @@ impl Pulls {
         gained
     }
 
-    /// Adds lane to lane.
+    /// Adds pulls lane by lane.
     #[inline]
     pub fn add(&mut self, other: Self) {
         self.x += other.x;
@@ -104,7 +104,7 @@ impl Pulls {
         Pull { x: self.x.as_array()[lane], y: self.y.as_array()[lane] }
     }
 
-    /// All four together.
+    /// The sum of all four.
     #[inline]
     pub fn sum(self) -> Pull {
         let sum = |lanes: i32x4| lanes.to_array().into_iter().fold(0, i32::wrapping_add);

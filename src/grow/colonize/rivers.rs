@@ -1,4 +1,4 @@
-//! The rivers so far, among the attractors: what grows, whichever attractors pull.
+//! The rivers so far and their attractors: the parts of growth that do not depend on which attractors pull.
 
 use glam::Vec2;
 
@@ -13,30 +13,30 @@ use crate::grow::{Ending, GrowthSettings, Mouth};
 use crate::memory::{self, Refused};
 use crate::tree::{NO_PARENT, Tree};
 
-/// Memory is bounded by the recipe: this many nodes per attractor, and some. Ordinary trees have one or two; the wildest
-/// that the ranges allow were found to have seven and a half.
+/// The number of nodes per attractor, besides a constant, that bounds the memory of a recipe. Ordinary trees have one
+/// or two; the greatest number found within the ranges was seven and a half.
 const MOST_NODES_PER_ATTRACTOR: usize = 10;
 const MOST_NODES_BESIDES: usize = 10_000;
 
-/// The tree with its attractors, and what growth alone has to know of each node.
+/// The tree with its attractors, and the data of each node that only growth needs.
 #[derive(Clone, Debug)]
 pub(super) struct Rivers {
     pub settings: GrowthSettings,
     pub attractors: Attractors,
     pub tree: Tree,
-    /// Steps from the mouth.
+    /// The number of steps from the mouth.
     pub from_mouth: Vec<u32>,
     /// The youngest child, and each child's elder sibling, to find twins.
     youngest: Vec<u32>,
     elder: Vec<u32>,
-    /// How many nodes have looked for attractors.
+    /// The number of nodes that have looked for attractors.
     captured: usize,
-    /// How many attractors are not used up.
+    /// The number of attractors that are not used up.
     pub unreached: u32,
     pub node_limit: usize,
 }
 
-/// Who is told of attractors that change hands: those who had them, or those who wait for their turn.
+/// The receiver of attractors that change hands: their previous owners, or the queue of waiting attractors.
 pub(super) enum Told<'a> {
     Owners { pull: &'a mut [Pull], changed: &'a mut Changed },
     Waiting(&'a mut Waiting),
@@ -50,7 +50,7 @@ pub(super) struct StraightTip {
 }
 
 impl Rivers {
-    /// No node yet.
+    /// Begins without nodes.
     pub fn new(settings: GrowthSettings, attractors: Attractors) -> Self {
         Self {
             tree: Tree::default(),
@@ -65,7 +65,7 @@ impl Rivers {
         }
     }
 
-    /// How many nodes there are.
+    /// The number of nodes.
     pub fn len(&self) -> usize {
         self.tree.len()
     }
@@ -86,7 +86,7 @@ impl Rivers {
         node
     }
 
-    /// Allocates memory for more nodes, if the limit leaves room for them.
+    /// Reserves memory for more nodes, if the limit leaves room for them.
     pub fn make_room(&mut self, nodes: usize) -> Result<(), Ending> {
         if self.len() + nodes > self.node_limit {
             return Err(Ending::NodeLimit);
@@ -94,7 +94,7 @@ impl Rivers {
         self.reserve(nodes).map_err(|_| Ending::OutOfMemory)
     }
 
-    /// Allocates memory for more nodes.
+    /// Reserves memory for more nodes.
     pub fn reserve(&mut self, nodes: usize) -> Result<(), Refused> {
         memory::reserve(&mut self.tree.at, nodes)?;
         memory::reserve(&mut self.tree.parent, nodes)?;
@@ -104,8 +104,8 @@ impl Rivers {
         memory::reserve(&mut self.elder, nodes)
     }
 
-    /// About how many nodes a tree has, rather too many: by trials over reach 2.4 to 10, kill 0.5 to 2 and step 0.2 to 1
-    /// the number goes with kill^−½ and step^−¾ (both in spacings). The drawn courses come in addition.
+    /// The approximate number of nodes in a tree, rather too high. By trials over reach 2.4 to 10, kill 0.5 to 2 and
+    /// step 0.2 to 1, it is proportional to kill^−½ and step^−¾ (both in spacings). Drawn courses come in addition.
     pub fn usual_nodes(&self) -> usize {
         let GrowthSettings { attractors, spacing, kill, step, .. } = self.settings;
         let (kill, root) = (kill / spacing, (step / spacing).sqrt());
@@ -117,8 +117,8 @@ impl Rivers {
 
 /// Steps.
 impl Rivers {
-    /// Where a step of a node may lead: bent by momentum and curl, or straight. A bend that would leave the land is not made: a river
-    /// beside the coast must not stop growing because of it.
+    /// The possible positions of a node's child: bent by momentum and curl, or straight. A bend that would leave the
+    /// land is not used, so that a river beside the coast does not stop growing.
     pub fn steps(&self, node: usize, pull: Vec2, clockwise: bool, identity: [u32; 3]) -> [Vec2; 2] {
         let at = self.tree.at[node];
         let came_from = self.tree.parent_of(node).map(|parent| self.tree.at[parent]);
@@ -126,7 +126,7 @@ impl Rivers {
         [bent, at + pull * self.settings.step]
     }
 
-    /// Whether a child would lie on another one of its parent's.
+    /// Returns `true` if a child would coincide with another one of its parent.
     pub fn has_twin(&self, node: usize, child: Vec2) -> bool {
         let mut sibling = self.youngest[node];
         while sibling != NO_NODE {
@@ -145,8 +145,8 @@ impl Rivers {
         self.settings.allows(from, at).then(|| self.add(at, tip))
     }
 
-    /// Plants a mouth and its stem, the start nodes of the paper: along the course that is drawn of its river or, if none is, about a
-    /// spacing straight inland, so that no river leaves along the coast. Returns its end.
+    /// Plants a mouth and its stem, the start nodes of the paper: along the drawn course of its river or, without one,
+    /// about a spacing straight inland, so that no river starts along the coast. Returns its end.
     pub fn plant(&mut self, Mouth { at, inland }: Mouth, course: &[Vec2]) -> StraightTip {
         let mouth = self.add(at, NO_PARENT);
         let mut pilot = self.follow(course, StraightTip { tip: mouth, inland });
@@ -158,7 +158,7 @@ impl Rivers {
         pilot
     }
 
-    /// Extends a river along a course, a step at a time, until that or the land ends.
+    /// Extends a river along a course, step by step, until the course or the land ends.
     fn follow(&mut self, course: &[Vec2], mut pilot: StraightTip) -> StraightTip {
         for &ahead in course {
             loop {
@@ -177,13 +177,14 @@ impl Rivers {
 
 /// Attractors.
 impl Rivers {
-    /// The nodes that have not looked for attractors yet: they are to do so now.
+    /// The nodes that have not looked for attractors yet. They count as having looked from now on.
     pub fn newcomers(&mut self) -> std::ops::Range<u32> {
         let first = std::mem::replace(&mut self.captured, self.tree.len());
         first as u32..self.captured as u32
     }
 
-    /// Step 2 of the paper, for a new node only: attractors that are now nearer to it change hands. Returns how they pull it.
+    /// Step 2 of the paper, for a new node only: gives it the attractors that are now nearest to it. Returns their
+    /// pull.
     #[inline(never)] // each copy would weigh kilobytes
     pub fn capture(&mut self, node: u32, told: &mut Told<'_>) -> Pull {
         let at = self.tree.at[node as usize];
@@ -197,8 +198,8 @@ impl Rivers {
         })
     }
 
-    /// Step 5 of the paper: attractors that a river has come near to are used up, and drain into it. Says whose each was, and how it
-    /// pulled.
+    /// Step 5 of the paper: uses up the attractors that a river has come near to, which drain into it. Calls `released`
+    /// with the owner of each and its pull.
     #[inline]
     pub fn use_up(&mut self, mut released: impl FnMut(u32, Pull)) {
         let Self { attractors, tree, unreached, .. } = self;
@@ -209,7 +210,7 @@ impl Rivers {
         });
     }
 
-    /// Attractors that pull to the end, but were never come near to, drain to their nearest node all the same.
+    /// Drains attractors that pull to the end without being reached to their nearest node.
     pub fn drain_the_rest(&mut self) {
         for (owner, _) in self.attractors.remaining() {
             self.tree.drained[owner as usize] += 1;
@@ -217,7 +218,7 @@ impl Rivers {
     }
 }
 
-/// How many nodes of a stem make about a spacing.
+/// The number of nodes of a stem about one spacing long.
 pub fn stem_nodes(settings: &GrowthSettings) -> u32 {
     ((settings.spacing / settings.step + 0.5) as u32).max(1)
 }

@@ -1,5 +1,6 @@
-//! Growth along valleys: attractors have heights, and pull one at a time. The lowest within reach of any node draws a river to itself,
-//! step by step, then the lowest of those within reach by then (as water invades the ground: Wilkinson and Willemsen 1983).
+//! Growth along valleys: attractors have heights, and pull one at a time. The lowest within reach of any node draws a
+//! river to itself, step by step, then the lowest of those within reach by then (as water invades the ground: Wilkinson
+//! and Willemsen 1983).
 
 use glam::Vec2;
 
@@ -11,22 +12,23 @@ use crate::grow::{Ending, GrowthSettings, front};
 use crate::memory::Refused;
 use crate::work;
 
-/// The attractors that rivers may come to next.
+/// The attractors that rivers may reach next.
 #[derive(Clone, Debug)]
 pub(super) struct Valleys {
     waiting: Waiting,
-    /// How many nodes a tick has, but for the rest of a river's way to an attractor.
+    /// The number of nodes in a tick, apart from the rest of a river's way to an attractor.
     nodes_a_tick: usize,
 }
 
 impl Valleys {
-    /// None is within reach yet. `places` are those of the attractors in their index, the lowest attractor's first.
+    /// Begins with no attractor within reach. `places` are those of the attractors in their index, the lowest
+    /// attractor's first.
     pub fn new(settings: &GrowthSettings, places: Vec<u32>) -> Result<Self, Refused> {
         Ok(Self { waiting: Waiting::new(places)?, nodes_a_tick: front(settings.attractors as usize) })
     }
 
-    /// Grows by one tick: the lowest attractor within reach of a node draws a river to itself, then the next lowest. What a tick shows of
-    /// that changes no tree.
+    /// Grows by one tick: the lowest attractor within reach of a node draws a river to itself, then the next lowest.
+    /// The number of nodes in a tick does not affect the tree.
     pub fn grow(&mut self, rivers: &mut Rivers) -> Result<(), Ending> {
         use_up(rivers);
         let enough = rivers.len() + self.nodes_a_tick;
@@ -39,7 +41,8 @@ impl Valleys {
         Ok(())
     }
 
-    /// A river grows from its nearest node to an attractor, until that is used up or no step brings it nearer.
+    /// Grows a river from its node nearest to an attractor until the attractor is used up, or until no step comes
+    /// nearer to it.
     fn grow_toward(&mut self, rivers: &mut Rivers, rank: u32, place: u32) -> Result<(), Ending> {
         let first = rivers.len();
         while let Some((node, squared, attractor)) = rivers.attractors.remaining_at(place) {
@@ -56,7 +59,7 @@ impl Valleys {
         Ok(())
     }
 
-    /// Attractors within reach of new nodes wait for their turn.
+    /// Adds the attractors within reach of new nodes to those that wait.
     pub fn capture(&mut self, rivers: &mut Rivers) {
         for node in rivers.newcomers() {
             rivers.capture(node, &mut Told::Waiting(&mut self.waiting));
@@ -64,12 +67,13 @@ impl Valleys {
     }
 }
 
-/// Attractors that rivers have come near to are used up.
+/// Uses up the attractors that rivers have come near to.
 pub(super) fn use_up(rivers: &mut Rivers) {
     rivers.use_up(|_, _| ());
 }
 
-/// A step from a node that brings it nearer to an attractor, at such a distance squared, after so many.
+/// A step from a node that comes nearer to an attractor, given the squared distance to it and the number of previous
+/// steps.
 fn step_toward(rivers: &Rivers, node: usize, squared: f32, attractor: Vec2, steps: u32) -> Option<Vec2> {
     let at = rivers.tree.at[node];
     let pull = Pull::toward(at, attractor).direction()?;

@@ -1,16 +1,17 @@
-//! Attractors that wait for a river to come to them, the lowest first: what space colonization goes by where it follows valleys.
+//! Attractors that wait for a river to reach them, the lowest first. Space colonization uses them where it follows
+//! valleys.
 
 use crate::memory::Refused;
 use crate::queue::Queue;
 
-/// No rank, of an attractor that need not join those that wait.
+/// The rank of an attractor that need not join those that wait.
 const NONE: u32 = u32::MAX;
 
-/// The attractors within reach of some node, but for those that have had their turn. Each is known by its place in the index of
-/// attractors, and comes by its rank in the order of heights.
+/// The attractors within reach of some node, except those that have had their turn. Each is identified by its place in
+/// the index of attractors, and ordered by its rank by height.
 #[derive(Clone, Debug)]
 pub(super) struct Waiting {
-    /// Where in the index the attractor of each rank is.
+    /// The place in the index of the attractor of each rank.
     places: Vec<u32>,
     /// The rank of the attractor at each place, until it joins.
     ranks: Vec<u32>,
@@ -18,7 +19,7 @@ pub(super) struct Waiting {
 }
 
 impl Waiting {
-    /// None waits. `places` are those in the index, the lowest attractor's first.
+    /// Begins with none waiting. `places` are those in the index, the lowest attractor's first.
     pub fn new(places: Vec<u32>) -> Result<Self, Refused> {
         let end = places.iter().max().map_or(0, |&last| last as usize + 1);
         let mut ranks = vec![NONE; end];
@@ -30,7 +31,7 @@ impl Waiting {
         Ok(Self { places, ranks, queue })
     }
 
-    /// Lets an attractor join, unless it waits already or has had its turn.
+    /// Adds an attractor, unless it already waits or has had its turn.
     #[inline]
     pub fn join(&mut self, place: u32) {
         let rank = std::mem::replace(&mut self.ranks[place as usize], NONE);
@@ -39,12 +40,12 @@ impl Waiting {
         }
     }
 
-    /// The rank and place of the lowest that waits: its turn has come.
+    /// Removes the lowest attractor that waits, and returns its rank and place.
     pub fn next(&mut self) -> Option<(u32, u32)> {
         self.queue.pop().map(|rank| (rank, self.places[rank as usize]))
     }
 
-    /// No river can come to an attractor: it may join again.
+    /// Allows an attractor to join again, because no river could reach it.
     pub fn put_back(&mut self, rank: u32) {
         self.ranks[self.places[rank as usize] as usize] = rank;
     }

@@ -1,34 +1,34 @@
-//! Streams that captured one another: which parcels drained another way after a round than before it.
+//! Captures of streams: the parcels that drain differently after a round than before it.
 
 use super::directions::FlowDirections;
 use crate::memory::{self, Refused};
 use crate::tree::NO_PARENT;
 
-/// A parcel that drains another way after a round than before it. Parcels are numbered as [`Growth::scattered`](crate::grow::Growth::scattered)
-/// lists them.
+/// A parcel that drains differently after a round than before it. Parcels are numbered as
+/// [`Growth::scattered`](crate::grow::Growth::scattered) lists them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Capture {
-    /// The round that changed it, from 1: round 0 is the one in which the tree grows.
+    /// The round that changed it, from 1. Round 0 is the one in which the tree grows.
     pub round: u32,
     /// The parcel.
     pub parcel: u32,
-    /// The parcel that it drained to before; [`NO_PARENT`] if that was the sea.
+    /// The parcel that it drained to before; [`NO_PARENT`] for the sea.
     pub from: u32,
-    /// The parcel that it drains to from then on; [`NO_PARENT`] if that is the sea.
+    /// The parcel that it drains to from then on; [`NO_PARENT`] for the sea.
     pub to: u32,
 }
 
 /// All captures so far.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Captures {
-    /// In the order of rounds, those of a round in the order of parcels.
+    /// The captures in the order of rounds, and within a round in the order of parcels.
     pub list: Vec<Capture>,
-    /// Where each parcel drained to after the last round.
+    /// The parcel that each parcel drained to after the last round.
     ways: Vec<u32>,
 }
 
 impl Captures {
-    /// Notes how parcels drain after a round.
+    /// Records how parcels drain after a round.
     pub fn note(&mut self, round: u32, directions: FlowDirections) -> Result<(), Refused> {
         let before = std::mem::replace(&mut self.ways, directions.to);
         let changed = || (0..).zip(before.iter().zip(&self.ways)).filter(|(_, (from, to))| from != to);

@@ -1,27 +1,27 @@
-//! Flow directions: where each parcel drains to, a neighbour or out.
+//! Flow directions: each parcel drains to a neighbour or off the land.
 
-/// No parcel.
+/// Marks a missing parcel.
 pub(super) const NONE: u32 = u32::MAX;
 
 /// A forest of parcels, rooted at outlets.
 #[derive(Clone, Debug, Default)]
 pub(super) struct FlowDirections {
-    /// Where each parcel drains to: a neighbour, [`OUT`](Self::OUT), or [`NONE`] as long as that is not known.
+    /// The destination of each parcel: a neighbour, [`OUT`](Self::OUT), or [`NONE`] while it is not known.
     pub to: Vec<u32>,
-    /// The parcels that are known, each after the one it drains to.
+    /// The parcels with a known destination, each after the one it drains to.
     pub order: Vec<u32>,
 }
 
 impl FlowDirections {
-    /// Through the parcel's own outlet.
+    /// Marks a parcel that drains through its own outlet.
     pub const OUT: u32 = u32::MAX - 1;
 
-    /// None of these parcels is known yet.
+    /// Begins with no known destination.
     pub fn new(parcels: usize) -> Self {
         Self { to: vec![NONE; parcels], order: Vec::with_capacity(parcels) }
     }
 
-    /// How many parcels each drains, itself included (flow accumulation); 0 where nothing is known.
+    /// The number of parcels that each parcel drains, itself included (flow accumulation); 0 where nothing is known.
     pub fn areas(&self) -> Vec<u32> {
         let mut areas = vec![0; self.to.len()];
         for &here in self.order.iter().rev() {

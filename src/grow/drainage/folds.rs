@@ -1,6 +1,6 @@
-//! Folds of the bent plane: triangles that are turned over, and which edges lie upon one.
+//! Folds of the bent plane: triangles that are turned over, and the edges that lie on them.
 //!
-//! There are few, so they are sorted by squares of the plane, and an edge is compared with those near it alone.
+//! Folds are few, so they are sorted by squares of the plane, and an edge is compared only with those near it.
 
 use std::ops::Range;
 
@@ -12,29 +12,29 @@ use crate::work;
 /// The corners of a triangle.
 pub(super) type Triangle = [Vec2; 3];
 
-/// Whether a triangle is turned over: its corners do not run clockwise, with y down.
+/// Returns `true` if a triangle is turned over: its corners do not run clockwise, with y down.
 pub(super) fn is_turned_over(&[a, b, c]: &Triangle) -> bool {
     doubled_area(a, b, c) <= 0.0
 }
 
-/// Triangles by the squares of the plane that the boxes around them touch.
+/// Triangles by the squares of the plane that their bounding boxes touch.
 pub(super) struct Folds {
     /// The north-western corner of the first square.
     origin: Vec2,
     /// The side of a square.
     side: f32,
     columns: usize,
-    /// Of each square, row by row, its last entry; [`NONE`] if it has none.
+    /// The last entry of each square, row by row; [`NONE`] if it has none.
     last: Vec<u32>,
-    /// Triangles, each with the entry of its square before it.
+    /// Triangles, each with the previous entry of its square.
     entries: Vec<(Triangle, u32)>,
 }
 
-/// No entry.
+/// Marks a missing entry.
 const NONE: u32 = u32::MAX;
 
 impl Folds {
-    /// Sorts triangles whose corners, and those of all edges that will be asked for, are among some places.
+    /// Sorts triangles. Their corners, and those of all edges in later queries, must be among `places`.
     pub fn new(triangles: &[Triangle], places: &[Vec2]) -> Self {
         let origin = places.iter().copied().fold(Vec2::INFINITY, Vec2::min);
         let far = places.iter().copied().fold(origin, Vec2::max) - origin;
@@ -66,7 +66,7 @@ impl Folds {
         (west..east + 1, north..south + 1)
     }
 
-    /// Whether an edge lies upon one of the triangles.
+    /// Returns `true` if an edge lies on one of the triangles.
     pub fn lie_under(&self, a: Vec2, b: Vec2) -> bool {
         let (least, most) = (a.min(b), a.max(b));
         let is_upon = |triangle: Triangle| {
@@ -91,7 +91,7 @@ impl Folds {
     }
 }
 
-/// Whether an edge lies upon a triangle; one that only ends at a corner of it does not.
+/// Returns `true` if an edge lies on a triangle; one that only ends at a corner of it does not.
 #[inline(never)] // inlined it would weigh a kilobyte
 pub(super) fn is_upon((a, b): (Vec2, Vec2), [c, d, e]: Triangle) -> bool {
     let is_corner = |end: Vec2| end == c || end == d || end == e;

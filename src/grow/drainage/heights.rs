@@ -1,5 +1,5 @@
-//! The heights that valleys are found by, before any river has worn them down: fractal noise, chance, and a rise away from where
-//! water leaves the land.
+//! The heights from which valleys are found, before any river has worn them down: fractal noise, randomness, and a rise
+//! away from the places where water leaves the land.
 
 use glam::Vec2;
 
@@ -11,36 +11,36 @@ use crate::random::Purpose;
 use crate::sort;
 use crate::work;
 
-/// How far chance of its own raises a parcel, against noise of the valleys' wavelength from −1 to 1.
+/// The greatest random part of a parcel's height, compared with noise of the valleys' wavelength from −1 to 1.
 const CHANCE: f32 = 0.45;
 
 /// The octaves of the ground, down to a wavelength of about two parcels.
 const OCTAVES: i32 = 5;
 const GAIN: f32 = 0.65;
 
-/// How much higher the ground is at a border where rivers should not run along.
+/// The additional height of the ground at a border that rivers should not run along.
 const BORDER: f32 = 2.0;
 
-/// How much lower the ground is along a drawn river: lower than any other.
+/// The depth of the ground along a drawn river, which makes it lower than any other.
 const STEM: f32 = 20.0;
 
-/// The heights of parcels that are invaded.
+/// The heights of parcels for an invasion.
 pub(super) fn heights(settings: &GrowthSettings, parcels: &Parcels) -> Vec<f32> {
     let stem = |(height, toll): (f32, &f32)| height + STEM * (toll - 1.0);
     let heights = ground(settings, parcels, 1.0, &from_outlets(parcels), &parcels.border);
     heights.into_iter().zip(&parcels.toll).map(stem).collect()
 }
 
-/// How far from the coast attractors that follow valleys lie, in spacings: what is nearer drains to the sea by itself, and rivers that came
-/// for it would run along the coast.
+/// The distance from the coast, in spacings, within which there are no attractors that follow valleys. Land nearer to
+/// the sea drains by itself, and rivers that came for it would run along the coast.
 const COASTAL_STRIP: f32 = 0.6;
 
-/// The attractors of space colonization that follows valleys, one in each cell of the plane, the lowest first.
+/// The attractors of space colonization along valleys, one in each cell of the plane, the lowest first.
 pub(in crate::grow) fn attractors_by_height(settings: &GrowthSettings) -> Vec<Vec2> {
     let parcels = Parcels::without_costs(settings);
     let distance = from_outlets(&parcels);
     let rim = nearness_to_rim(&parcels, &distance);
-    // The root, as a little unevenness changes the way of most rivers already.
+    // The square root, because a little unevenness already changes the way of most rivers.
     let heights = ground(settings, &parcels, settings.drainage.valleys.sqrt(), &distance, &rim);
     let watered = settings.land.as_deref().map(|land| Watered::of(settings, land));
     let by_height = sort::argsort(heights.into_iter().map(sort::key)).into_iter().map(|i| parcels.at[i]);
@@ -50,8 +50,9 @@ pub(in crate::grow) fn attractors_by_height(settings: &GrowthSettings) -> Vec<Ve
     by_height.filter(|&at| watered.as_ref().is_none_or(|watered| watered.holds(at)) && is_inland(at)).collect()
 }
 
-/// The heights of all parcels. Noise and chance make the ground as uneven as asked for, from 0 to 1; it rises with the distance from the
-/// outlets, counted in parcels, and toward borders, of which `border` says how near each is, from 0, far away, to 1.
+/// The heights of all parcels. Noise and randomness make the ground uneven by `unevenness`, from 0 to 1. It rises with
+/// the distance from the outlets, counted in parcels, and toward borders: `border` is the nearness of each parcel to
+/// them, from 0 to 1.
 fn ground(settings: &GrowthSettings, parcels: &Parcels, unevenness: f32, distance: &[u32], border: &[f32]) -> Vec<f32> {
     let settings = &settings.drainage;
     let noise = settings.noise(3, settings.valley_spacing, OCTAVES, GAIN);
@@ -71,8 +72,9 @@ fn from_outlets(parcels: &Parcels) -> Vec<u32> {
     distances(parcels, parcels.outlets.iter().map(|outlet| outlet.parcel).collect())
 }
 
-/// How near each parcel lies to the rim of the land, which is a coast, a ridge or the border of the domain: from 0, far away, to 1. Ground
-/// that rises toward the rim keeps rivers from running along it. Around outlets it does not rise, since rivers have to reach the sea there.
+/// The nearness of each parcel to the rim of the land, which is a coast, a ridge or the border of the domain: from 0,
+/// far away, to 1. Ground that rises toward the rim keeps rivers from running along it. It does not rise around
+/// outlets, because rivers have to reach the sea there.
 fn nearness_to_rim(parcels: &Parcels, from_outlets: &[u32]) -> Vec<f32> {
     const PARCELS: f32 = 6.0;
     let is_rim = |&parcel: &u32| parcels.neighbours[parcel as usize].contains(&NONE);
@@ -84,7 +86,7 @@ fn nearness_to_rim(parcels: &Parcels, from_outlets: &[u32]) -> Vec<f32> {
     from_rim.into_iter().zip(from_outlets).map(nearness).collect()
 }
 
-/// How many steps from parcel to parcel lie between each parcel and the nearest of those that are given; 0 where no way leads to any.
+/// The number of steps from each parcel to the nearest of the given ones; 0 if no way leads to any.
 fn distances(parcels: &Parcels, mut reached: Vec<u32>) -> Vec<u32> {
     let mut distance = vec![u32::MAX; parcels.len()];
     reached.iter().for_each(|&parcel| distance[parcel as usize] = 0);
@@ -122,7 +124,7 @@ mod tests {
 
     #[test]
     fn lowest_attractors_lie_near_mouths_and_highest_along_borders() {
-        // The south alone has the sea; with next to no unevenness only tilt and borders are left.
+        // The sea is only in the south; with hardly any unevenness, only tilt and borders are left.
         let settings = settings("land=rectangle&sides=s&mouths=1&valleys=0.01&attractors=4000&aspect=1");
         let places = scatter(&settings);
         let mouth = crate::grow::mouths(&settings)[0].at;

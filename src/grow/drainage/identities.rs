@@ -1,5 +1,5 @@
-//! The numbers by which the nodes of a drainage tree are known: those of places in the plane, since a node's place in the list changes
-//! with every round, and with every change of the coast.
+//! The identities of the nodes of a drainage tree. They come from places in the plane, because a node's index changes
+//! with every round and every change of the coast.
 
 use glam::Vec2;
 
@@ -7,16 +7,17 @@ use super::parcels::Parcels;
 use crate::sort;
 use crate::tree::{Hydrology, Tree};
 
-/// A side of the squares that rivers are counted in, in units.
+/// The side of the squares in which rivers are counted, in units.
 const SQUARE: f32 = 128.0;
 
-/// As many as the longest map reaches into: eight rings around the one in the middle.
+/// The number of squares that the longest map extends into: eight rings around the one in the middle.
 const SQUARES: u32 = 17 * 17;
 
-/// Gives each node its identity. Which parcels a river ends between is chance: the coast moves with the sea, and parcels with their number.
-/// So the lowest node of a river has the number of the wide square that it lies in, and the greatest river of each square comes first: those
-/// that anybody knows keep their numbers when the recipe changes a little, and have small ones. Any other node has that of its parcel's
-/// cell. Mouths, other ends of rivers and the rest are counted apart: no two have the same.
+/// Gives each node its identity. The parcels at a river's end are arbitrary: the coast moves with the sea, and parcels
+/// with their number. Therefore the lowest node of a river is numbered by the wide square that contains it, with the
+/// greatest river of each square first. Well-known rivers thus have small numbers and keep them when the recipe changes
+/// slightly. Any other node is numbered by its parcel's cell. Mouths, other ends of rivers and the rest are numbered
+/// separately, so that all numbers differ.
 pub(super) fn assign(tree: &mut Tree, parcels: &Parcels, node: &[u32], middle: Vec2) {
     let hydrology = Hydrology::of(tree);
     let own_arm = hydrology.own_arms(tree);
@@ -26,7 +27,7 @@ pub(super) fn assign(tree: &mut Tree, parcels: &Parcels, node: &[u32], middle: V
             *identity = 3 * number_of_cell(cell.map(|i| i as i32)) + 2;
         }
     }
-    // How many of a kind a square has so far.
+    // The number of each kind in a square so far.
     let mut before = [[0; SQUARES as usize]; 2];
     for node in sort::argsort(hydrology.discharge.iter().map(|&discharge| !discharge)) {
         let kind = match tree.parent_of(node) {
@@ -42,7 +43,8 @@ pub(super) fn assign(tree: &mut Tree, parcels: &Parcels, node: &[u32], middle: V
     }
 }
 
-/// The number of a cell of the plane, counted in rings around that in the middle: however far the plane reaches, a cell's number is the same.
+/// The number of a cell of the plane, counted in rings around the middle, so that it does not depend on the extent of
+/// the plane.
 fn number_of_cell([i, j]: [i32; 2]) -> u32 {
     let ring = i.abs().max(j.abs());
     if ring == 0 {

@@ -1,8 +1,8 @@
-//! An invasion of the land by the sea (invasion percolation: Wilkinson and Willemsen 1983): the lowest parcel beside what is invaded is
-//! invaded next, and drains to the one it was reached from. Its areas are where valleys lie.
+//! An invasion of the land by the sea (invasion percolation: Wilkinson and Willemsen 1983). The lowest parcel beside
+//! the invaded ones is invaded next, and drains to the one it was reached from. Its areas show where valleys lie.
 //!
-//! A parcel comes in by its own height, never by that of the level that has been flooded: flooding a hollow at one level would fill it as
-//! a front does, from all sides.
+//! The order follows a parcel's own height, not the level that has been flooded: flooding a hollow at one level would
+//! fill it like a front, from all sides.
 
 use super::directions::{FlowDirections, NONE};
 use super::heights::heights;
@@ -26,7 +26,7 @@ impl Invasion {
         Self::over(heights(settings, parcels), parcels)
     }
 
-    /// Begins at all outlets of parcels of these heights.
+    /// Begins at all outlets of parcels with these heights.
     pub fn over(height: Vec<f32>, parcels: &Parcels) -> Result<Self, Refused> {
         let directions = FlowDirections::new(parcels.len());
         let mut this = Self { height, frontier: Queue::default(), directions };
@@ -38,7 +38,7 @@ impl Invasion {
         Ok(this)
     }
 
-    /// Invades `count` more parcels. Returns whether there are more.
+    /// Invades `count` more parcels. Returns `true` if there are more.
     pub fn advance(&mut self, parcels: &Parcels, count: usize) -> Result<bool, Refused> {
         self.frontier.reserve(6 * count)?;
         work::count(6 * count);
@@ -55,7 +55,7 @@ impl Invasion {
         Ok(true)
     }
 
-    /// How each parcel drains.
+    /// The flow directions of all parcels.
     pub fn into_directions(self) -> FlowDirections {
         self.directions
     }

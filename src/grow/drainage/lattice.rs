@@ -1,12 +1,13 @@
-//! Fixed cells of the plane, each with one place in it: a triangular lattice, jittered, then bent.
+//! Fixed cells of the plane with one place in each: a triangular lattice, jittered and then bent.
 //!
-//! A place belongs to its cell, which is counted from the middle of the domain: land hides places, and moves none. Each has six
-//! neighbours. Jitter stays inside a disc of less than 0.433 of the side of a triangle, half its height, so that no
-//! triangle is turned over; the bends are a flow along contours, which folds nothing. Still, a triangle may be turned over where it is
-//! thin and the plane is bent most.
+//! A place belongs to its cell, and cells are counted from the middle of the domain: places that are not on land are
+//! left out, and no place moves. Each has six neighbours. Jitter stays within a disc whose radius is less than 0.433 of
+//! a triangle's side, half its height, so that no triangle is turned over. The bends are a flow along contours, which
+//! folds nothing. Still, a thin triangle may be turned over where the plane is bent most.
 //!
-//! No two edges cross: what lies upon a triangle that is turned over is no edge ([`Lattice::is_edge`]). Every point away from the border is
-//! covered by one more triangle that is the right way up than by ones that are turned over, so two edges can only cross on one of these.
+//! No two edges cross: a line on a turned triangle is not an edge ([`Lattice::is_edge`]). Every point away from the
+//! border is covered by one more triangle that is the right way up than by turned ones, so two edges can only cross on
+//! a turned triangle.
 
 use fastnoise_lite::FastNoiseLite;
 use glam::Vec2;
@@ -17,7 +18,7 @@ use crate::domain::Domain;
 use crate::random::{ItemHash, Purpose};
 use crate::work;
 
-/// How far a place may lie from the middle of its cell, as a share of a triangle's side.
+/// The greatest distance of a place from the middle of its cell, as a share of a triangle's side.
 const JITTER: f32 = 0.4;
 
 /// A triangle's side for a spacing of 1: √(2/√3).
@@ -26,30 +27,31 @@ const SIDE: f32 = 1.074_57;
 /// A triangle's height, for a side of 1: √3/2.
 const HEIGHT: f32 = 0.866_025_4;
 
-/// The three ways on from a cell that make up all edges: east, south-east, south-west. The other three lead back.
+/// The number of forward directions from a cell, which together make up all edges: east, south-east, south-west. The
+/// other three lead back.
 pub(super) const WAYS: usize = 3;
 
-/// Places of the plane, row by row, as far as the domain reaches and a little beyond.
+/// Places of the plane, row by row, over the domain and slightly beyond.
 #[derive(Clone, Debug)]
 pub(super) struct Lattice {
-    /// Where each cell's place lies, in domain units.
+    /// The place of each cell, in domain units.
     pub at: Vec<Vec2>,
     pub columns: usize,
     pub rows: usize,
     /// The row and column of the cell in the middle of the domain.
     middle: (i32, i32),
-    /// The ways from each cell that lie upon a triangle that is turned over, bit by bit.
+    /// The directions from each cell whose edge lies on a turned triangle, one bit each.
     broken: Vec<u8>,
 }
 
 impl Lattice {
-    /// How many cells a lattice has.
+    /// The number of cells in a lattice.
     pub fn count(domain: &Domain, settings: &DrainageSettings) -> usize {
         let (columns, rows) = half_extent(domain, settings);
         (2 * columns + 1) * (2 * rows + 1)
     }
 
-    /// Lays the places out.
+    /// Lays out the places.
     pub fn new(domain: &Domain, settings: &DrainageSettings) -> Self {
         let (across, down) = half_extent(domain, settings);
         let (columns, rows) = (2 * across + 1, 2 * down + 1);
@@ -70,7 +72,7 @@ impl Lattice {
         Self { at, columns, rows, middle, broken: vec![0; columns * rows] }
     }
 
-    /// Finds out which edges of some inner cells lie upon a triangle that is turned over. Until then, none does.
+    /// Determines which edges of some inner cells lie on a turned triangle. Until then, none counts as lying on one.
     pub fn break_edges(&mut self, cells: &[usize]) {
         let turned_over = self.turned_over();
         work::count(self.at.len());
@@ -80,7 +82,7 @@ impl Lattice {
         let folds = Folds::new(&turned_over, &self.at);
         let mut is_known = vec![false; self.at.len()];
         for &cell in cells {
-            // Half of a cell's edges are ways on from its neighbours.
+            // Half of a cell's edges are forward directions of its neighbours.
             let [a, b, c, d, e, f] = self.neighbours(cell);
             for from in [a, b, c, d, e, f, cell] {
                 if self.is_inner(from) && !std::mem::replace(&mut is_known[from], true) {
@@ -90,14 +92,15 @@ impl Lattice {
         }
     }
 
-    /// The ways on from an inner cell that lie upon a fold, bit by bit.
+    /// The forward directions from an inner cell whose edge lies on a fold, one bit each.
     fn broken_ways(&self, cell: usize, folds: &Folds) -> u8 {
         let to = self.neighbours(cell);
         let is_broken = |way: &usize| folds.lie_under(self.at[cell], self.at[to[*way]]);
         (0..WAYS).filter(is_broken).fold(0, |broken, way| broken | 1 << way)
     }
 
-    /// The triangles that are turned over. Each inner cell has two to the south of it: all that there are, but for the border.
+    /// The triangles that are turned over. Each inner cell has two triangles to its south, which together are all,
+    /// except at the border.
     pub fn turned_over(&self) -> Vec<Triangle> {
         let mut turned_over = Vec::new();
         for cell in (0..self.at.len()).filter(|&cell| self.is_inner(cell)) {
@@ -112,13 +115,13 @@ impl Lattice {
         turned_over
     }
 
-    /// The numbers of a cell that tell it from all others, whatever the domain.
+    /// Two numbers that identify a cell, whatever the domain.
     pub fn identity(&self, cell: usize) -> [u32; 2] {
         let (i, j) = ((cell % self.columns) as i32 - self.middle.0, (cell / self.columns) as i32 - self.middle.1);
         [i as u32, j as u32]
     }
 
-    /// Whether a cell's six neighbours are cells of the lattice.
+    /// Returns `true` if all six neighbours of a cell are cells of the lattice.
     pub fn is_inner(&self, cell: usize) -> bool {
         let (column, row) = (cell % self.columns, cell / self.columns);
         column > 0 && row > 0 && column + 1 < self.columns && row + 1 < self.rows
@@ -127,7 +130,7 @@ impl Lattice {
     /// The six neighbours of an inner cell: east, south-east, south-west, then the opposite of each.
     pub fn neighbours(&self, cell: usize) -> [usize; 6] {
         let row = (cell / self.columns) as i32 - self.middle.1;
-        // Odd rows lie half a side to the east.
+        // Odd rows are shifted half a side to the east.
         let (below, above) = (cell + self.columns, cell - self.columns);
         if row & 1 == 0 {
             [cell + 1, below, below - 1, cell - 1, above - 1, above]
@@ -136,21 +139,22 @@ impl Lattice {
         }
     }
 
-    /// Whether an inner cell is joined to any other: where the plane is bent most, some are not, and stand for no land.
+    /// Returns `true` if an inner cell has any edges. Where the plane is bent most, some cells have none, and no land
+    /// belongs to them.
     pub fn has_edges(&self, cell: usize) -> bool {
         (0..6).any(|way| self.is_edge(cell, way))
     }
 
-    /// Whether an inner cell and its neighbour that way are joined by an edge.
+    /// Returns `true` if there is an edge between an inner cell and its neighbour in a direction.
     pub fn is_edge(&self, cell: usize, way: usize) -> bool {
         let (from, way) = if way < WAYS { (cell, way) } else { (self.neighbours(cell)[way], way - WAYS) };
         self.broken[from] >> way & 1 == 0
     }
 }
 
-/// How many columns and rows lie on each side of the middle.
+/// The number of columns and rows on each side of the middle.
 fn half_extent(domain: &Domain, settings: &DrainageSettings) -> (usize, usize) {
-    /// Beyond the border, so that all edges across it are there.
+    /// The number of cells beyond the border, so that all edges across it exist.
     const CELLS_BEYOND: f32 = 3.0;
     let side = settings.spacing * SIDE;
     let reach = domain.size / 2.0 + settings.bending;
@@ -158,7 +162,8 @@ fn half_extent(domain: &Domain, settings: &DrainageSettings) -> (usize, usize) {
     (cells(reach.x, side), cells(reach.y, side * HEIGHT))
 }
 
-/// Anywhere in a disc: in the square around it, drawn in if that is outside. (Sine and cosine would take the module 3 kB more.)
+/// A random point in a disc: one in the square around it, drawn in if it is outside the disc. (Sine and cosine would
+/// add 3 kB to the module.)
 fn jitter(chance: ItemHash, i: i32, j: i32) -> Vec2 {
     let unit = |number| 2.0 * chance.unit([i as u32, j as u32, number]) - 1.0;
     let at = Vec2::new(unit(0), unit(1));
@@ -166,18 +171,19 @@ fn jitter(chance: ItemHash, i: i32, j: i32) -> Vec2 {
     at * (JITTER * share)
 }
 
-/// A flow that bends the plane: along the contours of fractal noise, so that it neither gathers nor scatters what it carries.
+/// A flow that bends the plane. It follows the contours of fractal noise, so that it neither gathers nor scatters
+/// places.
 struct Bends {
     noise: FastNoiseLite,
-    /// How far one step carries where the noise falls by its height in a wavelength.
+    /// The length of one step where the noise falls by its height in a wavelength.
     step: f32,
-    /// Between the places whose heights make a slope.
+    /// The distance between the places whose heights give a slope.
     beside: f32,
 }
 
 impl Bends {
     const STEPS: u32 = 4;
-    /// In spacings.
+    /// The wavelength, in spacings.
     const WAVELENGTH: f32 = 10.5;
     const BESIDE: f32 = 0.25;
 

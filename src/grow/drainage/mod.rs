@@ -1,11 +1,11 @@
-//! Drainage: water goes where it costs least, and the more there is of it, the less it costs.
+//! Drainage: water takes the cheapest way, and the more there is of it, the less it costs.
 //!
-//! The land is divided into parcels. Each finds the cheapest way to the sea along its neighbours; where much has drained, a step costs less
-//! in the next round, so that streams capture one another until the network settles. Networks of least energy under that law are
-//! known for natural statistics: optimal channel networks (Rodriguez-Iturbe, Rinaldo and others 1992). Here a handful of
-//! rounds of shortest paths takes the place of annealing.
+//! The land is divided into parcels. Each finds the cheapest way to the sea through its neighbours. Where much has
+//! drained, a step costs less in the next round, so that streams capture one another until the network settles.
+//! Networks of least energy under this law are known for natural statistics: optimal channel networks
+//! (Rodriguez-Iturbe, Rinaldo and others 1992). Here a few rounds of shortest paths replace annealing.
 //!
-//! Where it starts decides the large shape: from equal areas a calm network comes, from the areas of an invasion a wild one.
+//! The starting areas decide the large shape: equal areas give a calm network, those of an invasion a wild one.
 
 mod captures;
 mod directions;
@@ -35,10 +35,10 @@ use lattice::Lattice;
 use parcels::Parcels;
 use round::Round;
 
-/// What drainage takes for each cell of its lattice: by count 104, and room for lists that grow.
+/// The memory of drainage for each cell of its lattice: 104 bytes by count, and room for lists that grow.
 const BYTES_A_CELL: usize = 140;
 
-/// The number of parcels that a tick deals with at most when it shows nothing: some milliseconds of work.
+/// The greatest number of parcels in a tick that shows nothing: some milliseconds of work.
 const PARCELS_A_TICK: usize = 20_000;
 
 /// Growth in progress.
@@ -46,17 +46,18 @@ const PARCELS_A_TICK: usize = 20_000;
 pub struct Drainage {
     settings: GrowthSettings,
     parcels: Arc<Parcels>,
-    /// What each parcel drained in the rounds so far, at least 1: the geometric mean of the last round and all before it.
+    /// The area that each parcel drained in the rounds so far, 1 or more: the geometric mean of the last round and the
+    /// mean before it.
     area: Vec<f32>,
     stage: Stage,
     tree: Tree,
     /// The node of each parcel that has one.
     node: Vec<u32>,
-    /// How many rounds are over.
+    /// The number of completed rounds.
     rounds: u32,
     captures: Captures,
     mouths: u32,
-    /// How many parcels the largest river drains, once growth has ended.
+    /// The number of parcels that the largest river drains, once growth has ended.
     largest_basin: Option<u32>,
     ending: Option<Ending>,
 }
@@ -72,7 +73,7 @@ impl Drainage {
     /// Lays out the parcels of a recipe: tick 0.
     ///
     /// # Errors
-    /// If there is not enough memory.
+    /// Fails if there is not enough memory.
     pub fn new(settings: GrowthSettings) -> Result<Self, GrowError> {
         let too_much = || GrowError::out_of_memory(&settings);
         if !can_lay_out(&settings) {
@@ -102,7 +103,7 @@ impl Drainage {
         })
     }
 
-    /// Grows by one tick. Returns whether there is more to grow.
+    /// Grows by one tick. Returns `true` if there is more to grow.
     pub fn tick(&mut self) -> bool {
         if self.ending.is_none() && self.advance().is_err() {
             self.ending = Some(Ending::OutOfMemory);
@@ -133,7 +134,7 @@ impl Drainage {
         Ok(())
     }
 
-    /// Takes the areas of the invasion to begin with.
+    /// Ends the invasion and begins with its areas.
     fn follow_valleys(&mut self) -> Result<(), Refused> {
         let Stage::Invasion(invasion) = std::mem::replace(&mut self.stage, Stage::Over) else { return Ok(()) };
         let areas = invasion.into_directions().areas();
@@ -148,7 +149,7 @@ impl Drainage {
         Ok(())
     }
 
-    /// All parcels have found their way: the next round knows how much water there is.
+    /// Ends a round in which all parcels have found their way. The next round uses the new areas.
     fn end_round(&mut self) -> Result<(), Refused> {
         let Stage::Round(round) = std::mem::replace(&mut self.stage, Stage::Over) else { return Ok(()) };
         let directions = round.into_directions();
@@ -158,7 +159,7 @@ impl Drainage {
         }
         self.rounds += 1;
         for (area, new) in self.area.iter_mut().zip(&areas) {
-            // Without the mean the network would swing to and fro.
+            // Without the mean, the network would swing back and forth.
             *area = (*area * (*new).max(1) as f32).sqrt();
         }
         let is_last = self.rounds > self.settings.drainage.captures;
@@ -184,7 +185,7 @@ impl Drainage {
         }
     }
 
-    /// Makes another tree of the same parcels, with as many nodes in each tick.
+    /// Makes another tree from the same parcels, with the same number of nodes in each tick.
     fn regrow(&mut self, directions: &FlowDirections) {
         let count = self.tree.len();
         let mut tree = Tree {
@@ -201,7 +202,7 @@ impl Drainage {
         self.tree = Tree { tick_starts: ticks, ..tree };
     }
 
-    /// Gives the nodes of the finished tree their elevations: the cost of the way to the sea, by the areas that have come of it.
+    /// Gives the nodes of the finished tree their elevations: the cost of the way to the sea, with the final areas.
     fn raise(&mut self, directions: &FlowDirections, areas: &[u32]) {
         let Self { parcels, tree, node, settings, .. } = self;
         let concavity = settings.drainage.concavity;
@@ -214,47 +215,47 @@ impl Drainage {
                 to => (tree.elevation[node[to as usize] as usize], parcels.cost_to(here, to)),
             };
             let fall = steepness * cost * libm::powf(areas[here] as f32, -concavity);
-            // However little, a river falls.
+            // A river falls everywhere, however little.
             tree.elevation[node[here] as usize] = (below + fall).max(f32::next_up(below));
         }
     }
 
-    /// The tree so far. While streams capture one another ([`Drainage::trees`]) it is another one after each round.
+    /// The tree so far. While streams capture one another, each round makes another tree ([`Drainage::trees`]).
     pub fn tree(&self) -> &Tree {
         &self.tree
     }
 
-    /// How many trees came before this one.
+    /// The number of trees before this one.
     pub fn trees(&self) -> u32 {
         self.rounds.saturating_sub(1)
     }
 
-    /// The parcels that drained another way after a round than before it, round by round.
+    /// The parcels that drain differently after a round than before it, round by round.
     pub fn captures(&self) -> &[Capture] {
         &self.captures.list
     }
 
-    /// The node of each parcel; `u32::MAX` of those that have none yet.
+    /// The node of each parcel; `u32::MAX` for parcels that have none yet.
     pub fn nodes(&self) -> &[u32] {
         &self.node
     }
 
-    /// How many parcels there are.
+    /// The number of parcels.
     pub fn parcels(&self) -> u32 {
         self.parcels.len() as u32
     }
 
-    /// Where the parcels lie.
+    /// The positions of the parcels.
     pub fn places(&self) -> &[glam::Vec2] {
         &self.parcels.at
     }
 
-    /// How many parcels have found no way to the sea yet.
+    /// The number of parcels without a way to the sea so far.
     pub fn unreached(&self) -> u32 {
         self.parcels() - (self.tree.len() as u32 - self.mouths)
     }
 
-    /// Where parcels lie that have found no way to the sea yet.
+    /// The positions of parcels without a way to the sea so far.
     pub fn left(&self) -> Vec<glam::Vec2> {
         let mut left = Vec::new();
         for (&at, &node) in self.parcels.at.iter().zip(&self.node) {
@@ -265,34 +266,34 @@ impl Drainage {
         left
     }
 
-    /// How many river mouths there are so far.
+    /// The number of river mouths so far.
     pub fn mouths(&self) -> u32 {
         self.mouths
     }
 
-    /// How many parcels the largest river drains; `None` while growth goes on, and without any parcel.
+    /// The number of parcels that the largest river drains; `None` while growth goes on, and if there are no parcels.
     pub fn largest_basin(&self) -> Option<u32> {
         self.largest_basin
     }
 
-    /// How growth ended; `None` while it goes on.
+    /// The way growth ended; `None` while it goes on.
     pub fn ending(&self) -> Option<Ending> {
         self.ending
     }
 }
 
-/// Whether there is memory for the parcels of some settings.
+/// Returns `true` if there is memory for the parcels of some settings.
 pub(super) fn can_lay_out(settings: &GrowthSettings) -> bool {
     can_allocate(Lattice::count(&settings.domain, &settings.drainage).saturating_mul(BYTES_A_CELL))
 }
 
-/// The slope, beside that of the ground, where a river drains one parcel: a river that drains everything falls as gently as one of any
-/// other tree does.
+/// The factor for the slope where a river drains one parcel. A river that drains the whole map then falls as gently as
+/// in any other tree.
 fn steepness(parcels: usize, concavity: f32) -> f32 {
     LEAST_SLOPE * libm::powf(parcels.max(1) as f32, concavity)
 }
 
-/// Adds a parcel's node, and the mouth that it flows to if that is its own.
+/// Adds a parcel's node, and its mouth if the parcel has an outlet.
 fn plant(
     parcels: &Parcels,
     directions: &FlowDirections,

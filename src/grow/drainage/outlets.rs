@@ -1,8 +1,9 @@
-//! Outlets: where water leaves the land, along all of its coast.
+//! Outlets: the places along the coast where water leaves the land.
 //!
-//! An edge of the lattice from a parcel to a cell in the water crosses the coast, and there is an outlet: the nearest of each parcel. So
-//! there is about one a spacing, and none of the ways to them crosses an edge. Which of them become great rivers is for
-//! the water to find out. The frame of a picture is no coast, where land runs on beyond it, but for a rectangle's chosen sides.
+//! An edge of the lattice from a parcel on land to a cell in water crosses the coast, and there is an outlet: the
+//! nearest one for each parcel. So there is about one for each spacing, and no way to an outlet crosses an edge. Water
+//! decides which of them become great rivers. The frame of a picture is not a coast, since land continues beyond it,
+//! except for the chosen sides of a rectangle.
 
 use glam::Vec2;
 
@@ -23,7 +24,7 @@ pub(super) struct Outlet {
     pub parcel: u32,
 }
 
-/// The outlets of a land, as many as are asked for.
+/// Finds the outlets of a land, as many as are asked for.
 pub(super) fn find(
     settings: &GrowthSettings,
     lattice: &Lattice,
@@ -49,7 +50,7 @@ pub(super) fn find(
     if settings.mouths > 0 { nearest_to_mouths(settings, &all) } else { thin_out(settings, all) }
 }
 
-/// For each mouth that is asked for, the outlet nearest to it on the same land, of those that are left.
+/// Finds for each requested mouth the nearest outlet on the same land that is not taken.
 fn nearest_to_mouths(settings: &GrowthSettings, all: &[Outlet]) -> Vec<Outlet> {
     let mut is_left = vec![true; all.len()];
     let nearest = |mouth: Mouth| {
@@ -63,7 +64,7 @@ fn nearest_to_mouths(settings: &GrowthSettings, all: &[Outlet]) -> Vec<Outlet> {
     mouths(settings).into_iter().filter_map(nearest).collect()
 }
 
-/// Outlets on the chosen shores, each at least so far from all others, those in bays first.
+/// Keeps outlets on the chosen shores that are far enough from all others, those in bays first.
 fn thin_out(settings: &GrowthSettings, all: Vec<Outlet>) -> Vec<Outlet> {
     let Some(land) = settings.land.as_deref().filter(|_| settings.shores != Sides::ALL || settings.mouth_spacing > 0.0)
     else {

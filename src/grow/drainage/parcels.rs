@@ -1,4 +1,5 @@
-//! Parcels: pieces of land that each drain themselves, their neighbours, and the outlets through which water leaves the land.
+//! Parcels: pieces of land that each drain themselves, with their neighbours, and the outlets through which water
+//! leaves the land.
 
 use glam::Vec2;
 
@@ -13,27 +14,29 @@ use crate::land::{Cell, CoastDistance};
 use crate::random::Purpose;
 use crate::work;
 
-/// All parcels with what lies between them.
+/// All parcels, with the costs between them.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Parcels {
-    /// Where each lies, in domain units.
+    /// The position of each parcel, in domain units.
     pub at: Vec<Vec2>,
-    /// The neighbours that water may come from or go to, by the six ways of the lattice; [`NONE`] where it may not.
+    /// The neighbours in the six directions of the lattice that water may come from or go to; [`NONE`] where it may
+    /// not.
     pub neighbours: Vec<[u32; 6]>,
-    /// What it costs to cross from each to its neighbour by the first three ways: length times how hard the ground is. Empty where no water
-    /// is to find its way.
+    /// The costs of crossing to the neighbours in the first three directions: length times hardness of the ground.
+    /// Empty if no water has to find its way.
     costs: Vec<[f32; WAYS]>,
-    /// The numbers of each one's cell, which belong to the plane and not to this land.
+    /// The identity of each parcel's cell, which belongs to the plane and not to this land.
     pub identity: Vec<[u32; 2]>,
-    /// How near each lies to a border of the domain where land runs on, from 0, not near, to 1, at it. The ground rises toward such
-    /// borders, so that divides lie along them, and not rivers. Empty like the costs.
+    /// The nearness of each parcel to a border of the domain beyond which land continues, from 0, far away, to 1, at
+    /// the border. The ground rises toward such borders, so that divides follow them, and not rivers. Empty like the
+    /// costs.
     pub border: Vec<f32>,
-    /// The share of a step's cost that is left there: 1, but little along the rivers that are drawn, so that water keeps to them. Empty
-    /// like the costs.
+    /// The factor for the cost of each step: 1, but small along drawn rivers, so that water keeps to them. Empty like
+    /// the costs.
     pub toll: Vec<f32>,
-    /// Where water leaves the land.
+    /// The places where water leaves the land.
     pub outlets: Vec<Outlet>,
-    /// The outlet beside a parcel; [`NONE`] for most.
+    /// The outlet of each parcel; [`NONE`] for most.
     pub outlet_of: Vec<u32>,
 }
 
@@ -47,7 +50,7 @@ impl Parcels {
         this
     }
 
-    /// The same where no water is to find its way: without costs, and what they are made of.
+    /// Lays out the parcels without costs and their ingredients, for use without drainage.
     pub fn without_costs(settings: &GrowthSettings) -> Self {
         let mut lattice = Lattice::new(&settings.domain, &settings.drainage);
         let cells = land_cells(settings, &mut lattice);
@@ -70,12 +73,12 @@ impl Parcels {
         this
     }
 
-    /// How many there are.
+    /// The number of parcels.
     pub fn len(&self) -> usize {
         self.at.len()
     }
 
-    /// What it costs to cross from a parcel to its neighbour some way: the same there and back.
+    /// The cost of crossing from a parcel to its neighbour in a direction, which is the same in both ways.
     #[inline]
     pub fn cost(&self, parcel: usize, way: usize) -> f32 {
         match way {
@@ -84,13 +87,13 @@ impl Parcels {
         }
     }
 
-    /// What it costs to leave the land from the parcel of an outlet.
+    /// The cost of leaving the land from the parcel of an outlet.
     pub fn cost_out(&self, parcel: usize) -> f32 {
         let outlet = self.outlets.get(self.outlet_of[parcel] as usize);
         outlet.map_or(f32::INFINITY, |outlet| distance(self.at[parcel], outlet.at))
     }
 
-    /// What it costs to cross from a parcel to a neighbour.
+    /// The cost of crossing from a parcel to a neighbour.
     pub fn cost_to(&self, parcel: usize, neighbour: u32) -> f32 {
         let way = self.neighbours[parcel].iter().position(|&there| there == neighbour);
         way.map_or(f32::INFINITY, |way| self.cost(parcel, way))
@@ -113,7 +116,7 @@ impl Parcels {
         }
     }
 
-    /// Hard and soft ground: each edge has a chance of its own, and lies in ground that is the same for many around.
+    /// Adds hard and soft ground: each edge has its own random part, and one that it shares with many around it.
     fn weigh(&mut self, settings: &DrainageSettings) {
         const CHANCE: f32 = 0.47;
         let noise = settings.noise(2, settings.hardness_scale, 4, 0.6);
@@ -138,14 +141,14 @@ impl Parcels {
     }
 }
 
-/// Brings fractal noise from −1 to 1 to a deviation of about 1.
+/// The factor that brings fractal noise from −1 to 1 to a deviation of about 1.
 pub(super) const DEVIATION: f32 = 3.0;
 
-/// How much harder the ground is at a border where land runs on: e to the power of this.
+/// The logarithm of the additional hardness of ground at a border beyond which land continues.
 const BORDER: f32 = 1.5;
 
-/// How near a place lies to a border of the domain where land runs on. A rectangle has the sea beyond its chosen sides, unless
-/// mouths are drawn.
+/// The nearness of a place to a border of the domain beyond which land continues. A rectangle has the sea beyond its
+/// chosen sides, unless mouths are drawn.
 fn nearness_to_border(settings: &GrowthSettings, at: Vec2) -> f32 {
     const SPACINGS: f32 = 8.0;
     let is_closed = |side| settings.land.is_some() || !settings.starts.is_empty() || !settings.sides.contains(side);
@@ -173,14 +176,14 @@ fn tolls(settings: &GrowthSettings, places: &[Vec2]) -> Vec<f32> {
     places.iter().map(toll).collect()
 }
 
-/// About a normal deviate: the sum of four random numbers (Irwin and Hall).
+/// An approximately normal deviate: the sum of four random numbers (Irwin and Hall).
 fn normal(bits: u32) -> f32 {
     const OF_BYTES: f32 = 147.8;
     let sum: u32 = bits.to_be_bytes().into_iter().map(u32::from).sum();
     (sum as f32 - 510.0) / OF_BYTES
 }
 
-/// The cells of the lattice whose places are parcels: those on land and, where mouths are drawn, on land that has one.
+/// The cells of the lattice that are parcels: those on land and, if mouths are drawn, on land that has one.
 fn land_cells(settings: &GrowthSettings, lattice: &mut Lattice) -> Vec<usize> {
     let with_a_mouth = settings.land.as_deref().filter(|_| !settings.starts.is_empty());
     let watered = with_a_mouth.map(|land| Watered::of(settings, land));

@@ -1,5 +1,5 @@
-//! A round: every parcel finds the way to the sea that costs least (Dijkstra 1959, from all outlets at once), where a step costs the
-//! less the more water there was in the round before: S = k A^−θ (Flint 1974), as in optimal channel networks
+//! A round: every parcel finds the cheapest way to the sea (Dijkstra 1959, from all outlets at once). A step costs less
+//! the more water there was in the previous round: S = k A^−θ (Flint 1974), as in optimal channel networks
 //! (Rodriguez-Iturbe, Rinaldo and others 1992).
 
 use super::directions::FlowDirections;
@@ -16,12 +16,13 @@ pub(super) struct Round {
     directions: FlowDirections,
 }
 
-/// What is known of a parcel's way to the sea, side by side since it is looked at together.
+/// A parcel's way to the sea. Its parts are stored together because they are read together.
 #[derive(Clone, Copy, Debug)]
 struct Way {
-    /// What the cheapest known one costs.
+    /// The cost of the cheapest known way.
     cost: f32,
-    /// A^−θ: the slope of its first step, but for the ground; infinite once the way is settled, so that no other is cheaper.
+    /// A^−θ: the slope of its first step, apart from the ground. Infinite once the way is settled, so that no other is
+    /// cheaper.
     slope: f32,
 }
 
@@ -32,7 +33,7 @@ impl Way {
 }
 
 impl Round {
-    /// Begins at all outlets. `area` is what each parcel drained in the round before, at least 1.
+    /// Begins at all outlets. `area` is the area that each parcel drained in the previous round, 1 or more.
     pub fn new(parcels: &Parcels, area: &[f32], concavity: f32) -> Result<Self, Refused> {
         let count = parcels.len();
         work::count(count);
@@ -52,7 +53,7 @@ impl Round {
         Ok(this)
     }
 
-    /// Settles `count` more parcels. Returns whether there may be more.
+    /// Settles `count` more parcels. Returns `true` if there may be more.
     pub fn advance(&mut self, parcels: &Parcels, count: usize) -> Result<bool, Refused> {
         self.queue.reserve(6 * count)?;
         work::count(6 * count);
@@ -83,18 +84,18 @@ impl Round {
         }
     }
 
-    /// How each parcel drains, once the round is over.
+    /// The flow directions of all parcels, once the round is over.
     pub fn into_directions(self) -> FlowDirections {
         self.directions
     }
 
-    /// What the cheapest known way of each parcel costs.
+    /// The cost of each parcel's cheapest known way.
     #[cfg(test)]
     pub fn costs(&self) -> impl Iterator<Item = f32> {
         self.ways.iter().map(|way| way.cost)
     }
 
-    /// How each parcel drains, as far as is known.
+    /// The flow directions as far as they are known.
     pub fn directions(&self) -> &FlowDirections {
         &self.directions
     }

@@ -1,4 +1,4 @@
-//! What drainage needs to know, in domain units.
+//! The settings of drainage, in domain units.
 
 use fastnoise_lite::FastNoiseLite;
 
@@ -6,26 +6,28 @@ use crate::domain::AREA;
 use crate::random::{Purpose, Seed};
 use crate::recipe::{GrowthMethod, Key, Recipe};
 
-/// The settings of drainage, resolved: spacings turned into lengths.
+/// The settings of drainage, with spacings turned into lengths.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DrainageSettings {
     /// The seed's 64 bits.
     pub seed: Seed,
-    /// The mean distance between parcels, √(area of the domain / attractors): the land hides parcels, it does not move any.
+    /// The mean distance between parcels, √(area of the domain / attractors). The land leaves parcels out but does not
+    /// move any.
     pub spacing: f32,
-    /// How much valleys decide, from 0 to 1: the exponent of the areas of an invasion, or how uneven the ground is that attractors lie on.
+    /// The influence of valleys, from 0 to 1: the exponent of the areas of an invasion, or the unevenness of the ground
+    /// on which attractors lie.
     pub valleys: f32,
-    /// How far apart those valleys are, in units: the wavelength of the ground that is invaded.
+    /// The distance between these valleys, in units: the wavelength of the ground that is invaded.
     pub valley_spacing: f32,
-    /// Θ of Flint's law S = k A^−θ (1974): by how much slope falls as area grows.
+    /// Θ of Flint's law S = k A^−θ (1974): the decrease of slope with area.
     pub concavity: f32,
-    /// How many rounds follow the first.
+    /// The number of rounds after the first.
     pub captures: u32,
-    /// How unlike hard and soft ground are.
+    /// The contrast between hard and soft ground.
     pub hardness: f32,
-    /// How far apart hard ground is from soft, in units.
+    /// The distance between hard and soft ground, in units.
     pub hardness_scale: f32,
-    /// How far the plane is bent, in units.
+    /// The distance by which the plane is bent, in units.
     pub bending: f32,
 }
 
@@ -44,12 +46,12 @@ impl DrainageSettings {
             captures: recipe.integer(Key::Captures),
             hardness: recipe.number(Key::Hardness),
             hardness_scale: spacings(Key::HardnessScale),
-            // Attractors lie where their cells are.
+            // Attractors stay in their cells.
             bending: if is_drainage { spacings(Key::Bending) } else { 0.0 },
         }
     }
 
-    /// Fractal noise over the plane from −1 to 1. The index tells one use from another.
+    /// Fractal noise over the plane, from −1 to 1. `index` separates different uses.
     pub(super) fn noise(&self, index: u32, wavelength: f32, octaves: i32, gain: f32) -> FastNoiseLite {
         let mut noise = self.seed.noise(Purpose::Ground, index, 1.0 / wavelength, octaves);
         noise.set_fractal_gain(Some(gain));

@@ -17,7 +17,7 @@ fn grown(text: &str) -> Drainage {
     growth
 }
 
-/// A lattice all of whose edges are known.
+/// A lattice whose edges are all known.
 fn whole_lattice(settings: &GrowthSettings) -> Lattice {
     let mut lattice = Lattice::new(&settings.domain, &settings.drainage);
     let inner: Vec<usize> = (0..lattice.at.len()).filter(|&cell| lattice.is_inner(cell)).collect();
@@ -25,7 +25,7 @@ fn whole_lattice(settings: &GrowthSettings) -> Lattice {
     lattice
 }
 
-/// Recipes of all kinds of land, with everything that drainage knows.
+/// Recipes for all kinds of land, with all parameters of drainage.
 fn recipes() -> impl Strategy<Value = String> {
     let lands = prop::sample::select(vec![
         "land=rectangle&sides=s",
@@ -65,7 +65,7 @@ fn edges(parcels: &Parcels) -> Vec<(Vec2, Vec2)> {
     (0..parcels.len()).flat_map(between).chain(out).collect()
 }
 
-/// Every way to the sea relaxed until nothing changes (Bellman and Ford), with the ties that a queue leaves out.
+/// Relaxes every way to the sea until nothing changes (Bellman and Ford), with the ties that a queue leaves out.
 fn relaxed(parcels: &Parcels, area: &[f32], concavity: f32) -> Vec<f32> {
     let slope: Vec<f32> = area.iter().map(|&area| libm::powf(area, -concavity)).collect();
     let mut cost = vec![f32::INFINITY; parcels.len()];
@@ -89,7 +89,7 @@ fn relaxed(parcels: &Parcels, area: &[f32], concavity: f32) -> Vec<f32> {
     }
 }
 
-/// How many parcels each drains, one walk to the sea at a time.
+/// The number of parcels that each parcel drains, counted by one walk to the sea at a time.
 fn recounted(directions: &FlowDirections) -> Vec<u32> {
     let mut areas = vec![0; directions.to.len()];
     for &start in &directions.order {
@@ -102,7 +102,7 @@ fn recounted(directions: &FlowDirections) -> Vec<u32> {
     areas
 }
 
-/// The energy of a network under the law that its rounds go by.
+/// The energy of a network under the law of its rounds.
 fn energy(parcels: &Parcels, directions: &FlowDirections, concavity: f32) -> f64 {
     let areas = directions.areas();
     let step = |&here: &u32| {
@@ -115,14 +115,14 @@ fn energy(parcels: &Parcels, directions: &FlowDirections, concavity: f32) -> f64
     directions.order.iter().map(step).sum()
 }
 
-/// Where each parcel drains to, by the tree; nowhere if it has no node.
+/// The parcel that each parcel drains to, by the tree; `None` without a node.
 fn ways_of(growth: &Drainage) -> Vec<Option<u32>> {
     let tree = growth.tree();
     let mut parcels = vec![NO_PARENT; tree.len()];
     let nodes = || (0..).zip(&growth.node).filter(|(_, node)| **node != NONE);
     nodes().for_each(|(parcel, &node)| parcels[node as usize] = parcel);
     let mut ways = vec![None; growth.node.len()];
-    // A mouth is no parcel.
+    // A mouth is not a parcel.
     nodes().for_each(|(parcel, &node): (u32, _)| {
         ways[parcel as usize] = Some(parcels[tree.parent[node as usize] as usize])
     });
@@ -190,7 +190,7 @@ proptest! {
         let mut invasion = Invasion::new(&settings, &parcels).unwrap();
         while invasion.advance(&parcels, 5).unwrap() {}
         let heights = heights::heights(&settings, &parcels);
-        // By scanning all that lies beside what has been taken.
+        // By scanning everything beside the parcels taken so far.
         let mut to = vec![NONE; parcels.len()];
         parcels.outlets.iter().for_each(|outlet| to[outlet.parcel as usize] = FlowDirections::OUT);
         let (mut order, mut is_taken) = (Vec::new(), vec![false; parcels.len()]);
@@ -264,8 +264,8 @@ proptest! {
 
     #[test]
     fn energy_rises_by_a_thousandth_at_most_from_round_to_round(recipe in recipes()) {
-        // There is no theorem: now and then it rises by a few ten-thousandths, and by a hundredth with few parcels, or with another
-        // exponent than nature's.
+        // There is no theorem: now and then the energy rises by a few ten-thousandths, and by a hundredth with few
+        // parcels or with an exponent unlike nature's.
         let mut settings = settings(&recipe);
         settings.drainage.spacing = 18.0;
         let (parcels, concavity) = (Parcels::new(&settings), 0.5);
@@ -296,7 +296,7 @@ fn land_hides_parcels_and_moves_none() {
 
 #[test]
 fn a_ridge_with_one_gap_is_passed_through_the_gap() {
-    // Water lies in the south alone, and a ridge between it and half of the land, with a gap.
+    // There is water only in the south, and between it and half of the land a ridge with a gap.
     let mut settings = settings("land=rectangle&attractors=900&aspect=1");
     let coasts = CoastDistance::of_strait(&settings.domain, Vec2::new(-500.0, 960.0), Vec2::new(1500.0, 960.0), 30.0);
     let ridge = |from, to| vec![Vec2::new(from, 500.0), Vec2::new(to, 500.0)];
@@ -305,7 +305,7 @@ fn a_ridge_with_one_gap_is_passed_through_the_gap() {
     settings.land = Some(land.into());
     let mut growth = Drainage::new(settings).unwrap();
     while growth.tick() {}
-    // A few parcels beside the ridge have no edge that does not cross it.
+    // A few parcels beside the ridge have only edges that cross it.
     assert!(growth.unreached() * 50 < growth.parcels(), "{} are unreached", growth.unreached());
     let tree = growth.tree();
     let steps = (0..tree.len()).filter_map(|node| Some((tree.at[node], tree.at[tree.parent_of(node)?])));
@@ -318,7 +318,7 @@ fn a_ridge_with_one_gap_is_passed_through_the_gap() {
 fn the_floor_of_a_valley_carries_its_trunk() {
     const FLOOR: f32 = 420.0;
     for seed in ["kauri", "rimu", "totara"] {
-        // Walls rise from the floor to either side, four times as steeply as the floor does from the sea in the south.
+        // Walls rise from the floor to both sides, four times as steeply as the floor rises from the sea in the south.
         let text =
             format!("seed={seed}&land=rectangle&sides=s&aspect=1&attractors=1600&valleys=1&hardness=0&bending=1");
         let mut growth = Drainage::new(settings(&text)).unwrap();
@@ -326,7 +326,7 @@ fn the_floor_of_a_valley_carries_its_trunk() {
         growth.stage = Stage::Invasion(Invasion::over(heights, &growth.parcels).unwrap().into());
         while growth.tick() {}
         let (tree, discharge) = (growth.tree(), Hydrology::of(growth.tree()).discharge);
-        // From the sea up, where the most water comes from each time.
+        // From the sea upward, always to where most of the water comes from.
         let greatest = |of: u32| (0..tree.len()).filter(|&i| tree.parent[i] == of).max_by_key(|&i| discharge[i]);
         let is_great = |node: &usize| discharge[*node] > growth.parcels() / 4;
         let up = |below: Option<usize>| greatest(below.map_or(NO_PARENT, |node| node as u32)).filter(is_great);

@@ -1,16 +1,16 @@
-//! Areas of the third colour: those too wide to be lines are traced around, and nothing grows within.
+//! Areas of the third colour. Those that are too wide to be lines are traced around, and nothing grows within.
 
 use super::contour;
 use super::ground::Ground;
 use glam::Vec2;
 
-/// The greatest width of a line is the picture's longer side, in blocks, over this;
+/// The greatest width of a line is the longer side of the picture, in blocks, divided by this;
 const OF_THE_PICTURE: usize = 32;
-/// in small pictures, this many blocks.
+/// in small pictures it is this number of blocks.
 const WIDEST_LINE: usize = 6;
 
-/// Takes all that is connected with a wide place out of the ridges. Returns the lines around it, closed: their last
-/// point is their first.
+/// Removes everything connected with a wide place from the ridges. Returns the closed lines around it, whose last point
+/// equals the first.
 pub(super) fn take_out(ground: &Ground, ridges: &mut [u8]) -> Vec<Vec<Vec2>> {
     let widest = (ground.columns.max(ground.rows) / OF_THE_PICTURE).max(WIDEST_LINE);
     let mut core = ridges.to_vec();
@@ -29,8 +29,8 @@ pub(super) fn take_out(ground: &Ground, ridges: &mut [u8]) -> Vec<Vec<Vec2>> {
     contour::rings(&ground.with_land(&area)).into_iter().map(closed).collect()
 }
 
-/// Takes the outermost blocks away: those that share a side, or a corner too, with a block outside. Both in turn wear
-/// straight and slanting edges alike.
+/// Removes the outermost blocks: those that share a side, or also a corner, with a block outside. Alternating both
+/// wears straight and slanted edges equally.
 fn erode(mask: &mut [u8], columns: usize, by_corners: bool) {
     let before = mask.to_vec();
     let is_within = |i: usize| {
@@ -46,7 +46,7 @@ fn erode(mask: &mut [u8], columns: usize, by_corners: bool) {
     }
 }
 
-/// The blocks around one, as far as there are any.
+/// The blocks around one, within the picture.
 fn around(i: usize, columns: usize, count: usize) -> impl Iterator<Item = usize> {
     let (x, y) = (i % columns, i / columns);
     let rows = y.saturating_sub(1)..(y + 2).min(count / columns);
@@ -54,7 +54,8 @@ fn around(i: usize, columns: usize, count: usize) -> impl Iterator<Item = usize>
     rows.flat_map(move |row| across.clone().map(move |column| row * columns + column)).filter(move |&j| j != i)
 }
 
-/// A ring as a line that comes back to where it begins: far out, at a point that simplifying would leave too.
+/// Turns a ring into a line that returns to its beginning. It begins at the point farthest from the middle, which
+/// simplifying would keep anyway.
 fn closed(mut ring: Vec<Vec2>) -> Vec<Vec2> {
     let middle = ring.iter().sum::<Vec2>() / ring.len().max(1) as f32;
     let far = |i: &usize| ring[*i].distance_squared(middle);

@@ -1,16 +1,16 @@
-//! The coast in a picture: marching squares (after Lorensen and Cline 1987), each point placed between two
-//! blocks by how much of them is land.
+//! The coast in a picture, by marching squares (after Lorensen and Cline 1987). Each point is placed between two blocks
+//! according to their shares of land.
 
 use glam::Vec2;
 
 use super::ground::Ground;
 
-/// More of a block than this makes it land.
+/// The share of land above which a block is land.
 const LEVEL: f32 = 0.5;
 const NONE: u32 = u32::MAX;
 
-/// The closed lines between land and water, in fractions of width and height. Land at the picture's border is closed
-/// along it, at exactly 0 or 1.
+/// The closed lines between land and water, in fractions of width and height. Land at the border of the picture is
+/// closed along it, at exactly 0 or 1.
 pub(super) fn rings(ground: &Ground) -> Vec<Vec<Vec2>> {
     let squares = Squares { ground, columns: ground.columns as i32 + 2, rows: ground.rows as i32 + 2 };
     let mut next = squares.segments();
@@ -35,7 +35,7 @@ fn area(ring: &[Vec2]) -> f32 {
     edges.map(|(a, b)| (*a - origin).perp_dot(*b - origin)).sum::<f32>().abs() / 2.0
 }
 
-/// A ring that goes from one side of the picture to the next goes by the corner between them.
+/// Adds the corner of the picture where a ring goes from one side to the next.
 fn with_corners(ring: &[Vec2]) -> Vec<Vec2> {
     let is_border = |x: f32| x == 0.0 || x == 1.0;
     let mut whole = Vec::with_capacity(ring.len() + 4);
@@ -50,18 +50,18 @@ fn with_corners(ring: &[Vec2]) -> Vec<Vec2> {
     whole
 }
 
-/// The blocks of a picture with one more all around, at whose corners (the middles of the blocks) marching squares
-/// stand. A crossing is a side between two corners, one of them land: it has the number of its western or northern
-/// corner, twice, and one more if it runs south.
+/// The squares between the middles of blocks, with one more block all around the picture. A crossing is a side between
+/// two corners of which one is land. Its number is twice that of its western or northern corner, plus one if the side
+/// runs south.
 struct Squares<'a> {
     ground: &'a Ground,
     columns: i32,
     rows: i32,
 }
 
-/// Which sides of a square a coast goes from and to, by the land at its corners (north-west 1, north-east 2, south-east
-/// 4, south-west 8): land lies to its left. Land that meets at a corner only is apart. Sides: 0 north, 1 east, 2 south,
-/// 3 west.
+/// The sides by which a coast enters and leaves a square, by the land at its corners (north-west 1, north-east 2,
+/// south-east 4, south-west 8). Land lies to its left. Land that meets only at a corner is separate. Sides: 0 north, 1
+/// east, 2 south, 3 west.
 const WAYS: [&[(usize, usize)]; 16] = [
     &[],
     &[(3, 0)],
@@ -82,7 +82,7 @@ const WAYS: [&[(usize, usize)]; 16] = [
 ];
 
 impl Squares<'_> {
-    /// For each crossing the next one along the coast, or `NONE` where the coast does not cross.
+    /// The next crossing along the coast for each crossing, or `NONE` where the coast does not cross.
     fn segments(&self) -> Vec<u32> {
         let mut next = vec![NONE; (self.columns * self.rows * 2) as usize];
         for row in 0..self.rows - 1 {
@@ -103,8 +103,8 @@ impl Squares<'_> {
         corners.iter().enumerate().map(|(bit, corner)| usize::from(is_land(corner)) << bit).sum()
     }
 
-    /// How much land there is at a corner. Beyond the border it is the opposite of what lies within, if that is land: so
-    /// the coast runs half-way between, along the border.
+    /// The share of land at a corner. Beyond the border it is the opposite of land within, so that the coast runs
+    /// halfway between, along the border.
     fn land(&self, column: i32, row: i32) -> f32 {
         let (x, y) = (column - 1, row - 1);
         let (columns, rows) = (self.ground.columns as i32, self.ground.rows as i32);
@@ -114,7 +114,7 @@ impl Squares<'_> {
         if is_inside { land } else { (1.0 - land).min(LEVEL) }
     }
 
-    /// Where the coast crosses, in fractions of the picture.
+    /// The point at which the coast crosses, in fractions of the picture.
     fn place(&self, crossing: usize) -> Vec2 {
         let corner = crossing as i32 / 2;
         let (column, row) = (corner % self.columns, corner / self.columns);
@@ -123,7 +123,7 @@ impl Squares<'_> {
         let share = (LEVEL - from) / (to - from);
         let at = |column: i32, row: i32| Vec2::new(self.ground.across(column - 1), self.ground.down(row - 1));
         let place = at(column, row).lerp(at(column + east, row + south), share);
-        // Rounding must not leave a hair of water along the border.
+        // Rounding must not leave a thin strip of water along the border.
         let snap = |x: f32| match x {
             x if x < 1e-5 => 0.0,
             x if x > 1.0 - 1e-5 => 1.0,

@@ -1,4 +1,4 @@
-//! Where a picture lies on its map. Most fill it; one that is longer than any map lies in the middle.
+//! The position of a picture on its map. Most fill it; one that is longer than any map lies in the middle.
 
 use glam::Vec2;
 
@@ -7,9 +7,9 @@ use crate::recipe::{Key, Kind};
 
 /// A picture's place on the map.
 pub(super) struct Frame {
-    /// Of the map: width over height.
+    /// The map's width divided by its height.
     pub aspect: f32,
-    /// The share of the map's width and height that the picture has.
+    /// The shares of the map's width and height that the picture covers.
     share: Vec2,
     /// The middles of the first and the last blocks, in fractions of the picture.
     first: Vec2,
@@ -28,8 +28,8 @@ impl Frame {
         }
     }
 
-    /// A point of the picture on the map. What comes to the border of a picture that does not reach the map's goes on to
-    /// the map's: land that runs off the picture has no coast there.
+    /// Maps a point of the picture to the map. If the picture is shorter than the map, points at its border move to
+    /// that of the map, because land that runs off the picture has no coast there.
     pub fn place(&self, at: Vec2) -> Vec2 {
         let along = |at: f32, share: f32, first: f32, last: f32| match at {
             _ if share == 1.0 => at,
@@ -44,7 +44,7 @@ impl Frame {
     }
 }
 
-/// The aspect that a recipe can have.
+/// The nearest aspect that a recipe can have.
 fn nearest(aspect: f32) -> f32 {
     match Key::Aspect.parameter().kind {
         Kind::Number { min, max, .. } => aspect.clamp(min.to_f64() as f32, max.to_f64() as f32),

@@ -1,22 +1,22 @@
-//! The ground that a picture shows: the share of land of each block of pixels, and the ridges.
+//! The ground in a picture: the share of land in each block of pixels, and the ridges.
 
-/// How closely a picture is looked at.
+/// The resolution at which a picture is looked at.
 pub(super) struct Detail {
-    /// Pictures are looked at in no more than this many blocks a side.
+    /// The greatest number of blocks on a side.
     most_blocks: usize,
-    /// Whether the stairs of a picture of two colours are taken out.
+    /// `true` if the steps of a picture in two colours are smoothed.
     is_softened: bool,
-    /// Rings around less than this are specks, as a fraction of the picture's area.
+    /// The smallest area of a ring that is not a speck, as a fraction of the picture's area.
     speck: f32,
 }
 
-/// Rings around less than this are specks, in most pictures.
+/// The smallest area of a ring that is not a speck, in most pictures.
 pub(in crate::land) const SPECK: f32 = 1e-4;
 
 impl Detail {
-    /// For an outline: finer than the lattice of coast distances that it makes.
+    /// The detail for an outline: finer than the lattice of the coast distances that are made from it.
     pub const OUTLINE: Self = Self { most_blocks: 512, is_softened: true, speck: SPECK };
-    /// For a mask: as fine as the cells of land. An islet or a pond of four cells is no speck.
+    /// The detail for a mask: as fine as the cells of land. An islet or a pond of four cells is not a speck.
     pub const MASK: Self = Self { most_blocks: 2048, is_softened: false, speck: 4e-6 };
 }
 
@@ -24,22 +24,22 @@ impl Detail {
 pub(super) struct Ground {
     pub columns: usize,
     pub rows: usize,
-    /// 0 for water to 1 for land.
+    /// The share of land in each block: 0 for water to 1 for land.
     pub land: Vec<f32>,
-    /// Not 0 where there is a ridge.
+    /// Nonzero for blocks with a ridge.
     pub ridges: Vec<u8>,
-    /// The pixels of the picture to a block, each way; the last blocks may have fewer.
+    /// The width and height of a block in pixels. The last blocks may be smaller.
     pub block: f32,
-    /// The share of the picture's pixels that are more land than water.
+    /// The share of pixels that are more land than water.
     pub light: f32,
-    /// Rings around less than this are specks, as a fraction of the picture's area.
+    /// The smallest area of a ring that is not a speck, as a fraction of the picture's area.
     pub speck: f32,
     width: f32,
     height: f32,
 }
 
 impl Ground {
-    /// Looks at a picture, given as RGBA. Neither side may be 0.
+    /// Divides a picture, given as RGBA, into blocks. Neither side may be 0.
     pub fn of(width: usize, height: usize, rgba: &[u8], detail: &Detail) -> Self {
         let block = width.max(height).div_ceil(detail.most_blocks);
         let (columns, rows) = (width.div_ceil(block), height.div_ceil(block));
@@ -50,7 +50,7 @@ impl Ground {
                 sums[y / block * columns + x / block].add(picture.kind(x, y));
             }
         }
-        // A ridge one pixel wide counts in each block it crosses.
+        // A ridge one pixel wide counts in each block that it crosses.
         let is_ridge = |sum: &Sum| u8::from(sum.ridges > 0 && sum.ridges * 2 >= block as u32);
         let land: Vec<f32> = sums.iter().map(Sum::share).collect();
         Self {
@@ -66,7 +66,7 @@ impl Ground {
         }
     }
 
-    /// Blocks without a picture, row by row.
+    /// Makes a ground from blocks without a picture, row by row.
     pub fn of_blocks(columns: usize, land: Vec<f32>, speck: f32) -> Self {
         let rows = land.len() / columns;
         Self {
@@ -82,18 +82,18 @@ impl Ground {
         }
     }
 
-    /// The same blocks with other land, of which there is 0 or 1 in each.
+    /// Makes a ground from the same blocks with other land, 0 or 1 in each.
     pub fn with_land(&self, land: &[f32]) -> Self {
         Self { land: softened(land, self.columns), ridges: Vec::new(), speck: SPECK, ..*self }
     }
 
-    /// The picture's width over its height.
+    /// The picture's width divided by its height.
     pub fn aspect(&self) -> f32 {
         self.width / self.height
     }
 
-    /// The middle of a column of blocks, as a fraction of the picture's width. The columns next to the picture on either
-    /// side are mirrored, so that its border lies half-way between.
+    /// The middle of a column of blocks, as a fraction of the picture's width. The columns next to the picture on
+    /// either side are mirrored, so that its border lies half-way between.
     pub fn across(&self, column: i32) -> f32 {
         middle(column, self.columns as i32, self.block, self.width)
     }
@@ -138,11 +138,11 @@ impl Sum {
     }
 }
 
-/// What a pixel shows.
+/// The content of a pixel.
 enum Kind {
-    /// From 0 for water to 1 for land.
+    /// A share of land, from 0 for water to 1 for land.
     Ground(f32),
-    /// On land.
+    /// A ridge on land.
     Ridge,
 }
 
@@ -163,7 +163,7 @@ impl Picture<'_> {
         }
     }
 
-    /// How light a pixel is and how far its channels differ, over black.
+    /// The lightness of a pixel and the difference between its channels, over black.
     fn light_and_colour(&self, x: usize, y: usize) -> [u8; 2] {
         let i = (y * self.width + x) * 4;
         let [r, g, b, a] = [0, 1, 2, 3].map(|channel| u32::from(self.rgba[i + channel]));
@@ -172,8 +172,8 @@ impl Picture<'_> {
         [light, colour].map(|value| (value * a / 255) as u8)
     }
 
-    /// Whether there is something darker and something lighter than grey close by: then grey is the way from one to the
-    /// other.
+    /// Returns `true` if there is something darker and something lighter than grey nearby: the grey is then an edge
+    /// between the two.
     fn is_soft_edge(&self, x: usize, y: usize) -> bool {
         const NEAR: usize = 2;
         let (mut is_dark_near, mut is_light_near) = (false, false);
@@ -191,7 +191,8 @@ impl Picture<'_> {
 /// The greys that may be ridges.
 const MID: (u8, u8) = (96, 160);
 
-/// Weighs each value with its neighbours, 1 2 1 each way: takes the stairs out of a picture of two colours.
+/// Averages each value with its neighbours, weighted 1 2 1 in both directions, to smooth the steps of a picture in two
+/// colours.
 fn softened(values: &[f32], columns: usize) -> Vec<f32> {
     let rows = values.len() / columns;
     let at = |x: usize, y: usize| values[y * columns + x];

@@ -1,4 +1,5 @@
-//! A picture as the land itself, at full detail: a link has room for only a limited number of points of an outline.
+//! Pictures that become land directly, in full detail: the outline in a link has room for only a limited number of
+//! points.
 
 use std::sync::Arc;
 
@@ -14,9 +15,10 @@ use crate::land::strokes::DrawError;
 use crate::land::{CoastDistance, Land};
 
 impl Land {
-    /// The land of a mask: of each pixel, row by row, whether it is land. The mask fills the domain, which should have its aspect;
-    /// the coast runs half-way between the middles of pixels, and of pixels that are over two units large the stairs are taken out. A cell
-    /// is land if its middle is, so detail finer than a unit is lost, and with it islets and ponds of less than four square units.
+    /// Makes land from a mask, which holds `true` for each pixel of land, row by row. The mask fills the domain and
+    /// should have its aspect. The coast runs halfway between the middles of pixels; steps are smoothed if pixels are
+    /// larger than two units. A cell is land if its middle is, so detail finer than a unit is lost, as are islets and
+    /// ponds of less than four square units.
     ///
     /// ```
     /// use riverseed::domain::Domain;
@@ -32,7 +34,7 @@ impl Land {
     /// ```
     ///
     /// # Errors
-    /// If the mask's size is out of range, or it shows no coast.
+    /// Fails if the mask's size is out of range, or if it shows no coast.
     pub fn from_mask(domain: &Domain, width: u32, height: u32, mask: &[bool]) -> Result<Arc<Self>, TraceError> {
         if mask.len() != width as usize * height as usize {
             return Err(TraceError::Pixels { pixels: mask.len(), width, height });
@@ -45,11 +47,12 @@ impl Land {
         of_lines(domain, coasts, Vec::new())
     }
 
-    /// The land of a picture, given as RGBA bytes row by row, not premultiplied: what is land, water and ridge is as [`trace`](super::trace())
-    /// says, but nothing is simplified, and next to nothing left out. `domain` should have the aspect that tracing gives.
+    /// Makes land from a picture, given as RGBA bytes row by row, not premultiplied. Land, water and ridges are
+    /// recognized as by [`trace`](super::trace()), but nothing is simplified and hardly anything left out. `domain`
+    /// should have the aspect that tracing gives.
     ///
     /// # Errors
-    /// If the picture's size is out of range, or it shows no coast.
+    /// Fails if the picture's size is out of range, or if it shows no coast.
     pub fn from_picture(domain: &Domain, width: u32, height: u32, rgba: &[u8]) -> Result<Arc<Self>, TraceError> {
         check_is_picture(width, height, rgba)?;
         let ground = Ground::of(width as usize, height as usize, rgba, &Detail::MASK);
@@ -60,7 +63,8 @@ impl Land {
     }
 }
 
-/// Takes the stairs out of coasts whose pixels, of a side in units, are large enough to show. What lies on the border stays there.
+/// Smooths the steps of coasts if pixels are large enough to show them; `pixel` is their side in units. Points on the
+/// border stay there.
 fn without_stairs(mut coasts: Lines, pixel: f32) -> Lines {
     const ROUNDS: usize = 2;
     if pixel <= CoastDistance::FINE_SPACING {
@@ -72,7 +76,7 @@ fn without_stairs(mut coasts: Lines, pixel: f32) -> Lines {
     coasts
 }
 
-/// Rings of fewer points, around two or three pixels, would shrink.
+/// The smallest number of points of a ring that is smoothed. Shorter rings, around two or three pixels, would shrink.
 const SHORTEST: usize = 12;
 
 fn smoothed(ring: &[Vec2]) -> Vec<Vec2> {

@@ -1,4 +1,4 @@
-//! Tracing a picture of a land: black is water, white is land, and a third colour is a ridge.
+//! Tracing of pictures of lands: black is water, white is land, and a third colour is a ridge.
 
 mod areas;
 mod contour;
@@ -19,14 +19,14 @@ use crate::recipe::Outline;
 
 /// The longest side of a picture that is traced, in pixels.
 pub const LONGEST_SIDE: u32 = 4096;
-/// The shortest.
+/// The shortest side of a picture that is traced, in pixels.
 pub const SHORTEST_SIDE: u32 = 16;
 
-/// A picture that is no land.
+/// The reason why a picture is not a land.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum TraceError {
-    /// A side over the limit.
+    /// A side is longer than the limit.
     #[error("the picture is too large: {width} x {height} pixels, at most {LONGEST_SIDE} x {LONGEST_SIDE} are traced")]
     TooLarge {
         /// Width, in pixels.
@@ -34,9 +34,9 @@ pub enum TraceError {
         /// Height, in pixels.
         height: u32,
     },
-    /// A side under the limit.
+    /// A side is shorter than the limit.
     #[error(
-        "the picture is too small: {width} x {height} pixels, at least {SHORTEST_SIDE} x {SHORTEST_SIDE} are wanted"
+        "the picture is too small: {width} x {height} pixels, at least {SHORTEST_SIDE} x {SHORTEST_SIDE} are needed"
     )]
     TooSmall {
         /// Width, in pixels.
@@ -44,27 +44,27 @@ pub enum TraceError {
         /// Height, in pixels.
         height: u32,
     },
-    /// Not four bytes a pixel.
+    /// The data does not have four bytes a pixel.
     #[error("the picture has {bytes} bytes in place of four for each of {width} x {height} pixels")]
     Bytes {
-        /// How many there are.
+        /// The number of bytes.
         bytes: usize,
         /// Width, in pixels.
         width: u32,
         /// Height, in pixels.
         height: u32,
     },
-    /// Not a value for each pixel.
+    /// The mask does not have one value a pixel.
     #[error("the mask has {pixels} values in place of one for each of {width} x {height} pixels")]
     Pixels {
-        /// How many there are.
+        /// The number of values.
         pixels: usize,
         /// Width, in pixels.
         width: u32,
         /// Height, in pixels.
         height: u32,
     },
-    /// Nothing but transparency.
+    /// The picture is transparent everywhere.
     #[error("the picture is empty: all of it is transparent")]
     Empty,
     /// No land.
@@ -73,48 +73,48 @@ pub enum TraceError {
     /// No water.
     #[error("the picture is all land: land is white, water black")]
     AllLand,
-    /// Both colours, but one of them in lines that are lost between the other's.
+    /// Both colours occur, but one only in lines that are lost between areas of the other.
     #[error("the {what} is too thin to trace: draw it {pixels} pixels wide or wider, or choose a smaller picture")]
     TooThin {
-        /// Which, `land` or `water`.
+        /// The colour that is lost, `land` or `water`.
         what: &'static str,
-        /// How wide would do, in pixels.
+        /// The width that would suffice, in pixels.
         pixels: u32,
     },
-    /// Nothing but specks.
+    /// The picture holds nothing but specks.
     #[error("nothing of the picture is large enough to keep: {0}")]
     Nothing(DrawError),
 }
 
-/// What tracing made of a picture.
+/// The result of tracing a picture.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Traced {
-    /// As much of the picture as there is room for.
+    /// The outline, with as much of the picture as there is room for.
     pub outline: Outline,
-    /// How many coasts the picture shows, specks left out; the outline may have fewer.
+    /// The number of coasts in the picture, without specks. The outline may have fewer.
     pub coasts: usize,
-    /// How many ridges.
+    /// The number of ridges in the picture.
     pub ridges: usize,
-    /// The aspect of the map that the outline is for: the picture's, as far as a recipe can have it.
+    /// The aspect of the map for the outline: the nearest to the picture's that a recipe can have.
     pub aspect: f32,
-    /// Whether the picture is longer than that: then it lies in the middle of the map, and what is at its long sides goes
-    /// on beyond.
+    /// `true` if the picture is longer than that. It then lies in the middle of the map, and whatever touches its long
+    /// sides continues beyond.
     pub is_longer: bool,
 }
 
-/// A colour with a smaller share of a picture's pixels than this is dust.
+/// The share of a picture's pixels below which a colour is dust.
 const DUST: f32 = 1e-4;
 
 /// Traces a picture, given as RGBA bytes row by row, not premultiplied.
 ///
-/// What is dark or transparent is water, what is light is land; shades between them count by how light they are, so that
-/// soft edges are traced between pixels. Ridges are strong colours (channels that differ by 96 or more), and greys of
-/// 96 to 160 unless they are the soft edge between something darker and something lighter. Ridges become lines along
-/// their middles or, where they are wider than a line would be, around them: no river grows within. Specks are left out,
-/// and the rest is simplified until it fits an outline's text.
+/// Dark and transparent pixels are water, light ones are land. Shades between count by their lightness, so that soft
+/// edges are traced between pixels. Ridges are strong colours (channels that differ by 96 or more) and greys of 96 to
+/// 160, except soft edges between something darker and something lighter. Ridges become lines along their middles or,
+/// if they are too wide for a line, around them: no river grows within. Specks are left out, and the rest is simplified
+/// until it fits an outline's text.
 ///
 /// # Errors
-/// If the picture's size is out of range, or it shows no coast.
+/// Fails if the picture's size is out of range, or if it shows no coast.
 pub fn trace(width: u32, height: u32, rgba: &[u8]) -> Result<Traced, TraceError> {
     check_is_picture(width, height, rgba)?;
     let ground = Ground::of(width as usize, height as usize, rgba, &Detail::OUTLINE);
@@ -135,10 +135,10 @@ pub fn trace(width: u32, height: u32, rgba: &[u8]) -> Result<Traced, TraceError>
     })
 }
 
-/// The coasts and the ridges of a picture, where they lie on its map.
+/// The coasts and ridges of a picture, placed on its map.
 fn lines(ground: &Ground, place: impl Fn(Vec2) -> Vec2) -> Result<(Lines, Lines), TraceError> {
     let (mut coasts, mut ridges) = (contour::rings(ground), ridges::lines(ground));
-    // A ring all of whose points lie on the border is that border.
+    // A ring with all points on the border is that border.
     if !coasts.iter().flatten().any(|point| point.min_element() > 0.0 && point.max_element() < 1.0) {
         return Err(match ground.light {
             light if light < DUST => TraceError::AllWater,
@@ -157,7 +157,8 @@ fn too_thin(ground: &Ground, what: &'static str) -> TraceError {
     TraceError::TooThin { what, pixels: 2 * ground.block as u32 }
 }
 
-/// The closed lines around blocks that are more land than water, but for specks, in fractions of the blocks' width and height.
+/// The closed lines around blocks that are more land than water, without specks, in fractions of the blocks' width and
+/// height.
 pub(crate) fn rings(columns: usize, land: Vec<f32>, speck: f32) -> Lines {
     contour::rings(&Ground::of_blocks(columns, land, speck))
 }
@@ -210,7 +211,7 @@ mod tests {
         is_land
     }
 
-    /// The share of pixels of which the outline says the same as the picture.
+    /// The share of pixels on which the outline agrees with the picture.
     fn agreement(width: u32, height: u32, rgba: &[u8], outline: &Outline) -> f32 {
         let size = Vec2::new(width as f32, height as f32);
         let at = |i: u32| Vec2::new((i % width) as f32 + 0.5, (i / width) as f32 + 0.5) / size;
@@ -275,7 +276,7 @@ mod tests {
     #[test]
     fn soft_edges_are_no_ridges() {
         let rgba = picture(300, 300, |at| {
-            // The column between is grey from top to bottom.
+            // The columns between are grey from top to bottom.
             let light = ((at.x - 149.0) / 3.0).clamp(0.0, 1.0) * 255.0;
             [light as u8, light as u8, light as u8, 255]
         });
@@ -301,7 +302,7 @@ mod tests {
         for (size, ground, line, name) in
             [(300, BLACK, WHITE, "land"), (1400, BLACK, WHITE, "land"), (1400, WHITE, BLACK, "water")]
         {
-            // At several places among the blocks.
+            // At several positions relative to the blocks.
             let lines = |width: f32| {
                 let is_line = |at: Vec2| ((at.x + at.y) % (size as f32 / 4.7) - 50.0).abs() < width / 2.0;
                 picture(size, size, |at| if is_line(at) { line } else { ground })
@@ -383,7 +384,7 @@ mod tests {
             });
             let mut spans: Vec<Vec2> = spans.collect();
             spans.sort_by(|a, b| a.x.total_cmp(&b.x));
-            // The map is 4 to 1, so that the disc is four times as high as wide in its fractions.
+            // The map is 4 to 1, so in its fractions the disc is four times as high as wide.
             assert!((spans[0].y / spans[0].x - 4.0).abs() < 0.1, "{spans:?}");
             assert!((spans[0].x - 0.1).abs() < 0.005, "{spans:?}");
             assert!((spans[1].x - 0.25).abs() < 0.01 && spans[1].y == 1.0, "{spans:?}");

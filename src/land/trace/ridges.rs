@@ -6,7 +6,7 @@ use super::areas;
 use super::ground::Ground;
 use crate::skeletonize::thin;
 
-/// Lines of fewer blocks are specks, or hairs that thinning left.
+/// The smallest number of blocks of a line. Shorter ones are specks, or hairs left by thinning.
 const FEWEST: usize = 6;
 
 /// The ridges, in fractions of width and height: lines along the middle of narrow areas, and around wide ones.
@@ -17,7 +17,7 @@ pub(super) fn lines(ground: &Ground) -> Vec<Vec<Vec2>> {
     let mut walker = Walker { ground, is_left: mask.iter().map(|&pixel| pixel != 0).collect(), mask };
     let starts: Vec<usize> = (0..walker.mask.len()).filter(|&i| walker.mask[i] != 0).collect();
     let (ends, others): (Vec<usize>, Vec<usize>) = starts.into_iter().partition(|&i| walker.beside(i).count() == 1);
-    // From loose ends first, so that a line is walked whole; rings and what lies between forks come after.
+    // Loose ends come first, so that each line is walked as a whole, then rings and lines between forks.
     for start in ends.into_iter().chain(others) {
         let line = walker.walk(start);
         if line.len() >= FEWEST {
@@ -27,7 +27,7 @@ pub(super) fn lines(ground: &Ground) -> Vec<Vec<Vec2>> {
     lines
 }
 
-/// Takes the stairs out of a line; its ends stay.
+/// Smooths the steps of a line. Its ends stay.
 fn smoothed(mut line: Vec<Vec2>) -> Vec<Vec2> {
     const ROUNDS: usize = 8;
     for _ in 0..ROUNDS {
@@ -38,7 +38,7 @@ fn smoothed(mut line: Vec<Vec2>) -> Vec<Vec2> {
     line
 }
 
-/// Walks lines one pixel wide, each pixel once.
+/// Walks along lines one pixel wide, visiting each pixel once.
 struct Walker<'a> {
     ground: &'a Ground,
     mask: Vec<u8>,
@@ -46,7 +46,8 @@ struct Walker<'a> {
 }
 
 impl Walker<'_> {
-    /// The line that begins at a pixel; empty if that has been walked. It joins the lines that it meets.
+    /// Returns the line that begins at a pixel; empty if that has been visited. It is connected to the lines that it
+    /// meets.
     fn walk(&mut self, start: usize) -> Vec<usize> {
         if !self.is_left[start] {
             return Vec::new();
@@ -66,7 +67,7 @@ impl Walker<'_> {
         line
     }
 
-    /// The set neighbours of a pixel, those across a side before those across a corner.
+    /// The set neighbours of a pixel, first those that share a side, then those that share a corner.
     fn beside(&self, i: usize) -> impl Iterator<Item = usize> + use<'_> {
         const AROUND: [(i32, i32); 8] = [(1, 0), (0, 1), (-1, 0), (0, -1), (1, 1), (-1, 1), (-1, -1), (1, -1)];
         let (columns, rows) = (self.ground.columns as i32, self.ground.rows as i32);

@@ -1,4 +1,4 @@
-//! Basins: the land whose water reaches the sea by the same mouth, in colours of which neighbours never share one.
+//! Basins: the land whose water reaches the sea through the same mouth. Neighbouring basins never share a colour.
 
 use glam::Vec2;
 
@@ -16,27 +16,27 @@ use crate::paint::view::{Rows, View};
 use crate::relief::{CELL_SIZE, Relief};
 use crate::sort::argsort;
 
-/// The basins of a map in numbered colours: 1 is the first, 0 is where water runs to the sea in no river.
+/// The basins of a map in numbered colours, from 1. The number 0 is land that drains to the sea without a river.
 #[derive(Clone, Debug)]
 pub(crate) struct Basins {
     columns: usize,
     rows: usize,
-    /// Of each cell. Off the coast cells have that of the nearest land.
+    /// The number of each cell's colour. Cells off the coast have that of the nearest land.
     pub cells: Vec<u8>,
-    /// Whether others beside it have another.
+    /// `true` for cells with neighbours of another colour.
     is_mixed: Vec<bool>,
-    /// Of each river; pictures look at cells alone.
+    /// The number of each river's colour; pictures use cells alone.
     #[cfg(feature = "files")]
     pub rivers: Vec<u8>,
 }
 
-/// How alike two colours are that should not lie side by side: squared distance of their parts.
+/// The squared distance of two colours below which they are too alike to lie side by side.
 const ALIKE: i32 = 10_000;
 
 const UNKNOWN: u32 = u32::MAX;
 
 impl Basins {
-    /// The basins of a relief, and of the network that it belongs to.
+    /// The basins of a relief and of the network that belongs to it.
     pub fn new(relief: &Relief, network: &Network, colours: &[Colour]) -> Self {
         let of_rivers = network.basins();
         let mut basins = vec![UNKNOWN; relief.heights().len()];
@@ -60,7 +60,7 @@ impl Basins {
         }
     }
 
-    /// The rings around all that has a numbered colour, in units. At sea they go on.
+    /// The rings around everything with a numbered colour, in units. They continue at sea.
     #[cfg(feature = "files")]
     pub fn rings(&self, number: u8) -> Vec<Vec<Vec2>> {
         let values = self.cells.iter().map(|&cell| f32::from(u8::from(cell == number))).collect();
@@ -70,8 +70,8 @@ impl Basins {
         rings.into_iter().map(|ring| ring.into_iter().map(|at| at * size).collect()).collect()
     }
 
-    /// The colour that has the greatest share at a place near a cell, and that share, if each colour is a surface of parabolas: so its
-    /// borders are smooth.
+    /// The colour with the greatest share at a place near a cell, and its share. Each colour is treated as a surface of
+    /// parabolas, which makes borders smooth.
     fn greatest(&self, [row, column]: [usize; 2], [down, along]: [f32; 2]) -> (u8, f32) {
         let weights = |t: f32| [0.5 * (0.5 - t) * (0.5 - t), 0.75 - t * t, 0.5 * (0.5 + t) * (0.5 + t)];
         let (across, along) = (weights(down), weights(along));
@@ -88,14 +88,14 @@ impl Basins {
     }
 }
 
-/// The basins of a map in a picture, as far as pixels have been looked at, from north to south.
+/// The basins of a map in a picture, from north to south as far as pixels have been looked up.
 #[derive(Clone, Debug)]
 pub(super) struct BasinPixels {
     basins: Basins,
     places: Vec<Place>,
-    /// The number of the colour that rivers have in each pixel.
+    /// The number of the river colour in each pixel.
     pub numbers: Vec<u8>,
-    /// Pixels on divides, or near them: the number of their colour, and how much they have of it.
+    /// Pixels on or near divides, with the number of their colour and its strength.
     near_divides: Vec<(u32, u8, f32)>,
 }
 
@@ -126,7 +126,7 @@ impl BasinPixels {
         }
     }
 
-    /// Looks at the pixels of a row.
+    /// Looks up the pixels of a row.
     fn look_at(&mut self, sheet: &Sheet<'_>, y: u32) {
         let (basins, full) = (&self.basins, full_share(sheet.view.scale));
         let (row, down) = nearest(sheet.view.point(Vec2::splat(y as f32 + 0.5)).y / CELL_SIZE - 0.5, basins.rows);
@@ -143,9 +143,9 @@ impl BasinPixels {
     }
 }
 
-/// The share of a colour where the gap along its border ends.
+/// The share of a colour at which the gap along its border ends.
 fn full_share(scale: f32) -> f32 {
-    /// Half of the gap: in units, and at least in pixels.
+    /// Half the width of the gap in units, and its minimum in pixels.
     const HALF: f32 = 1.0;
     const HALF_PX: f32 = 0.7;
     let cells = (HALF.max(HALF_PX / scale) / CELL_SIZE).min(0.5);
@@ -168,8 +168,8 @@ fn mark(relief: &Relief, network: &Network, river: &River, basin: u32, basins: &
     }
 }
 
-/// Gives every other cell on one side of the coast the basin that its water runs into: on land it goes by the lowest neighbour, off the
-/// coast by the highest, to land.
+/// Gives every other cell on one side of the coast the basin that its water runs into. Cells on land follow the lowest
+/// neighbour; cells at sea follow the highest, towards land.
 fn follow_the_water(relief: &Relief, is_land: bool, basins: &mut [u32]) {
     let mut way = Vec::new();
     for cell in (0..basins.len()).filter(|&cell| (relief.heights()[cell] > 0.0) == is_land) {
@@ -183,7 +183,7 @@ fn follow_the_water(relief: &Relief, is_land: bool, basins: &mut [u32]) {
     }
 }
 
-/// The cell after this; `None` where the coast or the border is reached, and so deep at sea that no land is near.
+/// The next cell; `None` if the coast or the border is reached, or so deep at sea that no land is near.
 fn next(relief: &Relief, cell: usize) -> Option<usize> {
     const DEEP: f32 = -1.0;
     let (heights, here) = (relief.heights(), relief.heights()[cell]);
@@ -197,17 +197,17 @@ fn next(relief: &Relief, cell: usize) -> Option<usize> {
     }
 }
 
-/// Gives strips of land that belong to no basin to the basins beside them: only what is wider than this is worth its own colour.
+/// Gives strips of land without a basin to the basins beside them: only wider areas are worth their own colour.
 fn fill_strips(relief: &Relief, basins: &mut [u32]) {
     const CELLS: u32 = 4;
     let rest: Vec<usize> = (0..basins.len()).filter(|&cell| basins[cell] == 0).collect();
-    // By turns with corners and without: so what is taken is nearly round.
+    // Alternates between neighbours with and without corners, so that areas grow nearly round.
     let near = |turn: u32, cell: usize| {
         let around = around(relief.columns(), relief.rows(), cell).into_iter().enumerate();
         around.filter(move |(i, _)| turn.is_multiple_of(2) || !i.is_multiple_of(2)).map(|(_, near)| near)
     };
     for turn in 0..2 * CELLS {
-        // First land is taken, then given back from what is left.
+        // First basins take land, then the remaining land takes some of it back.
         let is_back = turn >= CELLS;
         let is_wanted = |basin: u32| if is_back { basin == 0 } else { basin != 0 && basin != UNKNOWN };
         let wanted = |cell| near(turn, cell).map(|near| basins[near]).find(|&basin| is_wanted(basin));
@@ -217,7 +217,7 @@ fn fill_strips(relief: &Relief, basins: &mut [u32]) {
     }
 }
 
-/// The cells around one, itself in the middle; at the border some come twice.
+/// The cells around one and the cell itself, in the middle. At the border some cells occur twice.
 fn around(columns: usize, rows: usize, cell: usize) -> [usize; 9] {
     let (down, across) = (beside(cell / columns, rows), beside(cell % columns, columns));
     std::array::from_fn(|i| down[i / 3] * columns + across[i % 3])
@@ -243,14 +243,14 @@ fn neighbours(relief: &Relief, basins: &[u32]) -> Vec<Neighbours> {
     found
 }
 
-/// The squared distance of two numbered colours; that of land in no basin is far from all.
+/// The squared distance of two numbered colours. The colour of land without a basin counts as far from all.
 fn apart(colours: &[Colour], one: u8, other: u8) -> i32 {
     let parts = |number: u8| number.checked_sub(1).map(|i| colours[usize::from(i)]);
     let squared = |(a, b): (Colour, Colour)| a.iter().zip(b).map(|(&a, b)| (i32::from(a) - i32::from(b)).pow(2)).sum();
     parts(one).zip(parts(other)).map_or(i32::MAX, squared)
 }
 
-/// A colour for each basin, the greatest first: one unlike all that neighbours have, of those the one used least.
+/// Assigns a colour to each basin, largest first: one unlike those of its neighbours and, among these, the least used.
 fn coloured(basins: &[Neighbours], colours: &[Colour]) -> Vec<u8> {
     let (mut colour_of, mut used) = (vec![0u8; basins.len()], vec![0; colours.len() + 1]);
     for basin in argsort(basins.iter().map(|(size, _)| !size)).into_iter().filter(|&basin| basin > 0) {
@@ -293,7 +293,7 @@ mod tests {
                     own += usize::from(basins.cells[relief.cell(vertex.at)] == basins.rivers_colour(&of_rivers, basin));
                 }
             }
-            // Where two rivers pass one cell, it can have one colour only.
+            // If two rivers pass through one cell, it can have only one colour.
             assert!(own * 50 > all * 49, "{land}: {own} of {all}");
             follow_the_water(relief, true, &mut basin_of);
             fill_strips(relief, &mut basin_of);
@@ -323,13 +323,13 @@ mod tests {
                 all += 1;
                 same += usize::from(colour == basins.rivers[flow.mouths[number as usize - 1] as usize]);
             }
-            // Files go by the steepest way, pictures by the lowest neighbour and the banks of wide rivers.
+            // Files follow the steepest way, pictures the lowest neighbour and the banks of wide rivers.
             assert!(same * 100 > all * 97, "{land}, {growth}: {same} of {all} cells");
         }
     }
 
     impl Basins {
-        /// The colour of a basin, by that of its cells.
+        /// The colour of a basin, as its cells have it.
         fn rivers_colour(&self, of_rivers: &[u32], basin: u32) -> u8 {
             self.rivers[of_rivers.iter().position(|&other| other == basin).unwrap()]
         }

@@ -1,4 +1,4 @@
-//! What lies around rivers: a light edge, or a glow.
+//! The surroundings of rivers: a light edge, or a glow.
 
 use std::ops::Range;
 
@@ -7,19 +7,20 @@ use crate::paint::coverage::{Coverage, Covered, Rect};
 use crate::paint::palette::{Casing, mix};
 use crate::paint::view::{Rows, View};
 
-/// So many boxes are nearly a bell.
+/// The number of box blurs in sequence, enough to come close to a Gaussian.
 const BOXES: u32 = 3;
 
-/// A mask of rivers that were drawn as wide as a casing begins, blurred as the casing is.
+/// A mask of rivers that were drawn at the width of their casing, blurred.
 #[derive(Clone, Debug)]
 pub(super) struct Blurred {
-    /// The pixels that it has.
+    /// The pixels of the mask.
     rect: Rect,
     mask: Vec<u8>,
 }
 
 impl Blurred {
-    /// `None` if rivers cover no pixel, or there is nothing to blur: the mask is then what there is.
+    /// Blurs the mask of rivers. `None` if rivers cover no pixel, or if there is nothing to blur and the mask serves as
+    /// it is.
     pub fn new(casing: &Casing, rivers: &mut Coverage, view: &View) -> Option<Self> {
         let radius = (casing.blur * view.scale).round() as usize;
         let touched = rivers.take_touched().into_iter().reduce(Rect::union).filter(|_| radius > 0)?;
@@ -44,7 +45,7 @@ pub(super) fn lay(casing: &Casing, blurred: Option<&Blurred>, sheet: &Sheet<'_>,
     let width = (rect.right - rect.left) as usize;
     for row in rows.start.max(rect.top)..rows.end.min(rect.bottom) {
         let (from, here) = ((row - rect.top) as usize * width, in_row(*rect, row, sheet.view));
-        // A blur spreads what it takes, which is made up for.
+        // A blur spreads coverage and weakens it; the gain makes up for that.
         let pixels = &mut pixels[here.start - first.start..here.end - first.start];
         lay_mask(casing, casing.gain, &mask[from..from + width], pixels);
     }
@@ -65,7 +66,7 @@ fn in_row(rect: Rect, row: u32, view: &View) -> Range<usize> {
     first + rect.left as usize..first + rect.right as usize
 }
 
-/// The pixels that a blur of what is touched reaches.
+/// The pixels that the blur of a rectangle reaches.
 fn grown(rect: Rect, reach: u32, bounds: Rect) -> Rect {
     Rect {
         left: rect.left.saturating_sub(reach),
@@ -75,10 +76,10 @@ fn grown(rect: Rect, reach: u32, bounds: Rect) -> Rect {
     }
 }
 
-/// Each row blurred, rows become columns.
+/// Blurs each row and turns rows into columns.
 fn blurred_and_turned(mask: &[u8], width: usize, height: usize, radius: usize) -> Vec<u8> {
     let mut turned = vec![0; mask.len()];
-    // With room for nothing on both sides.
+    // The lines have empty room on both sides.
     let [mut line, mut blurred] = [0, 0].map(|nothing| vec![nothing; width + 2 * radius]);
     for (y, row) in mask.chunks(width).enumerate().filter(|(_, row)| row.iter().any(|&covered| covered > 0)) {
         line[radius..][..width].copy_from_slice(row);
@@ -94,10 +95,10 @@ fn blurred_and_turned(mask: &[u8], width: usize, height: usize, radius: usize) -
     turned
 }
 
-/// The mean of the pixels that are no farther than a radius, of each in a row that has a radius more on both sides.
+/// Computes for each pixel of a row the mean of the pixels within a radius. `row` extends beyond both ends by a radius.
 fn blur(row: &[u8], radius: usize, blurred: &mut [u8]) {
     let whole = (2 * radius + 1) as u32;
-    // A multiplication for a division, of at most 255 times that.
+    // A multiplication in place of a division, for sums up to 255 times the divisor.
     let per_whole = (1 << 24) / whole + 1;
     let mut sum: u32 = row[..2 * radius].iter().map(|&value| u32::from(value)).sum();
     for ((blurred, &first), &last) in blurred.iter_mut().zip(row).zip(&row[2 * radius..]) {
@@ -115,8 +116,8 @@ mod tests {
     use crate::paint::view::View;
     use glam::Vec2;
 
-    /// What a white glow on black looks like around two strokes, one at the edge, and their mask. All of the picture is blurred, or
-    /// what rivers touch.
+    /// The look of a white glow on black around two strokes, one at the edge, and their mask. Blurs the whole picture,
+    /// or only the part that rivers touch.
     fn glow(side: u32, blurs_all: bool) -> (Vec<u8>, Vec<u8>) {
         let view = View::new(&Domain::with_aspect(1.0), side, side).unwrap();
         let mut mask = Coverage::new(side, side).unwrap();

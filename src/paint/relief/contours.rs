@@ -1,6 +1,7 @@
-//! Contours: thin lines of one height each, every fifth of them stronger.
+//! Contours: thin lines of equal height, every fifth one stronger.
 //!
-//! They are not traced. A pixel's distance from the nearest level follows from how high and how steep the surface is there.
+//! Contours are not traced. The distance of a pixel from the nearest level follows from the height and the slope of the
+//! surface there.
 
 use glam::Vec2;
 
@@ -10,13 +11,15 @@ use crate::paint::palette::{Contours, mix};
 use crate::paint::view::{Rows, View};
 use crate::relief::{CELL_SIZE, METRES, Relief};
 
-/// How often heights are smoothed before: at valley floors lines would be sharper than any surveyor draws them.
+/// The number of times that heights are smoothed first: on valley floors lines would be sharper than any surveyor draws
+/// them.
 const TIMES: u32 = 4;
 
-/// One line in so many is an index line.
+/// The number of contours from one index line to the next.
 pub(crate) const INDEX: u32 = 5;
 
-/// How far apart contours are, in units of height: a round number of metres. `highest` is what has the colour of the highest land.
+/// The difference in height between contours, in units of height: a round number of metres. `highest` is the height
+/// that has the colour of the highest land.
 pub(crate) fn interval(highest: f32) -> f32 {
     const MOST: f32 = 26.0;
     const METRES_APART: [f32; 9] = [5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0, 2000.0];
@@ -24,23 +27,23 @@ pub(crate) fn interval(highest: f32) -> f32 {
     METRES_APART.into_iter().find(|apart| *apart >= least).unwrap_or(5000.0) / METRES
 }
 
-/// The heights of a relief, counted in contours.
+/// The heights of a relief, in numbers of contours.
 fn levels(relief: &Relief, highest: f32) -> Field {
     let interval = interval(highest);
     Field::of(relief, |height| height / interval).smoothed(TIMES)
 }
 
-/// The contours of a relief in a picture, as far as they are found, from north to south.
+/// The contours of a relief in a picture, from north to south as far as they have been found.
 #[derive(Clone, Debug)]
 pub(super) struct ContourLines {
     look: &'static Contours,
-    /// Until all are found.
+    /// The heights; `None` once all contours are found.
     levels: Option<Field>,
     places: Vec<Place>,
     lines: [Line; 2],
-    /// Pixels on land that a line covers, and how much it does, if no river runs there.
+    /// Pixels on land that a line covers, with its coverage where there is no river.
     covered: Vec<(u32, f32)>,
-    /// How many pixels have been looked at.
+    /// The number of pixels that have been looked at.
     found: usize,
 }
 
@@ -57,7 +60,7 @@ impl ContourLines {
         }
     }
 
-    /// Whether they are drawn like this.
+    /// Returns `true` if they were made for this look.
     pub fn are(&self, look: &Contours) -> bool {
         std::ptr::eq(self.look, look)
     }
@@ -113,23 +116,23 @@ impl ContourLines {
 /// One kind of line.
 #[derive(Clone, Debug)]
 struct Line {
-    /// Half of its width in pixels, and how much of a pixel in its middle it covers.
+    /// Half the width in pixels, and the coverage of a pixel in the middle of the line.
     half: f32,
     strength: f32,
-    /// How many levels apart such lines are.
+    /// The number of levels between lines of this kind.
     apart: f32,
 }
 
 impl Line {
     fn new(width: f32, strength: f32, apart: f32) -> Self {
-        /// In pixels: a thinner line would be broken.
+        /// The smallest width in pixels: a thinner line would look broken.
         const LEAST: f32 = 0.7;
         let width = width.max(LEAST);
         Self { half: width * 0.5, strength: strength * width.min(1.0), apart }
     }
 
-    /// How much it covers a pixel at a distance; `spacing` is that of the levels, both in pixels. Where lines of its kind would run
-    /// together, they are left out.
+    /// The coverage of a pixel, given its distance from the line and the spacing of levels, both in pixels. Lines of
+    /// one kind are left out where they would run together.
     #[inline]
     fn coverage(&self, distance: f32, spacing: f32) -> f32 {
         let room = (spacing * self.apart * 0.5 - self.half * 2.0).clamp(0.0, 1.0);

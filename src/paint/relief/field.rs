@@ -1,4 +1,4 @@
-//! A value for each cell of a map as a surface without facets: of parabolas (a biquadratic B-spline).
+//! A smooth surface through a value for each cell of a map, made of parabolas (a biquadratic B-spline).
 
 use glam::Vec2;
 
@@ -14,7 +14,7 @@ pub(super) struct Field {
 }
 
 impl Field {
-    /// The heights of a relief, each made into a value.
+    /// The heights of a relief, each converted by `value`.
     pub fn of(relief: &Relief, value: impl Fn(f32) -> f32) -> Self {
         let values = relief.heights().iter().map(|&height| value(height)).collect();
         Self { columns: relief.columns(), rows: relief.rows(), values }
@@ -32,7 +32,7 @@ impl Field {
         (Vec2::new((cell % self.columns) as f32, (cell / self.columns) as f32) + 0.5) * CELL_SIZE
     }
 
-    /// The value at a point, and by how much it rises by the unit.
+    /// The value at a point, and its gradient per unit.
     pub fn at(&self, at: Vec2) -> (f32, Vec2) {
         let place = at / CELL_SIZE - 0.5;
         let ((column, along), (row, down)) = (nearest(place.x, self.columns), nearest(place.y, self.rows));
@@ -44,7 +44,7 @@ impl Field {
         (heights.at(down), Vec2::new(east, heights.rise(down)) / CELL_SIZE)
     }
 
-    /// Smoothed this many times, each time by √2 units.
+    /// Smooths the values a number of times, each time over √2 units.
     pub fn smoothed(mut self, times: u32) -> Self {
         let mean = |before: f32, here: f32, after: f32| (before + here + here + after) * 0.25;
         for _ in 0..times {
@@ -74,8 +74,8 @@ impl Field {
         self
     }
 
-    /// Its surface along one y of a map, in units: a piece for each column of cells. Or, for `rises`, how much higher that is a cell to
-    /// the south.
+    /// The surface along one y of a map, in units, with a piece for each column of cells; with `rises`, its rise over a
+    /// cell to the south.
     #[inline(never)]
     pub fn line(&self, y: f32, rises: bool) -> Vec<Parabola> {
         let (middle, t) = nearest(y / CELL_SIZE - 0.5, self.rows);
@@ -97,14 +97,14 @@ impl Field {
     }
 }
 
-/// Where a pixel lies in its row: the column of cells that it is nearest to, and how far beyond their middle, in cells.
+/// The position of a pixel in its row: the nearest column of cells, and the distance beyond its middle in cells.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Place {
     pub column: usize,
     pub along: f32,
 }
 
-/// The places of the pixels of a row.
+/// The positions of the pixels of a row.
 #[inline(never)]
 pub(super) fn places(view: &View, columns: usize) -> Vec<Place> {
     let x = |pixel: u32| view.point(Vec2::splat(pixel as f32 + 0.5)).x;

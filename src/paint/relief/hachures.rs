@@ -1,5 +1,5 @@
-//! Hachures: rows of strokes down the slope, each row begun on one height (Lehmann 1799), the steeper the denser; on the side away from
-//! the light alone, as engravers shaded mountains.
+//! Hachures: rows of strokes down the slope. Each row begins at one height (Lehmann 1799), and steep land has denser
+//! rows. As engravers shaded mountains, only the side away from the light has strokes.
 
 use glam::Vec2;
 
@@ -11,19 +11,19 @@ use crate::paint::palette::Hachures;
 use crate::paint::view::{Rows, View};
 use crate::relief::Relief;
 
-/// A stroke: its places with half of its width there, in units.
+/// A stroke: three places with half its width at each, in units.
 pub(crate) type Stroke = [(Vec2, f32); 3];
 
-/// How many rows lie between the sea and the highest land.
+/// The number of rows between the sea and the highest land.
 const ROWS: f32 = 14.0;
 
-/// How often heights are smoothed before.
+/// The number of times that heights are smoothed first.
 const TIMES: u32 = 5;
 
-/// How far apart strokes of a row are, in units.
+/// The distance between strokes of a row, in units.
 const APART: u32 = 3;
 
-/// The strokes of a relief. `highest` is what has the colour of the highest land, in units of height.
+/// The strokes of a relief. `highest` is the height that has the colour of the highest land, in units of height.
 #[cfg(feature = "files")]
 pub(crate) fn strokes(relief: &Relief, highest: f32) -> Vec<Stroke> {
     let mut strokes = Strokes::new(relief, highest);
@@ -31,10 +31,10 @@ pub(crate) fn strokes(relief: &Relief, highest: f32) -> Vec<Stroke> {
     strokes.drawn
 }
 
-/// The strokes of a relief, as far as its rows have been walked along.
+/// The strokes of a relief, as far as its rows have been followed.
 #[derive(Clone, Debug)]
 pub(super) struct Strokes {
-    /// Until all are.
+    /// The rows; `None` once all have been followed.
     rows: Option<HachureRows>,
     drawn: Vec<Stroke>,
 }
@@ -47,9 +47,9 @@ impl Strokes {
         Self { rows: Some(rows), drawn: Vec::new() }
     }
 
-    /// Walks on, if any rows are left. Returns whether there are more.
+    /// Follows some more rows, if any are left. Returns `true` if there are more.
     pub fn advance(&mut self) -> bool {
-        /// So many make a part.
+        /// The number of strokes in one part.
         const MANY: usize = 3000;
         let enough = self.drawn.len() + MANY;
         self.rows.take_if(|rows| {
@@ -71,12 +71,12 @@ pub(super) struct StrokeMask {
 }
 
 impl StrokeMask {
-    /// Without any yet. `None` if it would have no pixels.
+    /// Makes a mask without strokes. `None` if it would have no pixels.
     pub fn new(view: &View) -> Option<Self> {
         Some(Self { mask: Coverage::new(view.width, view.height)?, drawn: 0 })
     }
 
-    /// Draws some more of these, if any are left. Returns whether there are more.
+    /// Draws some more strokes, if any are left. Returns `true` if there are more.
     pub fn advance(&mut self, strokes: &Strokes, view: &View) -> bool {
         const MANY: usize = 6000;
         let some = strokes.drawn[self.drawn..].iter().take(MANY);
@@ -94,18 +94,18 @@ pub(super) fn lay(look: &Hachures, strokes: &StrokeMask, sheet: &Sheet<'_>, rows
     lay_mask(&strokes.mask.mask().data()[range], look.colour, &open, pixels);
 }
 
-/// The rows of a field whose unit is a row.
+/// The rows of strokes. A field gives the number of the row at each height.
 #[derive(Clone, Debug)]
 struct HachureRows {
     field: Field,
-    /// Of each cell, the rows that pass it, a bit each.
+    /// The rows that pass each cell, one bit for each row.
     marks: Vec<u32>,
-    /// The cell from which rows are drawn next.
+    /// The next cell from which rows are drawn.
     cell: usize,
 }
 
 impl HachureRows {
-    /// Draws the rows that pass between a cell and the next, both ways, unless they are there.
+    /// Draws the rows that pass between a cell and the next one, in both directions, unless they are already drawn.
     fn draw_from(&mut self, cell: usize, strokes: &mut Vec<Stroke>) {
         let (here, next) = (self.field.values[cell], self.field.values[cell + 1]);
         let is_last = (cell + 1).is_multiple_of(self.field.columns);
@@ -117,9 +117,9 @@ impl HachureRows {
         }
     }
 
-    /// Walks along a row until it closes or ends, and leaves strokes.
+    /// Follows a row until it closes or ends, and adds its strokes.
     fn walk(&mut self, start: Vec2, row: u32, side: f32, strokes: &mut Vec<Stroke>) {
-        /// Of a unit each.
+        /// The greatest number of steps, one unit each.
         const MOST_STEPS: u32 = 5000;
         let (mut at, mut here) = (start, usize::MAX);
         for step in 0..MOST_STEPS {
@@ -137,7 +137,7 @@ impl HachureRows {
                 }
                 (self.marks[cell], here) = (self.marks[cell] | bit, cell);
             }
-            // The start belongs to one side.
+            // The stroke at the start belongs to only one of the two directions.
             if step.is_multiple_of(APART) && (step > 0 || side > 0.0) {
                 strokes.extend(stroke(&self.field, at, rise));
             }
@@ -146,9 +146,10 @@ impl HachureRows {
     }
 }
 
-/// The stroke that begins at a place; `rise` is by how many rows it rises there by the unit. None where the land is gentle or lit.
+/// The stroke that begins at a place; `rise` is the number of rows per unit there. `None` where the land is gentle or
+/// lit.
 fn stroke(field: &Field, at: Vec2, rise: Vec2) -> Option<Stroke> {
-    /// Of strokes, and of land too gentle for any: how far apart rows are there. In units.
+    /// The lengths of strokes, in units, and the distance between rows beyond which land is too gentle for strokes.
     const SHORTEST: f32 = 4.0;
     const LONGEST: f32 = 10.0;
     const GENTLE: f32 = 16.0;
@@ -163,7 +164,7 @@ fn stroke(field: &Field, at: Vec2, rise: Vec2) -> Option<Stroke> {
     let half = THICKEST * (0.25 + 0.75 * dark * steep);
     let length = (spacing * 0.9).clamp(SHORTEST, LONGEST);
     let below = field.at(at + down * (length * 0.5)).1;
-    // A valley floor ends it.
+    // A stroke ends on a valley floor.
     let (length, bent) = if below.dot(rise) > 0.0 { (length, -below) } else { (length * 0.5, down) };
     let middle = at + down * (length * 0.5);
     let end = middle + bent * (length * 0.5 / bent.length_squared().max(1e-8).sqrt());
@@ -190,7 +191,7 @@ mod tests {
             assert!((2.0..=10.1).contains(&length) && half > end, "{from} to {to}");
             assert!((middle - from).dot(Vec2::ONE) > -0.4 * length, "{from} to {middle}");
         }
-        // Where valleys are narrower than a stroke is long, some end on the other side.
+        // Where a valley is narrower than a stroke is long, some strokes end on its other side.
         let falls = |stroke: &&Stroke| field.at(stroke[0].0).0 > field.at(stroke[2].0).0;
         let falling = strokes.iter().filter(falls).count();
         assert!(falling * 50 > strokes.len() * 49, "{falling} of {}", strokes.len());

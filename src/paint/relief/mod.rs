@@ -1,4 +1,5 @@
-//! Relief on the ground of a picture, part by part, as a style has them: tints and shade, contours, hachures, basins, casings of rivers.
+//! Relief on the ground of a picture, part by part as a style needs them: tints and shade, contours, hachures, basins,
+//! casings of rivers.
 
 mod basins;
 mod casing;
@@ -32,18 +33,18 @@ pub(super) struct Sheet<'a> {
     pub view: &'a View,
     /// The colour of land without relief.
     pub plain: Colour,
-    /// How much of each pixel is land, in 255ths.
+    /// The share of land in each pixel, in 255ths.
     pub land: &'a [u8],
-    /// How much of each pixel rivers and their casings cover, in 255ths, if the look minds rivers.
+    /// The coverage of each pixel by rivers and their casings, in 255ths, if the look depends on rivers.
     pub rivers: &'a [u8],
 }
 
 impl Sheet<'_> {
-    /// Gives a share of a pixel another colour than that of land without relief.
+    /// Replaces the colour of land without relief by another in a share of a pixel.
     #[inline]
     fn shift(&self, pixel: &mut [u8; 4], colour: Colour, share: u8) {
         let [r, g, b, open] = *pixel;
-        // Most of a map is nothing but land, and bare.
+        // Most of a map is plain land.
         if share == 255 && [r, g, b] == self.plain {
             *pixel = [colour[0], colour[1], colour[2], open];
             return;
@@ -56,11 +57,11 @@ impl Sheet<'_> {
     }
 }
 
-/// What of a picture a relief alone decides, made when a style first shows it, and kept for the next.
+/// The parts of a picture that depend on the relief alone, made when a style first shows them and kept for later ones.
 #[derive(Clone, Debug)]
 pub(super) struct Prepared {
     relief: Arc<Relief>,
-    /// What has the colour of the highest land, in units of height.
+    /// The height that has the colour of the highest land, in units of height.
     highest: f32,
     shading: Option<Shading>,
     contours: Option<ContourLines>,
@@ -74,12 +75,13 @@ impl Prepared {
         Self { relief: relief.clone(), highest, shading: None, contours: None, strokes: None, basins: None }
     }
 
-    /// Whether it was made of this relief.
+    /// Returns `true` if it was made from this relief.
     pub fn is_of(&self, relief: &Arc<Relief>) -> bool {
         Arc::ptr_eq(&self.relief, relief)
     }
 
-    /// Makes one of the things that are missing for a look, or a part of it. Returns whether any was.
+    /// Makes one of the parts that a look needs and that are missing, or some of it. Returns `true` if anything was
+    /// missing.
     pub fn prepare(&mut self, look: &'static ReliefLook, exaggeration: f32, network: &Network, view: &View) -> bool {
         let (relief, highest) = (&self.relief, self.highest);
         if !self.shading.as_ref().is_some_and(|shading| shading.is_lit_with(exaggeration)) {
@@ -100,7 +102,7 @@ impl Prepared {
         true
     }
 
-    /// Lays the relief over some rows of a ground, once all is prepared.
+    /// Lays the relief over some rows of a ground. Everything must be prepared.
     pub fn lay(&mut self, inks: &Inks, sheet: &Sheet<'_>, rows: Rows, pixels: &mut [[u8; 4]]) {
         let look = inks.look;
         if let Some(shading) = &mut self.shading {
@@ -120,13 +122,13 @@ impl Prepared {
         }
     }
 
-    /// The number of the colour that rivers have in each pixel, once basins have been laid; none before.
+    /// The number of the river colour in each pixel; empty before basins have been laid.
     pub fn numbers(&self) -> &[u8] {
         self.basins.as_ref().map_or(&[], |basins| &basins.numbers)
     }
 }
 
-/// What is made of a look and a picture's rivers to lay a relief once.
+/// The parts that depend on a look and on a picture's rivers, needed to lay a relief once.
 #[derive(Clone, Debug)]
 pub(super) struct Inks {
     look: &'static ReliefLook,
@@ -136,7 +138,7 @@ pub(super) struct Inks {
 }
 
 impl Inks {
-    /// Of the mask of rivers with their casing.
+    /// Takes the mask of rivers with their casings.
     pub fn new(look: &'static ReliefLook, rivers: &mut Coverage, view: &View) -> Self {
         Self {
             look,
@@ -146,14 +148,15 @@ impl Inks {
         }
     }
 
-    /// Makes a part of what is missing for a relief that is prepared. Returns whether there is more.
+    /// Makes some of the missing parts for a prepared relief. Returns `true` if there is more.
     pub fn advance(&mut self, prepared: &Prepared, view: &View) -> bool {
         let strokes = self.hachures.as_mut().zip(prepared.strokes.as_ref());
         strokes.is_some_and(|(mask, strokes)| mask.advance(strokes, view))
     }
 }
 
-/// What has the colour of the highest land, in units of height: no more than a hundredth of the land lies above it.
+/// The height that has the colour of the highest land, in units of height. A hundredth of the land or less lies above
+/// it.
 pub(crate) fn highest(relief: &Relief) -> f32 {
     const SHARE: f32 = 0.99;
     relief.quantile(SHARE).max(f32::MIN_POSITIVE)

@@ -1,4 +1,4 @@
-//! Hypsometric tints, lighter where light falls and darker where it does not.
+//! Hypsometric tints, lighter where light falls and darker elsewhere.
 
 use glam::{Vec2, Vec3};
 
@@ -10,25 +10,25 @@ use crate::paint::view::{Rows, View};
 use crate::relief::{CELL_SIZE, Relief};
 use crate::sort::quantile;
 
-/// Light from the north-west at 45° over the horizon, with a share of 0.55, from the west at 50° with 0.25 and from the north at 55° with
-/// 0.2: the strongest light is the lowest, and ridges of all directions have a dark side (after Imhof 1965). Each points to its light and
-/// is as long as its share.
+/// Three lights: from the north-west at 45° above the horizon with a share of 0.55, from the west at 50° with 0.25 and
+/// from the north at 55° with 0.2. The strongest light is the lowest, and ridges of all directions have a dark side
+/// (after Imhof 1965). Each vector points to its light and is as long as its share.
 const LIGHTS: [Vec3; 3] =
     [Vec3::new(-0.275, -0.275, 0.388_909), Vec3::new(-0.160_697, 0.0, 0.191_511), Vec3::new(0.0, -0.114_715, 0.163_83)];
 
-/// How high and how light land is in each pixel of a picture, as far as that has been looked at, from north to south.
+/// The height and the light of land in each pixel of a picture, from north to south as far as they have been looked up.
 #[derive(Clone, Debug)]
 pub(super) struct Shading {
-    /// The exaggeration of slopes that it is lit with.
+    /// The exaggeration of slopes for this light.
     lit_with: f32,
-    /// Until all pixels are looked at.
+    /// The surface; `None` once all pixels have been looked up.
     surface: Option<Surface>,
     places: Vec<Place>,
-    /// The number of the colour in the table of all.
+    /// The number of each pixel's colour in the table of colours.
     numbers: Vec<u16>,
 }
 
-/// The height of each cell as a share of the highest, and its light as a share of that on flat land.
+/// The height of each cell as a share of the greatest height, and its light as a share of that on flat land.
 #[derive(Clone, Debug)]
 struct Surface {
     height: Field,
@@ -36,7 +36,8 @@ struct Surface {
 }
 
 impl Shading {
-    /// Lets light fall on a relief. `highest` is what has the colour of the highest land, in units of height.
+    /// Computes the light on a relief. `highest` is the height that has the colour of the highest land, in units of
+    /// height.
     pub fn new(relief: &Relief, highest: f32, exaggeration: f32, view: &View) -> Self {
         let mut light = Field::of(relief, |_| 0.0);
         light_of(relief, exaggeration, &mut light.values);
@@ -49,7 +50,7 @@ impl Shading {
         }
     }
 
-    /// Whether slopes are exaggerated like this.
+    /// Returns `true` if slopes are exaggerated by this factor.
     pub fn is_lit_with(&self, exaggeration: f32) -> bool {
         self.lit_with == exaggeration
     }
@@ -69,7 +70,7 @@ impl Shading {
         }
     }
 
-    /// Looks at the pixels of a row.
+    /// Looks up the pixels of a row.
     fn look_at(&mut self, sheet: &Sheet<'_>, y: u32) {
         let Some(Surface { height, light }) = &self.surface else { return };
         let at = sheet.view.point(Vec2::splat(y as f32 + 0.5)).y;
@@ -81,7 +82,7 @@ impl Shading {
     }
 }
 
-/// How light each cell is, as a share of the light on flat land.
+/// Computes the light on each cell, as a share of the light on flat land.
 pub(crate) fn light_of(relief: &Relief, exaggeration: f32, light: &mut [f32]) {
     let (columns, rows) = (relief.columns(), relief.rows());
     let height = |cell: usize| relief.heights()[cell].max(0.0);
@@ -101,20 +102,20 @@ pub(crate) fn light_of(relief: &Relief, exaggeration: f32, light: &mut [f32]) {
     light.iter_mut().for_each(|light| *light /= usual);
 }
 
-/// How light a slope is.
+/// The light on a slope.
 fn lit(rise: Vec2) -> f32 {
     let normal = (-rise).extend(1.0);
     let length = (rise.length_squared() + 1.0).sqrt();
     LIGHTS.iter().map(|light| (normal.dot(*light) / length).max(0.0)).sum()
 }
 
-/// The colours of all heights and lights, by their numbers.
+/// The colours of all heights and lights, by number.
 #[derive(Clone, Debug)]
 pub(super) struct Colours(Vec<Colour>);
 
 const HEIGHTS: usize = 128;
 const LIGHT_STEPS: usize = 128;
-/// The most light that is told apart, as a share of that on flat land.
+/// The greatest light in the table, as a share of that on flat land.
 const MOST_LIGHT: f32 = 2.0;
 
 impl Colours {
@@ -128,7 +129,8 @@ impl Colours {
     }
 }
 
-/// The number of the colour of a height, as a share of the highest, and of a light, as a share of that on flat land.
+/// The number of the colour of a height and a light: the height as a share of the greatest, the light as a share of
+/// that on flat land.
 #[inline]
 fn number(height: f32, light: f32) -> u16 {
     const MOST_HEIGHT: i32 = HEIGHTS as i32 - 1;

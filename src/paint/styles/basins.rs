@@ -1,4 +1,4 @@
-//! River systems in colours of their own on paper, their basins in tints of those.
+//! River systems in colours on paper, their basins in tints of the same colours.
 
 use crate::paint::palette::{BasinColours, Palette, ReliefLook, even, tinted};
 

@@ -1,8 +1,8 @@
-//! How well ink stands out from the grounds of a style, for tests.
+//! The contrast of ink with the grounds of a style, for tests.
 
 use crate::paint::palette::{Colour, Palette};
 
-/// The contrast of two colours as WCAG 2 has it, from 1 to 21.
+/// The contrast of two colours by WCAG 2, from 1 to 21.
 pub fn contrast(a: Colour, b: Colour) -> f64 {
     let luminance = |colour: Colour| {
         let linear = |channel: u8| {
@@ -16,7 +16,7 @@ pub fn contrast(a: Colour, b: Colour) -> f64 {
     a.max(b) / a.min(b)
 }
 
-/// All colours that the land of a style has, light aside.
+/// All colours of a style's land, apart from light and shade.
 pub fn grounds(palette: &Palette) -> Vec<Colour> {
     let relief = palette.relief.iter().flat_map(|relief| {
         let basins = relief.basins.iter().flat_map(|look| (0..=look.colours.len()).map(|number| look.tint(number)));

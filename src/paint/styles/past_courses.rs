@@ -1,4 +1,4 @@
-//! Where great rivers have run before they came to where they are, as Fisk mapped the Mississippi (1944).
+//! The former courses of great rivers, as Fisk mapped those of the Mississippi (1944).
 
 use crate::paint::palette::{Beds, Grid, Lines, Palette, even};
 

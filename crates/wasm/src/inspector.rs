@@ -4,13 +4,13 @@ use glam::Vec2;
 use js_sys::{Object, Uint32Array};
 use wasm_bindgen::prelude::*;
 
-use super::objects::object;
 use super::rivers::River;
-use crate::export::svg::overlay;
-use crate::inspect::{Inspector as Rivers, RiverFacts, Spot, former_ways, tips};
-use crate::land::{Land, SmoothedDistance};
-use crate::network::NONE;
-use crate::recipe::{CourseShape, LandKind};
+use crate::objects::object;
+use riverseed::export::svg::overlay;
+use riverseed::inspect::{Inspector as Rivers, RiverFacts, Spot, former_ways, tips};
+use riverseed::land::{Land, SmoothedDistance};
+use riverseed::network::NONE;
+use riverseed::recipe::{CourseShape, LandKind};
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"

@@ -1,15 +1,10 @@
 //! Pictures that the command line takes as land, or traces.
-#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
-#![cfg(feature = "cli")]
-
-#[path = "common/command.rs"]
-mod command;
 
 use std::fs;
 use std::path::PathBuf;
 use std::process::Command;
 
-use command::{network, refusal, riverseed, scratch};
+use crate::command::{network, refusal, riverseed, scratch};
 
 /// Writes a picture of greys, 120 x 80 pixels.
 fn greys(name: &str, grey: impl Fn(usize, usize) -> u8) -> PathBuf {

@@ -1,6 +1,4 @@
-//! Calls of the command line, and what it makes.
-#![allow(dead_code, reason = "each test file uses its own part")]
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+//! Calls of the command line, and their output.
 
 use std::fs;
 use std::path::PathBuf;
@@ -10,7 +8,7 @@ pub fn riverseed(arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_riverseed")).args(arguments).output().unwrap()
 }
 
-/// A path of this test's own.
+/// A path for this test.
 pub fn scratch(name: &str) -> PathBuf {
     let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("command-line");
     fs::create_dir_all(&folder).unwrap();

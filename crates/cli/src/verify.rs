@@ -5,13 +5,10 @@ use std::io::{self, Write};
 use std::path::Path;
 
 use indicatif::{ProgressBar, ProgressStyle};
-use riverseed::digest::digest;
+use riverseed::digest::{COMMITTED, digest};
 use riverseed::recipe::link;
 
 use super::Failure;
-
-/// The committed digests: lines of a digest and a link. Every change is tested against them.
-const COMMITTED: &str = include_str!("../../../tests/digest.txt");
 
 /// Grows and paints all recipes and compares their digests with the committed ones, or with those of a file.
 pub fn verify(path: Option<&Path>) -> Result<(), Failure> {

@@ -5,15 +5,15 @@ use serde::Serialize;
 use serde_wasm_bindgen::Serializer;
 use wasm_bindgen::prelude::*;
 
-use super::objects::coded;
 use super::rivers::{River, paint_error, session_error};
-use crate::digest::{self, DigestError};
-use crate::export::rasters::{Layer, Rasters, Values};
-use crate::export::svg::ChartText;
-use crate::export::{ExportError, Json, geojson, json, pack, svg};
-use crate::name::Names;
-use crate::paint::View;
-use crate::recipe::link;
+use crate::objects::coded;
+use riverseed::digest::{self, DigestError};
+use riverseed::export::rasters::{Layer, Rasters, Values};
+use riverseed::export::svg::ChartText;
+use riverseed::export::{ExportError, Json, geojson, json, pack, svg};
+use riverseed::name::Names;
+use riverseed::paint::View;
+use riverseed::recipe::link;
 
 /// The digest of a recipe: what proves that two browsers draw and write the same. The link is read strictly.
 #[wasm_bindgen(js_name = digest)]
@@ -23,6 +23,7 @@ pub fn digest_of(link: &str) -> Result<String, JsValue> {
         DigestError::Session(error) => session_error(error),
         DigestError::Paint(error) => paint_error(error),
         DigestError::Export(error) => export_error(error),
+        _ => coded("too-large", &error.to_string()),
     })
 }
 

@@ -3,17 +3,17 @@
 use js_sys::{Array, Object, Reflect};
 use wasm_bindgen::prelude::*;
 
-use super::objects::{coded, object};
-use crate::grow::Ending;
-use crate::land::Land;
-use crate::paint::{ChartMasks, PaintError, Painted, Rect};
-use crate::picture::{Picture, is_to_be_charted};
-use crate::recipe::link::{self, Notice};
-use crate::recipe::reading::{self, ReadOptions, Reading};
-use crate::recipe::table::TABLE;
-use crate::recipe::{Key, Parameter, Stage, Value};
-use crate::river_map::{RiverMap, wire};
-use crate::session::{Phase, Session, SessionError, Shortfall};
+use crate::objects::{coded, object};
+use riverseed::grow::Ending;
+use riverseed::land::Land;
+use riverseed::paint::{ChartMasks, PaintError, Painted, Rect};
+use riverseed::picture::{Picture, is_to_be_charted};
+use riverseed::recipe::link::{self, Notice};
+use riverseed::recipe::reading::{self, ReadOptions, Reading};
+use riverseed::recipe::table::TABLE;
+use riverseed::recipe::{Key, Parameter, Stage, Value};
+use riverseed::river_map::{RiverMap, wire};
+use riverseed::session::{Phase, Session, SessionError, Shortfall};
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
@@ -305,10 +305,9 @@ const CUT_OFF: &str = "Rivers do not reach all land: a gap in the ridges, or mor
 
 pub(super) fn session_error(error: &SessionError) -> JsValue {
     let code = match error {
-        SessionError::Grow(_) | SessionError::Shape(_) | SessionError::Relief(_) | SessionError::Copy { .. } => {
-            "too-large"
-        }
         SessionError::OtherMap { .. } => "bad-params",
+        // All others are of memory.
+        _ => "too-large",
     };
     coded(code, &error.to_string())
 }
@@ -316,7 +315,7 @@ pub(super) fn session_error(error: &SessionError) -> JsValue {
 pub(super) fn paint_error(error: &PaintError) -> JsValue {
     let code = match error {
         PaintError::Size { width: 0, .. } | PaintError::Size { height: 0, .. } => "bad-params",
-        PaintError::Size { .. } | PaintError::OutOfMemory { .. } => "too-large",
+        _ => "too-large",
     };
     coded(code, &error.to_string())
 }

@@ -3,7 +3,7 @@
 use wasm_bindgen::prelude::*;
 
 use super::rivers::{River, session_error};
-use crate::session::{Moment, Timeline as Moments};
+use riverseed::session::{Moment, Timeline as Moments};
 
 /// What has been kept of the moments of a river that was finished once.
 #[wasm_bindgen]

@@ -1,15 +1,10 @@
 //! The command line as its user calls it.
-#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
-#![cfg(feature = "cli")]
-
-#[path = "common/command.rs"]
-mod command;
 
 use std::fs;
 use std::io::Read;
 use std::process::{Command, Stdio};
 
-use command::{network, refusal, riverseed, scratch};
+use crate::command::{network, refusal, riverseed, scratch};
 use riverseed::measure::TABLE;
 
 #[test]
@@ -243,7 +238,7 @@ fn names_are_printed_greatest_first_with_their_marks() {
         assert!(code == 2 && complaint.contains("from 0.5 to 4, in quarters"), "{complaint}");
     }
     let (code, complaint) = refusal(&["names", "--names", "x3.y"]);
-    assert!(code == 2 && complaint.contains("names: 'x3' is no mark"), "{complaint}");
+    assert!(code == 2 && complaint.contains("names: 'x3' is not a mark"), "{complaint}");
 }
 
 #[test]

@@ -1,4 +1,5 @@
-//! The only place that knows JavaScript. What of it a wasm package has is said by its features.
+//! The edge to JavaScript, and the only code that knows it. Features choose what a wasm package exports.
+#![cfg(target_arch = "wasm32")]
 
 #[cfg(feature = "charts")]
 mod charts;

@@ -1,20 +1,18 @@
-//! Calls of `riverseed render` in folders of their own, and what they leave there.
-#![allow(dead_code, reason = "each test file uses its own part")]
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+//! Calls of `riverseed render`, each in its own folder, and the files that they write.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
 pub const RIVERSEED: &str = env!("CARGO_BIN_EXE_riverseed");
-/// Small maps that are made in a moment.
+/// Small maps that are made quickly.
 pub const LINK: &str = "land=island&attractors=100&style=ink";
 
 /// All forms of a file.
 pub const FORMS: [&str; 10] =
     ["json", "geojson", "svg", "png", "zip", "heights.png", "land.png", "rivers.png", "flow.png", "basins.png"];
 
-/// An empty folder of a test's own.
+/// Makes an empty folder for a test.
 pub fn folder(name: &str) -> PathBuf {
     let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("batch").join(name);
     let _ = fs::remove_dir_all(&folder);
@@ -27,7 +25,7 @@ pub fn render(folder: &Path, arguments: &[&str]) -> Output {
     Command::new(RIVERSEED).current_dir(folder).arg("render").args(arguments).output().unwrap()
 }
 
-/// What a call that succeeds says on standard error.
+/// Returns the standard error of a call that succeeds.
 pub fn said(folder: &Path, arguments: &[&str]) -> String {
     let output = render(folder, arguments);
     let said = String::from_utf8(output.stderr).unwrap();
@@ -35,13 +33,13 @@ pub fn said(folder: &Path, arguments: &[&str]) -> String {
     said
 }
 
-/// Exit code and words of a call.
+/// Returns the exit code and the standard error of a call.
 pub fn outcome(folder: &Path, arguments: &[&str]) -> (i32, String) {
     let output = render(folder, arguments);
     (output.status.code().unwrap(), String::from_utf8(output.stderr).unwrap())
 }
 
-/// The files of a folder, by name, but for those that a killed call was about to give a name.
+/// The files of a folder, by name, except those that a killed call had not yet renamed.
 pub fn files(folder: &Path) -> Vec<(String, Vec<u8>)> {
     let entries = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap());
     let mut files: Vec<_> =
@@ -51,7 +49,7 @@ pub fn files(folder: &Path) -> Vec<(String, Vec<u8>)> {
     files
 }
 
-/// Their names alone.
+/// The names of a folder's files.
 pub fn names(folder: &Path) -> Vec<String> {
     files(folder).into_iter().map(|(name, _)| name).collect()
 }

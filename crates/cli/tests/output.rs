@@ -1,6 +1,4 @@
 //! What the command line leaves on a disk: a whole file in its place, or nothing, when it is stopped or short of memory too.
-#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
-#![cfg(all(feature = "cli", target_os = "linux"))]
 
 use std::fs::{self, Permissions};
 use std::io::Read;

@@ -1,14 +1,9 @@
 //! Many maps where something is in the way: what can be made is made, and what cannot is named. Nothing hangs, and nothing is lost in silence.
-#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
-#![cfg(feature = "cli")]
-
-#[path = "common/batch.rs"]
-mod batch;
 
 use std::fs;
 use std::process::{Command, Stdio};
 
-use batch::{LINK, RIVERSEED, files, folder, names, outcome, render, said};
+use crate::maps::{self, LINK, RIVERSEED, files, folder, names, outcome, render, said};
 
 #[test]
 fn map_that_cannot_be_written_is_named_and_the_others_are_made() {
@@ -138,11 +133,11 @@ fn where_no_threads_can_be_had_the_maps_are_made_on_one() {
 #[test]
 fn each_thread_opens_one_file_at_a_time() {
     let folder = folder("few-files");
-    let outputs = batch::FORMS.map(|form| format!("-o {{seed}}.{form}")).join(" ");
+    let outputs = maps::FORMS.map(|form| format!("-o {{seed}}.{form}")).join(" ");
     let call = format!("ulimit -n 12; exec {RIVERSEED} render '{LINK}' --seeds 1..4 --threads 2 --size 80 {outputs}");
     let output = Command::new("sh").current_dir(&folder).args(["-c", &call]).output().unwrap();
     assert_eq!(String::from_utf8(output.stderr).unwrap(), "riverseed: maps: 4 made\n");
-    assert_eq!(names(&folder).len(), 4 * batch::FORMS.len());
+    assert_eq!(names(&folder).len(), 4 * maps::FORMS.len());
 }
 
 #[test]

@@ -3,8 +3,8 @@
 use js_sys::Object;
 use wasm_bindgen::prelude::*;
 
-use super::objects::{coded, object};
-use crate::land::trace;
+use crate::objects::{coded, object};
+use riverseed::land::trace;
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"

@@ -3,9 +3,9 @@
 use js_sys::{Array, Object};
 use wasm_bindgen::prelude::*;
 
-use super::objects::{object, set};
 use super::rivers::River;
-use crate::measure::{Measure, Measures, Nature, TABLE};
+use crate::objects::{object, set};
+use riverseed::measure::{Measure, Measures, Nature, TABLE};
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"

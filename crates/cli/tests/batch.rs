@@ -1,16 +1,11 @@
 //! Many maps in one call: the files of single calls to the bit, whatever the threads, shards and interruptions.
-#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
-#![cfg(feature = "cli")]
-
-#[path = "common/batch.rs"]
-mod batch;
 
 use std::fs;
 use std::io::Write;
 use std::path::Path;
 use std::process::{Command, Stdio};
 
-use batch::{FORMS, LINK, RIVERSEED, files, folder, names, outcome, render, said};
+use crate::maps::{self, FORMS, LINK, RIVERSEED, files, folder, names, outcome, render, said};
 
 /// The options that they take.
 const OPTIONS: [&str; 4] = ["--size", "80", "--raster-size", "700"];

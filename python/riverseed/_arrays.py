@@ -1,9 +1,10 @@
-"""Maps as arrays: the columns of the JSON form, and the rasters.
+"""The parts of a map as arrays: the columns of the JSON form, and the rasters.
 
-Lengths are in units: a map has a million square units. x runs east, y runs south.
+Lengths are in units: a map has a million square units. x runs east, y runs south. Arrays are read-only, since a map
+does not change: `array.copy()` gives one that can be written to.
 """
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -90,31 +91,6 @@ class Oxbows(_Lines):
     """The river that left it."""
     born: NDArray[np.uint32]
     """The round of meandering in which it did."""
-
-
-@dataclass(frozen=True, eq=False)
-class Network:
-    """The rivers of a map."""
-
-    link: str
-    """The whole recipe; it gives the same map again."""
-    size: tuple[float, float]
-    """Width and height of the map, in units."""
-    ticks: int
-    """How many ticks the tree grew, tick 0 not counted."""
-    attractors: int
-    """How many attractors were scattered, or parcels of drainage; 0 for a Brownian tree."""
-    unreached: int
-    """Attractors that no river came near, or parcels with no way to a river mouth."""
-    complete: bool
-    """False if the tree met its node limit."""
-    title: str
-    """The name of the map."""
-    measures: Mapping[str, float | None]
-    """What is measured of the network, by the names of the JSON form; None where it is too small."""
-    nodes: Nodes
-    rivers: Rivers
-    oxbows: Oxbows
 
 
 @dataclass(frozen=True, eq=False)

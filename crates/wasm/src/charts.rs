@@ -2,15 +2,15 @@
 
 use wasm_bindgen::prelude::*;
 
-use super::objects::coded;
-use crate::chart_builder::ChartBuilder;
-use crate::domain::Domain;
-use crate::export::svg::ChartText;
-use crate::export::svg::labels::chart;
-use crate::name::Names;
-use crate::paint::{Framing, View};
-use crate::recipe::{Mark, OwnNames};
-use crate::river_map::OwnMap;
+use crate::objects::coded;
+use riverseed::chart_builder::ChartBuilder;
+use riverseed::domain::Domain;
+use riverseed::export::svg::ChartText;
+use riverseed::export::svg::labels::chart;
+use riverseed::name::Names;
+use riverseed::paint::{Framing, View};
+use riverseed::recipe::{Mark, OwnNames};
+use riverseed::river_map::OwnMap;
 
 /// What stands on a map besides its rivers, which another module has.
 #[wasm_bindgen]

@@ -4,15 +4,15 @@ use glam::Vec2;
 use js_sys::{Array, Float32Array, Object};
 use wasm_bindgen::prelude::*;
 
-use super::objects::{coded, object, set};
 use super::rivers::{River, pair, read_options};
-use crate::dice;
-use crate::paint::{Framing, Painted};
-use crate::picture::Picture;
-use crate::recipe::preset::{COUNTRIES, PRESETS, Preset};
-use crate::recipe::reading;
-use crate::recipe::table::TABLE;
-use crate::recipe::{Decimal, GridPoint, Key, Kind, LONGEST_OUTLINE, Outline, Parameter};
+use crate::objects::{coded, object, set};
+use riverseed::dice;
+use riverseed::paint::{Framing, Painted};
+use riverseed::picture::Picture;
+use riverseed::recipe::preset::{COUNTRIES, PRESETS, Preset};
+use riverseed::recipe::reading;
+use riverseed::recipe::table::TABLE;
+use riverseed::recipe::{Decimal, GridPoint, Key, Kind, LONGEST_OUTLINE, Outline, Parameter};
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"

@@ -1,0 +1,82 @@
+//! The commands in README and `docs/` work, and the page of parameters is current.
+//!
+//! `make docs` writes that page again.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+/// The folder of the checkout.
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
+
+fn read(path: impl AsRef<Path>) -> String {
+    fs::read_to_string(root().join(path)).unwrap()
+}
+
+/// Runs the program in a folder.
+fn riverseed(folder: &Path, words: &[String]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_riverseed")).current_dir(folder).args(words).output().unwrap()
+}
+
+#[test]
+fn page_of_parameters_is_the_one_the_program_prints() {
+    let printed = String::from_utf8(riverseed(&root(), &["table".into()]).stdout).unwrap();
+    let path = root().join("docs/parameters.md");
+    if std::env::var_os("RIVERSEED_REFRESH").is_some() {
+        fs::write(path, printed).unwrap();
+        panic!("docs/parameters.md is written again: run without RIVERSEED_REFRESH");
+    }
+    assert!(read(path) == printed, "write docs/parameters.md again: make docs");
+}
+
+/// The commands in blocks of shell, as words.
+fn commands(text: &str) -> Vec<Vec<String>> {
+    let blocks = text.split("```sh\n").skip(1).map(|rest| rest.split_once("```").unwrap().0);
+    blocks.flat_map(str::lines).filter_map(|line| line.strip_prefix("riverseed ")).map(words).collect()
+}
+
+/// The words of a command, of which some stand in double quotes.
+fn words(command: &str) -> Vec<String> {
+    let is_quoted = |i: usize| i % 2 == 1;
+    let pieces = command.split('"').enumerate();
+    let of_piece = |(i, piece): (usize, &str)| match is_quoted(i) {
+        true => vec![piece.to_owned()],
+        false => piece.split_whitespace().map(str::to_owned).collect(),
+    };
+    pieces.flat_map(of_piece).collect()
+}
+
+/// White land on black.
+fn draw_land(path: &Path) {
+    let mut encoder = png::Encoder::new(fs::File::create(path).unwrap(), 60, 40);
+    encoder.set_color(png::ColorType::Grayscale);
+    let is_land = |i: usize| (10..50).contains(&(i % 60)) && (10..30).contains(&(i / 60));
+    let pixels: Vec<u8> = (0..60 * 40).map(|i| if is_land(i) { 255 } else { 0 }).collect();
+    encoder.write_header().unwrap().write_image_data(&pixels).unwrap();
+}
+
+/// In the order in which they stand, since one may read what another wrote.
+#[test]
+fn commands_of_readme_and_the_page_about_the_command_line_work() {
+    for page in ["README.md", "docs/command-line.md", "docs/batch.md"] {
+        let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("documents").join(page);
+        fs::create_dir_all(&folder).unwrap();
+        draw_land(&folder.join("coast.png"));
+        fs::create_dir_all(folder.join("out")).unwrap();
+        // Ten thousand maps take minutes.
+        let commands = commands(&read(page).replace("..10000", "..10"));
+        assert!(commands.len() >= 3, "{page}");
+        // Takes a minute, and has a test of its own in `command_line.rs`.
+        for words in commands.iter().filter(|words| words[0] != "verify") {
+            let output = riverseed(&folder, words);
+            let complaints = String::from_utf8(output.stderr).unwrap();
+            assert!(output.status.success(), "{page}: riverseed {words:?}: {complaints}");
+            // What is traced is counted, and so are many maps, a picture as land is more than links hold, and of a file's values all that have no effect are named.
+            let may_speak = words[0] == "outline"
+                || ["--land", "--recipe", "--seeds"].iter().any(|own| words.contains(&(*own).into()));
+            assert!(may_speak || complaints.is_empty(), "{page}: riverseed {words:?}: {complaints}");
+        }
+    }
+}

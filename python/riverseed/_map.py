@@ -1,0 +1,247 @@
+"""The finished map: its files, and its parts as data."""
+
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from types import MappingProxyType
+
+import numpy as np
+from numpy.typing import NDArray
+
+from riverseed import _native
+from riverseed._arrays import Nodes, Oxbows, Relief, Rivers
+from riverseed._options import keyword, pixels
+
+
+@dataclass(frozen=True, eq=False)
+class Name:
+    """The name of the map, a reach, a sea, a lake or an island."""
+
+    kind: str
+    """``"title"``, ``"reach"``, ``"sea"``, ``"lake"`` or ``"island"``."""
+    identity: int | None
+    """Of a reach the identity of its river, of a place its number, the largest first; None for the title."""
+    text: str | None
+    """The name; None if the recipe takes it away."""
+    points: NDArray[np.float32]
+    """Where it is, in units, in rows of x and y: the course of a reach, a point in the midst of a place, none for the
+    title."""
+
+
+@dataclass(frozen=True)
+class Summary:
+    """A map in numbers."""
+
+    ticks: int
+    """How many ticks the tree grew, tick 0 not counted."""
+    nodes: int
+    """How many nodes the trimmed tree has."""
+    mouths: int
+    """How many rivers reach the sea."""
+    sources: int
+    """How many sources there are, and so rivers."""
+    order: int
+    """The highest of Strahler's orders."""
+    attractors: int
+    """How many attractors were scattered, or parcels of drainage; 0 for a Brownian tree."""
+    unreached: int
+    """Attractors that no river came near, or parcels with no way to a river mouth."""
+    complete: bool
+    """False if the tree met its node limit."""
+    rounds: int
+    """How many rounds the rivers meandered."""
+    oxbows: int
+    """How many lakes they left."""
+    shortfall: str | None
+    """Why much of the land is dry: ``"no-river"`` if no land lies open to the sea, ``"unreached"`` if rivers came near
+    too few attractors, ``"cut-off"`` if parcels have no way to a mouth; None if it is not."""
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Map:
+    """A finished map, as `riverseed.grow` makes it.
+
+    It does not change, and any number of threads may use it at the same time. What is a property is made when it is
+    first asked for, and kept; files are made anew each time, but for the relief that some of them share.
+
+    A method that makes something raises MemoryError if there is not enough memory for it.
+    """
+
+    _grown: _native.Map
+
+    def __repr__(self) -> str:
+        """Return the link, as a call."""
+        return f"riverseed.grow({self.link!r})"
+
+    def png(self, *, size: int | None = None, ratio: float | None = None) -> bytes:
+        """Return the picture as a PNG file.
+
+        Args:
+            size: The longer side in pixels: from 1 to 8192, 1200 unless given.
+            ratio: Pixels of the screen to a CSS pixel, from 0.5 to 4 in quarters, 1 unless given: letters are at least
+                11 CSS pixels large.
+
+        Raises:
+            ValueError: An option is out of its range.
+        """
+        return self._file("png", size=size, ratio=ratio)
+
+    def svg(self, *, text: bool = False) -> bytes:
+        """Return the map as an SVG file.
+
+        Args:
+            text: Whether labels are text on paths, for readers that have EB Garamond, and not outlines.
+        """
+        return self._file("svg", text=text)
+
+    def geojson(self) -> bytes:
+        """Return the rivers, coasts and ridges as a GeoJSON file, for geographic information systems."""
+        return self._file("geojson")
+
+    def json(self) -> bytes:
+        """Return the network as a JSON file: all that is known of it."""
+        return self._file("json")
+
+    def zip(self, *, size: int | None = None, ratio: float | None = None, raster_size: int | None = None) -> bytes:
+        """Return the game pack: the picture, all rasters and the GeoJSON file in one ZIP file.
+
+        Args:
+            size: As for `png`.
+            ratio: As for `png`.
+            raster_size: As for `raster`.
+
+        Raises:
+            ValueError: An option is out of its range.
+        """
+        return self._file("zip", size=size, ratio=ratio, raster_size=raster_size)
+
+    def raster(self, layer: str, *, raster_size: int | None = None) -> bytes:
+        """Return one raster as a PNG file; `relief` has the same as arrays.
+
+        Args:
+            layer: One of `riverseed.LAYERS`, such as ``"heights"``.
+            raster_size: The longer side in pixels: at most 4096; at least, and unless given, a pixel for 2 units of the
+                map, which is 500 on a square map.
+
+        Raises:
+            ValueError: There is no such layer, or `raster_size` is out of its range.
+        """
+        if layer not in _native.LAYERS:
+            message = f"layer: {str(layer)[:40]!r} is none of {', '.join(_native.LAYERS)}"
+            raise ValueError(message)
+        return self._file(f"{layer}.png", raster_size=raster_size)
+
+    def save(
+        self,
+        path: str | os.PathLike[str],
+        *,
+        size: int | None = None,
+        ratio: float | None = None,
+        raster_size: int | None = None,
+        text: bool = False,
+    ) -> None:
+        """Write a file in the form that the ending of its path names, one of `riverseed.FORMS`.
+
+        The file is opened once all of its bytes are made.
+
+        Args:
+            path: Where to write: ``"kauri.png"``, say, or ``"kauri.heights.png"`` for one raster.
+            size: As for `png`.
+            ratio: As for `png`.
+            raster_size: As for `raster`.
+            text: As for `svg`.
+
+        Raises:
+            ValueError: The path has no known ending, an option does not go with it or is out of its range.
+            OSError: The file cannot be written.
+        """
+        form = _native.form_of_file(Path(path).name)
+        Path(path).write_bytes(self._file(form, size=size, ratio=ratio, raster_size=raster_size, text=text))
+
+    def _file(
+        self,
+        form: str,
+        *,
+        size: int | None = None,
+        ratio: float | None = None,
+        raster_size: int | None = None,
+        text: bool = False,
+    ) -> bytes:
+        return self._grown.file(
+            form,
+            pixels("size", size, _native.LONGEST_SIDE),
+            ratio,
+            pixels("raster_size", raster_size, _native.LONGEST_RASTER),
+            text,
+        )
+
+    @cached_property
+    def link(self) -> str:
+        """The whole recipe as a link; it gives the same map again."""
+        return self._grown.link()
+
+    @cached_property
+    def recipe(self) -> Mapping[str, str | int | float]:
+        """The value of each parameter, by its name as a keyword: `riverseed.grow(**recipe)` gives the same map."""
+        return MappingProxyType({keyword(name): value for name, value in self._grown.recipe().items()})
+
+    @cached_property
+    def size(self) -> tuple[float, float]:
+        """Width and height of the map, in units."""
+        return self._grown.size()
+
+    @cached_property
+    def title(self) -> str | None:
+        """The name of the map; None if the recipe takes it away."""
+        return self.names[0].text
+
+    @cached_property
+    def summary(self) -> Summary:
+        """The map in numbers."""
+        return Summary(**self._grown.summary())
+
+    @cached_property
+    def measures(self) -> Mapping[str, float | None]:
+        """What is measured of the network, by the names of the JSON form; None where it is too small."""
+        return MappingProxyType(self._grown.measures())
+
+    @cached_property
+    def names(self) -> tuple[Name, ...]:
+        """All names but those of rivers: the title, reaches, seas, lakes and islands, as the JSON form lists them."""
+        return tuple(Name(**fields) for fields in self._grown.names())
+
+    @cached_property
+    def nodes(self) -> Nodes:
+        """The trimmed tree that rivers are made of."""
+        return Nodes(**self._grown.nodes())
+
+    @cached_property
+    def rivers(self) -> Rivers:
+        """The rivers, with their names and courses."""
+        return Rivers(**self._grown.rivers())
+
+    @cached_property
+    def oxbows(self) -> Oxbows:
+        """The lakes that rivers have left."""
+        return Oxbows(**self._grown.oxbows())
+
+    @cached_property
+    def relief(self) -> Relief:
+        """The land that belongs to the rivers, on cells of 2 units, in any style."""
+        return self._relief(None)
+
+    def finer_relief(self, raster_size: int) -> Relief:
+        """Return the relief on smaller cells. It is made anew, and not kept.
+
+        Args:
+            raster_size: The longer side of the arrays: at least that of `relief`, and at most 4096.
+
+        Raises:
+            ValueError: `raster_size` is out of its range.
+        """
+        return self._relief(raster_size)
+
+    def _relief(self, raster_size: int | None) -> Relief:
+        return Relief(**self._grown.relief(pixels("raster_size", raster_size, _native.LONGEST_RASTER)))

@@ -1,0 +1,130 @@
+//! A map as the bytes of a file, those that the command line writes.
+
+use std::io::{self, Write};
+
+use pyo3::prelude::*;
+use riverseed::export::rasters::{Layer, Rasters};
+use riverseed::export::{Form, geojson, json, pack, png, svg};
+use riverseed::recipe::link;
+use riverseed::session::Session;
+
+use crate::failure::{Done, Failure};
+use crate::map::Map;
+use crate::relief::rasters;
+
+/// What decides a file besides its map.
+pub struct Options {
+    form: Form,
+    size: u32,
+    ratio: f32,
+    raster_size: Option<u32>,
+    has_svg_text: bool,
+}
+
+impl Options {
+    /// The longer side of a picture in pixels, unless another is asked for: that of the command line.
+    const SIZE: u32 = 1200;
+
+    /// Reads the options of a file, and refuses those that its form has no use for.
+    pub fn read(
+        form: &str,
+        size: Option<u32>,
+        ratio: Option<f32>,
+        raster_size: Option<u32>,
+        has_svg_text: bool,
+    ) -> Done<Self> {
+        let kind = named(form)?;
+        let is_misplaced = [
+            ("size", size.is_some() && !kind.has_pixels()),
+            ("ratio", ratio.is_some() && !kind.has_pixels()),
+            ("raster_size", raster_size.is_some() && !kind.has_rasters()),
+            ("text", has_svg_text && kind != Form::Svg),
+        ];
+        if let Some((option, _)) = is_misplaced.iter().find(|(_, is_misplaced)| *is_misplaced) {
+            return Err(Failure::Refused(format!("{option} does not go with form '{form}'")));
+        }
+        let ratio = ratio.unwrap_or(1.0);
+        if !((0.5..=4.0).contains(&ratio) && (ratio * 4.0).fract() == 0.0) {
+            return Err(Failure::Refused(format!("ratio: {ratio} is not from 0.5 to 4, in quarters")));
+        }
+        Ok(Self { form: kind, size: size.unwrap_or(Self::SIZE), ratio, raster_size, has_svg_text })
+    }
+}
+
+fn named(form: &str) -> Done<Form> {
+    let refused = || Failure::Refused(format!("form: '{}' is none of {}", shown(form), forms().join(", ")));
+    Form::named(form).ok_or_else(refused)
+}
+
+/// Lists the forms of a file, as the endings of their names.
+pub fn forms() -> Vec<&'static str> {
+    Form::all().map(Form::name).collect()
+}
+
+/// Lists the rasters of which each can be a file.
+pub fn layers() -> Vec<&'static str> {
+    Layer::ALL.map(Layer::name).to_vec()
+}
+
+/// Finds the form of a file by the ending of its name.
+#[pyfunction]
+pub fn form_of_file(name: &str) -> PyResult<&'static str> {
+    let endings = || forms().join(", .");
+    let refused = || Failure::Refused(format!("path: '{}' ends with none of .{}", shown(name), endings()));
+    Ok(Form::of_file(name).ok_or_else(refused)?.name())
+}
+
+/// Makes the bytes of a file.
+pub fn bytes(py: Python<'_>, map: &Map, options: &Options) -> PyResult<Vec<u8>> {
+    match options.form {
+        Form::Png => {
+            let picture = map.paint(py, options.size, options.ratio)?;
+            map.read(py, |session| {
+                let link = link::write(session.recipe());
+                written(|out| Ok(png::write(out, picture.pixmap(), &link).map_err(io::Error::from)?))
+            })
+        }
+        Form::Pack => {
+            let rasters = rasters(py, map, options.raster_size)?;
+            let picture = map.paint(py, options.size, options.ratio)?;
+            map.read(py, |session| written(|out| Ok(pack::write(out, session, &rasters, picture.pixmap())?)))
+        }
+        Form::Raster(layer) => {
+            let rasters = rasters(py, map, options.raster_size)?;
+            Ok(py.detach(|| raster(&rasters, layer))?)
+        }
+        Form::Svg | Form::GeoJson | Form::Json => {
+            if options.form.has_relief() {
+                map.raise_relief(py)?;
+            }
+            map.read(py, |session| written(|out| write_text(out, session, options)))
+        }
+    }
+}
+
+fn raster(rasters: &Rasters, layer: Layer) -> Done<Vec<u8>> {
+    written(|out| Ok(png::write_raster(out, rasters, layer).map_err(io::Error::from)?))
+}
+
+/// Writes text, which ends with a line as files do.
+fn write_text(out: &mut Vec<u8>, session: &Session, options: &Options) -> Done<()> {
+    match options.form {
+        Form::Svg if options.has_svg_text => out.write_all(svg::svg_with_text(session)?.as_bytes())?,
+        Form::Svg => out.write_all(svg::svg(session)?.as_bytes())?,
+        Form::GeoJson => geojson::write(&mut *out, session)?,
+        _ => json::write(&mut *out, session, false)?,
+    }
+    Ok(writeln!(out)?)
+}
+
+fn written(write: impl FnOnce(&mut Vec<u8>) -> Done<()>) -> Done<Vec<u8>> {
+    let mut bytes = Vec::new();
+    write(&mut bytes)?;
+    Ok(bytes)
+}
+
+/// Shortens a hostile text, so that it does not fill the screen.
+fn shown(text: &str) -> String {
+    const MOST: usize = 40;
+    text.chars().take(MOST).map(|c| if c.is_control() { char::REPLACEMENT_CHARACTER } else { c }).collect()
+}
