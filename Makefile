@@ -1,5 +1,5 @@
 # Every command of this project. Each first gets what it needs and lacks (scripts/setup.sh), so a fresh clone can start
-# with any of them; the first one takes a quarter of an hour, most of it for tools.
+# with any of them; the first one takes some minutes, most of them for tools.
 
 .NOTPARALLEL: # cargo and the browsers use every core by themselves
 SHELL := bash
@@ -14,7 +14,7 @@ wasm32 := --target wasm32-unknown-unknown --no-default-features
 # The files in tests/ that also run as wasm, in a browser.
 WASM_TESTS := digest
 # Those that compare with committed files.
-GOLDEN_TESTS := digest golden schema
+GOLDEN_TESTS := --test digest --test all -- digest golden schema
 
 free_port := require("net").createServer().listen(0, "127.0.0.1", function () { console.log(this.address().port); this.close() })
 
@@ -26,7 +26,9 @@ help: ## this list
 # ---- use it
 
 .PHONY: demo
-demo: wasm ## build everything and serve the page here; its address is printed
+demo: ## build what the page needs, as fast as can be, and serve it here; its address is printed
+	@$(setup) rust bindgen node
+	@$(run) scripts/lib/lock.sh target/wasm.lock "another build of the wasm packages" node scripts/wasm.mjs demo
 	@$(npm) dev -- --host 127.0.0.1
 
 .PHONY: site
@@ -60,8 +62,8 @@ wheel: ## the Python package as a wheel, in target/package
 
 # ---- prove it
 
-# The first tier, of minutes: each promise is tried once. Tests of the second say so themselves: `#[ignore = "second tier"]` in Rust,
-# no @core in the title in the browser.
+# The first tier, of minutes, tries each promise once; the second is everything else. In the browser a test of the first has @core in its
+# title; in Rust and as wasm a test of the second is ignored (`#[ignore = "second tier"]`); all tests of TypeScript without a browser are of the first.
 .PHONY: test
 test: clock test-rust test-page test-wasm test-browser ## the tests of the first tier, and how long each part of them takes
 	@scripts/laps.sh table
@@ -256,16 +258,16 @@ notices: ## write THIRD-PARTY.txt, here and in python, the notices of the crates
 goldens: ## redraw the golden pictures and digests; then look at them and say in the commit why they changed
 	@$(setup) rust
 	@echo "A run that refreshes goldens fails on purpose; the run after it must pass."
-	-@RIVERSEED_REFRESH=1 $(run) cargo test --all-features --quiet --no-fail-fast $(GOLDEN_TESTS:%=--test %)
-	@$(run) cargo test --all-features --quiet $(GOLDEN_TESTS:%=--test %)
+	-@RIVERSEED_REFRESH=1 $(run) cargo test --all-features --quiet --no-fail-fast $(GOLDEN_TESTS)
+	@$(run) cargo test --all-features --quiet $(GOLDEN_TESTS)
 	@git status --short tests
 
 .PHONY: docs
 docs: wasm ## write what is generated in docs/ again: the parameters, the JSON form, the figures, the tables of the element
 	@echo "A run that writes pages fails on purpose; the run after it must pass."
-	-@RIVERSEED_REFRESH=1 $(run) cargo test --all-features --quiet --no-fail-fast --test documents --test schema --test program
+	-@RIVERSEED_REFRESH=1 $(run) cargo test --all-features --quiet --no-fail-fast --test all --test program -- documents schema
 	@$(npm) element-page
-	@$(run) cargo test --all-features --quiet --test documents --test schema --test program documents
+	@$(run) cargo test --all-features --quiet --test all --test program -- documents schema
 	@git status --short docs
 
 .PHONY: clean

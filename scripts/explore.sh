@@ -26,16 +26,18 @@ properties_of() {
 
 # A line for each property: the program it is in, what cargo calls that, its name.
 list_properties() {
-  local build program file of
+  local build program file of folder files
   build=$(cargo test --all-features --no-run 2>&1) || { echo "$build" >&2; return 1; }
   sed -n 's/^ *Executable \(unittests \)\?\([^ ]*\) (\(.*\))$/\3 \2/p' <<<"$build" | while read -r program file; do
     case $file in
-      src/lib.rs) of=--lib; file=$(grep -rl 'proptest! {' src) || continue ;;
-      tests/*) of=--test=$(basename "$file" .rs) ;;
+      src/lib.rs) of=--lib; folder=src ;;
+      tests/all.rs) of=--test=all; folder=tests ;;
+      tests/main.rs) of=--test=program; folder=crates/cli/tests ;;
       *) continue ;;
     esac
+    files=$(grep -rl --include='*.rs' 'proptest! {' $folder) || continue
     # shellcheck disable=SC2086  # names of files, none with a space
-    properties_of $file | sed "s|^|$program $of |"
+    properties_of $files | sed "s|^|$program $of |"
   done
 }
 

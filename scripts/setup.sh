@@ -2,12 +2,13 @@
 # Gets what is missing and mends what is broken; leaves alone what serves. A second run takes a few seconds.
 #
 #   scripts/setup.sh [rust] [lint] [supply] [wasm] [node] [browser] [firefox]      no names: all of these
-#   scripts/setup.sh [fuzz] [mutants]
+#   scripts/setup.sh [bindgen] [fuzz] [mutants]
 #
 #   rust      a compiler as new as Cargo.toml asks, and a linker
 #   lint      rustfmt and clippy, and shellcheck
 #   supply    what reads the licences of the crates: cargo-about and cargo-deny
 #   wasm      the wasm32 target, wasm-bindgen (the version in Cargo.lock) and wasm-pack (the one in wasm-pack.toml)
+#   bindgen   of these what `make demo` needs: the target and wasm-bindgen
 #   node      Node.js, and the packages of www/package-lock.json
 #   browser   Chromium and its driver, and Chromium without windows, where apt has it
 #   firefox   Firefox, the second engine
@@ -39,7 +40,7 @@ main() {
   local part
   for part; do
     declare -F "setup_$part" >/dev/null ||
-      die "no part is called '$part': rust, lint, supply, wasm, node, browser, firefox, fuzz, mutants"
+      die "no part is called '$part': rust, lint, supply, wasm, bindgen, node, browser, firefox, fuzz, mutants"
     "setup_$part"
   done
 }

@@ -2,10 +2,11 @@
 // Builds the wasm packages that wasm-pack.toml describes, and weighs each against its limits.
 //
 //   node scripts/wasm.mjs           the packages of the page and the widget; too much weight is only reported
+//   node scripts/wasm.mjs demo      the same for a page on this machine: in a third of the time, larger and not weighed
 //   node scripts/wasm.mjs weigh     weighs what is built; too much weight is a failure
 //   node scripts/wasm.mjs figures   target/figures-wasm, the module that `make bench` times
 //
-// scripts/setup.sh wasm node must have run. Two at a time would build into one file name: see scripts/lib/lock.sh.
+// scripts/setup.sh wasm node must have run, for `demo` bindgen node. Two at a time would build into one file name: see scripts/lib/lock.sh.
 
 import { execFileSync } from "node:child_process";
 import { createHash } from "node:crypto";
@@ -26,6 +27,9 @@ const packages = Object.values(settings.packages).map((one) => ({ ...settings.bu
 switch (process.argv[2]) {
   case "figures":
     buildFigures();
+    break;
+  case "demo":
+    buildDemo();
     break;
   case "weigh":
     if (packages.map(weigh).includes(false)) process.exitCode = 1;
@@ -54,14 +58,52 @@ function ask(...command) {
 }
 
 function buildPackages() {
-  const settings = ["Cargo.toml", `${folder}/Cargo.toml`, "Cargo.lock", ".cargo/config.toml", "wasm-pack.toml"];
-  const inputs = digestOf([...sources(), ...settings]);
-  const tools = ask("sh", "-c", "rustc -vV && wasm-bindgen --version && wasm-opt --version");
-  const made = { inputs, script: digestOf(["scripts/wasm.mjs"]), tools };
+  const made = madeOf();
   for (const one of packages) {
     if (!isFresh(one, made)) buildPackage(one, made);
     weigh(one);
   }
+}
+
+/**
+ * Nothing is optimised across crates, nothing is made small, and packages that share a build hold all that is in it: what they draw is
+ * the same to the bit. Packages that `make wasm` has built are taken as they are.
+ */
+function buildDemo() {
+  const made = madeOf();
+  const quickly = { ...made, demo: true };
+  for (const names of settings.demo.builds) {
+    const together = names.map((name) => ({ ...settings.build, ...settings.packages[name] }));
+    if (!together.every((one) => isFresh(one, made) || isFresh(one, quickly))) buildTogether(together, quickly);
+  }
+}
+
+function buildTogether(together, made) {
+  console.log(`Building ${together.map((one) => one["out-dir"]).join(", ")} (half a minute the first time)`);
+  const features = [...new Set(together.flatMap((one) => one.features))].join(",");
+  forgetCrate();
+  run(
+    ...["cargo", "build", "--quiet", "--package", crate, "--release", "--target", "wasm32-unknown-unknown", "--features", features],
+    ...["--config", 'profile.release.lto="off"', "--config", "profile.release.codegen-units=16"],
+  );
+  const module = `${process.env.CARGO_TARGET_DIR ?? "target"}/wasm/wasm32-unknown-unknown/release/${crate.replace("-", "_")}.wasm`;
+  for (const { target, "out-dir": dir, "out-name": name } of together) {
+    rmSync(dir, { recursive: true, force: true });
+    run("wasm-bindgen", "--target", target, "--out-dir", dir, "--out-name", name, module);
+    writeFileSync(stampOf(dir), JSON.stringify({ ...made, outputs: outputs(dir) }));
+  }
+}
+
+/** Of what, by what and how packages are made. */
+function madeOf() {
+  const files = ["Cargo.toml", `${folder}/Cargo.toml`, "Cargo.lock", ".cargo/config.toml", "wasm-pack.toml"];
+  const tools = ask("sh", "-c", "rustc -vV && wasm-bindgen --version && wasm-opt --version");
+  return { inputs: digestOf([...sources(), ...files]), script: digestOf(["scripts/wasm.mjs"]), tools };
+}
+
+/** Builds with other features have the same file name, and cargo would take one for another. The library stays. */
+function forgetCrate() {
+  run("cargo", "clean", "--quiet", "--package", crate, "--release", "--target", "wasm32-unknown-unknown");
 }
 
 /** Whether a package is what would be built: of these inputs, by these tools, and as it was then. */
@@ -74,8 +116,7 @@ function buildPackage({ target, "out-dir": dir, "out-name": name, profile, cargo
   // cargo would see by itself that nothing changed, but the optimiser would still take its ten seconds.
   console.log(`Building the wasm package ${dir} (2 minutes the first time, then half a minute)`);
   rmSync(dir, { recursive: true, force: true });
-  // Builds with other features have the same file name, and cargo would take one for another. The library stays.
-  run("cargo", "clean", "--quiet", "--package", crate, `--${profile}`, "--target", "wasm32-unknown-unknown");
+  forgetCrate();
   // no-install: wasm-pack would fetch tools, ours are there and have the right versions. Bootstrap: for the sake of one flag below.
   run(
     ...["env", "RUSTC_BOOTSTRAP=1", "wasm-pack", "--quiet", "build", folder, "--mode", "no-install", `--${profile}`, "--target", target],

@@ -1,12 +1,10 @@
 //! Promises of Brownian trees: the document's procedure to the cell, strands that never touch, and no bias.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
-mod common;
-
-use common::lands::every_land;
-use common::plain::plain;
-use common::property::large;
-use common::{literal, random_link};
+use crate::common::lands::every_land;
+use crate::common::plain::plain;
+use crate::common::property::large;
+use crate::common::{literal, random_link};
 use glam::{Vec2, Vec3};
 use proptest::prelude::*;
 use riverseed::grow::{Brownian, Ending, Growth, GrowthSettings, ParticleOrder, Raster};

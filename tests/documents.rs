@@ -1,6 +1,6 @@
 //! README and `docs/` are true: their commands work, their links lead somewhere, and what is generated is current.
 //!
-//! `make docs`, or `RIVERSEED_REFRESH=1 cargo test --all-features --test documents`, draws the figures again.
+//! `make docs`, or `RIVERSEED_REFRESH=1 cargo test --all-features --test all documents`, draws the figures again.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 #![cfg(feature = "files")]
 

@@ -2,13 +2,11 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 #![cfg(feature = "pack")]
 
-mod common;
-
 use std::collections::BTreeSet;
 
-use common::plain::plain;
-use common::property::cases;
-use common::random_link;
+use crate::common::plain::plain;
+use crate::common::property::cases;
+use crate::common::random_link;
 use geo::{Area, LineString, Polygon, Validation};
 use geojson::feature::Id;
 use geojson::{FeatureCollection, GeometryValue};

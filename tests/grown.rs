@@ -1,9 +1,7 @@
 //! `courses=grown`: rivers follow the tree's own steps, in pictures as in files.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
-mod common;
-
-use common::plain::plain;
+use crate::common::plain::plain;
 use glam::Vec2;
 use riverseed::export::svg;
 use riverseed::network::NONE;

@@ -1,12 +1,10 @@
 //! Promises of growth: the paper's procedure to the bit, valid trees, and an end.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
-mod common;
-
-use common::lands::every_land;
-use common::plain::plain;
-use common::property::{cases, large};
-use common::{random_link, twin};
+use crate::common::lands::every_land;
+use crate::common::plain::plain;
+use crate::common::property::{cases, large};
+use crate::common::{random_link, twin};
 use glam::Vec2;
 use proptest::prelude::*;
 use riverseed::grow::{Colonize, Ending, Growth, GrowthSettings, scatter};

@@ -2,12 +2,10 @@
 //! made.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-mod common;
-
 use std::collections::{BTreeMap, BTreeSet};
 
-use common::property::large;
-use common::{finished, lands, random_link};
+use crate::common::property::large;
+use crate::common::{finished, lands, random_link};
 use glam::Vec2;
 use proptest::prelude::*;
 use riverseed::network::meet;

@@ -2,10 +2,8 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 #![cfg(feature = "pack")]
 
-mod common;
-
-use common::property::cases;
-use common::random_link;
+use crate::common::property::cases;
+use crate::common::random_link;
 use glam::Vec2;
 use proptest::prelude::*;
 use riverseed::inspect::{Inspector, Spot};

@@ -3,11 +3,9 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 #![cfg(feature = "names")]
 
-mod common;
-
-use common::literal_ground::Literal;
-use common::property::{cases, large};
-use common::random_link;
+use crate::common::literal_ground::Literal;
+use crate::common::property::{cases, large};
+use crate::common::random_link;
 use geo::{Distance, Euclidean, Intersects};
 use proptest::prelude::*;
 use riverseed::chart::{Area, AreaKind, Box, Input, Kind, Label, Piece, Placed, Raster, Strip, place};

@@ -4,14 +4,12 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 #![cfg(feature = "names")]
 
-mod common;
-
 use std::collections::BTreeMap;
 
-use common::literal_ground::Literal;
-use common::parts::paint_in_parts;
-use common::property::{cases, large};
-use common::random_link;
+use crate::common::literal_ground::Literal;
+use crate::common::parts::paint_in_parts;
+use crate::common::property::{cases, large};
+use crate::common::random_link;
 use proptest::prelude::*;
 use riverseed::chart::{Input, Kind, Label, Piece, Raster, Stroke, place};
 use riverseed::chart_builder::ChartBuilder;

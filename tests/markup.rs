@@ -2,12 +2,10 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 #![cfg(all(feature = "names", feature = "files"))]
 
-mod common;
-
 use std::collections::BTreeSet;
 use std::sync::LazyLock;
 
-use common::property::large;
+use crate::common::property::large;
 use form_urlencoded::Serializer;
 use proptest::prelude::*;
 use riverseed::chart::{Label, Raster, place};

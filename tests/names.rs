@@ -3,12 +3,10 @@
 #![cfg(feature = "pack")]
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
-mod common;
-
 use std::collections::{BTreeMap, BTreeSet};
 
-use common::property::{cases, large};
-use common::{finished, random_link};
+use crate::common::property::{cases, large};
+use crate::common::{finished, random_link};
 use proptest::prelude::*;
 use riverseed::name::Names;
 use riverseed::recipe::{Key, OwnNames, Recipe, link};

@@ -2,10 +2,8 @@
 //! detached, every river reaches its mouth, and widths never shrink below a junction.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
-mod common;
-
-use common::property::{cases, large};
-use common::{pairs, random_link};
+use crate::common::property::{cases, large};
+use crate::common::{pairs, random_link};
 use glam::Vec2;
 use proptest::prelude::*;
 use riverseed::grow::{Growth, GrowthSettings};

@@ -1,12 +1,10 @@
 //! A picture painted while the tree grows is the picture painted at once.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
-mod common;
-
-use common::parts::paint_in_parts;
-use common::plain::plain;
-use common::property::cases;
-use common::random_link;
+use crate::common::parts::paint_in_parts;
+use crate::common::plain::plain;
+use crate::common::property::cases;
+use crate::common::random_link;
 use proptest::prelude::*;
 use riverseed::picture::Picture;
 use riverseed::recipe::{Choice, Key, Recipe, Style, link};

@@ -2,10 +2,8 @@
 #![cfg(feature = "json")]
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
-mod common;
-
-use common::property::{cases, large};
-use common::random_link;
+use crate::common::property::{cases, large};
+use crate::common::random_link;
 use proptest::prelude::*;
 use riverseed::recipe::reading::{ReadOptions, read};
 use riverseed::recipe::{Recipe, RecipeError, json, link, preset, table::TABLE};

@@ -1,12 +1,10 @@
 //! Relief: every river falls, all water finds the sea, and nothing else affects it.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
-mod common;
-
 use std::sync::Arc;
 
-use common::property::large;
-use common::random_link;
+use crate::common::property::large;
+use crate::common::random_link;
 use glam::Vec2;
 use proptest::prelude::*;
 #[cfg(feature = "files")]
@@ -114,7 +112,7 @@ proptest! {
 
 #[test]
 fn no_land_of_usual_maps_is_a_pit() {
-    for land in common::lands::every_land() {
+    for land in crate::common::lands::every_land() {
         for growth in ["drainage", "colonize", "brownian&sensitivity=24"] {
             let session = finished(&format!("seed=kea&{land}&growth={growth}&attractors=3000&style=night"));
             let relief = relief(&session);
@@ -151,7 +149,7 @@ proptest! {
 #[test]
 fn no_land_of_usual_maps_is_a_pit_on_finer_grids() {
     let sizes = [1025, 1500, 2049];
-    for (land, i) in common::lands::every_land().into_iter().zip(0..) {
+    for (land, i) in crate::common::lands::every_land().into_iter().zip(0..) {
         for (growth, j) in ["drainage", "colonize", "brownian&sensitivity=24"].into_iter().zip(0..) {
             let session = finished(&format!("seed=kea&{land}&growth={growth}&attractors=3000"));
             let finer = finer(&session, sizes[(i + j) % 3]);

@@ -3,13 +3,11 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 #![cfg(feature = "names")]
 
-mod common;
-
 use std::collections::BTreeMap;
 
-use common::parts::paint_in_parts;
-use common::property::{cases, large};
-use common::random_link;
+use crate::common::parts::paint_in_parts;
+use crate::common::property::{cases, large};
+use crate::common::random_link;
 use geo::{Distance, Euclidean};
 use proptest::prelude::*;
 use riverseed::chart::{

@@ -2,7 +2,7 @@
 //! in `docs/files.md` follows the schema. A test of the page (`www/tests/unit/schema.test.ts`), where a validator costs
 //! little, checks that networks are valid.
 //!
-//! `RIVERSEED_REFRESH=1 cargo test --all-features --test schema` writes the schema's part about recipes and the page's
+//! `RIVERSEED_REFRESH=1 cargo test --all-features --test all schema` writes the schema's part about recipes and the page's
 //! table again, and then fails.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 #![cfg(feature = "pack")]
@@ -67,7 +67,7 @@ fn the_schema_s_recipe_is_the_table_of_parameters() {
     }
     assert!(
         schema["$defs"]["recipe"] == recipe_schema(),
-        "write it again: RIVERSEED_REFRESH=1 cargo test --all-features --test schema"
+        "write it again: RIVERSEED_REFRESH=1 cargo test --all-features --test all schema"
     );
 }
 
@@ -100,5 +100,8 @@ fn the_table_of_members_in_the_page_about_files_is_the_schema_s() {
         fs::write(PAGE, format!("{before}{HEAD}{table}\n{after}")).unwrap();
         panic!("the page's table is written again: run without RIVERSEED_REFRESH");
     }
-    assert!(found == table.trim_end(), "write it again: RIVERSEED_REFRESH=1 cargo test --all-features --test schema");
+    assert!(
+        found == table.trim_end(),
+        "write it again: RIVERSEED_REFRESH=1 cargo test --all-features --test all schema"
+    );
 }

@@ -2,11 +2,9 @@
 //! whatever grows.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
-mod common;
-
-use common::plain::plain;
-use common::property::large;
-use common::{random_link, random_outline};
+use crate::common::plain::plain;
+use crate::common::property::large;
+use crate::common::{random_link, random_outline};
 use glam::Vec2;
 use proptest::prelude::*;
 use riverseed::grow::{Ending, Growth, GrowthSettings, Start};

@@ -3,8 +3,8 @@
 //! colonization.
 //!
 //! Nature's values are those of single basins, so a single basin is measured: a rectangle with one mouth. A map with
-//! several coasts has many small basins, of too few orders for meaningful ratios. `cargo test --test statistics --
-//! --nocapture` prints them for such lands too, in the test of disliked features.
+//! several coasts has many small basins, of too few orders for meaningful ratios. `cargo test --test all statistics
+//! -- --nocapture` prints them for such lands too, in the test of disliked features.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use std::ops::RangeInclusive;

@@ -1,6 +1,6 @@
 //! Sliders that keep the map: after a small change (more sea, rougher coasts, or a few more parcels or attractors), the
 //! greater rivers of drainage, and of space colonization along valleys, stay where they are. Medians over eight fixed
-//! seeds; `cargo test --test steady -- --nocapture` prints them.
+//! seeds; `cargo test --test all steady -- --nocapture` prints them.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use std::collections::BTreeMap;

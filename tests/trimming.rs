@@ -1,11 +1,9 @@
 //! Trimming (section 4.4 of the paper), against the untrimmed tree.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
-mod common;
-
-use common::plain::plain;
-use common::property::cases;
-use common::random_link;
+use crate::common::plain::plain;
+use crate::common::property::cases;
+use crate::common::random_link;
 use proptest::prelude::*;
 use riverseed::grow::{Colonize, Growth, GrowthSettings};
 use riverseed::prune::{Trim, trim};

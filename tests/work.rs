@@ -2,12 +2,9 @@
 //! freezing.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
-#[path = "common/lands.rs"]
-mod lands;
-
 use std::collections::BTreeMap;
 
-use lands::every_land;
+use crate::common::lands::every_land;
 use riverseed::random::{Purpose, Seed};
 use riverseed::recipe::{Stage, link};
 use riverseed::session::{Phase, Session};

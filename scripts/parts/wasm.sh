@@ -1,13 +1,17 @@
-# The part wasm: a Rust that compiles to wasm32, and the tools that make packages of what it compiles.
+# The parts wasm and bindgen: a Rust that compiles to wasm32, and the tools that make packages of what it compiles.
 # shellcheck shell=bash
 
 setup_wasm() {
+  setup_bindgen
+  cargo_tool wasm-pack "$(value_of wasm-pack wasm-pack.toml)" 3 wasm-pack
+}
+
+setup_bindgen() {
   setup_rust
   (use_wasm_rust) || get_wasm_rust
   local bindgen
   bindgen=$(sed -n '/^name = "wasm-bindgen"$/{n;s/version = "\(.*\)"/\1/p;}' Cargo.lock)
-  cargo_tool wasm-bindgen-cli "$bindgen" 4 wasm-bindgen wasm-bindgen-test-runner
-  cargo_tool wasm-pack "$(value_of wasm-pack wasm-pack.toml)" 3 wasm-pack
+  cargo_tool wasm-bindgen-cli "$bindgen" 3 wasm-bindgen wasm-bindgen-test-runner
 }
 
 get_wasm_rust() {

@@ -14,7 +14,7 @@ setup() {
   cp "$stand_ins/test-program" "$machine/unit-tests"
   cp "$stand_ins/test-program" "$machine/growth-tests"
   printf '  Executable %s (%s)\n' "unittests src/lib.rs" "$machine/unit-tests" "unittests src/bin/main.rs" "$machine/main" \
-    "tests/growth.rs" "$machine/growth-tests" >"$machine/programs"
+    "tests/all.rs" "$machine/growth-tests" >"$machine/programs"
 }
 
 # properties FILE NAME…: a file with these properties, and a function beside them.
@@ -89,7 +89,7 @@ explore() { run on_machine env MINUTES="${minutes-2}" "$checkout/scripts/explore
   never_said "unrelated"
   local seed
   seed=$(sed -n 's/^property rivers_join seed= *//p' "$machine/calls")
-  said "PROPTEST_RNG_SEED=$seed scripts/env.sh cargo test --all-features --test=growth rivers_join"
+  said "PROPTEST_RNG_SEED=$seed scripts/env.sh cargo test --all-features --test=all rivers_join"
   said "2 times a property held all of its cases, 1 times it did not"
   grep -q "unrelated" "$checkout/target/explore/rivers_join-$seed.failed"
 }

@@ -94,6 +94,32 @@ built() {
   grep -qF -- "--remap-path-prefix=$checkout/vendor=crates" "$machine/calls"
 }
 
+# demo TIMES: makes what the demo needs, and judges how many modules have been compiled for it by now.
+demo() {
+  build demo
+  succeeded
+  called "$1" "cargo build"
+}
+
+@test "the demo has every package, of two modules, without wasm-pack" {
+  put wasm-bindgen
+  demo 2
+  called 4 "wasm-bindgen"
+  called 0 "wasm-pack"
+  grep -q -- "--features rivers,files,controls,tracing " "$checkout/www/pkg/riverseed_bg.wasm"
+  grep -q -- "--features charts " "$checkout/www/pkg-chart/riverseed_chart_bg.wasm"
+  demo 2
+}
+
+@test "the demo takes packages that are to be handed out, and never becomes one" {
+  put wasm-bindgen
+  built 4
+  demo 0
+  echo "pub fn lake() {}" >>"$checkout/src/lib.rs"
+  demo 2
+  built 8
+}
+
 @test "a module above its limit stops the check of weights, and no build" {
   sed -i.old 's/^budget = .*/budget = { brotli = 3, gzip = 3 }/' "$checkout/wasm-pack.toml"
   build

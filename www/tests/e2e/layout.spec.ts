@@ -1,5 +1,5 @@
 import { expect, type Page, test } from "@playwright/test";
-import { openFinished, resize } from "./riverpage.ts";
+import { neverFullScreen, openFinished, resize } from "./riverpage.ts";
 import { LONG_SEEDS, linkOfSeed, OPENED, openFailed } from "./states.ts";
 import { core } from "./tiers.ts";
 
@@ -40,6 +40,7 @@ async function inEach(
 }
 
 test("on a desk the page never scrolls, in no state @core", async ({ page }) => {
+  await neverFullScreen(page);
   await resize(page, ...DESKS[0]);
   await openFinished(page, linkOfSeed(LONG_SEEDS.letters));
   await expect(page.locator("#notices")).toBeVisible();
@@ -87,6 +88,7 @@ for (const [kind, seed] of Object.entries(LONG_SEEDS)) {
   test(`nothing stands out of the window, and nothing lies over the controls: ${kind}${core(kind === "letters")}`, async ({
     page,
   }) => {
+    await neverFullScreen(page);
     await resize(page, ...WINDOWS[0]);
     await openFinished(page, linkOfSeed(seed));
     await inEach(page, WINDOWS, async () => {

@@ -149,6 +149,11 @@ export async function expectAddress(page: Page, key: string, value: string | nul
   await expect.poll(() => address(page).get(key), { intervals: [50] }).toBe(value);
 }
 
+/** Keeps the page out of full screen, in which a window could not be made another size. Call before `goto`. */
+export async function neverFullScreen(page: Page): Promise<void> {
+  await page.addInitScript(() => Reflect.deleteProperty(Element.prototype, "requestFullscreen"));
+}
+
 /** Makes the window another size, and waits until the map is painted for it. */
 export async function resize(page: Page, width: number, height: number): Promise<void> {
   await page.setViewportSize({ width, height });

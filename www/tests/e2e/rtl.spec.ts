@@ -2,7 +2,7 @@
 
 import { expect, type Page, test } from "@playwright/test";
 import { violations } from "./axe.ts";
-import { openFinished, openPanel, resize } from "./riverpage.ts";
+import { neverFullScreen, openFinished, openPanel, resize } from "./riverpage.ts";
 import { OPENED } from "./states.ts";
 import { core } from "./tiers.ts";
 
@@ -40,6 +40,7 @@ function cutOff(page: Page): Promise<string[]> {
 for (const [language, seed] of Object.entries(SEEDS)) {
   test(`from right to left nothing is cut off: ${language}${core(language === "Arabic")}`, async ({ page }) => {
     // Each state is reached in the narrowest window, and seen in all.
+    await neverFullScreen(page);
     await resize(page, 320, 800);
     await openMirrored(page, seed);
     for (const [state, open] of Object.entries(OPENED)) {

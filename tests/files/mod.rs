@@ -3,8 +3,6 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 #![cfg(feature = "pack")]
 
-#[path = "../common/mod.rs"]
-mod common;
 mod definitions;
 mod geojson;
 mod json;
@@ -12,7 +10,7 @@ mod svg;
 
 use std::sync::LazyLock;
 
-use common::plain::plain;
+use crate::common::plain::plain;
 use definitions::lakes;
 use riverseed::export::{geojson as to_geojson, json as to_json};
 use riverseed::network::NONE;

@@ -1,0 +1,53 @@
+//! The tests of the library, in one program: it is linked once, and its tests share both processors to the end.
+//!
+//! A new file needs its line here. `digest.rs` is a program of its own, since it also runs as wasm.
+
+mod common;
+
+mod architecture;
+mod brownian;
+mod cut_out;
+mod documents;
+mod examples;
+mod export;
+mod files;
+mod fixed_seeds;
+mod framing;
+mod golden;
+mod grown;
+mod growth;
+mod identity;
+mod inspect;
+mod labels;
+mod markup;
+mod marks;
+mod mask;
+mod meanders;
+mod names;
+mod network;
+mod painting;
+mod presets;
+mod rasters;
+mod recipes;
+mod relief;
+mod scenery;
+mod schema;
+mod starts;
+mod statistics;
+mod steady;
+mod timeline;
+mod trimming;
+mod work;
+
+/// Cargo would not say so: a file that no program has is not compiled.
+#[test]
+fn every_file_of_tests_is_in_a_program() {
+    let lines: Vec<_> = include_str!("all.rs").lines().collect();
+    for entry in std::fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/tests")).into_iter().flatten().flatten() {
+        let name = entry.file_name().to_string_lossy().into_owned();
+        let Some(module) = name.strip_suffix(".rs").filter(|module| !["all", "digest"].contains(module)) else {
+            continue;
+        };
+        assert!(lines.contains(&format!("mod {module};").as_str()), "tests/all.rs does not name {module}");
+    }
+}
