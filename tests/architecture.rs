@@ -147,7 +147,11 @@ fn each_module_uses_the_layers_of_its_line_and_a_line_names_no_other() {
         used.entry(layer).or_default().extend(others.map(str::to_owned));
     }
     for (layer, allowed) in &layers {
-        assert_eq!(&used[layer.as_str()], allowed, "docs/layers.toml: left is what {layer} uses, right what its line says");
+        assert_eq!(
+            &used[layer.as_str()],
+            allowed,
+            "docs/layers.toml: left is what {layer} uses, right what its line says"
+        );
     }
 }
 
