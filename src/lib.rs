@@ -58,40 +58,22 @@ pub use tree::Tree;
 #[cfg(test)]
 extern crate self as riverseed;
 
-#[cfg(feature = "names")]
-#[doc(hidden)]
-pub mod chart;
-#[cfg(feature = "names")]
-#[doc(hidden)]
-pub mod chart_builder;
-#[doc(hidden)]
-pub mod dice;
+pub mod analyse;
+pub mod annotate;
+pub mod base;
 #[cfg(feature = "files")]
 pub mod digest;
 pub mod domain;
 #[cfg(feature = "files")]
 pub mod export;
-mod geometry;
-#[cfg(feature = "names")]
-#[doc(hidden)]
-pub mod glyph;
 pub mod grow;
 #[cfg(feature = "png")]
 pub mod import;
-#[cfg(all(feature = "files", feature = "controls"))]
-#[doc(hidden)]
-pub mod inspect;
-#[cfg(feature = "names")]
-#[doc(hidden)]
-pub mod labels;
 pub mod land;
 #[cfg(test)]
 #[path = "../tests/common/lands.rs"]
 mod lands;
 pub mod map;
-pub mod measure;
-mod memory;
-pub mod name;
 pub mod network;
 pub mod paint;
 pub mod picture;
@@ -99,21 +81,10 @@ pub mod picture;
 #[path = "../tests/common/property.rs"]
 mod property;
 pub mod prune;
-mod queue;
-pub mod random;
 pub mod recipe;
 pub mod relief;
-#[cfg(feature = "names")]
-#[doc(hidden)]
-pub mod scenery;
 pub mod session;
-mod simplify;
-mod skeletonize;
-mod sort;
 pub mod tree;
-mod wire;
-#[doc(hidden)]
-pub mod work;
 
 /// The README's example is compiled and run with the tests.
 #[cfg(all(doctest, feature = "files"))]

@@ -8,7 +8,7 @@ use std::sync::Arc;
 use tiny_skia::Pixmap;
 
 #[cfg(feature = "names")]
-use crate::chart_builder::ChartBuilder;
+use crate::annotate::builder::ChartBuilder;
 use crate::domain::Domain;
 use crate::land::Land;
 use crate::map::MapId;
@@ -281,7 +281,7 @@ mod testing {
 mod tests {
     use super::testing::{SMALL, finished, painted};
     use super::*;
-    use crate::memory::testing::with_lists_up_to;
+    use crate::base::memory::testing::with_lists_up_to;
     use crate::recipe::link;
 
     #[test]

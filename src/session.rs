@@ -14,11 +14,11 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use self::relief::ReliefStage;
+use crate::base::memory;
 use crate::domain::Domain;
 use crate::grow::{GrowError, Growth, GrowthSettings};
 use crate::land::Land;
 use crate::map::{Map, MapId};
-use crate::memory;
 use crate::network::{Meander, Network, NetworkSettings, PastCourses, ShapeError, Shaping, ask_for_memory};
 use crate::prune::{self, Pruned, Trim};
 use crate::recipe::{Key, Recipe, Stage, Style};
@@ -242,7 +242,7 @@ impl Session {
 
     /// Makes at most this many steps: ticks of growth, then a few that make rivers of the tree, then rounds of meandering, then
     /// the relief part by part, if the style shows one. Returns whether there is more to do. No recipe is known of which a step takes
-    /// more than 8 million elementary steps, as [`crate::work`] counts them, and 250 for each attractor or cell of a Brownian tree.
+    /// more than 8 million elementary steps, as [`crate::base::work`] counts them, and 250 for each attractor or cell of a Brownian tree.
     ///
     /// # Errors
     /// If there is not enough memory for the rest of the tree, for its rivers, or for their relief. The session then does not show

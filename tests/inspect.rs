@@ -6,7 +6,7 @@ use crate::common::property::cases;
 use crate::common::random_link;
 use glam::Vec2;
 use proptest::prelude::*;
-use riverseed::inspect::{Inspector, Spot};
+use riverseed::analyse::query::{Inspector, Spot};
 use riverseed::network::{NONE, River};
 use riverseed::recipe::link;
 use riverseed::session::Session;

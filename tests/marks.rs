@@ -11,13 +11,14 @@ use crate::common::parts::paint_in_parts;
 use crate::common::property::{cases, large};
 use crate::common::random_link;
 use proptest::prelude::*;
-use riverseed::chart::{Input, Kind, Label, Piece, Raster, Stroke, place};
-use riverseed::chart_builder::ChartBuilder;
+use riverseed::annotate::builder::ChartBuilder;
+use riverseed::annotate::labels;
+use riverseed::annotate::place::{Input, Kind, Label, Piece, Raster, Stroke, place};
 use riverseed::export::rasters::{Layer, Rasters, Values};
 use riverseed::glam::Vec2;
 use riverseed::paint::View;
 use riverseed::recipe::{Key, Recipe, Style, link};
-use riverseed::{Map, Picture, Session, labels};
+use riverseed::{Map, Picture, Session};
 
 fn recipe(link: &str, more: &[(Key, &str)]) -> Recipe {
     let mut recipe = link::read(link).unwrap();
@@ -256,7 +257,7 @@ fn a_legend_says_title_seed_scale_and_counts_at_sea_and_off_the_cartouche() {
         let map = session.map().unwrap();
         let (labels, input) = placed(&map, 1440.0);
         let texts: Vec<&str> = of(&labels, Kind::Legend).map(|label| label.text.as_str()).collect();
-        let title = riverseed::name::Names::of(&session.map().unwrap()).title;
+        let title = riverseed::annotate::names::Names::of(&session.map().unwrap()).title;
         let heading = if cartouche == "none" { vec![title.as_str(), "moa"] } else { vec![] };
         assert!(texts.starts_with(&heading) && texts[heading.len()] == "100 units", "{texts:?}");
         let rivers = &session.network().unwrap().rivers;

@@ -3,9 +3,9 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use glam::Vec2;
+use riverseed::base::work;
 use riverseed::network::{Meander, NONE, Network, NetworkSettings, Place, Shaping, gap};
 use riverseed::recipe::link;
-use riverseed::work;
 use riverseed::{Oxbow, River, Session};
 
 /// Both models and all ways of growing, wide rivers and narrow ones, on lands with a frame and without; as old as can

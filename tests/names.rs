@@ -8,7 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use crate::common::property::{cases, large};
 use crate::common::{finished, random_link};
 use proptest::prelude::*;
-use riverseed::name::Names;
+use riverseed::annotate::names::Names;
 use riverseed::recipe::{Key, OwnNames, Recipe, link};
 use riverseed::{Session, export};
 use serde_json::Value;
@@ -251,7 +251,7 @@ fn files_have_the_names() {
             (&"Point".into(), &place.name.clone().into())
         );
         let is_land = session.land().unwrap().coast_distance().height(place.at) > 0.0;
-        assert_eq!(is_land, place.kind == riverseed::name::PlaceKind::Island, "{id} lies in its midst");
+        assert_eq!(is_land, place.kind == riverseed::annotate::names::PlaceKind::Island, "{id} lies in its midst");
     }
 }
 

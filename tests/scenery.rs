@@ -10,14 +10,15 @@ use crate::common::property::{cases, large};
 use crate::common::random_link;
 use geo::{Distance, Euclidean};
 use proptest::prelude::*;
-use riverseed::chart::{
+use riverseed::annotate::place::{
     Box, FOOT_FROM_BANKS, FROM_BANKS, FROM_COAST, FROM_LETTERS, Feature, PenStroke, Raster, Scenery, SceneryInput,
     Standing, place,
 };
+use riverseed::annotate::{labels, scenery};
 use riverseed::glam::Vec2;
 use riverseed::network::Place;
 use riverseed::recipe::link;
-use riverseed::{Key, Map, Picture, Session, labels, scenery};
+use riverseed::{Key, Map, Picture, Session};
 
 /// Finishes the rivers of a link.
 fn finished(link: &str) -> Session {

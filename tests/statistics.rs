@@ -9,7 +9,7 @@
 
 use std::ops::RangeInclusive;
 
-use riverseed::measure::{Measures, Streams, TABLE, hack_exponent};
+use riverseed::analyse::statistics::{Measures, Streams, TABLE, hack_exponent};
 use riverseed::prune::{Trim, trim};
 use riverseed::recipe::link;
 use riverseed::session::Session;

@@ -5,10 +5,10 @@
 use std::collections::BTreeMap;
 
 use crate::common::lands::every_land;
-use riverseed::random::{Purpose, Seed};
+use riverseed::base::random::{Purpose, Seed};
+use riverseed::base::work;
 use riverseed::recipe::{Stage, link};
 use riverseed::session::{Phase, Session};
-use riverseed::work;
 
 /// Closed lines with this number of points in all, anywhere on the map: they cross themselves and each other.
 fn coasts(seed: &str, lines: u32, points: u32) -> String {

@@ -1,9 +1,9 @@
 //! Growth, from a recipe to the last node.
 
 use glam::Vec2;
+use riverseed::base::random::Seed;
 use riverseed::grow::{Brownian, Colonize, Growth, GrowthSettings, Raster};
 use riverseed::land::Land;
-use riverseed::random::Seed;
 use riverseed::recipe::preset::PRESETS;
 use riverseed::recipe::{Key, Recipe, Sides};
 

@@ -3,7 +3,7 @@
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use riverseed::glam::Vec2;
-use riverseed::name::Names;
+use riverseed::annotate::names::Names;
 
 use crate::arrays::put_rows;
 use crate::map::Map;

@@ -3,8 +3,8 @@
 
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use riverseed::measure::{self, Measures};
-use riverseed::name::Names;
+use riverseed::analyse::statistics::{self, Measures};
+use riverseed::annotate::names::Names;
 use riverseed::network::{NONE, Network};
 use riverseed::prune::Pruned;
 use riverseed::tree::NO_PARENT;

@@ -9,7 +9,7 @@ use std::ops::Range;
 use glam::Vec2;
 
 use super::rings::{GridPoint, simple_ring};
-use crate::geometry::{direction, length};
+use crate::base::geometry::{direction, length};
 use crate::network::{Network, Oxbow, Place, River};
 use crate::recipe::CourseShape;
 

@@ -5,10 +5,10 @@ use glam::Vec2;
 use super::data::{Json, Members};
 use super::names;
 use super::{ExportError, names_of, rivers};
+use crate::analyse::statistics::{self, Measures};
+use crate::annotate::names::Names;
 use crate::grow::Ending;
 use crate::map::Map;
-use crate::measure::{self, Measures};
-use crate::name::Names;
 use crate::network::{NONE, Network, Vertex};
 use crate::prune::Pruned;
 use crate::recipe::table::TABLE;
@@ -147,7 +147,7 @@ fn growth<'a>(map: &Map) -> Members<'a> {
 /// What is measured of a network, by the names of the table of measures; null where it is too small.
 pub fn measures<'a>(measured: &Measures) -> Json<'a> {
     let mut members = Members::default();
-    for measure in &measure::TABLE {
+    for measure in &statistics::TABLE {
         members.value(measure.name, (measure.value)(measured).map_or(Json::Null, Json::Double));
     }
     members.into()

@@ -1,6 +1,6 @@
 //! Heights as whole numbers of 16 bits, in which water still runs down.
 
-use crate::memory::{Refused, lengthen};
+use crate::base::memory::{Refused, lengthen};
 use crate::relief::{CELL_SIZE, METRES};
 
 /// How heights are written as whole numbers, or steps: 0 is the map's deepest place.

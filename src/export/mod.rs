@@ -22,9 +22,9 @@ pub use form::Form;
 
 use thiserror::Error;
 
+use crate::annotate::names::Names;
+use crate::base::memory;
 use crate::map::Map;
-use crate::memory;
-use crate::name::Names;
 use crate::network::Network;
 
 /// The names of a map; none where there is nothing that makes names.

@@ -3,7 +3,7 @@
 use glam::Vec2;
 
 use super::data::{Json, Members};
-use crate::name::{Names, PlaceName, ReachName, RiverName};
+use crate::annotate::names::{Names, PlaceName, ReachName, RiverName};
 
 /// A name, or null for what has none.
 fn name<'a>(name: &str) -> Json<'a> {

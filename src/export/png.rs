@@ -7,7 +7,7 @@ use tiny_skia::Pixmap;
 
 use super::ExportError;
 use super::rasters::{Layer, Rasters, Values};
-use crate::memory;
+use crate::base::memory;
 
 pub use super::rasters::LINK_KEYWORD;
 

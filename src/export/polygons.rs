@@ -1,7 +1,7 @@
 //! Polygons of rings that run around areas of a raster: which ring is a hole of which, on the grid of the numbers that are written.
 
 use super::rings::{GridPoint, doubled_area};
-use crate::sort::{argsort, key};
+use crate::base::sort::{argsort, key};
 
 /// Rings, closed, whose last point is their first: the outer one, counterclockwise, then its holes, clockwise.
 pub(super) type Polygon = Vec<Vec<GridPoint>>;

@@ -289,7 +289,7 @@ impl From<ReliefError> for ExportError {
 #[allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 mod tests {
     use super::*;
-    use crate::memory::testing::with_lists_up_to;
+    use crate::base::memory::testing::with_lists_up_to;
     use crate::session::Session;
 
     #[test]

@@ -3,12 +3,12 @@
 use glam::Vec2;
 
 use super::GrowthSettings;
-use crate::geometry::distance;
+use crate::base::geometry::distance;
+use crate::base::random::{Purpose, Stream};
+use crate::base::sort;
+use crate::base::work;
 use crate::land::{Land, Region, Shore};
-use crate::random::{Purpose, Stream};
 use crate::recipe::Sides;
-use crate::sort;
-use crate::work;
 
 /// The root of a river tree.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -6,10 +6,10 @@ use glam::Vec2;
 use super::GrowthSettings;
 use super::drainage::attractors_by_height;
 use super::watered::Watered;
+use crate::base::random::{Purpose, Stream};
+use crate::base::work;
 use crate::land::{Cells, Land};
-use crate::random::{Purpose, Stream};
 use crate::recipe::Scatter;
-use crate::work;
 
 /// Places the attractors, in the order in which they are drawn. One more attractor leaves all others where they are,
 /// except on a grid. With valleys the lowest come first.

@@ -6,9 +6,9 @@ use glam::Vec2;
 
 use super::starts::starts;
 use super::{DrainageSettings, Start};
+use crate::base::random::Seed;
 use crate::domain::{AREA, Domain};
 use crate::land::{CELL_SIZE, Land, Region};
-use crate::random::Seed;
 use crate::recipe::{GrowthMethod, Key, LandKind, Recipe, Scatter, Sides};
 
 /// The settings of growth, with ratios turned into lengths.

@@ -6,11 +6,11 @@ use std::sync::Arc;
 use glam::Vec2;
 
 use super::Mouth;
+use crate::base::geometry::distance;
+use crate::base::work;
 use crate::domain::Domain;
-use crate::geometry::distance;
 use crate::land::{Cell, Land, divided, in_units};
 use crate::recipe::Recipe;
-use crate::work;
 
 /// A drawn mouth.
 #[derive(Clone, Debug, PartialEq)]

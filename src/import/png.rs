@@ -5,8 +5,8 @@ use std::io::{BufRead, Seek};
 use png::{ColorType, Decoder, DecodingError, Limits, Transformations};
 use thiserror::Error;
 
+use crate::base::memory;
 use crate::land::trace::LONGEST_SIDE;
-use crate::memory;
 
 /// Asks for the memory that a picture of so many pixels takes while it is decoded.
 fn ask(pixels: usize) -> Result<(), ImportError> {
@@ -86,7 +86,7 @@ mod tests {
     use std::io::Cursor;
 
     use super::*;
-    use crate::memory::testing::with_lists_up_to;
+    use crate::base::memory::testing::with_lists_up_to;
 
     #[test]
     fn picture_is_refused_where_there_is_no_memory_for_its_pixels() {

@@ -9,9 +9,9 @@ use glam::Vec2;
 use super::cell::Cell;
 use super::regions::{Region, Run, regions};
 use super::walk::walk;
+use crate::base::sort;
+use crate::base::work;
 use crate::domain::Domain;
-use crate::sort;
-use crate::work;
 
 /// A straight piece of coast, from one end to the other.
 pub(super) type Piece = [Vec2; 2];
@@ -332,7 +332,7 @@ fn squared_distance(point: Vec2, from: Vec2, to: Vec2) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::random::Seed;
+    use crate::base::random::Seed;
 
     #[test]
     fn height_is_the_distance_from_the_coast() {
@@ -369,7 +369,7 @@ mod tests {
 
     #[test]
     fn handed_on_distances_are_those_of_a_search() {
-        let mut chance = Seed::from_text("coast").stream(crate::random::Purpose::Land);
+        let mut chance = Seed::from_text("coast").stream(crate::base::random::Purpose::Land);
         let domain = Domain::with_aspect(1.0);
         let mut point = || Vec2::new(chance.unit(), chance.unit()) * domain.size;
         let mut piece = || {

@@ -9,8 +9,8 @@ use super::coast_distance::CoastDistance;
 use super::obstacles::Obstacles;
 use super::regions::{Region, Run, Shore, without};
 use super::walk::walk;
+use crate::base::sort;
 use crate::domain::Domain;
-use crate::sort;
 
 /// Cells, row by row.
 #[derive(Clone, Debug, PartialEq)]

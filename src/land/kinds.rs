@@ -4,9 +4,9 @@ use fastnoise_lite::{CellularReturnType, FastNoiseLite, NoiseType};
 use glam::{Mat2, Vec2, Vec2Swizzles};
 
 use super::CoastDistance;
+use crate::base::geometry::length;
+use crate::base::random::{Purpose, Seed};
 use crate::domain::Domain;
-use crate::geometry::length;
-use crate::random::{Purpose, Seed};
 use crate::recipe::{Key, LandKind, Recipe, Sides};
 
 /// The description of a shape.

@@ -6,7 +6,7 @@ use std::ops::Range;
 use glam::Vec2;
 
 use super::walk::{floor, walk};
-use crate::work;
+use crate::base::work;
 
 /// The side of a tile, in cells. The cells of a tile are the bits of a number.
 const TILE: usize = 8;

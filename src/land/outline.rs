@@ -7,8 +7,8 @@ use super::coast_distance::{CoastDistance, Piece};
 #[cfg(feature = "files")]
 use super::grid::Grid;
 use super::kinds::Shape;
+use crate::base::geometry::distance;
 use crate::domain::Domain;
-use crate::geometry::distance;
 use crate::recipe::{GridPoint, Outline};
 
 /// The distance by which a coast along the border is moved beyond the domain, in units: the land continues there, and
@@ -241,9 +241,9 @@ impl Crossings {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::base::random::Seed;
     use crate::land::{Cell, Land};
     use crate::property::cases;
-    use crate::random::Seed;
     use crate::recipe::LandKind;
     use crate::recipe::{Key, Recipe, Sides, link};
     use proptest::prelude::*;

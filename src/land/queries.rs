@@ -14,10 +14,10 @@ use super::regions::{Region, regions_of};
 #[cfg(feature = "names")]
 use super::regions::{between, regions};
 use super::walk::walk;
+use crate::base::geometry::length;
+use crate::base::work;
 use crate::domain::Domain;
-use crate::geometry::length;
 use crate::recipe::{LandKind, Recipe};
-use crate::work;
 
 /// The smallest share of the domain that a drawn land must fill: attractors would miss smaller lands.
 pub(super) const LEAST_DRAWN: f32 = 0.01;

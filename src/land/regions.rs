@@ -4,7 +4,7 @@
 use glam::Vec2;
 
 use super::cell::Cell;
-use crate::sort;
+use crate::base::sort;
 
 /// The cells `start..end` of a row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -4,10 +4,10 @@ use glam::Vec2;
 use thiserror::Error;
 
 use super::queries::LEAST_DRAWN;
+use crate::base::simplify::significance;
+use crate::base::sort;
 use crate::domain::AREA;
 use crate::recipe::{GridPoint, LONGEST_OUTLINE, LineKind, Outline, OutlineError};
-use crate::simplify::significance;
-use crate::sort;
 
 /// Points with a smaller triangle than this are left out, in square units: the width of a drawn coast hides them.
 const LEAST_AREA: f32 = 8.0;

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use super::write::ENDINGS;
 use super::{Map, MapId};
+use crate::base::wire::{Reader, point};
 use crate::domain::Domain;
 use crate::grow::Grown;
 use crate::land::{CoastDistance, Land};
@@ -12,7 +13,6 @@ use crate::prune::Trim;
 use crate::recipe::link;
 use crate::relief::Relief;
 use crate::tree::{NO_PARENT, Tree};
-use crate::wire::{Reader, point};
 
 impl Map {
     /// Reads what [`Map::to_wire`] has written; `None` of anything else.

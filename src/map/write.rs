@@ -1,14 +1,14 @@
 //! A map on the wire: the wasm module that has it hands all of it to another.
 
 use super::{Map, MapId};
+use crate::base::memory;
+use crate::base::wire::Writer;
 use crate::grow::{Ending, Grown};
 use crate::land::Land;
-use crate::memory;
 use crate::network::{Network, Oxbow, PastCourse, PastCourses, River, Vertex};
 use crate::prune::Trim;
 use crate::recipe::link;
 use crate::tree::Tree;
-use crate::wire::Writer;
 
 /// How growth ended, by its number on the wire.
 pub(super) const ENDINGS: [Ending; 3] = [Ending::Complete, Ending::NodeLimit, Ending::OutOfMemory];

@@ -3,7 +3,7 @@
 use glam::Vec2;
 
 use super::{NONE, Network, Oxbow, River, Vertex};
-use crate::geometry::direction;
+use crate::base::geometry::direction;
 
 /// How far beyond its last vertex a river reaches into the sea, in widths. A round end adds another half.
 const PAST_SHORE: f32 = 0.1;

@@ -10,9 +10,9 @@
 use glam::Vec2;
 
 use super::{Network, Vertex};
+use crate::base::geometry::{distance, fast_max, fast_min, gap, meet};
+use crate::base::work;
 use crate::domain::Domain;
-use crate::geometry::{distance, fast_max, fast_min, gap, meet};
-use crate::work;
 
 /// Two segments, each known by its upper vertex, and their distance.
 #[derive(Clone, Copy, Debug, PartialEq)]

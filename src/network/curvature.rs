@@ -2,7 +2,7 @@
 
 use glam::Vec2;
 
-use crate::geometry::{fast_max, fast_min, length};
+use crate::base::geometry::{fast_max, fast_min, length};
 
 /// The curvature at the middle one of three points on a line: positive where the line turns toward the right-hand side of
 /// a screen whose y runs down, 0 where it is straight or where points coincide.

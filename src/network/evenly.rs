@@ -2,7 +2,7 @@
 
 use super::settings::NetworkSettings;
 use super::{NONE, Network, Vertex};
-use crate::geometry::distance;
+use crate::base::geometry::distance;
 
 /// Puts vertices between those of a network, so that neighbours lie at most one and a half steps apart, and at
 /// least two thirds of one where the course has room. Returns for each vertex where it lies between two old ones: the upper one's
@@ -58,7 +58,7 @@ pub(super) fn between(upper: &Vertex, lower: &Vertex, share: f32) -> Vertex {
 mod tests {
     use super::super::samples::{river, settings, straight};
     use super::*;
-    use crate::geometry::height;
+    use crate::base::geometry::height;
     use glam::Vec2;
 
     #[test]

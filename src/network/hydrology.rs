@@ -5,7 +5,7 @@
 //! fall toward the sea.
 
 use super::{NONE, Network};
-use crate::geometry::{distance, fast_max, fast_min, lengths};
+use crate::base::geometry::{distance, fast_max, fast_min, lengths};
 use crate::tree::LEAST_SLOPE;
 
 /// The slope of a river that drains a share of everything: S ∝ Q^−0.5, as Flint (1974) found it for mountain streams, so that it is

@@ -31,7 +31,7 @@ mod uncross;
 mod width;
 
 #[doc(hidden)]
-pub use crate::geometry::{gap, meet};
+pub use crate::base::geometry::{gap, meet};
 pub use centerline::Place;
 #[doc(hidden)]
 pub use clearance::{ClearanceGrid, NearbyPair};
@@ -48,7 +48,7 @@ use std::ops::Range;
 
 use glam::Vec2;
 
-use crate::geometry::{distance, lengths};
+use crate::base::geometry::{distance, lengths};
 
 /// No vertex, no river.
 pub const NONE: u32 = u32::MAX;

@@ -1,7 +1,7 @@
 //! Strahler's orders and Shreve's magnitudes of rivers.
 
 use super::{NONE, Network, River};
-use crate::sort;
+use crate::base::sort;
 
 /// Counts all rivers' orders and magnitudes. Those of the tree stand until rivers join others than they did.
 pub(super) fn count(network: &mut Network) {

@@ -9,10 +9,10 @@ use glam::Vec2;
 
 use super::smooth::LEAST_CLEARANCE;
 use super::{NONE, Network, Vertex};
-use crate::geometry::{height, is_in_triangle};
+use crate::base::geometry::{height, is_in_triangle};
+use crate::base::simplify::{Lines, Place};
+use crate::base::work;
 use crate::land::Land;
-use crate::simplify::{Lines, Place};
-use crate::work;
 
 /// The vertices that can go, in the order in which they do.
 pub(super) fn rank(network: &Network, land: Option<&Land>) -> Vec<u32> {

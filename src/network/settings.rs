@@ -4,10 +4,10 @@ use std::sync::Arc;
 
 use fastnoise_lite::FastNoiseLite;
 
+use crate::base::geometry::{fast_max, fast_min};
+use crate::base::random::{Purpose, Seed};
 use crate::domain::Domain;
-use crate::geometry::{fast_max, fast_min};
 use crate::land::Land;
-use crate::random::{Purpose, Seed};
 use crate::recipe::{CourseShape, Key, MeanderModel, Recipe};
 
 /// The settings of the network stage, resolved.

@@ -7,7 +7,7 @@ use thiserror::Error;
 use super::courses::Courses;
 use super::meander::{Meander, smooth_courses, thin_out};
 use super::{Network, NetworkSettings, PastCourses};
-use crate::memory;
+use crate::base::memory;
 use crate::recipe::CourseShape;
 use crate::tree::Tree;
 

@@ -9,7 +9,7 @@ use glam::Vec2;
 use super::clearance::ClearanceGrid;
 use super::settings::NetworkSettings;
 use super::{NONE, Network};
-use crate::geometry::{distance, fast_max, fast_min};
+use crate::base::geometry::{distance, fast_max, fast_min};
 use crate::land::Land;
 
 /// How often vertices are moved toward the smooth line: most are there after two or three.
@@ -117,7 +117,7 @@ mod tests {
     use super::super::ranking::{rank, simplified};
     use super::super::samples::{places, river, settings, sine_generated, sinuosity};
     use super::*;
-    use crate::geometry::meet;
+    use crate::base::geometry::meet;
 
     fn smoothed(coarse: &Network) -> Vec<Vec2> {
         let settings = settings();

@@ -10,10 +10,10 @@ use std::ops::Range;
 use glam::Vec2;
 
 use super::NONE;
-use crate::geometry::{Segment, distance, height, meet, meeting};
+use crate::base::geometry::{Segment, distance, height, meet, meeting};
+use crate::base::work;
 use crate::tree::UNGROWN;
 use crate::tree::{NO_PARENT, Tree};
-use crate::work;
 
 /// A tree whose steps meet only at its nodes. The nodes stand in another order than before, parents first as ever.
 /// A branch that cannot be joined cleanly, for lack of room, goes.

@@ -8,7 +8,7 @@ use fastnoise_lite::FastNoiseLite;
 
 use super::settings::NetworkSettings;
 use super::{NONE, Network};
-use crate::geometry::{distance, fast_max, fast_min};
+use crate::base::geometry::{distance, fast_max, fast_min};
 
 /// The distance, in spacings, over which a river widens from nothing to its full width.
 const TAPER: f32 = 8.0;

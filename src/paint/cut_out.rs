@@ -3,7 +3,7 @@
 
 use tiny_skia::Pixmap;
 
-use super::chart::{ChartMasks, SparseMask};
+use super::annotation::masks::{ChartMasks, SparseMask};
 use super::palette::{Colour, Palette};
 use super::styles::labels::label_look;
 use super::styles::palette;

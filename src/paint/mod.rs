@@ -6,9 +6,9 @@
 //!
 //! Units here are pixels. Only a [`View`] knows the number of pixels per unit of the domain.
 
+pub(crate) mod annotation;
 pub(crate) mod beds;
 mod beyond;
-mod chart;
 mod coverage;
 #[cfg(feature = "files")]
 mod cut_out;
@@ -18,8 +18,6 @@ pub(crate) mod grid;
 pub(crate) mod ground;
 mod ground_cache;
 mod ink;
-#[cfg(feature = "names")]
-pub(crate) mod letters;
 mod painter;
 pub(crate) mod palette;
 mod paper;
@@ -27,15 +25,13 @@ mod raised;
 pub(crate) mod relief;
 pub(crate) mod ridges;
 mod rivers;
-#[cfg(feature = "names")]
-pub(crate) mod scenery;
 mod skeleton;
 mod strokes;
 mod styles;
 mod view;
 
 #[doc(hidden)]
-pub use chart::{ChartMasks, SparseMask};
+pub use annotation::masks::{ChartMasks, SparseMask};
 #[doc(hidden)]
 pub use coverage::Coverage;
 pub use coverage::Rect;
@@ -48,10 +44,12 @@ pub use rivers::Rivers;
 pub use strokes::{Pen, Widths};
 pub use view::{Framing, LONGEST_SIDE, PaintError, View};
 
+#[cfg(feature = "names")]
+pub(crate) use annotation::letters;
+#[cfg(feature = "names")]
+pub(crate) use annotation::scenery::SceneryPainter;
 #[cfg(feature = "files")]
 pub(crate) use palette::Lines;
-#[cfg(feature = "names")]
-pub(crate) use scenery::SceneryPainter;
 #[cfg(all(feature = "files", feature = "names"))]
 pub(crate) use styles::labels::LabelLook;
 #[cfg(feature = "names")]

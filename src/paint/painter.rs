@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 use tiny_skia::Pixmap;
 
-use super::chart::{self, ChartMasks};
+use super::annotation::masks::{self, ChartMasks};
 use super::coverage::{Coverage, Rect};
 #[cfg(feature = "files")]
 use super::cut_out;
@@ -21,9 +21,9 @@ use super::strokes::{Pen, Widths};
 use super::styles::palette;
 use super::view::{Framing, PaintError, View};
 use super::{ink, skeleton};
+use crate::base::memory;
 use crate::domain::Domain;
 use crate::land::Land;
-use crate::memory;
 #[cfg(feature = "controls")]
 use crate::network::Network;
 use crate::prune::{self, Trim};
@@ -218,7 +218,7 @@ impl Painter {
 
     /// Does a part of painting rivers, which replace the tree. The picture changes with the last part.
     pub fn paint_rivers(&mut self, rivers: &Rivers<'_>) -> Painted {
-        let has_chart = chart::is_same(self.chart.as_ref(), rivers.chart);
+        let has_chart = masks::is_same(self.chart.as_ref(), rivers.chart);
         if self.round == Some(rivers.rounds) && self.ground.shows(rivers.relief) && has_chart {
             return Painted::Whole(None);
         }
@@ -230,13 +230,13 @@ impl Painter {
         self.chart = rivers.chart.cloned();
         self.draw_rivers(rivers);
         if let Some(chart) = rivers.chart {
-            chart::take_away(&mut self.coverage, chart);
+            masks::take_away(&mut self.coverage, chart);
             self.drawn_rivers = None;
         }
         self.coverage.touch_all();
         let changed = self.compose(rivers.style);
         if let Some(chart) = rivers.chart {
-            chart::lay(&mut self.pixmap, chart, rivers.style);
+            masks::lay(&mut self.pixmap, chart, rivers.style);
         }
         Painted::Whole(changed)
     }

@@ -5,7 +5,7 @@
 
 use std::sync::Arc;
 
-use super::chart::ChartMasks;
+use super::annotation::masks::ChartMasks;
 use super::coverage::Coverage;
 use super::palette::Lines;
 use super::skeleton;

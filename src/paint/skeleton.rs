@@ -8,7 +8,7 @@ use tiny_skia::Pixmap;
 
 use super::coverage::{Coverage, Rect};
 use super::palette::opaque;
-use crate::skeletonize::{IS_SET, thin};
+use crate::base::skeletonize::{IS_SET, thin};
 
 /// The width of rivers before thinning: enough that no line has a gap.
 pub(super) const WIDTH_PX: f32 = 1.5;

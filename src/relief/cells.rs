@@ -4,9 +4,9 @@ use glam::Vec2;
 
 use super::Grid;
 use super::settings::ReliefSettings;
+use crate::base::memory::{Refused, ask, lengthen};
+use crate::base::work;
 use crate::land::{Parabola, SmoothedDistance};
-use crate::memory::{Refused, ask, lengthen};
-use crate::work;
 
 /// Which cells are land, and how far each is from the sea.
 #[derive(Clone, Debug, Default)]

@@ -5,10 +5,10 @@ use std::ops::Range;
 use glam::Vec2;
 
 use super::cells::Cells;
-use crate::geometry::{distance, fast_min};
-use crate::memory::{Refused, ask, lengthen, reserve};
+use crate::base::geometry::{distance, fast_min};
+use crate::base::memory::{Refused, ask, lengthen, reserve};
+use crate::base::work;
 use crate::network::{NONE, Network, River, hydrology};
-use crate::work;
 
 /// A cell that a river passes, and the height of the water there, in units.
 pub(super) type Step = (u32, f32);

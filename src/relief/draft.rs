@@ -10,10 +10,10 @@ use super::cells::Cells;
 use super::march::solved;
 use super::steepness::slope;
 use super::{Relief, ReliefError, ReliefSettings, ReliefSolver};
-use crate::memory::{Refused, ask, lengthen};
+use crate::base::memory::{Refused, ask, lengthen};
+use crate::base::sort::{argsort, key};
+use crate::base::work;
 use crate::network::Network;
-use crate::sort::{argsort, key};
-use crate::work;
 
 /// What drafts of a relief are made of.
 #[derive(Debug)]
@@ -84,8 +84,8 @@ impl ReliefDrafts {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::base::memory::testing::with_lists_up_to;
     use crate::lands::every_land;
-    use crate::memory::testing::with_lists_up_to;
     use crate::recipe::link;
     use crate::session::Session;
 

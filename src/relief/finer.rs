@@ -5,8 +5,8 @@ use glam::Vec2;
 
 use super::channels::parents_first;
 use super::{Relief, ReliefError, ReliefSettings, ReliefSolver};
-use crate::geometry::lengths;
-use crate::memory::{Refused, lengthen};
+use crate::base::geometry::lengths;
+use crate::base::memory::{Refused, lengthen};
 use crate::network::{Network, River};
 
 impl Relief {

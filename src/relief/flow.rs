@@ -5,10 +5,10 @@ use glam::Vec2;
 use super::cells::Cells;
 use super::channels::Channels;
 use super::{Grid, Relief, ReliefError, ReliefSettings};
+use crate::base::memory::{Refused, ask};
+use crate::base::sort::{argsort, key};
 use crate::land::trace::rings;
-use crate::memory::{Refused, ask};
 use crate::network::{NONE, Network};
-use crate::sort::{argsort, key};
 
 /// Flow directions, and the basins that they make, on the cells of a relief, row by row, from north to south.
 #[derive(Clone, Debug, PartialEq)]

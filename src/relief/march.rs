@@ -1,9 +1,9 @@
 //! Fast marching (Sethian 1996): from sources of given heights over cells of given steepness, the lowest first.
 
 use super::cells::Cells;
-use crate::memory::{Refused, lengthen};
-use crate::queue::Queue;
-use crate::work;
+use crate::base::memory::{Refused, lengthen};
+use crate::base::queue::Queue;
+use crate::base::work;
 
 /// A front that moves uphill, cell by cell.
 #[derive(Clone, Debug, Default)]

@@ -30,9 +30,9 @@ mod tests;
 
 use glam::Vec2;
 
+use crate::base::sort::quantile;
 use crate::domain::Domain;
 use crate::network::Network;
-use crate::sort::quantile;
 
 #[cfg(feature = "controls")]
 pub(crate) use draft::ReliefDrafts;

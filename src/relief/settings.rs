@@ -5,9 +5,9 @@ use std::sync::Arc;
 use fastnoise_lite::FastNoiseLite;
 
 use super::Grid;
+use crate::base::random::{Purpose, Seed};
 use crate::domain::Domain;
 use crate::land::Land;
-use crate::random::{Purpose, Seed};
 use crate::recipe::{Key, Recipe, Sides};
 
 /// The settings of the relief stage, resolved.

@@ -8,9 +8,9 @@ use super::march::{March, Sources};
 use super::settings::ReliefSettings;
 use super::steepness::Steepness;
 use super::{Grid, Relief};
-use crate::memory::{Refused, ask, lengthen, reserve};
+use crate::base::memory::{Refused, ask, lengthen, reserve};
+use crate::base::work;
 use crate::network::Network;
-use crate::work;
 
 /// Why there can be no relief.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]

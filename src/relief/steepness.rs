@@ -5,11 +5,11 @@ use glam::Vec2;
 use super::CELL_SIZE;
 use super::cells::Cells;
 use super::settings::ReliefSettings;
-use crate::geometry::{distance, fast_min};
+use crate::base::geometry::{distance, fast_min};
+use crate::base::memory::{Refused, lengthen};
+use crate::base::work;
 use crate::land::Land;
-use crate::memory::{Refused, lengthen};
 use crate::network::Network;
-use crate::work;
 
 /// Steepness, in the making.
 #[derive(Clone, Debug, Default)]

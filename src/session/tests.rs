@@ -2,11 +2,11 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use super::*;
+use crate::base::memory::testing::with_lists_up_to;
+use crate::base::work;
 use crate::grow::Ending;
-use crate::memory::testing::with_lists_up_to;
 use crate::picture::Picture;
 use crate::recipe::link;
-use crate::work;
 
 /// Less than anything takes, in bytes.
 const NOTHING: usize = 100;

@@ -5,9 +5,9 @@
 use std::collections::BTreeMap;
 
 use glam::Vec2;
+use riverseed::base::random::{Purpose, Seed, Stream};
 use riverseed::grow::Raster;
 use riverseed::land::Cell;
-use riverseed::random::{Purpose, Seed, Stream};
 use riverseed::tree::NO_PARENT;
 
 /// A cell by column and row.

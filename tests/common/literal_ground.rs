@@ -1,6 +1,6 @@
 //! The ground under labels without preparation: every sample goes through all rivers.
 
-use riverseed::chart::{Background, Ink, Piece, cell_middle};
+use riverseed::annotate::place::{Background, Ink, Piece, cell_middle};
 use riverseed::glam::Vec2;
 
 /// The ground without preparation.

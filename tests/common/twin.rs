@@ -3,8 +3,8 @@
 //! positions, the fixed-point sum of pulls and the hash for random angles are shared with the crate.
 
 use glam::Vec2;
+use riverseed::base::random::Purpose;
 use riverseed::grow::{GrowthSettings, Mouth, Pull, curl_toward, mouths, scatter, shores, stem_nodes};
-use riverseed::random::Purpose;
 use riverseed::tree::NO_PARENT;
 
 /// A node of the growing structure.

@@ -1,8 +1,8 @@
 //! JSON: each member and column.
 
+use riverseed::analyse::statistics::{Measures, TABLE as TABLE_OF_MEASURES};
 use riverseed::export::json as to_json;
 use riverseed::grow::{Ending, scatter};
-use riverseed::measure::{Measures, TABLE as TABLE_OF_MEASURES};
 use riverseed::recipe::{Key, Kind, json as json_recipe, link, table::TABLE};
 use riverseed::tree::{Hydrology, NO_PARENT};
 use serde_json::Value;

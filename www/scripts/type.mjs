@@ -1,5 +1,5 @@
-// The table of type, src/glyph/garamond.bin: the letters of EB Garamond Italic as outlines and numbers. What its bytes are stands in
-// src/glyph/table.rs, which reads them.
+// The table of type, src/annotate/glyph/garamond.bin: the letters of EB Garamond Italic as outlines and numbers. What its bytes are stands in
+// src/annotate/glyph/table.rs, which reads them.
 //
 //   node scripts/type.mjs    writes it again; a unit test fails when it is not what the font's package gives
 
@@ -8,7 +8,7 @@ import { fileURLToPath } from "node:url";
 import * as fontkit from "fontkit";
 
 const FILES = new URL("../node_modules/@fontsource/eb-garamond/files/", import.meta.url);
-const TABLE = new URL("../../src/glyph/garamond.bin", import.meta.url);
+const TABLE = new URL("../../src/annotate/glyph/garamond.bin", import.meta.url);
 
 /** Units to the em. At 40 pixels to the em a letter is nowhere off by more than a tenth of one. */
 const EM = 256;

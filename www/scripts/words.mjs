@@ -1,7 +1,7 @@
 // Which words nobody wants to read, by two open lists (`naughty-words`, CC BY 4.0, and `cuss`, MIT), as hashes: neither the source nor the
 // program has a list of them.
 //
-//   node scripts/words.mjs    writes tests/listed.txt, after a new version of a list; then a test in src/name/filter.rs says what is new
+//   node scripts/words.mjs    writes tests/listed.txt, after a new version of a list; then a test in src/annotate/names/filter.rs says what is new
 
 import { readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";

@@ -3,8 +3,8 @@
 use std::io::{self, Write};
 
 use clap::ArgMatches;
+use riverseed::analyse::statistics::{Measure, Measures, Nature, TABLE};
 use riverseed::export;
-use riverseed::measure::{Measure, Measures, Nature, TABLE};
 use serde_json::{Map, Value, json};
 
 use super::grow::{grow, progress};

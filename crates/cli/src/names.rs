@@ -4,8 +4,8 @@ use std::collections::BTreeSet;
 use std::io::{self, Write};
 
 use clap::ArgMatches;
-use riverseed::glyph::lacking;
-use riverseed::name::Names;
+use riverseed::annotate::glyph::lacking;
+use riverseed::annotate::names::Names;
 use riverseed::recipe::{Cartouche, Key, Labels, Mark, Recipe};
 use riverseed::{Map, Network, River};
 

@@ -5,8 +5,8 @@ use std::io::Read;
 use std::process::{Command, Stdio};
 
 use crate::command::{network, refusal, riverseed, scratch};
+use riverseed::analyse::statistics::TABLE;
 use riverseed::digest::COMMITTED;
-use riverseed::measure::TABLE;
 
 #[test]
 fn later_values_win_whatever_form_they_come_in() {

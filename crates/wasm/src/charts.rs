@@ -4,10 +4,10 @@ use wasm_bindgen::prelude::*;
 
 use crate::objects::coded;
 use riverseed::Map;
-use riverseed::chart_builder::ChartBuilder;
+use riverseed::annotate::builder::ChartBuilder;
+use riverseed::annotate::names::Names;
 use riverseed::export::svg::ChartText;
 use riverseed::export::svg::labels::chart;
-use riverseed::name::Names;
 use riverseed::paint::{Framing, View};
 use riverseed::recipe::{Mark, OwnNames};
 

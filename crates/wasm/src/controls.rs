@@ -6,7 +6,7 @@ use wasm_bindgen::prelude::*;
 
 use super::rivers::{River, pair, read_options};
 use crate::objects::{coded, object, set};
-use riverseed::dice;
+use riverseed::base::dice;
 use riverseed::paint::{Framing, Painted};
 use riverseed::recipe::preset::{COUNTRIES, PRESETS, Preset};
 use riverseed::recipe::reading;

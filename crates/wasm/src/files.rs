@@ -8,11 +8,11 @@ use wasm_bindgen::prelude::*;
 use super::rivers::{River, paint_error, session_error};
 use crate::objects::coded;
 use riverseed::Map;
+use riverseed::annotate::names::Names;
 use riverseed::digest::{self, DigestError};
 use riverseed::export::rasters::{Layer, Rasters, Values};
 use riverseed::export::svg::ChartText;
 use riverseed::export::{ExportError, Json, geojson, json, pack, svg};
-use riverseed::name::Names;
 use riverseed::recipe::link;
 
 /// The digest of a recipe: what proves that two browsers draw and write the same. The link is read strictly. Throws an Error

@@ -6,8 +6,8 @@ use wasm_bindgen::prelude::*;
 
 use super::rivers::River;
 use crate::objects::object;
+use riverseed::analyse::query::{Inspector as Rivers, RiverFacts, Spot, former_ways, tips};
 use riverseed::export::svg::overlay;
-use riverseed::inspect::{Inspector as Rivers, RiverFacts, Spot, former_ways, tips};
 use riverseed::land::{Land, SmoothedDistance};
 use riverseed::network::NONE;
 use riverseed::recipe::{CourseShape, LandKind};

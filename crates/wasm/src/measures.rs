@@ -5,7 +5,7 @@ use wasm_bindgen::prelude::*;
 
 use super::rivers::River;
 use crate::objects::{object, set};
-use riverseed::measure::{Measure, Measures, Nature, TABLE};
+use riverseed::analyse::statistics::{Measure, Measures, Nature, TABLE};
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"

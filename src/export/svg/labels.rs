@@ -7,10 +7,10 @@ use super::ChartText;
 use super::path::Path;
 use super::scenery;
 use super::text::Text;
-use crate::chart::{Kind, Label, Placed, Stroke};
-use crate::geometry::distance;
-use crate::glyph::Typeface;
-use crate::labels::labels;
+use crate::annotate::glyph::Typeface;
+use crate::annotate::labels::labels;
+use crate::annotate::place::{Kind, Label, Placed, Stroke};
+use crate::base::geometry::distance;
 use crate::map::Map;
 use crate::paint::letters::SPACE;
 use crate::paint::palette::Colour;
@@ -23,7 +23,7 @@ pub fn chart(map: &Map, is_text: bool) -> ChartText {
     let [mut halo, mut letters] = [Text::default(), Text::default()];
     draw_halo(&mut halo, size, &placed);
     if let Some(look) = scenery_look(map.recipe().get()) {
-        scenery::draw(&mut letters, size, &crate::scenery::scenery(map, &placed), look);
+        scenery::draw(&mut letters, size, &crate::annotate::scenery::scenery(map, &placed), look);
     }
     draw(&mut letters, &placed, label_look(map.recipe().get()), is_text);
     ChartText { halo: halo.into_string(), labels: letters.into_string() }

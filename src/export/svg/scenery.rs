@@ -5,9 +5,9 @@ use glam::Vec2;
 
 use super::path::Path;
 use super::text::Text;
-use crate::chart::{PenStroke, SHAPES, Standing};
+use crate::annotate::place::{PenStroke, SHAPES, Standing};
 use crate::paint::SceneryLook;
-use crate::paint::scenery::HALF;
+use crate::paint::annotation::scenery::HALF;
 
 /// In a symbol a size is so many units: numbers are rounded to hundredths.
 const SIZE: f32 = 10.0;

@@ -35,9 +35,9 @@ pub use raster::Raster;
 use std::sync::Arc;
 
 use super::{Ending, GrowError};
-use crate::random::{Purpose, Seed, Stream};
+use crate::base::random::{Purpose, Seed, Stream};
+use crate::base::work;
 use crate::tree::Tree;
-use crate::work;
 use raster::Place;
 use strands::Strands;
 use water::{Step, Water};

@@ -5,7 +5,7 @@
 //! looking into the rest of each larger block, until everything outside is farther than the nearest cell found.
 
 use super::raster::{Place, Raster};
-use crate::work;
+use crate::base::work;
 
 /// The side of a tile, in cells.
 const TILE: i32 = 8;

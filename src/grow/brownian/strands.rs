@@ -13,10 +13,10 @@ use glam::{IVec2, Vec2};
 
 use super::raster::Place;
 use super::water::Water;
+use crate::base::memory::{self, Refused};
+use crate::base::random::Stream;
 use crate::grow::Start;
 use crate::land::Cell;
-use crate::memory::{self, Refused};
-use crate::random::Stream;
 use crate::tree::{NO_PARENT, Tree};
 
 /// The longest strand of one particle, in cells. Longer ones would look like straight lines. It is a length, not a

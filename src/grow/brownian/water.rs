@@ -2,9 +2,9 @@
 
 use super::pyramid::Pyramid;
 use super::raster::{Place, Raster};
+use crate::base::random::Stream;
+use crate::base::work;
 use crate::land::Cell;
-use crate::random::Stream;
-use crate::work;
 
 /// The lengths that follow from a step, in cells. In the document, the radius is S/2 and moves are S/10 + 1.
 #[derive(Clone, Copy, Debug)]

@@ -8,10 +8,10 @@ use glam::Vec2;
 use wide::f32x4;
 
 use super::pull::{Pull, Pulls};
+use crate::base::memory::{self, Refused};
+use crate::base::work;
 use crate::grow::{GrowError, GrowthSettings, scatter};
 use crate::land::Land;
-use crate::memory::{self, Refused};
-use crate::work;
 
 /// The owner of an attractor that no river has come near.
 pub(super) const NO_NODE: u32 = u32::MAX;

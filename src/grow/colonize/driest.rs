@@ -7,9 +7,9 @@
 
 use glam::Vec2;
 
+use crate::base::queue::Queue;
+use crate::base::work;
 use crate::land::Shore;
-use crate::queue::Queue;
-use crate::work;
 
 /// The number of elementary steps after which a tick's share of a search ends, with the next place: some milliseconds.
 const STEPS_A_TICK: u64 = 2_000_000;

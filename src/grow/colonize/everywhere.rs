@@ -6,8 +6,8 @@ use super::changed::Changed;
 use super::heading::is_clockwise;
 use super::pull::Pull;
 use super::rivers::{Rivers, Told};
+use crate::base::memory::{self, Refused};
 use crate::grow::Ending;
-use crate::memory::{self, Refused};
 
 /// The pulls on all nodes.
 #[derive(Clone, Debug, Default)]

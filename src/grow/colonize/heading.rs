@@ -2,8 +2,8 @@
 
 use glam::Vec2;
 
+use crate::base::random::{ItemHash, Purpose};
 use crate::grow::GrowthSettings;
-use crate::random::{ItemHash, Purpose};
 
 /// Returns the position of a node's child.
 ///

@@ -29,11 +29,11 @@ use glam::Vec2;
 
 use super::drainage::can_lay_out;
 use super::{BYTES_AN_ATTRACTOR, Ending, GrowError, GrowthSettings, Mouth, mouths, shores};
-use crate::geometry::distance;
+use crate::base::geometry::distance;
+use crate::base::memory::{self, Refused};
+use crate::base::work;
 use crate::land::Shore;
-use crate::memory::{self, Refused};
 use crate::tree::Tree;
-use crate::work;
 use attractors::{Attractors, NO_NODE};
 use driest::Search;
 use everywhere::Everywhere;

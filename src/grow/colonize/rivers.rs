@@ -9,10 +9,10 @@ use super::changed::Changed;
 use super::heading::{heading, is_duplicate};
 use super::pull::Pull;
 use super::waiting::Waiting;
-use crate::geometry::{direction, length};
+use crate::base::geometry::{direction, length};
+use crate::base::memory::{self, Refused};
 use crate::grow::starts::PIECE;
 use crate::grow::{Ending, GrowthSettings, Mouth};
-use crate::memory::{self, Refused};
 use crate::tree::{NO_PARENT, Tree};
 
 /// The number of nodes per attractor, besides a constant, that bounds the memory of a recipe. Ordinary trees have one

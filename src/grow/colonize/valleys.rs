@@ -8,9 +8,9 @@ use super::heading::curl_toward;
 use super::pull::Pull;
 use super::rivers::{Rivers, Told};
 use super::waiting::Waiting;
+use crate::base::memory::Refused;
+use crate::base::work;
 use crate::grow::{Ending, GrowthSettings, front};
-use crate::memory::Refused;
-use crate::work;
 
 /// The attractors that rivers may reach next.
 #[derive(Clone, Debug)]

@@ -1,8 +1,8 @@
 //! Attractors that wait for a river to reach them, the lowest first. Space colonization uses them where it follows
 //! valleys.
 
-use crate::memory::Refused;
-use crate::queue::Queue;
+use crate::base::memory::Refused;
+use crate::base::queue::Queue;
 
 /// The rank of an attractor that need not join those that wait.
 const NONE: u32 = u32::MAX;

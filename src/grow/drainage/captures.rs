@@ -1,7 +1,7 @@
 //! Captures of streams: the parcels that drain differently after a round than before it.
 
 use super::directions::FlowDirections;
-use crate::memory::{self, Refused};
+use crate::base::memory::{self, Refused};
 use crate::tree::NO_PARENT;
 
 /// A parcel that drains differently after a round than before it. Parcels are numbered as

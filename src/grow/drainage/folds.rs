@@ -6,8 +6,8 @@ use std::ops::Range;
 
 use glam::Vec2;
 
-use crate::geometry::{doubled_area, is_in_triangle, meet};
-use crate::work;
+use crate::base::geometry::{doubled_area, is_in_triangle, meet};
+use crate::base::work;
 
 /// The corners of a triangle.
 pub(super) type Triangle = [Vec2; 3];

@@ -5,11 +5,11 @@ use glam::Vec2;
 
 use super::directions::NONE;
 use super::parcels::{DEVIATION, Parcels};
+use crate::base::random::Purpose;
+use crate::base::sort;
+use crate::base::work;
 use crate::grow::GrowthSettings;
 use crate::grow::watered::Watered;
-use crate::random::Purpose;
-use crate::sort;
-use crate::work;
 
 /// The greatest random part of a parcel's height, compared with noise of the valleys' wavelength from −1 to 1.
 const CHANCE: f32 = 0.45;

@@ -4,7 +4,7 @@
 use glam::Vec2;
 
 use super::parcels::Parcels;
-use crate::sort;
+use crate::base::sort;
 use crate::tree::{Hydrology, Tree};
 
 /// The side of the squares in which rivers are counted, in units.

@@ -7,10 +7,10 @@
 use super::directions::{FlowDirections, NONE};
 use super::heights::heights;
 use super::parcels::Parcels;
+use crate::base::memory::Refused;
+use crate::base::queue::Queue;
+use crate::base::work;
 use crate::grow::GrowthSettings;
-use crate::memory::Refused;
-use crate::queue::Queue;
-use crate::work;
 
 /// An invasion in progress.
 #[derive(Clone, Debug)]

@@ -14,9 +14,9 @@ use glam::Vec2;
 
 use super::folds::{Folds, Triangle, is_turned_over};
 use super::settings::DrainageSettings;
+use crate::base::random::{ItemHash, Purpose};
+use crate::base::work;
 use crate::domain::Domain;
-use crate::random::{ItemHash, Purpose};
-use crate::work;
 
 /// The greatest distance of a place from the middle of its cell, as a share of a triangle's side.
 const JITTER: f32 = 0.4;

@@ -26,7 +26,7 @@ pub use settings::DrainageSettings;
 use std::sync::Arc;
 
 use super::{Ending, GrowError, GrowthSettings, front};
-use crate::memory::{Refused, can_allocate};
+use crate::base::memory::{Refused, can_allocate};
 use crate::tree::{LEAST_SLOPE, NO_PARENT, Tree};
 use captures::Captures;
 use directions::{FlowDirections, NONE};

@@ -9,13 +9,13 @@ use glam::Vec2;
 
 use super::directions::NONE;
 use super::lattice::Lattice;
-use crate::geometry::distance;
+use crate::base::geometry::distance;
+use crate::base::sort;
+use crate::base::work;
 use crate::grow::mouths::{mouths, on_chosen_sides};
 use crate::grow::{GrowthSettings, Mouth};
 use crate::land::Land;
 use crate::recipe::Sides;
-use crate::sort;
-use crate::work;
 
 /// A place on the coast that a parcel drains to.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -7,12 +7,12 @@ use super::directions::NONE;
 use super::lattice::{Lattice, WAYS};
 use super::outlets::{self, Outlet};
 use super::settings::DrainageSettings;
-use crate::geometry::distance;
+use crate::base::geometry::distance;
+use crate::base::random::Purpose;
+use crate::base::work;
 use crate::grow::GrowthSettings;
 use crate::grow::watered::Watered;
 use crate::land::{Cell, CoastDistance};
-use crate::random::Purpose;
-use crate::work;
 
 /// All parcels, with the costs between them.
 #[derive(Clone, Debug, Default)]

@@ -4,9 +4,9 @@
 
 use super::directions::FlowDirections;
 use super::parcels::Parcels;
-use crate::memory::Refused;
-use crate::queue::Queue;
-use crate::work;
+use crate::base::memory::Refused;
+use crate::base::queue::Queue;
+use crate::base::work;
 
 /// A round in progress.
 #[derive(Clone, Debug)]

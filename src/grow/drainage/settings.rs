@@ -2,8 +2,8 @@
 
 use fastnoise_lite::FastNoiseLite;
 
+use crate::base::random::{Purpose, Seed};
 use crate::domain::AREA;
-use crate::random::{Purpose, Seed};
 use crate::recipe::{GrowthMethod, Key, Recipe};
 
 /// The settings of drainage, with spacings turned into lengths.

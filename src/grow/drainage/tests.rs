@@ -1,5 +1,5 @@
 use super::*;
-use crate::geometry::meet;
+use crate::base::geometry::meet;
 use crate::land::{CoastDistance, Land};
 use crate::property::cases;
 use crate::recipe::link;

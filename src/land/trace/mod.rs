@@ -15,7 +15,7 @@ pub(super) use self::ground::SPECK;
 use self::ground::{Detail, Ground};
 use super::queries::LEAST_DRAWN;
 use super::strokes::DrawError;
-use crate::memory;
+use crate::base::memory;
 use crate::recipe::Outline;
 
 /// The longest side of a picture that is traced, in pixels.

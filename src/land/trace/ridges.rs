@@ -4,7 +4,7 @@ use glam::Vec2;
 
 use super::areas;
 use super::ground::Ground;
-use crate::skeletonize::thin;
+use crate::base::skeletonize::thin;
 
 /// The smallest number of blocks of a line. Shorter ones are specks, or hairs left by thinning.
 const FEWEST: usize = 6;

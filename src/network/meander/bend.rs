@@ -10,7 +10,7 @@ use glam::Vec2;
 use super::super::curvature::curvature;
 use super::super::settings::NetworkSettings;
 use super::super::{Network, River};
-use crate::geometry::{direction, distance, fast_max};
+use crate::base::geometry::{direction, distance, fast_max};
 
 /// A bend tighter than this pulls no more: curvature times width, a radius of two widths.
 const SHARPEST: f32 = 0.5;

@@ -9,7 +9,7 @@ use super::super::settings::NetworkSettings;
 use super::super::width::settle;
 use super::super::{NONE, Network, Oxbow, River, Vertex};
 use super::{NARROWEST, river_of};
-use crate::geometry::{distance, fast_max};
+use crate::base::geometry::{distance, fast_max};
 
 /// A neck: the vertices above and below the loop.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

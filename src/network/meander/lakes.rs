@@ -6,7 +6,7 @@ use super::super::settings::NetworkSettings;
 use super::super::smooth::SHARE_OF_CLEARANCE;
 use super::super::{Network, Oxbow, Vertex};
 use super::{CAP, respace};
-use crate::geometry::fast_max;
+use crate::base::geometry::fast_max;
 
 /// The age, in rounds, at which silt begins to fill a lake, and at which it has filled it.
 const YOUNG: u32 = 24;

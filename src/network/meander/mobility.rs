@@ -7,9 +7,9 @@
 use super::super::hydrology::slopes;
 use super::super::settings::NetworkSettings;
 use super::super::{NONE, Network, Vertex};
-use crate::geometry::{distance, fast_max, fast_min, lengths, smooth_step};
+use crate::base::geometry::{distance, fast_max, fast_min, lengths, smooth_step};
+use crate::base::sort;
 use crate::recipe::MeanderModel;
-use crate::sort;
 
 /// The distance, in widths, from a fixed point of a river within which it does not meander.
 const HELD: f32 = 1.0;

@@ -25,8 +25,8 @@ use super::settings::NetworkSettings;
 use super::smooth::{has_room, limits, smooth};
 use super::width::widen;
 use super::{NONE, Network, Vertex};
+use crate::base::geometry::{fast_max, length};
 use crate::domain::Domain;
-use crate::geometry::{fast_max, length};
 use crate::recipe::MeanderModel;
 
 pub use mobility::Reach;

@@ -7,7 +7,7 @@ use super::super::evenly::{between, pieces};
 use super::super::settings::NetworkSettings;
 use super::super::smooth::room;
 use super::super::{NONE, Network, Vertex};
-use crate::geometry::{distance, height};
+use crate::base::geometry::{distance, height};
 
 /// With [`super::super::smooth::SHARE_OF_CLEARANCE`] it makes less than a half.
 pub(super) const SHARE_OF_CLEARANCE: f32 = 0.15;

@@ -6,8 +6,8 @@
 
 use super::super::settings::NetworkSettings;
 use super::super::{Network, River};
-use crate::geometry::{distance, fast_max, fast_min, smooth_step};
-use crate::work;
+use crate::base::geometry::{distance, fast_max, fast_min, smooth_step};
+use crate::base::work;
 
 /// The sinuosity beyond which nothing moves where a river meanders fully, but for loops that are nearly closed; and they.
 const MOST: f32 = 2.6;

@@ -6,7 +6,8 @@ use super::Sheet;
 #[cfg(feature = "files")]
 use super::field::Field;
 use super::field::{Place, places};
-use crate::geometry::distance;
+use crate::base::geometry::distance;
+use crate::base::sort::argsort;
 #[cfg(feature = "files")]
 use crate::land::trace::rings;
 use crate::land::{beside, nearest};
@@ -14,7 +15,6 @@ use crate::network::{Network, River};
 use crate::paint::palette::{BasinColours, Colour, mix};
 use crate::paint::view::{Rows, View};
 use crate::relief::{CELL_SIZE, Relief};
-use crate::sort::argsort;
 
 /// The basins of a map in numbered colours, from 1. The number 0 is land that drains to the sea without a river.
 #[derive(Clone, Debug)]

@@ -4,11 +4,11 @@ use glam::{Vec2, Vec3};
 
 use super::Sheet;
 use super::field::{Field, Place, places};
+use crate::base::sort::quantile;
 use crate::land::beside;
 use crate::paint::palette::{Colour, Tints, mix};
 use crate::paint::view::{Rows, View};
 use crate::relief::{CELL_SIZE, Relief};
-use crate::sort::quantile;
 
 /// Three lights: from the north-west at 45° above the horizon with a share of 0.55, from the west at 50° with 0.25 and
 /// from the north at 55° with 0.2. The strongest light is the lowest, and ridges of all directions have a dark side

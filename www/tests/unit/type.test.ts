@@ -3,7 +3,7 @@ import { expect, test } from "vitest";
 import { table } from "../../scripts/type.mjs";
 import { cut, TYPEFACES } from "../../scripts/typeface.mjs";
 
-const at = (path: string) => readFileSync(new URL(`../../../src/glyph/${path}`, import.meta.url));
+const at = (path: string) => readFileSync(new URL(`../../../src/annotate/glyph/${path}`, import.meta.url));
 
 test("the table of type is what its font gives: `node scripts/type.mjs` writes it", () => {
   expect(at("garamond.bin").equals(table())).toBe(true);

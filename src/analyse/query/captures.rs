@@ -1,0 +1,107 @@
+//! Streams that captured one another while drainage settled: how the water of the greatest of them ran before.
+
+use glam::Vec2;
+
+use crate::base::sort::argsort;
+use crate::grow::Capture;
+use crate::session::Session;
+use crate::tree::{Hydrology, NO_PARENT};
+
+/// As many are told apart on a map.
+const MOST: usize = 40;
+
+/// How the water of streams that were captured ran before: each line begins where the stream was turned aside, goes to the parcel that it
+/// drained to until then, and on as water drains there now, to the next stream. Those that drain the most, first; none of what came to
+/// the sea itself. Of methods other than drainage there are none.
+pub fn former_ways(session: &Session) -> Vec<Vec<Vec2>> {
+    let (growth, tree) = (session.growth(), session.tree());
+    let (places, nodes) = (growth.scattered(), growth.nodes_of_parcels());
+    let (discharge, least) = (Hydrology::of(tree).discharge, session.trim().channel_area);
+    let node = |parcel: u32| nodes[parcel as usize] as usize;
+    let is_stream = |node: usize| discharge[node] >= least;
+    let mut captures = last_of_each_parcel(growth.captures(), places.len());
+    captures.retain(|capture| capture.from != NO_PARENT && is_stream(node(capture.parcel)));
+    let by_discharge = argsort(captures.iter().map(|capture| u32::MAX - discharge[node(capture.parcel)]));
+    let former_way = |i: usize| {
+        let Capture { parcel, from, .. } = captures[i];
+        let mut way = vec![places[parcel as usize]];
+        let mut next = Some(node(from));
+        while let Some(here) = next {
+            way.push(tree.at[here]);
+            next = tree.parent_of(here).filter(|_| !is_stream(here));
+        }
+        way
+    };
+    by_discharge.into_iter().take(MOST).map(former_way).collect()
+}
+
+/// What became of each parcel in the end, in the order of parcels; nothing of those that were captured never.
+fn last_of_each_parcel(captures: &[Capture], parcels: usize) -> Vec<Capture> {
+    let mut last = vec![None; parcels];
+    for &capture in captures {
+        last[capture.parcel as usize] = Some(capture);
+    }
+    last.into_iter().flatten().collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::recipe::link;
+
+    fn finished(link: &str) -> Session {
+        let mut session = Session::new(link::read(link).unwrap()).unwrap();
+        session.finish().unwrap();
+        session
+    }
+
+    #[test]
+    fn former_ways_lead_from_streams_over_another_parcel_to_the_next_stream() {
+        // In the second, streams were captured twice: how they ran before the last time counts.
+        for (link, are_any_twice) in [("seed=kea&attractors=2000", false), ("seed=s36&attractors=6000", true)] {
+            let session = finished(&format!("{link}&growth=drainage"));
+            let twice = former_ways(&session).iter().any(|way| is_captured_twice(&session, way[0]));
+            assert_eq!(twice, are_any_twice, "{link}");
+            check(&session);
+        }
+    }
+
+    /// Whether the parcel at a place was captured twice, from two others.
+    fn is_captured_twice(session: &Session, at: Vec2) -> bool {
+        let growth = session.growth();
+        let is_of = |capture: &&Capture| growth.scattered()[capture.parcel as usize] == at;
+        let mut captures = growth.captures().iter().filter(is_of);
+        let first = captures.next().unwrap();
+        captures.any(|capture| capture.from != first.from)
+    }
+
+    fn check(session: &Session) {
+        let (growth, tree) = (session.growth(), session.tree());
+        let ways = former_ways(session);
+        assert!((4..=MOST).contains(&ways.len()), "{}", ways.len());
+        let discharge = Hydrology::of(tree).discharge;
+        let node = |at: Vec2| tree.at.iter().rposition(|&place| place == at).unwrap();
+        let parcel = |at: Vec2| growth.scattered().iter().position(|&place| place == at).unwrap() as u32;
+        let mut last = u32::MAX;
+        for way in &ways {
+            let (source, before, end) = (node(way[0]), node(way[1]), node(way[way.len() - 1]));
+            assert!(discharge[source] >= session.trim().channel_area && discharge[source] <= last);
+            last = discharge[source];
+            assert_ne!(tree.parent_of(source), Some(before), "it drains another way now");
+            let capture = growth.captures().iter().rfind(|capture| capture.parcel == parcel(way[0])).unwrap();
+            assert_eq!(capture.from, parcel(way[1]));
+            assert!(discharge[end] >= session.trim().channel_area || tree.parent_of(end).is_none());
+            for pair in way[1..].windows(2) {
+                assert_eq!(tree.parent_of(node(pair[0])), Some(node(pair[1])));
+            }
+        }
+    }
+
+    #[test]
+    fn without_captures_there_are_no_former_ways() {
+        for more in ["growth=drainage&captures=0", "growth=colonize", "growth=brownian&sensitivity=30"] {
+            let session = finished(&format!("seed=kea&attractors=2000&{more}"));
+            assert!(former_ways(&session).is_empty(), "{more}");
+        }
+    }
+}

@@ -1,0 +1,174 @@
+//! What a finished map answers about its rivers: which of them is at a place, what it is like, its way to the sea and its basin.
+//!
+//! Asked again and again while a pointer moves, so what answers is made once for a map: segments of all rivers by their cells
+//! (`lines.rs`), the order at every vertex (`orders.rs`), and of every cell of land the river that its water comes to (`basins.rs`). What a map
+//! that still grows answers, too, is in `growing.rs` and `captures.rs`.
+
+mod basins;
+mod captures;
+mod curvature;
+mod growing;
+mod lines;
+mod orders;
+
+pub use captures::former_ways;
+pub use growing::tips;
+pub use lines::Spot;
+
+use std::sync::Arc;
+
+use glam::Vec2;
+
+use self::basins::RiverBasins;
+use self::lines::CourseLines;
+use crate::analyse::statistics::land_area;
+use crate::base::memory;
+use crate::map::Map;
+use crate::network::{NONE, Network, Place};
+
+/// The rivers of a finished map, to be asked about.
+#[derive(Debug)]
+pub struct Inspector {
+    network: Arc<Network>,
+    lines: CourseLines,
+    orders: Vec<u8>,
+    basins: RiverBasins,
+    /// The discharge that stands for all land, and how much land that is, in square units.
+    all: u32,
+    land_area: f64,
+}
+
+/// What a river is like.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RiverFacts {
+    /// Its identity, by which names know it.
+    pub identity: u32,
+    /// Strahler's order at its end.
+    pub order: u8,
+    /// The same where it is pointed at.
+    pub order_here: u8,
+    /// Its length, in units.
+    pub length: f32,
+    /// The share of all land that it drains, from 0 to 1.
+    pub share: f64,
+    /// How much land that is, in square units.
+    pub area: f64,
+    /// The identities of the rivers that its water comes to, one after the other; none if it reaches the sea itself.
+    pub into: Vec<u32>,
+}
+
+impl Inspector {
+    /// Prepares the rivers of a map to be asked about; `None` if there is not enough memory.
+    pub fn new(map: &Map) -> Option<Self> {
+        /// Of what is found by place.
+        const BYTES_A_VERTEX: usize = 120;
+        let network = map.network();
+        if !memory::can_allocate(network.vertices.len() * BYTES_A_VERTEX) {
+            return None;
+        }
+        let mut drained = 0;
+        for &mouth in &network.mouths() {
+            drained += network.discharge(&network.rivers[mouth as usize]);
+        }
+        Some(Self {
+            lines: CourseLines::new(network),
+            orders: orders::along(network),
+            basins: RiverBasins::new(map)?,
+            // That of a Brownian tree is known only nearly.
+            all: map.grown().total_discharge.max(drained).max(1),
+            land_area: land_area(map),
+            network: network.clone(),
+        })
+    }
+
+    /// The rivers.
+    pub fn network(&self) -> &Network {
+        &self.network
+    }
+
+    /// The order at each vertex.
+    pub fn orders(&self) -> &[u8] {
+        &self.orders
+    }
+
+    /// The parts of rivers whose vertices are so, each down to the next vertex below.
+    pub fn stretches(&self, is_so: impl Fn(usize) -> bool) -> Vec<Vec<Vec2>> {
+        let mut stretches: Vec<Vec<Vec2>> = Vec::new();
+        for (number, river) in (0..).zip(&self.network.rivers) {
+            let mut is_open = false;
+            for (vertex, pair) in river.vertex_range().zip(self.lines.line(number).windows(2)) {
+                match stretches.last_mut().filter(|_| is_open && is_so(vertex)) {
+                    Some(last) => last.push(pair[1].at),
+                    None if is_so(vertex) => stretches.push(pair.iter().map(|place| place.at).collect()),
+                    None => {}
+                }
+                is_open = is_so(vertex);
+            }
+        }
+        stretches
+    }
+
+    /// The place on a river that is nearest to a point, banks counted, if one is within reach, in units.
+    pub fn nearest(&self, at: Vec2, reach: f32) -> Option<Spot> {
+        self.lines.nearest(at, reach)
+    }
+
+    /// The source of the river of an identity.
+    pub fn source(&self, identity: u32) -> Option<Spot> {
+        let river = self.network.rivers.iter().position(|river| river.identity == identity)?;
+        self.lines.source(river as u32)
+    }
+
+    /// What the river at a place is like.
+    pub fn facts(&self, spot: &Spot) -> RiverFacts {
+        let river = &self.network.rivers[spot.river as usize];
+        let share = f64::from(self.network.discharge(river)) / f64::from(self.all);
+        let vertex = (river.start + spot.segment).min(river.end - 1);
+        let mut into = Vec::new();
+        let mut below = river.parent;
+        while below != NONE {
+            let river = &self.network.rivers[below as usize];
+            into.push(river.identity);
+            below = river.parent;
+        }
+        RiverFacts {
+            identity: river.identity,
+            order: river.order,
+            order_here: self.orders[vertex as usize],
+            length: self.network.length(river),
+            share,
+            area: share * self.land_area,
+            into,
+        }
+    }
+
+    /// From a place to the sea, along its river and then along those that this comes to.
+    pub fn way_to_the_sea(&self, spot: &Spot) -> Vec<Place> {
+        let mut way = vec![spot.place];
+        let (mut river, mut next) = (spot.river, spot.segment as usize + 1);
+        loop {
+            let (line, here) = (self.lines.line(river), &self.network.rivers[river as usize]);
+            // Where it joins another, that one's own line goes on.
+            let is_tributary = here.parent != NONE;
+            way.extend_from_slice(line.get(next..line.len() - usize::from(is_tributary)).unwrap_or_default());
+            if !is_tributary {
+                return way;
+            }
+            next = here.junction.saturating_sub(self.network.rivers[here.parent as usize].start) as usize;
+            river = here.parent;
+        }
+    }
+
+    /// The rings around the land whose water comes to a river, in units.
+    pub fn basin(&self, river: u32) -> Vec<Vec<Vec2>> {
+        self.basins.rings(|other| self.is_above(other, river))
+    }
+
+    /// Whether a river is another, or its water comes to that.
+    fn is_above(&self, mut river: u32, other: u32) -> bool {
+        while river != other && river != NONE {
+            river = self.network.rivers[river as usize].parent;
+        }
+        river == other
+    }
+}

@@ -1,0 +1,60 @@
+//! Straight lines through points, for laws that are powers: least squares of logarithms.
+
+/// The slope, y by x, of the line of least squares through some points; `None` of fewer than two different x.
+pub(super) fn slope(points: &[(f64, f64)]) -> Option<f64> {
+    let count = points.len() as f64;
+    let mean = |of: fn(&(f64, f64)) -> f64| points.iter().map(of).sum::<f64>() / count;
+    let (x, y) = (mean(|point| point.0), mean(|point| point.1));
+    let spread: f64 = points.iter().map(|point| (point.0 - x) * (point.0 - x)).sum();
+    let common: f64 = points.iter().map(|point| (point.0 - x) * (point.1 - y)).sum();
+    (spread > 0.0).then(|| common / spread)
+}
+
+/// The ratio of the geometric series that is nearest to some values; `None` of fewer than two, and where one is not above 0.
+pub(super) fn ratio(values: &[f64]) -> Option<f64> {
+    if values.iter().any(|&value| value <= 0.0) {
+        return None;
+    }
+    let logs: Vec<(f64, f64)> = values.iter().enumerate().map(|(i, &value)| (i as f64, log(value))).collect();
+    slope(&logs).map(|slope| libm::expf(slope as f32).into())
+}
+
+/// A natural logarithm, as exact as a float of 32 bits: one of 64 would take another kilobyte of the page's engine.
+pub(super) fn log(value: f64) -> f64 {
+    libm::logf(value as f32).into()
+}
+
+/// The value in the middle, of an even number the mean of the two; `None` of none.
+pub(super) fn median(values: &[f32]) -> Option<f32> {
+    let sorted = crate::base::sort::sorted(values);
+    let upper = *sorted.get(sorted.len() / 2)?;
+    Some((sorted[(sorted.len() - 1) / 2] + upper) / 2.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_line_is_found_among_points_beside_it() {
+        // y = 2x + 1, but the second point is one higher and the third one lower: 2 − 1 / 5.
+        let found = slope(&[(0.0, 1.0), (1.0, 4.0), (2.0, 4.0), (3.0, 7.0)]).unwrap();
+        assert!((found - 1.8).abs() < 1e-12, "{found}");
+        assert_eq!(slope(&[(1.0, 1.0), (1.0, 2.0)]), None);
+        assert_eq!(slope(&[]), None);
+    }
+
+    #[test]
+    fn ratio_is_that_of_a_geometric_series() {
+        assert!((ratio(&[3.0, 6.0, 12.0]).unwrap() - 2.0).abs() < 1e-12);
+        assert_eq!(ratio(&[3.0]), None);
+        assert_eq!(ratio(&[3.0, 0.0]), None);
+    }
+
+    #[test]
+    fn the_median_is_in_the_middle() {
+        assert_eq!(median(&[3.0, 1.0, 2.0]), Some(2.0));
+        assert_eq!(median(&[3.0, 1.0, 2.0, 9.0]), Some(2.5));
+        assert_eq!(median(&[]), None);
+    }
+}

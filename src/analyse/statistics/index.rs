@@ -1,0 +1,86 @@
+//! Points in the cells of a grid, to be found by their place.
+
+use glam::Vec2;
+
+use crate::base::sort;
+use crate::base::work;
+
+/// An index of points.
+#[derive(Debug)]
+pub(crate) struct Index {
+    corner: Vec2,
+    side: f32,
+    columns: usize,
+    rows: usize,
+    /// Where each cell begins in `order`.
+    starts: Vec<usize>,
+    /// The numbers of the points, cell by cell.
+    order: Vec<usize>,
+}
+
+impl Index {
+    /// Enters points in cells of about this side.
+    pub fn new(points: &[Vec2], side: f32) -> Self {
+        /// Cells along each side at most.
+        const MOST: f32 = 1000.0;
+        let corner = points.iter().copied().reduce(Vec2::min).unwrap_or_default();
+        let size = points.iter().copied().reduce(Vec2::max).unwrap_or_default() - corner;
+        let side = side.max(size.max_element() / MOST).max(f32::MIN_POSITIVE);
+        let [columns, rows] = [size.x, size.y].map(|length| (length / side) as usize + 1);
+        let mut this = Self { corner, side, columns, rows, starts: vec![0; columns * rows + 1], order: Vec::new() };
+        let cells: Vec<u32> = points.iter().map(|&point| this.cell(point) as u32).collect();
+        cells.iter().for_each(|&cell| this.starts[cell as usize + 1] += 1);
+        (1..this.starts.len()).for_each(|i| this.starts[i] += this.starts[i - 1]);
+        this.order = sort::argsort(cells);
+        this
+    }
+
+    /// The numbers of all points within a radius of a place, and of some that are a little farther off.
+    pub fn around(&self, at: Vec2, radius: f32) -> impl Iterator<Item = usize> + '_ {
+        let ((left, top), (right, bottom)) = (self.place(at - radius), self.place(at + radius));
+        (top..=bottom).flat_map(move |row| {
+            let row = row * self.columns;
+            let run = self.starts[row + left]..self.starts[row + right + 1];
+            work::count(1 + run.len());
+            self.order[run].iter().copied()
+        })
+    }
+
+    fn cell(&self, at: Vec2) -> usize {
+        let (column, row) = self.place(at);
+        row * self.columns + column
+    }
+
+    fn place(&self, at: Vec2) -> (usize, usize) {
+        let cell = (at - self.corner) / self.side;
+        ((cell.x as usize).min(self.columns - 1), (cell.y as usize).min(self.rows - 1))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::property::cases;
+    use proptest::prelude::*;
+
+    fn points() -> impl Strategy<Value = Vec<Vec2>> {
+        proptest::collection::vec((-50f32..50.0, -50f32..50.0).prop_map(Vec2::from), 1..80)
+    }
+
+    proptest! {
+        #![proptest_config(cases(256))]
+
+        #[test]
+        fn all_points_within_the_radius_are_found_and_each_once(points in points(), side in 0.0f32..60.0, radius in 0.0f32..60.0) {
+            let index = Index::new(&points, side);
+            for &at in &points {
+                let mut found: Vec<usize> = index.around(at, radius).collect();
+                found.sort_unstable();
+                let is_near = |i: &usize| at.distance(points[*i]) <= radius;
+                prop_assert!(found.windows(2).all(|pair| pair[0] < pair[1]));
+                let near: Vec<usize> = (0..points.len()).filter(is_near).collect();
+                prop_assert_eq!(found.into_iter().filter(is_near).collect::<Vec<_>>(), near);
+            }
+        }
+    }
+}

@@ -1,0 +1,134 @@
+//! Umbrellas: trunks of similar size that meet at one place of the coast, as no rivers of nature do.
+
+use glam::Vec2;
+
+use super::index::Index;
+use crate::base::geometry::distance;
+use crate::base::sort;
+use crate::network::{NONE, Network, River, Vertex};
+
+/// Trunks meet at a mouth if they do within this distance of it, in its widths.
+const WIDTHS: f32 = 3.0;
+
+/// Trunks are of similar size if the smaller one's discharge is at least this share of the larger's.
+const SIMILAR: f32 = 1.0 / 3.0;
+
+/// How many trunks of similar size meet at mouths: of all that comes together within three widths of a mouth, each trunk besides the
+/// greatest that has at least a third of its discharge; and each pair of mouths so near each other, likewise.
+pub fn umbrellas(network: &Network) -> u32 {
+    let mouths = network.rivers.iter().filter(|river| river.junction == NONE && river.end > river.start);
+    let mouths: Vec<&River> = mouths.collect();
+    let arms = Arms::of(network);
+    let at_mouths: usize = mouths.iter().map(|mouth| similar(&arms.above(mouth))).sum();
+    (at_mouths + pairs(&mouths.iter().map(|mouth| network.vertices[mouth.end as usize - 1]).collect::<Vec<_>>())) as u32
+}
+
+/// How many trunks are similar to the greatest, which is not counted.
+fn similar(trunks: &[u32]) -> usize {
+    let greatest = trunks.iter().copied().max().unwrap_or(0);
+    trunks.iter().filter(|&&trunk| are_similar(trunk, greatest)).count().saturating_sub(1)
+}
+
+fn are_similar(a: u32, b: u32) -> bool {
+    a.min(b) as f32 >= a.max(b) as f32 * SIMILAR
+}
+
+/// How many pairs of mouths are similar and near each other.
+fn pairs(mouths: &[Vertex]) -> usize {
+    let places: Vec<Vec2> = mouths.iter().map(|mouth| mouth.at).collect();
+    let mean = mouths.iter().map(Vertex::width).sum::<f32>() / mouths.len().max(1) as f32;
+    let index = Index::new(&places, WIDTHS * mean);
+    // The wider one of two looks for the other; of two as wide, the first.
+    let is_pair = |i: usize, j: usize| {
+        let (own, other) = (mouths[i], mouths[j]);
+        let looks = own.width() > other.width() || (own.width() == other.width() && i < j);
+        looks && distance(own.at, other.at) < WIDTHS * own.width() && are_similar(own.discharge, other.discharge)
+    };
+    let of_mouth = |i: usize| index.around(places[i], WIDTHS * mouths[i].width()).filter(|&j| is_pair(i, j)).count();
+    (0..mouths.len()).map(of_mouth).sum()
+}
+
+/// The rivers of a network by where they join others.
+struct Arms<'a> {
+    network: &'a Network,
+    /// The numbers of the rivers, in the order of their junctions.
+    by_junction: Vec<usize>,
+}
+
+impl<'a> Arms<'a> {
+    fn of(network: &'a Network) -> Self {
+        Self { network, by_junction: sort::argsort(network.rivers.iter().map(|river| river.junction)) }
+    }
+
+    fn joining(&self, vertex: u32) -> impl Iterator<Item = &'a River> + '_ {
+        let rivers = &self.network.rivers;
+        let first = self.by_junction.partition_point(|&river| rivers[river].junction < vertex);
+        self.by_junction[first..].iter().map(|&river| &rivers[river]).take_while(move |river| river.junction == vertex)
+    }
+
+    /// The discharges of all trunks three widths above a mouth, along their courses. What springs nearer is none.
+    fn above(&self, mouth: &River) -> Vec<u32> {
+        let vertex = |vertex: u32| &self.network.vertices[vertex as usize];
+        let mut trunks = Vec::new();
+        // Where to go on upstream: the source of the river, the vertex, and how far from it.
+        let mut open = vec![(mouth.start, mouth.end - 1, WIDTHS * vertex(mouth.end - 1).width())];
+        while let Some((source, here, far)) = open.pop() {
+            if far <= 0.0 {
+                trunks.push(vertex(here).discharge);
+                continue;
+            }
+            let mut go_on = |source, next| open.push((source, next, far - distance(vertex(here).at, vertex(next).at)));
+            self.joining(here).filter(|arm| arm.end > arm.start).for_each(|arm| go_on(arm.start, arm.end - 1));
+            if here > source {
+                go_on(source, here - 1);
+            }
+        }
+        trunks
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::samples::{Sample, into, network, to_sea};
+    use super::*;
+
+    /// ```text
+    /// 20 ───────J──K────~   Two arms join a river of 20 at J and K, `above` units and two less above its mouth, which is 4 wide.
+    ///           │  │
+    ///          `a` `b`
+    /// ```
+    fn fan(above: f32, a: u32, b: u32) -> u32 {
+        let stem = [(0.0, 0.0), (100.0 - above, 0.0), (102.0 - above, 0.0), (100.0, 0.0)];
+        let arms = [[(100.0 - above, 50.0)], [(102.0 - above, 50.0)]];
+        umbrellas(&network(&[
+            Sample { discharge: 20, width: 4.0, ..to_sea(&stem) },
+            Sample { discharge: a, ..into(&arms[0], 0, 1) },
+            Sample { discharge: b, ..into(&arms[1], 0, 2) },
+        ]))
+    }
+
+    #[test]
+    fn trunks_of_similar_size_count_that_meet_within_three_widths_of_a_mouth() {
+        assert_eq!(fan(10.0, 20, 19), 2);
+        // Under a third of 20.
+        assert_eq!(fan(10.0, 20, 6), 1);
+        assert_eq!(fan(10.0, 6, 6), 0);
+        // Of the greatest, whichever it is.
+        assert_eq!(fan(10.0, 61, 6), 0);
+        // The first joins 13 units above, the other 11; then 15 and 13.
+        assert_eq!((fan(13.0, 20, 20), fan(15.0, 20, 20)), (1, 0));
+    }
+
+    #[test]
+    fn mouths_of_similar_size_count_that_are_within_three_widths_of_the_wider() {
+        let mouths = |apart: f32, discharge: u32| {
+            let lines = [[(0.0, 50.0), (0.0, 0.0)], [(apart, 50.0), (apart, 0.0)]];
+            umbrellas(&network(&[
+                Sample { discharge: 30, width: 4.0, ..to_sea(&lines[0]) },
+                Sample { discharge, width: 2.0, ..to_sea(&lines[1]) },
+            ]))
+        };
+        assert_eq!((mouths(11.0, 10), mouths(13.0, 10), mouths(11.0, 9)), (1, 0, 0));
+        assert_eq!(umbrellas(&Network::default()), 0);
+    }
+}

@@ -1,0 +1,57 @@
+//! A chart in the making, part by part: labels, woods and hills, and the masks that these lay over a picture.
+
+use crate::annotate::labels::labels;
+use crate::annotate::place::{Label, Scenery};
+use crate::annotate::scenery;
+use crate::map::Map;
+use crate::paint::{ChartMasks, SceneryPainter, View, letters, scenery_look};
+
+/// What has been made of a chart.
+#[derive(Clone, Debug, Default)]
+pub struct ChartBuilder {
+    /// Once they are placed.
+    labels: Option<Vec<Label>>,
+    scenery: Scenery,
+    /// Whether all of the scenery is placed.
+    is_placed: bool,
+    /// While that is drawn.
+    painter: Option<SceneryPainter>,
+}
+
+impl ChartBuilder {
+    /// All of a chart at once: of a map, for a picture so many of whose pixels are one CSS pixel, from 0.5 to 4 in quarters, to the nearest of
+    /// which it comes.
+    pub fn whole(map: &Map, view: &View, ratio: f32) -> ChartMasks {
+        let mut this = Self::default();
+        loop {
+            if let Some(masks) = this.advance(map, view, ratio) {
+                return masks;
+            }
+        }
+    }
+
+    /// Does a part of that, which takes some milliseconds, of the same map and for the same picture each time. Returns the chart with the last.
+    pub fn advance(&mut self, map: &Map, view: &View, ratio: f32) -> Option<ChartMasks> {
+        let Some(labels) = &self.labels else {
+            let ratio = ((ratio * 4.0).round() / 4.0).clamp(0.5, 4.0);
+            self.labels = Some(labels(map, view.uncovered(), view.scale / ratio));
+            return None;
+        };
+        if !self.is_placed {
+            self.is_placed = !scenery::input(map, labels).is_some_and(|input| self.scenery.advance(&input));
+            return None;
+        }
+        let Some(look) = scenery_look(map.recipe().get()).filter(|_| !self.scenery.placed().is_empty()) else {
+            return Some(letters::masks(view, labels));
+        };
+        if self.painter.is_none() {
+            self.painter = SceneryPainter::new(view, look);
+        }
+        let has_more = |painter: &mut SceneryPainter| painter.advance(view, self.scenery.placed(), look);
+        if self.painter.as_mut().is_some_and(has_more) {
+            return None;
+        }
+        let [bodies, strokes] = self.painter.take().map(SceneryPainter::into_masks).unwrap_or_default();
+        Some(ChartMasks { bodies, strokes, ..letters::masks(view, labels) })
+    }
+}

@@ -1,0 +1,243 @@
+//! The table of type, and what it is decoded to.
+//!
+//! `garamond.bin` is written by `www/scripts/type.mjs`. Whole numbers have seven bits a byte, the lowest first, and the eighth bit says that
+//! more follow; signed ones are 0, −1, 1, −2 … as 0, 1, 2, 3 …; a list begins with its length. Lengths are 256ths of the em, y up.
+//!
+//! ```text
+//! table:   shapes, letters, rows of kerning
+//! shape:   contours
+//! contour: number of points, a bit for each that lies on the line, each point less the one before (x, y)
+//! letter:  code less that before, code without its accent, advance, parts: (shape, x, y)
+//! row:     codes of first letters, pairs: (code of the second, what is between)
+//! ```
+//!
+//! A contour's first point lies on the line. Between two points off it, the one midway is left out, as in TrueType.
+
+use std::sync::LazyLock;
+
+use glam::Vec2;
+
+use crate::base::sort;
+
+static BYTES: &[u8] = include_bytes!("garamond.bin");
+
+/// How many units of the table there are to the em.
+const EM: f32 = 256.0;
+
+/// A quadratic curve that goes on from where the one before ended: its control point and its end. A straight piece has its control point in
+/// its middle.
+pub type Curve = [Vec2; 2];
+
+/// A letter.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Glyph {
+    /// Its code point.
+    pub code: u32,
+    /// That of the letter without its accent.
+    pub base: u32,
+    /// How far on the next letter stands.
+    pub advance: f32,
+    /// Its contours: where each begins, and its curves, the last of which ends there.
+    pub contours: Vec<(Vec2, Vec<Curve>)>,
+    /// The box around all of it, control points included; both corners are the origin if it is empty.
+    pub least: Vec2,
+    /// The other corner.
+    pub most: Vec2,
+}
+
+/// All letters, by their codes, and the kerning between them.
+#[derive(Debug, Default)]
+pub struct Typeface {
+    glyphs: Vec<Glyph>,
+    /// Pairs of base letters with what is between them, in order.
+    kerning: Vec<([u32; 2], f32)>,
+}
+
+impl Typeface {
+    /// The one that there is.
+    pub fn garamond() -> &'static Self {
+        static GARAMOND: LazyLock<Typeface> = LazyLock::new(|| Typeface::read(BYTES));
+        &GARAMOND
+    }
+
+    /// The letter of a code point; `None` if there is none.
+    pub fn glyph(&self, code: u32) -> Option<&Glyph> {
+        self.glyphs.binary_search_by_key(&code, |glyph| glyph.code).ok().map(|i| &self.glyphs[i])
+    }
+
+    /// What is between two letters besides their advance.
+    pub fn kerning(&self, first: &Glyph, second: &Glyph) -> f32 {
+        let pair = [first.base, second.base];
+        self.kerning.binary_search_by_key(&pair, |(pair, _)| *pair).map_or(0.0, |i| self.kerning[i].1)
+    }
+
+    /// What of a table can be read.
+    fn read(bytes: &[u8]) -> Self {
+        let mut bytes = Bytes(bytes.iter());
+        let shapes = bytes.list(Bytes::shape);
+        let mut code = 0;
+        let glyphs = bytes.list(|bytes| {
+            code += bytes.whole();
+            bytes.letter(code, &shapes)
+        });
+        let rows = bytes
+            .list(|bytes| (bytes.list(Bytes::whole), bytes.list(|bytes| (bytes.whole(), bytes.signed() as f32 / EM))));
+        let pairs = |(firsts, pairs): &(Vec<u32>, Vec<(u32, f32)>)| -> Vec<([u32; 2], f32)> {
+            firsts.iter().flat_map(|&first| pairs.iter().map(move |&(second, by)| ([first, second], by))).collect()
+        };
+        let kerning: Vec<_> = rows.iter().flat_map(pairs).collect();
+        // Letters have 16 bits at most.
+        let order = sort::argsort(kerning.iter().map(|([first, second], _)| (first << 16) | second));
+        let kerning = order.into_iter().map(|i| kerning[i]).collect();
+        Self { glyphs, kerning }
+    }
+}
+
+/// A point of a contour, in units of the table, and whether it lies on the line.
+type Point = (Vec2, bool);
+
+/// What is left of a table. Beyond its end everything is 0.
+struct Bytes<'a>(std::slice::Iter<'a, u8>);
+
+impl Bytes<'_> {
+    fn byte(&mut self) -> u8 {
+        self.0.next().copied().unwrap_or(0)
+    }
+
+    fn whole(&mut self) -> u32 {
+        let (mut number, mut shift) = (0, 0);
+        loop {
+            let byte = self.byte();
+            number |= u32::from(byte & 127).wrapping_shl(shift);
+            shift += 7;
+            if byte < 128 {
+                return number;
+            }
+        }
+    }
+
+    fn signed(&mut self) -> i32 {
+        let number = self.whole();
+        (number >> 1) as i32 ^ -((number & 1) as i32)
+    }
+
+    fn list<T>(&mut self, mut item: impl FnMut(&mut Self) -> T) -> Vec<T> {
+        (0..self.whole()).map(|_| item(self)).collect()
+    }
+
+    fn offset(&mut self) -> Vec2 {
+        let (x, y) = (self.signed(), self.signed());
+        Vec2::new(x as f32, -y as f32)
+    }
+
+    fn shape(&mut self) -> Vec<Vec<Point>> {
+        let mut at = Vec2::ZERO;
+        self.list(|bytes| {
+            let count = bytes.whole();
+            let on_line: Vec<u8> = (0..count.div_ceil(8)).map(|_| bytes.byte()).collect();
+            let mut point = |i: u32| {
+                at += bytes.offset();
+                (at, on_line[i as usize / 8] >> (i % 8) & 1 == 1)
+            };
+            (0..count).map(&mut point).collect()
+        })
+    }
+
+    fn letter(&mut self, code: u32, shapes: &[Vec<Vec<Point>>]) -> Glyph {
+        let (base, advance) = (self.whole(), self.whole() as f32 / EM);
+        let parts = self.list(|bytes| (bytes.whole() as usize, bytes.offset()));
+        let of_part = |&(shape, by): &(usize, Vec2)| {
+            let contours = shapes.get(shape).map_or(&[][..], |shape| &shape[..]);
+            contours.iter().map(move |contour| curves(contour, by))
+        };
+        let contours: Vec<_> = parts.iter().flat_map(of_part).collect();
+        let points = || contours.iter().flat_map(|(start, curves)| curves.iter().flatten().chain([start]));
+        let least = points().copied().reduce(Vec2::min).unwrap_or_default();
+        let most = points().copied().reduce(Vec2::max).unwrap_or_default();
+        Glyph { code, base, advance, contours, least, most }
+    }
+}
+
+/// The curves of a contour that is moved by so much.
+fn curves(contour: &[Point], by: Vec2) -> (Vec2, Vec<Curve>) {
+    let place = |i: usize| (contour[i % contour.len()].0 + by) / EM;
+    let is_on = |i: usize| contour[i % contour.len()].1;
+    let (mut curves, mut from) = (Vec::new(), place(0));
+    for i in 1..=contour.len() {
+        let to = match (is_on(i), is_on(i - 1)) {
+            (true, true) => {
+                curves.push([(from + place(i)) * 0.5, place(i)]);
+                place(i)
+            }
+            // A control point has its curve once it is known where that ends.
+            (false, true) => continue,
+            (is_on, false) => {
+                let to = if is_on { place(i) } else { (place(i - 1) + place(i)) * 0.5 };
+                curves.push([place(i - 1), to]);
+                to
+            }
+        };
+        from = to;
+    }
+    (place(0), curves)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn all_letters_of_latin_1_and_extended_a_are_there() {
+        let face = Typeface::garamond();
+        let codes = (0x20..0x7f).chain(0xc0..0x180).filter(|code| ![0xd7, 0xf7].contains(code));
+        let missing: Vec<u32> = codes.filter(|&code| face.glyph(code).is_none()).collect();
+        assert_eq!(missing, [0x149, 0x17f][..0], "{missing:x?}");
+        assert!(face.glyph(0x4e2d).is_none() && face.glyph(0).is_none());
+    }
+
+    #[test]
+    fn letters_are_as_large_as_letters_of_this_face_are() {
+        let face = Typeface::garamond();
+        let [x, capital, p] = ['x', 'H', 'p'].map(|letter| face.glyph(letter.into()).unwrap());
+        assert!((x.least.y + 0.41).abs() < 0.03, "x is {} high", -x.least.y);
+        assert!((capital.least.y + 0.65).abs() < 0.03, "H is {} high", -capital.least.y);
+        assert!(p.most.y > 0.2, "p goes {} down", p.most.y);
+        assert!(face.glyph(' '.into()).unwrap().contours.is_empty());
+        for glyph in &face.glyphs {
+            assert!((0.0..1.5).contains(&glyph.advance), "{glyph:?}");
+            assert!(
+                glyph.least.cmpge(Vec2::splat(-1.1)).all() && glyph.most.cmple(Vec2::splat(1.3)).all(),
+                "{glyph:?}"
+            );
+        }
+    }
+
+    #[test]
+    fn contours_are_closed_and_an_accent_is_added_to_its_letter() {
+        let face = Typeface::garamond();
+        let ends = face.glyphs.iter().flat_map(|glyph| &glyph.contours);
+        assert!(ends.clone().all(|(start, curves)| curves.last().is_some_and(|curve| curve[1] == *start)));
+        assert!(ends.count() > 400);
+        let [plain, accented] = ['e', 'é'].map(|letter| face.glyph(letter.into()).unwrap());
+        assert_eq!(accented.base, plain.code);
+        assert_eq!(accented.contours[..plain.contours.len()], plain.contours);
+        assert!(accented.least.y < plain.least.y);
+    }
+
+    #[test]
+    fn kerning_is_that_of_base_letters() {
+        let face = Typeface::garamond();
+        let between = |a: char, b: char| face.kerning(face.glyph(a.into()).unwrap(), face.glyph(b.into()).unwrap());
+        assert!(between('T', 'y') < -0.05 && between('W', 'e') < -0.1 && between('n', 'n') == 0.0);
+        assert_eq!(between('T', 'ý'), between('T', 'y'));
+        assert!((100..2000).contains(&face.kerning.len()), "{} pairs", face.kerning.len());
+    }
+
+    #[test]
+    fn what_is_cut_off_reads_as_less_and_never_fails() {
+        for length in (0..BYTES.len()).step_by(7) {
+            let face = Typeface::read(&BYTES[..length]);
+            assert!(face.glyphs.len() < 400);
+        }
+    }
+}

@@ -1,0 +1,216 @@
+//! The labels of a map: its names, and what they are placed by.
+
+use glam::Vec2;
+
+use crate::annotate::glyph::initials;
+use crate::annotate::names::{Names, PlaceKind, PlaceName, ReachName};
+use crate::annotate::place::{
+    Area, AreaKind, Cartouche, Elevations, Heights, Input, Label, Legend, MARGIN, Marks, Raster, Reach, River,
+    RiverClass, Seal, SheetGrid, Strip, place,
+};
+use crate::base::geometry::distance;
+use crate::base::memory;
+use crate::base::random::Seed;
+use crate::domain::{AREA, Domain};
+use crate::land::{CELL_SIZE, Land, Region, Run};
+use crate::map::Map;
+use crate::network::{NONE, Network, Oxbow, Place};
+use crate::paint::{self, label_look};
+use crate::recipe::{self, Key, Labels, Recipe};
+use crate::relief::{METRES, Relief};
+
+/// The smallest letters that can be read: their em in pixels.
+const LEAST_EM: f32 = 11.0;
+
+/// The labels of a picture that shows a part of the map, its north-western and its south-eastern corner, with so many pixels to a unit:
+/// the greatest rivers first. None if the recipe wants none, or if there is not enough memory.
+pub(crate) fn labels(map: &Map, frame: [Vec2; 2], scale: f32) -> Vec<Label> {
+    input(map, frame, scale).map_or_else(Vec::new, |input| place(&input, &Raster::new(&input)))
+}
+
+/// What those labels are placed by.
+pub fn input(map: &Map, frame: [Vec2; 2], scale: f32) -> Option<Input<'_>> {
+    /// A course's places, its pieces, their numbers in squares, and names.
+    const BYTES_A_VERTEX: usize = 120;
+    let (recipe, network, land) = (map.recipe(), map.network(), map.land());
+    let (share, cartouche) = (share_of_land(recipe.get()), recipe.get::<recipe::Cartouche>());
+    if share == 0.0 && cartouche == recipe::Cartouche::None {
+        return None;
+    }
+    if !memory::can_allocate(Raster::BYTES + network.vertices.len() * BYTES_A_VERTEX) {
+        return None;
+    }
+    let (mut names, regions) = Names::with_regions(map);
+    let least_em = LEAST_EM / scale;
+    let marks = if share > 0.0 { marks(map, &names, frame, least_em) } else { Marks::default() };
+    let margin = marks.grid.map_or(0.0, |grid| MARGIN * grid.em);
+    let reach = |reach: &ReachName| reach_of(network, reach);
+    let land_area = land.map_or(AREA, |land| area(land));
+    let shown = share_shown(&map.domain(), frame);
+    // Of a part, letters are larger than on the whole map, but not as much as all else: there is room for more of them.
+    let side = shown.sqrt();
+    Some(Input {
+        frame: [frame[0] + margin, frame[1] - margin],
+        least_em,
+        label_size: recipe.number(Key::LabelSize) * side.sqrt() * side.sqrt().sqrt(),
+        most_area: [land_area, AREA - land_area].map(|area| share * shown * area),
+        total_discharge: total_discharge(network),
+        reaches: names.reaches.iter().filter_map(reach).collect(),
+        cartouche: (cartouche != recipe::Cartouche::None).then(|| Cartouche {
+            title: std::mem::take(&mut names.title),
+            seed: recipe.seed().into(),
+            is_framed: cartouche == recipe::Cartouche::Framed,
+        }),
+        areas: names.places.iter().zip(&regions).map(|(place, region)| area_of(place, region)).collect(),
+        rivers: rivers(network, names),
+        lakes: network.oxbows.iter().map(Oxbow::middle).collect(),
+        marks,
+        ridges: land.map_or_else(Vec::new, |land| ridges(land)),
+        coast: land.map(|land| land.coast_distance()),
+    })
+}
+
+/// How much of a map is seen in a frame.
+fn share_shown(domain: &Domain, [least, most]: [Vec2; 2]) -> f32 {
+    let seen = (most.min(domain.size) - least.max(Vec2::ZERO)).max(Vec2::ZERO);
+    (seen.x * seen.y / AREA).min(1.0)
+}
+
+/// What the style has besides names.
+fn marks<'a>(map: &'a Map, names: &Names, sheet: [Vec2; 2], least_em: f32) -> Marks<'a> {
+    let recipe = map.recipe();
+    match label_look(recipe.get()).marks {
+        paint::Marks::None => Marks::default(),
+        paint::Marks::SpotHeights { grid } => Marks {
+            elevations: map.shown_relief().map(|relief| elevations(relief, recipe.get())),
+            grid: sheet_grid(recipe, sheet, least_em, grid),
+            ..Marks::default()
+        },
+        paint::Marks::Legend => Marks { legend: Some(legend(recipe, map.network(), names)), ..Marks::default() },
+        paint::Marks::Seal => Marks { seal: Some(seal(recipe.seed(), &names.title)), ..Marks::default() },
+    }
+}
+
+fn elevations(relief: &Relief, labels: Labels) -> Elevations<'_> {
+    let apart = match labels {
+        Labels::None | Labels::Few => 150.0,
+        Labels::Some => 105.0,
+        Labels::Many => 75.0,
+    };
+    Elevations { heights: heights(relief), metres: METRES, apart }
+}
+
+/// The grid's letters, in pictures that have room for them.
+fn sheet_grid(recipe: &Recipe, sheet: [Vec2; 2], least_em: f32, every: f32) -> Option<SheetGrid> {
+    /// The length of the em, in units, and the most of it, as a share of the grid.
+    const EM: f32 = 11.0;
+    const MOST: f32 = 0.25;
+    let em = EM.max(least_em) * recipe.number(Key::LabelSize);
+    (em <= MOST * every).then_some(SheetGrid { sheet, every, em })
+}
+
+fn legend(recipe: &Recipe, network: &Network, names: &Names) -> Legend {
+    let has_heading = recipe.get::<recipe::Cartouche>() == recipe::Cartouche::None;
+    let highest = network.rivers.iter().map(|river| river.order).max().unwrap_or(0);
+    let class = |order: u8| {
+        let ends = || {
+            network
+                .rivers
+                .iter()
+                .filter(|river| river.order == order)
+                .filter_map(|river| network.middle(river).last().copied())
+        };
+        let count = ends().count();
+        RiverClass { order, count: count as u32, half: ends().map(|end| end.half).sum::<f32>() / count.max(1) as f32 }
+    };
+    Legend {
+        heading: has_heading.then(|| [names.title.clone(), recipe.seed().into()]),
+        classes: (1..=highest).rev().map(class).filter(|class| class.count > 0).collect(),
+    }
+}
+
+/// The seal of a seed; of the map's name if the type has no letter of that.
+fn seal(seed: &str, title: &str) -> Seal {
+    let of_seed = initials(seed);
+    let name = title.strip_prefix("The Rivers of ").unwrap_or(title);
+    let of_name = || initials(name).chars().next().unwrap_or('R').into();
+    Seal { letters: if of_seed.is_empty() { of_name() } else { of_seed }, seed: Seed::from_text(seed) }
+}
+
+/// The share of the land that labels may cover; 0 if there are to be none.
+fn share_of_land(labels: Labels) -> f32 {
+    match labels {
+        Labels::None => 0.0,
+        Labels::Few => 0.02,
+        Labels::Some => 0.05,
+        Labels::Many => 0.1,
+    }
+}
+
+/// How large a land is, in square units.
+fn area(land: &Land) -> f32 {
+    land.regions().iter().map(|region| region.cells as f32).sum::<f32>() * CELL_SIZE * CELL_SIZE
+}
+
+/// A sea, a lake or an island with its name.
+fn area_of(place: &PlaceName, region: &Region) -> Area {
+    let kind = match place.kind {
+        PlaceKind::Sea => AreaKind::Sea,
+        PlaceKind::Lake => AreaKind::Lake,
+        PlaceKind::Island => AreaKind::Island,
+    };
+    let strip = |run: &Run| {
+        let [top, left, right] = [run.row, run.start, run.end].map(|cell| cell as f32 * CELL_SIZE);
+        Strip { top, left, right }
+    };
+    Area { kind, name: forms(&place.name), midst: place.at, strips: region.runs.iter().map(strip).collect() }
+}
+
+pub(crate) fn heights(relief: &Relief) -> Heights<'_> {
+    /// The share of all land that lies below what counts as the highest: peaks alone would make all else low.
+    const HIGHEST: f32 = 0.995;
+    Heights {
+        heights: relief.heights(),
+        columns: relief.columns(),
+        cell_size: relief.cell_size(),
+        highest: relief.quantile(HIGHEST),
+    }
+}
+
+pub(crate) fn total_discharge(network: &Network) -> u32 {
+    let mouths = network.rivers.iter().filter(|river| river.parent == NONE);
+    mouths.map(|river| network.discharge(river)).fold(0, u32::saturating_add)
+}
+
+fn rivers(network: &Network, names: Names) -> Vec<River> {
+    let rivers = network.rivers.iter().zip(names.rivers);
+    let river = |(river, name): (&crate::River, crate::annotate::names::RiverName)| River {
+        course: network.middle(river),
+        discharge: network.discharge(river),
+        name: [name.name, name.short],
+    };
+    rivers.map(river).collect()
+}
+
+/// A reach with the banks of its river.
+fn reach_of(network: &Network, reach: &ReachName) -> Option<Reach> {
+    let course = network.middle(network.rivers.get(reach.river as usize)?);
+    let nearest = |at: Vec2| {
+        let nearer = |a: &usize, b: &usize| distance(course[*a].at, at).total_cmp(&distance(course[*b].at, at));
+        (0..course.len()).min_by(nearer)
+    };
+    let (first, last) = (nearest(*reach.course.first()?)?, nearest(*reach.course.last()?)?);
+    let course = course.get(first..=last)?.to_vec();
+    Some(Reach { river: reach.river, course, name: forms(&reach.name) })
+}
+
+/// A name in full, and without its article.
+fn forms(name: &str) -> [String; 2] {
+    [name.into(), name.strip_prefix("The ").unwrap_or(name).into()]
+}
+
+pub(crate) fn ridges(land: &Land) -> Vec<Vec<Place>> {
+    /// How wide a ridge's strokes are on either side, in units.
+    const HALF: f32 = 3.0;
+    land.ridges().iter().map(|ridge| ridge.iter().map(|&at| Place { at, half: HALF }).collect()).collect()
+}

@@ -1,0 +1,67 @@
+//! What names need to know of rivers: facts of the untrimmed tree, which stay whatever is trimmed and however courses are made.
+
+use glam::Vec2;
+
+use crate::base::sort;
+use crate::tree::{Hydrology, NO_PARENT, Tree};
+
+/// The lowest nodes of rivers in an untrimmed tree.
+pub(super) struct Heads<'a> {
+    tree: &'a Tree,
+    discharge: Vec<u32>,
+    own_arm: Vec<u32>,
+    /// The lowest node of the river that each node belongs to.
+    lowest: Vec<u32>,
+    /// The nodes in the order of their identities.
+    by_identity: Vec<usize>,
+}
+
+impl<'a> Heads<'a> {
+    pub fn of(tree: &'a Tree) -> Self {
+        let hydrology = Hydrology::of(tree);
+        let own_arm = hydrology.own_arms(tree);
+        let mut lowest: Vec<u32> = (0..tree.len() as u32).collect();
+        for node in 0..tree.len() {
+            if let Some(parent) = tree.parent_of(node).filter(|&parent| own_arm[parent] == node as u32) {
+                lowest[node] = lowest[parent];
+            }
+        }
+        let by_identity = sort::argsort((0..tree.len()).map(|node| tree.identity_of(node)));
+        Self { tree, discharge: hydrology.discharge, own_arm, lowest, by_identity }
+    }
+
+    /// The node of an identity.
+    pub fn node(&self, identity: u32) -> Option<usize> {
+        let identity_of = |node: &usize| self.tree.identity_of(*node);
+        let place = self.by_identity.binary_search_by_key(&identity, identity_of).ok()?;
+        self.by_identity.get(place).copied()
+    }
+
+    pub fn identity(&self, node: usize) -> u32 {
+        self.tree.identity_of(node)
+    }
+
+    /// What a node drains.
+    pub fn discharge(&self, node: usize) -> u32 {
+        self.discharge[node]
+    }
+
+    /// The lowest node of the river that a river joins; none for a node that is not the lowest of its own, as where rivers cross.
+    pub fn parent(&self, node: usize) -> Option<usize> {
+        let junction = self.tree.parent_of(node).filter(|_| self.lowest[node] == node as u32);
+        junction.map(|junction| self.lowest[junction] as usize)
+    }
+
+    /// From where a river comes to the one it joins, beside where that comes from: east and south, in units.
+    pub fn side(&self, node: usize) -> [f32; 2] {
+        /// Far enough to tell.
+        const NODES: usize = 12;
+        let up = |from: usize| {
+            let arm = |node: &usize| Some(self.own_arm[*node]).filter(|&arm| arm != NO_PARENT).map(|arm| arm as usize);
+            std::iter::successors(Some(from), arm).take(NODES).last().map_or(Vec2::ZERO, |node| self.tree.at[node])
+        };
+        let Some(junction) = self.tree.parent_of(node) else { return [0.0, 0.0] };
+        let own = self.own_arm.get(junction).map_or(junction, |&arm| arm as usize);
+        (up(node) - up(own)).to_array()
+    }
+}

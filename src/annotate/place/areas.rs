@@ -1,0 +1,147 @@
+//! The names of seas and lakes: large and wide, level or nearly so, on open water.
+
+use glam::Vec2;
+
+use super::input::{Area, AreaKind, Input};
+use super::letters::{Box, Kind, Label, Placed, Text, between};
+use crate::base::geometry::distance;
+use crate::land::CoastDistance;
+
+/// Lengths of the em that are tried, in units, the first that fits; the last for lakes alone.
+const SIZES: [f32; 5] = [34.0, 27.0, 21.0, 16.0, 13.0];
+const SIZES_OF_SEAS: usize = 4;
+/// How much larger letters are than the smallest that can be read.
+const OVER_LEAST: f32 = 1.3;
+/// How far middles lie apart that are tried, and how far letters keep from coast, frame and other labels, in ems.
+const STEP: f32 = 0.8;
+const FROM_COAST: f32 = 0.75;
+const FROM_FRAME: f32 = 0.6;
+const FROM_LABELS: f32 = 0.5;
+/// More than this many ems of open water around letters are no better.
+const WIDE: f32 = 4.0;
+
+/// Directions with how many degrees they are tilted by, and how high an arc along them may rise over its chord, as a share of this: so
+/// that no letter climbs by more than 20 degrees.
+const TILTS: [(Vec2, f32, f32); 5] = [
+    (Vec2::new(1.0, 0.0), 0.0, 0.09),
+    (Vec2::new(0.992_546_2, -0.121_869_34), 7.0, 0.057),
+    (Vec2::new(0.992_546_2, 0.121_869_34), 7.0, 0.057),
+    (Vec2::new(0.970_295_7, -0.241_921_9), 14.0, 0.026),
+    (Vec2::new(0.970_295_7, 0.241_921_9), 14.0, 0.026),
+];
+/// Straight, rising and falling.
+const ARCS: [f32; 3] = [0.0, 1.0, -1.0];
+
+/// The label of a sea or a lake, off the boxes that are taken; `None` if there is no room.
+pub fn water(input: &Input<'_>, area: &Area, taken: &[(u32, Box)]) -> Option<Label> {
+    let coast = input.coast?;
+    let sizes = if area.kind == AreaKind::Lake { &SIZES[..] } else { &SIZES[..SIZES_OF_SEAS] };
+    let mut sizes: Vec<f32> =
+        sizes.iter().map(|size| size.max(OVER_LEAST * input.least_em) * input.label_size).collect();
+    sizes.dedup();
+    let label = |em: f32| {
+        let search =
+            |text: &String| Search { input, coast, area, taken, em, text: Text::new(text, Kind::Water) }.label(text);
+        area.name.iter().filter(|text| !text.is_empty()).find_map(search)
+    };
+    sizes.into_iter().find_map(label)
+}
+
+struct Search<'a> {
+    input: &'a Input<'a>,
+    coast: &'a CoastDistance,
+    area: &'a Area,
+    taken: &'a [(u32, Box)],
+    em: f32,
+    text: Text,
+}
+
+/// Where a label might stand: the middle of its chord, its direction and how high it rises.
+#[derive(Clone, Copy)]
+struct Arc {
+    middle: Vec2,
+    along: Vec2,
+    rise: f32,
+}
+
+impl Search<'_> {
+    /// The label with the most water around it, level and curved if that makes no great difference.
+    fn label(&self, text: &str) -> Option<Label> {
+        if self.text.letters.is_empty() {
+            return None;
+        }
+        let (step, [least, most]) = (STEP * self.em, self.input.frame);
+        let [columns, rows] = [most.x - least.x, most.y - least.y].map(|length| (length / step) as u32);
+        let middles =
+            (1..rows).flat_map(|row| (1..columns).map(move |column| Vec2::new(column as f32, row as f32) * step));
+        let (mut best, mut letters) = (None, Vec::new());
+        // A lake is named in its midst, a sea in that of the map.
+        let (centre, per_off) =
+            if self.area.kind == AreaKind::Lake { (self.area.midst, 0.004) } else { ((least + most) * 0.5, 0.002) };
+        for middle in middles.map(|middle| least + middle).filter(|&middle| self.is_open(middle)) {
+            let off = distance(middle, centre);
+            for (along, tilt, highest) in TILTS {
+                for rise in ARCS.map(|share| share * highest) {
+                    let arc = Arc { middle, along, rise };
+                    let Some(clearance) = self.lay(arc, &mut letters) else { continue };
+                    let cost = 0.04 * tilt + per_off * off - 1.2 * clearance - if rise == 0.0 { 0.0 } else { 0.35 };
+                    if best.is_none_or(|(least, _)| cost < least) && self.is_free(&letters) {
+                        best = Some((cost, arc));
+                    }
+                }
+            }
+        }
+        self.lay(best?.1, &mut letters)?;
+        Some(Label::new(Kind::Water, None, text, self.em, letters))
+    }
+
+    /// Puts letters along an arc. Returns how far the nearest is from the coast, in ems; `None` if that is too near.
+    fn lay(&self, arc: Arc, letters: &mut Vec<Placed>) -> Option<f32> {
+        letters.clear();
+        let mut least = WIDE;
+        for letter in &self.text.letters {
+            let ends = [letter.at, letter.at + letter.glyph.advance].map(|at| self.at(arc, at));
+            let placed = between(letter, ends[0], ends[1], self.em)?;
+            for corner in placed.around(self.em).corners() {
+                least = least.min(self.clearance(corner));
+                if least < FROM_COAST || !self.is_in_frame(corner) {
+                    return None;
+                }
+            }
+            letters.push(placed);
+        }
+        // Letters this far from any coast are in the water that their neighbours are in, but for straits narrower than a space.
+        let ends = [letters.first()?, letters.last()?].map(|letter| letter.around(self.em).middle);
+        ends.into_iter().all(|end| self.area.contains(end)).then_some(least)
+    }
+
+    /// Whether a middle has water of this area around it.
+    fn is_open(&self, middle: Vec2) -> bool {
+        self.clearance(middle) >= FROM_COAST && self.area.contains(middle)
+    }
+
+    /// Whether no letter comes too near to another label.
+    fn is_free(&self, letters: &[Placed]) -> bool {
+        letters.iter().all(|letter| {
+            let around = letter.around(self.em);
+            !self.taken.iter().any(|(_, other)| around.meets(other, FROM_LABELS * self.em))
+        })
+    }
+
+    /// The point of an arc at a distance from its beginning, in ems.
+    fn at(&self, arc: Arc, at: f32) -> Vec2 {
+        let length = self.text.length;
+        let (off, rest) = (at - 0.5 * length, at / length);
+        let up = arc.rise * length * (4.0 * rest * (1.0 - rest) - 0.5);
+        arc.middle + (arc.along * off - arc.along.perp() * up) * self.em
+    }
+
+    fn clearance(&self, at: Vec2) -> f32 {
+        -self.coast.height(at) / self.em
+    }
+
+    fn is_in_frame(&self, at: Vec2) -> bool {
+        let ([least, most], margin) = (self.input.frame, FROM_FRAME * self.em);
+        at.cmpge(least + margin).all() && at.cmple(most - margin).all()
+    }
+}

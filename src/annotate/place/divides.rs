@@ -1,0 +1,195 @@
+//! Divides: where the nearest river is one on one side and another on the other.
+
+use glam::Vec2;
+
+use super::background::Piece;
+use super::input::{SceneryInput, Stream};
+
+/// The side of the cells that know their nearest river, in units.
+const CELL: f32 = 5.0;
+/// Rivers with less of all water than this are part of the one that they join.
+const GREAT: f32 = 0.03;
+const NONE: u32 = u32::MAX;
+
+/// What a place lies on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Divide {
+    /// None.
+    No,
+    /// Between two rivers that come together.
+    Minor,
+    /// Between two that reach the sea each for itself.
+    Main,
+}
+
+/// The nearest river of each cell.
+#[derive(Clone, Debug)]
+pub struct Divides {
+    columns: usize,
+    rows: usize,
+    /// The number of the nearest piece of a river, of each cell, and how far it is, squared.
+    nearest: Vec<(u32, f32)>,
+    /// The river of each piece, if great, else the first great one below it; and the one that reaches the sea.
+    systems: Vec<[u32; 2]>,
+    pieces: Vec<Piece>,
+}
+
+impl Divides {
+    /// Of a map's rivers.
+    pub fn new(input: &SceneryInput<'_>) -> Self {
+        let [columns, rows] = [input.size.x, input.size.y].map(|length| (length / CELL) as usize + 1);
+        let systems = systems(&input.streams, input.total_discharge);
+        let pieces: Vec<Piece> =
+            (0..).zip(&input.streams).flat_map(|(number, stream)| Piece::along(number, &stream.course)).collect();
+        let mut this = Self { columns, rows, nearest: vec![(NONE, f32::MAX); columns * rows], systems, pieces };
+        this.mark_pieces();
+        this.hand_on();
+        this
+    }
+
+    fn mark_pieces(&mut self) {
+        for number in 0..self.pieces.len() {
+            let [from, to] = self.pieces[number].ends.map(|place| place.at / CELL);
+            let steps = (to - from).abs().max_element() as u32 + 1;
+            for step in 0..=steps {
+                let at = from.lerp(to, step as f32 / steps as f32);
+                // A conversion makes 0 of what is below.
+                let (column, row) = ((at.x as usize).min(self.columns - 1), (at.y as usize).min(self.rows - 1));
+                self.propose(column, row, number as u32);
+            }
+        }
+    }
+
+    /// Hands rivers on from cell to cell, down and up, each time to both sides, as in a distance transform (Danielsson 1980).
+    fn hand_on(&mut self) {
+        for row in 0..self.rows {
+            self.take_from_row(row, row.checked_sub(1));
+        }
+        for row in (0..self.rows).rev() {
+            self.take_from_row(row, (row + 1 < self.rows).then_some(row + 1));
+        }
+    }
+
+    fn take_from_row(&mut self, row: usize, other: Option<usize>) {
+        let piece = |this: &Self, column: usize, row: usize| this.nearest[row * this.columns + column].0;
+        if let Some(other) = other {
+            for column in 0..self.columns {
+                let beside = [column.saturating_sub(1), column, (column + 1).min(self.columns - 1)];
+                let [west, middle, east] = beside.map(|beside| piece(self, beside, other));
+                self.propose(column, row, west);
+                // Neighbours often know the same piece.
+                if middle != west {
+                    self.propose(column, row, middle);
+                }
+                if east != middle {
+                    self.propose(column, row, east);
+                }
+            }
+        }
+        for column in 1..self.columns {
+            self.propose(column, row, piece(self, column - 1, row));
+        }
+        for column in (0..self.columns - 1).rev() {
+            self.propose(column, row, piece(self, column + 1, row));
+        }
+    }
+
+    fn propose(&mut self, column: usize, row: usize, number: u32) {
+        let cell = &mut self.nearest[row * self.columns + column];
+        if number == cell.0 || number == NONE {
+            return;
+        }
+        let middle = (Vec2::new(column as f32, row as f32) + 0.5) * CELL;
+        let (distance, _) = self.pieces[number as usize].nearest(middle);
+        if distance < cell.1 {
+            *cell = (number, distance);
+        }
+    }
+
+    /// What a place lies on, give or take a cell.
+    pub fn at(&self, at: Vec2) -> Divide {
+        let Some(own) = self.systems_at(at) else { return Divide::No };
+        let around = [Vec2::X, Vec2::Y, Vec2::NEG_X, Vec2::NEG_Y].map(|way| self.systems_at(at + way * CELL));
+        let differs = |i: usize| around.iter().flatten().any(|other| other[i] != own[i]);
+        match (differs(0), differs(1)) {
+            (_, true) => Divide::Main,
+            (true, false) => Divide::Minor,
+            (false, false) => Divide::No,
+        }
+    }
+
+    fn systems_at(&self, at: Vec2) -> Option<[u32; 2]> {
+        let cell = at / CELL;
+        let (column, row) = ((cell.x as usize).min(self.columns - 1), (cell.y as usize).min(self.rows - 1));
+        let piece = self.pieces.get(self.nearest[row * self.columns + column].0 as usize)?;
+        self.systems.get(piece.river as usize).copied()
+    }
+}
+
+/// Of each river the first that is great, itself or below it, and the one that reaches the sea.
+fn systems(streams: &[Stream], total_discharge: u32) -> Vec<[u32; 2]> {
+    let least = GREAT * total_discharge as f32;
+    let below = |number: u32| streams.get(number as usize).map_or(NONE, |stream| stream.parent);
+    let system = |own: u32| {
+        let (mut great, mut mouth, mut is_found) = (own, own, false);
+        // No river is below itself; and if it were, this would end.
+        for _ in 0..streams.len() {
+            is_found |= streams[mouth as usize].discharge as f32 >= least;
+            if below(mouth) as usize >= streams.len() {
+                break;
+            }
+            mouth = below(mouth);
+            if !is_found {
+                great = mouth;
+            }
+        }
+        [great, mouth]
+    };
+    (0..streams.len() as u32).map(system).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::base::random::Seed;
+    use crate::network::Place;
+
+    /// Rivers from north to south, at these x, each joining the one of a number.
+    fn divides(streams: &[(f32, u32)]) -> Divides {
+        let stream = |&(x, parent): &(f32, u32)| Stream {
+            course: [0.0, 100.0].map(|y| Place { at: Vec2::new(x, y), half: 1.0 }).to_vec(),
+            discharge: 10,
+            parent,
+        };
+        Divides::new(&SceneryInput {
+            size: Vec2::new(200.0, 100.0),
+            seed: Seed::from_text(""),
+            woods: 0.0,
+            hills: 1.0,
+            total_discharge: 100,
+            streams: streams.iter().map(stream).collect(),
+            lakes: Vec::new(),
+            ridges: Vec::new(),
+            coast: None,
+            heights: None,
+            letters: Vec::new(),
+        })
+    }
+
+    #[test]
+    fn divides_are_midway_between_rivers_and_main_if_their_mouths_differ() {
+        let divides = divides(&[(20.0, NONE), (80.0, 0), (180.0, NONE)]);
+        let at = |x: f32| divides.at(Vec2::new(x, 50.0));
+        assert_eq!(
+            (at(20.0), at(50.0), at(65.0), at(130.0), at(199.0)),
+            (Divide::No, Divide::Minor, Divide::No, Divide::Main, Divide::No)
+        );
+    }
+
+    #[test]
+    fn brooks_belong_to_the_river_that_they_join() {
+        let stream = |discharge: u32, parent: u32| Stream { course: Vec::new(), discharge, parent };
+        let streams = [stream(90, NONE), stream(2, 0), stream(40, 0), stream(1, 2), stream(2, NONE)];
+        assert_eq!(systems(&streams, 100), [[0, 0], [0, 0], [2, 0], [2, 0], [4, 4]]);
+    }
+}

@@ -1,0 +1,272 @@
+//! What labels and scenery are placed by.
+
+use glam::Vec2;
+
+use super::letters::Box;
+use crate::base::random::Seed;
+use crate::land::{CELL_SIZE, CoastDistance};
+use crate::network::Place;
+
+/// A river that may have a label.
+#[derive(Clone, Debug, PartialEq)]
+pub struct River {
+    /// Its centerline, from the source, with its banks, in units.
+    pub course: Vec<Place>,
+    /// Its discharge at its end.
+    pub discharge: u32,
+    /// Its name in full, and in short.
+    pub name: [String; 2],
+}
+
+/// A stretch on which a great river winds, and that has a name of its own.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Reach {
+    /// The number of its river.
+    pub river: u32,
+    /// Its centerline, with its banks, in units.
+    pub course: Vec<Place>,
+    /// Its name in full, and in short.
+    pub name: [String; 2],
+}
+
+/// What an area of land or water is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum AreaKind {
+    /// Water that reaches the frame of the map.
+    Sea,
+    /// Water that does not.
+    Lake,
+    /// Land with water around it.
+    Island,
+}
+
+/// A part of a row that belongs to an area; [`Area::ROW`] high. Lengths are units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Strip {
+    /// Its northern side.
+    pub top: f32,
+    /// Its western side.
+    pub left: f32,
+    /// Its eastern side.
+    pub right: f32,
+}
+
+/// A sea, a lake or an island.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Area {
+    /// What it is.
+    pub kind: AreaKind,
+    /// Its name in full, and in short.
+    pub name: [String; 2],
+    /// A place in the midst of it, in units.
+    pub midst: Vec2,
+    /// Where it lies, row by row, each from west to east.
+    pub strips: Vec<Strip>,
+}
+
+impl Area {
+    /// The height of a row, in units.
+    pub const ROW: f32 = CELL_SIZE;
+
+    /// How large it is, in square units.
+    pub fn size(&self) -> f32 {
+        self.strips.iter().map(|strip| (strip.right - strip.left) * Self::ROW).sum()
+    }
+
+    /// Whether a place lies in it.
+    pub fn contains(&self, at: Vec2) -> bool {
+        let next = self
+            .strips
+            .partition_point(|strip| strip.top + Self::ROW <= at.y || (strip.top <= at.y && strip.right <= at.x));
+        self.strips.get(next).is_some_and(|strip| strip.top <= at.y && strip.left <= at.x)
+    }
+
+    /// The north-western and the south-eastern corner of the box around it.
+    pub fn corners(&self) -> [Vec2; 2] {
+        let ends = |strip: &Strip| [Vec2::new(strip.left, strip.top), Vec2::new(strip.right, strip.top + Self::ROW)];
+        let around = |all: [Vec2; 2], one: [Vec2; 2]| [all[0].min(one[0]), all[1].max(one[1])];
+        self.strips.iter().map(ends).reduce(around).unwrap_or([self.midst; 2])
+    }
+}
+
+/// The title of a map.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Cartouche {
+    /// What the map is called.
+    pub title: String,
+    /// What it has grown from.
+    pub seed: String,
+    /// Whether there is a double line around them.
+    pub is_framed: bool,
+}
+
+/// The relief, and what its heights are in numbers.
+#[derive(Clone, Copy, Debug)]
+pub struct Elevations<'a> {
+    /// The relief.
+    pub heights: Heights<'a>,
+    /// How many metres a unit of height is.
+    pub metres: f32,
+    /// How far the places are apart whose heights are told, in units.
+    pub apart: f32,
+}
+
+/// The grid whose columns have letters along the map's edge, and its rows numbers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SheetGrid {
+    /// The part of the domain that is seen, the labels' frame and the margin around it: its north-western and its south-eastern corner.
+    pub sheet: [Vec2; 2],
+    /// How far lines are apart, in units; the first are the domain's western and northern side.
+    pub every: f32,
+    /// The length of its letters' em.
+    pub em: f32,
+}
+
+/// Rivers of one order.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RiverClass {
+    /// Strahler's order.
+    pub order: u8,
+    /// How many there are.
+    pub count: u32,
+    /// Half of their width at their ends, on average, in units.
+    pub half: f32,
+}
+
+/// What is said of a map in a box.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Legend {
+    /// What the map is called, and what it has grown from; nothing where the cartouche says that.
+    pub heading: Option<[String; 2]>,
+    /// Its rivers, those of the highest order first.
+    pub classes: Vec<RiverClass>,
+}
+
+/// A painter's seal.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Seal {
+    /// One letter or two.
+    pub letters: String,
+    /// What its edge is uneven by.
+    pub seed: Seed,
+}
+
+/// What a style has on its maps besides names.
+#[derive(Clone, Debug, Default)]
+pub struct Marks<'a> {
+    /// The relief; `None` if no heights are told.
+    pub elevations: Option<Elevations<'a>>,
+    /// The grid; `None` if it has no letters.
+    pub grid: Option<SheetGrid>,
+    /// The legend.
+    pub legend: Option<Legend>,
+    /// The seal.
+    pub seal: Option<Seal>,
+}
+
+/// A map that labels are wanted for. Lengths are units.
+#[derive(Clone, Debug)]
+pub struct Input<'a> {
+    /// The part of the domain that labels may stand in: its north-western and its south-eastern corner.
+    pub frame: [Vec2; 2],
+    /// The smallest letters that can be read, as the length of their em.
+    pub least_em: f32,
+    /// What sizes of letters are multiplied by.
+    pub label_size: f32,
+    /// Labels of rivers end when they cover so much of the land, in square units, and those of lakes and islands when they cover so much
+    /// of the water. Where labels may cover no land there are none.
+    pub most_area: [f32; 2],
+    /// What all rivers together bring to the sea, in the unit of their discharge.
+    pub total_discharge: u32,
+    /// The rivers.
+    pub rivers: Vec<River>,
+    /// Stretches of them with names of their own.
+    pub reaches: Vec<Reach>,
+    /// Lakes that rivers have left, which only letters of reaches may touch.
+    pub lakes: Vec<Vec<Place>>,
+    /// Ridges, which no letter may touch.
+    pub ridges: Vec<Vec<Place>>,
+    /// The title; `None` if it is to have none.
+    pub cartouche: Option<Cartouche>,
+    /// Seas, lakes and islands.
+    pub areas: Vec<Area>,
+    /// What there is besides names.
+    pub marks: Marks<'a>,
+    /// How far inland each point lies; `None` if there is no sea.
+    pub coast: Option<&'a CoastDistance>,
+}
+
+impl Input<'_> {
+    /// The part of the domain that is seen: its north-western and its south-eastern corner.
+    pub fn sheet(&self) -> [Vec2; 2] {
+        self.marks.grid.map_or(self.frame, |grid| grid.sheet)
+    }
+}
+
+/// A river that scenery keeps off.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Stream {
+    /// Its centerline, from the source, with its banks, in units.
+    pub course: Vec<Place>,
+    /// Its discharge at its end.
+    pub discharge: u32,
+    /// The number of the river that it joins; `u32::MAX` if it reaches the sea.
+    pub parent: u32,
+}
+
+/// How high the land is, cell by cell, row by row from the map's north-western corner on.
+#[derive(Clone, Copy, Debug)]
+pub struct Heights<'a> {
+    /// Heights over the sea, in units.
+    pub heights: &'a [f32],
+    /// How many cells lie side by side.
+    pub columns: usize,
+    /// The side of a cell, in units.
+    pub cell_size: f32,
+    /// The height that counts as the highest.
+    pub highest: f32,
+}
+
+/// A map that woods and hills are wanted for. Lengths are units.
+#[derive(Clone, Debug)]
+pub struct SceneryInput<'a> {
+    /// Width and height of the domain.
+    pub size: Vec2,
+    /// What chance is drawn from.
+    pub seed: Seed,
+    /// How much of the land is wooded, from 0 to 1.
+    pub woods: f32,
+    /// How thickly hills stand, from 0 to 1.
+    pub hills: f32,
+    /// What all rivers together bring to the sea, in the unit of their discharge.
+    pub total_discharge: u32,
+    /// The rivers.
+    pub streams: Vec<Stream>,
+    /// Lakes that rivers have left.
+    pub lakes: Vec<Vec<Place>>,
+    /// Ridges, which are drawn in strokes of their own.
+    pub ridges: Vec<Vec<Place>>,
+    /// How far inland each point lies; `None` if there is no sea.
+    pub coast: Option<&'a CoastDistance>,
+    /// The relief; `None` if it is not known.
+    pub heights: Option<Heights<'a>>,
+    /// The boxes of all letters on the map, and of what stands with them.
+    pub letters: Vec<Box>,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_area_holds_what_its_strips_do() {
+        let strip = |top: f32, left: f32, right: f32| Strip { top, left, right };
+        let strips = vec![strip(3.0, 5.0, 7.0), strip(3.0, 9.0, 10.0), strip(4.0, 5.0, 10.0)];
+        let area = Area { kind: AreaKind::Lake, name: Default::default(), midst: Vec2::ONE, strips };
+        let holds = |x: f32, y: f32| area.contains(Vec2::new(x, y));
+        assert!(holds(5.0, 3.0) && holds(6.9, 3.9) && holds(9.5, 3.5) && holds(8.0, 4.5));
+        assert!(!holds(8.0, 3.5) && !holds(4.9, 4.5) && !holds(6.0, 2.9) && !holds(6.0, 5.0) && !holds(10.0, 4.5));
+        assert_eq!(area.size(), 8.0);
+        assert_eq!(area.corners(), [Vec2::new(5.0, 3.0), Vec2::new(10.0, 5.0)]);
+    }
+}

@@ -1,0 +1,206 @@
+//! The names of islands: on them where they are large enough, else beside them on the water.
+
+use glam::Vec2;
+
+use super::background::{Background, LAKE, RIDGE};
+use super::input::{Area, Input, Strip};
+use super::letters::{Box, Kind, Label, Placed, Text};
+use crate::base::geometry::length;
+use crate::land::CoastDistance;
+
+/// Sizes of letters, the length of their em in units, by how large an island is, in square units.
+const SIZES: [(f32, f32); 4] = [(20_000.0, 18.5), (5000.0, 16.0), (1000.0, 13.5), (0.0, 11.5)];
+/// How much smaller letters are tried if there is no room for those.
+const SMALLER: f32 = 0.85;
+/// An island whose area is that of a square of this side, in ems, is too small for its name.
+const LEAST_SIDE: f32 = 0.8;
+
+/// How far an island's midst is from its coast where its name stands on it, and how far letters keep from that there, in ems.
+const ROOM: f32 = 3.0;
+const FROM_COAST_INSIDE: f32 = 0.4;
+/// How far around the midst places are tried, and how far apart, in ems.
+const AROUND: i32 = 6;
+const STEP: f32 = 0.7;
+/// The widest river that may run under letters, in units.
+const WIDEST_UNDER: f32 = 2.4;
+
+/// How far letters keep from the island, the coast, the frame and other labels, in ems.
+const GAPS: [f32; 3] = [0.4, 0.7, 1.1];
+const FROM_COAST: f32 = 0.2;
+const FROM_FRAME: f32 = 0.4;
+const FROM_LABELS: f32 = 0.28;
+/// How far over their line capitals rise, how far under it letters reach, and where the middle of small ones is, in ems.
+const CAPITAL: f32 = 0.66;
+const UNDER: f32 = 0.27;
+const MIDDLE: f32 = 0.24;
+/// How much farther letters may be from their island than from any coast, on average: as a share, and in ems.
+const NEARER: f32 = 1.3;
+const NEARER_EM: f32 = 0.3;
+
+/// The label of an island, off the boxes that are taken; `None` if there is no room.
+pub fn island<G: Background>(input: &Input<'_>, background: &G, area: &Area, taken: &[(u32, Box)]) -> Option<Label> {
+    let coast = input.coast?;
+    let (size, corners) = (area.size(), area.corners());
+    let usual = SIZES.iter().find(|(least, _)| size >= *least).map_or(0.0, |(_, em)| *em);
+    let mut sizes: Vec<f32> = [usual, SMALLER * usual].map(|em| em.max(input.least_em) * input.label_size).to_vec();
+    sizes.dedup();
+    let label = |em: f32| {
+        area.name.iter().find_map(|name| {
+            let text = Text::new(name, Kind::Island);
+            let search = Search { input, background, coast, area, corners, taken, em, text };
+            let (kind, letters) = search.letters()?;
+            Some(Label::new(kind, None, name, em, letters))
+        })
+    };
+    sizes.into_iter().filter(|em| size.sqrt() >= LEAST_SIDE * em).find_map(label)
+}
+
+struct Search<'a, G> {
+    input: &'a Input<'a>,
+    background: &'a G,
+    coast: &'a CoastDistance,
+    area: &'a Area,
+    /// Of the box around the island.
+    corners: [Vec2; 2],
+    taken: &'a [(u32, Box)],
+    em: f32,
+    text: Text,
+}
+
+/// The cheapest place so far, and what it costs.
+type Best = Option<(f32, Vec<Placed>)>;
+
+impl<G: Background> Search<'_, G> {
+    /// The letters on the island, or beside it.
+    fn letters(&self) -> Option<(Kind, Vec<Placed>)> {
+        if self.text.letters.is_empty() {
+            return None;
+        }
+        let inside = self.inside().map(|letters| (Kind::Island, letters));
+        inside.or_else(|| Some((Kind::Offshore, self.beside()?)))
+    }
+
+    /// The letters near the island's midst, where the least ink is under them.
+    fn inside(&self) -> Option<Vec<Placed>> {
+        if self.coast.height(self.area.midst) < ROOM * self.em {
+            return None;
+        }
+        let half = Vec2::new(-0.5 * self.text.length, MIDDLE) * self.em;
+        let mut best: Best = None;
+        for (row, column) in (-AROUND..=AROUND).flat_map(|row| (-AROUND..=AROUND).map(move |column| (row, column))) {
+            let off = Vec2::new(column as f32, row as f32) * (STEP * self.em);
+            let letters = self.level(self.area.midst + half + off);
+            let cost = self.ink(&letters).map(|ink| 0.25 * length(off) / self.em + ink);
+            self.take_better(&mut best, letters, cost);
+        }
+        best.map(|(_, letters)| letters)
+    }
+
+    /// What the ink under letters on land costs; `None` if there is too much of it, or they are not all on land.
+    fn ink(&self, letters: &[Placed]) -> Option<f32> {
+        let (mut hits, mut samples) = (0.0, 0.0);
+        for letter in letters {
+            let around = letter.around(self.em);
+            let is_ashore = |at: Vec2| self.coast.height(at) >= FROM_COAST_INSIDE * self.em;
+            if !around.corners().into_iter().all(is_ashore) || !self.area.contains(around.middle) {
+                return None;
+            }
+            for sample in around.samples() {
+                let under = self.background.ink(sample);
+                if under.river == RIDGE || under.river == LAKE || under.width > WIDEST_UNDER {
+                    return None;
+                }
+                samples += 1.0;
+                hits += if under.width > 0.0 { 0.5 + under.width } else { 0.0 };
+            }
+        }
+        Some(4.0 * hits / samples)
+    }
+
+    /// The letters on the water: right of the island if they can be, else left, above or below.
+    fn beside(&self) -> Option<Vec<Placed>> {
+        let (em, long) = (self.em, self.text.length * self.em);
+        let middle = (self.corners[0] + self.corners[1]) * 0.5;
+        let mut best: Best = None;
+        for gap in GAPS {
+            for aside in [0.0, -0.5, 0.5, -1.0, 1.0, -1.6, 1.6] {
+                let line = middle.y + (aside + MIDDLE) * em;
+                let Some([left, right]) = self.across([line - CAPITAL * em, line + UNDER * em]) else { continue };
+                for (x, side) in [(right + gap * em, 0.0), (left - gap * em - long, 0.3)] {
+                    let letters = self.level(Vec2::new(x, line));
+                    let cost = side + 0.3 * f32::abs(aside) + 0.8 * (gap - GAPS[0]);
+                    let cost = self.apart(&letters).map(|apart| apart + cost);
+                    self.take_better(&mut best, letters, cost);
+                }
+            }
+            for aside in [0.0, -0.8, 0.8, -1.6, 1.6, -2.4, 2.4, -3.2, 3.2] {
+                let left = middle.x + aside * em - 0.5 * long;
+                let Some([top, bottom]) = self.down([left, left + long]) else { continue };
+                for (y, side) in [(top - (gap + UNDER) * em, 0.45), (bottom + (gap + CAPITAL) * em, 0.6)] {
+                    let letters = self.level(Vec2::new(left, y));
+                    let cost = side + 0.15 * f32::abs(aside) + 0.8 * (gap - GAPS[0]);
+                    let cost = self.apart(&letters).map(|apart| apart + cost);
+                    self.take_better(&mut best, letters, cost);
+                }
+            }
+        }
+        best.map(|(_, letters)| letters)
+    }
+
+    /// How far the island reaches to the west and to the east in some rows; `None` if it has nothing there.
+    fn across(&self, [top, bottom]: [f32; 2]) -> Option<[f32; 2]> {
+        let strips = self.area.strips.iter().filter(|strip| strip.top < bottom && strip.top + Area::ROW > top);
+        strips.map(|strip| [strip.left, strip.right]).reduce(|all, one| [all[0].min(one[0]), all[1].max(one[1])])
+    }
+
+    /// How far it reaches to the north and to the south between two sides; `None` if it has nothing there.
+    fn down(&self, [left, right]: [f32; 2]) -> Option<[f32; 2]> {
+        let strips = self.area.strips.iter().filter(|strip| strip.left < right && strip.right > left);
+        let ends = strips.map(|strip| [strip.top, strip.top + Area::ROW]);
+        ends.reduce(|all, one| [all[0].min(one[0]), all[1].max(one[1])])
+    }
+
+    /// What it costs that other land is near to letters on the water; `None` if they touch land, or would seem to name another.
+    fn apart(&self, letters: &[Placed]) -> Option<f32> {
+        let (mut own, mut any) = (0.0, 0.0);
+        for letter in letters {
+            let around = letter.around(self.em);
+            if around.corners().into_iter().any(|at| -self.coast.height(at) < FROM_COAST * self.em) {
+                return None;
+            }
+            own += self.away(around.middle);
+            any += -self.coast.height(around.middle);
+        }
+        let [own, any] = [own, any].map(|sum| sum / (letters.len() as f32 * self.em));
+        (own <= NEARER * any + NEARER_EM).then_some(0.8 * (own - any).max(0.0))
+    }
+
+    /// How far a place is from the island, in units.
+    fn away(&self, at: Vec2) -> f32 {
+        let off = |strip: &Strip| {
+            let [least, most] = [Vec2::new(strip.left, strip.top), Vec2::new(strip.right, strip.top + Area::ROW)];
+            (least - at).max(at - most).max(Vec2::ZERO).length_squared()
+        };
+        self.area.strips.iter().map(off).fold(f32::MAX, f32::min).sqrt()
+    }
+
+    /// The letters of a level line that begins at a place.
+    fn level(&self, from: Vec2) -> Vec<Placed> {
+        self.text.letters.iter().map(|letter| Placed::level(letter, from, self.em)).collect()
+    }
+
+    /// Takes a place that costs less than the best so far, if it is in the frame and off other labels.
+    fn take_better(&self, best: &mut Best, letters: Vec<Placed>, cost: Option<f32>) {
+        let cheaper = cost.filter(|cost| best.as_ref().is_none_or(|(least, _)| cost < least));
+        if let Some(cost) = cheaper.filter(|_| letters.iter().all(|letter| self.is_free(&letter.around(self.em)))) {
+            *best = Some((cost, letters));
+        }
+    }
+
+    fn is_free(&self, around: &Box) -> bool {
+        let ([least, most], margin) = (self.input.frame, FROM_FRAME * self.em);
+        let is_in_frame = |at: Vec2| at.cmpge(least + margin).all() && at.cmple(most - margin).all();
+        around.corners().into_iter().all(is_in_frame)
+            && !self.taken.iter().any(|(_, other)| around.meets(other, FROM_LABELS * self.em))
+    }
+}

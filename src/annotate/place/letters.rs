@@ -1,0 +1,361 @@
+//! Letters along a line, and the boxes around them.
+
+use glam::Vec2;
+
+use super::baseline::Line;
+use crate::annotate::glyph::{Glyph, Letter, line_of};
+use crate::base::geometry::{distance, gap, length};
+use crate::network::Place;
+
+/// What a label names.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// A river.
+    River,
+    /// A stretch on which one winds.
+    Reach,
+    /// The sea or a lake.
+    Water,
+    /// An island, on it.
+    Island,
+    /// An island, on the water beside it.
+    Offshore,
+    /// The map.
+    Title,
+    /// What the map has grown from.
+    Seed,
+    /// A line of the legend.
+    Legend,
+    /// The height of a summit or a saddle, beside it.
+    SpotHeight,
+    /// The letter of a column or the number of a row of the grid, in the map's margin.
+    GridLetter,
+    /// The margin, and the lines of the grid as far as they are drawn.
+    Grid,
+    /// The seal: letters that are left out of a square.
+    Seal,
+}
+
+/// What a label belongs to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Group {
+    /// Names on the map.
+    Names,
+    Cartouche,
+    Legend,
+    /// What a style has besides names, in an ink of its own.
+    Marks,
+}
+
+/// How labels of a kind are set. Lengths are ems.
+#[derive(Clone, Copy, Debug)]
+struct Setting {
+    group: Group,
+    /// The space between letters besides their advance.
+    tracking: f32,
+    /// How far its halo reaches around outlines.
+    halo: f32,
+    /// Rivers are left as they are around its letters: it stands on open water, or says itself what is cleared.
+    is_afloat: bool,
+}
+
+impl Kind {
+    /// The row of a kind in the table of kinds.
+    fn setting(self) -> Setting {
+        let set = |group, tracking, halo, is_afloat| Setting { group, tracking, halo, is_afloat };
+        match self {
+            Self::River => set(Group::Names, 0.08, 0.13, false),
+            Self::Reach => set(Group::Names, 0.16, 0.2, false),
+            Self::Water => set(Group::Names, 0.3, 0.13, true),
+            Self::Island => set(Group::Names, 0.08, 0.13, false),
+            Self::Offshore => set(Group::Names, 0.08, 0.13, true),
+            Self::Title => set(Group::Cartouche, 0.05, 0.13, true),
+            Self::Seed => set(Group::Cartouche, 0.08, 0.13, true),
+            Self::Legend => set(Group::Legend, 0.05, 0.13, true),
+            Self::SpotHeight => set(Group::Marks, 0.03, 0.13, false),
+            Self::GridLetter => set(Group::Marks, 0.03, 0.13, true),
+            Self::Grid => set(Group::Marks, 0.03, 0.13, true),
+            Self::Seal => set(Group::Marks, 0.03, 0.13, true),
+        }
+    }
+
+    /// The space between letters besides their advance, in ems.
+    pub fn tracking(self) -> f32 {
+        self.setting().tracking
+    }
+
+    /// Returns `true` if rivers are left as they are around its letters: it stands on open water, or says itself what is cleared.
+    pub fn is_afloat(self) -> bool {
+        self.setting().is_afloat
+    }
+
+    /// Returns `true` if it is a part of the cartouche.
+    pub fn is_of_cartouche(self) -> bool {
+        self.setting().group == Group::Cartouche
+    }
+
+    /// Returns `true` if it is a part of a block of lines in a corner: the cartouche or the legend.
+    pub fn is_block(self) -> bool {
+        matches!(self.setting().group, Group::Cartouche | Group::Legend)
+    }
+
+    /// Returns `true` if it is a mark, in an ink of its own.
+    pub fn is_mark(self) -> bool {
+        self.setting().group == Group::Marks
+    }
+
+    /// How far its halo reaches around outlines, in ems.
+    pub fn halo(self) -> f32 {
+        self.setting().halo
+    }
+}
+
+/// How far below its baseline the middle of a small letter lies, in ems.
+pub const MIDDLE: f32 = -0.2;
+
+/// A letter in its place.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Placed {
+    /// What it looks like.
+    pub glyph: &'static Glyph,
+    /// Where its origin lies, in units.
+    pub at: Vec2,
+    /// The unit vector along its baseline.
+    pub along: Vec2,
+}
+
+/// A label in its place.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Label {
+    /// What it names.
+    pub kind: Kind,
+    /// The number of its river; `None` if it names none.
+    pub river: Option<u32>,
+    /// What it says.
+    pub text: String,
+    /// The length of its em, in units.
+    pub em: f32,
+    /// Its letters; spaces are left out.
+    pub letters: Vec<Placed>,
+    /// Lines that belong to it, in its colour.
+    pub strokes: Vec<Stroke>,
+    /// Lines under it that rivers are taken away from, all of one width.
+    pub cleared: Vec<Stroke>,
+}
+
+/// A straight line with round ends.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stroke {
+    /// Its ends, in units.
+    pub ends: [Vec2; 2],
+    /// Half its width, in units.
+    pub half: f32,
+}
+
+impl Stroke {
+    /// The box around it, if it is level or upright.
+    pub fn around(&self) -> Box {
+        Box::level(self.ends[0].min(self.ends[1]) - self.half, self.ends[0].max(self.ends[1]) + self.half)
+    }
+}
+
+impl Label {
+    /// A label of letters alone.
+    pub fn new(kind: Kind, river: Option<u32>, text: &str, em: f32, letters: Vec<Placed>) -> Self {
+        Self { kind, river, text: text.into(), em, letters, strokes: Vec::new(), cleared: Vec::new() }
+    }
+}
+
+impl Label {
+    /// The spaces between its words, each from one letter's middle to the next one's, in units.
+    pub fn spaces(&self) -> impl Iterator<Item = [Vec2; 2]> + '_ {
+        /// More than there is between the letters of a word, in ems.
+        const LEAST: f32 = 0.28;
+        let space = |pair: &[Placed]| {
+            let end = Vec2::new(pair[0].glyph.advance, MIDDLE);
+            [pair[0].place(end, self.em), pair[1].place(Vec2::new(0.0, MIDDLE), self.em)]
+        };
+        let is_wide = |ends: &[Vec2; 2]| distance(ends[0], ends[1]) > LEAST * self.em;
+        self.letters.windows(2).map(space).filter(is_wide)
+    }
+}
+
+/// A text to be placed, in ems.
+#[derive(Clone, Debug)]
+pub struct Text {
+    pub letters: Vec<Letter>,
+    pub length: f32,
+}
+
+impl Text {
+    pub fn new(text: &str, kind: Kind) -> Self {
+        let (mut letters, length) = line_of(text, kind.tracking());
+        letters.retain(|letter| !letter.glyph.contours.is_empty());
+        Self { letters, length }
+    }
+}
+
+/// A letter's box, turned as the letter is.
+#[derive(Clone, Copy, Debug)]
+pub struct Box {
+    /// Where its middle lies, in units.
+    pub middle: Vec2,
+    /// From there along the baseline to its side.
+    pub along: Vec2,
+    /// The same across.
+    pub down: Vec2,
+}
+
+impl Placed {
+    /// Where a point of the letter lies, in units.
+    #[inline]
+    pub fn place(&self, point: Vec2, em: f32) -> Vec2 {
+        self.at + (self.along * point.x + self.along.perp() * point.y) * em
+    }
+
+    /// A letter of a level line that begins at a place.
+    pub fn level(letter: &Letter, from: Vec2, em: f32) -> Self {
+        Self { glyph: letter.glyph, at: from + Vec2::new(letter.at * em, 0.0), along: Vec2::X }
+    }
+
+    /// The box around it.
+    #[inline]
+    pub fn around(&self, em: f32) -> Box {
+        let (least, most) = (self.glyph.least, self.glyph.most);
+        let half = (most - least) * (0.5 * em);
+        let middle = self.place((least + most) * 0.5, em);
+        Box { middle, along: self.along * half.x, down: self.along.perp() * half.y }
+    }
+}
+
+impl Box {
+    /// One from a north-western corner to a south-eastern one.
+    pub fn level(least: Vec2, most: Vec2) -> Self {
+        let half = (most - least) * 0.5;
+        Self { middle: least + half, along: Vec2::new(half.x, 0.0), down: Vec2::new(0.0, half.y) }
+    }
+
+    /// Its corners, one after the other around it.
+    pub fn corners(&self) -> [Vec2; 4] {
+        let Self { middle, along, down } = *self;
+        [middle - along - down, middle + along - down, middle + along + down, middle - along + down]
+    }
+
+    /// Three by five points from corner to corner.
+    pub fn samples(&self) -> impl Iterator<Item = Vec2> + '_ {
+        let across = |i: usize| (i as f32 - 1.0) * 1.0;
+        let down = |i: usize| (i as f32 - 2.0) * 0.5;
+        (0..15).map(move |i| self.middle + self.along * across(i % 3) + self.down * down(i / 3))
+    }
+
+    /// How far the farthest corner is from the middle.
+    pub fn radius(&self) -> f32 {
+        (self.along.length_squared() + self.down.length_squared()).sqrt()
+    }
+
+    /// How far it is from a straight piece; 0 if they meet.
+    pub fn gap(&self, ends: [Vec2; 2]) -> f32 {
+        let corners = self.corners();
+        let sides = [0, 1, 2, 3].map(|i| (corners[i], corners[(i + 1) % 4]));
+        let is_within = |at: Vec2| {
+            let off = at - self.middle;
+            let within = |half: Vec2| off.dot(half).abs() <= half.length_squared();
+            within(self.along) && within(self.down)
+        };
+        if is_within(ends[0]) || sides.iter().any(|&side| crate::base::geometry::meet(side, (ends[0], ends[1]))) {
+            return 0.0;
+        }
+        sides.iter().map(|&side| gap(side, (ends[0], ends[1]))).fold(f32::MAX, f32::min)
+    }
+
+    /// Whether it meets a river with these places.
+    pub fn meets_river(&self, pair: &[Place]) -> bool {
+        let half = pair[0].half.max(pair[1].half);
+        let reach = self.radius() + half;
+        let far = |at: Vec2, by: f32| distance(at, self.middle) > by;
+        let length = distance(pair[0].at, pair[1].at);
+        !far(pair[0].at, reach + length) && self.gap([pair[0].at, pair[1].at]) <= half
+    }
+
+    /// Whether it comes nearer than this to another.
+    pub fn meets(&self, other: &Self, margin: f32) -> bool {
+        if distance(self.middle, other.middle) > self.radius() + other.radius() + margin {
+            return false;
+        }
+        let corners = other.corners();
+        let is_around = |outer: &Self, at: Vec2| outer.gap([at, at]) == 0.0;
+        (0..4).any(|i| self.gap([corners[i], corners[(i + 1) % 4]]) <= margin) || is_around(other, self.middle)
+    }
+}
+
+/// Where a line is at some distance from its beginning. Distances are asked for in rising order.
+pub struct Walk<'a> {
+    line: &'a Line,
+    next: usize,
+}
+
+impl Walk<'_> {
+    /// The point there.
+    #[inline]
+    pub fn at(&mut self, along: f32) -> Vec2 {
+        let Line { at, along: lengths, .. } = self.line;
+        while self.next + 1 < at.len() && lengths[self.next] < along {
+            self.next += 1;
+        }
+        let (from, to) = (lengths[self.next - 1], lengths[self.next]);
+        let t = if to > from { (along - from) / (to - from) } else { 0.0 };
+        at[self.next - 1] + (at[self.next] - at[self.next - 1]) * t
+    }
+
+    /// The number of the line's point before it.
+    pub fn place(&self) -> usize {
+        self.next - 1
+    }
+}
+
+/// Begins a walk at a distance found by halving.
+pub fn walk_from(line: &Line, along: f32) -> Walk<'_> {
+    let next = line.along.partition_point(|&length| length < along);
+    Walk { line, next: next.clamp(1, line.at.len() - 1) }
+}
+
+/// A letter between two points of its line.
+#[inline]
+pub fn between(letter: &Letter, from: Vec2, to: Vec2, em: f32) -> Option<Placed> {
+    let way = to - from;
+    let long = length(way);
+    if long <= 0.0 {
+        return None;
+    }
+    let along = way / long;
+    let at = (from + to) * 0.5 - along * (0.5 * em * letter.glyph.advance);
+    Some(Placed { glyph: letter.glyph, at, along })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn square(x: f32, y: f32, half: f32) -> Box {
+        Box { middle: Vec2::new(x, y), along: Vec2::new(half, 0.0), down: Vec2::new(0.0, half) }
+    }
+
+    #[test]
+    fn boxes_meet_if_they_overlap_or_one_holds_the_other_or_they_come_near() {
+        let one = square(0.0, 0.0, 5.0);
+        assert!(one.meets(&square(9.0, 0.0, 5.0), 0.0) && !one.meets(&square(11.0, 0.0, 5.0), 0.5));
+        assert!(one.meets(&square(11.0, 0.0, 5.0), 1.5));
+        assert!(one.meets(&square(1.0, 1.0, 1.0), 0.0) && square(1.0, 1.0, 1.0).meets(&one, 0.0));
+        // The corner of one that is turned by 45 degrees.
+        let turned = Box { middle: Vec2::new(11.0, 0.0), along: Vec2::new(5.0, 5.0), down: Vec2::new(-5.0, 5.0) };
+        assert!(one.meets(&turned, 0.0) && !one.meets(&Box { middle: Vec2::new(16.0, 0.0), ..turned }, 0.5));
+    }
+
+    #[test]
+    fn a_box_meets_a_river_that_is_as_near_as_its_banks() {
+        let river = |y: f32, half: f32| [-40.0, 40.0].map(|x| Place { at: Vec2::new(x, y), half });
+        let one = square(0.0, 0.0, 5.0);
+        assert!(one.meets_river(&river(0.0, 0.1)) && one.meets_river(&river(8.0, 3.1)));
+        assert!(!one.meets_river(&river(8.0, 2.9)));
+    }
+}

@@ -1,0 +1,255 @@
+//! The search for a label's place: many candidates, what forbids them, what each costs, and the cheapest.
+
+use glam::Vec2;
+
+use super::background::{Background, LAKE, RIDGE};
+use super::baseline::{Line, is_upright};
+use super::costs::{Turns, Under, steepness};
+use super::input::Input;
+use super::letters::{Box, Kind, Label, MIDDLE, Placed, Text, between, walk_from};
+use crate::base::geometry::direction;
+use crate::base::sort;
+
+/// How far candidates lie apart along their line, in ems, and how far from the best three more are tried.
+const STEP: f32 = 1.5;
+const REFINED: f32 = 0.5;
+const BEST: usize = 3;
+
+/// What no candidate may cost.
+const MOST_COST: f32 = 5.5;
+
+/// The cosine of 55 degrees, the most between a letter and its label.
+const COS_LETTER: f32 = 0.573_576_4;
+
+/// How far letters keep from the frame, the coast and other labels, in ems.
+const FROM_FRAME: f32 = 0.4;
+const FROM_COAST: f32 = 0.15;
+const FROM_LABELS: f32 = 0.28;
+/// The same of other labels of the same river, with which they would read as one.
+const FROM_OWN_LABELS: f32 = 1.6;
+
+/// How far from the bank letters may stand on average, in ems, and any of them.
+const MOST_MEAN: f32 = 1.35;
+const FARTHEST: f32 = 2.0;
+/// The share of its river's width from which on another river could be taken for it, and how much nearer a label has to be to its own.
+const RIVAL: f32 = 0.4;
+const NEARER: f32 = 1.15;
+/// How far rivals should be, in ems.
+const RIVALS_AWAY: f32 = 1.6;
+
+/// What is known of one river and one text.
+pub struct Search<'a, G> {
+    pub input: &'a Input<'a>,
+    pub background: &'a G,
+    /// The boxes of the labels that there are, with the numbers of their rivers.
+    pub taken: &'a [(u32, Box)],
+    pub river: u32,
+    pub kind: Kind,
+    /// How wide the river is where it is widest, in units.
+    pub thick: f32,
+    pub lines: &'a [Line],
+    pub text: Text,
+    pub em: f32,
+    /// A place to keep away from, and how far, in units.
+    pub away: Option<(Vec2, f32)>,
+}
+
+/// Where a label might begin.
+#[derive(Clone, Copy, Debug)]
+struct Candidate {
+    cost: f32,
+    line: usize,
+    /// How far from the line's beginning, in units.
+    start: f32,
+}
+
+impl<G: Background> Search<'_, G> {
+    /// The label in the best place; `None` if there is none.
+    pub fn label(&self, text: &str) -> Option<Label> {
+        let candidate = self.best()?;
+        let mut letters = Vec::new();
+        self.lay(candidate.line, candidate.start, &mut letters)?;
+        Some(Label::new(self.kind, Some(self.river), text, self.em, letters))
+    }
+
+    /// The cheapest candidate that nothing forbids; the earlier of equals.
+    fn best(&self) -> Option<Candidate> {
+        let mut letters = Vec::with_capacity(self.text.letters.len());
+        let mut best: Vec<Candidate> = Vec::with_capacity(BEST + 1);
+        for candidate in self.candidates() {
+            let limit = if best.len() < BEST { MOST_COST } else { best[BEST - 1].cost };
+            if candidate.cost >= limit && G::STOPS_EARLY {
+                break;
+            }
+            if let Some(found) = self.judged(candidate, limit, &mut letters) {
+                let place = best.partition_point(|other| other.cost <= found.cost);
+                best.insert(place, found);
+                best.truncate(BEST);
+            }
+        }
+        let around = |&Candidate { line, start, .. }: &Candidate| {
+            [-REFINED, REFINED].map(|by| Candidate { cost: 0.0, line, start: start + by * self.em })
+        };
+        let refined: Vec<Candidate> = best.iter().flat_map(around).collect();
+        let mut best = *best.first()?;
+        for candidate in refined {
+            let found = self.judged(candidate, best.cost, &mut letters);
+            best = found.filter(|found| found.cost < best.cost).unwrap_or(best);
+        }
+        Some(best)
+    }
+
+    /// All candidates whose letters can be read, with what their shape costs, the cheapest first.
+    fn candidates(&self) -> Vec<Candidate> {
+        let (length, step) = (self.text.length * self.em, STEP * self.em);
+        let (mut all, mut letters) = (Vec::new(), Vec::with_capacity(self.text.letters.len()));
+        for (number, line) in self.lines.iter().enumerate() {
+            let room = line.along.last().copied().unwrap_or(0.0) - length;
+            let mut start = 0.0;
+            while start <= room {
+                if let Some(cost) = self.lay(number, start, &mut letters).filter(|&cost| cost < MOST_COST) {
+                    all.push(Candidate { cost, line: number, start });
+                }
+                start += step;
+            }
+        }
+        sort::argsort(all.iter().map(|candidate| sort::key(candidate.cost))).into_iter().map(|i| all[i]).collect()
+    }
+
+    /// A candidate with all that it costs, if that is less than the limit and nothing forbids it.
+    fn judged(&self, candidate: Candidate, limit: f32, letters: &mut Vec<Placed>) -> Option<Candidate> {
+        let Candidate { line, start, .. } = candidate;
+        let shape = self.lay(line, start, letters)?;
+        let middle = walk_from(&self.lines[line], start + self.text.length * self.em * 0.5).place();
+        let width = self.lines[line].width[middle];
+        let inked = shape + self.ink(letters, width)?;
+        if inked >= limit && G::STOPS_EARLY {
+            return None;
+        }
+        let cost = inked + self.distances(letters, width)?;
+        (cost < limit && self.is_free(letters)).then_some(Candidate { cost, ..candidate })
+    }
+
+    /// Puts the letters along a line, and says what their shape costs; `None` if they could not be read there, or leave the land.
+    fn lay(&self, line: usize, start: f32, letters: &mut Vec<Placed>) -> Option<f32> {
+        let (line, em) = (&self.lines[line], self.em);
+        let length = self.text.length * em;
+        if start < 0.0 || start + length > line.along.last().copied().unwrap_or(0.0) {
+            return None;
+        }
+        let mut walk = walk_from(line, start);
+        let ends = [walk.at(start), walk_from(line, start + length).at(start + length)];
+        let along = direction(ends[1] - ends[0]);
+        let is_near = |(at, least): (Vec2, f32)| (ends[0] + ends[1]).distance_squared(at * 2.0) < least * least * 4.0;
+        if !is_upright(along)
+            || !self.is_in_frame(ends[0])
+            || !self.is_in_frame(ends[1])
+            || self.away.is_some_and(is_near)
+        {
+            return None;
+        }
+        letters.clear();
+        let mut turns = Turns::default();
+        for letter in &self.text.letters {
+            let from = walk.at(start + letter.at * em);
+            let to = walk.at(start + (letter.at + letter.glyph.advance) * em);
+            let placed = between(letter, from, to, em)?;
+            if placed.along.dot(along) < COS_LETTER {
+                return None;
+            }
+            turns.take(placed.along)?;
+            letters.push(placed);
+        }
+        let middle = walk_from(line, start + length * 0.5).place();
+        let off_middle = line.area[middle] - 0.5;
+        let thin = (1.0 - line.width[middle] / (0.55 * self.thick)).max(0.0);
+        let below = if line.is_above { 0.0 } else { 0.35 };
+        Some(match self.kind {
+            Kind::River => turns.cost() + 1.6 * steepness(along) + 2.6 * off_middle * off_middle + 0.9 * thin + below,
+            _ => 1.1 * turns.sum + 1.6 * steepness(along) + 3.0 * off_middle.abs(),
+        })
+    }
+
+    fn is_in_frame(&self, at: Vec2) -> bool {
+        let [least, most] = self.input.frame;
+        let margin = FROM_FRAME * self.em;
+        at.cmpge(least + margin).all() && at.cmple(most - margin).all()
+    }
+
+    /// What the ink under the letters costs; `None` if there is too much of it, or sea.
+    fn ink(&self, letters: &[Placed], width: f32) -> Option<f32> {
+        let most = match self.kind {
+            Kind::River => (0.55 * width).clamp(1.6, 3.2),
+            _ => (0.8 * self.thick).clamp(1.6, 3.2),
+        };
+        let (mut others, mut own) = (Under::default(), Under::default());
+        for letter in letters {
+            let around = letter.around(self.em);
+            if !self.is_on_land(&around) {
+                return None;
+            }
+            for sample in around.samples() {
+                let under = self.background.ink(sample);
+                let is_own = under.river == self.river || under.river == LAKE;
+                if under.river == RIDGE || (is_own && self.kind == Kind::River) || (!is_own && under.width > most) {
+                    return None;
+                }
+                let width = if under.river == LAKE { self.thick } else { under.width };
+                if is_own { own.take(width) } else { others.take(width) }
+            }
+        }
+        let samples = (others.samples + own.samples).max(1.0);
+        Some(match self.kind {
+            Kind::River => 1.5 * (0.5 * others.hits + others.width + others.hits) / samples,
+            _ => (1.2 * (0.5 * others.hits + others.width) + 4.0 * own.width / self.thick + 1.1 * own.hits) / samples,
+        })
+    }
+
+    fn is_on_land(&self, around: &Box) -> bool {
+        let is_ashore = |at: Vec2| self.input.coast.is_none_or(|coast| coast.height(at) >= FROM_COAST * self.em);
+        around.corners().into_iter().all(|at| self.is_in_frame(at) && is_ashore(at))
+    }
+
+    /// What distances from the river and from others cost; `None` if the label would not seem to belong to its river.
+    fn distances(&self, letters: &[Placed], width: f32) -> Option<f32> {
+        let (mut own_sum, mut squares, mut rival_sum, mut missing) = (0.0, 0.0, 0.0, 0.0);
+        for letter in letters {
+            let middle = letter.place(Vec2::new(letter.glyph.advance * 0.5, MIDDLE), self.em);
+            let both = self.background.distances(middle, self.river, RIVAL * width, FARTHEST * self.em);
+            let [own, rival] = both.map(|distance| distance / self.em);
+            if own >= FARTHEST && self.kind == Kind::River {
+                return None;
+            }
+            own_sum += own;
+            squares += own * own;
+            rival_sum += rival;
+            missing += (RIVALS_AWAY - rival).max(0.0);
+        }
+        let count = letters.len() as f32;
+        let mean = own_sum / count;
+        if count == 0.0 || own_sum * NEARER > rival_sum {
+            return None;
+        }
+        if self.kind == Kind::Reach {
+            return Some(0.5 * mean.max(0.0));
+        }
+        if mean > MOST_MEAN {
+            return None;
+        }
+        let deviation = (squares / count - mean * mean).max(0.0).sqrt();
+        Some(1.2 * mean.max(0.0) + 0.6 * deviation + 0.8 * missing / count)
+    }
+
+    /// Whether no letter touches its own river or comes too near to another label, exactly.
+    fn is_free(&self, letters: &[Placed]) -> bool {
+        let course = &self.input.rivers[self.river as usize].course;
+        letters.iter().map(|letter| letter.around(self.em)).all(|around| {
+            let is_too_near = |(river, other): &(u32, Box)| {
+                let margin = if *river == self.river { FROM_OWN_LABELS } else { FROM_LABELS };
+                around.meets(other, margin * self.em)
+            };
+            !self.taken.iter().any(is_too_near)
+                && (self.kind == Kind::Reach || !course.windows(2).any(|pair| around.meets_river(pair)))
+        })
+    }
+}

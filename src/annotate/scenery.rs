@@ -1,0 +1,64 @@
+//! The woods and hills of a map, and what they are placed by.
+
+use crate::annotate::labels::{heights, ridges, total_discharge};
+use crate::annotate::place::{Box, Kind, Label, Scenery, SceneryInput, Standing, Stream, Stroke};
+use crate::base::memory;
+use crate::base::random::Seed;
+use crate::map::Map;
+use crate::network::{Network, Oxbow, PastRound, Place};
+use crate::recipe::Style;
+
+/// The scenery of a map with these labels, what is behind first; none if the recipe wants none, or the style shows none.
+#[cfg(feature = "files")]
+pub(crate) fn scenery(map: &Map, labels: &[Label]) -> Vec<Standing> {
+    input(map, labels).map_or_else(Vec::new, |input| Scenery::whole(&input))
+}
+
+/// What it is placed by. None if there is to be none, or if there is not enough memory.
+pub fn input<'a>(map: &'a Map, labels: &[Label]) -> Option<SceneryInput<'a>> {
+    /// Two lists of a course's pieces, their numbers in squares, and its places.
+    const BYTES_A_VERTEX: usize = 90;
+    let (recipe, network, land) = (map.recipe(), map.network(), map.land());
+    let [woods, hills] = recipe.scenery();
+    if woods + hills == 0.0 {
+        return None;
+    }
+    if !memory::can_allocate(Scenery::BYTES + network.vertices.len() * BYTES_A_VERTEX) {
+        return None;
+    }
+    Some(SceneryInput {
+        size: map.domain().size,
+        seed: Seed::from_text(recipe.seed()),
+        woods,
+        hills,
+        total_discharge: total_discharge(network),
+        streams: streams(network),
+        lakes: network.oxbows.iter().map(Oxbow::middle).chain(beds(map)).collect(),
+        ridges: land.map_or_else(Vec::new, |land| ridges(land)),
+        coast: land.map(|land| land.coast_distance()),
+        heights: map.shown_relief().map(|relief| heights(relief)),
+        letters: boxes(labels),
+    })
+}
+
+/// The beds in which great rivers ran before, if the style shows them.
+fn beds(map: &Map) -> Vec<Vec<Place>> {
+    let rounds = if map.recipe().get::<Style>().has_beds() { map.past().rounds() } else { &[] };
+    rounds.iter().flat_map(PastRound::beds).flatten().map(|bed| bed.line.clone()).collect()
+}
+
+fn streams(network: &Network) -> Vec<Stream> {
+    let stream = |river: &crate::River| Stream {
+        course: network.middle(river),
+        discharge: network.discharge(river),
+        parent: river.parent,
+    };
+    network.rivers.iter().map(stream).collect()
+}
+
+/// The boxes of all letters, of what is cleared for them, and of the symbols of spot heights.
+fn boxes(labels: &[Label]) -> Vec<Box> {
+    let symbols = labels.iter().filter(|label| label.kind == Kind::SpotHeight).flat_map(|label| &label.strokes);
+    let strokes = labels.iter().flat_map(|label| &label.cleared).chain(symbols).map(Stroke::around);
+    labels.iter().flat_map(|label| label.letters.iter().map(|letter| letter.around(label.em))).chain(strokes).collect()
+}

@@ -1,0 +1,14 @@
+//! Tools that any stage may use: geometry, exact random numbers, sorting, memory. They know no rivers.
+
+#[doc(hidden)]
+pub mod dice;
+pub(crate) mod geometry;
+pub(crate) mod memory;
+pub(crate) mod queue;
+pub mod random;
+pub(crate) mod simplify;
+pub(crate) mod skeletonize;
+pub(crate) mod sort;
+pub(crate) mod wire;
+#[doc(hidden)]
+pub mod work;

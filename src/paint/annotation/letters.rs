@@ -1,0 +1,130 @@
+//! Masks of letters and of the halo around them, for a picture of one size.
+
+use glam::Vec2;
+
+use super::super::coverage::{Coverage, Rect};
+use super::super::view::View;
+use super::masks::{ChartMasks, SparseMask};
+use crate::annotate::glyph::Fill;
+use crate::annotate::place::{Kind, Label, Placed, Stroke};
+use crate::base::memory;
+
+/// The radius of the halo around the middle of a space between words, in ems. A river that showed there would look like
+/// a hyphen.
+pub(crate) const SPACE: f32 = 0.33;
+
+/// The masks of labels; empty if there are no labels or not enough memory.
+pub(crate) fn masks(view: &View, labels: &[Label]) -> ChartMasks {
+    /// One byte for the halo and one for letters.
+    const BYTES_A_PIXEL: usize = 2;
+    if labels.is_empty() || !memory::can_allocate(BYTES_A_PIXEL * view.pixels()) {
+        return ChartMasks::default();
+    }
+    // Names on water keep so far from the coast that there are no rivers to remove and no ground to even out.
+    let on_land = labels.iter().filter(|label| !label.kind.is_afloat());
+    let blocks = labels.iter().filter(|label| label.kind.is_block());
+    let framed = labels.iter().filter(|label| !label.strokes.is_empty());
+    ChartMasks {
+        halo: halo(view, labels.iter().flat_map(|label| &label.cleared), on_land),
+        cleared: halo(view, [].iter(), blocks),
+        panel: lines(view, framed.flat_map(|label| &label.cleared)),
+        letters: letters(view, labels.iter().filter(|label| !label.kind.is_mark())),
+        marks: letters(view, labels.iter().filter(|label| label.kind.is_mark())),
+        ..ChartMasks::default()
+    }
+}
+
+/// The mask of strokes and of the surroundings of letters.
+fn halo<'a>(
+    view: &View,
+    strokes: impl Iterator<Item = &'a Stroke>,
+    labels: impl Iterator<Item = &'a Label>,
+) -> SparseMask {
+    let mut labels = labels.peekable();
+    if labels.peek().is_none() {
+        return lines(view, strokes);
+    }
+    let Some(mut mask) = Coverage::new(view.width, view.height) else { return SparseMask::default() };
+    draw(&mut mask, view, strokes);
+    for label in labels {
+        let radius = SPACE * label.em * view.scale;
+        for [from, to] in label.spaces().map(|ends| ends.map(|end| view.pixel(end))) {
+            mask.capsule(from, radius, to, radius);
+        }
+        let radius = label.kind.halo() * label.em * view.scale;
+        for letter in &label.letters {
+            if pixels(label, letter, view, radius + 1.0).is_some() {
+                outline(label, letter, view, |from, to| mask.capsule(from, radius, to, radius));
+            }
+        }
+    }
+    SparseMask::of(mask.mask().data())
+}
+
+/// The mask of strokes.
+fn lines<'a>(view: &View, strokes: impl Iterator<Item = &'a Stroke>) -> SparseMask {
+    let mut strokes = strokes.peekable();
+    if strokes.peek().is_none() {
+        return SparseMask::default();
+    }
+    let Some(mut mask) = Coverage::new(view.width, view.height) else { return SparseMask::default() };
+    draw(&mut mask, view, strokes);
+    SparseMask::of(mask.mask().data())
+}
+
+fn draw<'a>(mask: &mut Coverage, view: &View, strokes: impl Iterator<Item = &'a Stroke>) {
+    for Stroke { ends, half } in strokes {
+        let [from, to] = ends.map(|end| view.pixel(end));
+        mask.capsule(from, half * view.scale, to, half * view.scale);
+    }
+}
+
+/// The mask of letters and the lines around them. The letters of a seal are cut out.
+fn letters<'a>(view: &View, labels: impl Iterator<Item = &'a Label> + Clone) -> SparseMask {
+    if labels.clone().next().is_none() {
+        return SparseMask::default();
+    }
+    let (mut fill, width) = (Fill::default(), view.width as usize);
+    let mut mask = vec![0; view.pixels()];
+    let strokes = labels.clone().flat_map(|label| &label.strokes);
+    lines(view, strokes).pixels().for_each(|(pixel, share)| mask[pixel] = share);
+    for (label, letter) in labels.flat_map(|label| label.letters.iter().map(move |letter| (label, letter))) {
+        let Some(Rect { left, top, right, bottom }) = pixels(label, letter, view, 0.0) else { continue };
+        fill.clear([left as i32, top as i32], (right - left) as usize, (bottom - top) as usize);
+        fill.add(letter.glyph, |at| view.pixel(letter.place(at, label.em)));
+        let lay = if label.kind == Kind::Seal { without } else { both };
+        for (row, shares) in (top as usize..).zip(fill.rows()) {
+            let pixels = mask[row * width + left as usize..].iter_mut().zip(shares);
+            // Most of a letter's box is empty.
+            for (pixel, share) in pixels.filter(|(_, share)| *share > 0.0) {
+                *pixel = lay(*pixel, (share * 255.0 + 0.5) as u8);
+            }
+        }
+    }
+    SparseMask::of(&mask)
+}
+
+/// The coverage of a pixel from which a letter is cut out.
+fn without(cover: u8, letter: u8) -> u8 {
+    ((u32::from(cover) * (255 - u32::from(letter)) + 127) / 255) as u8
+}
+
+/// The coverage of a pixel by two letters together.
+fn both(one: u8, other: u8) -> u8 {
+    let bare = (255 - u32::from(one)) * (255 - u32::from(other));
+    (255 - (bare + 127) / 255) as u8
+}
+
+/// The pixels of a letter's box with a margin; `None` if it lies outside the picture.
+fn pixels(label: &Label, letter: &Placed, view: &View, margin: f32) -> Option<Rect> {
+    let corners = letter.around(label.em).corners().map(|corner| view.pixel(corner));
+    let (least, most) =
+        (corners.into_iter().reduce(Vec2::min)? - margin, corners.into_iter().reduce(Vec2::max)? + margin);
+    Rect::between([least, most], view.width, view.height)
+}
+
+/// Calls `piece` for each straight piece of a letter's outline, in pixels.
+fn outline(label: &Label, letter: &Placed, view: &View, piece: impl FnMut(Vec2, Vec2)) {
+    const TOLERANCE_PX: f32 = 0.3;
+    letter.glyph.outline(|at| view.pixel(letter.place(at, label.em)), TOLERANCE_PX, piece);
+}

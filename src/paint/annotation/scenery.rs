@@ -1,0 +1,203 @@
+//! Woods and hills: pen strokes in a mask of their own. A glyph first empties its silhouette and so hides the glyphs
+//! behind it.
+
+use glam::Vec2;
+
+use super::super::coverage::{Coverage, Rect};
+use super::super::styles::scenery::SceneryLook;
+use super::super::view::View;
+use super::masks::SparseMask;
+use crate::annotate::glyph::{Fill, pieces_of};
+use crate::annotate::place::{PenStroke, Standing};
+use crate::base::memory;
+
+/// Half the width of strokes, in units, and its minimum in pixels.
+pub(crate) const HALF: f32 = 0.36;
+const HALF_PX: f32 = 0.32;
+/// The heights of trees and widths of hills, in pixels, below which they are left out: all of them, and every second
+/// one.
+const LEAST_PX: f32 = 1.2;
+const HALVED_PX: f32 = 2.0;
+/// The size in pixels below which a glyph has no fainter strokes.
+const SHADED_PX: f32 = 4.0;
+
+/// The mask of a picture's scenery while it is drawn.
+#[derive(Clone, Debug)]
+pub(crate) struct SceneryPainter {
+    mask: Coverage,
+    /// The inside of silhouettes, if the style covers it.
+    bodies: Option<Coverage>,
+    fill: Fill,
+    /// The number of glyphs that have been drawn or left out.
+    drawn: usize,
+}
+
+impl SceneryPainter {
+    /// Makes an empty mask; `None` if there is not enough memory.
+    pub fn new(view: &View, look: SceneryLook) -> Option<Self> {
+        /// The memory that records touched parts, besides a byte for each pixel.
+        const BYTES: usize = 100_000;
+        let masks = if look.body.is_some() { 2 } else { 1 };
+        if !memory::can_allocate(masks * (view.pixels() + BYTES)) {
+            return None;
+        }
+        let mask = || Coverage::new(view.width, view.height);
+        let bodies = look.body.and_then(|_| mask());
+        Some(Self { mask: mask()?, bodies, fill: Fill::default(), drawn: 0 })
+    }
+
+    /// Draws as many glyphs as fit into a few milliseconds. Returns `true` if there are more.
+    pub fn advance(&mut self, view: &View, all: &[Standing], look: SceneryLook) -> bool {
+        /// The area drawn at once, in square pixels, and the cost of a glyph besides its own area.
+        const AREA: f32 = 600_000.0;
+        const BESIDES: f32 = 3000.0;
+        let mut area = 0.0;
+        while let Some(one) = all.get(self.drawn).filter(|_| area < AREA) {
+            self.drawn += 1;
+            if is_shown(one, view.scale) {
+                let size = one.size * view.scale;
+                area += size * size + BESIDES;
+                self.draw(view, one, look);
+            }
+        }
+        self.drawn < all.len()
+    }
+
+    /// Returns the masks of the inside of silhouettes and of the strokes.
+    pub fn into_masks(self) -> [SparseMask; 2] {
+        let sparse = |mask: &Coverage| SparseMask::of(mask.mask().data());
+        [self.bodies.as_ref().map_or_else(SparseMask::default, sparse), sparse(&self.mask)]
+    }
+
+    fn draw(&mut self, view: &View, one: &Standing, look: SceneryLook) {
+        let (foot, size) = (view.pixel(one.foot), one.size * view.scale);
+        let place = |at: Vec2| foot + at * size;
+        let shape = one.shape();
+        self.empty(view, &shape.silhouette, foot, size);
+        let half = (HALF * view.scale).max(HALF_PX);
+        let mut draw = |strokes: &[PenStroke], strength: f32| {
+            self.mask.set_strength(strength);
+            for stroke in strokes {
+                pieces_of(stroke.start, stroke.curves, place, TOLERANCE_PX, |from, to| {
+                    self.mask.capsule(from, half, to, half)
+                });
+            }
+        };
+        let paler = paleness(size);
+        draw(if size < SHADED_PX { &[] } else { shape.shade }, look.shade * paler);
+        draw(shape.outline, paler);
+    }
+
+    /// Removes everything behind a silhouette.
+    fn empty(&mut self, view: &View, silhouette: &PenStroke, foot: Vec2, size: f32) {
+        let (least, most) = silhouette_box(silhouette);
+        let (least, most) = (foot + least * size, foot + most * size);
+        let Some(rect) = Rect::between([least, most], view.width, view.height) else { return };
+        if self.bodies.is_none() && !self.mask.is_drawn_on(rect) {
+            return;
+        }
+        self.fill.clear(
+            [rect.left as i32, rect.top as i32],
+            (rect.right - rect.left) as usize,
+            (rect.bottom - rect.top) as usize,
+        );
+        self.fill.add_line(silhouette.start, silhouette.curves, |at| foot + at * size);
+        self.mask.take_away_shares(rect, self.fill.rows());
+        if let Some(bodies) = &mut self.bodies {
+            bodies.add_shares(rect, self.fill.rows());
+        }
+    }
+}
+
+const TOLERANCE_PX: f32 = 0.15;
+
+/// The corners of a box around a line. A parabola lies within the box of its ends and its control point.
+fn silhouette_box(silhouette: &PenStroke) -> (Vec2, Vec2) {
+    let start = (silhouette.start, silhouette.start);
+    silhouette.curves.iter().flatten().fold(start, |(least, most), at| (least.min(*at), most.max(*at)))
+}
+
+/// The strength of strokes for a glyph size in pixels. Small glyphs in full ink would be blots.
+fn paleness(size: f32) -> f32 {
+    const FULL_PX: f32 = 5.0;
+    (0.35 + 0.65 * size / FULL_PX).min(1.0)
+}
+
+fn is_shown(one: &Standing, scale: f32) -> bool {
+    let size = one.size * scale;
+    size >= LEAST_PX && (size >= HALVED_PX || one.number.is_multiple_of(2))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::annotate::place::SHAPES;
+    use crate::base::memory::testing::with_lists_up_to;
+    use crate::domain::Domain;
+    use crate::paint::styles::scenery::scenery_look;
+    use crate::recipe::Style;
+
+    fn standing(shape: u8, number: u32, foot: Vec2, size: f32) -> Standing {
+        Standing { shape, number, foot, size }
+    }
+
+    fn drawn(all: &[Standing], style: Style) -> SceneryPainter {
+        let view = View::new(&Domain::with_aspect(1.0), 200, 200).unwrap();
+        let look = scenery_look(style).unwrap();
+        let mut sheet = SceneryPainter::new(&view, look).unwrap();
+        while sheet.advance(&view, all, look) {}
+        sheet
+    }
+
+    fn ink(sheet: &SceneryPainter) -> u64 {
+        sheet.mask.mask().data().iter().map(|&covered| u64::from(covered)).sum()
+    }
+
+    #[test]
+    fn what_is_nearer_hides_what_is_behind_it_and_nothing_else() {
+        for shape in 0..SHAPES.len() as u8 {
+            let aside = if SHAPES[usize::from(shape)].feature.is_tree() {
+                Vec2::new(20.0, 40.0)
+            } else {
+                Vec2::new(40.0, 25.0)
+            };
+            let behind = standing(shape, 0, Vec2::new(480.0, 480.0), 100.0);
+            let front = Standing { number: 2, foot: behind.foot + aside, ..behind };
+            let (alone, both) = (drawn(&[front], Style::Ink), drawn(&[behind, front], Style::Ink));
+            let more = ink(&both) - ink(&alone);
+            let whole = ink(&drawn(&[behind], Style::Ink));
+            assert!(more < whole * 9 / 10 && more > whole / 10, "{shape}: {more} of {whole} is left");
+            // The whole front is there, whatever it is made of.
+            let pixels = alone.mask.mask().data().iter().zip(both.mask.mask().data());
+            assert!(pixels.clone().all(|(alone, both)| both >= alone), "{shape}");
+            let apart = [behind, Standing { foot: Vec2::new(800.0, 800.0), ..front }];
+            assert!(ink(&drawn(&apart, Style::Ink)).abs_diff(2 * whole) < whole / 10, "{shape}");
+        }
+    }
+
+    #[test]
+    fn small_glyphs_are_halved_and_smaller_ones_left_out() {
+        let shown =
+            |px: f32| (0..10).filter(|&number| is_shown(&standing(0, number, Vec2::ZERO, px * 4.0), 0.25)).count();
+        assert_eq!([1.1, 1.3, 1.9, 2.1].map(shown), [0, 5, 5, 10]);
+    }
+
+    #[test]
+    fn only_styles_with_uneven_ground_cover_it_behind_trees() {
+        let tree = [standing(1, 0, Vec2::new(500.0, 500.0), 100.0)];
+        assert!(drawn(&tree, Style::Ink).bodies.is_none());
+        let bodies = drawn(&tree, Style::Survey).bodies.unwrap();
+        let full = bodies.mask().data().iter().filter(|&&covered| covered == 255).count();
+        assert!((100..180).contains(&full), "{full} of some 150 pixels");
+    }
+
+    #[test]
+    fn glyphs_beyond_the_picture_are_no_matter_and_without_memory_there_are_none() {
+        let beyond =
+            [Vec2::new(-500.0, 20.0), Vec2::new(20.0, 4000.0), Vec2::new(-2.0, -3.0), Vec2::new(1002.0, 1003.0)];
+        drawn(&beyond.map(|foot| standing(9, 0, foot, 60.0)), Style::Survey);
+        let view = View::new(&Domain::with_aspect(1.0), 2000, 2000).unwrap();
+        let look = scenery_look(Style::Ink).unwrap();
+        assert!(with_lists_up_to(3_000_000, || SceneryPainter::new(&view, look)).is_none());
+    }
+}
