@@ -16,6 +16,13 @@ pub(super) struct Path {
     is_after_number: bool,
 }
 
+impl Text {
+    /// Appends the data of a path.
+    pub fn path(&mut self, path: &Path) -> &mut Self {
+        self.written(path.data())
+    }
+}
+
 impl Path {
     /// As it stands in the attribute `d`.
     pub fn data(&self) -> &str {

@@ -6,7 +6,6 @@
 //! Its pieces are functions of their own, never inlined: `write!` would be plainer, and three times as much code to
 //! download.
 
-use super::path::Path;
 use crate::paint::palette::Colour;
 
 /// A text in the making.
@@ -34,11 +33,6 @@ impl Text {
     pub fn written(&mut self, markup: &str) -> &mut Self {
         self.0.push_str(markup);
         self
-    }
-
-    /// Appends the data of a path.
-    pub fn path(&mut self, path: &Path) -> &mut Self {
-        self.written(path.data())
     }
 
     /// A whole number.
