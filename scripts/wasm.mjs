@@ -117,9 +117,9 @@ function buildPackage({ target, "out-dir": dir, "out-name": name, profile, cargo
   console.log(`Building the wasm package ${dir} (2 minutes the first time, then half a minute)`);
   rmSync(dir, { recursive: true, force: true });
   forgetCrate();
-  // no-install: wasm-pack would fetch tools, ours are there and have the right versions. Bootstrap: for the sake of one flag below.
+  // no-install: wasm-pack would fetch tools, ours are there and have the right versions.
   run(
-    ...["env", "RUSTC_BOOTSTRAP=1", "wasm-pack", "--quiet", "build", folder, "--mode", "no-install", `--${profile}`, "--target", target],
+    ...["wasm-pack", "--quiet", "build", folder, "--mode", "no-install", `--${profile}`, "--target", target],
     ...["--out-dir", resolve(dir), "--out-name", name, "--", ...cargo, "--features", features.join(",")],
     ...["--config", compilerFlags()],
   );
@@ -131,10 +131,8 @@ function stampOf(dir) {
 }
 
 /**
- * Messages of panics do not say their place: files, lines and columns, of each place where anything could panic, weigh 4 kB with
- * brotli in the lean package and 5 in the full one. (The compiler calls this flag unstable, and takes it if RUSTC_BOOTSTRAP is set.)
- * And no folder of this machine is named, so that all machines build the same bytes. A setting of cargo's, added to the flags of
- * .cargo/config.toml: in RUSTFLAGS no folder could have a space.
+ * Takes the names of this machine's folders out of messages of panics, so that all machines build the same bytes. A setting of cargo's,
+ * added to the flags of .cargo/config.toml: in RUSTFLAGS no folder could have a space.
  */
 function compilerFlags() {
   const known = ["--locked", "--format-version", "1", "--filter-platform", "wasm32-unknown-unknown"];
@@ -142,7 +140,7 @@ function compilerFlags() {
   // Where they are depends on the registry, which may be replaced, or be a folder of the checkout.
   const folders = new Set(crates.map((one) => dirname(dirname(one.manifest_path))));
   const remaps = [...folders].sort().map((folder) => `--remap-path-prefix=${folder}=crates`);
-  return `target.wasm32-unknown-unknown.rustflags=${JSON.stringify(["-Zlocation-detail=none", ...remaps])}`;
+  return `target.wasm32-unknown-unknown.rustflags=${JSON.stringify(remaps)}`;
 }
 
 /** All that is compiled. */
