@@ -96,6 +96,6 @@ mod tests {
         encoder.write_header().unwrap().write_image_data(&[255; 500_000]).unwrap();
         let read_within = |bytes| with_lists_up_to(bytes, || read(Cursor::new(&file)));
         assert!(matches!(read_within(3_000_000), Err(ImportError::OutOfMemory { megabytes: 7 })));
-        assert_eq!(read_within(6_000_000).unwrap().rgba.len(), 1_000_000);
+        assert_eq!(read_within(6_000_000).unwrap().rgba.len(), 2_000_000);
     }
 }

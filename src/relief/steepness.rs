@@ -160,7 +160,8 @@ mod tests {
     fn ground_is_three_times_as_steep_on_ridges_and_as_before_fourteen_units_away() {
         const DRAWN: &str = "land=drawn&roughness=0&aspect=1&outline=.MzMzzMMzzMzMMzzM..YAYAnnYAnnnn..jAjAnAjA";
         let session = Session::new(link::read(DRAWN).unwrap()).unwrap();
-        let (settings, land) = (session.map().unwrap().relief_settings(), session.land().unwrap());
+        let land = session.land().unwrap();
+        let settings = ReliefSettings::new(session.recipe(), Some(land.clone()), session.growth().total_discharge());
         let ridges: Vec<[Vec2; 2]> =
             land.ridges().iter().flat_map(|line| line.windows(2)).map(|pair| [pair[0], pair[1]]).collect();
         assert!(ridges.len() > 2);
