@@ -87,9 +87,9 @@ mod tests {
 
     /// ```text
     ///     B
-    ///      \           The stem runs from A by J to the sea. B comes at 60° to its upper part, C first at 90°, then it has
-    /// A─────J────~     turned: 4 west and 3 south of J, its direction is 36.87° off A's.
-    ///       │
+    ///      \           The stem runs from A through J to the sea. B meets its upper part at 60°.
+    /// A─────J────~     C meets it at 90°, but comes from a bend: 4 west and 3 south of J, its
+    ///       │          direction is 36.87° off A's.
     ///  C────´
     /// ```
     #[test]

@@ -172,10 +172,10 @@ mod tests {
     /// ```text
     ///  1   1     1   1       Each link is one unit long.
     ///   \ /       \ /
-    ///    2         2         Order 1: four springs, a side branch of the left stream of order 2, one of the stream of order 3.
-    /// 1──2         2         Order 2: two links on the left, from head to side branch to the stream of order 3, two on the right.
-    ///     \       /          Order 3: two links, to its side branch and to the sea.
-    ///      `──3──´
+    ///    2         2         Order 1: four springs, a side branch of the left stream of order 2,
+    /// 1──2         2         and a side branch of the stream of order 3.
+    ///     \       /          Order 2: two links on the left, with the side branch between them, and two on the right.
+    ///      `──3──´           Order 3: two links, to its side branch and to the sea.
     ///      1──3
     ///         ~
     /// ```

@@ -95,8 +95,8 @@ mod tests {
     use super::*;
 
     /// ```text
-    /// 20 ───────J──K────~   Two arms join a river of 20 at J and K, `above` units and two less above its mouth, which is 4 wide.
-    ///           │  │
+    /// 20 ───────J──K────~   Two arms join a river of discharge 20: `a` at J, `above` units above its mouth,
+    ///           │  │        and `b` at K, two units less. The mouth is 4 units wide.
     ///          `a` `b`
     /// ```
     fn fan(above: f32, a: u32, b: u32) -> u32 {
