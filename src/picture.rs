@@ -166,8 +166,8 @@ impl Picture {
     }
 
     /// Makes the background of a painted picture of this session transparent: the sea in styles with relief and in past
-    /// courses, leaving land, rivers and letters; the paper in the line styles ink, dark and skeleton. Alpha is not
-    /// premultiplied. The next `paint` restores the background.
+    /// courses, leaving land, rivers and letters; the paper in the line styles ink, dark and skeleton. Colours are not
+    /// premultiplied by alpha. The next `paint` restores the background.
     #[cfg(feature = "files")]
     pub fn cut_out(&mut self, session: &Session) {
         self.painter.cut_out(session.recipe().get());

@@ -197,8 +197,9 @@ impl Session {
         Ok(stage)
     }
 
-    /// The ratio of river widths to a recipe that differs at most in width; 1 if it does not differ. `None` if it
-    /// differs in more than width, or if it differs while rivers still change their courses, which depend on the width.
+    /// The factor by which rivers are wider under another recipe that differs at most in width; 1 if it does not
+    /// differ. `None` if it differs in more than width, or if it differs while rivers still change their courses, which
+    /// depend on the width.
     #[cfg(feature = "controls")]
     pub fn widening_to(&self, other: &Recipe) -> Option<f32> {
         let times = other.number(Key::Width) / self.recipe.number(Key::Width);

@@ -55,9 +55,9 @@ pub struct Inspector {
 impl River {
     /// Returns a layer that can be drawn over the map at any moment, as an SVG path in units. 0: its attractors, or the
     /// parcels of drainage. 1: those that still pull, or have found no way to the sea yet. 2: the sources of its
-    /// rivers, as far as they have grown. What no river may cross, unless all is land: 3: the border of all land,
-    /// beyond which there is water; 4: ridges. In drainage, 5: the places where the greatest streams were captured; 6:
-    /// their former ways.
+    /// rivers, as far as they have grown. 3: the border of all land, beyond which there is water. 4: ridges. No river
+    /// may cross 3 or 4; both are empty if all is land. In drainage, 5: the places where the greatest streams were
+    /// captured; 6: their former ways.
     pub fn shapes(&self, of: u8) -> String {
         let growth = self.session.growth();
         let dots = match of {
