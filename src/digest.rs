@@ -1,4 +1,4 @@
-//! A digest of everything a recipe decides, to check that two machines draw and write the same.
+//! A digest of everything that a recipe determines. It checks that two machines draw and write the same.
 
 use thiserror::Error;
 
@@ -17,30 +17,31 @@ const WIDTH: u32 = 160;
 /// The committed digests that every change is tested against, one a line: a digest, a space and a link.
 pub const COMMITTED: &str = concat!(include_str!("../tests/digest.txt"), include_str!("../tests/digest-charts.txt"));
 
-/// Why there is no digest.
+/// Reasons why there is no digest.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum DigestError {
     /// The recipe cannot be shown.
     #[error(transparent)]
     Session(#[from] SessionError),
-    /// It cannot be painted.
+    /// The recipe cannot be painted.
     #[error(transparent)]
     Paint(#[from] PaintError),
-    /// Its files cannot be written.
+    /// The recipe's files cannot be written.
     #[error(transparent)]
     Export(#[from] ExportError),
-    /// It wants labels, a cartouche, woods or hills, and the library was built without `names`, which draws them.
+    /// The recipe asks for labels, a cartouche, woods or hills, which this build cannot draw: it lacks the feature
+    /// `names`.
     #[error("there is no digest of a map with labels, a cartouche, woods or hills here: this build draws none of them")]
     NoChart,
 }
 
-/// Grows, paints and exports a recipe and returns the FNV-1a hash (64 bits) of its tree, its hydrology, its rivers, its
-/// pixels, the text of its SVG and its JSON, and in a style with relief, of that and its GeoJSON, as 16 hexadecimal digits. Names in JSON
-/// and GeoJSON count where the map has labels, a cartouche, woods or hills.
+/// Grows, paints and exports a recipe. Returns a 64-bit FNV-1a hash as 16 hexadecimal digits. It covers the tree, its
+/// hydrology, the rivers, the pixels, and the contents of the SVG and JSON files; in a style with relief also the
+/// heights and the GeoJSON. Names in JSON and GeoJSON count if the map has labels, a cartouche, woods or hills.
 ///
 /// # Errors
-/// If there is not enough memory, or this build lacks what draws such a map.
+/// Fails if there is not enough memory, or if this build cannot draw such a map.
 pub fn digest(recipe: &Recipe) -> Result<String, DigestError> {
     let has_chart = recipe.is_annotated();
     if has_chart && !cfg!(feature = "names") {
@@ -54,7 +55,7 @@ pub fn digest(recipe: &Recipe) -> Result<String, DigestError> {
     hash_rivers(&mut hash, &map);
     if let Some(relief) = map.shown_relief() {
         hash.words(relief.heights().iter().map(|height| height.to_bits()));
-        // Of other maps a relief would have to be made for it.
+        // Maps in other styles have no relief yet, and GeoJSON would have to make one.
         let write = if has_chart { geojson::collection } else { geojson::unnamed };
         hash.value(&write(&map)?);
     }
@@ -100,14 +101,14 @@ impl Fnv1a {
         words.into_iter().for_each(|word| self.bytes(&word.to_le_bytes()));
     }
 
-    /// A text, with its length, so that no two texts in a row are another two.
+    /// Hashes a text with its length, so that two different sequences of texts never hash alike.
     fn text(&mut self, text: &str) {
         self.words([7, text.len() as u32]);
         self.bytes(text.as_bytes());
     }
 
-    /// What a file holds, before it is written: programs write a number's shortest decimals as a float of 32 bits, pages as one of
-    /// 64, but both write the same numbers. Each kind of value begins with a number of its own.
+    /// Hashes a file's data before it is written as text. Programs print the shortest decimals of a 32-bit float, and
+    /// pages those of a 64-bit float, but the numbers are the same. Each kind of value starts with its own number.
     fn value(&mut self, value: &Json) {
         match value {
             Json::Null => self.words([0]),

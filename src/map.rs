@@ -1,8 +1,8 @@
-//! The finished map: what all stages before painting have made of a recipe, as plain data that does not change.
+//! The finished map: the results of all stages before painting, as plain, immutable data.
 //!
-//! [`Session::map`](crate::Session::map) hands it out. Files, names, labels, measures and queries are made of it alone; so it can go to another
-//! thread, or to another wasm module (`wire.rs`), which then knows as much of it as the session did. Its large parts are shared: a clone
-//! copies none of them.
+//! [`Session::map`](crate::Session::map) returns it. Files, names, labels, measures and queries need nothing else. It
+//! can therefore be moved to another thread, or to another wasm module (`read.rs` and `write.rs`), which then knows as
+//! much about it as the session did. Large parts are shared: a clone copies none of them.
 
 mod read;
 #[cfg(test)]
@@ -45,8 +45,8 @@ pub struct Map {
     pub(crate) relief: Option<Arc<Relief>>,
 }
 
-/// Tells maps apart. Maps of one program with the same id have the same land, rivers and names; they may differ in style, and in whether
-/// their relief has been made.
+/// Identifies a map. Maps of one program with the same id have the same land, rivers and names; they may differ in
+/// style, and in whether their relief has been made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct MapId(u64);
 
@@ -59,27 +59,27 @@ impl MapId {
 }
 
 impl Map {
-    /// Its id.
+    /// The map's id.
     pub fn id(&self) -> MapId {
         self.id
     }
 
-    /// The recipe that it was made from.
+    /// The recipe that the map was made from.
     pub fn recipe(&self) -> &Recipe {
         &self.recipe
     }
 
-    /// The rectangle that it shows.
+    /// The rectangle shown by the map.
     pub fn domain(&self) -> Domain {
         Domain::of(&self.recipe)
     }
 
-    /// The land, given or the recipe's; `None` if all of the domain is land.
+    /// The land, either given or shaped by the recipe; `None` if all of the domain is land.
     pub fn land(&self) -> Option<&Arc<Land>> {
         self.land.as_ref()
     }
 
-    /// How much of land and attractors the tree has reached, and the lengths by which it grew.
+    /// The results of growth: the attractors reached, the way it ended, and the lengths that it used.
     pub fn grown(&self) -> Grown {
         self.grown
     }
@@ -89,12 +89,12 @@ impl Map {
         &self.tree
     }
 
-    /// Which branches of the tree were short enough to be removed.
+    /// The rule by which branches of the tree were trimmed.
     pub fn trim(&self) -> Trim {
         self.trim
     }
 
-    /// Trims the tree again, as rivers were made of it.
+    /// Trims the tree again, exactly as when rivers were made from it.
     pub fn pruned(&self) -> Pruned {
         prune::trim(&self.tree, &Hydrology::of(&self.tree), self.trim)
     }
@@ -104,22 +104,22 @@ impl Map {
         &self.network
     }
 
-    /// Where the great rivers are flat, and meander fully.
+    /// The stretches where great rivers are flat and meander fully.
     pub fn reaches(&self) -> &[Reach] {
         &self.reaches
     }
 
-    /// How many rounds the rivers have meandered.
+    /// Number of rounds that the rivers have meandered.
     pub fn rounds(&self) -> u32 {
         self.rounds
     }
 
-    /// The courses that great rivers had before.
+    /// The former courses of great rivers.
     pub fn past(&self) -> &PastCourses {
         &self.past
     }
 
-    /// The relief, in whatever style, if it has been made: always, where the style shows it.
+    /// The relief, if it has been made, in any style. A style that shows it always has it.
     pub fn relief(&self) -> Option<&Arc<Relief>> {
         self.relief.as_ref()
     }
@@ -129,10 +129,10 @@ impl Map {
         self.relief.as_ref().filter(|_| self.recipe.get::<Style>().has_relief())
     }
 
-    /// Returns the relief, or makes it at once. [`Session::raise_relief`](crate::Session::raise_relief) makes it in steps.
+    /// Returns the relief, or makes it now. [`Session::raise_relief`](crate::Session::raise_relief) makes it in steps.
     ///
     /// # Errors
-    /// If there is not enough memory.
+    /// Fails if there is not enough memory.
     pub fn make_relief(&self) -> Result<Arc<Relief>, ReliefError> {
         match &self.relief {
             Some(relief) => Ok(relief.clone()),
@@ -140,21 +140,21 @@ impl Map {
         }
     }
 
-    /// The same map with its relief, in a style that shows none too.
+    /// Adds the relief to the map, even if its style shows none.
     ///
     /// # Errors
-    /// If there is not enough memory.
+    /// Fails if there is not enough memory.
     pub fn with_relief(self) -> Result<Self, ReliefError> {
         Ok(Self { relief: Some(self.make_relief()?), ..self })
     }
 
-    /// The settings by which the rivers were made of the tree.
+    /// The settings by which the rivers were made from the tree.
     pub fn network_settings(&self) -> NetworkSettings {
         let Grown { stream_spacing, total_discharge, .. } = self.grown;
         NetworkSettings::new(&self.recipe, self.land.clone(), stream_spacing, total_discharge)
     }
 
-    /// The settings by which the relief is made of the rivers.
+    /// The settings by which the relief is made from the rivers.
     pub fn relief_settings(&self) -> ReliefSettings {
         ReliefSettings::new(&self.recipe, self.land.clone(), self.grown.total_discharge)
     }

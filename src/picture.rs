@@ -1,4 +1,4 @@
-//! The picture of a session: its pixels, brought up to date by drawing only what is new.
+//! The picture of a session. It is brought up to date by drawing only what is new.
 
 #[cfg(feature = "controls")]
 mod drafts;
@@ -35,27 +35,27 @@ use crate::session::{Generation, Phase, Session};
 #[derive(Clone, Debug)]
 pub struct Picture {
     painter: Painter,
-    /// The generation, domain and land of the session that it shows; `None` before it is painted.
+    /// The generation, domain and land of the session shown; `None` before the first painting.
     shown: Option<(Generation, Domain, Option<Arc<Land>>)>,
-    /// The trimmed tree whose rivers it shows; `None` if it shows none.
+    /// The trimmed tree of the rivers shown; `None` if none are shown.
     rivers_of: Option<Generation>,
-    /// What a chart lays over a finished map, and what it is of.
+    /// The chart laid over a finished map, and the map and style that it belongs to.
     chart: Option<(ChartKey, Arc<ChartMasks>)>,
     #[cfg(feature = "controls")]
     drafts: SessionDrafts,
-    /// The next one, in the making.
+    /// The next chart, while it is being made.
     #[cfg(feature = "names")]
     builder: Option<(ChartKey, ChartBuilder)>,
-    /// Pixels of the picture to one of those that letters are measured by.
+    /// Picture pixels per pixel of the unit in which letters are measured.
     #[cfg(feature = "names")]
     ratio: f32,
 }
 
 impl Picture {
-    /// An empty picture, with sides in pixels.
+    /// Makes an empty picture, with sides in pixels.
     ///
     /// # Errors
-    /// If a side is out of range, or there is not enough memory.
+    /// Fails if a side is out of range, or if there is not enough memory.
     pub fn new(width: u32, height: u32) -> Result<Self, PaintError> {
         Ok(Self {
             painter: Painter::new(&Domain::with_aspect(1.0), width, height)?,
@@ -71,8 +71,8 @@ impl Picture {
         })
     }
 
-    /// Shows another part of the map, or what lies around it; all that covers the picture, if no part is named. A chart stays with the part
-    /// that it was made for.
+    /// Shows another part of the map or its surroundings; `None` shows the whole map, cut evenly to cover the picture.
+    /// A chart is dropped if the view changes.
     pub fn frame(&mut self, session: &Session, framing: Option<Framing>) {
         let before = *self.view();
         self.painter.frame(&session.domain(), framing);
@@ -85,8 +85,8 @@ impl Picture {
         }
     }
 
-    /// The same picture for a screen with so many pixels to a CSS pixel, from 0.5 to 4 in quarters, to the nearest of which it comes: no letter is
-    /// smaller than 11 CSS pixels, times the recipe's `label-size`.
+    /// Adapts the picture to a screen with this number of device pixels per CSS pixel. No letter is then smaller than
+    /// 11 CSS pixels times the recipe's `label-size`. The ratio is rounded to a quarter and clamped to 0.5-4.
     #[cfg(feature = "names")]
     #[must_use]
     pub fn with_ratio(mut self, ratio: f32) -> Self {
@@ -96,9 +96,9 @@ impl Picture {
         self
     }
 
-    /// Brings the picture up to date with its session, however that has changed. Where their aspects differ, the map's edges
-    /// are cut, evenly. Returns the rectangle that changed; `None` if nothing did. While the rivers of a tree are made again,
-    /// the picture keeps those that it shows, and while their relief is, the relief.
+    /// Brings the picture up to date with its session, however that has changed. If their aspects differ, the map's
+    /// edges are cut evenly. Returns the rectangle that changed, or `None` if nothing did. The old rivers stay in the
+    /// picture while the rivers of the same tree are made again, and the old relief while the relief is.
     pub fn paint(&mut self, session: &Session) -> Option<Rect> {
         loop {
             match self.paint_part(session) {
@@ -108,8 +108,9 @@ impl Picture {
         }
     }
 
-    /// Does a part of that, so that a program can do other work in between: 65,536 pixels of ground, or one of the things that a relief
-    /// is painted with. The picture changes with the last part. If the session changes before, another picture is begun.
+    /// Does a part of [`Picture::paint`], so that a program can do other work in between: 65,536 pixels of ground, or
+    /// one layer of a relief. The picture changes with the last part. If the session changes before that, a new picture
+    /// is begun.
     pub fn paint_part(&mut self, session: &Session) -> Painted {
         let tree = Some(session.tree_generation());
         let is_kept = match session.phase() {
@@ -145,44 +146,47 @@ impl Picture {
         }))
     }
 
-    /// Whether the recipe of a session, which is finished, wants a chart over this picture that it has not got.
+    /// Returns `true` if the session is finished, its recipe wants a chart, and this picture does not have that chart
+    /// yet.
     pub fn wants_chart(&self, session: &Session) -> bool {
         let has_one = self.chart.as_ref().is_some_and(|(of, _)| *of == ChartKey::of(session));
         is_to_be_charted(session) && !has_one
     }
 
-    /// Takes a chart for a session as it is, and for a picture of this size. It is seen when next this is painted, for as long as the
-    /// session stays so.
+    /// Takes a chart of the session in its present state, for a picture of this size. The next `paint` shows it, until
+    /// the session changes.
     pub fn take_chart(&mut self, session: &Session, chart: ChartMasks) {
         self.chart = Some((ChartKey::of(session), Arc::new(chart)));
     }
 
-    /// How much of the ground of a finished session is painted, from 0 to 1: what is left then is short.
+    /// The share of a finished session's ground that is painted, from 0 to 1. The rest of the painting is short.
     #[cfg(feature = "files")]
     pub fn progress(&self, session: &Session) -> f32 {
         self.painter.progress(session.recipe().get())
     }
 
-    /// Takes the ground out of a painted picture of this session. Of a style with relief, and of past courses, the sea goes, and land, rivers and letters
-    /// stay; of a style of lines, ink, dark or skeleton, the paper. Colours are not multiplied by their opacity. The next `paint` brings all of it back.
+    /// Makes the background of a painted picture of this session transparent: the sea in styles with relief and in past
+    /// courses, leaving land, rivers and letters; the paper in the line styles ink, dark and skeleton. Colours are not
+    /// premultiplied by alpha. The next `paint` restores the background.
     #[cfg(feature = "files")]
     pub fn cut_out(&mut self, session: &Session) {
         self.painter.cut_out(session.recipe().get());
     }
 
-    /// Whether the ground of the picture is that of a session's land.
+    /// Returns `true` if the picture's ground is that of the session's land.
     fn is_on_land_of(&self, session: &Session) -> bool {
         self.shown
             .as_ref()
             .is_some_and(|(_, domain, land)| *domain == session.domain() && is_same(land.as_ref(), session.land()))
     }
 
-    /// How the domain lies on the picture.
+    /// The position of the domain on the picture.
     pub fn view(&self) -> &View {
         self.painter.view()
     }
 
-    /// Drops a chart of another map, and does a part of making one of this, if that can be done here. Returns whether it did.
+    /// Drops the chart of another map. Then does a part of making the chart of this one, if this build can. Returns
+    /// `true` if it did a part.
     fn advance_chart(&mut self, session: &Session) -> bool {
         if self.chart.is_none() && !is_to_be_charted(session) {
             return false;
@@ -229,7 +233,7 @@ impl Picture {
     }
 }
 
-/// What a chart is of: woods, hills and marks of one style are none for another.
+/// The map and style that a chart belongs to. Woods, hills and marks of one style do not fit another.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct ChartKey {
     map: MapId,
@@ -242,12 +246,12 @@ impl ChartKey {
     }
 }
 
-/// Whether a session is finished, and its recipe wants a chart.
+/// Returns `true` if a session is finished and its recipe wants a chart.
 pub fn is_to_be_charted(session: &Session) -> bool {
     session.is_finished() && session.recipe().is_annotated()
 }
 
-/// Whether land is the very same, shaped once.
+/// Returns `true` if both are the same shared land, or both are `None`.
 fn is_same(land: Option<&Arc<Land>>, other: Option<&Arc<Land>>) -> bool {
     match (land, other) {
         (None, None) => true,
@@ -332,7 +336,7 @@ mod tests {
         }
         assert!(picture.paint(&session).is_some());
         assert!(picture.pixmap().data() == painted(&session) && picture.pixmap().data() != before);
-        // A picture that shows none goes on to the last of the rivers.
+        // A picture without a relief goes on to the final rivers.
         let mut flat = Picture::new(100, 80).unwrap();
         session.change(link::read(&format!("{SMALL}&style=atlas&width=20")).unwrap()).unwrap();
         while session.phase() != Phase::Relief {
@@ -343,7 +347,7 @@ mod tests {
         assert!(flat.pixmap().data() == painted(&session));
     }
 
-    /// Changes a session, and looks at it before each step of its relief. Returns how many there are.
+    /// Changes a session and calls `look` before each step of its relief. Returns the number of steps.
     fn steps_of_relief(session: &mut Session, change: &str, mut look: impl FnMut(&Session)) -> u32 {
         session.change(link::read(&format!("{SMALL}&style=atlas&{change}")).unwrap()).unwrap();
         let mut steps = 0;

@@ -1,4 +1,4 @@
-//! A session: one recipe at a time, each stage's result kept, and after a change only what it touches run again.
+//! A session. It holds one recipe and the result of each stage; after a change it runs again only the stages affected.
 
 #[cfg(feature = "controls")]
 mod drafts;
@@ -32,7 +32,7 @@ pub use error::SessionError;
 pub use moments::{Moment, Timeline};
 pub use summary::{Shortfall, Summary};
 
-/// A recipe with what its stages have made of it so far: land, tree, rivers.
+/// A recipe with the results of its stages so far: land, tree, rivers.
 ///
 /// ```
 /// use riverseed::Session;
@@ -49,35 +49,35 @@ pub struct Session {
     recipe: Recipe,
     /// `None` if all of the domain is land.
     land: Option<Arc<Land>>,
-    /// Whether the land was given, and is not the recipe's.
+    /// `true` if the land was given to [`Session::on_land`] instead of being shaped by the recipe.
     is_land_given: bool,
     growth: Growth,
-    /// How many ticks that has grown.
+    /// Number of ticks grown so far.
     #[cfg(feature = "controls")]
     ticks: u32,
-    /// Once growth has ended.
+    /// `None` until growth has ended.
     shaping: Option<Shaping>,
-    /// Of finished rivers, once it was wanted.
+    /// The relief of the finished rivers, made on demand.
     relief: ReliefStage,
     generation: Generation,
-    /// Another one whenever more changes than the style.
+    /// Replaced whenever more than the style changes.
     map_id: MapId,
-    /// Another one whenever the trimmed tree is discarded.
+    /// Replaced whenever the trimmed tree is discarded.
     tree_generation: Generation,
 }
 
-/// The kind of step that a session makes next.
+/// The kind of a session's next step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Phase {
     /// A tick of growth.
     Growing,
-    /// Rivers are made of the tree, in a few steps.
+    /// One of the few steps that make rivers from the tree.
     Shaping,
     /// A round of meandering.
     Meandering,
-    /// A part of the relief that belongs to the finished rivers.
+    /// Part of the relief of the finished rivers.
     Relief,
-    /// Nothing: there is nothing more to do.
+    /// No step is left.
     Finished,
 }
 
@@ -85,18 +85,19 @@ impl Session {
     /// Shapes the land of a recipe and plants its tree.
     ///
     /// # Errors
-    /// If there is not enough memory.
+    /// Fails if there is not enough memory.
     pub fn new(recipe: Recipe) -> Result<Self, SessionError> {
         let land = Land::of(&recipe);
         Self::plant(recipe, land, false)
     }
 
-    /// Plants the tree of a recipe on a land of its own, `Land::from_mask`, say. The land stays, whatever recipe the session is
-    /// [changed](Session::change) to: of `land`, `sea`, `roughness` and `outline` nothing is seen. The recipe should name a drawn land,
-    /// with an outline that is like this one: links and files say no more of it than that.
+    /// Plants the tree of a recipe on a given land, for example one from `Land::from_mask`. The session keeps this land
+    /// when the recipe [changes](Session::change), so `land`, `sea`, `roughness` and `outline` have no effect. The
+    /// recipe should name a drawn land with a similar outline, because links and files contain no more of the land than
+    /// that.
     ///
     /// # Errors
-    /// If the land is for a map of another aspect than the recipe's, or there is not enough memory.
+    /// Fails if the land was made for another aspect than the recipe's, or if there is not enough memory.
     pub fn on_land(recipe: Recipe, land: Arc<Land>) -> Result<Self, SessionError> {
         check_map(&recipe, &land)?;
         Self::plant(recipe, Some(land), true)
@@ -119,14 +120,14 @@ impl Session {
         })
     }
 
-    /// Another session that has come as far: what becomes of one does not touch the other. `clone` does the same, but ends the
-    /// program where there is not enough memory.
+    /// Copies the session; the copies are independent. `clone` does the same, but aborts the program if there is not
+    /// enough memory.
     ///
     /// # Errors
-    /// If there is not enough memory.
+    /// Fails if there is not enough memory.
     pub fn try_clone(&self) -> Result<Self, SessionError> {
-        /// As measured: 92 at most, once there are rivers. The cells of a Brownian tree take 5 MB, however many it fills,
-        /// and former courses 0.9 at most.
+        /// Measured per node or attractor: up to 92 bytes once there are rivers. The cells of a Brownian tree take 5 MB
+        /// however many are filled, and former courses up to 0.9 MB.
         const BYTES: usize = 96;
         const BYTES_OF_CELLS: usize = 6_000_000;
         let items = self.tree().len() + self.growth.attractors() as usize;
@@ -136,7 +137,7 @@ impl Session {
         }
         let [generation, tree_generation] = [(); 2].map(|()| Generation::next());
         let mut copy = Self { generation, map_id: MapId::next(), tree_generation, ..self.clone() };
-        // While there is memory for it: steps of either would copy what both share.
+        // Copy now, while there is memory: later the first step of either session would copy the shared data.
         copy.growth.unshare();
         copy.shaping.iter_mut().for_each(Shaping::unshare);
         Ok(copy)
@@ -147,22 +148,22 @@ impl Session {
         &self.recipe
     }
 
-    /// The rectangle that the map shows.
+    /// The rectangle shown by the map.
     pub fn domain(&self) -> Domain {
         Domain::of(&self.recipe)
     }
 
-    /// The land, given or the recipe's; `None` if all of the domain is.
+    /// The land, either given or shaped by the recipe; `None` if all of the domain is land.
     pub fn land(&self) -> Option<&Arc<Land>> {
         self.land.as_ref()
     }
 
-    /// Changes to another recipe. Returns the earliest stage that has to run again, `None` if nothing is different. Land is
-    /// shaped and a tree is planted at once, if it is one of theirs; a later stage runs again with the next steps, and until
-    /// then there are no rivers.
+    /// Changes to another recipe. Returns the earliest stage that has to run again, or `None` if nothing is different.
+    /// Land and tree are replaced at once if the change affects them. Later stages run again in the next steps, and
+    /// until then there are no rivers.
     ///
     /// # Errors
-    /// As [`Session::new`] and [`Session::on_land`]; everything is then as before.
+    /// Fails like [`Session::new`] and [`Session::on_land`]; the session is then unchanged.
     pub fn change(&mut self, recipe: Recipe) -> Result<Option<Stage>, SessionError> {
         let stage = self.recipe.first_difference(&recipe);
         if matches!(stage, Some(Stage::Land | Stage::Grow)) {
@@ -196,8 +197,9 @@ impl Session {
         Ok(stage)
     }
 
-    /// How many times as wide rivers are by another recipe that has but another width than this one: 1 if it has not. `None` if it is
-    /// another in more than that, or as long as rivers still change their courses, which another width would change as well.
+    /// The factor by which rivers are wider under another recipe that differs at most in width; 1 if it does not
+    /// differ. `None` if it differs in more than width, or if it differs while rivers still change their courses, which
+    /// depend on the width.
     #[cfg(feature = "controls")]
     pub fn widening_to(&self, other: &Recipe) -> Option<f32> {
         let times = other.number(Key::Width) / self.recipe.number(Key::Width);
@@ -208,7 +210,7 @@ impl Session {
     /// Goes back to tick 0.
     ///
     /// # Errors
-    /// If there is not enough memory; everything is then as before.
+    /// Fails if there is not enough memory; the session is then unchanged.
     pub fn restart(&mut self) -> Result<(), SessionError> {
         self.growth = plant(&self.recipe, &self.land)?;
         #[cfg(feature = "controls")]
@@ -224,30 +226,33 @@ impl Session {
         self.tree_generation = Generation::next();
     }
 
-    /// Another one whenever results are discarded, by [`Session::change`], [`Session::restart`] or a round of drainage: while it
-    /// stays the same the session only advances.
+    /// The current generation. It is replaced whenever results are discarded, by [`Session::change`],
+    /// [`Session::restart`] or a round of drainage. While it stays the same, the session only advances.
     pub(crate) fn generation(&self) -> Generation {
         self.generation
     }
 
-    /// The id of the map that this is becoming, or has become.
+    /// The id of the map that this session makes, or has made.
     pub(crate) fn map_id(&self) -> MapId {
         self.map_id
     }
 
-    /// The same for as long as the rivers, made once or several times, are those of one trimmed tree.
+    /// The generation of the trimmed tree. It stays the same while rivers are made from the same trimmed tree, even
+    /// repeatedly.
     pub(crate) fn tree_generation(&self) -> Generation {
         self.tree_generation
     }
 
-    /// Makes at most this many steps: ticks of growth, then a few that make rivers of the tree, then rounds of meandering, then
-    /// the relief part by part, if the style shows one. Returns whether there is more to do. No recipe is known of which a step takes
-    /// more than 8 million elementary steps, as [`crate::base::work`] counts them, and 250 for each attractor or cell of a Brownian tree.
+    /// Makes up to `steps` steps: ticks of growth, then a few steps that make rivers from the tree, then rounds of
+    /// meandering, then the relief part by part if the style shows one. Returns `true` if there is more to do. In all
+    /// known recipes a step takes up to 8 million elementary steps, as [`crate::base::work`] counts them, plus 250 for
+    /// each attractor or cell of a Brownian tree.
     ///
     /// # Errors
-    /// If there is not enough memory for the rest of the tree, for its rivers, or for their relief. The session then does not show
-    /// the whole recipe, and there are no rivers to export, or no relief. A further call meets the same error, or goes on if there is
-    /// memory by then; a tree that is not whole only grows again from the start, after [`Session::restart`] or [`Session::change`].
+    /// Fails if there is not enough memory for the rest of the tree, for its rivers, or for their relief. The session
+    /// then does not show the whole recipe, and there are no rivers to export, or no relief. The next call meets the
+    /// same error, or goes on if there is enough memory by then. An incomplete tree can only grow again from the start,
+    /// after [`Session::restart`] or [`Session::change`].
     pub fn advance(&mut self, steps: u32) -> Result<bool, SessionError> {
         for _ in 0..steps {
             if !self.step()? {
@@ -257,10 +262,10 @@ impl Session {
         Ok(!self.is_finished())
     }
 
-    /// Goes on to the end, and returns the finished map.
+    /// Runs all remaining steps and returns the finished map.
     ///
     /// # Errors
-    /// As [`Session::advance`].
+    /// Fails like [`Session::advance`].
     pub fn finish(&mut self) -> Result<Map, SessionError> {
         loop {
             if let Some(map) = self.map() {
@@ -270,7 +275,7 @@ impl Session {
         }
     }
 
-    /// The finished map, which shares its rivers with the session; `None` as long as there is more to do.
+    /// The finished map, which shares its rivers with the session; `None` while there is more to do.
     pub fn map(&self) -> Option<Map> {
         let meander = self.meander().filter(|_| self.is_finished())?;
         Some(Map {
@@ -316,16 +321,16 @@ impl Session {
         Ok(!self.is_finished())
     }
 
-    /// Trims the tree, and begins to make rivers of it.
+    /// Trims the tree and begins to make rivers from it.
     fn shape(&self) -> Result<Shaping, ShapeError> {
-        /// Of the trimmed tree, and both trees' hydrology.
+        /// For the trimmed tree and the hydrology of both trees.
         const BYTES_A_NODE: usize = 64;
         ask_for_memory(self.tree().len(), BYTES_A_NODE, 0)?;
         let Pruned { tree, .. } = self.pruned();
         Shaping::new(&tree, self.growth.may_cross(), self.network_settings())
     }
 
-    /// Whether the style shows a relief that is not there yet.
+    /// Returns `true` if the style shows a relief that has not been made yet.
     fn wants_relief(&self) -> bool {
         self.shows_relief() && self.relief().is_none()
     }
@@ -334,11 +339,11 @@ impl Session {
         self.recipe.get::<Style>().has_relief()
     }
 
-    /// Makes a step of the relief of finished rivers, in a style that shows none too: for files, which then take it as it is. Returns
-    /// whether one was left to make.
+    /// Makes a step of the relief of finished rivers, even if the style shows none. Files use this relief as it is.
+    /// Returns `true` if a step was left to make.
     ///
     /// # Errors
-    /// If there is not enough memory. A further call tries the same step again.
+    /// Fails if there is not enough memory. The next call tries the same step again.
     pub fn raise_relief(&mut self) -> Result<bool, SessionError> {
         let shaping = self.shaping.as_ref().filter(|shaping| shaping.is_finished() && self.relief.relief().is_none());
         let Some(shaping) = shaping else { return Ok(false) };
@@ -348,18 +353,18 @@ impl Session {
         Ok(true)
     }
 
-    /// The relief; `None` as long as rivers are not finished, and in a style that shows none. It is kept for a later style that
-    /// does.
+    /// The relief; `None` until rivers are finished, and in a style that shows none. It is kept for a later style that
+    /// shows it.
     pub fn relief(&self) -> Option<&Arc<Relief>> {
         self.relief.relief().filter(|_| self.shows_relief())
     }
 
-    /// Whether there is nothing more to do.
+    /// Returns `true` if no step is left.
     pub fn is_finished(&self) -> bool {
         self.phase() == Phase::Finished
     }
 
-    /// The kind of step that comes next.
+    /// The kind of the next step.
     pub fn phase(&self) -> Phase {
         match &self.shaping {
             Some(shaping) if shaping.is_finished() && self.wants_relief() => Phase::Relief,
@@ -371,8 +376,9 @@ impl Session {
         }
     }
 
-    /// How far the current phase has come, from 0 to 1, and never back: growth by the share that is drained, meandering by its
-    /// rounds, relief by the land that is raised. 0 while rivers are made of the tree; 1 once everything is finished.
+    /// The progress of the current phase, from 0 to 1. It never decreases. Growth is measured by the share that is
+    /// drained, meandering by its rounds, relief by the land that is raised. It is 0 while rivers are made from the
+    /// tree, and 1 once everything is finished.
     pub fn progress(&self) -> f32 {
         match (self.phase(), self.meander()) {
             (Phase::Growing, _) => self.growth.progress(),
@@ -383,7 +389,7 @@ impl Session {
         }
     }
 
-    /// The rivers; `None` while there are none yet.
+    /// The rivers; `None` until there are any.
     pub fn network(&self) -> Option<&Network> {
         self.meander().map(|meander| &**meander.network())
     }
@@ -392,17 +398,17 @@ impl Session {
         self.shaping.as_ref().and_then(Shaping::meander)
     }
 
-    /// The courses that great rivers had before, as far as they have meandered; `None` while there are no rivers yet.
+    /// The former courses of great rivers, as far as they have meandered; `None` until there are rivers.
     pub fn past(&self) -> Option<&PastCourses> {
         self.meander().map(|meander| &**meander.past())
     }
 
-    /// How many rounds the rivers have meandered; `None` while there are none yet.
+    /// Number of rounds that the rivers have meandered; `None` until there are rivers.
     pub fn rounds(&self) -> Option<u32> {
         self.meander().map(Meander::rounds)
     }
 
-    /// How the rivers of this recipe are made of its tree.
+    /// The settings by which rivers are made from the tree of this recipe.
     pub fn network_settings(&self) -> NetworkSettings {
         let growth = &self.growth;
         NetworkSettings::new(&self.recipe, self.land.clone(), growth.stream_spacing(), growth.total_discharge())
@@ -418,13 +424,13 @@ impl Session {
         &self.growth
     }
 
-    /// The trimmed tree with its hydrology, as things stand.
+    /// The trimmed tree with its hydrology, as far as the tree has grown.
     pub fn pruned(&self) -> Pruned {
         let tree = self.growth.tree();
         prune::trim(tree, &Hydrology::of(tree), self.trim())
     }
 
-    /// What of the tree is short enough to be trimmed.
+    /// The rule that decides which branches of the tree are trimmed.
     pub fn trim(&self) -> Trim {
         let length = self.recipe.number(Key::Trim);
         let channel_area = if self.growth.covers_hillsides() { self.channel_area() } else { 0 };
@@ -432,13 +438,14 @@ impl Session {
         Trim { channel_area, ..trim }
     }
 
-    /// The area with which rivers begin: where no basin is as large, that of the largest, so that no map is bare for it.
+    /// The drained area at which rivers begin. If no basin is that large, it is the area of the largest, so that no map
+    /// stays empty.
     fn channel_area(&self) -> u32 {
         let asked = self.recipe.integer(Key::ChannelArea);
         self.growth.largest_basin().map_or(asked, |largest| asked.min(largest))
     }
 
-    /// The picture in numbers. While growth goes on this costs nothing, and does not know order and sources yet.
+    /// The picture in numbers. During growth this costs nothing, and order and sources are still 0.
     pub fn summary(&self) -> Summary {
         let so_far = Summary::of_growth(&self.growth);
         match self.shaping.as_ref().zip(self.meander()) {
@@ -448,7 +455,7 @@ impl Session {
     }
 }
 
-/// The results of a session since it was planted or last changed. No two are equal, not even of different sessions.
+/// Identifies the results of a session since it was planted or last changed. No two are equal, even across sessions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Generation(u64);
 
@@ -459,7 +466,7 @@ impl Generation {
     }
 }
 
-/// Whether a land lies on the map of a recipe.
+/// Checks that a land fits the map of a recipe.
 fn check_map(recipe: &Recipe, land: &Land) -> Result<(), SessionError> {
     let (size, wanted) = (land.size(), Domain::of(recipe).size);
     let [width, height, wanted_width, wanted_height] =

@@ -1,8 +1,8 @@
 //! Rivers and lakes as shapes: two banks, from the source to the end.
 //!
-//! Where a bend is tighter than the river is wide its inner bank runs backward for a while, as the offset of any curve does.
-//! Both banks together still go round all that a disc as wide as the river sweeps, at least once: filled by the
-//! non-zero rule, that shows no gap and nothing beyond.
+//! If a bend is tighter than the river is wide, its inner bank runs backward for a while, like the offset of any curve.
+//! Both banks together still enclose, at least once, all that a disc as wide as the river sweeps. Filled by the
+//! non-zero rule, they show no gap and nothing beyond.
 
 use std::ops::Range;
 
@@ -13,28 +13,29 @@ use crate::base::geometry::{direction, length};
 use crate::network::{Network, Oxbow, Place, River};
 use crate::recipe::CourseShape;
 
-/// How far from the middle banks may come, when they cross where they are.
+/// Distances of the banks from the middle, as shares, to be tried in turn while banks cross.
 const SHARES: [f32; 4] = [1.0, 0.5, 0.25, 0.1];
 
-/// A river's or a lake's outline, in units. Both banks have as many points; of rivers as grown, lines between them are straight.
+/// A river's or a lake's outline, in units. Both banks have the same number of points. In rivers as grown, the lines
+/// between them are straight.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Banks {
     pub left: Vec<Vec2>,
     pub right: Vec<Vec2>,
 }
 
-/// How wide rivers are drawn.
+/// The width of drawn rivers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Width {
-    /// A share of their width, plus a margin on each side so that a brook can be seen.
+    /// A share of their own width, plus a margin on each side that keeps brooks visible.
     Own { share: f32, more: f32 },
-    /// All alike, half of that to each side of the course, from its first vertex to its last.
+    /// One width for all rivers, with `half` on each side of the course, from its first vertex to its last.
     Even { half: f32 },
 }
 
 impl Banks {
-    /// A river's banks. They begin at its source, both at one point; a tributary's end in the middle of the river that it
-    /// joins, those of others past the shore. Empty if it has no vertices.
+    /// Makes a river's banks. They begin at its source, both at one point. A tributary's banks end in the middle of the
+    /// river that it joins, those of other rivers past the shore. Empty if the river has no vertices.
     pub fn of_river(network: &Network, river: &River, width: Width, courses: CourseShape) -> Self {
         let line = match width {
             Width::Own { share, more } => widened(network.middle(river), share, more),
@@ -43,7 +44,7 @@ impl Banks {
         Self::of_line(line, courses)
     }
 
-    /// The banks along a line, as wide as its places say but for the first, where they are one.
+    /// Makes the banks along a line, as wide as its places say. At the first place, they meet.
     pub fn of_line(mut line: Vec<Place>, courses: CourseShape) -> Self {
         line.dedup_by_key(|place| place.at);
         if let Some(source) = line.first_mut() {
@@ -52,7 +53,8 @@ impl Banks {
         Self::along(&line, courses)
     }
 
-    /// A lake's banks, moved outward by a margin, which meet at both of its ends. Empty if silt has filled all of the lake.
+    /// Makes a lake's banks, moved outward by a margin; they meet at both ends. Empty if silt has filled the whole
+    /// lake.
     pub fn of_lake(oxbow: &Oxbow, more: f32) -> Self {
         let mut line = widened(oxbow.middle(), 1.0, more);
         line.dedup_by_key(|place| place.at);
@@ -62,10 +64,10 @@ impl Banks {
         if line.len() > 2 { Self::along(&line, CourseShape::Smooth) } else { Self::default() }
     }
 
-    /// The outline as a ring that readers of polygons accept, on the grid that a place is rounded to: counterclockwise on a
-    /// map whose north is up, its last point its first. Where it crosses itself, what of a bank runs backward is left out; where
-    /// that is not enough, the banks come nearer to each other; and where they cross for all that, the first half, quarter
-    /// and so on that will do stands for the whole. `None` only of what is narrower than the grid.
+    /// The outline as a valid polygon ring, on the grid that places are rounded to. It is counterclockwise on a map
+    /// with north up, and its last point is its first. If it crosses itself, the parts of a bank that run backward are
+    /// left out; if that is not enough, the banks are moved nearer to each other; if they still cross, the first half,
+    /// quarter and so on without a crossing stands for the whole. `None` only if the outline is narrower than the grid.
     pub fn simple_ring(&self, rounded: impl Fn(Vec2) -> GridPoint) -> Option<Vec<GridPoint>> {
         let tries = self.stretches().flat_map(|stretch| {
             SHARES.into_iter().flat_map(move |share| [false, true].map(|forward| (stretch.clone(), share, forward)))
@@ -75,7 +77,8 @@ impl Banks {
             .find_map(simple_ring)
     }
 
-    /// All of it, then shorter and shorter stretches, each half as long as the one before and begun at its middle.
+    /// The whole outline, then shorter and shorter stretches. Each is half as long as those before, and the next starts
+    /// at its middle.
     fn stretches(&self) -> impl Iterator<Item = Range<usize>> {
         let count = self.left.len();
         let lengths = std::iter::successors(Some(count), |&length| (length > 2).then_some(length.div_ceil(2)));
@@ -85,8 +88,8 @@ impl Banks {
         })
     }
 
-    /// Down a stretch of the right bank and up the left one, at a share of their distance from the centerline; on request,
-    /// without the parts of a bank that run backward.
+    /// A ring down a stretch of the right bank and up the left one, at a share of their distance from the centerline.
+    /// `forward` leaves out the parts of a bank that run backward.
     fn ring(&self, stretch: Range<usize>, share: f32, forward: bool) -> Vec<Vec2> {
         let (left, right) = (&self.left[stretch.clone()], &self.right[stretch]);
         let middle: Vec<Vec2> = left.iter().zip(right).map(|(left, right)| (*left + *right) * 0.5).collect();
@@ -122,8 +125,9 @@ impl Banks {
         banks
     }
 
-    /// A sharp corner between two ways as long as half the width: both sides keep their width up to it, and round it the outer
-    /// bank keeps its distance. The inner one goes by the corner itself, so that nothing is left open.
+    /// Adds a sharp corner between two ways, each as long as half the width. Both sides keep their width up to it, and
+    /// the outer bank keeps its distance around it. The inner bank passes through the corner itself, so that there is
+    /// no gap.
     fn turn(&mut self, at: Vec2, before: Vec2, after: Vec2) {
         let tip = at + direction(before - after) * length(before);
         self.push(at - before.perp(), at + before.perp());
@@ -145,10 +149,10 @@ fn widened(line: Vec<Place>, share: f32, more: f32) -> Vec<Place> {
     line.into_iter().map(|place| Place { half: place.half * share + more, ..place }).collect()
 }
 
-/// A line turns by more than 60° where the mean of the unit vectors before and after is shorter: cos² 30°.
+/// A line turns by more than 60° if the mean of the unit vectors before and after has a smaller square: cos² 30°.
 const SHARP: f32 = 0.75;
 
-/// The unit vectors along a line before and after one of its places; at its ends the one that there is, twice.
+/// The unit vectors along a line before and after a place; at either end, the only one twice.
 fn ways(line: &[Place], i: usize) -> [Vec2; 2] {
     let way = |from: usize, to: usize| direction(line[to].at - line[from].at);
     let (before, after) = (way(i.saturating_sub(1), i), way(i, (i + 1).min(line.len() - 1)));
@@ -159,10 +163,10 @@ fn ways(line: &[Place], i: usize) -> [Vec2; 2] {
     }
 }
 
-/// The way to the right bank at a corner of a line, so long that both sides of the corner keep their distance: a mitre. It is cut
-/// where the line turns sharply, and nothing where it turns straight back.
+/// The offset to the right bank at a corner of a line, long enough that both sides of the corner keep their distance: a
+/// mitre. It is cut where the line turns sharply, and zero where it turns straight back.
 fn aside(middle: Vec2) -> Vec2 {
-    // No `f32::max`, which knows what to do with NaN and is several jumps in wasm.
+    // `f32::max` is avoided: it handles NaN, and takes several jumps in wasm.
     let squared = middle.length_squared();
     middle.perp() / if squared > SHARP { squared } else { SHARP }
 }

@@ -1,27 +1,27 @@
-//! The contents of a file as one type of data, so that a page, for which every byte of code counts, serializes all of it by one
-//! function instead of one for each kind of record.
+//! The contents of a file as data of a single type. A page serializes it with one function instead of one for each kind
+//! of record, which saves code to download.
 
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
 /// A JSON value, ready to be written.
 pub enum Json<'a> {
-    /// Nothing.
+    /// JSON null.
     Null,
     /// True or false.
     Truth(bool),
     /// A whole number.
     Whole(i64),
-    /// A number.
+    /// A 32-bit number.
     Single(f32),
-    /// A number.
+    /// A 64-bit number.
     Double(f64),
-    /// A text.
+    /// A fixed text.
     Text(&'static str),
-    /// A text made for this.
+    /// A text made at run time.
     Owned(String),
     /// Names and values.
     Object(Vec<(&'static str, Json<'a>)>),
-    /// A number of values, each made when it is written: a large network is never in memory twice.
+    /// A number of values, each made when it is written, so that a large network is never in memory twice.
     List(usize, Box<dyn Fn(usize) -> Json<'a> + 'a>),
 }
 
@@ -50,8 +50,8 @@ impl<'a> Json<'a> {
     }
 }
 
-/// The members of an object as they are put together, by functions of their own: inlined, they would be several times as much
-/// code to download.
+/// The members of an object while it is put together. They are added by functions that are not inlined, which would be
+/// several times as much code to download.
 #[derive(Default)]
 pub(super) struct Members<'a>(Vec<(&'static str, Json<'a>)>);
 
@@ -72,7 +72,7 @@ impl<'a> Members<'a> {
         self.value(name, Json::Whole(number.into()))
     }
 
-    /// A whole number, or null for the one that stands for none.
+    /// Adds a whole number, or null if it equals `none`.
     #[inline(never)]
     pub fn unless(&mut self, name: &'static str, number: u32, none: u32) -> &mut Self {
         if number == none { self.value(name, Json::Null) } else { self.whole(name, number) }

@@ -2,31 +2,31 @@
 
 use super::rasters::Layer;
 
-/// The forms of a file, each called as the names of such files end.
+/// The forms of a file, each named after the ending of its files.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Form {
     /// The picture.
     Png,
-    /// Its lines.
+    /// The map as shapes.
     Svg,
     /// The rivers, coasts and ridges for geographic information systems.
     GeoJson,
-    /// The network, as `network.schema.json` has it.
+    /// The network, as described in `network.schema.json`.
     Json,
-    /// The picture, all rasters and what their values mean, for games.
+    /// The picture, all rasters and the meaning of their values, for games.
     Pack,
     /// One of the rasters.
     Raster(Layer),
 }
 
-/// What files hold, and what they can be asked for therefore.
+/// The contents of a file, on which its options depend.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Holds {
     /// A picture whose size in pixels can be chosen.
     Pixels,
     /// Rasters.
     Rasters,
-    /// Heights, in a style without relief too.
+    /// Heights, even in a style without relief.
     Relief,
     /// Drawn letters.
     Letters,
@@ -50,7 +50,7 @@ impl Form {
         Self::Raster(Layer::Basins),
     ];
 
-    /// The row of a form in the table of forms: the ending of its files, and what they hold.
+    /// The row of a form in the table of forms: the ending of its files, and their contents.
     const fn row(self) -> (&'static str, &'static [Holds]) {
         use Holds::{Letters, Names, PictureAlone, Pixels, Rasters, Relief};
         match self {
@@ -86,8 +86,8 @@ impl Form {
         Self::all().find(|form| form.name() == name)
     }
 
-    /// The form of a file by the longest known ending of its name, in capitals or not. `None` if its name has no known
-    /// ending, or consists of nothing else, like that of a hidden file.
+    /// The form of a file by the longest known ending of its name, in upper or lower case. `None` if the name has no
+    /// known ending, or consists of nothing else, like that of a hidden file.
     pub fn of_file(name: &str) -> Option<Self> {
         let name = name.to_ascii_lowercase();
         let is_of =
@@ -95,32 +95,32 @@ impl Form {
         Self::all().filter(is_of).max_by_key(|form| form.name().len())
     }
 
-    /// Returns `true` if it holds a picture whose size in pixels can be chosen.
+    /// Returns `true` if the file holds a picture whose size in pixels can be chosen.
     pub fn has_pixels(self) -> bool {
         self.holds(Holds::Pixels)
     }
 
-    /// Returns `true` if it holds rasters.
+    /// Returns `true` if the file holds rasters.
     pub fn has_rasters(self) -> bool {
         self.holds(Holds::Rasters)
     }
 
-    /// Returns `true` if it holds heights, in a style without relief too.
+    /// Returns `true` if the file holds heights, even in a style without relief.
     pub fn has_relief(self) -> bool {
         self.holds(Holds::Relief)
     }
 
-    /// Returns `true` if it is drawn with letters.
+    /// Returns `true` if the file is drawn with letters.
     pub fn has_letters(self) -> bool {
         self.holds(Holds::Letters)
     }
 
-    /// Returns `true` if it lists names as data.
+    /// Returns `true` if the file lists names as data.
     pub fn lists_names(self) -> bool {
         self.holds(Holds::Names)
     }
 
-    /// Returns `true` if it is a picture and no data.
+    /// Returns `true` if the file is a picture and no data.
     pub fn is_picture(self) -> bool {
         self.holds(Holds::PictureAlone)
     }

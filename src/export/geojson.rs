@@ -1,9 +1,10 @@
-//! GeoJSON (RFC 7946): a line a river, a polygon a lake, with what is known of them as properties.
+//! GeoJSON (RFC 7946): a line for each river and a polygon for each lake, with their data as properties.
 //!
-//! The domain lies around the null meridian and the equator, a unit being a hundredth of a degree (some 1.1 km), north up;
-//! degrees are rounded to five places, heights to whole metres above the sea. A tributary's last position is one of its
-//! parent's, to the digit. Lakes are valid as they are written, rounded: rings run counterclockwise and neither cross nor touch
-//! themselves. A lake whose banks cross is narrower for that, or shorter; one narrower than the last place is left out.
+//! The domain lies around the null meridian and the equator, with north up; a unit is a hundredth of a degree (about
+//! 1.1 km). Degrees are rounded to five places, heights to whole metres above the sea. A tributary's last position is
+//! one of its parent's, to the digit. Lakes are valid as written, after rounding: rings run counterclockwise and
+//! neither cross nor touch themselves. A lake whose banks cross is made narrower or shorter; one narrower than the last
+//! decimal place is left out.
 
 use glam::Vec2;
 
@@ -21,28 +22,28 @@ use crate::network::{NONE, Network, hydrology};
 use crate::recipe::link;
 use crate::relief::{CELL_SIZE, Flow, METRES, Relief};
 
-/// The rivers of a map, and the land that they made: a feature collection, ready to be written.
+/// Makes a feature collection of a map's rivers and the land around them, ready to be written.
 ///
 /// # Errors
-/// If there is not enough memory.
+/// Fails if there is not enough memory.
 pub fn collection(map: &Map) -> Result<Json<'_>, ExportError> {
     named(map, names_of(map))
 }
 
-/// The same without names, which no digest is of.
+/// Makes the collection without names; digests of maps without names use it.
 pub(crate) fn unnamed(map: &Map) -> Result<Json<'_>, ExportError> {
     named(map, Names::default())
 }
 
-/// The same with names that were made elsewhere.
+/// Makes the collection with names that were made elsewhere.
 ///
 /// # Errors
-/// As [`collection`].
+/// Fails like [`collection`].
 pub fn named(map: &Map, names: Names) -> Result<Json<'_>, ExportError> {
     const BYTES_A_VERTEX: usize = 16;
     let network = rivers(map, BYTES_A_VERTEX)?;
     let relief = map.make_relief()?;
-    // Where a river passes another's bend, its cell may be lower than the ones below it.
+    // If a river passes another one's bend, its cell may be lower than the cells below it.
     let elevations = hydrology::upward(network, |i, below| relief.at(network.vertices[i].at).max(below));
     let features = Features { network, domain: map.domain(), elevations, names };
     let mut lakes = Vec::new();
@@ -76,7 +77,7 @@ pub fn named(map: &Map, names: Names) -> Result<Json<'_>, ExportError> {
 /// Writes the rivers of a map.
 ///
 /// # Errors
-/// If there is not enough memory; and those of the writer.
+/// Fails if there is not enough memory, and with the writer's errors.
 #[cfg(feature = "json")]
 pub fn write(out: impl std::io::Write, map: &Map) -> std::io::Result<()> {
     let collection = collection(map).map_err(std::io::Error::other)?;
@@ -91,7 +92,7 @@ struct Features<'a> {
 }
 
 impl<'a> Features<'a> {
-    /// How many features there are for what has a name and is no river.
+    /// Number of features for names that do not belong to a river.
     fn named(&self) -> usize {
         self.names.reaches.len() + self.names.places.len()
     }
@@ -149,7 +150,7 @@ impl<'a> Features<'a> {
         feature(format!("oxbow-{id}"), "Polygon", rings, properties)
     }
 
-    /// The river in whose mouth a river's water reaches the sea.
+    /// The river whose mouth a river's water reaches the sea through.
     fn mouth(&self, mut id: u32) -> u32 {
         while let Some(river) = self.network.rivers.get(id as usize).filter(|river| river.parent != NONE) {
             id = river.parent;
@@ -166,7 +167,7 @@ impl<'a> Features<'a> {
         self.grid(at).map(degrees)
     }
 
-    /// How many hundred-thousandths of a degree a place lies to the east and to the north of the middle.
+    /// A place in hundred-thousandths of a degree east and north of the middle.
     fn grid(&self, at: Vec2) -> GridPoint {
         let from_middle = at - self.domain.size * 0.5;
         // A thousandth of a unit is a hundred-thousandth of a degree.
@@ -174,17 +175,18 @@ impl<'a> Features<'a> {
     }
 }
 
-/// What rivers flow through, as polygons.
+/// The land around the rivers, as polygons.
 struct Ground {
-    /// Connected pieces.
+    /// The connected pieces of land.
     land: Vec<Polygon>,
-    /// Of each basin that has a cell: its number, the river in whose mouth it ends, how many square units it has, and its parts.
+    /// For each basin with a cell: its number, the river at whose mouth it ends, its area in square units, and its
+    /// parts.
     basins: Vec<(u32, u32, f32, Vec<Polygon>)>,
 }
 
 impl Ground {
     fn new(map: &Map, features: &Features, relief: &Relief) -> Result<Self, ExportError> {
-        // North is up: what ran to the left of a line still does, seen from above.
+        // North is up here, so the left side of a line stays the left side.
         let on_grid = |rings: Vec<Vec<Vec2>>| {
             polygons(rings.into_iter().map(|ring| ring.into_iter().map(|at| features.grid(at)).collect()))
         };
@@ -240,8 +242,8 @@ fn feature<'a>(id: String, kind: &'static str, coordinates: Json<'a>, properties
     feature.into()
 }
 
-/// A number rounded to a fraction of its unit, written in another unit.
+/// Rounds a number to a fraction of its unit, and converts it to another unit.
 fn rounded(x: f32, parts: f64, to_unit: f64) -> f64 {
-    // Adding 0 takes the sign off it.
+    // Adding 0 turns −0 into 0.
     (f64::from(x) * parts).round() / to_unit + 0.0
 }

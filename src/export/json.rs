@@ -1,4 +1,4 @@
-//! The JSON form of a network: columns, full precision, stable names. `docs/files.md` explains them.
+//! A network as JSON: columns, full precision, stable names. `docs/files.md` explains them.
 
 use glam::Vec2;
 
@@ -15,30 +15,27 @@ use crate::recipe::table::TABLE;
 use crate::recipe::{self, Key, Recipe, Stage};
 use crate::tree::NO_PARENT;
 
-/// The network of a map, ready to be written, with the attractors that its tree grew to, if they are given
-/// ([`Growth::scattered`](crate::grow::Growth::scattered)).
+/// Makes the JSON of a map's network, ready to be written. It includes the attractors that the tree grew to if they are
+/// given ([`Growth::scattered`](crate::grow::Growth::scattered)).
 ///
 /// # Errors
-/// If there is not enough memory.
+/// Fails if there is not enough memory.
 pub fn network<'a>(map: &'a Map, attractors: Option<&[Vec2]>) -> Result<Json<'a>, ExportError> {
     compose(map, attractors, Some(names_of(map)))
 }
 
-/// The same without names and what they are made of, which no digest is of.
+/// Makes the JSON without names and the values that they depend on; digests of maps without names use it.
 pub(crate) fn unnamed<'a>(map: &'a Map, attractors: Option<&[Vec2]>) -> Result<Json<'a>, ExportError> {
     compose(map, attractors, None)
 }
 
-/// The same with names that were made elsewhere; without, what they are made of is left out, too.
+/// Makes the JSON with names that were made elsewhere. Without names, the values that they depend on are left out, too.
 ///
 /// # Errors
-/// As [`json`].
+/// Fails like [`network`].
 #[inline(never)] // one copy is enough
-///
-/// # Errors
-/// As [`network`].
 pub fn compose<'a>(map: &'a Map, attractors: Option<&[Vec2]>, names: Option<Names>) -> Result<Json<'a>, ExportError> {
-    /// Of the nodes' columns, about two nodes a vertex.
+    /// For the columns of the nodes, about two nodes per vertex.
     const BYTES_A_VERTEX: usize = 64;
     let network = rivers(map, BYTES_A_VERTEX)?;
     let mut domain = Members::default();
@@ -72,18 +69,18 @@ pub fn compose<'a>(map: &'a Map, attractors: Option<&[Vec2]>, names: Option<Name
     Ok(form.into())
 }
 
-/// Writes the network of a map, with the attractors that its tree grew to, if they are given.
+/// Writes the network of a map, with the attractors that the tree grew to if they are given.
 ///
 /// # Errors
-/// If there is not enough memory; and those of the writer.
+/// Fails if there is not enough memory, and with the writer's errors.
 #[cfg(feature = "json")]
 pub fn write(out: impl std::io::Write, map: &Map, attractors: Option<&[Vec2]>) -> std::io::Result<()> {
     let network = network(map, attractors).map_err(std::io::Error::other)?;
     Ok(serde_json::to_writer(out, &network)?)
 }
 
-/// All values of a recipe, defaults too: so that the recipe keeps its meaning when a default changes. Numbers are numbers,
-/// everything else is text.
+/// All values of a recipe, including defaults, so that the recipe keeps its meaning if a default changes. Numbers are
+/// numbers, everything else is text.
 pub fn recipe<'a>(recipe: &Recipe) -> Json<'a> {
     values(recipe, true)
 }
@@ -100,7 +97,7 @@ fn values<'a>(recipe: &Recipe, is_named: bool) -> Json<'a> {
     members.into()
 }
 
-/// The values used, lengths in domain units.
+/// The values used, with lengths in domain units.
 fn resolved<'a>(map: &Map) -> Members<'a> {
     let (recipe, grown, shaped) = (map.recipe(), map.grown(), map.network_settings());
     let mut members = Members::default();
@@ -144,7 +141,7 @@ fn growth<'a>(map: &Map) -> Members<'a> {
     members
 }
 
-/// What is measured of a network, by the names of the table of measures; null where it is too small.
+/// The measures of a network, by their names in the table of measures; null if the network is too small.
 pub fn measures<'a>(measured: &Measures) -> Json<'a> {
     let mut members = Members::default();
     for measure in &statistics::TABLE {
@@ -216,7 +213,7 @@ fn oxbow<'a>(network: &Network, id: u32) -> Json<'a> {
     members.into()
 }
 
-/// x, y and a share of the width.
+/// The coordinates of a vertex, and a share of its width.
 fn point(vertex: &Vertex, share: f32) -> [f32; 3] {
     [vertex.at.x, vertex.at.y, vertex.width() * share]
 }

@@ -1,53 +1,53 @@
-//! Heights as whole numbers of 16 bits, in which water still runs down.
+//! Heights as whole 16-bit numbers, in which water still runs down.
 
 use crate::base::memory::{Refused, lengthen};
 use crate::relief::{CELL_SIZE, METRES};
 
-/// How heights are written as whole numbers, or steps: 0 is the map's deepest place.
+/// The scale of heights written as whole numbers, called steps. Step 0 is the map's deepest place.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scale {
-    /// The step of the sea's surface: this or less at sea, more on land.
+    /// The step of the sea's surface. The sea has this step or less, land more.
     pub sea_level: u16,
-    /// How much higher each step is than the one below, in metres.
+    /// The height of a step, in metres.
     pub metres_a_step: f64,
 }
 
 impl Scale {
-    /// The finest scale for heights in units that leaves some steps free above the highest.
+    /// The finest scale for heights in units that leaves `free` steps above the highest.
     fn of(heights: &[f32], free: u16) -> Self {
         let most = f64::from(u16::MAX - free);
         let (deepest, highest) = heights.iter().fold((0.0f32, 0.0f32), |(a, b), &x| (a.min(x), b.max(x)));
         let (down, up) = (f64::from(-deepest), f64::from(highest).max(f64::from(CELL_SIZE)));
-        // The sea's surface is a whole step, and what lies below it has room.
+        // The sea's surface is a whole step, with room for everything below it.
         let sea_level = (most * down / (down + up)).ceil();
         Self { sea_level: sea_level as u16, metres_a_step: up * f64::from(METRES) / (most - sea_level) }
     }
 
-    /// The nearest step to a height in units. Land is above the sea, by a step at least.
+    /// The nearest step to a height in units. Land is at least a step above the sea.
     pub fn step(&self, height: f32) -> u16 {
         let steps = (f64::from(height) * f64::from(METRES) / self.metres_a_step).round();
         let least = if height > 0.0 { f64::from(self.sea_level) + 1.0 } else { 0.0 };
         (steps + f64::from(self.sea_level)).max(least).min(f64::from(u16::MAX)) as u16
     }
 
-    /// The height that a step stands for, in metres over the sea.
+    /// The height of a step, in metres above the sea.
     pub fn metres(&self, step: u16) -> f64 {
         (f64::from(step) - f64::from(self.sea_level)) * self.metres_a_step
     }
 }
 
-/// The heights of all cells in steps, and the scale of these.
+/// The heights of all cells in steps, with their scale.
 pub(super) struct Levels {
     pub scale: Scale,
     pub steps: Vec<u16>,
 }
 
 impl Levels {
-    /// Rounds heights in units to steps. Where a cell would be as low as the one that its water runs to, which `next` gives, it is raised to
-    /// the step above that.
+    /// Rounds heights in units to steps. `next` is the cell that a cell's water runs to; a cell that would not be
+    /// higher than that is raised to the step above it.
     pub fn new(heights: &[f32], next: impl Fn(usize) -> Option<usize>) -> Result<Self, Refused> {
-        /// Steps that are left free at the top, if raised land does not fit below it. Only a slope of tens of thousands of cells without
-        /// a step of its own needs more than the last.
+        /// Numbers of steps to leave free at the top, tried in turn until raised land fits below it. Only a slope of
+        /// tens of thousands of cells without a step of its own would need more than the last.
         const FREE: [u16; 6] = [0, 16, 128, 1024, 8192, 32_768];
         let mut steps = Vec::new();
         lengthen(&mut steps, heights.len(), 0)?;
@@ -62,11 +62,11 @@ impl Levels {
     }
 }
 
-/// Fills in the step of each cell, from the sea upstream. Returns whether all fit below the top of the scale.
+/// Fills in the step of each cell, from the sea upstream. Returns `true` if all fit below the top of the scale.
 fn falls(scale: &Scale, heights: &[f32], next: impl Fn(usize) -> Option<usize>, steps: &mut [u16]) -> bool {
     let is_land = |cell: usize| heights[cell] > 0.0;
     for (step, &height) in steps.iter_mut().zip(heights) {
-        // No cell of land has the step 0: that marks those whose turn comes.
+        // Step 0 marks land cells that have no step yet; land never keeps it.
         *step = if height > 0.0 { 0 } else { scale.step(height) };
     }
     let mut fits = true;
@@ -91,7 +91,7 @@ fn falls(scale: &Scale, heights: &[f32], next: impl Fn(usize) -> Option<usize>, 
 mod tests {
     use super::*;
 
-    /// A slope whose first cell lies at sea; water runs to the cell before.
+    /// A slope whose first cell lies in the sea; water runs to the cell before.
     fn slope(heights: &[f32]) -> Levels {
         Levels::new(heights, |cell| cell.checked_sub(1)).unwrap()
     }

@@ -1,6 +1,6 @@
 //! Pictures and networks as files.
 //!
-//! The contents of a file are built as plain data, for programs and pages alike; only programs write JSON as text.
+//! The contents of a file are built as plain data, for programs and pages alike. Only programs write JSON as text.
 
 mod banks;
 mod data;
@@ -27,7 +27,7 @@ use crate::base::memory;
 use crate::map::Map;
 use crate::network::Network;
 
-/// The names of a map; none where there is nothing that makes names.
+/// The names of a map; none if this build makes no names.
 #[cfg_attr(not(feature = "names"), expect(unused_variables, reason = "there are no names"))]
 fn names_of(map: &Map) -> Names {
     #[cfg(feature = "names")]
@@ -36,24 +36,24 @@ fn names_of(map: &Map) -> Names {
     Names::default()
 }
 
-/// Why a file cannot be written.
+/// Reasons why a file cannot be written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum ExportError {
     /// Rasters of this map cannot have that many pixels.
     #[error("rasters of this map are from {least} to {most} pixels long, not {size}")]
     RasterSize {
-        /// What was asked for: pixels on the longer side.
+        /// The requested number of pixels on the longer side.
         size: u32,
-        /// The fewest that there can be.
+        /// The smallest possible number.
         least: u32,
-        /// The most.
+        /// The greatest possible number.
         most: u32,
     },
     /// There was not enough memory.
     #[error("the file needs about {megabytes} MB, and the allocation failed")]
     OutOfMemory {
-        /// About how much is needed.
+        /// Approximate memory needed, in MB.
         megabytes: u32,
     },
 }

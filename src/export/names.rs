@@ -5,19 +5,19 @@ use glam::Vec2;
 use super::data::{Json, Members};
 use crate::annotate::names::{Names, PlaceName, ReachName, RiverName};
 
-/// A name, or null for what has none.
+/// A name, or null if it is empty.
 fn name<'a>(name: &str) -> Json<'a> {
     if name.is_empty() { Json::Null } else { Json::Owned(name.into()) }
 }
 
-/// A river's name in JSON.
+/// Adds a river's name for JSON.
 pub(super) fn river<'a>(members: &mut Members<'a>, river: Option<&RiverName>) {
     if let Some(river) = river {
         members.value("name", name(&river.name));
     }
 }
 
-/// A river's name in GeoJSON.
+/// Adds a river's name for GeoJSON.
 pub(super) fn river_feature<'a>(members: &mut Members<'a>, named: Option<&RiverName>) {
     river(members, named);
     if let Some(named) = named {
@@ -25,7 +25,7 @@ pub(super) fn river_feature<'a>(members: &mut Members<'a>, named: Option<&RiverN
     }
 }
 
-/// All names but those of rivers, as a list for JSON.
+/// All names except those of rivers, as a list for JSON.
 pub(super) fn list<'a>(names: Names) -> Json<'a> {
     let Names { reaches, places, title, .. } = names;
     let entry = |kind, identity, text: &str| {
@@ -41,13 +41,13 @@ pub(super) fn list<'a>(names: Names) -> Json<'a> {
     })
 }
 
-/// A feature of GeoJSON before it is one: its id, where it lies, and its properties.
+/// The parts of a GeoJSON feature: its id, its position, and its properties.
 pub(super) enum Feature<'a, 'b> {
     Line(String, &'b [Vec2], Members<'a>),
     Point(String, Vec2, Members<'a>),
 }
 
-/// What has a name and is no river: reaches as lines, seas, lakes and islands as points.
+/// The feature of a name that does not belong to a river: reaches as lines; seas, lakes and islands as points.
 pub(super) fn feature<'a, 'b>(names: &'b Names, i: usize) -> Option<Feature<'a, 'b>> {
     match i.checked_sub(names.reaches.len()) {
         None => names.reaches.get(i).map(reach),

@@ -1,4 +1,4 @@
-//! A map's files for a game, in one archive: rasters, rivers, the picture, and a text that says by which scale.
+//! A map's files for a game, in one archive: rasters, rivers, the picture, and a text with the scale.
 
 #[cfg(feature = "pack")]
 use std::io::{Error, Result, Write};
@@ -19,14 +19,14 @@ use super::{geojson, png};
 use crate::map::Map;
 use crate::relief::METRES;
 
-/// The names of the files besides the rasters: the text, the picture, the rivers.
+/// The file name of the text.
 pub const README: &str = "README.txt";
-/// The picture.
+/// The file name of the picture.
 pub const PICTURE: &str = "map.png";
-/// The rivers and what they flow through.
+/// The file name of the rivers and of the land around them.
 pub const FEATURES: &str = "map.geojson";
 
-/// The text of the README: what each file holds, and by which scale.
+/// Makes the text of the README: the contents of each file, and the scale.
 pub fn readme(rasters: &Rasters) -> String {
     let scale = rasters.scale;
     let mut text = format!(
@@ -56,11 +56,11 @@ pub fn readme(rasters: &Rasters) -> String {
     text
 }
 
-/// Writes the archive, in the ZIP format. `rasters` and `picture` are those of the map. A recipe always gives the same bytes: files
-/// have no time.
+/// Writes the archive in the ZIP format, with the rasters and the picture of the map. A recipe always gives the same
+/// bytes, because files have a fixed time.
 ///
 /// # Errors
-/// If there are no rivers yet, or there is not enough memory; and those of the writer.
+/// Fails if there is not enough memory, and with the writer's errors.
 #[cfg(feature = "pack")]
 pub fn write(out: impl Write, map: &Map, rasters: &Rasters, picture: &Pixmap) -> Result<()> {
     let mut archive = ZipArchiveWriter::new(out);
@@ -81,7 +81,7 @@ fn add<W: Write>(
     name: &str,
     write: impl FnOnce(&mut dyn Write) -> Result<()>,
 ) -> Result<()> {
-    /// The first moment that a ZIP knows, 1980-01-01: the same bytes on any day.
+    /// The earliest time in a ZIP, 1980-01-01. It is fixed so that the bytes are the same on any day.
     const EARLIEST: i64 = 315_532_800;
     let moment = UtcDateTime::from_unix(EARLIEST);
     let file = archive.new_file(name).last_modified(moment).compression_method(CompressionMethod::DEFLATE);

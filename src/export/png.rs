@@ -1,4 +1,4 @@
-//! PNG pictures and rasters, which carry the link they were drawn from.
+//! PNG pictures and rasters. They contain the link of their recipe.
 
 use std::io::{Error, Write};
 
@@ -14,7 +14,7 @@ pub use super::rasters::LINK_KEYWORD;
 /// Writes an opaque picture, with the link of its recipe in a text chunk.
 ///
 /// # Errors
-/// If there is not enough memory; and those of the writer.
+/// Fails if there is not enough memory, and with the writer's errors.
 pub fn write(out: impl Write, pixmap: &Pixmap, link: &str) -> Result<(), EncodingError> {
     ask(pixmap.data().len() / 4)?;
     let mut encoder = Encoder::new(out, pixmap.width(), pixmap.height());
@@ -23,10 +23,10 @@ pub fn write(out: impl Write, pixmap: &Pixmap, link: &str) -> Result<(), Encodin
     write_pixels(encoder, (ColorType::Rgb, BitDepth::Eight), &rgb)
 }
 
-/// Writes a raster in shades of grey, of 8 bits or 16, with the link of its recipe and what its values mean in text chunks.
+/// Writes a raster in 8 or 16 bits of grey, with the link of its recipe and the meaning of its values in text chunks.
 ///
 /// # Errors
-/// If there is not enough memory; and those of the writer.
+/// Fails if there is not enough memory, and with the writer's errors.
 pub fn write_raster(out: impl Write, rasters: &Rasters, layer: Layer) -> Result<(), EncodingError> {
     ask(rasters.columns * rasters.rows)?;
     let mut encoder = Encoder::new(out, rasters.columns as u32, rasters.rows as u32);
@@ -42,25 +42,25 @@ pub fn write_raster(out: impl Write, rasters: &Rasters, layer: Layer) -> Result<
     }
 }
 
-/// Asks for the memory that so many pixels take until they are written.
+/// Checks that there is enough memory to write this number of pixels.
 fn ask(pixels: usize) -> Result<(), EncodingError> {
-    /// Without opacity, filtered, and compressed, in lists that grow by doubling.
+    /// The pixels without alpha, filtered and compressed, in lists that grow by doubling.
     const BYTES_A_PIXEL: usize = 16;
-    /// Of what compresses.
+    /// The compressor's own memory.
     const BYTES: usize = 2_000_000;
     let bytes = pixels * BYTES_A_PIXEL + BYTES;
     let refused = |_| ExportError::OutOfMemory { megabytes: (bytes / 1_000_000) as u32 + 1 };
     Ok(memory::ask(bytes).map_err(refused).map_err(Error::other)?)
 }
 
-/// Writes the pixels, compressed in a half to a third of the time of the crate's balanced setting. By the right filter files of flat
-/// pictures are smaller for that by a quarter, those of shaded ones larger by a fifteenth at most.
+/// Writes the pixels. Compression takes a third to a half of the time of the crate's balanced setting. With the right
+/// filter, files of flat pictures become a quarter smaller, and those of shaded ones up to a fifteenth larger.
 fn write_pixels(
     mut encoder: Encoder<'_, impl Write>,
     (color, depth): (ColorType, BitDepth),
     bytes: &[u8],
 ) -> Result<(), EncodingError> {
-    /// The last before files hardly become smaller and time doubles.
+    /// Higher levels double the time and hardly make files smaller.
     const LEVEL: u8 = 3;
     encoder.set_color(color);
     encoder.set_depth(depth);
@@ -70,8 +70,8 @@ fn write_pixels(
     encoder.write_header()?.write_image_data(bytes)
 }
 
-/// Whether three fifths of all pixels or more are like the one before, as in areas of one colour: runs and patterns then say more than
-/// the differences that filters make of them.
+/// Returns `true` if at least three fifths of all pixels equal the one before, as in areas of one colour. Runs and
+/// patterns then compress better than the differences that filters make.
 fn is_flat(bytes: &[u8], bytes_a_pixel: usize) -> bool {
     let pairs = bytes.chunks_exact(bytes_a_pixel).zip(bytes.chunks_exact(bytes_a_pixel).skip(1));
     pairs.filter(|(before, pixel)| before == pixel).count() * 5 >= bytes.len() / bytes_a_pixel * 3
@@ -85,7 +85,7 @@ mod tests {
 
     const SIDE: usize = 40;
 
-    /// A picture whose colour changes with every `run`th pixel.
+    /// A picture whose colour changes after every `run` pixels.
     fn striped(run: usize) -> Option<Pixmap> {
         let mut pixmap = Pixmap::new(SIDE as u32, SIDE as u32)?;
         for (i, pixel) in pixmap.pixels_mut().iter_mut().enumerate() {

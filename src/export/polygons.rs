@@ -1,12 +1,14 @@
-//! Polygons of rings that run around areas of a raster: which ring is a hole of which, on the grid of the numbers that are written.
+//! Polygons from the rings around areas of a raster, on the grid of the written numbers. It finds the holes of each
+//! outer ring.
 
 use super::rings::{GridPoint, doubled_area};
 use crate::base::sort::{argsort, key};
 
-/// Rings, closed, whose last point is their first: the outer one, counterclockwise, then its holes, clockwise.
+/// Closed rings whose last point is their first: the outer one, counterclockwise, then its holes, clockwise.
 pub(super) type Polygon = Vec<Vec<GridPoint>>;
 
-/// The polygons of the rings around some areas, the largest first. All outer rings run one way, all holes the other, and none cross.
+/// Makes polygons from the rings around some areas, the largest first. All outer rings run one way, all holes the
+/// other, and no two cross.
 pub(super) fn polygons(rings: impl IntoIterator<Item = Vec<GridPoint>>) -> Vec<Polygon> {
     let (mut outer, mut holes) = (Vec::new(), Vec::new());
     for ring in rings.into_iter().flat_map(apart) {
@@ -18,7 +20,7 @@ pub(super) fn polygons(rings: impl IntoIterator<Item = Vec<GridPoint>>) -> Vec<P
     }
     let mut polygons: Vec<Polygon> = largest_first(&outer).into_iter().map(|i| outer[i].clone()).collect();
     for hole in holes {
-        // The least that holds one is the one that it is in.
+        // A hole belongs to the smallest polygon around it.
         let is_around = |polygon: &&mut Polygon| hole.iter().all(|at| is_in(&polygon[0], *at));
         if let Some(polygon) = polygons.iter_mut().rev().find(is_around) {
             polygon.push(hole);
@@ -32,7 +34,7 @@ fn largest_first(polygons: &[Polygon]) -> Vec<usize> {
     argsort(polygons.iter().map(|polygon| key(-(doubled_area(&polygon[0]) as f32))))
 }
 
-/// A ring without points that tell nothing; one that comes to a place twice is two.
+/// Splits a ring wherever it comes to a place twice, and leaves out points on straight sides.
 fn apart(ring: Vec<GridPoint>) -> Vec<Vec<GridPoint>> {
     let (mut waiting, mut rings) = (vec![ring], Vec::new());
     while let Some(mut ring) = waiting.pop() {
@@ -47,9 +49,9 @@ fn apart(ring: Vec<GridPoint>) -> Vec<Vec<GridPoint>> {
     rings.into_iter().filter(|ring| ring.len() > 2).collect()
 }
 
-/// Two positions of one place in a ring, the earlier first.
+/// Two positions of the same place in a ring, the earlier first.
 fn met_twice(ring: &[GridPoint]) -> Option<(usize, usize)> {
-    // Equal ones keep their order: in order of one coordinate, and then of the other.
+    // The sort is stable: equal places end up side by side, in the order of the ring.
     let by_north = argsort(ring.iter().map(|at| at[1] as u32));
     let order = argsort(by_north.iter().map(|&i| ring[i][0] as u32));
     let pairs = order.windows(2).map(|pair| (by_north[pair[0]], by_north[pair[1]]));
@@ -66,7 +68,8 @@ fn without_straight(ring: Vec<GridPoint>) -> Vec<GridPoint> {
     (0..count).filter(is_corner).map(|i| ring[i]).collect()
 }
 
-/// Whether a place lies within a ring or on it: a line to the east crosses the ring an odd number of times.
+/// Returns `true` if a place lies within a ring or on it: a line to the east then crosses the ring an odd number of
+/// times.
 fn is_in(ring: &[GridPoint], [x, y]: GridPoint) -> bool {
     let before = ring.iter().cycle().skip(ring.len() - 1);
     let mut is_in = false;
@@ -86,7 +89,7 @@ fn is_in(ring: &[GridPoint], [x, y]: GridPoint) -> bool {
 mod tests {
     use super::*;
 
-    /// A square with this half side, around a place.
+    /// A square around a place, with this half side.
     fn square(x: i32, half: i32) -> Vec<GridPoint> {
         [[-half, -half], [half, -half], [half, half], [-half, half]].map(|[dx, y]| [x + dx, y]).to_vec()
     }
@@ -106,7 +109,7 @@ mod tests {
 
     #[test]
     fn ring_that_touches_itself_is_two_and_straight_points_go() {
-        // Corner on side: the ring is cut there, and its parts keep their sides.
+        // A corner lies on a side: the ring is cut there, and its parts keep their sides.
         let eight = vec![[0, 0], [10, 0], [10, 10], [0, 10], [-5, 10], [-10, 10], [-10, 20], [0, 20], [0, 10]];
         let all = polygons([eight]);
         assert_eq!(all.iter().map(Vec::len).collect::<Vec<_>>(), [1], "{all:?}");

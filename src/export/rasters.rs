@@ -1,4 +1,4 @@
-//! Rasters: what is known of each cell of the relief, for programs that make landscapes of it.
+//! Rasters: values of each cell of the relief, for programs that make landscapes from them.
 
 use std::sync::Arc;
 
@@ -18,37 +18,38 @@ const BYTES_A_VERTEX: usize = 40;
 /// The keyword of the text that holds the link, in every PNG.
 pub const LINK_KEYWORD: &str = "riverseed";
 
-/// Everything known of the cells of a map, and by which scale.
+/// The values of a map's cells, with their scale.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rasters {
     /// The link of the recipe.
     pub link: String,
-    /// How many cells lie side by side. The last may reach over the map's border.
+    /// Number of cells in a row. The last one may reach beyond the map's border.
     pub columns: usize,
-    /// How many rows of cells there are.
+    /// Number of rows of cells.
     pub rows: usize,
     /// The side of a cell, in units.
     pub cell_size: f32,
-    /// Width and height of the map, in units: the last cells may reach beyond.
+    /// Width and height of the map, in units. The last cells may reach beyond it.
     pub size: Vec2,
-    /// How heights are written.
+    /// The scale of written heights.
     pub scale: Scale,
     relief: Arc<Relief>,
     flow: Flow,
     /// The height of each cell in steps of the scale.
     steps: Vec<u16>,
-    /// Of each cell the width of its river, in units; 0 where there is none.
+    /// The width of the river in each cell, in units; 0 if there is none.
     widths: Vec<f32>,
 }
 
 /// One of the rasters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Layer {
-    /// Heights, by the scale.
+    /// Heights, in steps of the scale.
     Heights,
     /// 255 on land, 0 at sea.
     Land,
-    /// The width of rivers in thousandths of a unit, 0 elsewhere: fine enough, and not all black where it is looked at.
+    /// The width of rivers in thousandths of a unit, 0 elsewhere. Thousandths are fine enough, and large enough that
+    /// the raster does not look all black.
     Rivers,
     /// Flow directions (D8).
     Flow,
@@ -59,17 +60,18 @@ pub enum Layer {
 /// The values of a raster, row by row, from north to south.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Values {
-    /// Of one byte a cell.
+    /// One byte per cell.
     Bytes(Vec<u8>),
-    /// Of two bytes a cell.
+    /// Two bytes per cell.
     Words(Vec<u16>),
 }
 
 impl Layer {
-    /// All of them.
+    /// All layers.
     pub const ALL: [Self; 5] = [Self::Heights, Self::Land, Self::Rivers, Self::Flow, Self::Basins];
 
-    /// What its values are, in English. With these words [`Rasters::meaning`] begins, and no two layers have the same.
+    /// The subject of its values, in English. [`Rasters::meaning`] begins with these words, and no two layers have the
+    /// same.
     pub fn subject(self) -> &'static str {
         match self {
             Self::Heights => "16-bit heights",
@@ -93,20 +95,21 @@ impl Layer {
 }
 
 impl Rasters {
-    /// The rasters of a map on its own grid: a pixel is 2 x 2 units.
+    /// Makes the rasters of a map on its own grid, where a pixel is 2 x 2 units.
     ///
     /// # Errors
-    /// If there is not enough memory.
+    /// Fails if there is not enough memory.
     pub fn new(map: &Map) -> Result<Self, ExportError> {
         let network = rivers(map, BYTES_A_VERTEX)?;
         Self::of(map, network, map.make_relief()?, &map.relief_settings())
     }
 
-    /// The same with so many pixels on the longer side, from those of the map's own grid (500 of a square map) to [`Grid::MOST`]. Rivers
-    /// are as high as on that, but where they would stand on dams; hillsides are solved anew.
+    /// Makes rasters with `size` pixels on the longer side, from those of the map's own grid (500 for a square map) to
+    /// [`Grid::MOST`]. Rivers are as high as on that grid, except where they would stand on dams; hillsides are solved
+    /// anew.
     ///
     /// # Errors
-    /// If rasters cannot be that long, or there is not enough memory: some 100 bytes a pixel.
+    /// Fails if rasters of this map cannot have that size, or if there is not enough memory: about 100 bytes per pixel.
     pub fn with_size(map: &Map, size: u32) -> Result<Self, ExportError> {
         let network = rivers(map, BYTES_A_VERTEX)?;
         let mut settings = map.relief_settings();
@@ -120,10 +123,10 @@ impl Rasters {
         Self::of(map, network, finer.into(), &settings)
     }
 
-    /// The pixels of rasters that are so long.
+    /// The grid of rasters with `size` pixels on the longer side.
     ///
     /// # Errors
-    /// If rasters of this map cannot be that long.
+    /// Fails if rasters of this map cannot have that size.
     pub fn grid(domain: &Domain, size: u32) -> Result<Grid, ExportError> {
         let sizes = Grid::sizes(domain);
         let refused = ExportError::RasterSize { size, least: *sizes.start(), most: *sizes.end() };
@@ -163,7 +166,7 @@ impl Rasters {
         }
     }
 
-    /// What the values of a raster mean, in English.
+    /// The meaning of a raster's values, in English.
     pub fn meaning(&self, layer: Layer) -> String {
         let Scale { sea_level, metres_a_step } = self.scale;
         let more = match layer {
@@ -185,7 +188,7 @@ impl Rasters {
         format!("{}{more}", layer.subject())
     }
 
-    /// What a raster's file says besides its values: keywords and texts, in ASCII.
+    /// The texts in a raster's file, with their keywords, in ASCII.
     pub fn texts(&self, layer: Layer) -> Vec<(&'static str, String)> {
         let mut texts = vec![
             (LINK_KEYWORD, self.link.clone()),
@@ -205,7 +208,7 @@ impl Rasters {
         &self.flow
     }
 
-    /// The relief that this is made of.
+    /// The relief that the rasters are made from.
     pub fn relief(&self) -> &Relief {
         &self.relief
     }
@@ -215,7 +218,8 @@ fn out_of_memory(bytes: usize) -> ExportError {
     ExportError::OutOfMemory { megabytes: (bytes / 1_000_000) as u32 + 1 }
 }
 
-/// A number with so many decimal places. The tables that print any float would be a fifth of what a page downloads.
+/// Writes a number with this number of decimal places. The standard library's tables for printing any float would be a
+/// fifth of a page's download.
 pub(super) fn decimal(number: f64, places: u32) -> String {
     let parts = 10u64.pow(places);
     let rounded = (number.abs() * parts as f64).round() as u64;
@@ -227,17 +231,17 @@ pub(super) fn decimal(number: f64, places: u32) -> String {
     }
 }
 
-/// The same without decimal places where the number is whole.
+/// Writes a number like `decimal`, but without decimal places if it is whole.
 pub(super) fn shortest(number: f64, places: u32) -> String {
     decimal(number, if number.fract() == 0.0 { 0 } else { places })
 }
 
-/// Rounded up, so that what has a width keeps one.
+/// A width in thousandths, rounded up so that it stays above 0.
 fn thousandths(width: f32) -> u16 {
     (width * 1000.0).ceil().clamp(0.0, f32::from(u16::MAX)) as u16
 }
 
-/// The width of the widest river in each cell: in those that it passes, and those whose middles lie between its banks.
+/// The width of the widest river in each cell that it passes, or whose middle lies between its banks.
 fn widths(relief: &Relief, flow: &Flow, network: &Network) -> Vec<f32> {
     let mut widths = vec![0.0f32; relief.heights().len()];
     for river in &network.rivers {
@@ -252,7 +256,7 @@ fn widths(relief: &Relief, flow: &Flow, network: &Network) -> Vec<f32> {
         }
     }
     for (width, &river) in widths.iter_mut().zip(&flow.rivers) {
-        // Where a path takes a corner that the line misses.
+        // The river's path may take a corner that its line misses.
         let least =
             network.rivers.get(river as usize).map_or(0.0, |river| network.vertices[river.start as usize].width());
         *width = width.max(least);
@@ -260,7 +264,7 @@ fn widths(relief: &Relief, flow: &Flow, network: &Network) -> Vec<f32> {
     widths
 }
 
-/// A river of a width at a point.
+/// Marks the cells of a river of this width at a point.
 fn stamp(relief: &Relief, widths: &mut [f32], at: Vec2, width: f32) {
     let last = Vec2::new(relief.columns() as f32 - 1.0, relief.rows() as f32 - 1.0);
     let cell = |point: Vec2| (point / relief.cell_size()).floor().clamp(Vec2::ZERO, last);
@@ -295,11 +299,11 @@ mod tests {
     #[test]
     fn rasters_are_refused_where_there_is_no_memory_for_them() {
         let map = Session::new(link::read("attractors=300&style=atlas").unwrap()).unwrap().finish().unwrap();
-        // Enough for what the rivers need; the relief is there already.
+        // This is enough for the rivers; the relief exists already.
         let refused = with_lists_up_to(10_000_000, || Rasters::new(&map)).unwrap_err();
         assert!(matches!(refused, ExportError::OutOfMemory { megabytes } if megabytes > 10), "{refused}");
         assert!(Rasters::new(&map).is_ok());
-        // A finer relief than the one that is there has to be made.
+        // A finer relief than the existing one has to be made.
         let refused = with_lists_up_to(100_000_000, || Rasters::with_size(&map, 2048)).unwrap_err();
         assert!(matches!(refused, ExportError::OutOfMemory { megabytes } if megabytes > 100), "{refused}");
         assert!(Rasters::with_size(&map, 700).is_ok());

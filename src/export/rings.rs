@@ -1,10 +1,11 @@
-//! Rings as readers of polygons want them: on the grid of the numbers that are written, so that no rounding undoes it.
+//! Valid rings for readers of polygons. They are made on the grid of the written numbers, so that no rounding
+//! invalidates them.
 
-/// A place on the grid, to the east and to the north.
+/// A place on the grid: east, north.
 pub(super) type GridPoint = [i32; 2];
 
-/// A ring is a closed line whose last point is its first: this one, without small loops, if it then runs counterclockwise
-/// round an inside and neither crosses nor touches itself. Points that fall together count once.
+/// Makes a closed ring, whose last point is its first, without small loops. `None` unless it then runs counterclockwise
+/// around an area and neither crosses nor touches itself. Repeated points count once.
 pub(super) fn simple_ring(mut ring: Vec<GridPoint>) -> Option<Vec<GridPoint>> {
     ring.dedup();
     if ring.len() > 1 && ring.first() == ring.last() {
@@ -18,8 +19,8 @@ pub(super) fn simple_ring(mut ring: Vec<GridPoint>) -> Option<Vec<GridPoint>> {
     Some(ring)
 }
 
-/// Leaves out what lies between two sides that meet, if it is a few points only: a bank in a bend that is tighter than the
-/// river is wide.
+/// Cuts loops of a few points, between two sides that meet. A bank makes them in a bend that is tighter than the river
+/// is wide.
 fn cut_small_loops(ring: &mut Vec<GridPoint>) {
     let few = (ring.len() / 4).min(12);
     let mut i = 0;
@@ -27,7 +28,7 @@ fn cut_small_loops(ring: &mut Vec<GridPoint>) {
         let last = (i + few).min(ring.len() - 2);
         let meets = |j: &usize| meet((ring[i], ring[i + 1]), (ring[*j], ring[*j + 1]));
         match (i + 2..=last).rev().find(meets) {
-            // What is before it now leads elsewhere, and may meet something there.
+            // The sides before now lead elsewhere, and may meet something there.
             Some(j) => {
                 ring.drain(i + 1..=j);
                 i = i.saturating_sub(few);
@@ -37,12 +38,12 @@ fn cut_small_loops(ring: &mut Vec<GridPoint>) {
     }
 }
 
-/// Twice the area that a ring runs round counterclockwise, in cells of the grid.
+/// Twice the area that a ring encloses counterclockwise, in cells of the grid.
 pub(super) fn doubled_area(ring: &[GridPoint]) -> i64 {
     (2..ring.len()).map(|i| turn(ring[0], ring[i - 1], ring[i])).sum()
 }
 
-/// Whether no two sides have a point in common but neighbours their corner.
+/// Returns `true` if no two sides have a point in common, except for the corners of neighbours.
 fn is_simple(ring: &[GridPoint]) -> bool {
     let count = ring.len();
     let corner = |i: usize| ring[i % count];
@@ -61,7 +62,7 @@ fn turn(a: GridPoint, b: GridPoint, c: GridPoint) -> i64 {
     px * qy - py * qx
 }
 
-/// How far two ways from one place go in the same direction, times the length of one.
+/// The dot product of two ways from one place.
 fn along(from: GridPoint, a: GridPoint, b: GridPoint) -> i64 {
     let ([px, py], [qx, qy]) = (way(from, a), way(from, b));
     px * qx + py * qy
@@ -71,7 +72,7 @@ fn way(from: GridPoint, to: GridPoint) -> [i64; 2] {
     [0, 1].map(|axis| i64::from(to[axis]) - i64::from(from[axis]))
 }
 
-/// Whether two sides have a point in common; touching counts.
+/// Returns `true` if two sides have a point in common; touching counts.
 fn meet((a, b): (GridPoint, GridPoint), (c, d): (GridPoint, GridPoint)) -> bool {
     let are_apart =
         |axis: usize| a[axis].max(b[axis]) < c[axis].min(d[axis]) || c[axis].max(d[axis]) < a[axis].min(b[axis]);
@@ -90,7 +91,7 @@ mod tests {
         assert_eq!(simple_ring(square.clone()), Some(square));
     }
 
-    /// A figure of eight with this many points.
+    /// A figure of eight with this number of points.
     fn eight(points: i32) -> Vec<GridPoint> {
         let half = points / 2;
         let right = (1..=points).map(|i| [10 + 3 * i.min(points - i), 3 * (i - half)]);

@@ -8,17 +8,17 @@ use thiserror::Error;
 use crate::base::memory;
 use crate::land::trace::LONGEST_SIDE;
 
-/// Asks for the memory that a picture of so many pixels takes while it is decoded.
+/// Checks that there is enough memory to decode a picture with this number of pixels.
 fn ask(pixels: usize) -> Result<(), ImportError> {
-    /// Shades of grey with an opacity are two bytes, and become four; at sixteen bits a channel, rows are twice as long before.
+    /// Grey with alpha takes two bytes a pixel and becomes four; at 16 bits a channel, rows take twice as much before.
     const BYTES_A_PIXEL: usize = 8;
-    /// Of the decoder.
+    /// The decoder's own memory.
     const BYTES: usize = 2_000_000;
     let bytes = pixels * BYTES_A_PIXEL + BYTES;
     memory::ask(bytes).map_err(|_| ImportError::OutOfMemory { megabytes: (bytes / 1_000_000) as u32 + 1 })
 }
 
-/// The greatest memory that decoding may take, in bytes: enough for the largest picture at sixteen bits a channel.
+/// Limit on the decoder's memory, in bytes: enough for the largest picture at 16 bits a channel.
 const MEMORY: usize = (LONGEST_SIDE as usize).pow(2) * 8 + (1 << 20);
 
 /// A decoded picture.

@@ -1,4 +1,4 @@
-//! A map that has come from another wasm module. Whatever numbers it is read from, it can be asked everything.
+//! Reading of maps from another wasm module. Every map that is read, from whatever numbers, is safe to query.
 
 use std::sync::Arc;
 
@@ -15,7 +15,7 @@ use crate::relief::Relief;
 use crate::tree::{NO_PARENT, Tree};
 
 impl Map {
-    /// Reads what [`Map::to_wire`] has written; `None` of anything else.
+    /// Reads the data written by [`Map::to_wire`]; `None` if it is anything else.
     pub fn from_wire(data: &[u32]) -> Option<Self> {
         let mut data = Reader(data);
         let [low, high] = data.take()?;

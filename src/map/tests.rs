@@ -1,4 +1,4 @@
-//! What is promised of maps that are handed over: they are whole.
+//! Promises about maps that are handed over: they are complete.
 
 use super::*;
 use crate::recipe::link;
@@ -8,7 +8,7 @@ fn finished(text: &str) -> Map {
     Session::new(link::read(text).unwrap()).unwrap().finish().unwrap()
 }
 
-/// Maps in which every part of a map is there, and some in which it is not.
+/// Maps that together have every part of a map, and some that lack parts.
 const MAPS: [&str; 6] = [
     "land=island&growth=drainage&attractors=900&style=atlas&labels=some&seed=kauri",
     "land=archipelago&growth=colonize&attractors=900&style=past-courses&woods=0.5&great-rivers=4&meander-rounds=60",
@@ -62,7 +62,7 @@ fn making_and_cloning_a_map_copies_no_river() {
     let map = session.finish().unwrap();
     let other = session.map().unwrap();
     assert!(Arc::ptr_eq(map.network(), other.network()) && Arc::ptr_eq(map.tree(), other.tree()));
-    // Whatever becomes of the session, the map stays.
+    // The map stays the same, whatever happens to the session.
     let before = map.clone();
     session.change(link::read("attractors=300&width=30").unwrap()).unwrap();
     assert_ne!(session.finish().unwrap().network(), before.network());

@@ -1,4 +1,4 @@
-//! A map on the wire: the wasm module that has it hands all of it to another.
+//! Writing of maps for another wasm module.
 
 use super::{Map, MapId};
 use crate::base::memory;
@@ -10,13 +10,14 @@ use crate::prune::Trim;
 use crate::recipe::link;
 use crate::tree::Tree;
 
-/// How growth ended, by its number on the wire.
+/// The ways in which growth ends, by their numbers on the wire.
 pub(super) const ENDINGS: [Ending; 3] = [Ending::Complete, Ending::NodeLimit, Ending::OutOfMemory];
 
 impl Map {
-    /// Writes the whole map as numbers, for [`Map::from_wire`] in another module of the same build; nothing if there is not enough memory.
+    /// Writes the whole map as numbers, for [`Map::from_wire`] in another module of the same build. Returns an empty
+    /// list if there is not enough memory.
     pub fn to_wire(&self) -> Vec<u32> {
-        /// Seven numbers each, in a list that grows by doubling; and what land, relief and past courses take at most.
+        /// Seven numbers each, in a list that grows by doubling; then a limit for land, relief and past courses.
         const BYTES: usize = 56;
         const BYTES_BESIDES: usize = 10_000_000;
         if !memory::can_allocate((self.tree.len() + self.network.vertices.len()) * BYTES + BYTES_BESIDES) {

@@ -1,4 +1,4 @@
-//! Drafts: what a picture shows for a moment, while a slider moves. `paint` leaves nothing of them behind.
+//! Drafts: previews that a picture shows while a slider moves. `paint` removes all traces of them.
 
 use std::sync::Arc;
 
@@ -7,17 +7,17 @@ use crate::paint::{Painted, Rivers};
 use crate::recipe::{Key, Recipe};
 use crate::session::{Generation, OF_COASTS, OF_RELIEF, Phase, Session};
 
-/// What another recipe changes of what can be drafted.
+/// The kind of difference between two recipes for which there is a draft.
 enum Change {
     Nothing,
     Relief,
-    /// How many times as wide rivers are.
+    /// The ratio of river widths.
     Width(f32),
     Coasts,
 }
 
 impl Change {
-    /// Compares a recipe with a session's; `None` if it differs in anything that has no draft.
+    /// Compares a recipe with a session's; `None` if they differ in anything that has no draft.
     fn between(session: &Session, wanted: &Recipe) -> Option<Self> {
         let recipe = session.recipe();
         if recipe == wanted {
@@ -32,10 +32,11 @@ impl Change {
 }
 
 impl Picture {
-    /// Does a part of painting a draft of another recipe over the rivers of a session that are there, without a chart. It lasts until
-    /// `paint` paints anything else, and the picture changes with the last part. A session's own recipe shows its rivers as they are,
-    /// finished or not. `None`, and nothing is painted, if there can be no draft: if the recipe differs in more than width, in more than
-    /// mountains and plains, or in more than coasts, or what that draft begins with is not there.
+    /// Paints a part of a draft of another recipe over the session's present rivers, without a chart. The picture
+    /// changes with the last part, and the draft lasts until `paint` paints anything else. The session's own recipe
+    /// shows its rivers as they are, finished or not. `None`, and nothing is painted, if no draft is possible: the
+    /// recipe differs in more than width, in more than mountains and plains, or in more than coasts, or the data that
+    /// the draft starts from is missing.
     pub fn paint_draft(&mut self, session: &Session, wanted: &Recipe) -> Option<Painted> {
         match Change::between(session, wanted)? {
             Change::Nothing if !self.is_on_land_of(session) => self.paint_land_draft(session, wanted),
@@ -48,9 +49,9 @@ impl Picture {
         }
     }
 
-    /// Paints the rivers of a session as they are, finished or not, in one go: without a chart, so many times as wide, and on the ground
-    /// that the picture shows, even if its relief is that of other rivers. `None`, and nothing changes, if there are no rivers, or the
-    /// ground is that of another land.
+    /// Paints the session's rivers as they are, finished or not, in one go, without a chart and with their widths
+    /// multiplied by `times`. They are painted on the ground in the picture, even if its relief belongs to other
+    /// rivers. `None`, and nothing changes, if there are no rivers, or if the ground belongs to another land.
     fn paint_width_draft(&mut self, session: &Session, times: f32) -> Option<Painted> {
         let (network, recipe) = (session.network()?, session.recipe());
         if !self.is_on_land_of(session) {
@@ -61,8 +62,8 @@ impl Picture {
         Some(Painted::Whole(Some(changed)))
     }
 
-    /// Does a part of painting finished rivers with nearly the relief that another recipe would give them; by the session's own, with the
-    /// exact one. `None` if no relief of these rivers has been solved.
+    /// Paints a part of the finished rivers with a preview of the relief under another recipe; under the session's own,
+    /// with the exact relief. `None` if no relief of these rivers has been solved.
     fn paint_relief_draft(&mut self, session: &Session, wanted: &Recipe) -> Option<Painted> {
         let ((network, rounds), past) = session.network().zip(session.rounds()).zip(session.past())?;
         if !self.is_on_land_of(session) {
@@ -80,8 +81,9 @@ impl Picture {
         Some(self.painter.paint_rivers(&rivers))
     }
 
-    /// Does a part of painting finished rivers, without a relief, on nearly the coasts of another recipe, or on the session's own. The
-    /// rivers stay as they are: they end at the new coast, or short of it. `None` if there are no finished rivers.
+    /// Paints a part of the finished rivers, without a relief, on a preview of another recipe's coasts, or on the
+    /// session's own. The rivers stay as they are, and end at the new coast or short of it. `None` if there are no
+    /// finished rivers.
     fn paint_land_draft(&mut self, session: &Session, wanted: &Recipe) -> Option<Painted> {
         let ((network, rounds), past) = session.network().zip(session.rounds()).zip(session.past())?;
         if !matches!(session.phase(), Phase::Relief | Phase::Finished) {
@@ -92,7 +94,7 @@ impl Picture {
         if !is_there {
             self.painter.invalidate_ground(&session.domain());
             self.painter.reset();
-            // Of no session: whatever is painted next begins anew.
+            // A generation of no session, so that the next `paint` starts anew.
             self.shown = Some((Generation::next(), session.domain(), Some(land.clone())));
         }
         let recipe = session.recipe();
@@ -126,7 +128,7 @@ mod tests {
             assert_eq!(picture.pixmap().data() != before, style != "skeleton", "{style}");
             picture.paint(&session);
             assert!(picture.pixmap().data() == before, "{style}");
-            // Of rivers that change their courses, over the relief of those before.
+            // A draft of rivers that still change their courses, over the relief of the rivers before.
             session.change(link::read(&format!("{link}&simplify=40&width=30")).unwrap()).unwrap();
             while session.rounds() != Some(1) {
                 session.advance(1).unwrap();
@@ -134,7 +136,7 @@ mod tests {
             assert!(picture.paint_width_draft(&session, 1.0).is_some(), "{style}");
             let draft = picture.pixmap().data();
             let kept = draft.chunks(4).zip(before.chunks(4)).filter(|(now, then)| now == then).count();
-            // Of these courses a skeleton so small shows no difference.
+            // At this size a skeleton shows no difference between these courses.
             assert!((draft != before || style == "skeleton") && kept > 100 * 80 / 2, "{style}: {kept}");
             while session.advance(50).unwrap() {}
             picture.paint(&session);
@@ -158,7 +160,8 @@ mod tests {
 
     #[test]
     fn draft_of_other_mountains_is_nearly_their_picture_and_leaves_nothing_behind() {
-        // Of what a picture without a draft would be off, a draft is at most one part in so many: edges of basins move by whole pixels.
+        // A draft's error is at most one part in `parts` of the error without a draft: edges of basins move by whole
+        // pixels.
         for (style, parts) in [("atlas", 5.0), ("survey", 5.0), ("basins", 1.8)] {
             let link = format!("{SMALL}&land=island&style={style}");
             let mut session = finished(&link);
@@ -168,7 +171,7 @@ mod tests {
             let other = link::read(&format!("{link}&mountains=3&plains=60")).unwrap();
             draft(&mut picture, &session, &other).unwrap();
             let drafted = picture.pixmap().data().to_vec();
-            // Back to its own, and then there again while theirs is solved.
+            // Back to its own mountains, and then to the others again while their relief is solved.
             draft(&mut picture, &session, session.recipe()).unwrap();
             assert!(picture.pixmap().data() == before, "{style}");
             picture.paint(&session);
@@ -206,7 +209,7 @@ mod tests {
             assert_eq!(draft(&mut picture, &session, &read(other)), None, "{other}");
         }
         assert!(picture.pixmap().data() == painted(&session));
-        // Other rivers, whose relief is not there yet.
+        // The relief of the new rivers has not been made yet.
         draft(&mut picture, &session, &read("mountains=3")).unwrap();
         session.change(read("simplify=40")).unwrap();
         while session.phase() != Phase::Relief {
@@ -237,7 +240,7 @@ mod tests {
             let before = painted(&session);
             draft_of_coasts(&mut picture, &session, &other).unwrap();
             let drafted = picture.pixmap().data().to_vec();
-            // Its sea, as it is where no river has grown yet; on its land, rivers.
+            // Its sea is painted as before any river has grown; on its land there are rivers.
             let land = Land::draft_of(&other).unwrap();
             let bare = Session::on_land(other.clone(), land.clone()).unwrap();
             let ground = painted(&bare);
@@ -250,7 +253,7 @@ mod tests {
                 rivers += u32::from(is != was);
             }
             assert!(sea > 3000 && rivers > 20, "{style}: {sea}, {rivers}");
-            // Back to its own coasts, and to the very picture.
+            // Back to its own coasts, and to the exact picture.
             draft_of_coasts(&mut picture, &session, session.recipe()).unwrap();
             assert!(picture.pixmap().data() != drafted, "{style}");
             picture.paint(&session);
@@ -259,7 +262,7 @@ mod tests {
             assert!(picture.pixmap().data() == drafted, "{style}");
             picture.paint(&session);
             assert!(picture.pixmap().data() == before, "{style}");
-            // Its own coasts again, with other rivers in the making.
+            // Its own coasts again, while other rivers are being made.
             draft_of_coasts(&mut picture, &session, &other).unwrap();
             session.change(link::read(&format!("{link}&simplify=40")).unwrap()).unwrap();
             assert_eq!(session.phase(), Phase::Shaping);

@@ -1,4 +1,4 @@
-//! What a session's relief would be by another recipe, nearly, or its land, for a moment: while a slider moves.
+//! Previews of a session's relief or land under another recipe, shown while a slider moves.
 
 use std::sync::Arc;
 
@@ -7,20 +7,21 @@ use crate::land::Land;
 use crate::recipe::{Key, Recipe};
 use crate::relief::{Relief, ReliefDrafts};
 
-/// Drafts of the relief and the land of one session, and what they are made of.
+/// Previews of one session's relief and land, with the data that they are made from.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct SessionDrafts {
-    /// The last relief that was seen solved, with its recipe.
+    /// The last solved relief that was seen, with its recipe.
     base: Option<(Recipe, Arc<ReliefDrafts>)>,
-    /// The last draft, with its mountains and plains.
+    /// The last preview, with its values of mountains and plains.
     last: Option<([f32; 2], Arc<Relief>)>,
     /// The last land, with its recipe.
     land: Option<(Recipe, Arc<Land>)>,
 }
 
 impl SessionDrafts {
-    /// Looks at the relief of a session that is finished, unless it has. Returns whether it did; `None` if there can be no draft by another
-    /// recipe: because it is another in more than mountains or plains, or because no relief of these rivers was seen solved.
+    /// Stores the solved relief of a session as the base of previews. Returns `true` if it was stored now, `false` if
+    /// the base was already there. `None` if no preview of the other recipe is possible: it differs in more than
+    /// mountains and plains, or no solved relief of these rivers has been seen.
     pub fn prepare(&mut self, session: &Session, wanted: &Recipe) -> Option<bool> {
         let recipe = session.recipe();
         if !recipe.differs_in(wanted, &OF_RELIEF) || !matches!(session.phase(), Phase::Relief | Phase::Finished) {
@@ -38,7 +39,8 @@ impl SessionDrafts {
         self.base.as_ref().is_some_and(|(of, _)| of.differs_in(wanted, &OF_RELIEF)).then_some(false)
     }
 
-    /// The relief of the session for which that was prepared, by the other recipe: of its own the very one, if it is solved.
+    /// A preview of the relief under the other recipe, after `prepare`. If that is the session's own recipe and its
+    /// relief is solved, it is exact.
     pub fn relief(&mut self, session: &Session, wanted: &Recipe) -> Option<Arc<Relief>> {
         let (of, drafts) = self.base.as_ref()?;
         if let Some(relief) = session.relief().filter(|_| of == wanted) {
@@ -52,8 +54,9 @@ impl SessionDrafts {
         self.last.as_ref().map(|(_, relief)| relief.clone())
     }
 
-    /// Nearly the land of a recipe that differs from the session's in its coasts alone; of its own, the very one. `None` if it differs in more, if
-    /// there is no sea, or if the session's land is none of its recipe's.
+    /// A preview of the land under a recipe that differs from the session's in its coasts alone; the exact land for the
+    /// session's own recipe. `None` if the recipe differs in more, if there is no sea, or if the session's land was
+    /// given.
     pub fn land(&mut self, session: &Session, wanted: &Recipe) -> Option<Arc<Land>> {
         let own =
             session.land().filter(|_| !session.is_land_given && session.recipe().differs_in(wanted, &OF_COASTS))?;

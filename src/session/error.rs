@@ -1,4 +1,4 @@
-//! Why a session cannot go on.
+//! Errors of a session.
 
 use thiserror::Error;
 
@@ -6,37 +6,37 @@ use crate::grow::GrowError;
 use crate::network::ShapeError;
 use crate::relief::ReliefError;
 
-/// Why a recipe cannot be made into rivers.
+/// Reasons why a recipe cannot be made into rivers.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum SessionError {
-    /// It cannot be grown.
+    /// The recipe cannot be grown.
     #[error(transparent)]
     Grow(#[from] GrowError),
-    /// Its tree cannot be made into rivers.
+    /// The tree cannot be made into rivers.
     #[error(transparent)]
     Shape(#[from] ShapeError),
-    /// There can be no relief.
+    /// The relief cannot be made.
     #[error(transparent)]
     Relief(#[from] ReliefError),
-    /// It cannot be copied.
+    /// The session cannot be copied.
     #[error("a copy of the rivers needs about {megabytes} MB, and the allocation failed")]
     Copy {
-        /// About how much is needed.
+        /// Approximate memory needed, in MB.
         megabytes: u32,
     },
-    /// The land that was given lies on another map than the recipe's.
+    /// The given land belongs to a map of another size than the recipe's.
     #[error(
         "the land given is for a map of {width} x {height} units, and the recipe's aspect makes one of {wanted_width} x {wanted_height}"
     )]
     OtherMap {
         /// Width of the land's domain, in units, rounded.
         width: u32,
-        /// Its height.
+        /// Height of the land's domain.
         height: u32,
         /// Width of the recipe's domain.
         wanted_width: u32,
-        /// Its height.
+        /// Height of the recipe's domain.
         wanted_height: u32,
     },
 }

@@ -1,31 +1,31 @@
-//! Back and forth between the steps of a session: what is behind is made again from copies that were kept on the way.
+//! Seeking back and forth between the steps of a session. Earlier states are restored from copies kept on the way.
 
 use super::{Phase, Session, SessionError};
 
-/// A moment in the making of a map, as people tell them apart. Later ones are greater.
+/// A moment in the making of a map, as users tell them apart. Later moments compare greater.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Moment {
-    /// After so many ticks of growth; after none there is land alone.
+    /// After this number of ticks of growth; after 0 there is only land.
     Growth(u32),
-    /// The tree has become rivers, which have meandered so many rounds.
+    /// The tree has become rivers, which have meandered this number of rounds.
     Bends(u32),
-    /// Nothing is left to be done.
+    /// Nothing is left to do.
     Finished,
 }
 
 /// Copies of a session at some of its moments.
 #[derive(Debug)]
 pub struct Timeline {
-    /// From early to late.
+    /// Ordered from early to late.
     kept: Vec<(Moment, Session)>,
     ticks: u32,
     rounds: u32,
-    /// How many ticks, or rounds, lie between two copies; none where even one copy would take too much.
+    /// Number of ticks, or rounds, between two copies; `u32::MAX` if even one copy would take too much memory.
     stride: u32,
 }
 
 impl Session {
-    /// How far it has come.
+    /// The moment that the session has reached.
     pub fn moment(&self) -> Moment {
         match self.phase() {
             Phase::Growing => Moment::Growth(self.ticks),
@@ -44,9 +44,9 @@ impl Session {
 }
 
 impl Timeline {
-    /// That of a finished session; `None` of any other. Nothing is kept before somebody goes back.
+    /// The timeline of a finished session; `None` for an unfinished one. Copies are kept only once somebody goes back.
     pub fn new(session: &Session) -> Option<Self> {
-        /// What all copies may take, and each of them takes for a node or an attractor, as measured.
+        /// Limit on the memory of all copies, and the measured bytes of each for a node or an attractor.
         const MOST_BYTES: usize = 24_000_000;
         const BYTES_AN_ITEM: usize = 96;
         const MOST_COPIES: usize = 16;
@@ -59,20 +59,21 @@ impl Timeline {
         Some(Self { kept: Vec::new(), ticks: session.ticks, rounds, stride })
     }
 
-    /// How many ticks it grows.
+    /// Number of ticks that the session grows.
     pub fn ticks(&self) -> u32 {
         self.ticks
     }
 
-    /// The last round after which it is not finished.
+    /// The last round after which the session is not finished.
     pub fn rounds(&self) -> u32 {
         self.rounds
     }
 
-    /// Takes a session of the same recipe nearer to a moment: back at once, forth by a step. Returns whether it has not come there yet.
+    /// Seeks towards a moment in a session of the same recipe: jumps back, or advances one step. Returns `true` until
+    /// it arrives.
     ///
     /// # Errors
-    /// If there is not enough memory.
+    /// Fails if there is not enough memory.
     pub fn seek(&mut self, session: &mut Session, to: Moment) -> Result<bool, SessionError> {
         let from = session.moment();
         if from == to {
@@ -93,7 +94,7 @@ impl Timeline {
         Ok(session.moment() < to)
     }
 
-    /// Keeps a copy, if it is time for one.
+    /// Keeps a copy if one is due.
     fn keep(&mut self, session: &Session) {
         let moment = session.moment();
         let is_due = match moment {
@@ -101,7 +102,7 @@ impl Timeline {
             Moment::Finished => self.stride < u32::MAX,
         };
         let next = self.kept.partition_point(|(kept, _)| *kept < moment);
-        // Of the steps between two moments the first is the moment.
+        // Several steps may belong to one moment; the first of them represents it.
         let is_known = self.kept.get(next).is_some_and(|(kept, _)| *kept == moment);
         if is_due
             && !is_known

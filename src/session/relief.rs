@@ -1,14 +1,15 @@
-//! The relief of a session's rivers: made once a style shows it or a file is to hold it, and kept for as long as the rivers stay as they are.
+//! The relief of a session's rivers. It is made once a style shows it or a file needs it, and kept until the rivers
+//! change.
 
 use std::sync::Arc;
 
 use crate::network::Network;
 use crate::relief::{Relief, ReliefError, ReliefSettings, ReliefSolver};
 
-/// How far the relief has come.
+/// The state of the relief.
 #[derive(Clone, Debug, Default)]
 pub(super) enum ReliefStage {
-    /// Nobody has wanted it yet.
+    /// Not needed so far.
     #[default]
     Waiting,
     Solving(Box<ReliefSolver>),
@@ -16,7 +17,7 @@ pub(super) enum ReliefStage {
 }
 
 impl ReliefStage {
-    /// Makes a step. Where there is not enough memory, the next call tries it again.
+    /// Makes a step. If there is not enough memory, the next call tries it again.
     pub fn step(&mut self, network: &Network, settings: impl FnOnce() -> ReliefSettings) -> Result<(), ReliefError> {
         match self {
             Self::Waiting => *self = Self::Solving(ReliefSolver::new(network, settings())?.into()),
@@ -38,7 +39,7 @@ impl ReliefStage {
         }
     }
 
-    /// How far it has come, from 0 to 1.
+    /// The progress, from 0 to 1.
     pub fn progress(&self) -> f32 {
         match self {
             Self::Waiting => 0.0,
@@ -47,7 +48,7 @@ impl ReliefStage {
         }
     }
 
-    /// About how many bytes a copy takes: what is solved is shared.
+    /// The approximate memory of a copy, in bytes. A solved relief is shared.
     pub fn bytes(&self) -> usize {
         match self {
             Self::Solving(solver) => solver.bytes(),

@@ -1,4 +1,4 @@
-//! What a session has come to, in numbers.
+//! The state of a session in numbers.
 
 use crate::grow::{Ending, Growth};
 use crate::network::{Meander, NONE, Network};
@@ -7,32 +7,32 @@ use crate::recipe::GrowthMethod;
 /// A picture in numbers.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Summary {
-    /// How its rivers grow.
+    /// The growth method.
     pub growth: GrowthMethod,
     /// Ticks grown.
     pub ticks: u32,
-    /// Nodes: of the trimmed tree once it is grown.
+    /// Nodes; once growth has ended, those of the trimmed tree.
     pub nodes: u32,
-    /// River mouths: those that trimming has left, once there are rivers.
+    /// River mouths; once there are rivers, those left after trimming.
     pub mouths: u32,
     /// Sources of the rivers; 0 until there are any.
     pub sources: u32,
     /// The highest stream order (Strahler) of the rivers; 0 until there are any.
     pub order: u8,
-    /// Attractors scattered, or parcels of drainage: 0 for a Brownian tree.
+    /// Attractors scattered, or parcels in drainage; 0 for a Brownian tree.
     pub attractors: u32,
-    /// Attractors that no river came near enough to, or parcels from which no way leads to the sea.
+    /// Attractors that no river came near enough to, or parcels without a way to the sea.
     pub unreached: u32,
-    /// How growth ended; `None` while it goes on.
+    /// The way in which growth ended; `None` while it goes on.
     pub ending: Option<Ending>,
     /// Rounds that rivers have meandered.
     pub rounds: u32,
-    /// Oxbow lakes that they have left.
+    /// Oxbow lakes that the rivers have left.
     pub oxbows: u32,
 }
 
 impl Summary {
-    /// While a tree grows.
+    /// The summary during growth.
     pub(super) fn of_growth(growth: &Growth) -> Self {
         let tree = growth.tree();
         Self {
@@ -50,7 +50,7 @@ impl Summary {
         }
     }
 
-    /// The same once there are rivers, of a trimmed tree with this number of nodes.
+    /// Adds the numbers of rivers made from a trimmed tree with this number of nodes.
     pub(super) fn with_rivers(self, nodes: u32, meander: &Meander) -> Self {
         let Network { rivers, oxbows, .. } = &**meander.network();
         Self {
@@ -64,7 +64,7 @@ impl Summary {
         }
     }
 
-    /// Why rivers leave much of the land dry, once growth has ended; `None` if they do not.
+    /// The reason why rivers leave much of the land dry, once growth has ended; `None` if they do not.
     pub fn shortfall(&self) -> Option<Shortfall> {
         match self.ending {
             Some(Ending::Complete) if self.nodes == 0 => Some(Shortfall::NoRiver),
@@ -77,14 +77,14 @@ impl Summary {
     }
 }
 
-/// Why rivers leave much of the land dry.
+/// A reason why rivers leave much of the land dry.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shortfall {
-    /// No river grew, by whatever method: no land lies open to the sea.
+    /// No river grew, by any method: no land lies open to the sea.
     NoRiver,
-    /// Space colonization left over a tenth of the attractors: the step is too long for the kill distance, the reach too
-    /// short, or mouths lie too far apart.
+    /// Space colonization left over a tenth of the attractors: the step is too long for the kill distance, the reach is
+    /// too short, or mouths are too far apart.
     Unreached,
-    /// In drainage over a tenth of the parcels have no way to a mouth: ridges cut them off, or their land has none.
+    /// In drainage, over a tenth of the parcels have no way to a mouth: ridges cut them off, or their land has none.
     CutOff,
 }

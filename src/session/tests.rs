@@ -1,4 +1,4 @@
-//! Sessions with too little memory, sessions that restart, and sessions that change.
+//! Sessions with too little memory, after a restart, and after changes.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use super::*;
@@ -8,13 +8,13 @@ use crate::grow::Ending;
 use crate::picture::Picture;
 use crate::recipe::link;
 
-/// Less than anything takes, in bytes.
+/// A limit below anything's needs, in bytes.
 const NOTHING: usize = 100;
 
-/// An island whose ridge runs along the whole of its coast.
+/// An island with a ridge along its whole coast.
 const NO_COAST: &str = "land=drawn&roughness=0&aspect=1&outline=.MzMzzMMzzMzMMzzM..M1M1zKM1zKzKM1zKM1M1";
 
-/// An island whose middle, a quarter of it, lies within a ring of ridges.
+/// An island with a ring of ridges around the middle quarter of its area.
 const CUT_OFF: &str = "land=drawn&roughness=0&aspect=1&outline=.MzMzzMMzzMzMMzzM..YAYAnnYAnnnnYAnnYAYA";
 
 const BENDS: &str = "growth=colonize&attractors=300&trim=0&meander=flow&meander-rounds=3";
@@ -50,7 +50,7 @@ fn seen(session: &Session) -> (&Recipe, Summary, Phase, &Tree, Option<&Network>)
     (session.recipe(), session.summary(), session.phase(), session.tree(), session.network())
 }
 
-/// Asserts without printing all of it.
+/// Asserts equality without printing the whole states.
 fn assert_same(session: &Session, expected: &Session) {
     assert!(seen(session) == seen(expected), "{:?}, not {:?}", session.summary(), expected.summary());
 }
@@ -90,7 +90,8 @@ fn tree_that_the_memory_ran_out_of_is_an_error_until_it_grows_again() {
 fn rivers_that_there_is_no_memory_for_are_an_error_and_come_when_there_is() {
     let mut session = grown(BENDS);
     let nodes = session.tree().len();
-    // Too little to trim the tree; enough for that, but not for rivers; enough for them, but not for the courses they leave.
+    // Limits: too little to trim the tree; enough for that, but not for rivers; enough for rivers, but not for their
+    // courses.
     for bytes in [NOTHING, 64 * nodes, 256 * nodes + 500_000] {
         let failure = with_lists_up_to(bytes, || session.advance(1)).unwrap_err();
         assert!(matches!(failure, SessionError::Shape(ShapeError::OutOfMemory { megabytes: 1, .. })), "{failure:?}");
@@ -175,7 +176,7 @@ fn advice_fits_how_rivers_grow() {
         assert_eq!(shortfall(&format!("attractors=300&{growth}")), None);
     }
     assert_eq!(shortfall("growth=colonize&attractors=300&kill=0.5&step=1.2"), Some(Shortfall::Unreached));
-    // Nor to drainage, which leaves dry only what has no way to the sea: here the middle of an island, within a ring of ridges.
+    // In drainage, only land without a way to the sea stays dry: here the middle of an island, within a ring of ridges.
     assert_eq!(shortfall("growth=drainage&attractors=300&kill=0.5&step=1.2"), None);
     assert_eq!(shortfall(&format!("growth=drainage&attractors=900&{CUT_OFF}")), Some(Shortfall::CutOff));
     // Attractors and their step do not matter to a Brownian tree.
@@ -251,7 +252,8 @@ fn relief_that_there_is_no_memory_for_is_an_error_and_comes_when_there_is() {
     for land in ["land=rectangle", "land=island"] {
         let text = format!("{BENDS}&{land}&style=atlas");
         let expected = finished(&text);
-        // Enough for nothing; for the lists of cells and not for what all takes; for all but the queue.
+        // Limits: enough for nothing; enough for the lists of cells but not for everything; enough for all but the
+        // queue.
         for bytes in [NOTHING, 2_000_000, 3_000_000] {
             let (mut session, mut refused) = (shaped(&text), 0);
             while !session.is_finished() {
@@ -281,7 +283,7 @@ fn each_step_of_a_relief_that_asks_for_memory_can_be_refused_and_made_again() {
             break;
         }
     }
-    // The whole, cells, hillsides, rivers and the front, their paths; the heights that are handed on.
+    // Refused: the whole, the cells, the hillsides, rivers with the front, their paths, and the heights handed on.
     assert_eq!(refused.len(), 6, "{refused:?}");
     assert!(session.relief() == expected.relief());
 }
@@ -310,7 +312,7 @@ fn progress_of_a_relief_never_goes_back() {
             seen.push(session.progress());
         }
         assert!(seen.is_sorted() && seen[0] == 0.0 && seen.iter().all(|share| *share <= 1.0), "{seen:?}");
-        // Neither in one leap.
+        // It does not jump either.
         assert!(seen.windows(2).all(|pair| pair[1] - pair[0] < 0.5), "{seen:?}");
         assert_eq!(session.progress(), 1.0);
     }
@@ -339,7 +341,7 @@ fn relief_is_made_in_steps_in_any_style_and_is_that_of_all_styles() {
     assert_eq!(work::steps(), before, "nothing is left to do");
     let mut growing = planted(BENDS);
     assert_eq!(growing.raise_relief(), Ok(false), "there are no rivers yet");
-    // Other rivers, another relief.
+    // Other rivers have another relief.
     session.change(recipe(&format!("{BENDS}&style=ink&width=30"))).unwrap();
     finish(&mut session);
     assert!(session.map().unwrap().make_relief().as_ref() != Ok(expected.relief().unwrap()));

@@ -1,4 +1,4 @@
-//! The forms of files, as paths and messages have them.
+//! The forms of files, by the endings of paths.
 
 use std::path::Path;
 
@@ -6,13 +6,13 @@ pub use riverseed::export::Form;
 
 use super::Failure;
 
-/// The form that a path's ending names.
+/// The form for the ending of a path.
 ///
 /// # Errors
-/// If it names none, or the path is that of a folder.
+/// Fails if the ending is not known, or if the path is that of a folder.
 pub fn form_of(path: &Path) -> Result<Form, Failure> {
     let name = path.file_name().and_then(|name| name.to_str()).unwrap_or_default();
-    // A file's name leaves out what stands behind the last separator, if that is nothing, or a dot.
+    // `Path::file_name` ignores a last separator with nothing or a dot behind it.
     if !path.as_os_str().as_encoded_bytes().ends_with(name.as_bytes()) {
         return Err(Failure::Folder { path: path.into() });
     }

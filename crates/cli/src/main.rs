@@ -1,5 +1,6 @@
 //! The command line: `riverseed render` draws a recipe or writes its network, `riverseed outline` traces a picture of a
-//! land, `riverseed measure` compares a recipe's rivers with nature's, `riverseed names` lists their names, `riverseed table` explains recipes, `riverseed verify` tells whether this machine draws as all others do.
+//! land, `riverseed measure` compares a recipe's rivers with nature's, `riverseed names` lists their names, `riverseed
+//! table` explains recipes, and `riverseed verify` checks that this machine draws like all others.
 //!
 //! Exit codes: 0 done, 1 the work failed, 2 the call or the recipe is wrong.
 
@@ -34,7 +35,7 @@ use thiserror::Error;
 fn main() -> ExitCode {
     match memory::ask(memory::START).and_then(|()| run()) {
         Ok(()) => ExitCode::SUCCESS,
-        // Who reads has read enough.
+        // The reader of a pipe has read enough.
         Err(Failure::Output(error) | Failure::File { error, .. }) if error.kind() == io::ErrorKind::BrokenPipe => {
             ExitCode::SUCCESS
         }
@@ -45,7 +46,7 @@ fn main() -> ExitCode {
     }
 }
 
-/// Does what the call asks for.
+/// Runs the command of the call.
 fn run() -> Result<(), Failure> {
     match commands::command().get_matches().subcommand() {
         Some(("render", matches)) => render::render(matches),
@@ -58,15 +59,15 @@ fn run() -> Result<(), Failure> {
     }
 }
 
-/// Who is told what is worth a word and no failure.
+/// A function that reports something worth knowing that is not a failure.
 type Say<'a> = &'a dyn Fn(&str);
 
-/// Says a line on standard error, if anybody listens.
+/// Prints a line on standard error, ignoring failures.
 fn say(text: &str) {
     let _ = writeln!(io::stderr(), "riverseed: {text}");
 }
 
-/// What can go wrong after the call has been understood.
+/// The errors that can occur once the call has been understood.
 #[derive(Debug, Error)]
 enum Failure {
     #[error(transparent)]

@@ -1,4 +1,4 @@
-//! A finished map, and its files in the forms that are asked for: it is grown once for all of them.
+//! A finished map with its files. It is grown once for all forms that are requested.
 
 use std::io::{self, Write};
 
@@ -20,13 +20,13 @@ use super::names::{say_what_has_no_letters, say_what_is_unused};
 use super::order::Order;
 use super::{Failure, Say, memory};
 
-/// What a call says of files besides the recipe.
+/// The options for files in a call, apart from the recipe.
 #[derive(Clone, Copy, Debug)]
 pub struct Options {
     /// The longer side of a picture, in pixels.
     pub size: u32,
     ratio: f32,
-    /// That of rasters; `None` for a pixel to each cell of the relief.
+    /// The longer side of rasters, in pixels; `None` for a pixel per cell of the relief.
     pub raster_size: Option<u32>,
     has_svg_text: bool,
     pub has_attractors: bool,
@@ -34,7 +34,7 @@ pub struct Options {
 
 impl Options {
     /// # Errors
-    /// An option that none of the forms has a use for, or that does not go with the map.
+    /// Fails if an option has no use for any of the forms, or does not fit the map.
     pub fn of(matches: &ArgMatches, forms: &[Form], recipe: &Recipe) -> Result<Self, Failure> {
         let goes_with = |option: &'static str, is_given: bool, takes: fn(Form) -> bool| {
             let fails = is_given && !forms.iter().any(|form| takes(*form));
@@ -52,14 +52,14 @@ impl Options {
         let has_svg_text = goes_with("--svg-text", matches.get_flag("svg-text"), |form| form == Form::Svg)?;
         goes_with("--raster-size", raster_size.is_some(), Form::has_rasters)?;
         if let Some(size) = raster_size {
-            // Before anything grows.
+            // Checked before anything grows.
             Rasters::grid(&Domain::of(recipe), size).map_err(Failure::RasterSize)?;
         }
         let size = matches.get_one("size").copied().unwrap_or(LONGEST_SIDE);
         Ok(Self { size, ratio: ratio.unwrap_or(1.0), raster_size, has_svg_text, has_attractors })
     }
 
-    /// The longest side of what some forms hold, in pixels, as far as it was asked for.
+    /// The longest requested side of the contents of some forms, in pixels.
     pub fn longest(&self, forms: &[Form]) -> u32 {
         let picture = forms.iter().any(|form| form.has_pixels()).then_some(self.size);
         let rasters = self.raster_size.filter(|_| forms.iter().any(|form| form.has_rasters()));
@@ -67,10 +67,10 @@ impl Options {
     }
 }
 
-/// A finished map with all that its files are made of.
+/// A finished map with everything that its files are made from.
 pub struct Files {
     map: Map,
-    /// What its tree grew to, if a file lists that.
+    /// The attractors that the tree grew to, if a file lists them.
     attractors: Option<Vec<Vec2>>,
     picture: Option<Picture>,
     rasters: Option<Rasters>,
@@ -78,10 +78,10 @@ pub struct Files {
 }
 
 impl Files {
-    /// Grows a map, for files of these forms.
+    /// Grows a map, for files in these forms.
     ///
     /// # Errors
-    /// If there is not enough memory.
+    /// Fails if there is not enough memory.
     pub fn make(
         order: Order,
         forms: &[Form],
@@ -93,7 +93,7 @@ impl Files {
         if is_wanted(Form::has_letters) {
             say_what_has_no_letters(&order.recipe, say);
         }
-        // Room for the picture before the work begins.
+        // The picture is allocated before the work begins.
         let picture = is_wanted(Form::has_pixels).then(|| picture(&order.recipe, options));
         let mut picture = picture.transpose()?;
         let mut session = grow(order, progress, say)?;
@@ -103,7 +103,7 @@ impl Files {
             say_what_is_unused(&map, say);
         }
         progress.set_message("raising land");
-        // Once, for all files.
+        // The relief is made once, for all files.
         while is_wanted(Form::has_relief) && session.raise_relief()? {}
         let map = session.finish()?;
         let attractors = options.has_attractors.then(|| session.growth().scattered());
@@ -118,10 +118,10 @@ impl Files {
         Ok(Self { map, attractors, picture, rasters, options })
     }
 
-    /// Writes a file of one of the forms that the map was made for; of another, nothing.
+    /// Writes a file in one of the forms that the map was made for; writes nothing in other forms.
     ///
     /// # Errors
-    /// If there is not enough memory; and those of the writer.
+    /// Fails if there is not enough memory, and with the writer's errors.
     pub fn write(&self, form: Form, out: &mut dyn Write) -> Result<(), Failure> {
         let Self { map, attractors, picture, rasters, options } = self;
         memory::ask_for_file(map, form)?;
@@ -145,7 +145,7 @@ impl Files {
     }
 }
 
-/// Room for a picture of the size that is asked for.
+/// Allocates a picture of the requested size.
 fn picture(recipe: &Recipe, options: Options) -> Result<Picture, PaintError> {
     let (width, height) = View::sides_for(&Domain::of(recipe), options.size);
     Ok(Picture::new(width, height)?.with_ratio(options.ratio))

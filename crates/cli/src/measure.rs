@@ -1,4 +1,4 @@
-//! `riverseed measure`: what is measured of a recipe's rivers, beside what nature has.
+//! `riverseed measure`: the measures of a recipe's rivers, compared with nature.
 
 use std::io::{self, Write};
 
@@ -24,7 +24,7 @@ pub fn measure(matches: &ArgMatches) -> Result<(), Failure> {
     Ok(writeln!(io::stdout().lock(), "{text}")?)
 }
 
-/// Values as in the JSON of a network, and nature's ranges by the same names.
+/// The values as in the JSON of a network, and nature's ranges under the same names.
 fn as_json(measures: &Measures) -> io::Result<String> {
     let of_nature = |measure: &Measure| Some((measure.name.to_owned(), range(measure.nature?)));
     let nature: Map<String, Value> = TABLE.iter().filter_map(of_nature).collect();
@@ -58,7 +58,7 @@ fn value(measure: &Measure, measures: &Measures) -> String {
     (measure.value)(measures).map_or("too small".into(), |value| format!("{value:.places$}"))
 }
 
-/// Such as "4.1 (3.5 to 5.2), 11 river basins".
+/// Nature's values in words, such as "4.1 (3.5 to 5.2), 11 river basins".
 fn in_words(nature: Nature) -> String {
     let Nature { median, least, most, source } = nature;
     match median {

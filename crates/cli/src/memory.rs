@@ -1,5 +1,5 @@
-//! Asking for memory before the work that takes it, where the library's own requests do not cover all of that: too little of it is an
-//! error of this program, and never its end by a signal.
+//! Requests for memory before the work that needs it, where the library's own requests do not cover it. With too little
+//! memory the program must fail with an error, not by a signal.
 
 use riverseed::Map;
 use riverseed::picture::Picture;
@@ -7,23 +7,23 @@ use riverseed::picture::Picture;
 use super::Failure;
 use super::form::Form;
 
-/// What reading a call takes, the table of parameters and small lists included.
+/// Memory for reading a call, including the table of parameters and small lists.
 pub const START: usize = 3_000_000;
 
-/// Asks for bytes that are taken soon after.
+/// Checks that bytes can be allocated that are needed soon.
 ///
 /// # Errors
-/// If there are not so many.
+/// Fails if there is not enough memory.
 pub fn ask(bytes: usize) -> Result<(), Failure> {
     let asked = Vec::<u8>::new().try_reserve_exact(bytes);
     asked.map_err(|_| Failure::Memory { megabytes: bytes.div_ceil(1_000_000) })
 }
 
-/// Asks for what a picture of a finished map takes besides its own pixels. Without room for letters and scenery the library would leave
-/// them out.
+/// Checks that there is memory for a picture of a finished map besides its own pixels. Without it the library would
+/// leave out letters and scenery.
 ///
 /// # Errors
-/// If there is not so much.
+/// Fails if there is not enough memory.
 pub fn ask_for_picture(map: &Map, picture: &Picture) -> Result<(), Failure> {
     /// The masks of letters, woods and hills.
     const BYTES_A_PIXEL: usize = 8;
@@ -31,10 +31,10 @@ pub fn ask_for_picture(map: &Map, picture: &Picture) -> Result<(), Failure> {
     ask(bytes_of(map) + pixels * BYTES_A_PIXEL)
 }
 
-/// Asks for what a file of a finished map takes besides pixels and rasters.
+/// Checks that there is memory for a file of a finished map besides pixels and rasters.
 ///
 /// # Errors
-/// If there is not so much.
+/// Fails if there is not enough memory.
 pub fn ask_for_file(map: &Map, form: Form) -> Result<(), Failure> {
     match form {
         Form::Png | Form::Raster(_) => Ok(()),
@@ -42,12 +42,12 @@ pub fn ask_for_file(map: &Map, form: Form) -> Result<(), Failure> {
     }
 }
 
-/// What texts, names, labels and scenery of a finished map take.
+/// Memory for the texts, names, labels and scenery of a finished map.
 fn bytes_of(map: &Map) -> usize {
     const BYTES_A_VERTEX: usize = 200;
-    /// Of columns, and of what names are made by.
+    /// For columns, and for making names.
     const BYTES_A_NODE: usize = 60;
-    /// Where letters and trees may stand, and their shapes.
+    /// For possible places of letters and trees, and their shapes.
     const BYTES: usize = 20_000_000;
     map.network().vertices.len() * BYTES_A_VERTEX + map.tree().len() * BYTES_A_NODE + BYTES
 }

@@ -1,4 +1,4 @@
-//! `riverseed names`: the names on a recipe's map, with the marks by which `names` gives others.
+//! `riverseed names`: the names on a recipe's map, with their marks, by which `names` can replace them.
 
 use std::collections::BTreeSet;
 use std::io::{self, Write};
@@ -28,7 +28,7 @@ pub fn names(matches: &ArgMatches) -> Result<(), Failure> {
     Ok(writeln!(io::stdout().lock(), "{}", table(&rows))?)
 }
 
-/// Warns of names of one's own that name nothing on the map.
+/// Warns of own names that name nothing on the map.
 pub fn say_what_is_unused(map: &Map, say: Say<'_>) {
     if *map.recipe().value(Key::Names) == Key::Names.parameter().default_value() {
         return;
@@ -38,7 +38,7 @@ pub fn say_what_is_unused(map: &Map, say: Say<'_>) {
     }
 }
 
-/// Warns of letters that the type has not, in names of one's own and in the seed of a cartouche.
+/// Warns of letters that the type lacks, in own names and in the seed of a cartouche.
 pub fn say_what_has_no_letters(recipe: &Recipe, say: Say<'_>) {
     let has_cartouche = recipe.get::<Cartouche>() != Cartouche::None;
     if recipe.get::<Labels>() == Labels::None && !has_cartouche {
@@ -54,14 +54,14 @@ pub fn say_what_has_no_letters(recipe: &Recipe, say: Say<'_>) {
     }
 }
 
-/// The characters of a text that the type has no letters for, each once.
+/// The characters of a text that the type lacks, each once; `None` if it has all of them.
 fn listed(text: &str) -> Option<String> {
     let letters: BTreeSet<char> = lacking(text).collect();
     let letters: Vec<String> = letters.into_iter().map(|letter| format!("'{}'", letter.escape_debug())).collect();
     (!letters.is_empty()).then(|| letters.join(", "))
 }
 
-/// Of a river its order and its length, too.
+/// The row of a name: its mark, the name, and for a river its order and length.
 fn row(network: &Network, mark: Mark, name: &str) -> [String; 4] {
     let is_it = |river: &&River| Mark::River(river.identity) == mark;
     let river = network.rivers.iter().find(is_it);
@@ -71,7 +71,7 @@ fn row(network: &Network, mark: Mark, name: &str) -> [String; 4] {
     [mark.to_string(), name.into(), order, length]
 }
 
-/// A line for each row: marks, orders and lengths to the right.
+/// A line for each row, with marks, orders and lengths aligned to the right.
 fn table(rows: &[[String; 4]]) -> String {
     let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0);
     let [marks, names, orders, lengths] = [0, 1, 2, 3].map(width);

@@ -1,7 +1,7 @@
-//! The output file of a call: it is written as a whole or not at all, whatever ends the process.
+//! The output file of a call. It is written completely or not at all, whatever ends the process.
 //!
-//! On Linux the file has no name while it is written, so that no signal leaves a part of it. Elsewhere, and on file
-//! systems without such files, writing begins only when the rivers have grown, under a temporary name.
+//! On Linux the file has no name while it is written, so no signal leaves a part of it. Elsewhere, and on file systems
+//! without such files, writing begins only after the rivers have grown, under a temporary name.
 
 use std::fs::{self, File, Permissions};
 use std::io::{self, BufWriter, Write};
@@ -35,7 +35,7 @@ impl Output {
         Ok(Self { given: given.into(), way })
     }
 
-    /// Returns `true` if the output will be a file, and not a stream that somebody reads while it is written.
+    /// Returns `true` if the output will be a file, and not a stream that is read while it is written.
     pub fn is_file(&self) -> bool {
         matches!(self.way, Way::Replace { .. })
     }
@@ -81,7 +81,7 @@ impl Way {
     }
 }
 
-/// Returns `true` if a path is that of a pipe, which waits for a reader.
+/// Returns `true` if a path is that of a pipe, which would wait for a reader.
 #[cfg(unix)]
 pub fn is_pipe(path: &Path) -> bool {
     use std::os::unix::fs::FileTypeExt;

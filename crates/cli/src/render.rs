@@ -1,4 +1,4 @@
-//! `riverseed render`: a recipe as a picture, as data, or as all that a game needs; one map, or many of them.
+//! `riverseed render`: a recipe as a picture, as data, or as the files for a game; one map or many.
 
 use std::ffi::OsString;
 use std::io::{self, BufWriter, Write};
@@ -13,7 +13,7 @@ use super::order::Order;
 use super::output::Output;
 use super::{Failure, batch, say, stdout};
 
-/// Writes the files that are asked for.
+/// Writes the requested files.
 pub fn render(matches: &ArgMatches) -> Result<(), Failure> {
     let order = Order::of(matches)?;
     let wanted = matches.get_many::<PathBuf>("output").into_iter().flatten();
@@ -30,7 +30,7 @@ pub fn render(matches: &ArgMatches) -> Result<(), Failure> {
     }
 }
 
-/// A file that is asked for.
+/// A requested file.
 pub struct Wanted<'a> {
     pub form: Form,
     /// `None` for standard output.
@@ -50,7 +50,7 @@ fn render_one(order: Order, wanted: &[Wanted<'_>], forms: &[Form], options: Opti
     let outputs = wanted.iter().map(|wanted| wanted.path.map(Output::open).transpose());
     let outputs = outputs.collect::<Result<Vec<_>, _>>()?;
     let mut outputs: Vec<_> = forms.iter().zip(outputs).collect();
-    // Files come first: nobody may read the rest to its end.
+    // Files come first, because the reader of standard output may stop early.
     outputs.sort_by_key(|(_, output)| !output.as_ref().is_some_and(Output::is_file));
     let progress = progress(&order.recipe, options.longest(forms));
     let files = Files::make(order, forms, options, &progress, &say)?;

@@ -1,16 +1,17 @@
-//! Standard output that nobody gave.
+//! Detection of a closed standard output.
 //!
-//! Before `main`, Rust opens the null device, for reading and writing, in place of a standard output that is closed (`>&-`), and writing
-//! there never fails. A shell's `>/dev/null` opens it for writing only, and so can be told apart. Some programs hand the null device to
-//! theirs as Rust opens it; they are told the same, since nobody could read what is printed there either.
+//! If standard output is closed (`>&-`), Rust opens the null device in its place before `main`, for reading and
+//! writing, and writing to it never fails. A shell's `>/dev/null` opens it for writing only, so it can be told apart.
+//! Some programs pass the null device to their children opened like Rust's; those calls fail too, since nobody could
+//! read their output either.
 
 use super::Failure;
 
-/// Whether what is printed goes anywhere: asked before the work begins by commands that do nothing but print. On systems other than
-/// Linux it is not known.
+/// Checks that standard output is open. Commands that only print call it before the work begins. It always succeeds on
+/// systems other than Linux, where this cannot be known.
 ///
 /// # Errors
-/// If standard output is closed.
+/// Fails if standard output is closed.
 pub fn check() -> Result<(), Failure> {
     if is_closed() { Err(Failure::Closed) } else { Ok(()) }
 }

@@ -78,8 +78,8 @@ pub fn print() -> io::Result<()> {
     out.write_all(NOTES.as_bytes())
 }
 
-/// The groups: what applies however rivers grow and what the default way uses come first, the others in the order of their
-/// parameters, as in the page's panel.
+/// The groups. Those used by every growth method or by the default one come first; the others follow in the order of
+/// their parameters, as in the page's panel.
 fn groups() -> Vec<&'static str> {
     let mut groups = vec!["Seed", "Land", "Growth", "Drainage"];
     for parameter in &TABLE {
@@ -123,7 +123,7 @@ fn write_presets(out: &mut impl Write) -> io::Result<()> {
         .try_for_each(|preset| writeln!(out, "| `{}` | {} | {} |", preset.name, preset.help, settings(preset)))
 }
 
-/// What a preset sets, as link text, each value on its own so that a line can break between them.
+/// The values of a preset as link text, each separate so that a line can break between them.
 fn settings(preset: &Preset) -> String {
     let settings = preset.values.iter().map(|(key, value)| format!("`{}={value}`", key.parameter().name));
     settings.collect::<Vec<_>>().join(" ")

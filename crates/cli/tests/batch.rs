@@ -1,4 +1,5 @@
-//! Many maps in one call: the files of single calls to the bit, whatever the threads, shards and interruptions.
+//! Many maps in one call: the files equal those of single calls to the bit, whatever the threads, shards and
+//! interruptions.
 
 use std::fs;
 use std::io::Write;
@@ -7,7 +8,7 @@ use std::process::{Command, Stdio};
 
 use crate::maps::{FORMS, LINK, RIVERSEED, files, folder, names, outcome, render, said};
 
-/// The options that they take.
+/// The options of the calls.
 const OPTIONS: [&str; 4] = ["--size", "80", "--raster-size", "700"];
 
 #[test]

@@ -1,4 +1,5 @@
-//! Many maps where something is in the way: what can be made is made, and what cannot is named. Nothing hangs, and nothing is lost in silence.
+//! Batches with obstacles: maps that can be made are made, and the others are named. Nothing hangs, and nothing is lost
+//! silently.
 
 use std::fs;
 use std::process::{Command, Stdio};
@@ -56,7 +57,7 @@ fn it_is_no_failure_if_nobody_reads_all_lines() {
     assert!(output.status.success() && !said.contains("Broken pipe"), "{said}");
 }
 
-/// What a call leaves and says; one that hangs is ended, and its test fails.
+/// Returns the exit code and the standard error of a call. A call that hangs is ended, and its test fails.
 #[cfg(unix)]
 fn ended(call: &mut Command) -> (i32, String) {
     const LONG_ENOUGH: u32 = 12_000;
@@ -87,7 +88,7 @@ fn pipe_in_the_place_of_a_file_is_named_and_holds_nothing_up() {
     }
 }
 
-/// Standard output that nobody reads.
+/// A standard output that nobody reads.
 fn unread() -> std::io::PipeWriter {
     std::io::pipe().unwrap().1
 }
@@ -117,7 +118,7 @@ fn where_no_threads_can_be_had_the_maps_are_made_on_one() {
     let folder = folder("no-threads");
     let made = |seeds: &str| {
         let mut call = Command::new(RIVERSEED);
-        // More than a process can have.
+        // A stack larger than any process can have.
         call.current_dir(&folder).env("RUST_MIN_STACK", (1u64 << 50).to_string());
         call.args(["render", LINK, "--seeds", seeds, "--threads", "1024", "-o", "{seed}.json"]);
         let output = call.output().unwrap();

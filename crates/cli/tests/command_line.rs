@@ -1,4 +1,4 @@
-//! The command line as its user calls it.
+//! The command line, called like its user calls it.
 
 use std::fs;
 use std::io::Read;
@@ -358,7 +358,7 @@ fn heights_of_a_style_without_relief_matter_to_files_of_data() {
     assert_ne!(low, said("high.heights.png", "3").1);
 }
 
-/// A network's file states every parameter, so that what it leaves at its default was not asked for.
+/// A network's file states every parameter, so a default value in it was not asked for.
 #[test]
 fn network_read_as_a_recipe_warns_only_of_what_it_changes() {
     network("stated.json", &["attractors=100&land=rectangle&sea=0.7&growth=brownian&sensitivity=64"]);

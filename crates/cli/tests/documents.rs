@@ -1,6 +1,6 @@
 //! The commands in README and `docs/` work, and the page of parameters is current.
 //!
-//! `make docs` writes that page again.
+//! `make docs` writes that page.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -37,7 +37,7 @@ fn commands(text: &str) -> Vec<Vec<String>> {
     blocks.flat_map(str::lines).filter_map(|line| line.strip_prefix("riverseed ")).map(words).collect()
 }
 
-/// The words of a command, of which some stand in double quotes.
+/// The words of a command, some of them in double quotes.
 fn words(command: &str) -> Vec<String> {
     let is_quoted = |i: usize| i % 2 == 1;
     let pieces = command.split('"').enumerate();
@@ -48,7 +48,7 @@ fn words(command: &str) -> Vec<String> {
     pieces.flat_map(of_piece).collect()
 }
 
-/// White land on black.
+/// Draws white land on black.
 fn draw_land(path: &Path) {
     let mut encoder = png::Encoder::new(fs::File::create(path).unwrap(), 60, 40);
     encoder.set_color(png::ColorType::Grayscale);
@@ -57,7 +57,7 @@ fn draw_land(path: &Path) {
     encoder.write_header().unwrap().write_image_data(&pixels).unwrap();
 }
 
-/// In the order in which they stand, since one may read what another wrote.
+/// The commands run in the order of the page, since one may read the output of another.
 #[test]
 fn commands_of_readme_and_the_page_about_the_command_line_work() {
     for page in ["README.md", "docs/command-line.md", "docs/batch.md"] {
@@ -68,12 +68,13 @@ fn commands_of_readme_and_the_page_about_the_command_line_work() {
         // Ten thousand maps take minutes.
         let commands = commands(&read(page).replace("..10000", "..10"));
         assert!(commands.len() >= 3, "{page}");
-        // Takes a minute, and has a test of its own in `command_line.rs`.
+        // This takes a minute, and `command_line.rs` has a test for it.
         for words in commands.iter().filter(|words| words[0] != "verify") {
             let output = riverseed(&folder, words);
             let complaints = String::from_utf8(output.stderr).unwrap();
             assert!(output.status.success(), "{page}: riverseed {words:?}: {complaints}");
-            // What is traced is counted, and so are many maps, a picture as land is more than links hold, and of a file's values all that have no effect are named.
+            // Some commands may print notes: traces and batches report counts, a picture as land is more than links
+            // hold, and values of a file without effect are named.
             let may_speak = words[0] == "outline"
                 || ["--land", "--recipe", "--seeds"].iter().any(|own| words.contains(&(*own).into()));
             assert!(may_speak || complaints.is_empty(), "{page}: riverseed {words:?}: {complaints}");

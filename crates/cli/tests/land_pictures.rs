@@ -1,4 +1,4 @@
-//! Pictures that the command line takes as land, or traces.
+//! Pictures that the command line uses as land, or traces.
 
 use std::fs;
 use std::path::PathBuf;
@@ -16,7 +16,7 @@ fn greys(name: &str, grey: impl Fn(usize, usize) -> u8) -> PathBuf {
     path
 }
 
-/// Writes a picture of one colour with a square of another in it.
+/// Writes a picture of one grey with a square of another in it.
 fn picture(name: &str, ground: u8, square: u8) -> PathBuf {
     greys(name, |x, y| if (30..90).contains(&x) && (20..60).contains(&y) { square } else { ground })
 }
@@ -58,7 +58,7 @@ fn a_picture_given_as_land_is_the_land_and_links_hold_its_outline() {
         let recipe = &network["recipe"];
         assert_eq!((&recipe["land"], &recipe["aspect"]), (&"drawn".into(), &1.5.into()));
         assert_eq!(recipe["outline"].as_str().unwrap(), String::from_utf8(outline).unwrap().trim());
-        // Rough coasts are the outline's, not the mask's.
+        // Rough coasts are those of the outline, not of the mask.
         for (axis, length) in [("x", "width"), ("y", "height")] {
             let length = network["domain"][length].as_f64().unwrap();
             let all = network["nodes"][axis].as_array().unwrap();
@@ -71,7 +71,7 @@ fn a_picture_given_as_land_is_the_land_and_links_hold_its_outline() {
         said(&["render", "-o", scratch(name).to_str().unwrap()]);
     }
     assert!(said(&["measure"]).contains("in full detail"));
-    // What it wrote may be given again, with the same picture.
+    // The link that it wrote may be given again, with the same picture.
     let again = scratch("masked-again.json");
     said(&["render", "--growth", "drainage", "-o", out]);
     said(&["render", "--recipe", out, "-o", again.to_str().unwrap()]);
@@ -174,7 +174,7 @@ fn pictures_that_show_no_land_are_refused_by_name() {
     assert!(code == 2 && message.contains("outline: the coast that begins at character 1"), "{message}");
 }
 
-/// A script's log may be on a disk that is full.
+/// A script's log may be on a full disk.
 #[test]
 #[cfg(target_os = "linux")]
 fn what_cannot_be_said_does_not_keep_a_picture_from_becoming_a_land() {

@@ -1,4 +1,5 @@
-//! Little memory: whatever there is of it, a call writes the right bytes and ends with 0, or writes nothing, says why and ends with 1.
+//! Calls with little memory. However much there is, a call writes the right bytes and ends with 0, or it writes
+//! nothing, gives the reason and ends with 1.
 
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
@@ -8,7 +9,7 @@ use png::{ColorType, Encoder};
 
 const RIVERSEED: &str = env!("CARGO_BIN_EXE_riverseed");
 
-/// By how many megabytes limits exceed what the program needs to start.
+/// Megabytes that the limits add to the memory that the program needs to start.
 const RUNGS: [u32; 14] = [0, 1, 2, 3, 5, 8, 12, 18, 26, 36, 50, 70, 100, 2000];
 
 /// Calls the program with a limit on its address space, in megabytes.

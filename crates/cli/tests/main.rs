@@ -1,4 +1,4 @@
-//! The command line as its users call it.
+//! The command line, called like its users call it.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 mod batch;

@@ -1,4 +1,5 @@
-//! What the command line leaves on a disk: a whole file in its place, or nothing, when it is stopped or short of memory too.
+//! The files that the command line leaves on a disk: a complete file in its place or nothing, even when it is stopped
+//! or short of memory.
 
 use std::fs::{self, Permissions};
 use std::io::Read;
@@ -10,7 +11,7 @@ use std::process::{Child, Command, Output};
 const RIVERSEED: &str = env!("CARGO_BIN_EXE_riverseed");
 const PNG: &[u8] = b"\x89PNG";
 
-/// An empty folder of this test's own.
+/// Makes an empty folder for a test.
 fn folder(name: &str) -> PathBuf {
     let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("output").join(name);
     let _ = fs::remove_dir_all(&folder);
@@ -79,7 +80,7 @@ fn pipe_is_written_through() {
         })
     };
     draw(&pipe);
-    // Before the reader is asked, which would wait for ever for a pipe that is gone.
+    // Checked before reading, which would wait for ever if the pipe is gone.
     assert!(!fs::metadata(&pipe).unwrap().is_file(), "the pipe was replaced");
     assert!(reading.join().unwrap().starts_with(PNG));
 }
@@ -103,7 +104,7 @@ fn longest_names_that_a_disk_takes_are_written() {
     assert_eq!(names(&folder).len(), 3);
 }
 
-/// Waits until a process has a file open in a folder, or has ended. True if it has one open.
+/// Waits until a process has a file open in a folder, or has ended. Returns `true` if it has one open.
 fn is_writing(process: &mut Child, folder: &Path) -> bool {
     let open = PathBuf::from(format!("/proc/{}/fd", process.id()));
     while process.try_wait().unwrap().is_none() {
@@ -124,10 +125,10 @@ fn signal_leaves_nothing_behind_and_an_older_file_as_it_was() {
         let mut process = Command::new(RIVERSEED);
         let mut process = process.args(["render", "attractors=1000000", "-o"]).arg(&out).spawn().unwrap();
         assert!(is_writing(&mut process, &folder), "it ended before it was stopped");
-        // By the shell, whose `kill` is always there.
+        // The shell always has `kill`.
         let kill = format!("kill -{signal} {}", process.id());
         assert!(Command::new("sh").args(["-c", &kill]).status().unwrap().success());
-        // The parent of this test may have made it ignore some signals: then it writes all of it.
+        // The parent of this test may have made it ignore some signals; it then writes the whole file.
         match process.wait().unwrap().signal() {
             Some(by) => assert!(by == number && fs::read_to_string(&out).unwrap() == "older", "{signal}"),
             None => assert!(fs::read(&out).unwrap().starts_with(PNG), "{signal}"),
@@ -141,7 +142,7 @@ fn render_within(kilobytes: u32, link: &str, out: &Path) -> Option<Output> {
     render_by(&[], kilobytes, link, out)
 }
 
-/// As `render_within`, by another program that runs it: `sudo`, say.
+/// Renders like `render_within`, through another program, for example `sudo`.
 fn render_by(runner: &[&str], kilobytes: u32, link: &str, out: &Path) -> Option<Output> {
     let limited = format!("ulimit -v {kilobytes} && [ \"$(ulimit -v)\" = {kilobytes} ] || exit 77; exec \"$@\"");
     let shell = ["-c", &limited, "sh"];
@@ -183,7 +184,7 @@ fn check_too_little_memory(name: &str, link: &str) {
     assert!(refused > 2, "no limit was too low");
 }
 
-/// A runner that takes from root what no folder refuses it; other users are refused as they are.
+/// A runner that takes away root's power to write into any folder; no runner for other users.
 fn as_others() -> &'static [&'static str] {
     let is_root = fs::metadata("/proc/self").unwrap().uid() == 0;
     if is_root { &["setpriv", "--bounding-set=-dac_override"] } else { &[] }
@@ -193,7 +194,7 @@ fn as_others() -> &'static [&'static str] {
 fn folder_that_refuses_files_is_told_of_before_the_rivers_grow() {
     let folder = folder("refusing");
     fs::set_permissions(&folder, Permissions::from_mode(0o555)).unwrap();
-    // Too little memory to grow: that would be the error, if it came to growing.
+    // With so little memory, growing would fail first if the call came to that.
     let output = render_by(as_others(), 60_000, "attractors=1000000", &folder.join("out.png"));
     fs::set_permissions(&folder, Permissions::from_mode(0o755)).unwrap();
     let Some(output) = output else {

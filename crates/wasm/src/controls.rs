@@ -1,4 +1,5 @@
-//! What a page of controls asks for, and a widget does without: the parameter table, presets, seeds by chance, drawn lines.
+//! Functions for the page's controls, which a widget does without: the parameter table, presets, random seeds, drawn
+//! lines.
 
 use glam::Vec2;
 use js_sys::{Array, Float32Array, Object};
@@ -56,17 +57,19 @@ export type Drafted = "part" | "whole" | "impossible";
 
 #[wasm_bindgen]
 impl River {
-    /// Shows another part of the map, or what lies around it: how far the picture's western edge lies east of the map's and its northern
-    /// edge south of the map's, and how wide the picture is, all in widths of the map. Four more say how much other things cover of its
-    /// western, northern, eastern and southern edge. Another number of them, and what is too large, too small or too far away, is all that
-    /// covers the picture.
+    /// Shows another part of the map or its surroundings. The first three numbers are in widths of the map: the
+    /// distance of the picture's western edge east of the map's, that of its northern edge south of the map's, and the
+    /// picture's width. Four more numbers may follow: the depths that other things cover along its western, northern,
+    /// eastern and southern edges. For any other count of numbers, and for values that are too large, too small or too
+    /// far away, the whole map is shown, cut to cover the picture.
     pub fn frame(&mut self, framing: &[f32]) {
         if let Some(picture) = &mut self.picture {
             picture.frame(&self.session, Framing::of(framing));
         }
     }
 
-    /// Takes the recipe of another link, read as `readLink` does, for `paintDraft` to show, until it takes another or goes over to one.
+    /// Reads the link of another recipe like `readLink`, for `paintDraft` to show. It stays until the next `draft`, or
+    /// until the river changes to a recipe.
     pub fn draft(
         &mut self,
         text: &str,
@@ -75,8 +78,9 @@ impl River {
         self.drafted = Some(reading::read(text, read_options(options)));
     }
 
-    /// Paints a part of a draft of the recipe that `draft` took, without going over to it: a recipe of another width, of other mountains
-    /// and plains, or of other coasts alone, once these rivers are finished. It has no labels, and lasts until the next `paint`.
+    /// Paints a part of a preview of the recipe given to `draft`, without changing to it. A preview is possible if the
+    /// recipe differs only in width, only in mountains and plains, or only in coasts, once these rivers are finished.
+    /// It has no labels, and lasts until the next `paint`.
     #[wasm_bindgen(js_name = paintDraft, unchecked_return_type = "Drafted")]
     pub fn paint_draft(&mut self) -> String {
         let wanted = self.picture.as_mut().zip(self.drafted.as_ref());
@@ -84,8 +88,8 @@ impl River {
         self.drafted_as(painted)
     }
 
-    /// Paints the rivers as they are by now, finished or not, over the ground that is there, even if its relief is that of other rivers.
-    /// It has no labels, and lasts until the next `paint`.
+    /// Paints the rivers as they are now, finished or not, on the ground in the picture, even if its relief belongs to
+    /// other rivers. The result has no labels, and lasts until the next `paint`.
     #[wasm_bindgen(js_name = paintUnfinished, unchecked_return_type = "Drafted")]
     pub fn paint_unfinished(&mut self) -> String {
         let painted =
@@ -93,7 +97,7 @@ impl River {
         self.drafted_as(painted)
     }
 
-    /// Goes over to the recipe that `draft` took, as `change` does, and says what has to run again.
+    /// Changes to the recipe given to `draft`, like `change`, and returns the earliest stage that has to run again.
     #[wasm_bindgen(js_name = adoptDraft, unchecked_return_type = "Stage | \"none\"")]
     pub fn adopt_draft(&mut self) -> Result<String, JsValue> {
         self.drafted.take().map_or_else(|| Ok("none".into()), |reading| self.change_to(reading))
@@ -101,7 +105,7 @@ impl River {
 }
 
 impl River {
-    /// Notes which pixels a draft changed, and says what came of it.
+    /// Notes the pixels that a draft changed, and returns its outcome.
     fn drafted_as(&mut self, painted: Option<Painted>) -> String {
         if let Some(Painted::Whole(changed)) = painted {
             self.dirty = changed.or(self.dirty);
@@ -127,7 +131,7 @@ pub fn presets() -> Array {
     list(PRESETS)
 }
 
-/// Countries to begin with. Links do not know them.
+/// Countries to start with. Links cannot name them.
 #[wasm_bindgen(unchecked_return_type = "Preset[]")]
 pub fn countries() -> Array {
     list(COUNTRIES)
@@ -149,13 +153,14 @@ fn list(presets: &[Preset]) -> Array {
     presets.iter().map(view).collect()
 }
 
-/// A new seed, a word that can be said aloud.
+/// Makes a new seed: a random word that can be pronounced.
 #[wasm_bindgen(js_name = freshSeed)]
 pub fn fresh_seed() -> Result<String, JsValue> {
     getrandom::u64().map(dice::word).map_err(|error| coded("no-randomness", &error.to_string()))
 }
 
-/// The outline of lines with any number of points, simplified until it fits a link. Throws an Error if that is no land.
+/// Makes an outline from lines with any number of points, simplified until it fits a link. Throws an Error if they
+/// enclose no land.
 #[wasm_bindgen(js_name = outlineOf)]
 pub fn outline_of(
     coasts: Vec<Float32Array>,
@@ -167,7 +172,7 @@ pub fn outline_of(
     outline.map(|outline| outline.to_string()).map_err(|error| coded("no-land", &error.to_string()))
 }
 
-/// The lines of an outline. Throws an Error if the text is none.
+/// Returns the lines of an outline. Throws an Error if the text is not an outline.
 #[wasm_bindgen(js_name = outlineLines, unchecked_return_type = "Lines")]
 pub fn outline_lines(text: &str) -> Result<Object, JsValue> {
     let outline = Outline::parse(text).map_err(|error| coded("bad-params", &error.to_string()))?;
@@ -179,12 +184,12 @@ pub fn outline_lines(text: &str) -> Result<Object, JsValue> {
     Ok(object(&lines))
 }
 
-/// The points of a line given as x and y in turn; half a point at the end is left out.
+/// The points of a line given as x and y in turn; an odd number at the end is ignored.
 fn points(line: &Float32Array) -> Vec<Vec2> {
     line.to_vec().chunks_exact(2).map(Vec2::from_slice).collect()
 }
 
-/// A value in the one spelling that links are written in.
+/// A value in the spelling that links use.
 fn canonical(parameter: &Parameter, text: &str) -> String {
     parameter.parse(text).map_or_else(|_| text.into(), |value| parameter.text_of(&value))
 }
@@ -217,7 +222,7 @@ fn kind_name(kind: Kind) -> &'static str {
     }
 }
 
-/// Says in a row what values its parameter takes.
+/// Adds the range or choices of a parameter to its row.
 fn describe(kind: Kind, row: &Object) {
     let range =
         |[min, max, step]: [f64; 3]| set(row, &[("min", min.into()), ("max", max.into()), ("step", step.into())]);

@@ -1,4 +1,4 @@
-//! What a page asks a finished map about its rivers.
+//! Queries about the rivers of a finished map, for a page.
 
 use glam::Vec2;
 use js_sys::{Object, Uint32Array};
@@ -38,25 +38,26 @@ export interface RiverFacts {
 }
 "#;
 
-/// The rivers of a finished map, to be asked about.
+/// The rivers of a finished map, ready for queries.
 #[wasm_bindgen]
 pub struct Inspector {
     rivers: Rivers,
     /// Width and height of the map, in units.
     size: Vec2,
     courses: CourseShape,
-    /// What rivers run into.
+    /// The kind of water that rivers run into.
     ends_in: &'static str,
-    /// The last river that was asked about, and its basin: a pointer stays on one for a while.
+    /// The last river that was queried, with its basin: a pointer stays on one river for a while.
     last: (u32, String),
 }
 
 #[wasm_bindgen]
 impl River {
-    /// What can be laid over it at any moment, as a path of SVG, in units: 0 is its attractors, or the parcels of drainage; 1 those of them that
-    /// still pull, or have found no way to the sea yet; 2 where its rivers begin, as far as they have grown; and what no river may cross, where
-    /// not all is land: 3 is around all land, beyond which there is water, 4 along its ridges. Of drainage, 5 is where the greatest streams were
-    /// captured, 6 how their water ran before.
+    /// Returns a layer that can be drawn over the map at any moment, as an SVG path in units. 0: its attractors, or the
+    /// parcels of drainage. 1: those that still pull, or have found no way to the sea yet. 2: the sources of its
+    /// rivers, as far as they have grown. 3: the border of all land, beyond which there is water. 4: ridges. No river
+    /// may cross 3 or 4; both are empty if all is land. In drainage, 5: the places where the greatest streams were
+    /// captured; 6: their former ways.
     pub fn shapes(&self, of: u8) -> String {
         let growth = self.session.growth();
         let dots = match of {
@@ -75,14 +76,16 @@ impl River {
         overlay::dots(&dots)
     }
 
-    /// Width and height of its map, how far an attractor pulls, and how near a river comes that uses it up: all in units.
+    /// Width and height of the map, the distance over which an attractor pulls, and the distance at which a river uses
+    /// it up, in units.
     pub fn lengths(&self) -> Vec<f32> {
         let growth = self.session.growth().settings();
         let Vec2 { x, y } = self.session.domain().size;
         vec![x, y, growth.reach, growth.kill]
     }
 
-    /// Its rivers to be asked about, as they are now; nothing until they are finished, and where there is not enough memory.
+    /// Prepares the finished rivers for queries. Returns nothing until they are finished, or if there is not enough
+    /// memory.
     pub fn inspector(&self) -> Option<Inspector> {
         let rivers = Rivers::new(&self.session.map()?)?;
         let (size, recipe) = (self.session.domain().size, self.session.recipe());
@@ -104,9 +107,9 @@ impl River {
 
 #[wasm_bindgen]
 impl Inspector {
-    /// Lines on its rivers, as a path of SVG: from 1 on the streams of that order, each from where it begins to where it ends; 0 is the
-    /// stretches that stay where they are when others meander, 255 short ones across the great rivers, to the outside of each bend, the longer
-    /// the sharper that is.
+    /// Returns lines on the rivers, as an SVG path in units. 1 and higher: the streams of that order, each from its
+    /// beginning to its end. 0: the stretches that stay in place while others meander. 255: short lines across the
+    /// great rivers, towards the outside of each bend, longer where it is sharper.
     pub fn lines(&self, of: u8) -> String {
         if of == u8::MAX {
             return overlay::lines(&self.rivers.curvature(), CourseShape::Grown);
@@ -125,14 +128,15 @@ impl Inspector {
         network.mouths().iter().map(|&river| network.rivers[river as usize].identity).collect()
     }
 
-    /// The river at a point, in shares of the map's width and height, or the nearest within reach, in units; nothing if there is none.
+    /// Returns the river at a point, given in shares of the map's width and height, or the nearest within `reach`
+    /// units; nothing if there is none.
     #[wasm_bindgen(unchecked_return_type = "RiverFacts | undefined")]
     pub fn at(&mut self, x: f32, y: f32, reach: f32) -> Option<Object> {
         let spot = self.rivers.nearest(Vec2::new(x, y) * self.size, reach)?;
         Some(self.facts(&spot))
     }
 
-    /// The river of a mark, from its source; nothing if there is none.
+    /// Returns the river with a mark, at its source; nothing if there is none.
     #[wasm_bindgen(unchecked_return_type = "RiverFacts | undefined")]
     pub fn of(&mut self, mark: u32) -> Option<Object> {
         let spot = self.rivers.source(mark)?;

@@ -1,4 +1,4 @@
-//! The edge to JavaScript, and the only code that knows it. Features choose what a wasm package exports.
+//! The edge to JavaScript. No other code knows JavaScript. Features choose what a wasm package exports.
 #![cfg(target_arch = "wasm32")]
 
 #[cfg(feature = "charts")]
@@ -22,7 +22,7 @@ mod tracing;
 
 use wasm_bindgen::prelude::*;
 
-/// Half as large as the one that Rust brings along.
+/// Half the size of Rust's default allocator.
 #[cfg(any(feature = "rivers", feature = "tracing", feature = "charts"))]
 #[global_allocator]
 static ALLOCATOR: talc::wasm::WasmDynamicTalc = talc::wasm::new_wasm_dynamic_allocator();

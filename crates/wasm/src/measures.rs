@@ -1,4 +1,4 @@
-//! What is measured of rivers, for a page that shows it beside what nature has.
+//! Measures of rivers, for a page that compares them with nature.
 
 use js_sys::{Array, Object};
 use wasm_bindgen::prelude::*;
@@ -25,7 +25,7 @@ export interface Measure {
 
 #[wasm_bindgen]
 impl River {
-    /// What is measured of the rivers; nothing until they are finished.
+    /// Returns the measures of the rivers; an empty list until they are finished.
     #[wasm_bindgen(unchecked_return_type = "Measure[]")]
     pub fn measures(&self) -> Array {
         let measures = self.session.map().as_ref().map(Measures::of);

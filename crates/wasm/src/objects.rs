@@ -3,7 +3,7 @@
 use js_sys::{Error, Object, Reflect};
 use wasm_bindgen::prelude::*;
 
-/// A JavaScript Error that code can tell by its `code` and a person by its message.
+/// A JavaScript Error with a `code` for programs and a message for people.
 pub(super) fn coded(code: &str, message: &str) -> JsValue {
     let error = Error::new(message);
     set(&error, &[("code", code.into())]);
@@ -18,7 +18,7 @@ pub(super) fn object(members: &[(&str, JsValue)]) -> Object {
     object
 }
 
-/// Gives a fresh object properties.
+/// Sets properties of a fresh object.
 pub(super) fn set(object: &Object, members: &[(&str, JsValue)]) {
     for (name, value) in members {
         // Setting a property of a fresh, extensible object cannot fail.

@@ -1,4 +1,4 @@
-//! Links, and a river.
+//! Links and rivers.
 
 use js_sys::{Array, Object, Reflect};
 use wasm_bindgen::prelude::*;
@@ -70,7 +70,7 @@ export interface Summary {
 }
 "#;
 
-/// Reads a link leniently. Total: never throws, whatever the text.
+/// Reads a link leniently. It never throws, whatever the text.
 #[wasm_bindgen(js_name = readLink, unchecked_return_type = "Reading")]
 pub fn read_link(
     text: &str,
@@ -91,7 +91,7 @@ pub fn read_link(
     ])
 }
 
-/// What a page says of where rivers are to be seen; what it leaves out is not so.
+/// Reads a page's options; options that are left out are off.
 pub(super) fn read_options(given: &JsValue) -> ReadOptions {
     let is = |name: &str| Reflect::get(given, &JsValue::from_str(name)).is_ok_and(|value| value.is_truthy());
     ReadOptions { widget: is("widget"), dark: is("dark") }
@@ -104,20 +104,20 @@ fn list(notices: &[Notice]) -> Array {
     notices.iter().map(notice).collect()
 }
 
-/// A river: a recipe, its tree as far as it has grown, and its picture, if it has been given a size.
+/// A river: a recipe, its tree as far as it has grown, and its picture, once it has a size.
 #[wasm_bindgen]
 pub struct River {
     pub(super) session: Session,
     pub(super) notices: Vec<Notice>,
     pub(super) picture: Option<Picture>,
     pub(super) dirty: Option<Rect>,
-    /// The recipe that drafts show.
+    /// The recipe shown by drafts.
     #[cfg(feature = "controls")]
     pub(super) drafted: Option<Reading>,
 }
 
 impl River {
-    /// A river without a picture.
+    /// Makes a river without a picture.
     pub(super) fn of(session: Session, notices: Vec<Notice>) -> Self {
         Self {
             session,
@@ -129,7 +129,7 @@ impl River {
         }
     }
 
-    /// Goes over to a recipe and says what has to run again. After an error everything is as before.
+    /// Changes to a recipe and returns the earliest stage that has to run again. After an error nothing has changed.
     pub(super) fn change_to(&mut self, Reading { recipe, notices, .. }: Reading) -> Result<String, JsValue> {
         let stage = self.session.change(recipe).map_err(|error| session_error(&error))?;
         self.notices = notices;
@@ -143,8 +143,8 @@ impl River {
 
 #[wasm_bindgen]
 impl River {
-    /// Plants the recipe of a link, which is read as `readLink` does. It has no picture until it is given a size. Throws
-    /// an Error with a `code`.
+    /// Plants the recipe of a link, which is read like `readLink`. The river has no picture until it is given a size.
+    /// Throws an Error with a `code`.
     #[wasm_bindgen(constructor)]
     pub fn new(
         text: &str,
@@ -155,7 +155,8 @@ impl River {
         Ok(Self::of(session, notices))
     }
 
-    /// Goes over to the recipe of another link and says what has to run again. If it throws, everything is as before.
+    /// Changes to the recipe of another link and returns the earliest stage that has to run again. If it throws,
+    /// nothing has changed.
     #[wasm_bindgen(unchecked_return_type = "Stage | \"none\"")]
     pub fn change(
         &mut self,
@@ -165,32 +166,32 @@ impl River {
         self.change_to(reading::read(text, read_options(options)))
     }
 
-    /// The canonical link of its recipe: defaults left out.
+    /// The canonical link of the recipe, with defaults left out.
     #[wasm_bindgen(getter)]
     pub fn link(&self) -> String {
         link::write(self.session.recipe())
     }
 
-    /// The seed of its recipe.
+    /// The seed of the recipe.
     #[wasm_bindgen(getter)]
     pub fn seed(&self) -> String {
         self.session.recipe().seed().into()
     }
 
-    /// What of its link was wrong, or beyond a widget's limits.
+    /// Notices about values in the link that were wrong, or beyond a widget's limits.
     #[wasm_bindgen(getter, unchecked_return_type = "readonly Notice[]")]
     pub fn notices(&self) -> Array {
         list(&self.notices)
     }
 
-    /// The width and the height of a picture of all of its map, the longer of which is given.
+    /// The width and height of a picture of the whole map, given the longer of the two.
     #[wasm_bindgen(js_name = sidesFor)]
     pub fn sides_for(&self, longer_px: u32) -> Vec<u32> {
         let (width, height) = View::sides_for(&self.session.domain(), longer_px);
         vec![width, height]
     }
 
-    /// Gives it a picture of this size, which is then painted again. If it throws, everything is as before.
+    /// Makes a picture of this size, which then has to be painted. If it throws, nothing has changed.
     pub fn resize(&mut self, width_px: u32, height_px: u32) -> Result<(), JsValue> {
         self.picture = Some(Picture::new(width_px, height_px).map_err(|error| paint_error(&error))?);
         Ok(())
@@ -201,14 +202,15 @@ impl River {
         self.session.restart().map_err(|error| session_error(&error))
     }
 
-    /// Advances by this number of steps at most: ticks of growth, then a few that make rivers of the tree, then rounds of
-    /// meandering, then the relief part by part, if the style shows one. Returns whether there is more to do. Throws an Error with
-    /// the code `no-memory` if there is not enough for one of these: what is there then is no picture of the recipe.
+    /// Makes up to `steps` steps: ticks of growth, then a few steps that make rivers from the tree, then rounds of
+    /// meandering, then the relief part by part if the style shows one. Returns `true` if there is more to do. Throws
+    /// an Error with the code `no-memory` if there is not enough memory for one of these; what exists then does not
+    /// show the whole recipe.
     pub fn advance(&mut self, steps: u32) -> Result<bool, JsValue> {
         self.session.advance(steps).map_err(|error| coded("no-memory", &error.to_string()))
     }
 
-    /// What the next step does.
+    /// The kind of the next step.
     #[wasm_bindgen(getter, unchecked_return_type = "Phase")]
     pub fn phase(&self) -> String {
         match self.session.phase() {
@@ -221,29 +223,30 @@ impl River {
         .into()
     }
 
-    /// Draws what is new, or does a part of that, which takes a few milliseconds. Returns whether there is more to do: until there is not,
-    /// no pixel changes.
+    /// Paints what is new, or a part of it that takes a few milliseconds. Returns `true` if there is more to do; until
+    /// then no pixel changes.
     pub fn paint(&mut self) -> bool {
         let painted = self.picture.as_mut().map(|picture| picture.paint_part(&self.session));
         self.dirty = painted.and_then(Painted::changed);
         painted == Some(Painted::Part)
     }
 
-    /// Whether its rivers are finished, and its recipe wants a chart of them that its picture, if there is one, has not got.
+    /// Returns `true` if the rivers are finished and the recipe wants a chart, but the picture, if there is one, does
+    /// not have it.
     #[wasm_bindgen(js_name = wantsChart)]
     pub fn wants_chart(&self) -> bool {
         let has_none = |picture: &Picture| picture.wants_chart(&self.session);
         self.picture.as_ref().map_or_else(|| is_to_be_charted(&self.session), has_none)
     }
 
-    /// Its finished map, for a `Chart`; nothing until it is finished.
+    /// Returns the finished map, for a `Chart`; an empty list until it is finished.
     #[wasm_bindgen(js_name = mapData)]
     pub fn map_data(&self) -> Vec<u32> {
         self.session.map().map_or_else(Vec::new, |map| map.to_wire())
     }
 
-    /// Takes the chart of its rivers as they are, the `masks` of a `Chart` for a picture of its size, which is then painted with it. Other
-    /// bytes are an empty chart.
+    /// Takes the chart of the present rivers: the `masks` of a `Chart` for a picture of this size. The next `paint`
+    /// shows it. Bytes that are not a chart count as an empty one.
     #[wasm_bindgen(js_name = takeChart)]
     pub fn take_chart(&mut self, masks: &[u8]) {
         if let Some(picture) = &mut self.picture {
@@ -251,18 +254,18 @@ impl River {
         }
     }
 
-    /// What the last `paint` changed: x, y, width, height.
+    /// The rectangle changed by the last `paint`: x, y, width, height.
     pub fn dirty(&self) -> Vec<u32> {
         self.dirty.map_or_else(|| vec![0; 4], |r| vec![r.left, r.top, r.right - r.left, r.bottom - r.top])
     }
 
-    /// Where the picture's bytes begin in the module's memory: RGBA, opaque; 0 without a picture.
+    /// The address of the picture's bytes in the module's memory: RGBA, opaque; 0 without a picture.
     #[wasm_bindgen(js_name = pixelsPointer)]
     pub fn pixels_pointer(&self) -> u32 {
         self.picture.as_ref().map_or(0, |picture| picture.pixmap().data().as_ptr() as u32)
     }
 
-    /// How many bytes the picture has; 0 without one.
+    /// Number of bytes in the picture; 0 without one.
     #[wasm_bindgen(js_name = pixelsLength)]
     pub fn pixels_length(&self) -> u32 {
         self.picture.as_ref().map_or(0, |picture| picture.pixmap().data().len() as u32)
@@ -289,13 +292,13 @@ impl River {
         }
     }
 
-    /// How far the phase has come, from 0 to 1: growth by what is drained, meandering by its rounds, relief by its parts.
+    /// The progress of the phase, from 0 to 1: growth by the share drained, meandering by rounds, relief by parts.
     #[wasm_bindgen(getter)]
     pub fn progress(&self) -> f32 {
         self.session.progress()
     }
 
-    /// How many rounds the rivers will have meandered.
+    /// Number of rounds that the rivers will have meandered at the end.
     #[wasm_bindgen(getter)]
     pub fn rounds(&self) -> u32 {
         self.session.recipe().integer(Key::MeanderRounds)
@@ -337,7 +340,7 @@ const CUT_OFF: &str = "Rivers do not reach all land: a gap in the ridges, or mor
 pub(super) fn session_error(error: &SessionError) -> JsValue {
     let code = match error {
         SessionError::OtherMap { .. } => "bad-params",
-        // All others are of memory.
+        // All other errors concern memory.
         _ => "too-large",
     };
     coded(code, &error.to_string())

@@ -1,17 +1,17 @@
-//! Back and forth through the making of a map.
+//! Seeking back and forth through the making of a map.
 
 use wasm_bindgen::prelude::*;
 
 use super::rivers::{River, session_error};
 use riverseed::session::{Moment, Timeline as Moments};
 
-/// What has been kept of the moments of a river that was finished once.
+/// Copies of the moments of a finished river.
 #[wasm_bindgen]
 pub struct Timeline(Moments);
 
 #[wasm_bindgen]
 impl Timeline {
-    /// How many ticks it grows, and the last round of meandering after which it is not finished.
+    /// The number of ticks that it grows, and the last round of meandering after which it is not finished.
     pub fn lengths(&self) -> Vec<u32> {
         vec![self.0.ticks(), self.0.rounds()]
     }
@@ -19,12 +19,13 @@ impl Timeline {
 
 #[wasm_bindgen]
 impl River {
-    /// The timeline of a finished river; nothing of any other, and where there is not enough memory.
+    /// Returns the timeline of a finished river; nothing for an unfinished one, or if there is not enough memory.
     pub fn timeline(&self) -> Option<Timeline> {
         Moments::new(&self.session).map(Timeline)
     }
 
-    /// How far it has come: which part of its making, 0 for growth, 1 for bends and 2 at its end, and the number of its tick or round.
+    /// The moment that the river has reached: the part of its making (0 growth, 1 bends, 2 the end) and the number of
+    /// its tick or round.
     pub fn moment(&self) -> Vec<u32> {
         match self.session.moment() {
             Moment::Growth(tick) => vec![0, tick],
@@ -33,8 +34,8 @@ impl River {
         }
     }
 
-    /// Goes nearer to a moment, told likewise: back at once, forth by a step. Returns whether it has not come there yet. The timeline has to be
-    /// of the same recipe. Throws an Error if there is not enough memory.
+    /// Seeks towards a moment, given like the result of `moment`: jumps back, or advances one step. Returns `true`
+    /// until it arrives. The timeline has to be one of the same recipe. Throws an Error if there is not enough memory.
     pub fn seek(&mut self, timeline: &mut Timeline, part: u32, number: u32) -> Result<bool, JsValue> {
         let to = match part {
             0 => Moment::Growth(number),

@@ -1,4 +1,4 @@
-//! The tracing of pictures: a wasm package of its own, which a page fetches when somebody opens a picture.
+//! The tracing of pictures: a separate wasm package, which a page fetches when somebody opens a picture.
 
 use js_sys::Object;
 use wasm_bindgen::prelude::*;
@@ -34,7 +34,7 @@ pub fn trace_image(rgba: &[u8], width_px: u32, height_px: u32) -> Result<Object,
     ]))
 }
 
-/// The longest side of a picture that is traced, in pixels.
+/// The longest side of a picture that can be traced, in pixels.
 #[wasm_bindgen(js_name = longestTracedSide)]
 pub fn longest_traced_side() -> u32 {
     trace::LONGEST_SIDE

@@ -1,4 +1,4 @@
-//! Which river the water of every cell of land comes to first.
+//! The first river that the water of each land cell comes to.
 
 use glam::Vec2;
 
@@ -10,12 +10,14 @@ use crate::relief::{Flow, Grid, rings_around};
 #[derive(Debug)]
 pub(super) struct RiverBasins {
     grid: Grid,
-    /// The first river on the way of each cell's water; [`NONE`] at sea, and where water runs to the sea in no river.
+    /// The first river on the way of each cell's water; [`NONE`] at sea, and where water reaches the sea without a
+    /// river.
     rivers: Vec<u32>,
 }
 
 impl RiverBasins {
-    /// Those of a map's relief, which is made if there is none; `None` if there is not enough memory.
+    /// Finds the rivers for a map's relief, which is made if it does not exist yet; `None` if there is not enough
+    /// memory.
     pub fn new(map: &Map) -> Option<Self> {
         let (relief, settings) = (map.make_relief().ok()?, map.relief_settings());
         let Flow { directions, mut rivers, .. } = Flow::new(&relief, map.network(), &settings).ok()?;
@@ -36,10 +38,10 @@ impl RiverBasins {
         Some(Self { grid: settings.grid, rivers })
     }
 
-    /// The rings around the cells of some rivers, in units.
+    /// The rings around the cells of the wanted rivers, in units.
     pub fn rings(&self, is_wanted: impl Fn(u32) -> bool) -> Vec<Vec<Vec2>> {
         let mut cells = Vec::new();
-        // Cells side by side are mostly of one river.
+        // Neighbouring cells mostly belong to one river.
         let mut last = (NONE, false);
         for (cell, &river) in self.rivers.iter().enumerate() {
             if river != last.0 {
@@ -53,7 +55,7 @@ impl RiverBasins {
     }
 }
 
-/// The cell that a direction leads to; `None` off the map.
+/// The cell that a direction leads to; `None` if it leads off the map.
 fn downstream(cell: usize, code: u8, grid: &Grid) -> Option<usize> {
     const OFFSETS: [(isize, isize); 8] = [(1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0), (-1, -1), (0, -1), (1, -1)];
     let &(east, south) = OFFSETS.get(code.trailing_zeros() as usize)?;

@@ -1,4 +1,4 @@
-//! Streams that captured one another while drainage settled: how the water of the greatest of them ran before.
+//! Streams that captured one another while drainage settled: the former ways of the greatest of them.
 
 use glam::Vec2;
 
@@ -7,12 +7,12 @@ use crate::grow::Capture;
 use crate::session::Session;
 use crate::tree::{Hydrology, NO_PARENT};
 
-/// As many are told apart on a map.
+/// The most ways that readers of a map can tell apart.
 const MOST: usize = 40;
 
-/// How the water of streams that were captured ran before: each line begins where the stream was turned aside, goes to the parcel that it
-/// drained to until then, and on as water drains there now, to the next stream. Those that drain the most, first; none of what came to
-/// the sea itself. Of methods other than drainage there are none.
+/// The former ways of captured streams. Each line begins where the stream was turned aside, goes to the parcel that it
+/// drained to before, and follows the present drainage from there to the next stream. Streams that drain the most come
+/// first. Parcels that drained directly to the sea before have none. Only drainage has captures.
 pub fn former_ways(session: &Session) -> Vec<Vec<Vec2>> {
     let (growth, tree) = (session.growth(), session.tree());
     let (places, nodes) = (growth.scattered(), growth.nodes_of_parcels());
@@ -35,7 +35,7 @@ pub fn former_ways(session: &Session) -> Vec<Vec<Vec2>> {
     by_discharge.into_iter().take(MOST).map(former_way).collect()
 }
 
-/// What became of each parcel in the end, in the order of parcels; nothing of those that were captured never.
+/// The last capture of each parcel, in the order of parcels, without those that were never captured.
 fn last_of_each_parcel(captures: &[Capture], parcels: usize) -> Vec<Capture> {
     let mut last = vec![None; parcels];
     for &capture in captures {
@@ -57,7 +57,7 @@ mod tests {
 
     #[test]
     fn former_ways_lead_from_streams_over_another_parcel_to_the_next_stream() {
-        // In the second, streams were captured twice: how they ran before the last time counts.
+        // In the second, streams were captured twice: their way before the last capture counts.
         for (link, are_any_twice) in [("seed=kea&attractors=2000", false), ("seed=s36&attractors=6000", true)] {
             let session = finished(&format!("{link}&growth=drainage"));
             let twice = former_ways(&session).iter().any(|way| is_captured_twice(&session, way[0]));
@@ -66,7 +66,7 @@ mod tests {
         }
     }
 
-    /// Whether the parcel at a place was captured twice, from two others.
+    /// Returns `true` if the parcel at a place was captured twice, from two others.
     fn is_captured_twice(session: &Session, at: Vec2) -> bool {
         let growth = session.growth();
         let is_of = |capture: &&Capture| growth.scattered()[capture.parcel as usize] == at;

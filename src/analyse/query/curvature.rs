@@ -1,22 +1,22 @@
-//! How sharply great rivers bend, as lines across them.
+//! The curvature of great rivers, as lines across them.
 
 use glam::Vec2;
 
 use super::Inspector;
 use crate::base::geometry::{distance, fast_max, fast_min, length};
 
-/// How far apart lines are along a river, in widths of it.
+/// Distance between lines along a river, in its widths.
 const APART: f32 = 0.6;
-/// How long the line of a bend is whose radius is one width, in widths; others are shorter or longer as they are sharper.
+/// Length of the line at a bend with a radius of one width, in widths. Lines are longer at sharper bends.
 const LONG: f32 = 4.0;
-/// No line is longer, in widths.
+/// The greatest length of a line, in widths.
 const LONGEST: f32 = 4.0;
-/// How many of the highest orders count as great.
+/// Number of the highest orders that count as great.
 const ORDERS: u8 = 2;
 
 impl Inspector {
-    /// Short lines on the great rivers, from the middle towards the outside of the bend that they are in: the sharper, the longer. Where
-    /// they would not reach the bank there are none.
+    /// Short lines on the great rivers, from the middle towards the outside of the bend: the sharper, the longer. Lines
+    /// that would not reach the bank are left out.
     pub fn curvature(&self) -> Vec<Vec<Vec2>> {
         let highest = self.orders.iter().fold(0, |highest, &order| highest.max(order));
         let mut lines = Vec::new();
@@ -41,11 +41,12 @@ impl Inspector {
     }
 }
 
-/// Away from the middle of the circle through three points, as long as its curvature; nothing where they lie on a line.
+/// The direction away from the centre of the circle through three points, as long as the circle's curvature; zero if
+/// the points lie on a line.
 fn outward(a: Vec2, b: Vec2, c: Vec2) -> Vec2 {
     let (before, after, across) = (b - a, c - b, c - a);
     let lengths = length(before) * length(after) * across.length_squared();
-    // Menger's curvature, to the side where the middle point lies.
+    // Menger's curvature, towards the side of the middle point.
     across.perp() * (-2.0 * before.perp_dot(after) / fast_max(lengths, f32::MIN_POSITIVE))
 }
 

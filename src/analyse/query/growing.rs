@@ -1,4 +1,4 @@
-//! What a map answers while it grows, or stands at a moment of its making.
+//! Queries that also work on a map that still grows, or that is shown at a moment of its making.
 
 use glam::Vec2;
 
@@ -6,7 +6,8 @@ use crate::prune::channel_depth;
 use crate::session::Session;
 use crate::tree::Hydrology;
 
-/// Where a session's rivers begin: while the tree grows, as far as it is certain to stay, which is what pictures show of it.
+/// The sources of a session's rivers. While the tree grows, these are the ends of the part that is certain to stay,
+/// which is also the part that pictures show.
 pub fn tips(session: &Session) -> Vec<Vec2> {
     let mut tips = Vec::new();
     if let Some(network) = session.network() {
@@ -19,7 +20,7 @@ pub fn tips(session: &Session) -> Vec<Vec2> {
     let discharge = Hydrology::of(tree).discharge;
     let depth = channel_depth(tree, &discharge, trim.channel_area);
     for (node, &at) in tree.at.iter().enumerate() {
-        // All that is deeper has an arm that is certain, too.
+        // Every deeper node has an arm that is certain, too.
         if depth[node] == trim.nodes && discharge[node] >= trim.channel_area {
             tips.push(at);
         }
@@ -46,7 +47,7 @@ mod tests {
         places
     }
 
-    /// The nodes that are certain to stay and have no such node above them, by walking down from every node.
+    /// The nodes that are certain to stay and have no such node above them, found by walking down from every node.
     fn certain_tips(tree: &Tree, trim: Trim) -> Vec<Vec2> {
         let mut discharge = vec![0; tree.len()];
         let below = |node: usize| std::iter::successors(Some(node), |&node| tree.parent_of(node));

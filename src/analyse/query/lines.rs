@@ -1,4 +1,4 @@
-//! The middle lines of all rivers, to be found by their place.
+//! An index that finds the middle lines of all rivers by their place.
 
 use glam::Vec2;
 
@@ -11,26 +11,26 @@ use crate::network::{Network, Place};
 pub struct Spot {
     /// The river's number.
     pub river: u32,
-    /// On which piece of its line, from one vertex to the next, counted from its source.
+    /// The segment of its line, from one vertex to the next, counted from its source.
     pub segment: u32,
-    /// Where on the middle line, and how far either bank is.
+    /// The point on the middle line, and the distance to either bank.
     pub place: Place,
-    /// How far off the bank the point is that was asked about, in units; less than 0 on the water.
+    /// Distance of the queried point from the bank, in units; negative on the water.
     pub off: f32,
 }
 
-/// All middle lines.
+/// The middle lines of all rivers.
 #[derive(Debug)]
 pub(super) struct CourseLines {
-    /// Of all rivers, one after the other, from source to end.
+    /// The places of all rivers, one river after the other, from source to end.
     places: Vec<Place>,
-    /// Where the line of each river begins, and where the last one ends.
+    /// The position in `places` at which each river's line begins, and the end of the last one.
     starts: Vec<u32>,
-    /// The place and the river that each segment begins with.
+    /// For each segment, the position in `places` of its first place, and its river.
     segments: Vec<(u32, u32)>,
-    /// Of their middles.
+    /// An index of the middles of segments.
     index: Index,
-    /// How far a bank can be from the middle of its segment at most.
+    /// The greatest distance of any bank from the middle of its segment.
     widest: f32,
 }
 
@@ -57,13 +57,14 @@ impl CourseLines {
         &self.places[self.starts[river as usize] as usize..self.starts[river as usize + 1] as usize]
     }
 
-    /// Where a river begins.
+    /// The source of a river.
     pub fn source(&self, river: u32) -> Option<Spot> {
         let &[place, _, ..] = self.line(river) else { return None };
         Some(Spot { river, segment: 0, place, off: 0.0 })
     }
 
-    /// The spot nearest to a point, of those whose bank is within reach; of equally near ones that of the first river.
+    /// The nearest spot to a point, of those whose bank is within reach. Among equally near spots the first river's
+    /// wins.
     pub fn nearest(&self, at: Vec2, reach: f32) -> Option<Spot> {
         let mut nearest: Option<Spot> = None;
         if at.is_finite() && reach.is_finite() {
@@ -81,7 +82,7 @@ impl CourseLines {
         nearest
     }
 
-    /// The place on a segment that is nearest to a point.
+    /// The nearest place on a segment to a point.
     fn on(&self, segment: usize, at: Vec2) -> Spot {
         let (first, river) = self.segments[segment];
         let [from, to] = [self.places[first as usize], self.places[first as usize + 1]];
@@ -108,7 +109,7 @@ mod tests {
         CourseLines::new(session.finish().unwrap().network())
     }
 
-    /// By looking at every segment there is.
+    /// The nearest spot, found by looking at every segment.
     fn nearest_of_all(lines: &CourseLines, at: Vec2, reach: f32) -> Option<f32> {
         let off = (0..lines.segments.len()).map(|segment| lines.on(segment, at).off);
         Some(off.fold(f32::INFINITY, f32::min)).filter(|&off| off <= reach)

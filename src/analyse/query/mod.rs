@@ -1,8 +1,8 @@
-//! What a finished map answers about its rivers: which of them is at a place, what it is like, its way to the sea and its basin.
+//! Queries about the rivers of a finished map: the river at a place, its properties, its way to the sea and its basin.
 //!
-//! Asked again and again while a pointer moves, so what answers is made once for a map: segments of all rivers by their cells
-//! (`lines.rs`), the order at every vertex (`orders.rs`), and of every cell of land the river that its water comes to (`basins.rs`). What a map
-//! that still grows answers, too, is in `growing.rs` and `captures.rs`.
+//! Queries are repeated while a pointer moves, so their data is prepared once per map: an index of all river segments
+//! (`lines.rs`), the order at every vertex (`orders.rs`), and the river that the water of each land cell comes to
+//! (`basins.rs`). Queries that also work on a growing map are in `growing.rs` and `captures.rs`.
 
 mod basins;
 mod captures;
@@ -26,41 +26,41 @@ use crate::base::memory;
 use crate::map::Map;
 use crate::network::{NONE, Network, Place};
 
-/// The rivers of a finished map, to be asked about.
+/// The rivers of a finished map, ready for queries.
 #[derive(Debug)]
 pub struct Inspector {
     network: Arc<Network>,
     lines: CourseLines,
     orders: Vec<u8>,
     basins: RiverBasins,
-    /// The discharge that stands for all land, and how much land that is, in square units.
+    /// The discharge that stands for all land, whose area is `land_area`, in square units.
     all: u32,
     land_area: f64,
 }
 
-/// What a river is like.
+/// The properties of a river.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RiverFacts {
     /// Its identity, by which names know it.
     pub identity: u32,
     /// Strahler's order at its end.
     pub order: u8,
-    /// The same where it is pointed at.
+    /// Strahler's order at the place of the query.
     pub order_here: u8,
     /// Its length, in units.
     pub length: f32,
     /// The share of all land that it drains, from 0 to 1.
     pub share: f64,
-    /// How much land that is, in square units.
+    /// The area that it drains, in square units.
     pub area: f64,
-    /// The identities of the rivers that its water comes to, one after the other; none if it reaches the sea itself.
+    /// The identities of the rivers that its water comes to, in order; empty if it reaches the sea itself.
     pub into: Vec<u32>,
 }
 
 impl Inspector {
-    /// Prepares the rivers of a map to be asked about; `None` if there is not enough memory.
+    /// Prepares the rivers of a map for queries; `None` if there is not enough memory.
     pub fn new(map: &Map) -> Option<Self> {
-        /// Of what is found by place.
+        /// For the lines and their index.
         const BYTES_A_VERTEX: usize = 120;
         let network = map.network();
         if !memory::can_allocate(network.vertices.len() * BYTES_A_VERTEX) {
@@ -74,7 +74,7 @@ impl Inspector {
             lines: CourseLines::new(network),
             orders: orders::along(network),
             basins: RiverBasins::new(map)?,
-            // That of a Brownian tree is known only nearly.
+            // The total discharge of a Brownian tree is only an approximation.
             all: map.grown().total_discharge.max(drained).max(1),
             land_area: land_area(map),
             network: network.clone(),
@@ -91,7 +91,7 @@ impl Inspector {
         &self.orders
     }
 
-    /// The parts of rivers whose vertices are so, each down to the next vertex below.
+    /// The parts of rivers whose vertices satisfy `is_so`, each extended to the next vertex below.
     pub fn stretches(&self, is_so: impl Fn(usize) -> bool) -> Vec<Vec<Vec2>> {
         let mut stretches: Vec<Vec<Vec2>> = Vec::new();
         for (number, river) in (0..).zip(&self.network.rivers) {
@@ -108,18 +108,18 @@ impl Inspector {
         stretches
     }
 
-    /// The place on a river that is nearest to a point, banks counted, if one is within reach, in units.
+    /// The nearest place on a river to a point, measured from the banks, if it is within `reach` units.
     pub fn nearest(&self, at: Vec2, reach: f32) -> Option<Spot> {
         self.lines.nearest(at, reach)
     }
 
-    /// The source of the river of an identity.
+    /// The source of the river with an identity.
     pub fn source(&self, identity: u32) -> Option<Spot> {
         let river = self.network.rivers.iter().position(|river| river.identity == identity)?;
         self.lines.source(river as u32)
     }
 
-    /// What the river at a place is like.
+    /// The properties of the river at a place.
     pub fn facts(&self, spot: &Spot) -> RiverFacts {
         let river = &self.network.rivers[spot.river as usize];
         let share = f64::from(self.network.discharge(river)) / f64::from(self.all);
@@ -142,13 +142,13 @@ impl Inspector {
         }
     }
 
-    /// From a place to the sea, along its river and then along those that this comes to.
+    /// The way from a place to the sea, along its river and then along the rivers that it joins.
     pub fn way_to_the_sea(&self, spot: &Spot) -> Vec<Place> {
         let mut way = vec![spot.place];
         let (mut river, mut next) = (spot.river, spot.segment as usize + 1);
         loop {
             let (line, here) = (self.lines.line(river), &self.network.rivers[river as usize]);
-            // Where it joins another, that one's own line goes on.
+            // A tributary's last place is left out: the line of the river that it joins goes on from there.
             let is_tributary = here.parent != NONE;
             way.extend_from_slice(line.get(next..line.len() - usize::from(is_tributary)).unwrap_or_default());
             if !is_tributary {
@@ -159,12 +159,12 @@ impl Inspector {
         }
     }
 
-    /// The rings around the land whose water comes to a river, in units.
+    /// The rings around the land that a river and its tributaries drain, in units.
     pub fn basin(&self, river: u32) -> Vec<Vec<Vec2>> {
         self.basins.rings(|other| self.is_above(other, river))
     }
 
-    /// Whether a river is another, or its water comes to that.
+    /// Returns `true` if a river is `other`, or if its water comes to that.
     fn is_above(&self, mut river: u32, other: u32) -> bool {
         while river != other && river != NONE {
             river = self.network.rivers[river as usize].parent;

@@ -1,15 +1,16 @@
-//! Rivers that run along a coast, where those of nature run into the sea.
+//! Rivers that run along a coast, where natural rivers would run into the sea.
 
 use glam::Vec2;
 
 use crate::base::geometry::distance;
 use crate::network::{NONE, Network};
 
-/// A river on its way to the sea comes near the coast: this far above its mouth nothing counts, in spacings.
+/// The last stretch above a mouth, in spacings. It does not count, because every river on its way to the sea comes near
+/// the coast.
 const LAST_BIT: f32 = 2.0;
 
-/// The length of river within one spacing of a coast, in units, but for the last two spacings of the way to each mouth. `inland`
-/// says how far inland a point lies, in units.
+/// Measures the length of river within one spacing of a coast, in units, without the last two spacings above each
+/// mouth. `inland` is a point's distance from the coast, in units.
 pub fn along_coast(network: &Network, spacing: f32, inland: impl Fn(Vec2) -> f32) -> f64 {
     let downstream = network.downstream();
     let to_sea = distances_to_sea(network, &downstream);
@@ -21,12 +22,12 @@ pub fn along_coast(network: &Network, spacing: f32, inland: impl Fn(Vec2) -> f32
     beside.map(|(vertex, &below)| f64::from(distance(at(vertex), at(below)))).fold(0.0, |sum, length| sum + length)
 }
 
-/// How far each vertex is from its mouth, along the water.
+/// The distance of each vertex from its mouth, along the water.
 fn distances_to_sea(network: &Network, downstream: &[u32]) -> Vec<f32> {
     let mut to_sea = vec![f32::NAN; downstream.len()];
     let mut upward = Vec::new();
     for start in 0..downstream.len() as u32 {
-        // Down to what is known, then up again.
+        // Down to a known vertex, then up again.
         let mut i = start;
         while i != NONE && to_sea[i as usize].is_nan() {
             upward.push(i);
@@ -48,17 +49,21 @@ mod tests {
 
     /// ```text
     ///                 T
-    ///                 │           The river runs 20 units half a unit from the coast, then into the sea. Its last two units, half of one
-    /// S───────────────J────┐      of them at the coast, do not count, the other 18.5 do, and of the tributary what is less than
-    /// ~~~~~~~~~~~~~~~~~~~~~│~~    a unit from the coast: a half.
+    ///                 │
+    /// S───────────────J────┐
+    /// ~~~~~~~~~~~~~~~~~~~~~│~~
     /// ```
+    ///
+    /// The river runs for 20 units half a unit from the coast, and then into the sea. Its last two units do not count,
+    /// half a unit of which is the way to the sea; the other 18.5 do. Of the tributary, the half unit that lies less
+    /// than a unit from the coast counts.
     #[test]
     fn what_runs_beside_the_coast_counts_but_for_its_last_bit() {
         let river: Vec<(f32, f32)> = (0..=40).map(|i| (i as f32 / 2.0, 0.5)).chain([(20.0, 0.0)]).collect();
         let tributary: Vec<(f32, f32)> = (1..=20).rev().map(|i| (10.0, 0.5 + i as f32 / 2.0)).collect();
         let network = network(&[to_sea(&river), into(&tributary, 0, 20)]);
         assert_eq!(along_coast(&network, 1.0, |at| at.y), 18.5 + 0.5);
-        // Farther inland than all of it.
+        // The coast is farther away than a spacing everywhere.
         assert_eq!(along_coast(&network, 1.0, |at| at.y + 2.0), 0.0);
     }
 }

@@ -1,4 +1,4 @@
-//! What is seen of single rivers and of their junctions: how much they wind, how dense they lie, at what angles they meet.
+//! Measures of single rivers and of their junctions: sinuosity, density, angles.
 
 use glam::Vec2;
 
@@ -6,18 +6,19 @@ use super::fit;
 use crate::base::geometry::{direction, distance};
 use crate::network::{NONE, Network, River};
 
-/// Length over the straight line from source to end, the median over the rivers of order 2 and higher. `None` without one.
+/// The median sinuosity of the rivers of order 2 and higher: length over the straight line from source to end. `None`
+/// if there are none.
 pub fn sinuosity(network: &Network) -> Option<f32> {
     let great = network.rivers.iter().filter(|river| river.order >= 2);
     fit::median(&great.map(|river| network.sinuosity(river)).collect::<Vec<_>>())
 }
 
-/// How long all rivers are together, in units.
+/// The total length of all rivers, in units.
 pub fn total_length(network: &Network) -> f64 {
     network.rivers.iter().map(|river| f64::from(network.length(river))).fold(0.0, |sum, length| sum + length)
 }
 
-/// The mean of some angles, in degrees, and their standard deviation.
+/// The mean and standard deviation of angles, in degrees.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Angles {
     /// The mean.
@@ -26,8 +27,9 @@ pub struct Angles {
     pub spread: f64,
 }
 
-/// The angles between the two rivers above each junction, each river's direction being that from the junction to its point so far
-/// upstream of it, in units: the first steps of a tributary exaggerate. A river that is shorter has none. `None` without any.
+/// Measures the angles between the two rivers above each junction. Each river's direction is that from the junction to
+/// its point `upstream` units above it, because the first steps of a tributary exaggerate the angle. Junctions with a
+/// shorter river are left out. `None` if no junction is left.
 pub fn junction_angles(network: &Network, upstream: f32) -> Option<Angles> {
     let angles: Vec<f64> = network.rivers.iter().filter_map(|river| junction_angle(network, river, upstream)).collect();
     if angles.is_empty() {
@@ -52,7 +54,7 @@ fn junction_angle(network: &Network, river: &River, upstream: f32) -> Option<f64
     Some(libm::atan2f(tributary.perp_dot(stem).abs(), tributary.dot(stem)).to_degrees().into())
 }
 
-/// The point of a line that lies so far from its start; `None` if it is shorter.
+/// The point at a distance from the start of a line, measured along it; `None` if the line is shorter.
 fn along(start: Vec2, line: &[Vec2], mut far: f32) -> Option<Vec2> {
     let mut from = start;
     for &to in line {
@@ -71,7 +73,7 @@ mod tests {
     use super::super::samples::{into, network, to_sea};
     use super::*;
 
-    /// Of three rivers, 7, 6 and 5 units long from end to end over 5, 6 and 5.
+    /// Three rivers, 7, 6 and 5 units long, whose ends are 5, 6 and 5 units apart.
     #[test]
     fn sinuosity_is_that_of_the_river_in_the_middle_of_order_2_at_least() {
         let bent = to_sea(&[(0.0, 0.0), (3.0, 0.0), (3.0, 4.0)]);
@@ -85,9 +87,9 @@ mod tests {
 
     /// ```text
     ///     B
-    ///      \           The stem runs from A by J to the sea. B comes at 60° to its upper part, C first at 90°, then it has
-    /// A─────J────~     turned: 4 west and 3 south of J, its direction is 36.87° off A's.
-    ///       │
+    ///      \           The stem runs from A through J to the sea. B meets its upper part at 60°.
+    /// A─────J────~     C meets it at 90°, but comes from a bend: 4 west and 3 south of J, its
+    ///       │          direction is 36.87° off A's.
     ///  C────´
     /// ```
     #[test]
@@ -100,7 +102,7 @@ mod tests {
         assert!((angles(3.0).mean - 75.0).abs() < 1e-4 && (angles(3.0).spread - 15.0).abs() < 1e-4);
         let turned = libm::atan2(3.0, 4.0).to_degrees();
         assert!((angles(7.0).mean - (60.0 + turned) / 2.0).abs() < 1e-4, "{:?}", angles(7.0));
-        // Farther up than the stem and B are long there are no angles.
+        // There are no angles farther upstream than the stem and B are long.
         assert_eq!(junction_angles(&network, 10.5), None);
     }
 }

@@ -1,6 +1,6 @@
-//! Straight lines through points, for laws that are powers: least squares of logarithms.
+//! Fits of power laws: straight lines of least squares through logarithms.
 
-/// The slope, y by x, of the line of least squares through some points; `None` of fewer than two different x.
+/// The slope of the least-squares line, y over x; `None` for fewer than two different x.
 pub(super) fn slope(points: &[(f64, f64)]) -> Option<f64> {
     let count = points.len() as f64;
     let mean = |of: fn(&(f64, f64)) -> f64| points.iter().map(of).sum::<f64>() / count;
@@ -10,7 +10,7 @@ pub(super) fn slope(points: &[(f64, f64)]) -> Option<f64> {
     (spread > 0.0).then(|| common / spread)
 }
 
-/// The ratio of the geometric series that is nearest to some values; `None` of fewer than two, and where one is not above 0.
+/// The ratio of the geometric series nearest to the values; `None` for fewer than two, and if one is not above 0.
 pub(super) fn ratio(values: &[f64]) -> Option<f64> {
     if values.iter().any(|&value| value <= 0.0) {
         return None;
@@ -19,12 +19,12 @@ pub(super) fn ratio(values: &[f64]) -> Option<f64> {
     slope(&logs).map(|slope| libm::expf(slope as f32).into())
 }
 
-/// A natural logarithm, as exact as a float of 32 bits: one of 64 would take another kilobyte of the page's engine.
+/// The natural logarithm, with the precision of a 32-bit float: a 64-bit one would add a kilobyte to the page's engine.
 pub(super) fn log(value: f64) -> f64 {
     libm::logf(value as f32).into()
 }
 
-/// The value in the middle, of an even number the mean of the two; `None` of none.
+/// The median, which is the mean of the middle two for an even number of values; `None` for an empty list.
 pub(super) fn median(values: &[f32]) -> Option<f32> {
     let sorted = crate::base::sort::sorted(values);
     let upper = *sorted.get(sorted.len() / 2)?;
@@ -37,7 +37,7 @@ mod tests {
 
     #[test]
     fn a_line_is_found_among_points_beside_it() {
-        // y = 2x + 1, but the second point is one higher and the third one lower: 2 − 1 / 5.
+        // The line is y = 2x + 1, but the second point is one higher and the third one lower: 2 − 1 / 5.
         let found = slope(&[(0.0, 1.0), (1.0, 4.0), (2.0, 4.0), (3.0, 7.0)]).unwrap();
         assert!((found - 1.8).abs() < 1e-12, "{found}");
         assert_eq!(slope(&[(1.0, 1.0), (1.0, 2.0)]), None);

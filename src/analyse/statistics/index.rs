@@ -1,4 +1,4 @@
-//! Points in the cells of a grid, to be found by their place.
+//! A grid index that finds points by their place.
 
 use glam::Vec2;
 
@@ -12,16 +12,16 @@ pub(crate) struct Index {
     side: f32,
     columns: usize,
     rows: usize,
-    /// Where each cell begins in `order`.
+    /// The position in `order` at which each cell begins.
     starts: Vec<usize>,
     /// The numbers of the points, cell by cell.
     order: Vec<usize>,
 }
 
 impl Index {
-    /// Enters points in cells of about this side.
+    /// Puts points into cells of about this side.
     pub fn new(points: &[Vec2], side: f32) -> Self {
-        /// Cells along each side at most.
+        /// The most cells along each side.
         const MOST: f32 = 1000.0;
         let corner = points.iter().copied().reduce(Vec2::min).unwrap_or_default();
         let size = points.iter().copied().reduce(Vec2::max).unwrap_or_default() - corner;
@@ -35,7 +35,7 @@ impl Index {
         this
     }
 
-    /// The numbers of all points within a radius of a place, and of some that are a little farther off.
+    /// Returns the numbers of all points within a radius of a place, and of some a little farther away.
     pub fn around(&self, at: Vec2, radius: f32) -> impl Iterator<Item = usize> + '_ {
         let ((left, top), (right, bottom)) = (self.place(at - radius), self.place(at + radius));
         (top..=bottom).flat_map(move |row| {

@@ -1,5 +1,5 @@
-//! Measures of a finished network: the numbers by which hydrologists tell river networks apart, and counts of what map readers
-//! dislike. [`TABLE`] names them, and says what nature has.
+//! Measures of a finished network: the numbers by which hydrologists compare river networks, and counts of features
+//! that map readers dislike. [`TABLE`] names them and gives the values of natural rivers.
 
 mod along_coast;
 mod courses;
@@ -30,13 +30,13 @@ use crate::land::CELL_SIZE;
 use crate::map::Map;
 use crate::recipe::{GrowthMethod, Key};
 
-/// How far above a junction its angle is measured, in spacings.
+/// The distance above a junction at which its angle is measured, in spacings.
 pub const ANGLE_SPACINGS: f32 = 3.0;
 
-/// What is measured of a network; `None` where it is too small for a measure to say anything.
+/// The measures of a network. A measure is `None` if the network is too small for it.
 ///
-/// A *spacing* is the distance between attractors if all of the domain were land, so that maps of space colonization and of drainage are
-/// measured by one ruler; of a Brownian tree it is the sensitivity.
+/// A *spacing* is the distance that attractors would have if all of the domain were land, so maps of space colonization
+/// and of drainage share one ruler. For a Brownian tree it is the sensitivity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Measures {
     /// Horton's bifurcation ratio.
@@ -53,13 +53,13 @@ pub struct Measures {
     pub sinuosity: Option<f64>,
     /// The length of river per area of land, in 1/unit.
     pub drainage_density: f64,
-    /// The same times a spacing: the length of river, in spacings, on a square spacing of land.
+    /// The drainage density times a spacing: the length of river, in spacings, on a square spacing of land.
     pub density_per_spacing: f64,
     /// The angles between rivers at junctions.
     pub junction_angles: Option<Angles>,
-    /// How many trunks of similar size meet at mouths.
+    /// Number of trunks of similar size that meet at mouths.
     pub umbrellas: u32,
-    /// The length of pairs of rivers that run beside each other for long, in units.
+    /// Total length of pairs of rivers that run beside each other for long, in units.
     pub parallels: f64,
     /// The length of river that runs along a coast, in units.
     pub along_coast: f64,
@@ -92,8 +92,8 @@ impl Measures {
     }
 }
 
-/// What lengths are compared with. The attractors of space colonization lie closer together where there is sea; those of drainage do not, and
-/// a Brownian tree has none.
+/// The spacing, the ruler for all lengths. With sea on the map, the actual attractors of space colonization lie closer
+/// together; the parcels of drainage do not, and a Brownian tree has none.
 fn ruler(map: &Map) -> f32 {
     match map.recipe().get() {
         GrowthMethod::Colonize => (AREA / map.recipe().number(Key::Attractors)).sqrt(),
@@ -101,7 +101,7 @@ fn ruler(map: &Map) -> f32 {
     }
 }
 
-/// How much land there is, in square units.
+/// The area of land, in square units.
 pub(crate) fn land_area(map: &Map) -> f64 {
     let domain = map.domain().size;
     let of_cells = |cells: u32| f64::from(cells) * f64::from(CELL_SIZE * CELL_SIZE);
@@ -109,7 +109,8 @@ pub(crate) fn land_area(map: &Map) -> f64 {
     map.land().map_or_else(all, |land| land.regions().iter().map(|region| of_cells(region.cells)).sum())
 }
 
-/// How far inland a point lies, in units. All of a rectangle is land, and the sides with mouths are its coasts.
+/// The distance of a point from the coast, in units; positive inland. In a rectangle everything is land, and the sides
+/// with mouths are its coasts.
 fn inland(map: &Map, at: Vec2) -> f32 {
     let beyond = map.domain().size - at;
     let sides = map.recipe().sides(Key::Sides);

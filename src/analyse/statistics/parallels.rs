@@ -1,4 +1,4 @@
-//! Parallels: rivers that run side by side for long.
+//! Parallels: rivers that run side by side for a long way.
 
 use glam::Vec2;
 
@@ -6,22 +6,22 @@ use super::index::Index;
 use crate::base::geometry::{direction, distance};
 use crate::network::{Network, River};
 
-/// Rivers are beside each other if they are nearer than this, in spacings.
+/// Rivers nearer than this, in spacings, are beside each other.
 const BESIDE: f32 = 2.0;
 
-/// The cosine of 20°: what runs in about the same direction.
+/// The cosine of 20°, the greatest angle between courses in the same direction.
 const SAME_DIRECTION: f32 = 0.939_692_6;
 
-/// How far rivers may run beside each other, in spacings.
+/// The greatest length that rivers may run beside each other without being counted, in spacings.
 const LONG: f32 = 10.0;
 
-/// How far apart the places of a course are, in spacings.
+/// Distance between the places of a course, in spacings.
 const STEP: f32 = 0.5;
 
-/// A course's direction is that from this number of places before to as many after.
+/// A course's direction at a place is measured from this number of places before it to the same number after.
 const AROUND: usize = 4;
 
-/// So many places in a row may be farther apart, or in other directions, without an end.
+/// Number of places in a row that may be farther apart, or differ in direction, without ending a stretch.
 const GAP: usize = 2;
 
 /// A place of a course.
@@ -32,10 +32,11 @@ struct Place {
     course: u32,
 }
 
-/// The length of pairs of rivers that run beside each other, nearer than two spacings and within 20° of the same direction, for more
-/// than ten spacings, in units. Each pair has the mean of its two lengths.
+/// Measures the total length, in units, of pairs of rivers that run beside each other for more than ten spacings:
+/// nearer than two spacings, and in directions within 20° of each other. Each pair counts with the mean of its two
+/// lengths.
 pub fn parallels(network: &Network, spacing: f32) -> f64 {
-    // What is shorter runs beside nothing for so long.
+    // Shorter rivers cannot run beside anything that far.
     let long = network.rivers.iter().filter(|river| network.length(river) > LONG * spacing);
     let places: Vec<Place> =
         (0..).zip(long).flat_map(|(course, river)| places(network, river, course, spacing)).collect();
@@ -65,12 +66,12 @@ impl Place {
     }
 }
 
-/// Where one river runs beside others.
+/// The stretches along which one river runs beside others.
 #[derive(Default)]
 struct Stretches {
-    /// The other course, and the first and the last place so far.
+    /// For each open stretch, the other course and the first and last place so far.
     open: Vec<(u32, usize, usize)>,
-    /// How many steps all have had that have ended and were long.
+    /// Total number of steps in all long stretches that have ended.
     steps: usize,
 }
 
@@ -97,18 +98,18 @@ impl Stretches {
     }
 }
 
-/// A course's places, half a spacing from one to the next along it.
+/// The places along a course, half a spacing apart.
 fn places(network: &Network, river: &River, course: u32, spacing: f32) -> Vec<Place> {
     let line = evenly(network.course(river).map(|vertex| vertex.at), STEP * spacing);
     let heading = |i: usize| direction(line[(i + AROUND).min(line.len() - 1)] - line[i.saturating_sub(AROUND)]);
     line.iter().enumerate().map(|(i, &at)| Place { at, direction: heading(i), course }).collect()
 }
 
-/// Points of a line, from its start on, a step from one to the next along it.
+/// Points along a line, starting at its first point, `step` apart.
 fn evenly(mut line: impl Iterator<Item = Vec2>, step: f32) -> Vec<Vec2> {
     let Some(mut from) = line.next() else { return Vec::new() };
     let mut points = vec![from];
-    // How far beyond `from` the next one lies.
+    // Distance of the next point beyond `from`.
     let mut next = step;
     for to in line {
         let length = distance(from, to);
@@ -127,7 +128,8 @@ mod tests {
     use super::super::samples::{network, to_sea};
     use super::*;
 
-    /// What two rivers have in common, measured in spacings of 3 units; and of 6, turned by a right angle and twice as large.
+    /// Measures the common length of two rivers with spacings of 3 units. Also checks it for the rivers turned by a
+    /// right angle and twice as large, with spacings of 6.
     fn common(a: &[(f32, f32)], b: &[(f32, f32)]) -> f64 {
         let scaled = |points: &[(f32, f32)]| points.iter().map(|(x, y)| (3.0 * x, 3.0 * y)).collect::<Vec<_>>();
         let turned = |points: &[(f32, f32)]| points.iter().map(|(x, y)| (-6.0 * y, 6.0 * x)).collect::<Vec<_>>();
@@ -140,7 +142,7 @@ mod tests {
     fn rivers_side_by_side_for_long_count() {
         let straight = [(0.0, 0.0), (40.0, 0.0)];
         let beside = |y: f32, length: f32| [(10.0, y), (10.0 + length, y)];
-        // The longer one is beside the other a little before and after it, too.
+        // The longer river is also beside the other one a little before and after it.
         let length = common(&straight, &beside(1.5, 20.0));
         assert!((length - 20.0).abs() < 1.5, "{length}");
         assert_eq!(common(&straight, &beside(2.5, 20.0)), 0.0, "farther than two spacings");
@@ -167,7 +169,7 @@ mod tests {
 
     #[test]
     fn rivers_that_cross_each_other_s_way_are_no_parallels() {
-        // They come nearer by 0.4 a spacing: 21.8° off.
+        // They approach by 0.4 per spacing, an angle of 21.8°.
         let (straight, oblique) = ([(0.0, 0.0), (40.0, 0.0)], [(0.0, 16.0), (40.0, 0.1)]);
         assert_eq!(common(&straight, &oblique), 0.0);
     }

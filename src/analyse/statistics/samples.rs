@@ -4,21 +4,21 @@ use glam::Vec2;
 
 use crate::network::{NONE, Network, River, Vertex};
 
-/// A river through some points, source first, of one width and discharge everywhere.
+/// A river through the given points, source first, with a constant width and discharge.
 pub(super) struct Sample<'a> {
     pub points: &'a [(f32, f32)],
-    /// The river that it joins, and which vertex of it.
+    /// The river that it joins, and the vertex there.
     pub joins: Option<(usize, u32)>,
     pub discharge: u32,
     pub width: f32,
 }
 
-/// A river to the sea that drains one, a unit wide.
+/// A river to the sea with discharge 1, a unit wide.
 pub(super) fn to_sea(points: &[(f32, f32)]) -> Sample<'_> {
     Sample { points, joins: None, discharge: 1, width: 1.0 }
 }
 
-/// The same, but it joins a vertex of a river.
+/// A river like `to_sea` that joins a vertex of another river.
 pub(super) fn into(points: &[(f32, f32)], river: usize, vertex: u32) -> Sample<'_> {
     Sample { joins: Some((river, vertex)), ..to_sea(points) }
 }

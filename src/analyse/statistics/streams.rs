@@ -1,8 +1,8 @@
 //! Streams by Strahler's order, and the laws that their numbers and lengths follow (Horton 1945, Tokunaga 1978).
 //!
-//! A stream of an order begins at a source, or where two of the order below meet, and ends where it joins one of a higher order, or at
-//! the sea. They are read from the trimmed tree, along its own steps, in one pass: what smoothing and meanders add is about the same share
-//! for all orders. The basins of a map count together.
+//! A stream of an order begins at a source, or where two of the order below meet. It ends where it joins one of a
+//! higher order, or at the sea. Streams are read from the trimmed tree, along its own steps, in one pass: smoothing and
+//! meanders add about the same share to all orders. All basins of a map are counted together.
 
 use super::fit;
 use crate::base::geometry::distance;
@@ -11,19 +11,19 @@ use crate::tree::{NO_PARENT, Tree};
 /// The streams of a tree, counted by order.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Streams {
-    /// How many there are of each order, those of order 1 first.
+    /// Number of streams of each order, starting with order 1.
     pub counts: Vec<u32>,
-    /// How long all of each order are together, in units.
+    /// Total length of the streams of each order, in units.
     pub lengths: Vec<f64>,
-    /// How many of one order flow into streams of another: `joins[own - 1][other - 1]`.
+    /// Number of streams of one order that flow into streams of another: `joins[own - 1][other - 1]`.
     pub joins: Vec<Vec<u32>>,
 }
 
-/// A line through fewer orders says nothing: two points are always on one.
+/// The fewest orders for a fit. Two points are always on a line, so a line through fewer orders says nothing.
 const LEAST_ORDERS: usize = 3;
 
 impl Streams {
-    /// Counts the streams of a tree whose nodes have these orders. A mouth from which nothing grew is none.
+    /// Counts the streams of a tree whose nodes have these orders. A mouth from which nothing grew is not a stream.
     pub fn of(tree: &Tree, order: &[u8]) -> Self {
         let highest = order.iter().copied().max().unwrap_or(0) as usize;
         let mut this =
@@ -45,29 +45,30 @@ impl Streams {
         this
     }
 
-    /// Horton's bifurcation ratio R_B: how many times as many streams there are of each order as of the next, by the line of least
-    /// squares through the logarithms of their numbers over the orders. A single stream of the highest order is left out.
-    /// `None` of fewer than three orders.
+    /// Horton's bifurcation ratio R_B: the factor by which the number of streams falls from each order to the next. It
+    /// is fitted by least squares to the logarithms of the numbers over the orders. A single stream of the highest
+    /// order is left out. `None` for fewer than three orders.
     pub fn bifurcation_ratio(&self) -> Option<f64> {
         let counts: Vec<f64> = self.counts[..self.fitted()?].iter().map(|&count| count.into()).collect();
         fit::ratio(&counts).map(|ratio| 1.0 / ratio)
     }
 
-    /// Horton's length ratio R_L: how many times as long as those of the order below streams are on average, fitted likewise.
+    /// Horton's length ratio R_L: the factor by which the mean length of streams rises from each order to the next,
+    /// fitted in the same way.
     pub fn length_ratio(&self) -> Option<f64> {
         let orders = self.lengths.iter().zip(&self.counts);
         let means: Vec<f64> = orders.map(|(length, &count)| length / f64::from(count)).collect();
         fit::ratio(&means[..self.fitted()?])
     }
 
-    /// How many orders a line is laid through.
+    /// The number of orders used in a fit; `None` if there are too few.
     fn fitted(&self) -> Option<usize> {
         let orders = self.counts.len() - usize::from(self.counts.last() == Some(&1));
         (orders >= LEAST_ORDERS).then_some(orders)
     }
 
-    /// Tokunaga's T_k: how many side branches of an order lower by k a stream has, on average over the streams of all orders above
-    /// k. `None` if there are none of them.
+    /// Tokunaga's T_k: the mean number of side branches of order w − k in a stream of order w, over all streams of
+    /// orders above k. `None` if there are no such streams.
     pub fn side_branches(&self, k: usize) -> Option<f64> {
         let orders = k..self.counts.len();
         let branches: u32 = orders.clone().map(|own| self.branches(own - k, own)).sum();
@@ -75,24 +76,25 @@ impl Streams {
         (streams > 0).then(|| f64::from(branches) / f64::from(streams))
     }
 
-    /// How many side branches of one order the streams of a higher one have. Two of the order below form a stream, and are none.
+    /// Number of side branches of one order in all streams of a higher one. The two branches of the order below that
+    /// form a stream do not count.
     fn branches(&self, order: usize, own: usize) -> u32 {
         let forming = if order + 1 == own { 2 * self.counts[own] } else { 0 };
         self.joins[order][own] - forming
     }
 
-    /// Tokunaga's c: by what factor side branches grow in number with each order that they are lower, T_k = a c^(k−1), by the line of
-    /// least squares through the logarithms of T_1, T_2 and T_3 (Peckham 1995). `None` of fewer than four orders, and where one of
-    /// the three is 0.
+    /// Tokunaga's c: the factor by which the number of side branches grows with each lower order, T_k = a c^(k−1). It
+    /// is fitted by least squares to the logarithms of T_1, T_2 and T_3 (Peckham 1995). `None` for fewer than four
+    /// orders, and if one of the three is 0.
     pub fn tokunaga_c(&self) -> Option<f64> {
         let numbers: Option<Vec<f64>> = (1..=3).map(|k| self.side_branches(k)).collect();
         fit::ratio(&numbers?)
     }
 }
 
-/// Hack's exponent h of L ∝ A^h (Hack 1957), where L is the length of the longest river of a basin of the area A, by the line of least
-/// squares through their logarithms. The basins are those of all streams of order 2 and higher, from the stream's lower end up.
-/// `None` of fewer than ten.
+/// Hack's exponent h in L ∝ A^h (Hack 1957), where L is the length of the longest river in a basin of area A. It is
+/// fitted by least squares to their logarithms. There is a basin for each stream of order 2 and higher, above the
+/// stream's lower end. `None` for fewer than ten basins.
 pub fn hack_exponent(tree: &Tree, order: &[u8], area: &[u32]) -> Option<f64> {
     const LEAST_BASINS: usize = 10;
     let above = longest_above(tree);
@@ -107,7 +109,7 @@ pub fn hack_exponent(tree: &Tree, order: &[u8], area: &[u32]) -> Option<f64> {
     if basins.len() < LEAST_BASINS { None } else { fit::slope(&basins) }
 }
 
-/// How long the longest river above each node is, in units.
+/// The length of the longest river above each node, in units.
 fn longest_above(tree: &Tree) -> Vec<f32> {
     let mut longest = vec![0.0f32; tree.len()];
     for node in (0..tree.len()).rev().filter(|&node| tree.parent[node] != NO_PARENT) {
@@ -123,12 +125,12 @@ mod tests {
     use crate::tree::Hydrology;
     use glam::Vec2;
 
-    /// A mouth alone.
+    /// A mouth without a river.
     fn mouth() -> Tree {
         Tree { at: vec![Vec2::ZERO], parent: vec![NO_PARENT], drained: vec![1], ..Tree::default() }
     }
 
-    /// Adds a node upstream of another, so far to the east of it.
+    /// Adds a node upstream of another, at this distance to the east.
     fn add(tree: &mut Tree, parent: usize, length: f32) -> usize {
         tree.at.push(tree.at[parent] + Vec2::new(length, 0.0));
         tree.parent.push(parent as u32);
@@ -136,8 +138,9 @@ mod tests {
         tree.len() - 1
     }
 
-    /// Adds a stream of an order and all that flows into it: `branches` side branches of each lower order,
-    /// by how much lower it is, and at its head two streams of the order below. A stream of order w is length(w) long.
+    /// Adds a stream of an order with everything that flows into it: `branches` side branches of each lower order, as a
+    /// function of the difference, and two streams of the order below at its head. A stream of order w is length(w)
+    /// long.
     fn add_stream(tree: &mut Tree, below: usize, order: u32, length: fn(u32) -> f32, branches: fn(u32) -> u32) {
         let sides: Vec<u32> = (1..order).flat_map(|k| (0..branches(k)).map(move |_| order - k)).collect();
         let link = length(order) / (sides.len() + 1) as f32;
@@ -169,10 +172,10 @@ mod tests {
     /// ```text
     ///  1   1     1   1       Each link is one unit long.
     ///   \ /       \ /
-    ///    2         2         Order 1: four springs, a side branch of the left stream of order 2, one of the stream of order 3.
-    /// 1──2         2         Order 2: two links on the left, from head to side branch to the stream of order 3, two on the right.
-    ///     \       /          Order 3: two links, to its side branch and to the sea.
-    ///      `──3──´
+    ///    2         2         Order 1: four springs, a side branch of the left stream of order 2,
+    /// 1──2         2         and a side branch of the stream of order 3.
+    ///     \       /          Order 2: two links on the left, with the side branch between them, and two on the right.
+    ///      `──3──´           Order 3: two links, to its side branch and to the sea.
     ///      1──3
     ///         ~
     /// ```
@@ -195,10 +198,10 @@ mod tests {
         assert_eq!(streams.counts, [6, 2, 1]);
         assert_eq!(streams.lengths, [6.0, 4.0, 2.0]);
         assert_eq!(streams.joins, [[0, 5, 1], [0, 0, 2], [0, 0, 0]]);
-        // One side branch of the order below, of three streams; one two orders below, of one stream.
+        // Three streams have one side branch of the order below in all; one stream has one of two orders below.
         assert!(is_near(streams.side_branches(1), 1.0 / 3.0) && is_near(streams.side_branches(2), 1.0));
         assert_eq!(streams.side_branches(3), None);
-        // A single stream of the highest order leaves two orders: too few for a line.
+        // Without the single stream of the highest order, two orders are left: too few for a line.
         assert_eq!((streams.bifurcation_ratio(), streams.length_ratio(), streams.tokunaga_c()), (None, None, None));
     }
 
@@ -214,8 +217,8 @@ mod tests {
         assert_eq!(streams(&Tree::default()).bifurcation_ratio(), None);
     }
 
-    /// Without side branches there are 16, 8, 4 and 2 streams of the orders from 1 to 4, and one of order 5, which is left out. Each is
-    /// three times as long as those of the order below.
+    /// A tree without side branches: 16, 8, 4 and 2 streams of orders 1 to 4, and one of order 5, which is left out.
+    /// Each is three times as long as those of the order below.
     #[test]
     fn ratios_are_those_of_a_forked_tree() {
         let streams = streams(&of_order(5, |order| 3u32.pow(order) as f32, |_| 0));
@@ -224,8 +227,9 @@ mod tests {
         assert_eq!(streams.tokunaga_c(), None);
     }
 
-    /// Each stream has one side branch of the order below, two of that below, four, eight: a = 1, c = 2. Of an order there are
-    /// then in the long run 4 times as many as of the next; by the line through 683, 171, 43, 11 and 3, e^1.35996 times.
+    /// Each stream has one side branch of the order below, then two, four and eight of the lower ones: a = 1, c = 2. In
+    /// the long run there are then 4 times as many streams of an order as of the next; the line through 683, 171, 43,
+    /// 11 and 3 gives e^1.35996.
     #[test]
     fn side_branches_are_those_of_a_self_similar_tree() {
         let streams = streams(&of_order(6, |_| 1.0, |k| 1 << (k - 1)));
@@ -235,7 +239,8 @@ mod tests {
         assert!((streams.bifurcation_ratio().unwrap() - libm::exp(1.35996)).abs() < 1e-4);
     }
 
-    /// The longest river of a basin of order w is 2 + 2 + 4 + … = 2^w long; where its area is 4^w, h is a half, where it is 2^w, one.
+    /// The longest river of a basin of order w is 2 + 2 + 4 + … = 2^w long. If its area is 4^w, h is a half; if it is
+    /// 2^w, h is one.
     #[test]
     fn hack_s_exponent_is_that_of_a_tree_whose_basins_grow_alike() {
         let length = |order: u32| if order == 1 { 2.0 } else { (1 << (order - 1)) as f32 };

@@ -1,4 +1,4 @@
-//! The table of measures: what each is called, what it says, and what nature has.
+//! The table of measures: their names, their meaning, and the values of natural rivers.
 
 use super::Measures;
 
@@ -7,34 +7,34 @@ use super::Measures;
 pub struct Measure {
     /// Its name in JSON.
     pub name: &'static str,
-    /// What it is called.
+    /// Its label.
     pub label: &'static str,
-    /// One line that says what it is.
+    /// A one-line explanation.
     pub help: &'static str,
     /// Its unit; empty if it is a pure number.
     pub unit: &'static str,
-    /// How many decimal places say something.
+    /// Number of significant decimal places.
     pub places: usize,
-    /// What nature has; `None` where rivers of the world cannot be compared with those of a map.
+    /// The values of natural rivers; `None` if they cannot be compared with a map's.
     pub nature: Option<Nature>,
-    /// Its value; `None` of a network that is too small.
+    /// Its value; `None` if the network is too small.
     pub value: fn(&Measures) -> Option<f64>,
 }
 
-/// What nature has of a measure.
+/// The values of a measure in nature.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Nature {
-    /// The median, if there is one to tell.
+    /// The median, if it is known.
     pub median: Option<f64>,
     /// The least value.
     pub least: f64,
     /// The greatest value.
     pub most: f64,
-    /// Where they are from.
+    /// The source of the values.
     pub source: &'static str,
 }
 
-/// Median and range of the river basins that growth was compared with.
+/// Median and range over the river basins that growth was compared with.
 const fn basins(median: f64, least: f64, most: f64) -> Option<Nature> {
     Some(Nature { median: Some(median), least, most, source: "11 river basins" })
 }

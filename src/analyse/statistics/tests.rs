@@ -1,4 +1,4 @@
-//! What holds for all measures.
+//! Tests that apply to all measures.
 
 use glam::Vec2;
 
@@ -16,7 +16,7 @@ fn finished(text: &str) -> Session {
 const LINK: &str =
     "seed=kauri&growth=colonize&valleys=0&land=island&sea=0.5&attractors=4000&trim=2&width=40&meander=none";
 
-/// Turned by a right angle and twice as large: what floats say to the bit.
+/// Turns a point by a right angle and doubles it; both are exact in floats.
 fn turned(at: Vec2) -> Vec2 {
     at.perp() * 2.0
 }
@@ -34,13 +34,13 @@ fn lengths_double_with_the_map_and_all_else_stays_however_it_is_turned() {
     assert_eq!(total_length(&other), total_length(network) * 2.0);
     assert!(junction_angles(network, 40.0).is_some());
     assert_eq!(junction_angles(&other, 80.0), junction_angles(network, 40.0));
-    // There is something to count.
+    // The counts are not all 0.
     assert!(umbrellas(network) > 0);
     assert_eq!(umbrellas(&other), umbrellas(network));
     let land = session.land().unwrap();
     let inland = |at: Vec2| land.coast_distance().height(at);
     assert!(along_coast(network, 25.0, inland) > 100.0);
-    // Turned back: by three right angles more.
+    // Turned back, by three more right angles.
     let double = |at: Vec2| inland(at.perp().perp().perp() / 2.0) * 2.0;
     assert_eq!(along_coast(&other, 50.0, double), along_coast(network, 25.0, inland) * 2.0);
 }
@@ -68,7 +68,7 @@ fn a_small_map_has_no_ratios_but_lengths() {
     assert!(measures.drainage_density > 0.0);
 }
 
-/// A network without rivers is measured, too: all of the land is shut off from the sea.
+/// A network without rivers is measured too: its land is shut off from the sea.
 #[test]
 fn a_map_without_rivers_has_lengths_of_nothing() {
     let measures = |network: &Network| (umbrellas(network), parallels(network, 10.0), total_length(network));

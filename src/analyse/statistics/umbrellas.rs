@@ -1,4 +1,4 @@
-//! Umbrellas: trunks of similar size that meet at one place of the coast, as no rivers of nature do.
+//! Umbrellas: trunks of similar size that meet at one place on the coast, which natural rivers do not do.
 
 use glam::Vec2;
 
@@ -7,14 +7,15 @@ use crate::base::geometry::distance;
 use crate::base::sort;
 use crate::network::{NONE, Network, River, Vertex};
 
-/// Trunks meet at a mouth if they do within this distance of it, in its widths.
+/// Trunks that come together within this distance of a mouth meet there; in widths of the mouth.
 const WIDTHS: f32 = 3.0;
 
-/// Trunks are of similar size if the smaller one's discharge is at least this share of the larger's.
+/// Two trunks are similar if the smaller discharge is at least this share of the larger one.
 const SIMILAR: f32 = 1.0 / 3.0;
 
-/// How many trunks of similar size meet at mouths: of all that comes together within three widths of a mouth, each trunk besides the
-/// greatest that has at least a third of its discharge; and each pair of mouths so near each other, likewise.
+/// Counts the trunks of similar size that meet at mouths. Of the trunks that come together within three widths of a
+/// mouth, it counts all with at least a third of the greatest one's discharge, without that one. It also counts each
+/// pair of similar mouths within three widths of the wider one.
 pub fn umbrellas(network: &Network) -> u32 {
     let mouths = network.rivers.iter().filter(|river| river.junction == NONE && river.end > river.start);
     let mouths: Vec<&River> = mouths.collect();
@@ -23,7 +24,7 @@ pub fn umbrellas(network: &Network) -> u32 {
     (at_mouths + pairs(&mouths.iter().map(|mouth| network.vertices[mouth.end as usize - 1]).collect::<Vec<_>>())) as u32
 }
 
-/// How many trunks are similar to the greatest, which is not counted.
+/// Counts the trunks similar to the greatest, without that one.
 fn similar(trunks: &[u32]) -> usize {
     let greatest = trunks.iter().copied().max().unwrap_or(0);
     trunks.iter().filter(|&&trunk| are_similar(trunk, greatest)).count().saturating_sub(1)
@@ -33,12 +34,12 @@ fn are_similar(a: u32, b: u32) -> bool {
     a.min(b) as f32 >= a.max(b) as f32 * SIMILAR
 }
 
-/// How many pairs of mouths are similar and near each other.
+/// Counts the pairs of mouths that are similar and near each other.
 fn pairs(mouths: &[Vertex]) -> usize {
     let places: Vec<Vec2> = mouths.iter().map(|mouth| mouth.at).collect();
     let mean = mouths.iter().map(Vertex::width).sum::<f32>() / mouths.len().max(1) as f32;
     let index = Index::new(&places, WIDTHS * mean);
-    // The wider one of two looks for the other; of two as wide, the first.
+    // The wider mouth of a pair finds the other; if both are equally wide, the first one does.
     let is_pair = |i: usize, j: usize| {
         let (own, other) = (mouths[i], mouths[j]);
         let looks = own.width() > other.width() || (own.width() == other.width() && i < j);
@@ -48,7 +49,7 @@ fn pairs(mouths: &[Vertex]) -> usize {
     (0..mouths.len()).map(of_mouth).sum()
 }
 
-/// The rivers of a network by where they join others.
+/// The rivers of a network, sorted by their junctions.
 struct Arms<'a> {
     network: &'a Network,
     /// The numbers of the rivers, in the order of their junctions.
@@ -66,11 +67,12 @@ impl<'a> Arms<'a> {
         self.by_junction[first..].iter().map(|&river| &rivers[river]).take_while(move |river| river.junction == vertex)
     }
 
-    /// The discharges of all trunks three widths above a mouth, along their courses. What springs nearer is none.
+    /// The discharges of all trunks three widths above a mouth, measured along their courses. Rivers with a nearer
+    /// source do not count.
     fn above(&self, mouth: &River) -> Vec<u32> {
         let vertex = |vertex: u32| &self.network.vertices[vertex as usize];
         let mut trunks = Vec::new();
-        // Where to go on upstream: the source of the river, the vertex, and how far from it.
+        // Open ways upstream: the source of the river, the vertex reached, and the distance left.
         let mut open = vec![(mouth.start, mouth.end - 1, WIDTHS * vertex(mouth.end - 1).width())];
         while let Some((source, here, far)) = open.pop() {
             if far <= 0.0 {
@@ -93,8 +95,8 @@ mod tests {
     use super::*;
 
     /// ```text
-    /// 20 ───────J──K────~   Two arms join a river of 20 at J and K, `above` units and two less above its mouth, which is 4 wide.
-    ///           │  │
+    /// 20 ───────J──K────~   Two arms join a river of discharge 20: `a` at J, `above` units above its mouth,
+    ///           │  │        and `b` at K, two units less. The mouth is 4 units wide.
     ///          `a` `b`
     /// ```
     fn fan(above: f32, a: u32, b: u32) -> u32 {
@@ -110,12 +112,12 @@ mod tests {
     #[test]
     fn trunks_of_similar_size_count_that_meet_within_three_widths_of_a_mouth() {
         assert_eq!(fan(10.0, 20, 19), 2);
-        // Under a third of 20.
+        // Just under a third of 20.
         assert_eq!(fan(10.0, 20, 6), 1);
         assert_eq!(fan(10.0, 6, 6), 0);
-        // Of the greatest, whichever it is.
+        // A third of the greatest is needed, whichever trunk that is.
         assert_eq!(fan(10.0, 61, 6), 0);
-        // The first joins 13 units above, the other 11; then 15 and 13.
+        // One joins 13 units above the mouth, the other 11; then 15 and 13.
         assert_eq!((fan(13.0, 20, 20), fan(15.0, 20, 20)), (1, 0));
     }
 

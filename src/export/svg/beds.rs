@@ -1,5 +1,5 @@
-//! Great rivers and their former beds: for each round that is kept, and for the rivers as they are, the shape of all beds with the line
-//! beside them, and that without it.
+//! Great rivers and their former beds. Each kept round, and the rivers as they are, take two shapes: all beds with the
+//! line beside them, and all beds without it.
 
 use super::super::banks::Banks;
 use super::outline;
@@ -10,7 +10,7 @@ use crate::paint::beds::great_rivers;
 use crate::paint::palette::{Beds, Colour};
 use crate::recipe::CourseShape;
 
-/// The former beds, a group a round, the oldest first.
+/// Draws the former beds, a group for each round, the oldest first.
 pub(super) fn draw_past(out: &mut Text, past: &PastCourses, look: &Beds, courses: CourseShape) {
     for (band, round) in past.rounds().iter().enumerate() {
         out.text("<g id=\"round-").whole(round.round).text("\">\n");
@@ -19,7 +19,7 @@ pub(super) fn draw_past(out: &mut Text, past: &PastCourses, look: &Beds, courses
     }
 }
 
-/// The great rivers as they are.
+/// Draws the great rivers as they are.
 pub(super) fn draw_great(out: &mut Text, network: &Network, past: &PastCourses, look: &Beds, courses: CourseShape) {
     let great = great_rivers(network, past);
     draw(out, [&great, &[]], [(Beds::BANK, look.bank), (0.0, look.water)], courses);

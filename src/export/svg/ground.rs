@@ -13,19 +13,19 @@ use crate::paint::relief::{Basins, INDEX, Stroke, highest, interval, strokes};
 use crate::paint::ridges;
 use crate::relief::Relief;
 
-/// A relief as it is shown.
+/// A relief with its display options.
 pub(super) struct Raised<'a> {
     pub relief: &'a Relief,
-    /// By how much its slopes are exaggerated for the light.
+    /// Exaggeration of slopes for the light.
     pub exaggeration: f32,
     /// The basins in it, if they have colours.
     pub basins: Option<&'a Basins>,
 }
 
-/// In how many steps land and sea change colour.
+/// Number of steps in which land and sea change colour.
 const SHADES: u32 = 16;
 
-/// Writes what rivers are drawn on. Each shade is laid over the one before, so there are no gaps between them.
+/// Writes the ground under the rivers. Each shade is laid over the one before, so there are no gaps between them.
 pub(super) fn ground(out: &mut Text, size: Vec2, land: Option<&Land>, relief: Option<Raised<'_>>, palette: &Palette) {
     let Some(land) = land else {
         out.text("<rect id=\"land\"");
@@ -65,7 +65,7 @@ pub(super) fn ground(out: &mut Text, size: Vec2, land: Option<&Land>, relief: Op
     grid(out, size, palette);
 }
 
-/// Lines over land and sea, if the style has any.
+/// Draws the lines over land and sea, if the style has any.
 fn grid(out: &mut Text, size: Vec2, palette: &Palette) {
     for look in palette.grids {
         let mut path = Path::default();
@@ -75,7 +75,7 @@ fn grid(out: &mut Text, size: Vec2, palette: &Palette) {
     }
 }
 
-/// Heights in colours, each laid over the one below, and what a style shows of them besides.
+/// Draws heights in colours, each laid over the one below, and the style's other views of the relief.
 fn tints(out: &mut Text, relief: Option<Raised<'_>>, palette: &Palette) {
     const STEPS: u32 = 16;
     let Some((Raised { relief, exaggeration, basins }, look)) = relief.zip(palette.relief) else { return };
@@ -86,7 +86,7 @@ fn tints(out: &mut Text, relief: Option<Raised<'_>>, palette: &Palette) {
         let colour = look.tints.at(share + 0.5 / STEPS as f32);
         fill(out, colour, &path_of(relief.rings_above(share * highest), 2));
     }
-    // Light falls on the colours of basins as on those of heights.
+    // Light falls on the colours of basins as it does on those of heights.
     if let Some((basins, look)) = basins.zip(look.basins.as_ref()) {
         basin_shapes(out, basins, look);
     }
@@ -99,7 +99,7 @@ fn tints(out: &mut Text, relief: Option<Raised<'_>>, palette: &Palette) {
     }
 }
 
-/// Strokes down the slope.
+/// Draws strokes down the slope.
 fn hachures(out: &mut Text, strokes: &[Stroke], look: &Hachures) {
     let mut path = Path::default();
     for &stroke in strokes {
@@ -112,9 +112,9 @@ fn hachures(out: &mut Text, strokes: &[Stroke], look: &Hachures) {
     out.text("\" d=\"").path(&path).text("\"/>\n");
 }
 
-/// All basins of each colour, with a gap between them.
+/// Draws all basins of each colour, with a gap between them.
 fn basin_shapes(out: &mut Text, basins: &Basins, look: &BasinColours) {
-    /// In units.
+    /// Width of the gap, in units.
     const GAP: f32 = 2.0;
     out.text("<g id=\"basins\">\n");
     for number in 0..=look.colours.len() as u8 {
@@ -124,7 +124,7 @@ fn basin_shapes(out: &mut Text, basins: &Basins, look: &BasinColours) {
     out.text("</g>\n");
 }
 
-/// Lines of one height each.
+/// Draws contour lines.
 fn contours(out: &mut Text, relief: &Relief, interval: f32, look: &Contours) {
     let highest = relief.heights().iter().fold(0.0f32, |highest, height| highest.max(*height));
     out.text("<g id=\"contours\" fill=\"none\">\n");
@@ -141,7 +141,7 @@ fn sheet(out: &mut Text, size: Vec2, colour: Colour) {
     out.text("\" fill=\"").colour(colour).text("\"/>\n");
 }
 
-/// All that lies higher than a level, in one colour. Every second point is enough for that.
+/// Draws the area above a level in one colour. Every second point is enough for that.
 fn area(out: &mut Text, land: &SmoothedDistance, height: f32, colour: Colour) {
     fill(out, colour, &level(land, height, 2));
 }
@@ -150,13 +150,13 @@ fn fill(out: &mut Text, colour: Colour, path: &Path) {
     out.text("<path fill=\"").colour(colour).text("\" d=\"").path(path).text("\"/>\n");
 }
 
-/// The end of a path that is a line.
+/// Ends a path that is a line.
 fn line(out: &mut Text, colour: Colour, width: f32, path: &Path) {
     out.text(" stroke=\"").colour(colour).text("\" stroke-width=\"").units(width);
     out.text("\" stroke-linecap=\"round\" stroke-linejoin=\"round\" d=\"").path(path).text("\"/>\n");
 }
 
-/// Ridges, stroke by stroke.
+/// Draws ridges, stroke by stroke.
 fn ridges(out: &mut Text, land: &Land, palette: &Palette) {
     let mut path = Path::default();
     for [(from, half_from), (to, half_to)] in ridges::ridges(land) {
@@ -169,12 +169,12 @@ fn ridges(out: &mut Text, land: &Land, palette: &Palette) {
     }
 }
 
-/// The rings around all that lies higher than a level.
+/// The rings around everything above a level, as a path.
 fn level(land: &SmoothedDistance, level: f32, every: usize) -> Path {
     path_of(land.rings_above(level), every)
 }
 
-/// Rings as a path, of one point in so many.
+/// Rings as a path, with one of every `every` points.
 #[inline(never)]
 fn path_of(rings: Vec<Vec<Vec2>>, every: usize) -> Path {
     let mut path = Path::default();

@@ -1,5 +1,5 @@
-//! Labels as outlines, since no reader has our type and its kerning: a group each, with its text as its title, and a halo that masks
-//! rivers.
+//! Labels as outlines, since no reader has our type and its kerning. Each has a group with its text as the title, and a
+//! halo that masks rivers.
 
 use glam::Vec2;
 
@@ -16,7 +16,7 @@ use crate::paint::letters::SPACE;
 use crate::paint::palette::Colour;
 use crate::paint::{LabelLook, label_look, scenery_look};
 
-/// The labels of a map as they are written, with the halo that is taken out of its rivers.
+/// Makes the labels of a map as markup, with the halo that is cut out of its rivers.
 pub fn chart(map: &Map, is_text: bool) -> ChartText {
     let size = map.domain().size;
     let placed = labels(map, [Vec2::ZERO, size], 1.0);
@@ -56,9 +56,9 @@ fn draw_halo(out: &mut Text, size: Vec2, labels: &[Label]) {
     out.text("</g>\n</mask>\n");
 }
 
-/// Writes the labels, the greatest river's first, the blocks in corners, and what the style has besides names.
+/// Writes the labels: the greatest river's first, then the blocks in corners, and the style's other marks.
 ///
-/// As text they stand on paths, which lie with them; letters that the type lacks are in it, too.
+/// Labels as text stand on paths, which are written with them; they include letters that our type lacks.
 fn draw(out: &mut Text, labels: &[Label], look: LabelLook, is_text: bool) {
     let of = |is_one: &dyn Fn(Kind) -> bool| labels.iter().filter(|label| is_one(label.kind)).collect::<Vec<_>>();
     let names = of(&|kind| !kind.is_block() && !kind.is_mark());
@@ -73,7 +73,7 @@ fn draw(out: &mut Text, labels: &[Label], look: LabelLook, is_text: bool) {
     of(&|kind| kind == Kind::Seal).into_iter().for_each(|label| draw_seal(out, label, look));
 }
 
-/// The cartouche or the legend: the first of its labels has the lines of all.
+/// Draws the cartouche or the legend. The first of its labels holds the lines of all.
 fn draw_block(out: &mut Text, labels: &[&Label], look: LabelLook, is_text: bool, [id, baseline]: [&'static str; 2]) {
     let [first, ..] = labels else { return };
     let said: Vec<&str> = labels.iter().map(|label| label.text.as_str()).collect();
@@ -85,7 +85,7 @@ fn draw_block(out: &mut Text, labels: &[&Label], look: LabelLook, is_text: bool,
     out.text("</g>\n");
 }
 
-/// What is cleared for a label with lines around it, or for lines of type.
+/// Draws the cleared ground of a label with lines around it, or of lines of type.
 fn draw_ground(out: &mut Text, label: &Label, look: LabelLook) {
     let is_panel = !label.strokes.is_empty();
     if let Some((colour, strength)) = look.under(is_panel).filter(|_| !label.cleared.is_empty()) {
@@ -96,7 +96,7 @@ fn draw_ground(out: &mut Text, label: &Label, look: LabelLook) {
     }
 }
 
-/// Spot heights and the grid, in an ink of their own.
+/// Draws spot heights and the grid, in a separate ink.
 fn draw_marks(out: &mut Text, labels: &[&Label], look: LabelLook, is_text: bool) {
     if labels.is_empty() {
         return;
@@ -111,7 +111,7 @@ fn draw_marks(out: &mut Text, labels: &[&Label], look: LabelLook, is_text: bool)
     out.text("</g>\n");
 }
 
-/// A square in a mask that leaves out its letters.
+/// Draws a square with a mask that leaves out its letters.
 fn draw_seal(out: &mut Text, label: &Label, look: LabelLook) {
     let ends = label.strokes.iter().flat_map(|stroke| stroke.ends.map(|end| [end - stroke.half, end + stroke.half]));
     let Some([least, most]) = ends.reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])]) else { return };
@@ -128,7 +128,7 @@ fn draw_seal(out: &mut Text, label: &Label, look: LabelLook) {
     out.text("/></g>\n");
 }
 
-/// Lines of a colour.
+/// Draws lines of a colour.
 fn draw_lines(out: &mut Text, strokes: &[Stroke], colour: Colour) {
     if !strokes.is_empty() {
         out.text("<g stroke-linecap=\"round\" stroke=\"").colour(colour).text("\">\n");
@@ -137,7 +137,7 @@ fn draw_lines(out: &mut Text, strokes: &[Stroke], colour: Colour) {
     }
 }
 
-/// Lines of one width.
+/// Draws lines, all with the width of the first.
 fn draw_strokes(out: &mut Text, strokes: &[Stroke]) {
     let mut path = Path::default();
     strokes.iter().for_each(|stroke| path.line(&stroke.ends));
@@ -173,7 +173,7 @@ fn draw_each(out: &mut Text, labels: &[&Label], look: LabelLook, is_text: bool, 
     }
 }
 
-/// The attributes of what lies around letters, if anything does.
+/// Writes the attributes of the halo around letters, if there is one.
 fn halo(out: &mut Text, label: &Label, look: LabelLook) {
     if let Some((colour, strength)) = look.halo.filter(|_| !label.kind.is_afloat()) {
         out.text(" paint-order=\"stroke\" stroke=\"").colour(colour).text("\" stroke-opacity=\"").units(strength);
@@ -181,7 +181,7 @@ fn halo(out: &mut Text, label: &Label, look: LabelLook) {
     }
 }
 
-/// A label's lines of type with their letters: a title may have two.
+/// A label's lines of type with their letters; a title may have two lines.
 fn lines(label: &Label) -> Vec<(&str, &[Placed])> {
     let lines: Vec<&[Placed]> = label.letters.chunk_by(|a, b| (b.at - a.at).dot(a.along) > 0.0).collect();
     let (mut rest, mut texts) = (label.text.as_str(), Vec::new());
@@ -195,7 +195,7 @@ fn lines(label: &Label) -> Vec<(&str, &[Placed])> {
     texts
 }
 
-/// The line that letters stand on, from where the first begins to where the last ends.
+/// The line under the letters, from the start of the first to the end of the last.
 fn baseline(letters: &[Placed], em: f32) -> Path {
     let mut path = Path::default();
     let ends = points(letters, em);

@@ -1,9 +1,9 @@
-//! SVG: the whole map as shapes, a path a river.
+//! SVG: the whole map as shapes, with a path for each river.
 //!
-//! Lengths are domain units, y runs down, numbers are rounded to a hundredth. Rivers stand in a group for each of
-//! Strahler's orders (`order-3`), each with its number (`river-12`) and, as data, its parent, order, magnitude and discharge; lakes
-//! are `oxbow-3`, and former beds of great rivers as they were after so many rounds of meandering `round-3`. The link of the recipe is
-//! in the file's metadata. Trees stand in the group `woods`, hills in `hills`.
+//! Lengths are domain units, y runs down, numbers are rounded to hundredths. Rivers stand in a group for each of
+//! Strahler's orders (`order-3`). Each has its number (`river-12`) and, as data, its parent, order, magnitude and
+//! discharge. Lakes are `oxbow-3`; former beds of great rivers are `round-3`, by the number of rounds of meandering.
+//! The link of the recipe is in the file's metadata. Trees stand in the group `woods`, hills in `hills`.
 
 mod beds;
 mod ground;
@@ -31,33 +31,33 @@ use crate::paint::relief::Basins;
 use crate::paint::{Lines, palette_of};
 use crate::recipe::{CourseShape, Key, link};
 
-/// Draws a map: the text of an SVG file.
+/// Draws a map and returns the text of an SVG file.
 ///
 /// # Errors
-/// If there is not enough memory.
+/// Fails if there is not enough memory.
 pub fn svg(map: &Map) -> Result<String, ExportError> {
     with_chart(map, &chart_of(map, false))
 }
 
-/// The same with labels as text on paths: for readers that have EB Garamond, or another face of this kind.
+/// Draws a map with labels as text on paths, for readers that have EB Garamond or a similar face.
 ///
 /// # Errors
-/// As [`svg`].
+/// Fails like [`svg`].
 #[cfg(feature = "names")]
 pub fn svg_with_text(map: &Map) -> Result<String, ExportError> {
     with_chart(map, &chart_of(map, true))
 }
 
-/// What a chart adds to the file.
+/// The parts of a chart in the file.
 #[derive(Debug, Default)]
 pub struct ChartText {
-    /// A mask that leaves rivers out around letters; nothing without letters.
+    /// A mask that leaves rivers out around letters; empty without letters.
     pub halo: String,
     /// Trees and hills, and the letters.
     pub labels: String,
 }
 
-/// The chart of a map; an empty one where there is nothing that makes charts.
+/// The chart of a map; an empty one if this build makes none.
 #[cfg_attr(not(feature = "names"), expect(unused_variables, reason = "there are no labels"))]
 fn chart_of(map: &Map, is_text: bool) -> ChartText {
     #[cfg(feature = "names")]
@@ -66,12 +66,12 @@ fn chart_of(map: &Map, is_text: bool) -> ChartText {
     ChartText::default()
 }
 
-/// The map with a chart that was made elsewhere.
+/// Draws a map with a chart that was made elsewhere.
 ///
 /// # Errors
-/// As [`svg`].
+/// Fails like [`svg`].
 pub fn with_chart(map: &Map, chart: &ChartText) -> Result<String, ExportError> {
-    /// Two banks of about a dozen characters a point, in a text that grows by doubling.
+    /// Two banks of about a dozen characters per point, in a text that grows by doubling.
     const BYTES_A_VERTEX: usize = 80;
     let network = rivers(map, BYTES_A_VERTEX)?;
     let (recipe, land) = (map.recipe(), map.land());
@@ -92,7 +92,7 @@ pub fn with_chart(map: &Map, chart: &ChartText) -> Result<String, ExportError> {
         basins: basins.as_ref().map(|(basins, _)| basins),
     });
     ground::ground(&mut out, size, land.map(Arc::as_ref), relief, palette);
-    // The shore is where rivers end; in a land without a sea nothing is clipped.
+    // Rivers end at the shore; on land without a sea nothing is clipped.
     let clip = if land.is_some() { "\" clip-path=\"url(#shore)" } else { "" };
     if let Some((past, look)) = past {
         out.text("<g id=\"past").text(clip).text("\">\n");
@@ -117,12 +117,12 @@ pub fn with_chart(map: &Map, chart: &ChartText) -> Result<String, ExportError> {
     Ok(out.into_string())
 }
 
-/// The end of a group's attributes that the halo masks.
+/// The end of the attributes of a group that the halo masks.
 fn masked(clip: &str) -> &'static str {
     if clip.is_empty() { "\" mask=\"url(#halo)" } else { "\" clip-path=\"url(#shore)\" mask=\"url(#halo)" }
 }
 
-/// The margin that is added to each bank, in units, so that a brook can be seen: as in a picture with one pixel per unit.
+/// The margin of each bank, in units, which keeps brooks visible: as in a picture with one pixel per unit.
 const VISIBLE: f32 = 0.2;
 
 fn width(lines: Lines) -> Width {
@@ -141,14 +141,14 @@ fn basins(map: &Map, network: &Network, palette: &Palette) -> Option<InBasins> {
     Some((Basins::new(map.shown_relief()?, network, look.colours), look))
 }
 
-/// The colour of a river, if it has its own.
+/// Writes the colour of a river if it has one of its basin.
 fn fill(out: &mut Text, basins: Option<&InBasins>, river: u32) {
     if let Some((basins, look)) = basins {
         out.text("\" fill=\"").colour(look.river(basins.rivers[river as usize].into()));
     }
 }
 
-/// A group an order, the highest last.
+/// Draws a group for each order, the highest last.
 fn draw_rivers(out: &mut Text, network: &Network, basins: Option<&InBasins>, width: Width, courses: CourseShape) {
     let highest = network.rivers.iter().map(|river| river.order).max().unwrap_or(0);
     for order in 1..=highest {
@@ -186,14 +186,14 @@ fn draw_lakes(out: &mut Text, network: &Network, basins: Option<&InBasins>) {
     }
 }
 
-/// The end of a path: a river from bank to bank.
+/// Ends a path: a river or lake from bank to bank.
 fn shape(out: &mut Text, banks: &Banks, courses: CourseShape) {
     let mut path = Path::default();
     outline(&mut path, banks, courses);
     out.text("\" d=\"").path(&path).text("\"/>\n");
 }
 
-/// Down the left bank, round the end, and up the right bank.
+/// Draws down the left bank, around the end, and up the right bank.
 #[inline(never)]
 fn outline(path: &mut Path, banks: &Banks, courses: CourseShape) {
     let draw = match courses {

@@ -1,11 +1,11 @@
-//! Lines and areas that a page lays over a picture: the data of paths, in units.
+//! Lines and areas that a page lays over a picture, as path data in units.
 
 use glam::Vec2;
 
 use super::path::Path;
 use crate::recipe::CourseShape;
 
-/// Lines as rivers are drawn: smooth, or by the tree's straight steps.
+/// Draws lines like rivers: smooth, or along the tree's straight steps.
 pub fn lines(lines: &[Vec<Vec2>], courses: CourseShape) -> String {
     let mut path = Path::default();
     for points in lines {
@@ -19,14 +19,14 @@ pub fn lines(lines: &[Vec<Vec2>], courses: CourseShape) -> String {
     path.data().to_owned()
 }
 
-/// Points: lines without length, which are seen if their ends are round.
+/// Draws points as lines without length, which are visible if their ends are round.
 pub fn dots(points: &[Vec2]) -> String {
     let mut path = Path::default();
     points.iter().for_each(|&at| path.line(&[at, at]));
     path.data().to_owned()
 }
 
-/// An area within some rings, with smooth borders.
+/// Draws the area within some rings, with smooth borders.
 pub fn area(rings: &[Vec<Vec2>]) -> String {
     let mut path = Path::default();
     rings.iter().filter(|ring| ring.len() > 2).for_each(|ring| path.ring(ring));

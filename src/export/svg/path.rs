@@ -4,15 +4,15 @@ use glam::Vec2;
 
 use super::text::Text;
 
-/// A point in hundredths of a unit. Whole numbers add without error, and print without tables.
+/// A point in hundredths of a unit. Whole numbers add without error, and can be printed without tables.
 type Point = [i32; 2];
 
-/// A path's data as it is written. All points but the first are relative to the one before.
+/// A path's data while it is written. All points but the first are relative to the one before.
 #[derive(Debug, Default)]
 pub(super) struct Path {
     data: Text,
     at: Point,
-    /// Whether the next number would run into the one before.
+    /// `true` if the next number would run into the one before.
     is_after_number: bool,
 }
 
@@ -24,12 +24,12 @@ impl Text {
 }
 
 impl Path {
-    /// As it stands in the attribute `d`.
+    /// The data for the attribute `d`.
     pub fn data(&self) -> &str {
         self.data.as_str()
     }
 
-    /// Tells whether nothing is drawn.
+    /// Returns `true` if nothing is drawn.
     pub fn is_empty(&self) -> bool {
         self.data().is_empty()
     }
@@ -41,21 +41,21 @@ impl Path {
         self.go_to(whole(at));
     }
 
-    /// A line from corner to corner.
+    /// Draws a line from corner to corner.
     pub fn line(&mut self, points: &[Vec2]) {
         let [first, ..] = points else { return };
         self.start(*first);
         self.straight(points);
     }
 
-    /// A line from corner to corner, from the first of some points, where the path has come to.
+    /// Draws a line from corner to corner, starting at the first of the points, where the path is now.
     pub fn straight(&mut self, points: &[Vec2]) {
         let [_, rest @ ..] = points else { return };
         self.command("l");
         rest.iter().for_each(|&to| self.go_to(whole(to)));
     }
 
-    /// A smooth line from the first of some points, where the path has come to, to the last: a chain of parabolas from
+    /// Draws a smooth line from the first of the points, where the path is now, to the last: a chain of parabolas from
     /// the middle of one side to the middle of the next.
     #[inline(never)]
     pub fn smooth(&mut self, points: &[Vec2]) {
@@ -65,7 +65,7 @@ impl Path {
         self.go_to(whole(*last));
     }
 
-    /// A parabola from where the path has come to: its control point and its end.
+    /// Draws a parabola from where the path is now, given its control point and its end.
     #[cfg(feature = "names")]
     pub fn curve(&mut self, [control, end]: [Vec2; 2]) {
         self.command("q");
@@ -73,7 +73,7 @@ impl Path {
         self.go_to(whole(end));
     }
 
-    /// A smooth closed line round some points.
+    /// Draws a smooth closed line around some points.
     pub fn ring(&mut self, points: &[Vec2]) {
         let [first, .., last] = points else { return };
         self.start((*first + *last) * 0.5);
@@ -85,10 +85,10 @@ impl Path {
         self.close();
     }
 
-    /// A half circle, bulging to the left of the way from where the path has come to.
+    /// Draws a half circle from where the path is now, bulging to the left of the way.
     pub fn half_circle(&mut self, to: Vec2) {
         let way = difference(whole(to), self.at);
-        // A radius that is too short is lengthened until it fits.
+        // A radius that is too short is lengthened by the reader until it fits.
         let radius = way[0].unsigned_abs().max(way[1].unsigned_abs()).div_ceil(2) as i32;
         self.command("a");
         self.number_pair([radius, radius]);
@@ -102,7 +102,7 @@ impl Path {
 
     fn parabolas<'a>(&mut self, mut corners: impl Iterator<Item = &'a Vec2>) {
         let Some(first) = corners.next() else { return };
-        // The first piece is straight: its control point is where it begins.
+        // The first piece is straight: its control point is its start.
         let control = self.at;
         self.data.text("q0 0");
         self.is_after_number = true;
@@ -110,8 +110,8 @@ impl Path {
         self.reflected(control, corners);
     }
 
-    /// Further parabolas. Each control point is the mirror image of the one before, so it is left out: a corner,
-    /// give or take the hundredth that is left over where the last middle was rounded.
+    /// Draws further parabolas. Each control point is the mirror image of the one before, so it is left out. It lies in
+    /// a corner, give or take the hundredth lost when the last middle was rounded.
     fn reflected<'a>(&mut self, mut control: Point, corners: impl Iterator<Item = &'a Vec2>) {
         for (i, &corner) in corners.enumerate() {
             if i == 0 {
@@ -144,7 +144,7 @@ impl Path {
     }
 }
 
-/// The nearest hundredths. NaN counts as 0.
+/// Rounds a point to hundredths. NaN counts as 0.
 fn whole(at: Vec2) -> Point {
     [at.x, at.y].map(|x| (x * 100.0 + 0.5).floor() as i32)
 }

@@ -1,5 +1,5 @@
-//! Woods and hills: a symbol for each glyph, and a `use` for each tree and hill. They stand in a mask, in which a nearer one first empties
-//! its silhouette, and an ink shows through that: as in a picture.
+//! Woods and hills: a symbol for each glyph, and a `use` for each tree and hill. They stand in a mask. In it a nearer
+//! one first clears its silhouette, and an ink shows through the mask, as in a picture.
 
 use glam::Vec2;
 
@@ -9,10 +9,10 @@ use crate::annotate::place::{PenStroke, SHAPES, Standing};
 use crate::paint::SceneryLook;
 use crate::paint::annotation::scenery::HALF;
 
-/// In a symbol a size is so many units: numbers are rounded to hundredths.
+/// The size of a symbol, in its units, since numbers are rounded to hundredths.
 const SIZE: f32 = 10.0;
 
-/// Writes trees and hills, what is behind first.
+/// Writes trees and hills, the farthest first.
 pub(super) fn draw(out: &mut Text, size: Vec2, all: &[Standing], look: SceneryLook) {
     if all.is_empty() {
         return;
@@ -40,7 +40,7 @@ pub(super) fn draw(out: &mut Text, size: Vec2, all: &[Standing], look: SceneryLo
         .text("\" mask=\"url(#strokes)\"/>\n");
 }
 
-/// The beginning of a mask in which silhouettes have a colour.
+/// Begins a mask in which silhouettes have a colour.
 fn mask(out: &mut Text, id: &'static str, size: Vec2, silhouettes: &'static str) {
     out.text("<mask id=\"").text(id).text("\" maskUnits=\"userSpaceOnUse\" x=\"0\" y=\"0\"").sized(size);
     out.text(" color=\"").text(silhouettes).text("\">\n");
@@ -83,7 +83,7 @@ fn group<'a>(out: &mut Text, id: &'static str, all: impl Iterator<Item = &'a Sta
     for one in all {
         out.text("<use href=\"#");
         name(out, one.shape);
-        // Strokes are as wide for all, whatever the size.
+        // Strokes have one width for all sizes.
         out.text("\" transform=\"translate(").units(one.foot.x).text(" ").units(one.foot.y).text(")scale(");
         out.units(one.size / SIZE).text(")\" stroke-width=\"").units(2.0 * HALF * SIZE / one.size).text("\"/>\n");
     }

@@ -1,14 +1,13 @@
-//! The text of an SVG file as it is written, piece by piece.
+//! The text of an SVG file, written piece by piece.
 //!
-//! Markup is what stands in this program's source, so [`Text::text`] takes nothing that is made while it runs. A word from outside, of a
-//! seed or a name, has two ways in, and both escape it: [`Text::escaped`] and [`Text::attribute`].
+//! Markup is fixed in this program's source, so [`Text::text`] takes nothing made at run time. A word from outside, in
+//! a seed or a name, can be written in two ways, and both escape it: [`Text::escaped`] and [`Text::attribute`].
 //!
-//! Its pieces are functions of their own, never inlined: `write!` would be plainer, and three times as much code to
-//! download.
+//! The functions for its pieces are never inlined. `write!` would be simpler, but three times as much code to download.
 
 use crate::paint::palette::Colour;
 
-/// A text in the making.
+/// A text while it is written.
 #[derive(Debug, Default)]
 pub(super) struct Text(String);
 
@@ -28,14 +27,14 @@ impl Text {
         self.written(markup)
     }
 
-    /// Appends what another `Text` has written: here, or in another module of the page.
+    /// Appends the output of another `Text`, written here or in another module of the page.
     #[inline(never)]
     pub fn written(&mut self, markup: &str) -> &mut Self {
         self.0.push_str(markup);
         self
     }
 
-    /// A whole number.
+    /// Appends a whole number.
     #[inline(never)]
     pub fn whole(&mut self, number: u32) -> &mut Self {
         const MOST_DIGITS: usize = 10;
@@ -50,7 +49,7 @@ impl Text {
         self
     }
 
-    /// A number of hundredths as a decimal, as short as it goes.
+    /// Appends a number of hundredths as a decimal, as short as possible.
     #[inline(never)]
     pub fn hundredths(&mut self, hundredths: i32) -> &mut Self {
         if hundredths < 0 {
@@ -67,18 +66,18 @@ impl Text {
         self
     }
 
-    /// A length from 0 on, in hundredths.
+    /// Appends a length, 0 or more, rounded to hundredths.
     pub fn units(&mut self, units: f32) -> &mut Self {
         self.hundredths((units * 100.0 + 0.5) as i32)
     }
 
-    /// The attributes of a size, in units.
+    /// Appends the attributes of a size, in units.
     #[cfg(feature = "names")]
     pub fn sized(&mut self, size: glam::Vec2) -> &mut Self {
         self.text(" width=\"").units(size.x).text("\" height=\"").units(size.y).text("\"")
     }
 
-    /// A colour, in hexadecimal digits.
+    /// Appends a colour in hexadecimal digits.
     #[inline(never)]
     pub fn colour(&mut self, colour: Colour) -> &mut Self {
         self.text("#");
@@ -94,8 +93,8 @@ impl Text {
         self.text(" ").text(name).text("=\"").escaped(value).text("\"")
     }
 
-    /// Appends a text, escaped so that it neither begins an element nor ends an attribute, which all stand in double quotes. A character that
-    /// XML cannot hold is replaced by U+FFFD.
+    /// Appends a text, escaped so that it neither begins an element nor ends an attribute; all attributes stand in
+    /// double quotes. A character that XML cannot hold is replaced by U+FFFD.
     #[inline(never)]
     pub fn escaped(&mut self, text: &str) -> &mut Self {
         for c in text.chars() {

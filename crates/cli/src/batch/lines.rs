@@ -18,7 +18,7 @@ pub struct Turn<'a> {
     place: u64,
 }
 
-/// Beyond all places, so that nobody waits.
+/// A place beyond all others, so that nobody waits.
 const CLOSED: u64 = u64::MAX;
 
 impl Lines {
@@ -44,10 +44,10 @@ impl Lines {
 }
 
 impl Turn<'_> {
-    /// Waits for its turn and writes a line; does nothing if lines are closed.
+    /// Waits for the turn and writes a line; does nothing if lines are closed.
     ///
     /// # Errors
-    /// Returns the errors of standard output.
+    /// Fails with the errors of standard output.
     pub fn write(self, line: &[u8]) -> io::Result<()> {
         if *self.wait() == CLOSED {
             return Ok(());

@@ -1,5 +1,5 @@
-//! `riverseed render --seeds`: the maps of many seeds, on all cores. Each map depends on its seed and the recipe alone, so threads take
-//! one after the other from the list, and what is there and whole is not made again.
+//! `riverseed render --seeds`: the maps of many seeds, on all cores. Each map depends on its seed and the recipe alone,
+//! so threads take one after the other from the list. Complete files are not made again.
 
 mod file_name;
 mod found;
@@ -36,7 +36,7 @@ use super::{Failure, say};
 /// Writes the files of all maps.
 ///
 /// # Errors
-/// If the call is wrong, a map could not be made, or none of the rest can be.
+/// Fails if the call is wrong, if a map could not be made, or if none of the rest can be.
 pub fn render(
     matches: &ArgMatches,
     source: &OsStr,
@@ -69,7 +69,7 @@ pub fn render(
     run.report.finish(seeds.faults, run.end.into_inner(), !run.files.is_empty())
 }
 
-/// The value that each map has of its own.
+/// Refuses a seed in the recipe, because each map has its own.
 fn refuse_a_seed(matches: &ArgMatches) -> Result<(), Failure> {
     let seed = Key::Seed.parameter().name;
     let link = matches.get_one::<String>("link").map(|text| link::pairs(text)).transpose()?;
@@ -77,7 +77,7 @@ fn refuse_a_seed(matches: &ArgMatches) -> Result<(), Failure> {
     if is_linked || matches.contains_id(seed) { Err(Failure::SeedBesides) } else { Ok(()) }
 }
 
-/// The names of files. Looks whether files can be written there, too, before the work begins.
+/// The file names of the outputs. Also checks, before the work begins, that files can be written there.
 fn patterns(wanted: &[Wanted<'_>]) -> Result<Vec<(Form, Pattern)>, Failure> {
     let mut patterns: Vec<(Form, Pattern)> = Vec::new();
     let mut has_lines = false;
@@ -98,7 +98,7 @@ fn patterns(wanted: &[Wanted<'_>]) -> Result<Vec<(Form, Pattern)>, Failure> {
     Ok(patterns)
 }
 
-/// All that the threads share.
+/// The data shared by all threads.
 struct Run<'a> {
     order: &'a Order,
     files: Vec<(Form, Pattern)>,
@@ -108,16 +108,16 @@ struct Run<'a> {
     is_again: bool,
     seeds: &'a Seeds,
     shard: Shard,
-    /// The place in the shard of the next map that nobody has taken.
+    /// The place in the shard of the next map to be made.
     next: AtomicU64,
     lines: Lines,
     report: Report,
-    /// Why none of the rest can be made.
+    /// The reason why none of the remaining maps can be made.
     end: OnceLock<Failure>,
 }
 
 impl Run<'_> {
-    /// Makes all maps, on so many threads, of which this is one, or as many as can be had.
+    /// Renders all maps on up to `threads` threads, including this one.
     fn make_all(&self, threads: usize) {
         thread::scope(|scope| {
             for i in 1..threads {
@@ -131,7 +131,7 @@ impl Run<'_> {
         });
     }
 
-    /// Makes one map after the other, as long as there are any.
+    /// Makes one map after the other until there are none left.
     fn make_maps(&self) {
         while self.end.get().is_none() {
             let place = self.next.fetch_add(1, Ordering::Relaxed);
@@ -145,7 +145,7 @@ impl Run<'_> {
         }
     }
 
-    /// Makes the files of a map that are not there yet.
+    /// Makes the missing files of a map.
     fn make_map(&self, seed: &str, turn: Option<Turn<'_>>) -> Result<Outcome, Failure> {
         let mut recipe = self.order.recipe.clone();
         recipe.set(Key::Seed, seed)?;
@@ -153,7 +153,8 @@ impl Run<'_> {
         if missing.is_empty() && turn.is_none() {
             return Ok(Outcome::WasThere);
         }
-        // Looked at before the work begins, but open one at a time: there are few open files to a process.
+        // Destinations are checked before the work begins, but opened one at a time, because a process can have few
+        // open files.
         missing.iter().try_for_each(|(_, path)| self.places.open(path).map(drop))?;
         let line = turn.as_ref().map(|_| Form::Json);
         let forms: Vec<Form> = missing.iter().map(|(form, _)| *form).chain(line).collect();
@@ -181,7 +182,7 @@ impl Run<'_> {
         Ok(())
     }
 
-    /// The files that are to be made, and whether there are some that another recipe made.
+    /// The files to be made. Also returns `true` if another recipe's files are in the place of some.
     fn missing(&self, recipe: &Recipe) -> (Vec<(Form, PathBuf)>, bool) {
         let mut is_other = false;
         let files = self.files.iter().map(|(form, pattern)| (*form, pattern.path(recipe.seed())));
@@ -195,7 +196,8 @@ impl Run<'_> {
     }
 }
 
-/// Whether what a map failed by would make all others fail: nobody reads, the disk is full, or the folder is gone.
+/// Returns `true` if a failure would occur for all other maps too: nobody reads, the disk is full, or the folder is
+/// gone.
 fn ends_all(failure: &Failure) -> bool {
     match failure {
         Failure::Output(_) => true,
@@ -208,7 +210,8 @@ fn ends_all(failure: &Failure) -> bool {
     }
 }
 
-/// A line that cannot be made is a failure of its map; one that cannot be written is one of all.
+/// Turns the failure to make a line into a failure of its map. `Failure::Output`, which ends all maps, is kept for
+/// lines that cannot be written.
 fn of_line(failure: Failure) -> Failure {
     match failure {
         Failure::Output(error) => Failure::file(Path::new("-"))(error),

@@ -1,4 +1,4 @@
-//! What is said of many maps: a bar with the time that is left, warnings and failures by seed, and what came of it all.
+//! Reports on many maps: a bar with the time left, warnings and failures by seed, and a summary.
 
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -7,16 +7,16 @@ use riverseed::recipe::visible;
 
 use super::super::{Failure, say};
 
-/// What became of a map.
+/// The outcome of a map.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Outcome {
     Made,
-    /// Made in the place of one of another recipe.
+    /// The files of another recipe were replaced.
     Replaced,
     WasThere,
 }
 
-/// Counts maps, and tells how far they are.
+/// Counts maps and shows progress.
 pub struct Report {
     all: u64,
     made: AtomicU64,
@@ -28,7 +28,7 @@ pub struct Report {
 }
 
 impl Report {
-    /// More warnings than that are counted and not said: what one map has, all may have.
+    /// The number of warnings that are printed. Further ones are only counted, because all maps may have the same.
     const WARNINGS: u64 = 20;
 
     pub fn new(all: u64) -> Self {
@@ -46,7 +46,7 @@ impl Report {
         };
         counter.fetch_add(1, Ordering::Relaxed);
         match outcome {
-            // What takes no time tells nothing of the time that is left.
+            // Maps that take no time say nothing about the time left.
             Outcome::WasThere => self.bar.dec_length(1),
             _ => self.bar.inc(1),
         }
@@ -68,16 +68,16 @@ impl Report {
         self.note(&format!("seed '{}': {text}", visible(seed)));
     }
 
-    /// Says what is of no single map.
+    /// Prints a note about no single map.
     pub fn note(&self, text: &str) {
         self.bar.suspend(|| say(text));
     }
 
-    /// Says what came of it. `faults` are the lines of the list that were no seeds, `end` why not all were tried, and `has_files` tells
-    /// whether what was made need not be made again.
+    /// Prints the summary. `faults` is the number of lines in the list that were not seeds, `end` the reason why not
+    /// all maps were tried. `has_files` is `true` if finished files need not be made again.
     ///
     /// # Errors
-    /// If not all maps are there.
+    /// Fails if not all maps are there.
     pub fn finish(self, faults: u64, end: Option<Failure>, has_files: bool) -> Result<(), Failure> {
         self.bar.finish_and_clear();
         let warnings = self.warnings.into_inner().saturating_sub(Self::WARNINGS);

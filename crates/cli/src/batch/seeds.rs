@@ -96,7 +96,7 @@ fn between(first: &str, last: &str) -> Result<(u64, u64), &'static str> {
 #[derive(Default)]
 struct List {
     seeds: Vec<Arc<str>>,
-    /// The same seeds as a set.
+    /// The seeds as a set.
     known: BTreeSet<Arc<str>>,
     empty: u64,
     repeated: u64,
