@@ -1,4 +1,7 @@
-/** A river on a canvas: grows and draws it, and reports how far it is. It knows no document, so that it works in a worker as well. */
+/**
+ * Grows and draws a river on a canvas, and reports its progress. It uses no document, so that it works in a worker as
+ * well.
+ */
 
 import type { CanvasSize } from "../browser/canvas.ts";
 import type { Phase, ReadOptions, River, Summary } from "../engine/types.ts";
@@ -12,17 +15,23 @@ import type { Canvas, LinkToRead, Reading, ShowMode, Wanted } from "./showing.ts
 export type * from "./showing.ts";
 
 export interface PlayerEvents {
-  /** Asks how many pixels the canvas should have for a river of this shape; none if it is not shown. */
+  /** Returns the size that the canvas should have for a river of this shape; 0 if it is not shown. */
   sizeFor(aspect: number): CanvasSize;
-  /** Something of the picture changed: the link, the state, or in it the river. */
+  /** Called when the link, the state or the river changed. */
   changed(reading: Reading, state: State, phase: Phase, summary: Summary): void;
   failed(error: unknown): void;
 }
 
-/** While the river grows or meanders its numbers are read this often: counting all its sources is not free, and nobody reads faster. */
+/**
+ * The time between two reports while a river grows or meanders: counting its sources takes time, and nobody reads
+ * faster.
+ */
 const COUNT_EVERY_MS = 250;
 
-/** A hand is followed at once, but for what comes sooner than this after the last: that waits for a frame, and the latest alone is shown. */
+/**
+ * Changes by a hand are shown at once, unless they come sooner than this after the last: then the latest one is shown
+ * in the next frame.
+ */
 const AT_ONCE_MS = 16;
 
 /** The methods of the full engine's rivers that the lean engine's lack. */
@@ -30,19 +39,19 @@ interface Controlled extends Drafting {
   frame(framing: Float32Array): void;
 }
 
-/** The part of an engine that makes rivers: a lean one, or a full one. */
+/** The part of a lean or full engine that makes rivers. */
 export interface RiverMaker<R> {
   readonly engine: { readonly River: new (text: string, options?: ReadOptions) => R };
   readonly memory: WebAssembly.Memory;
-  /** Fetches what makes charts of its rivers. */
+  /** Fetches the charts module. */
   readonly loadCharts: LoadCharts;
 }
 
 export class RiverPlayer<R extends River & Partial<Controlled> = River> {
-  /** The link that it is to go over to, until it has. */
+  /** The link to change to, until that is done. */
   #wanted: Wanted | undefined;
   #reading: Reading;
-  /** How many links it was asked to show after the first. */
+  /** The number of links it was asked to show after the first. */
   #links = 0;
   #followedAt = Number.NEGATIVE_INFINITY;
   #applying: number | undefined;
@@ -91,7 +100,7 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
     return this.#reading.link;
   }
 
-  /** How many links it was asked to show after the first. */
+  /** The number of links it was asked to show after the first. */
   get links(): number {
     return this.#links;
   }
@@ -153,8 +162,8 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
   }
 
   /**
-   * Shows another recipe. While a dragged slider's river still settles unseen, only the latest of the links that come in
-   * is remembered: otherwise each new value would throw the work for the last away, and none would ever be seen.
+   * Shows another recipe. While a dragged slider's river still settles unseen, only the latest of the links that come
+   * in is remembered: otherwise each new value would throw the work for the last away, and none would ever be seen.
    */
   show(link: LinkToRead, how: ShowMode): void {
     this.#wanted = { link, how };
@@ -238,8 +247,8 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
   }
 
   /**
-   * Shows a draft for sliders of width, relief and coasts; the exact river follows when the hand has rested for `REST_MS`. Returns whether a
-   * draft is on the canvas, or on its way there.
+   * Shows a draft for sliders of width, relief and coasts; the exact river follows when the hand has rested for
+   * `REST_MS`. Returns whether a draft is on the canvas, or on its way there.
    */
   #showsDraft(wanted: Wanted): boolean {
     const { state } = this;
