@@ -42,7 +42,7 @@ export class MapWords {
     else this.#announcer.hush();
   }
 
-  /** Announces the greatest rivers to screen readers, once the names on the finished map are known. */
+  /** Adds the greatest rivers to the caption and the text alternative, once the names on the finished map are known. */
   tell(names: readonly Named[], seed: string, phase: Phase, summary: Summary): void {
     const rivers = names.filter(({ mark, name }) => isRiver(mark) && name !== "").slice(0, TOLD_RIVERS);
     if (rivers.length === 0) return;
