@@ -6,7 +6,7 @@ import type { Thumbnail } from "../../player/thumbnails.ts";
 
 /** The names on a map, as the engine lists them, three texts each. */
 export interface Names {
-  /** Of which map. */
+  /** The link of the map. */
   link: string;
   texts: readonly string[];
 }
@@ -19,7 +19,7 @@ export type RiverPlace = { x: number; y: number; reach: number } | { mark: strin
 
 /** A river that was pointed at, with names in place of marks; empty for those without a name. */
 export interface PointedRiver extends Omit<RiverFacts, "mark" | "into"> {
-  /** Of which map. */
+  /** The link of the map. */
   link: string;
   /** Width and height of the map, in units. */
   size: readonly [width: number, height: number];
@@ -36,7 +36,7 @@ export interface Moment {
 
 /** The progress of a map, and the lengths of its making. */
 export interface Making {
-  /** Of which map. */
+  /** The link of the map. */
   link: string;
   at: Moment;
   /** The progress of the part, from 0 to 1. */
@@ -54,7 +54,7 @@ export type OverlayName = LiveOverlayName | "orders" | "basins" | "flow" | "held
 
 /** An overlay of a map: SVG paths in units, a list for each kind of thing it shows. */
 export interface Overlay {
-  /** Of which map. */
+  /** The link of the map. */
   link: string;
   size: readonly [width: number, height: number];
   kinds: readonly (readonly string[])[];
