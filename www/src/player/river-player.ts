@@ -55,21 +55,21 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
   #links = 0;
   #followedAt = Number.NEGATIVE_INFINITY;
   #applying: number | undefined;
-  /** Before this time there are no labels, since the hand may move on; and the frame that looks whether it has come. */
+  /** The time before which no labels are made, since the hand may move on, and the frame that checks for it. */
   #labelling: { from: number; handle: number } | undefined;
-  /** The last report. */
+  /** The phase and time of the last report. */
   #told: { phase: Phase; at: number } | undefined;
   #canRun = true;
   #view: Pick<CanvasSize, "ratio" | "framing"> = { ratio: 1 };
   readonly #river: R;
-  /** As it grows by the clock that it shares with others, if there is one. */
+  /** The river, or the member of the shared clock that stands in for it while it grows. */
   readonly #growing: Growing;
   readonly #loop: FrameLoop;
   readonly #blitter: Blitter;
   readonly #chartMaker: ChartMaker;
   readonly #drafts: Drafts;
 
-  /** Puts a river on the canvas at tick 0. Throws what the core throws. */
+  /** Puts a river on the canvas at tick 0. Throws the core's errors. */
   constructor(
     core: RiverMaker<R>,
     private readonly canvas: Canvas,
@@ -95,7 +95,7 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
     });
   }
 
-  /** The canonical link of the river that is on the canvas. */
+  /** The canonical link of the river on the canvas. */
   get link(): string {
     return this.#reading.link;
   }
@@ -105,7 +105,10 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
     return this.#links;
   }
 
-  /** The river on the canvas, to be looked at; after a failure nothing of it may be called, so there is none. */
+  /**
+   * The river on the canvas, for questions. Undefined once the player is closed, since after a failure it may not be
+   * used.
+   */
   get river(): R | undefined {
     return this.#canRun ? this.#river : undefined;
   }
@@ -138,7 +141,7 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
     this.#attempt(() => this.#loop.pause());
   }
 
-  /** Stands still, and shows the river as it is. */
+  /** Pauses, and shows the river as it is. */
   hold(): void {
     this.#attempt(() => this.#loop.hold());
   }
@@ -147,12 +150,12 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
     this.#attempt(() => this.#loop.replay());
   }
 
-  /** To the finished river without animation, whatever it is doing. */
+  /** Goes to the finished river without animation. */
   finish(): void {
     if (this.state !== "finished") this.#attempt(() => this.#loop.settle(false));
   }
 
-  /** Nobody sees it: no steps until somebody does. */
+  /** Makes no steps until `wake`, while nobody sees the river. */
   rest(): void {
     this.#attempt(() => this.#loop.rest());
   }
@@ -162,8 +165,8 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
   }
 
   /**
-   * Shows another recipe. While a dragged slider's river still settles unseen, only the latest of the links that come
-   * in is remembered: otherwise each new value would throw the work for the last away, and none would ever be seen.
+   * Shows another recipe. While the river of a dragged slider is settling and has not been seen, only the latest link
+   * is remembered: otherwise each new value would discard the work for the last one, and none would ever be seen.
    */
   show(link: LinkToRead, how: ShowMode): void {
     this.#wanted = { link, how };
@@ -179,12 +182,12 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
     else this.#applying ??= this.frames.request(follow);
   }
 
-  /** Gives the canvas the size it should have; the river stays the same. */
+  /** Gives the canvas the size that it should have. The river stays the same. */
   resize(): void {
     this.#attempt(() => this.#fit());
   }
 
-  /** Stops for good. The river is not freed: after some failures nothing may be asked of it. */
+  /** Stops for good. The river is not freed, since after some failures it may not be used. */
   close(): void {
     this.#canRun = false;
     this.clock?.leave(this.#growing);
@@ -193,7 +196,7 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
       if (handle !== undefined) this.frames.cancel(handle);
   }
 
-  /** Stops for good, if it has not, and gives the river's memory back, once. */
+  /** Stops for good and frees the river. May be called only once. */
   free(): void {
     this.close();
     this.#river.free();
@@ -209,20 +212,20 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
     const wanted = this.#wanted;
     if (!wanted || this.#showsDraft(wanted)) return;
     const isDrafted = this.#drafts.areShown;
-    // It has seen a draft of this very link, and has not moved since.
+    // The hand has seen a draft of this link, and has not moved since.
     const isAtRest = this.#drafts.seenSince(wanted) !== undefined;
     this.#wanted = undefined;
     const stage = this.#change(wanted, isDrafted);
     this.#reading = this.#readRiver();
     if (stage === "none") {
-      // The picture stays, unless it is a draft; that it is of this link is news. What settles goes on.
+      // The picture stays, unless it is a draft, but its link is reported. A settling river goes on.
       if (isDrafted || this.state === "settling") this.#loop.redraw();
       this.#tell();
       return;
     }
     this.#fit();
     const { phase } = this.#river;
-    // Of finished rivers a style may show a relief that none has shown before, and that is yet to be made.
+    // A style may show the relief of finished rivers for the first time, and then it has to be made.
     const isDrawing = (stage === "paint" || stage === "name") && (phase === "finished" || this.state !== "finished");
     if (stage === "land" || stage === "grow") this.#grow(wanted.how, isAtRest);
     else if (isDrawing || phase === "growing") this.#loop.redraw();
@@ -231,7 +234,7 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
     if (wanted.how === "settle" && stage === "relief" && !isDrafted) this.#labelAtRest(this.frames.now() + REST_MS);
   }
 
-  /** Goes over to a link. One that is refused leaves no draft behind. */
+  /** Changes the river to a link. If the link is refused, a draft is painted over. */
   #change(wanted: Wanted, isDrafted: boolean): ReturnType<River["change"]> {
     try {
       return this.#drafts.leaveFor(wanted);
@@ -241,14 +244,14 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
     }
   }
 
-  /** Paints one more picture, unless a draft is shown: then there will be one anyway, at rest. */
+  /** Paints one more picture, unless a draft is shown: then one will be painted when the hand rests. */
   #redraw(): void {
     if (!this.#drafts.areShown) this.#loop.redraw();
   }
 
   /**
    * Shows a draft for sliders of width, relief and coasts; the exact river follows when the hand has rested for
-   * `REST_MS`. Returns whether a draft is on the canvas, or on its way there.
+   * `REST_MS`. Returns whether a draft is on the canvas or has been begun.
    */
   #showsDraft(wanted: Wanted): boolean {
     const { state } = this;
@@ -262,12 +265,12 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
     return true;
   }
 
-  /** Paints a part of a draft. Returns whether there can be one. */
+  /** Paints a part of a draft. Returns whether a draft is possible. */
   #paintDraft(wanted: Wanted, now: number): boolean {
     if (!this.#drafts.isOnCanvas && wanted.link.text === this.link) return false;
     const drafted = this.#drafts.paint(wanted, now);
     if (drafted === "impossible") return false;
-    // No step is made for what the hand has left.
+    // No more steps for the old river.
     this.#loop.halt();
     if (drafted === "whole") this.#blitter.blit(this.#river);
     return true;
@@ -290,7 +293,10 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
     return { link, seed, aspect, notices, links: this.#links };
   }
 
-  /** After a draft the hand rests, and waits for the exact map: there are no more drafts. */
+  /**
+   * Grows the river. `isAtRest` means that the hand has seen a draft and waits for the exact map, so that there are no
+   * more drafts.
+   */
   #grow(how: ShowMode, isAtRest = false): void {
     if (how === "watch") this.#loop.watch();
     else if (how === "settle" && !isAtRest) this.#loop.follow();
@@ -322,7 +328,9 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
     this.events.changed(this.#reading, this.state, phase, this.#river.summary());
   }
 
-  /** At once, not in the next frame: what follows a pen or a slider is seen twice as often. */
+  /**
+   * Changes to the remembered link at once, not in the next frame: then a pen or a slider is followed twice as often.
+   */
   #followWanted(): void {
     if (this.#wanted) this.#applyNow();
   }
@@ -333,7 +341,7 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
     const { width, height, ratio, framing } = this.events.sizeFor(river.aspect);
     if (width === 0 || height === 0) return;
     const before = this.#view;
-    // As finely as letters are measured.
+    // Letters are measured in quarters of a ratio.
     const isAsDense = Math.round(ratio * 4) === Math.round(before.ratio * 4);
     const isAsLarge = width === river.width && height === river.height && isAsDense;
     const isFramed = `${framing}` === `${before.framing}`;
@@ -341,7 +349,7 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
     if (!isAsLarge) river.resize(width, height);
     river.frame?.(new Float32Array(framing ?? []));
     this.#view = framing ? { ratio, framing } : { ratio };
-    // Setting its size empties a canvas, so it is filled again before the browser can show that.
+    // Setting its size clears a canvas, so it is painted again before the browser can show that.
     canvas.width = width;
     canvas.height = height;
     while (this.#paint());
@@ -350,7 +358,7 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
     this.#drafts.forget();
   }
 
-  /** Does some work; after the end, nothing. */
+  /** Does some work and reports its failure. Does nothing once the player is closed. */
   #attempt(work: () => void): void {
     if (!this.#canRun) return;
     try {
@@ -363,7 +371,7 @@ export class RiverPlayer<R extends River & Partial<Controlled> = River> {
 
 /** Returns a context that replaces pixels rather than mixing them. */
 export function contextOf(canvas: Canvas): CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D {
-  // Both kinds of canvas take the same, which their types do not say of the two together.
+  // Both kinds of canvas take the same arguments, but the union of their types does not allow it.
   const context = (canvas as OffscreenCanvas).getContext("2d", { alpha: false });
   if (!context) throw new Error("this browser gives no 2D canvas");
   return context;

@@ -338,7 +338,7 @@ export class RiverViewport {
     zoom.all.addEventListener("click", all);
   }
 
-  /** The picture's place for the map that was asked for last. */
+  /** Returns the picture's place for the map that was requested last. */
   #stage(): Stage {
     const { width, height } = this.elements.frame.getBoundingClientRect();
     return { width, height, insets: this.covered(), aspect: this.#wanted.aspect };
