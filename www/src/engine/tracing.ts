@@ -19,7 +19,10 @@ const load = once(() =>
   }),
 );
 
-/** Loads the tracing module. A failure has a code from which the page recovers, since the map is as good as before. */
+/**
+ * Loads the tracing module. A failure gets the code "no-tracing", from which the page recovers, since the map is not
+ * affected.
+ */
 export async function loadTracing(): Promise<Tracing> {
   try {
     return await load();

@@ -8,7 +8,7 @@ import type { Phase } from "../engine/types.ts";
 
 /** The time in which a tree grows up at 1x, whatever its shape and however fine it is. */
 export const GROWTH_SECONDS = 2;
-/** The pace at which rivers meander at 1x, about a round every other frame; many rounds share `MEANDER_SECONDS`. */
+/** The pace at which rivers meander at 1x. Many rounds share `MEANDER_SECONDS`, and so are faster. */
 export const ROUNDS_PER_SECOND = 40;
 export const MEANDER_SECONDS = 1.2;
 /** The time for steps in a frame that animates: painting, and the rest of the page, need the other 10 ms. */
@@ -146,7 +146,7 @@ export class FrameLoop {
     return stateOf(this.#course);
   }
 
-  /** Times the ordinary speed; `Infinity` grows as fast as the budget allows. */
+  /** The speed as a multiple of the ordinary one. `Infinity` grows as fast as the budget allows. */
   set speed(speed: number) {
     this.#speed = speed;
     // The new pace starts from the present progress.
@@ -158,12 +158,12 @@ export class FrameLoop {
     return this.#picture === "begun" || hidesNews(this.#course);
   }
 
-  /** Animates a river from where it stands. */
+  /** Animates the river from its present state. */
   watch(): void {
     this.#enter({ is: "growing" });
   }
 
-  /** Goes on; a finished river starts again. */
+  /** Continues, or starts again if the river is finished. */
   play(): void {
     if (this.state === "finished") this.river.restart();
     this.watch();
